@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Pixel types: plain aggregates with the channels in memory order.
+#pragma once
+
+#include <cstdint>
+
+#include <irg/core/scalar.hpp>
+
+namespace irg {
+
+/// Red, green, blue and opacity, 8 bits each, sRGB-encoded; byte 0 is red. The pixel of pictures and of `render`.
+struct rgba8 {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  constexpr bool operator==(const rgba8&) const = default;
+};
+
+/// Blue, green, red and opacity: the order of many windowing systems and of OpenCV.
+struct bgra8 {
+  std::uint8_t b = 0, g = 0, r = 0, a = 255;
+  constexpr bool operator==(const bgra8&) const = default;
+};
+
+/// Red, green and blue, 8 bits each.
+struct rgb8 {
+  std::uint8_t r = 0, g = 0, b = 0;
+  constexpr bool operator==(const rgb8&) const = default;
+};
+
+/// Red, green and blue as numbers: light, not encoding; 0 is dark and 1 is the display's white, larger values are legal.
+template <class T>
+struct rgb {
+  T r{}, g{}, b{};
+  constexpr bool operator==(const rgb&) const = default;
+};
+
+inline namespace IRG_ABI {
+
+template <class T>
+IRG_INLINE constexpr rgb<T> operator+(const rgb<T>& a, const rgb<T>& b) noexcept {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

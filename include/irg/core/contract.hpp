@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// IRG_EXPECTS(condition): a precondition. A broken one is a compile error in constant evaluation, a message and
+// abort() in debug builds, and costs nothing in release builds (NDEBUG).
+#pragma once
+
+#include <type_traits>
+
+#include <irg/core/config.hpp>
+
+#ifndef NDEBUG
+#include <cstdio>
+#include <cstdlib>
+#endif
+
+namespace irg::detail {
+
+#ifdef NDEBUG
+// Not constexpr: reaching this call makes the expression no constant, which is the compile error that is wanted.
+inline void precondition_broken() noexcept {}
+#else
+[[noreturn]] inline void precondition_broken(const char* condition, const char* file, int line) noexcept {
+  std::fprintf(stderr, "irg: broken precondition: %s (%s:%d)\n", condition, file, line);
+  std::abort();
+}
+#endif
+
+}  // namespace irg::detail
+
+#ifdef NDEBUG
+#define IRG_EXPECTS(...) \
+  ((std::is_constant_evaluated() && !(__VA_ARGS__)) ? ::irg::detail::precondition_broken() : static_cast<void>(0))
+#else
+#define IRG_EXPECTS(...) \
+  ((__VA_ARGS__) ? static_cast<void>(0) : ::irg::detail::precondition_broken(#__VA_ARGS__, __FILE__, __LINE__))
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The contraction guard. Compilers may fuse x*y + z into one instruction that rounds once; whether they do depends on
+// flags that belong to the user. `product(x, y)` is x*y rounded on its own under every flag, so a formula written with
+// it has the same bits everywhere. Every exact path of irg spells a product that meets a sum this way.
+//
+// g++ has a builtin for it, free of cost. clang's FP_CONTRACT pragma is ignored under -ffp-contract=fast, so there an
+// empty asm statement takes the product out of the optimiser's sight; it emits no instruction, but keeps clang from
+// vectorising plain loops (explicit packs are not affected).
+#pragma once
+
+#include <type_traits>
+
+#include <irg/core/config.hpp>
+
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_assoc_barrier) && !defined(__clang__)
+#define IRG_HAS_ASSOC_BARRIER 1
+#endif
+#endif
+
+// The register class that holds a float, a double or a pack on this target.
+#if defined(__x86_64__) || defined(__i386__)
+#if defined(__AVX512F__)
+#define IRG_FLOAT_REGISTER "+v"
+#else
+#define IRG_FLOAT_REGISTER "+x"
+#endif
+#elif defined(__aarch64__)
+#define IRG_FLOAT_REGISTER "+w"
+#elif defined(__riscv)
+#define IRG_FLOAT_REGISTER "+f"
+#else
+#define IRG_FLOAT_REGISTER "+m"
+#endif
+
+namespace irg {
+inline namespace IRG_ABI {
+
+/// The value, unchanged, as something the optimiser may not look into: no operation on either side can be fused or
+/// regrouped across it.
+/// exact   the identity; in constant evaluation, where nothing is fused, it does nothing
+template <class T>
+IRG_INLINE constexpr T opaque(T value) noexcept {
+#if defined(IRG_HAS_ASSOC_BARRIER)
+  return __builtin_assoc_barrier(value);
+#elif defined(__GNUC__) && !defined(__wasm__)
+  // wasm has no fused instruction to fear. In constant evaluation the asm statement is skipped, not merely harmless.
+  if (!std::is_constant_evaluated()) asm("" : IRG_FLOAT_REGISTER(value));
+  return value;
+#else
+  return value;
+#endif
+}
+
+/// x*y, rounded by itself whatever the contraction flags.
+/// exact   the IEEE product, never fused with a sum
+/// source  the measurements are in docs/numbers.md
+template <class T>
+IRG_INLINE constexpr T product(T x, T y) noexcept(noexcept(x * y)) {
+  if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>)
+    return opaque<T>(x * y);
+  else
+    return x * y;  // integers and user-defined scalars; packs guard their own operator*
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Vectors, points and homogeneous points: anything with a fixed number of coordinates.
+//
+// The one customisation point is coordinate_traits<T>. It fits, without a word from the user,
+//   * types with members x and y, or x, y and z, or x, y, z and w     (plain structs, GLM),
+//   * std::array and other tuple-like types with operator[],
+//   * fixed-size column vectors with RowsAtCompileTime and operator[] (Eigen).
+// Any other type is admitted by specialising it:
+//
+//   template <> struct irg::coordinate_traits<my::vector> {
+//     using scalar = float;
+//     static constexpr int size = 3;
+//     static constexpr auto kind = irg::coordinate_kind::any;
+//     static constexpr float get(const my::vector& v, int i) { return v.at(i); }
+//     static constexpr my::vector make(float x, float y, float z) { return my::vector(x, y, z); }
+//   };
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include <irg/core/scalar.hpp>
+
+namespace irg {
+
+/// What a coordinate type means. `any` serves as vector and as point: foreign types seldom tell the two apart.
+enum class coordinate_kind { any, vector, point, homogeneous };
+
+namespace detail {
+
+template <class T>
+concept has_xy = requires(const T v) {
+  requires Scalar<std::remove_cvref_t<decltype(v.x)>>;
+  requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.y)>>;
+};
+template <class T>
+concept has_z = requires(const T v) { requires Scalar<std::remove_cvref_t<decltype(v.z)>>; };
+template <class T>
+concept has_w = requires(const T v) { requires Scalar<std::remove_cvref_t<decltype(v.w)>>; };
+template <class T>
+concept subscriptable = requires(const T v) { requires Scalar<std::remove_cvref_t<decltype(v[0])>>; };
+template <class T>
+concept tuple_sized = requires { std::tuple_size<T>::value; };
+template <class T>
+concept eigen_like = requires {
+  requires(T::RowsAtCompileTime >= 1) && (T::ColsAtCompileTime == 1);
+};
+
+template <class T>
+constexpr coordinate_kind kind_of() {
+  if constexpr (requires { T::kind; })
+    return T::kind;
+  else
+    return coordinate_kind::any;
+}
+
+}  // namespace detail
+
+/// How irg reads and makes a type with coordinates. Members: scalar, size, kind, get(v, i), make(coordinates...).
+template <class T>
+struct coordinate_traits {};
+
+template <detail::has_xy T>
+struct coordinate_traits<T> {
+  using scalar = std::remove_cvref_t<decltype(std::declval<const T&>().x)>;
+  static constexpr int size = detail::has_w<T> ? 4 : detail::has_z<T> ? 3 : 2;
+  static constexpr coordinate_kind kind = detail::kind_of<T>();
+
+  IRG_INLINE static constexpr scalar get(const T& v, int i) noexcept {
+    if constexpr (size == 4)
+      return i == 0 ? v.x : i == 1 ? v.y : i == 2 ? v.z : v.w;
+    else if constexpr (size == 3)
+      return i == 0 ? v.x : i == 1 ? v.y : v.z;
+    else
+      return i == 0 ? v.x : v.y;
+  }
+  template <class... S>
+  IRG_INLINE static constexpr T make(S... c) noexcept {
+    return T{static_cast<scalar>(c)...};
+  }
+};
+
+template <class T>
+  requires(!detail::has_xy<T> && detail::subscriptable<T> && (detail::tuple_sized<T> || detail::eigen_like<T>))
+struct coordinate_traits<T> {
+  using scalar = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
+  static constexpr int size = [] {
+    if constexpr (detail::tuple_sized<T>)
+      return static_cast<int>(std::tuple_size<T>::value);
+    else
+      return static_cast<int>(T::RowsAtCompileTime);
+  }();
+  static constexpr coordinate_kind kind = detail::kind_of<T>();
+
+  IRG_INLINE static constexpr scalar get(const T& v, int i) noexcept {
+    if constexpr (detail::tuple_sized<T>)
+      return v[static_cast<std::size_t>(i)];
+    else
+      return v[i];
+  }
+  template <class... S>
+  IRG_INLINE static constexpr T make(S... c) noexcept {
+    return T{static_cast<scalar>(c)...};
+  }
+};
+
+/// A type with a fixed number of coordinates, readable by index and made from them.
+template <class T>
+concept Coordinates = requires(const T v) {
+  requires Scalar<typename coordinate_traits<T>::scalar>;
+  requires(coordinate_traits<T>::size >= 1);
+  requires std::same_as<std::remove_cvref_t<decltype(coordinate_traits<T>::kind)>, coordinate_kind>;
+  { coordinate_traits<T>::get(v, 0) } -> std::convertible_to<typename coordinate_traits<T>::scalar>;
+};
+
+/// A displacement. Models: vec, glm::vec3, Eigen::Vector3f, std::array<double, 3>, a struct with x, y and z.
+template <class T>
+concept Vector = Coordinates<T> && (coordinate_traits<T>::kind == coordinate_kind::any ||
+                                    coordinate_traits<T>::kind == coordinate_kind::vector);
+
+/// A position. Models: point, and every foreign type that is a Vector.
+template <class T>
+concept Point = Coordinates<T> && (coordinate_traits<T>::kind == coordinate_kind::any ||
+                                   coordinate_traits<T>::kind == coordinate_kind::point);
+
+/// A position of the projective space; the last coordinate is its weight. Models: hpoint, and every foreign type of
+/// three or more coordinates, such as glm::vec4.
+template <class T>
+concept HomogeneousPoint = Coordinates<T> && (coordinate_traits<T>::kind == coordinate_kind::homogeneous ||
+                                              (coordinate_traits<T>::kind == coordinate_kind::any && coordinate_traits<T>::size >= 3));
+
+/// The number type of a type with coordinates.
+template <Coordinates T>
+using scalar_of = typename coordinate_traits<T>::scalar;
+
+/// How many coordinates a type has.
+template <Coordinates T>
+inline constexpr int size_of = coordinate_traits<T>::size;
+
+inline namespace IRG_ABI {
+
+/// Coordinate i of v.
+/// needs   0 <= i < size_of<T>
+template <Coordinates T>
+IRG_INLINE constexpr scalar_of<T> coordinate(const T& v, int i) noexcept {
+  return coordinate_traits<T>::get(v, i);
+}
+
+/// A T with the given coordinates.
+template <Coordinates T, class... S>
+  requires(sizeof...(S) == static_cast<std::size_t>(size_of<T>))
+IRG_INLINE constexpr T from_coordinates(S... c) noexcept {
+  return coordinate_traits<T>::make(c...);
+}
+
+/// A T whose coordinate i is f(i).
+template <Coordinates T, class F>
+IRG_INLINE constexpr T generate_coordinates(F f) {
+  return [&]<int... I>(std::integer_sequence<int, I...>) {
+    return coordinate_traits<T>::make(f(I)...);
+  }(std::make_integer_sequence<int, size_of<T>>{});
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

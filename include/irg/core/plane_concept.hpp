@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Planes a*x + b*y + c*z + d = 0 of any type. The one customisation point is plane_traits<T>; it fits types with members
+// a, b, c and d, and types with four coordinates (Eigen::Vector4d, std::array<float, 4>).
+#pragma once
+
+#include <irg/core/coordinates.hpp>
+
+namespace irg {
+
+namespace detail {
+template <class T>
+concept has_abcd = requires(const T p) {
+  requires Scalar<std::remove_cvref_t<decltype(p.a)>>;
+  requires Scalar<std::remove_cvref_t<decltype(p.b)>>;
+  requires Scalar<std::remove_cvref_t<decltype(p.c)>>;
+  requires Scalar<std::remove_cvref_t<decltype(p.d)>>;
+};
+}  // namespace detail
+
+/// How irg reads a plane. Members: scalar, coefficient(p, i) for a, b, c, d as i = 0..3.
+template <class T>
+struct plane_traits {};
+
+template <detail::has_abcd T>
+struct plane_traits<T> {
+  using scalar = std::remove_cvref_t<decltype(std::declval<const T&>().a)>;
+  IRG_INLINE static constexpr scalar coefficient(const T& p, int i) noexcept {
+    return i == 0 ? p.a : i == 1 ? p.b : i == 2 ? p.c : p.d;
+  }
+};
+
+template <Coordinates T>
+  requires(!detail::has_abcd<T> && coordinate_traits<T>::size == 4 && coordinate_traits<T>::kind == coordinate_kind::any)
+struct plane_traits<T> {
+  using scalar = scalar_of<T>;
+  IRG_INLINE static constexpr scalar coefficient(const T& p, int i) noexcept { return coordinate_traits<T>::get(p, i); }
+};
+
+/// A plane with readable coefficients. Models: plane, a struct with a, b, c and d, an Eigen::Vector4d.
+template <class T>
+concept Plane = requires(const T p) {
+  requires Scalar<typename plane_traits<T>::scalar>;
+  { plane_traits<T>::coefficient(p, 0) } -> std::convertible_to<typename plane_traits<T>::scalar>;
+};
+
+}  // namespace irg

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Polygon rings: closed chains of points, the last joined to the first without being repeated. The one customisation
+// point is ring_traits<T>; it fits every container with size() and operator[] (std::vector, std::array, std::span).
+#pragma once
+
+#include <cstddef>
+
+#include <irg/core/coordinates.hpp>
+
+namespace irg {
+
+/// How irg reads a ring. Members: point (a Point or HomogeneousPoint), size(r), vertex(r, i).
+template <class T>
+struct ring_traits {};
+
+template <class T>
+  requires requires(const T r, std::size_t i) {
+    { r.size() } -> std::convertible_to<std::size_t>;
+    requires Coordinates<std::remove_cvref_t<decltype(r[i])>>;
+  }
+struct ring_traits<T> {
+  using point = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
+  IRG_INLINE static constexpr std::size_t size(const T& r) noexcept { return static_cast<std::size_t>(r.size()); }
+  IRG_INLINE static constexpr point vertex(const T& r, std::size_t i) noexcept { return r[i]; }
+};
+
+/// A closed chain of points.
+template <class T>
+concept PolygonRing = requires(const T r, std::size_t i) {
+  requires Point<typename ring_traits<T>::point> || HomogeneousPoint<typename ring_traits<T>::point>;
+  { ring_traits<T>::size(r) } -> std::convertible_to<std::size_t>;
+  { ring_traits<T>::vertex(r, i) } -> std::convertible_to<typename ring_traits<T>::point>;
+};
+
+inline namespace IRG_ABI {
+
+/// The number of vertices of a ring.
+template <PolygonRing R>
+IRG_INLINE constexpr std::size_t ring_size(const R& r) noexcept {
+  return ring_traits<R>::size(r);
+}
+
+/// Vertex i of a ring, counted round and round: vertex size is vertex 0 again.
+/// needs   a ring that is not empty
+template <PolygonRing R>
+IRG_INLINE constexpr typename ring_traits<R>::point ring_vertex(const R& r, std::size_t i) noexcept {
+  const std::size_t n = ring_traits<R>::size(r);
+  return ring_traits<R>::vertex(r, i < n ? i : i % n);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The numbers that algorithms compute with.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include <irg/core/config.hpp>
+
+namespace irg {
+
+/// A number: ordered, with the four operations, made from small integers. Models: every built-in arithmetic type but
+/// bool, rationals, double-double, interval and fixed-point types.
+template <class T>
+concept Scalar = std::regular<T> && !std::same_as<T, bool> && requires(const T a, const T b) {
+  static_cast<T>(1);
+  { a + b } -> std::convertible_to<T>;
+  { a - b } -> std::convertible_to<T>;
+  { a * b } -> std::convertible_to<T>;
+  { a / b } -> std::convertible_to<T>;
+  { -a } -> std::convertible_to<T>;
+  { a < b } -> std::convertible_to<bool>;
+};
+
+/// A number whose division is no truncation. Models: float, double, rationals and the like; not the integers.
+template <class T>
+concept Real = Scalar<T> && !std::integral<T>;
+
+/// float or double: the numbers that irg's own elementary functions are written for.
+template <class T>
+concept Floating = std::same_as<T, float> || std::same_as<T, double>;
+
+inline namespace IRG_ABI {
+
+/// The smaller of two numbers; b when they are unordered (a is NaN).
+template <class T>
+IRG_INLINE constexpr T lesser(T a, T b) noexcept(noexcept(a < b)) {
+  return a < b ? a : b;
+}
+
+/// The larger of two numbers; b when they are unordered (a is NaN).
+template <class T>
+IRG_INLINE constexpr T greater(T a, T b) noexcept(noexcept(b < a)) {
+  return b < a ? a : b;
+}
+
+/// x, limited to [low, high]; low when x is NaN.
+template <class T>
+IRG_INLINE constexpr T clamp(T x, T low, T high) noexcept(noexcept(x < low)) {
+  return low < x ? (x < high ? x : high) : low;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

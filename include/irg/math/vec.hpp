@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// vec<T, N>, point<T, N> and hpoint<T, N>: plain aggregates, told apart by type so that a transformation does the right
+// thing to each. Functions such as dot and cross take any Vector, the operators only irg's own types.
+#pragma once
+
+#include <cstddef>
+
+#include <irg/core/contraction.hpp>
+#include <irg/core/contract.hpp>
+#include <irg/core/coordinates.hpp>
+
+namespace irg {
+
+#define IRG_COORDINATES_2                                                                    \
+  T x{}, y{};                                                                                \
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : y; }  \
+  IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : y; }
+#define IRG_COORDINATES_3                                                                                    \
+  T x{}, y{}, z{};                                                                                           \
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : i == 1 ? y : z; }     \
+  IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : z; }
+#define IRG_COORDINATES_4                                                                                             \
+  T x{}, y{}, z{}, w{};                                                                                               \
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; } \
+  IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+
+/// A displacement with N coordinates.
+template <Scalar T, int N>
+struct vec {
+  static constexpr coordinate_kind kind = coordinate_kind::vector;
+  T elements[static_cast<std::size_t>(N)]{};
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return elements[i]; }
+  IRG_INLINE constexpr T& operator[](int i) noexcept { return elements[i]; }
+  constexpr bool operator==(const vec&) const = default;
+};
+template <Scalar T>
+struct vec<T, 2> {
+  static constexpr coordinate_kind kind = coordinate_kind::vector;
+  IRG_COORDINATES_2
+  constexpr bool operator==(const vec&) const = default;
+};
+template <Scalar T>
+struct vec<T, 3> {
+  static constexpr coordinate_kind kind = coordinate_kind::vector;
+  IRG_COORDINATES_3
+  constexpr bool operator==(const vec&) const = default;
+};
+template <Scalar T>
+struct vec<T, 4> {
+  static constexpr coordinate_kind kind = coordinate_kind::vector;
+  IRG_COORDINATES_4
+  constexpr bool operator==(const vec&) const = default;
+};
+
+/// A position in N-dimensional space, N = 2 or 3.
+template <Scalar T, int N>
+struct point;
+template <Scalar T>
+struct point<T, 2> {
+  static constexpr coordinate_kind kind = coordinate_kind::point;
+  IRG_COORDINATES_2
+  constexpr bool operator==(const point&) const = default;
+};
+template <Scalar T>
+struct point<T, 3> {
+  static constexpr coordinate_kind kind = coordinate_kind::point;
+  IRG_COORDINATES_3
+  constexpr bool operator==(const point&) const = default;
+};
+
+/// A position of N-dimensional projective space, N = 2 (x, y, w as x, y, z) or 3 (x, y, z, w). Weight 0 is a direction;
+/// all coordinates 0 is no position. == compares coordinates; positions are equal when they are proportional.
+template <Scalar T, int N>
+struct hpoint;
+template <Scalar T>
+struct hpoint<T, 2> {
+  static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
+  IRG_COORDINATES_3
+  constexpr bool operator==(const hpoint&) const = default;
+};
+template <Scalar T>
+struct hpoint<T, 3> {
+  static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
+  IRG_COORDINATES_4
+  constexpr bool operator==(const hpoint&) const = default;
+};
+
+#undef IRG_COORDINATES_2
+#undef IRG_COORDINATES_3
+#undef IRG_COORDINATES_4
+
+template <class T, int N>
+  requires(N != 2 && N != 3 && N != 4)
+struct coordinate_traits<vec<T, N>> {
+  using scalar = T;
+  static constexpr int size = N;
+  static constexpr coordinate_kind kind = coordinate_kind::vector;
+  IRG_INLINE static constexpr T get(const vec<T, N>& v, int i) noexcept { return v.elements[i]; }
+  template <class... S>
+  IRG_INLINE static constexpr vec<T, N> make(S... c) noexcept {
+    return {{static_cast<T>(c)...}};
+  }
+};
+
+namespace detail {
+/// irg's own vec, point and hpoint: the types that carry operators.
+template <class T>
+inline constexpr bool is_own = false;
+template <class T, int N>
+inline constexpr bool is_own<vec<T, N>> = true;
+template <class T, int N>
+inline constexpr bool is_own<point<T, N>> = true;
+template <class T, int N>
+inline constexpr bool is_own<hpoint<T, N>> = true;
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> operator+(const vec<T, N>& a, const vec<T, N>& b) noexcept {
+  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] + b[i]; });
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a, const vec<T, N>& b) noexcept {
+  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept {
+  return generate_coordinates<vec<T, N>>([&](int i) { return -a[i]; });
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a, std::type_identity_t<T> s) noexcept {
+  return generate_coordinates<vec<T, N>>([&](int i) { return product(a[i], s); });
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s, const vec<T, N>& a) noexcept {
+  return a * s;
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a, std::type_identity_t<T> s) noexcept {
+  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] / s; });
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N>& operator+=(vec<T, N>& a, const vec<T, N>& b) noexcept {
+  return a = a + b;
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N>& operator-=(vec<T, N>& a, const vec<T, N>& b) noexcept {
+  return a = a - b;
+}
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N>& operator*=(vec<T, N>& a, std::type_identity_t<T> s) noexcept {
+  return a = a * s;
+}
+
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> operator-(const point<T, N>& a, const point<T, N>& b) noexcept {
+  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
+}
+template <class T, int N>
+IRG_INLINE constexpr point<T, N> operator+(const point<T, N>& a, const vec<T, N>& v) noexcept {
+  return generate_coordinates<point<T, N>>([&](int i) { return a[i] + v[i]; });
+}
+template <class T, int N>
+IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>& v) noexcept {
+  return generate_coordinates<point<T, N>>([&](int i) { return a[i] - v[i]; });
+}
+
+/// The sum of the products of the coordinates.
+/// exact   each product and each sum rounded once, from the first coordinate to the last, never fused
+template <Vector A, Vector B>
+  requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>>)
+IRG_INLINE constexpr scalar_of<A> dot(const A& a, const B& b) noexcept {
+  scalar_of<A> sum = product(coordinate(a, 0), coordinate(b, 0));
+  for (int i = 1; i < size_of<A>; ++i) sum = sum + product(coordinate(a, i), coordinate(b, i));
+  return sum;
+}
+
+/// The vector at right angles to both, of the length of the parallelogram's area; counter-clockwise from a to b as
+/// seen from its tip.
+/// exact   each product and each difference rounded once; cross(a, a) is exactly zero for finite a
+template <Vector A, Vector B>
+  requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>>)
+IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept {
+  const auto minor = [&](int i, int j) {
+    return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
+  };
+  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+}
+
+/// The displacement from the origin to p.
+template <class T, int N>
+IRG_INLINE constexpr vec<T, N> to_vec(const point<T, N>& p) noexcept {
+  return generate_coordinates<vec<T, N>>([&](int i) { return p[i]; });
+}
+
+/// The position that v leads to from the origin.
+template <class T, int N>
+IRG_INLINE constexpr point<T, N> to_point(const vec<T, N>& v) noexcept {
+  return generate_coordinates<point<T, N>>([&](int i) { return v[i]; });
+}
+
+/// The homogeneous form of p, of weight 1.
+template <class T, int N>
+IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p) noexcept {
+  return generate_coordinates<hpoint<T, N>>([&](int i) { return i < N ? p[i] : T(1); });
+}
+
+/// The position that p stands for: its coordinates over its weight.
+/// needs   a weight that is not 0
+template <class T, int N>
+IRG_INLINE constexpr point<T, N> to_cartesian(const hpoint<T, N>& p) noexcept {
+  return generate_coordinates<point<T, N>>([&](int i) { return p[i] / p[N]; });
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

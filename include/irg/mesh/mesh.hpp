@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// mesh<T>: an indexed face set. Faces are polygons of three or more corners; each corner names a position and, where
+// the mesh has them, a normal and a texture coordinate of its own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <irg/core/mesh_concept.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+
+/// One corner of a face: indices into positions, normals and texcoords.
+struct mesh_corner {
+  static constexpr std::uint32_t none = 0xffffffffu;
+  std::uint32_t position = 0;
+  std::uint32_t normal = none;
+  std::uint32_t texcoord = none;
+  constexpr bool operator==(const mesh_corner&) const = default;
+};
+
+/// A named run of faces: an object, a group or a stretch of one material.
+struct mesh_part {
+  std::string object, group, material;
+  std::size_t first_face = 0, face_count = 0;
+  constexpr bool operator==(const mesh_part&) const = default;
+};
+
+/// Polygons that share their positions.
+/// shape   face f has the corners face_starts[f] to face_starts[f + 1] - 1, counter-clockwise seen from outside;
+///         face_starts has one entry more than there are faces, its first is 0; parts cover the faces in order
+template <Scalar T>
+struct mesh {
+  std::vector<point<T, 3>> positions;
+  std::vector<vec<T, 3>> normals;
+  std::vector<vec<T, 2>> texcoords;
+  std::vector<mesh_corner> corners;
+  std::vector<std::uint32_t> face_starts = {0};
+  std::vector<mesh_part> parts;
+
+  IRG_INLINE constexpr std::size_t face_count() const noexcept { return face_starts.empty() ? 0 : face_starts.size() - 1; }
+  IRG_INLINE constexpr std::size_t face_size(std::size_t f) const noexcept { return face_starts[f + 1] - face_starts[f]; }
+  IRG_INLINE constexpr const mesh_corner& corner(std::size_t f, std::size_t k) const noexcept { return corners[face_starts[f] + k]; }
+
+  constexpr bool operator==(const mesh&) const = default;
+};
+
+template <class T>
+struct mesh_traits<mesh<T>> {
+  using point = irg::point<T, 3>;
+  IRG_INLINE static constexpr std::size_t vertex_count(const mesh<T>& m) noexcept { return m.positions.size(); }
+  IRG_INLINE static constexpr const point& position(const mesh<T>& m, std::size_t v) noexcept { return m.positions[v]; }
+  IRG_INLINE static constexpr std::size_t face_count(const mesh<T>& m) noexcept { return m.face_count(); }
+  IRG_INLINE static constexpr std::size_t face_size(const mesh<T>& m, std::size_t f) noexcept { return m.face_size(f); }
+  IRG_INLINE static constexpr std::size_t face_vertex(const mesh<T>& m, std::size_t f, std::size_t k) noexcept {
+    return m.corner(f, k).position;
+  }
+};
+
+inline namespace IRG_ABI {
+
+/// Appends a face whose corners name positions only.
+/// needs   three or more indices, each < positions.size()
+template <class T, class Indices>
+constexpr void add_face(mesh<T>& m, const Indices& positions) {
+  for (const auto i : positions) m.corners.push_back({static_cast<std::uint32_t>(i), mesh_corner::none, mesh_corner::none});
+  m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// image<P> owns its pixels; image_view<P> borrows them from anywhere, with any distance between rows, negative too.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <irg/core/contract.hpp>
+#include <irg/core/raster_concept.hpp>
+
+namespace irg {
+
+/// A window onto pixels that somebody else owns.
+/// shape   height() rows of width() pixels; row y starts `stride` bytes after row y - 1, before it when stride < 0
+///         (bottom-up images: first_row points at the top row, the last in memory)
+/// needs   |stride| >= width * sizeof(P) and a multiple of alignof(P), or height <= 1
+template <class P>
+class image_view {
+public:
+  constexpr image_view() = default;
+  /// A view of rows that follow each other without a gap.
+  IRG_INLINE constexpr image_view(P* first_row, int width, int height) noexcept
+      : image_view(first_row, width, height, static_cast<std::ptrdiff_t>(width) * static_cast<std::ptrdiff_t>(sizeof(P))) {}
+  IRG_INLINE constexpr image_view(P* first_row, int width, int height, std::ptrdiff_t stride_in_bytes) noexcept
+      : first_(first_row), width_(width), height_(height), stride_(stride_in_bytes) {
+    IRG_EXPECTS(width >= 0 && height >= 0);
+    IRG_EXPECTS(stride_in_bytes % static_cast<std::ptrdiff_t>(alignof(P)) == 0);
+  }
+
+  IRG_INLINE constexpr int width() const noexcept { return width_; }
+  IRG_INLINE constexpr int height() const noexcept { return height_; }
+  IRG_INLINE constexpr std::ptrdiff_t stride() const noexcept { return stride_; }
+
+  /// The pixels of row y.
+  /// needs   0 <= y < height()
+  IRG_INLINE constexpr P* row(int y) const noexcept {
+    IRG_EXPECTS(0 <= y && y < height_);
+    const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(sizeof(P));
+    if (stride_ % size == 0) return first_ + stride_ / size * y;
+    return byte_offset(stride_ * y);
+  }
+  IRG_INLINE constexpr P& operator()(int x, int y) const noexcept {
+    IRG_EXPECTS(0 <= x && x < width_);
+    return row(y)[x];
+  }
+
+private:
+  // Rows padded by a number of bytes that is no multiple of the pixel: possible at run time only.
+  IRG_INLINE P* byte_offset(std::ptrdiff_t bytes) const noexcept {
+    if constexpr (std::is_const_v<P>)
+      return reinterpret_cast<P*>(reinterpret_cast<const char*>(first_) + bytes);
+    else
+      return reinterpret_cast<P*>(reinterpret_cast<char*>(first_) + bytes);
+  }
+
+  P* first_ = nullptr;
+  int width_ = 0, height_ = 0;
+  std::ptrdiff_t stride_ = 0;
+};
+
+/// A rectangle of pixels in memory, row after row from the top.
+template <class P>
+class image {
+public:
+  constexpr image() = default;
+  /// An image of one colour.
+  /// needs   width >= 0, height >= 0
+  constexpr image(int width, int height, const P& fill = P{})
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
+    IRG_EXPECTS(width >= 0 && height >= 0);
+  }
+
+  IRG_INLINE constexpr int width() const noexcept { return width_; }
+  IRG_INLINE constexpr int height() const noexcept { return height_; }
+  IRG_INLINE constexpr P* row(int y) noexcept { return pixels_.data() + offset(y); }
+  IRG_INLINE constexpr const P* row(int y) const noexcept { return pixels_.data() + offset(y); }
+  IRG_INLINE constexpr P& operator()(int x, int y) noexcept { return row(y)[(IRG_EXPECTS(0 <= x && x < width_), x)]; }
+  IRG_INLINE constexpr const P& operator()(int x, int y) const noexcept {
+    return row(y)[(IRG_EXPECTS(0 <= x && x < width_), x)];
+  }
+  IRG_INLINE constexpr P* data() noexcept { return pixels_.data(); }
+  IRG_INLINE constexpr const P* data() const noexcept { return pixels_.data(); }
+
+  IRG_INLINE constexpr image_view<P> view() noexcept { return {pixels_.data(), width_, height_}; }
+  IRG_INLINE constexpr image_view<const P> view() const noexcept { return {pixels_.data(), width_, height_}; }
+
+  constexpr bool operator==(const image&) const = default;
+
+private:
+  IRG_INLINE constexpr std::size_t offset(int y) const noexcept {
+    IRG_EXPECTS(0 <= y && y < height_);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+  }
+
+  int width_ = 0, height_ = 0;
+  std::vector<P> pixels_;
+};
+
+/// An image_view writes through even when it is itself const, as a pointer does.
+template <class P>
+struct raster_traits<image_view<P>> {
+  using pixel = std::remove_const_t<P>;
+  IRG_INLINE static constexpr int width(const image_view<P>& r) noexcept { return r.width(); }
+  IRG_INLINE static constexpr int height(const image_view<P>& r) noexcept { return r.height(); }
+  IRG_INLINE static constexpr pixel get(const image_view<P>& r, int x, int y) noexcept { return r(x, y); }
+  IRG_INLINE static constexpr void set(const image_view<P>& r, int x, int y, const pixel& p) noexcept
+    requires(!std::is_const_v<P>)
+  {
+    r(x, y) = p;
+  }
+  IRG_INLINE static constexpr P* row(const image_view<P>& r, int y) noexcept
+    requires(!std::is_const_v<P>)
+  {
+    return r.row(y);
+  }
+};
+
+}  // namespace irg

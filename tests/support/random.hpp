@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Seeded random input made from integers alone, so that every compiler and flag set sees the same numbers.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace test {
+
+/// SplitMix64 (Steele, Lea, Flood 2014).
+struct random {
+  std::uint64_t state;
+  constexpr explicit random(std::uint64_t seed) : state(seed) {}
+  constexpr std::uint64_t next() {
+    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  /// An integer in [low, high].
+  constexpr std::int64_t integer(std::int64_t low, std::int64_t high) {
+    const std::uint64_t range = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + (range == 0 ? next() : next() % range));
+  }
+  /// A double in [0, 1), a multiple of 2^-53.
+  constexpr double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+};
+
+}  // namespace test
