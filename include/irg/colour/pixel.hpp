@@ -30,7 +30,9 @@ struct rgb8 {
 template <class T>
 struct rgb {
   T r{}, g{}, b{};
-  constexpr bool operator==(const rgb&) const = default;
+  bool operator==(const rgb&) const
+    requires std::equality_comparable<T>
+  = default;
 };
 
 inline namespace IRG_ABI {

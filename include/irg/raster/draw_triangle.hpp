@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// draw_triangle: the triangle kernel. Coverage in integers, depth test, perspective-correct weights, one pixel shader
+// call per visible pixel. The arithmetic is written once, in detail::triangle_kernel, for scalars and packs.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <irg/core/lanes.hpp>
+#include <irg/raster/depth.hpp>
+#include <irg/raster/fragment.hpp>
+#include <irg/raster/triangle_coverage.hpp>
+
+namespace irg {
+
+/// A vertex on the screen: where it was snapped to, its depth, and one over its weight (1 for an affine picture).
+struct screen_vertex {
+  subpixel position;
+  float depth = 0.0f;
+  float inverse_w = 1.0f;
+};
+
+/// What drawing did. Sums over triangles and windows; independent of lanes and threads.
+struct draw_counts {
+  std::int64_t tested = 0;  // covered pixels, each a depth test
+  std::int64_t shaded = 0;  // of these, nearer than what was there: written
+  std::int64_t ties = 0;    // of these, exactly as far as what was there: kept as it was
+
+  IRG_INLINE constexpr draw_counts& operator+=(const draw_counts& o) noexcept {
+    tested += o.tested;
+    shaded += o.shaded;
+    ties += o.ties;
+    return *this;
+  }
+  constexpr bool operator==(const draw_counts&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// A quantity that is linear on the screen, given at the three vertices: first + b1 * d1 + b2 * d2.
+struct linear_on_screen {
+  float first, d1, d2;
+
+  template <class F>
+  IRG_INLINE constexpr F operator()(const F& b1, const F& b2) const noexcept {
+    return lanes<F>::broadcast(first) + (product(b1, lanes<F>::broadcast(d1)) + product(b2, lanes<F>::broadcast(d2)));
+  }
+};
+
+IRG_INLINE constexpr linear_on_screen through(float a, float b, float c) noexcept { return {a, b - a, c - a}; }
+
+// Everything about a triangle that its pixels share. Vertices keep the order they were given in.
+struct triangle_setup {
+  triangle_edge edge[3];
+  float scale;               // 256 / double_area
+  float offset1, offset2;    // rest / double_area of the edges opposite to vertices 1 and 2
+  linear_on_screen depth, inverse_w;
+  float depth_low, depth_high;
+  float inverse_w1, inverse_w2;
+};
+
+IRG_INLINE constexpr triangle_setup set_up(const triangle_coverage& t, const screen_vertex& v0, const screen_vertex& v1,
+                                           const screen_vertex& v2) noexcept {
+  const triangle_edge& edge1 = t.edge[t.flipped ? 2 : 1];
+  const triangle_edge& edge2 = t.edge[t.flipped ? 1 : 2];
+  const double area = static_cast<double>(t.double_area);
+  return {{t.edge[0], edge1, edge2},
+          static_cast<float>(double{one_pixel} / area),
+          static_cast<float>(edge1.rest / area),
+          static_cast<float>(edge2.rest / area),
+          through(v0.depth, v1.depth, v2.depth),
+          through(v0.inverse_w, v1.inverse_w, v2.inverse_w),
+          lesser(lesser(v0.depth, v1.depth), v2.depth),
+          greater(greater(v0.depth, v1.depth), v2.depth),
+          v1.inverse_w,
+          v2.inverse_w};
+}
+
+// Whether F, at every pixel of the window widened by `margin` columns, fits in 32 bits with a bit to spare.
+IRG_INLINE constexpr bool fits_32_bits(const triangle_coverage& t, const cell_window& w, int margin) noexcept {
+  const std::int64_t limit = std::int64_t{1} << 30;
+  for (const triangle_edge& e : t.edge) {
+    const std::int64_t corner = e(w.x_first - margin, w.y_first);
+    const std::int64_t across = std::int64_t{e.right} * (w.x_last - w.x_first + 2 * margin);
+    const std::int64_t along = std::int64_t{e.down} * (w.y_last - w.y_first);
+    const std::int64_t low = corner + lesser(across, std::int64_t{0}) + lesser(along, std::int64_t{0});
+    const std::int64_t high = corner + greater(across, std::int64_t{0}) + greater(along, std::int64_t{0});
+    if (low < -limit || high > limit) return false;
+  }
+  return true;
+}
+
+// Adds one to the counter in every lane where the mask holds.
+template <std::integral I>
+IRG_INLINE constexpr void count_up(I& counter, bool mask) noexcept {
+  counter += mask ? 1 : 0;
+}
+template <int N>
+IRG_INLINE void count_up(pack<std::int32_t, N>& counter, const pack<std::int32_t, N>& mask) noexcept {
+  counter = counter - mask;
+}
+template <class I>
+IRG_INLINE constexpr std::int64_t total(const I& counter) noexcept {
+  std::int64_t sum = 0;
+  for (int i = 0; i < lanes<I>::count; ++i) sum += lane(counter, i);
+  return sum;
+}
+
+// Writes the shaded colour of every lane whose bit is set.
+template <class F, class P, class Shader>
+IRG_INLINE constexpr void shade_pixels(P* row, unsigned bits, const fragment<F>& at, const Shader& shader) {
+  if constexpr (LaneShader<Shader, P>) {
+    const auto light = shader.light(at);
+    float r[lanes<F>::count]{}, g[lanes<F>::count]{}, b[lanes<F>::count]{};
+    lanes<F>::store(r, light.r);
+    lanes<F>::store(g, light.g);
+    lanes<F>::store(b, light.b);
+    for (; bits != 0; bits &= bits - 1) {
+      const int i = std::countr_zero(bits);
+      row[i] = shader.encode({r[i], g[i], b[i]});
+    }
+  } else {
+    for (; bits != 0; bits &= bits - 1) {
+      const int i = std::countr_zero(bits);
+      row[i] = shader(fragment<float>{lane(at.weight1, i), lane(at.weight2, i), lane(at.depth, i)});
+    }
+  }
+}
+
+// The pixels [x, x + count) of one row, where they lie in [x_first, x_last). F is float or a pack of them; I is the
+// integer of the same shape, or int64 with a plain float. Returns early when nothing is left to do.
+template <class F, class I, class Order, class P, class Shader>
+IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y, int x_first, int x_last, float* depth_row,
+                                          P* colour_row, const Shader& shader, I& tested, I& shaded, I& ties) {
+  using integers = lanes<I>;
+  using integer = typename integers::scalar;
+  const auto at = [&](const triangle_edge& e) {
+    return integers::broadcast(static_cast<integer>(e(x, y))) +
+           integers::broadcast(static_cast<integer>(e.right)) * integers::ramp();
+  };
+  const I zero = integers::broadcast(0), column = integers::broadcast(static_cast<integer>(x)) + integers::ramp();
+  const I f1 = at(s.edge[1]), f2 = at(s.edge[2]);
+  const auto in_range = both(column >= integers::broadcast(x_first), column < integers::broadcast(x_last));
+  const auto covered = both((at(s.edge[0]) | f1 | f2) >= zero, in_range);
+  if (mask_bits(covered) == 0) return;
+  count_up(tested, covered);
+
+  const F b1 = product(to_float(f1), lanes<F>::broadcast(s.scale)) + lanes<F>::broadcast(s.offset1);
+  const F b2 = product(to_float(f2), lanes<F>::broadcast(s.scale)) + lanes<F>::broadcast(s.offset2);
+  // Rounding may carry the plane's value past the vertices' values; no depth leaves their range.
+  const F low = lanes<F>::broadcast(s.depth_low), high = lanes<F>::broadcast(s.depth_high);
+  F depth = s.depth(b1, b2);
+  depth = select(depth < low, low, depth);
+  depth = select(high < depth, high, depth);
+
+  auto visible = covered;
+  if constexpr (DepthOrder<Order>) {
+    const F stored = lanes<F>::load(depth_row + x);
+    visible = both(covered, Order::nearer(depth, stored));
+    count_up(ties, both(covered, depth == stored));
+    if (mask_bits(visible) == 0) return;
+    lanes<F>::store(depth_row + x, select(visible, depth, stored));
+  }
+  count_up(shaded, visible);
+
+  const F inverse = lanes<F>::broadcast(1.0f) / s.inverse_w(b1, b2);
+  const fragment<F> where{product(product(b1, lanes<F>::broadcast(s.inverse_w1)), inverse),
+                          product(product(b2, lanes<F>::broadcast(s.inverse_w2)), inverse), depth};
+  shade_pixels(colour_row + x, mask_bits(visible), where, shader);
+}
+
+// Walks over the rows of the window; packs of F never leave [reach_first, reach_last).
+template <class F, class I, class Order, class Colour, class Depth, class Shader>
+constexpr draw_counts triangle_kernel(const triangle_coverage& t, const triangle_setup& s, const cell_window& w, int reach_last,
+                                      Colour& colour, Depth& depth, const Shader& shader) {
+  constexpr int count = lanes<F>::count;
+  I tested = lanes<I>::broadcast(0), shaded = tested, ties = tested;
+  for (int y = w.y_first; y < w.y_last; ++y) {
+    span_of_cells row{y, w.x_first, w.x_last};
+    if (w.x_last - w.x_first > 4 * count) row = covered_span(t, y, w.x_first, w.x_last);  // finding the ends pays
+    float* depth_row = nullptr;
+    if constexpr (DepthOrder<Order>) depth_row = raster_traits<Depth>::row(depth, y);
+    for (int x = row.x_first; x < row.x_last; x += count)
+      triangle_pixels<F, I, Order>(s, lesser(x, reach_last - count), y, x, row.x_last, depth_row,
+                                   raster_traits<Colour>::row(colour, y), shader, tested, shaded, ties);
+  }
+  return {total(tested), total(shaded), total(ties)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Draws the pixels of a triangle that are nearer than what `depth` holds, and returns how many were tested and drawn.
+/// shape   v0, v1, v2 in either winding; `shader` receives the weights of v1 and v2
+/// needs   positions within snap_limit, depths that are finite, inverse_w > 0; colour and depth cover `window`
+/// gives   nothing for a degenerate triangle; equal depths leave the pixel as it was, so the first drawn wins
+/// exact   coverage by cover_triangle; depth within 4e-7 of the range of the vertex depths and never outside it
+/// cost    proportional to the pixels of the bounding box for small triangles, to the covered ones for wide ones
+template <class Order = nearer_is_greater, RowRaster Colour, RowRaster Depth, PixelShader<pixel_of<Colour>> Shader>
+  requires std::same_as<pixel_of<Depth>, float>
+constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const triangle_coverage& t, const screen_vertex& v0,
+                                    const screen_vertex& v1, const screen_vertex& v2, const Shader& shader,
+                                    const cell_window& window) {
+  const cell_window w = intersect(t.bounds, window);
+  if (t.double_area == 0 || w.empty()) return {};
+  const detail::triangle_setup s = detail::set_up(t, v0, v1, v2);
+  if (!std::is_constant_evaluated()) {
+    constexpr int count = native_lanes<float>;
+    if (window.x_last - window.x_first >= count && detail::fits_32_bits(t, w, count))
+      return detail::triangle_kernel<pack<float, count>, pack<std::int32_t, count>, Order>(t, s, w, window.x_last, colour, depth,
+                                                                                           shader);
+  }
+  return detail::triangle_kernel<float, std::int64_t, Order>(t, s, w, window.x_last, colour, depth, shader);
+}
+
+/// As above, the coverage worked out here and the whole raster open to drawing.
+template <class Order = nearer_is_greater, RowRaster Colour, RowRaster Depth, PixelShader<pixel_of<Colour>> Shader>
+constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_vertex& v0, const screen_vertex& v1,
+                                    const screen_vertex& v2, const Shader& shader) {
+  return draw_triangle<Order>(colour, depth, cover_triangle(v0.position, v1.position, v2.position), v0, v1, v2, shader,
+                              window_of(colour));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

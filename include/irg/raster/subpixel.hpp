@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Positions on the screen as integers: 1/256 of a pixel. Snapping rounds a vertex once; from then on coverage is
+// decided without any rounding.
+#pragma once
+
+#include <cstdint>
+
+#include <irg/core/contract.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+
+/// Bits behind the binary point of a snapped coordinate.
+inline constexpr int subpixel_bits = 8;
+/// One pixel in snapped units; pixel x spans [x * one_pixel, (x + 1) * one_pixel], its centre is half_pixel further.
+inline constexpr std::int32_t one_pixel = 1 << subpixel_bits;
+inline constexpr std::int32_t half_pixel = one_pixel / 2;
+/// Snapped coordinates stay within this many pixels of the origin, so that edge functions fit in 64 bits.
+inline constexpr std::int32_t snap_limit = 1 << 21;
+
+/// A position on the screen in 1/256 pixel, x to the right, y down.
+struct subpixel {
+  std::int32_t x = 0, y = 0;
+  constexpr bool operator==(const subpixel&) const = default;
+};
+
+inline namespace IRG_ABI {
+
+/// Whether v, in pixels, can be snapped: |v| <= snap_limit. False for NaN.
+template <Floating T>
+IRG_INLINE constexpr bool can_snap(T v) noexcept {
+  return v >= T(-snap_limit) && v <= T(snap_limit);
+}
+
+/// The multiple of 1/256 nearest to v, the greater one on a tie, in 1/256.
+/// units   v in pixels
+/// needs   can_snap(v)
+/// exact   for every float and double
+template <Floating T>
+IRG_INLINE constexpr std::int32_t snap(T v) noexcept {
+  IRG_EXPECTS(can_snap(v));
+  // Scaling by a power of two is exact, and so is the fraction; adding 1/2 before rounding down might not be.
+  const T scaled = v * T(one_pixel);
+  const auto toward_zero = static_cast<std::int32_t>(scaled);
+  const T rest = scaled - static_cast<T>(toward_zero);  // in (-1, 1)
+  return toward_zero + (rest >= T(0.5) ? 1 : rest < T(-0.5) ? -1 : 0);
+}
+
+/// The snapped position of a point given in pixels.
+/// needs   can_snap(p.x) and can_snap(p.y)
+template <Floating T>
+IRG_INLINE constexpr subpixel snap(const point<T, 2>& p) noexcept {
+  return {snap(p.x), snap(p.y)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
