@@ -25,12 +25,17 @@ struct nearer_is_less {
   }
 };
 
-/// No depth: what is drawn later covers what was drawn before.
+/// No hiding: what is drawn later covers what was drawn before, whatever its depth; the depth is only recorded.
 struct drawing_order {
-  static constexpr float farthest = 0.0f;
+  static constexpr float farthest = -1.0f;  // below every depth: tells touched pixels from untouched ones
+  template <class T>
+  IRG_INLINE static constexpr auto nearer(const T& a, const T&) noexcept {
+    return a == a;
+  }
 };
 
-/// A way to order depths. Models: nearer_is_greater, nearer_is_less.
+/// A way to order depths, and the value a depth buffer is cleared to. Models: nearer_is_greater, nearer_is_less,
+/// drawing_order.
 template <class T>
 concept DepthOrder = requires(float a, float b) {
   { T::nearer(a, b) } -> std::convertible_to<bool>;

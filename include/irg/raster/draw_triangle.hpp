@@ -38,26 +38,34 @@ struct draw_counts {
 namespace detail {
 inline namespace IRG_ABI {
 
-// A quantity that is linear on the screen, given at the three vertices: first + b1 * d1 + b2 * d2.
-struct linear_on_screen {
-  float first, d1, d2;
+// Stands in for a depth raster where none is wanted.
+struct no_depth {};
 
-  template <class F>
-  IRG_INLINE constexpr F operator()(const F& b1, const F& b2) const noexcept {
-    return lanes<F>::broadcast(first) + (product(b1, lanes<F>::broadcast(d1)) + product(b2, lanes<F>::broadcast(d2)));
+// The three barycentric weights of a pixel: all positive, each accurate to a few units in its last place.
+template <class F>
+struct screen_weights {
+  F b0, b1, b2;
+
+  // A quantity that is linear on the screen, given at the three vertices. Quantities of one sign keep their relative
+  // accuracy, however far apart the vertices' values are: nothing cancels.
+  IRG_INLINE constexpr F operator()(float at0, float at1, float at2) const noexcept {
+    using f = lanes<F>;
+    return product(b0, f::broadcast(at0)) + (product(b1, f::broadcast(at1)) + product(b2, f::broadcast(at2)));
   }
 };
 
-IRG_INLINE constexpr linear_on_screen through(float a, float b, float c) noexcept { return {a, b - a, c - a}; }
-
-// Everything about a triangle that its pixels share. Vertices keep the order they were given in.
+// Everything about a triangle that its pixels share. Vertices and edges keep the order the vertices were given in.
 struct triangle_setup {
   triangle_edge edge[3];
-  float scale;               // 256 / double_area
-  float offset1, offset2;    // rest / double_area of the edges opposite to vertices 1 and 2
-  linear_on_screen depth, inverse_w;
+  float scale;      // 256 / double_area: weight i is F * scale + rest[i]
+  float rest[3];    // the edge's rest / double_area
+  float depth[3], inverse_w[3];
   float depth_low, depth_high;
-  float inverse_w1, inverse_w2;
+
+  template <class F, class I>
+  IRG_INLINE constexpr F weight(int i, const I& f) const noexcept {
+    return product(to_float(f), lanes<F>::broadcast(scale)) + lanes<F>::broadcast(rest[i]);
+  }
 };
 
 IRG_INLINE constexpr triangle_setup set_up(const triangle_coverage& t, const screen_vertex& v0, const screen_vertex& v1,
@@ -67,14 +75,11 @@ IRG_INLINE constexpr triangle_setup set_up(const triangle_coverage& t, const scr
   const double area = static_cast<double>(t.double_area);
   return {{t.edge[0], edge1, edge2},
           static_cast<float>(double{one_pixel} / area),
-          static_cast<float>(edge1.rest / area),
-          static_cast<float>(edge2.rest / area),
-          through(v0.depth, v1.depth, v2.depth),
-          through(v0.inverse_w, v1.inverse_w, v2.inverse_w),
+          {static_cast<float>(t.edge[0].rest / area), static_cast<float>(edge1.rest / area), static_cast<float>(edge2.rest / area)},
+          {v0.depth, v1.depth, v2.depth},
+          {v0.inverse_w, v1.inverse_w, v2.inverse_w},
           lesser(lesser(v0.depth, v1.depth), v2.depth),
-          greater(greater(v0.depth, v1.depth), v2.depth),
-          v1.inverse_w,
-          v2.inverse_w};
+          greater(greater(v0.depth, v1.depth), v2.depth)};
 }
 
 // Whether F, at every pixel of the window widened by `margin` columns, fits in 32 bits with a bit to spare.
@@ -140,22 +145,21 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y,
            integers::broadcast(static_cast<integer>(e.right)) * integers::ramp();
   };
   const I zero = integers::broadcast(0), column = integers::broadcast(static_cast<integer>(x)) + integers::ramp();
-  const I f1 = at(s.edge[1]), f2 = at(s.edge[2]);
+  const I f0 = at(s.edge[0]), f1 = at(s.edge[1]), f2 = at(s.edge[2]);
   const auto in_range = both(column >= integers::broadcast(x_first), column < integers::broadcast(x_last));
-  const auto covered = both((at(s.edge[0]) | f1 | f2) >= zero, in_range);
+  const auto covered = both((f0 | f1 | f2) >= zero, in_range);
   if (mask_bits(covered) == 0) return;
   count_up(tested, covered);
 
-  const F b1 = product(to_float(f1), lanes<F>::broadcast(s.scale)) + lanes<F>::broadcast(s.offset1);
-  const F b2 = product(to_float(f2), lanes<F>::broadcast(s.scale)) + lanes<F>::broadcast(s.offset2);
-  // Rounding may carry the plane's value past the vertices' values; no depth leaves their range.
+  const screen_weights<F> weights{s.weight<F>(0, f0), s.weight<F>(1, f1), s.weight<F>(2, f2)};
+  // The weights add up to 1 only within rounding; no depth leaves the range of the vertices' depths.
   const F low = lanes<F>::broadcast(s.depth_low), high = lanes<F>::broadcast(s.depth_high);
-  F depth = s.depth(b1, b2);
+  F depth = weights(s.depth[0], s.depth[1], s.depth[2]);
   depth = select(depth < low, low, depth);
   depth = select(high < depth, high, depth);
 
   auto visible = covered;
-  if constexpr (DepthOrder<Order>) {
+  if (depth_row != nullptr) {
     const F stored = lanes<F>::load(depth_row + x);
     visible = both(covered, Order::nearer(depth, stored));
     count_up(ties, both(covered, depth == stored));
@@ -164,9 +168,9 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y,
   }
   count_up(shaded, visible);
 
-  const F inverse = lanes<F>::broadcast(1.0f) / s.inverse_w(b1, b2);
-  const fragment<F> where{product(product(b1, lanes<F>::broadcast(s.inverse_w1)), inverse),
-                          product(product(b2, lanes<F>::broadcast(s.inverse_w2)), inverse), depth};
+  const F inverse = lanes<F>::broadcast(1.0f) / weights(s.inverse_w[0], s.inverse_w[1], s.inverse_w[2]);
+  const fragment<F> where{product(product(weights.b1, lanes<F>::broadcast(s.inverse_w[1])), inverse),
+                          product(product(weights.b2, lanes<F>::broadcast(s.inverse_w[2])), inverse), depth};
   shade_pixels(colour_row + x, mask_bits(visible), where, shader);
 }
 
@@ -180,12 +184,28 @@ constexpr draw_counts triangle_kernel(const triangle_coverage& t, const triangle
     span_of_cells row{y, w.x_first, w.x_last};
     if (w.x_last - w.x_first > 4 * count) row = covered_span(t, y, w.x_first, w.x_last);  // finding the ends pays
     float* depth_row = nullptr;
-    if constexpr (DepthOrder<Order>) depth_row = raster_traits<Depth>::row(depth, y);
+    if constexpr (!std::same_as<Depth, const no_depth>) depth_row = raster_traits<Depth>::row(depth, y);
     for (int x = row.x_first; x < row.x_last; x += count)
       triangle_pixels<F, I, Order>(s, lesser(x, reach_last - count), y, x, row.x_last, depth_row,
                                    raster_traits<Colour>::row(colour, y), shader, tested, shaded, ties);
   }
   return {total(tested), total(shaded), total(ties)};
+}
+
+// Chooses the kernel: lanes with 32-bit coverage where the numbers fit, else one pixel at a time with 64 bits.
+template <class Order, class Colour, class Depth, class Shader>
+constexpr draw_counts draw_covered(Colour& colour, Depth& depth, const triangle_coverage& t, const screen_vertex& v0,
+                                   const screen_vertex& v1, const screen_vertex& v2, const Shader& shader,
+                                   const cell_window& window) {
+  const cell_window w = intersect(t.bounds, window);
+  if (t.double_area == 0 || w.empty()) return {};
+  const triangle_setup s = set_up(t, v0, v1, v2);
+  if (!std::is_constant_evaluated()) {
+    constexpr int count = native_lanes<float>;
+    if (window.x_last - window.x_first >= count && fits_32_bits(t, w, count))
+      return triangle_kernel<pack<float, count>, pack<std::int32_t, count>, Order>(t, s, w, window.x_last, colour, depth, shader);
+  }
+  return triangle_kernel<float, std::int64_t, Order>(t, s, w, window.x_last, colour, depth, shader);
 }
 
 }  // namespace IRG_ABI
@@ -194,34 +214,37 @@ constexpr draw_counts triangle_kernel(const triangle_coverage& t, const triangle
 inline namespace IRG_ABI {
 
 /// Draws the pixels of a triangle that are nearer than what `depth` holds, and returns how many were tested and drawn.
-/// shape   v0, v1, v2 in either winding; `shader` receives the weights of v1 and v2
+/// shape   v0, v1, v2 in either winding, t their coverage; `shader` receives the weights of v1 and v2
 /// needs   positions within snap_limit, depths that are finite, inverse_w > 0; colour and depth cover `window`
 /// gives   nothing for a degenerate triangle; equal depths leave the pixel as it was, so the first drawn wins
-/// exact   coverage by cover_triangle; depth within 4e-7 of the range of the vertex depths and never outside it
+/// exact   coverage by cover_triangle; depth within 4 ulp for depths of one sign, and never outside the range of the
+///         vertices' depths; weights within 4e-7
 /// cost    proportional to the pixels of the bounding box for small triangles, to the covered ones for wide ones
-template <class Order = nearer_is_greater, RowRaster Colour, RowRaster Depth, PixelShader<pixel_of<Colour>> Shader>
+/// source  Pineda 1988; Heckbert and Moreton 1991 for the perspective correction
+template <DepthOrder Order = nearer_is_greater, RowRaster Colour, RowRaster Depth, PixelShader<pixel_of<Colour>> Shader>
   requires std::same_as<pixel_of<Depth>, float>
 constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const triangle_coverage& t, const screen_vertex& v0,
                                     const screen_vertex& v1, const screen_vertex& v2, const Shader& shader,
                                     const cell_window& window) {
-  const cell_window w = intersect(t.bounds, window);
-  if (t.double_area == 0 || w.empty()) return {};
-  const detail::triangle_setup s = detail::set_up(t, v0, v1, v2);
-  if (!std::is_constant_evaluated()) {
-    constexpr int count = native_lanes<float>;
-    if (window.x_last - window.x_first >= count && detail::fits_32_bits(t, w, count))
-      return detail::triangle_kernel<pack<float, count>, pack<std::int32_t, count>, Order>(t, s, w, window.x_last, colour, depth,
-                                                                                           shader);
-  }
-  return detail::triangle_kernel<float, std::int64_t, Order>(t, s, w, window.x_last, colour, depth, shader);
+  return detail::draw_covered<Order>(colour, depth, t, v0, v1, v2, shader, window);
 }
 
 /// As above, the coverage worked out here and the whole raster open to drawing.
-template <class Order = nearer_is_greater, RowRaster Colour, RowRaster Depth, PixelShader<pixel_of<Colour>> Shader>
+template <DepthOrder Order = nearer_is_greater, RowRaster Colour, RowRaster Depth, PixelShader<pixel_of<Colour>> Shader>
+  requires std::same_as<pixel_of<Depth>, float>
 constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_vertex& v0, const screen_vertex& v1,
                                     const screen_vertex& v2, const Shader& shader) {
   return draw_triangle<Order>(colour, depth, cover_triangle(v0.position, v1.position, v2.position), v0, v1, v2, shader,
                               window_of(colour));
+}
+
+/// Draws every covered pixel of a triangle: no depth buffer, what is drawn later covers what was drawn before.
+template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
+constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex& v0, const screen_vertex& v1, const screen_vertex& v2,
+                                    const Shader& shader) {
+  const detail::no_depth depth{};
+  return detail::draw_covered<drawing_order>(colour, depth, cover_triangle(v0.position, v1.position, v2.position), v0, v1,
+                                             v2, shader, window_of(colour));
 }
 
 }  // namespace IRG_ABI

@@ -84,7 +84,9 @@ public:
   IRG_INLINE constexpr image_view<P> view() noexcept { return {pixels_.data(), width_, height_}; }
   IRG_INLINE constexpr image_view<const P> view() const noexcept { return {pixels_.data(), width_, height_}; }
 
-  constexpr bool operator==(const image&) const = default;
+  bool operator==(const image&) const
+    requires std::equality_comparable<P>
+  = default;
 
 private:
   IRG_INLINE constexpr std::size_t offset(int y) const noexcept {

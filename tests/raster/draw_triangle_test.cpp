@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include <irg/raster/draw_triangle.hpp>
+
+#include <cmath>
+#include <cstring>
+
+#include <irg/raster/fill_span.hpp>
+#include <irg/raster/image.hpp>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using irg::screen_vertex;
+
+struct to_bytes {
+  constexpr irg::rgba8 operator()(const irg::rgb<float>& c) const {
+    const auto byte = [](float v) { return static_cast<std::uint8_t>(irg::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); };
+    return {byte(c.r), byte(c.g), byte(c.b), 255};
+  }
+};
+using colours = irg::vertex_colour_shader<irg::rgba8, to_bytes>;
+
+struct canvas {
+  irg::image<irg::rgba8> colour;
+  irg::image<float> depth;
+  constexpr canvas(int width, int height, float farthest = 0.0f) : colour(width, height), depth(width, height, farthest) {}
+  constexpr bool operator==(const canvas&) const = default;
+};
+
+template <class Order = irg::nearer_is_greater, class Shader>
+constexpr irg::draw_counts draw(canvas& c, const screen_vertex (&v)[3], const Shader& shader) {
+  return irg::draw_triangle<Order>(c.colour, c.depth, v[0], v[1], v[2], shader);
+}
+
+// The same triangle by the plain kernel: scalars and 64-bit coverage.
+template <class Order = irg::nearer_is_greater, class Shader>
+irg::draw_counts draw_plain(canvas& c, const screen_vertex (&v)[3], const Shader& shader) {
+  const auto t = irg::cover_triangle(v[0].position, v[1].position, v[2].position);
+  const auto w = irg::intersect(t.bounds, irg::window_of(c.colour));
+  if (t.double_area == 0 || w.empty()) return {};
+  return irg::detail::triangle_kernel<float, std::int64_t, Order>(t, irg::detail::set_up(t, v[0], v[1], v[2]), w,
+                                                                 c.colour.width(), c.colour, c.depth, shader);
+}
+
+screen_vertex random_vertex(test::random& r, int pixels) {
+  return {{static_cast<std::int32_t>(r.integer(-pixels * 64, pixels * 256)),
+           static_cast<std::int32_t>(r.integer(-pixels * 64, pixels * 256))},
+          static_cast<float>(r.unit()),
+          static_cast<float>(std::ldexp(1.0 + r.unit(), static_cast<int>(r.integer(-8, 8))))};
+}
+
+constexpr canvas two_triangles() {
+  canvas c(16, 16);
+  const colours s{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}};
+  draw(c, {{{100, 100}, 0.5f, 1.0f}, {{3900, 900}, 0.2f, 0.3f}, {{300, 3900}, 0.9f, 0.8f}}, s);
+  draw(c, {{{3950, 100}, 0.7f, 1.0f}, {{100, 100}, 0.3f, 0.3f}, {{2000, 3900}, 0.4f, 0.8f}}, s);
+  return c;
+}
+
+TEST_CASE("draw_triangle: constant evaluation gives the bytes of lanes") {
+  static constexpr auto at_compile_time = [] {
+    const canvas c = two_triangles();
+    struct bytes {
+      std::uint32_t depth[16][16]{};
+      irg::rgba8 colour[16][16]{};
+    } b;
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        b.depth[y][x] = std::bit_cast<std::uint32_t>(c.depth(x, y));
+        b.colour[y][x] = c.colour(x, y);
+      }
+    return b;
+  }();
+  const canvas c = two_triangles();
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      CHECK(at_compile_time.depth[y][x] == std::bit_cast<std::uint32_t>(c.depth(x, y)));
+      CHECK(at_compile_time.colour[y][x] == c.colour(x, y));
+    }
+}
+
+TEST_CASE("draw_triangle: lanes give the bytes of the plain kernel, for every width, order and shader") {
+  test::random random(5);
+  for (int i = 0; i < 3000; ++i) {
+    const int width = static_cast<int>(random.integer(1, 70)), height = static_cast<int>(random.integer(1, 20));
+    canvas lanes(width, height), plain(width, height);
+    for (int k = 0; k < 3; ++k) {
+      const screen_vertex v[3] = {random_vertex(random, 64), random_vertex(random, 64), random_vertex(random, 64)};
+      const colours s{{static_cast<float>(random.unit()), 0.5f, 0.1f}, {0.3f, static_cast<float>(random.unit()), 1.0f}, {0, 0, 1}, {}};
+      if (i % 3 == 0)
+        REQUIRE(draw(lanes, v, s) == draw_plain(plain, v, s));
+      else if (i % 3 == 1)
+        REQUIRE(draw<irg::nearer_is_less>(lanes, v, s) == draw_plain<irg::nearer_is_less>(plain, v, s));
+      else
+        REQUIRE(draw<irg::drawing_order>(lanes, v, irg::solid_shader<irg::rgba8>{{1, 2, 3, 4}}) ==
+                draw_plain<irg::drawing_order>(plain, v, irg::solid_shader<irg::rgba8>{{1, 2, 3, 4}}));
+    }
+    REQUIRE(lanes == plain);
+  }
+}
+
+TEST_CASE("draw_triangle: coverage is cover_triangle's, in every pixel") {
+  test::random random(6);
+  for (int i = 0; i < 2000; ++i) {
+    canvas c(40, 20);
+    const screen_vertex v[3] = {random_vertex(random, 40), random_vertex(random, 40), random_vertex(random, 40)};
+    draw<irg::drawing_order>(c, v, irg::solid_shader<irg::rgba8>{{9, 9, 9, 9}});
+    const auto t = irg::cover_triangle(v[0].position, v[1].position, v[2].position);
+    for (int y = 0; y < 20; ++y)
+      for (int x = 0; x < 40; ++x) REQUIRE((c.colour(x, y).a == 9) == irg::covers(t, x, y));
+  }
+}
+
+TEST_CASE("draw_triangle: depth and weights against long double, on triangles and slivers") {
+  test::random random(8);
+  long double worst_depth = 0, worst_weight = 0;
+  for (int i = 0; i < 4000; ++i) {
+    screen_vertex v[3] = {random_vertex(random, 60), random_vertex(random, 60), random_vertex(random, 60)};
+    if (i % 2) {
+      v[2].position = {(v[0].position.x + v[1].position.x) / 2 + static_cast<int>(random.integer(-2, 2)),
+                       (v[0].position.y + v[1].position.y) / 2 + static_cast<int>(random.integer(-2, 2))};
+    }
+    const auto t = irg::cover_triangle(v[0].position, v[1].position, v[2].position);
+    if (t.double_area == 0) continue;
+    struct recorder {
+      float w1, w2;
+    };
+    irg::image<recorder> weights(60, 60);
+    irg::image<float> depth(60, 60, -1.0f);
+    const auto record = [](const irg::fragment<float>& f) { return recorder{f.weight1, f.weight2}; };
+    irg::draw_triangle(weights, depth, v[0], v[1], v[2], record);
+    const long double area = static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 60; ++x) {
+        if (!irg::covers(t, x, y)) continue;
+        const irg::subpixel p{x * 256 + 128, y * 256 + 128};
+        const long double b1 = static_cast<long double>(irg::signed_double_area(v[2].position, v[0].position, p)) / area;
+        const long double b2 = static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, p)) / area;
+        const long double z = v[0].depth + b1 * (static_cast<long double>(v[1].depth) - v[0].depth) +
+                              b2 * (static_cast<long double>(v[2].depth) - v[0].depth);
+        const long double q = v[0].inverse_w * (1 - b1 - b2) + v[1].inverse_w * b1 + v[2].inverse_w * b2;
+        worst_depth = std::fmax(worst_depth, std::fabs(z / static_cast<long double>(depth(x, y)) - 1) * 0x1p24L);
+        worst_weight = std::fmax(worst_weight, std::fabs(b1 * v[1].inverse_w / q - static_cast<long double>(weights(x, y).w1)));
+        worst_weight = std::fmax(worst_weight, std::fabs(b2 * v[2].inverse_w / q - static_cast<long double>(weights(x, y).w2)));
+        const float low = std::fmin(v[0].depth, std::fmin(v[1].depth, v[2].depth));
+        const float high = std::fmax(v[0].depth, std::fmax(v[1].depth, v[2].depth));
+        REQUIRE(depth(x, y) >= low);
+        REQUIRE(depth(x, y) <= high);
+      }
+  }
+  MESSAGE("largest error of depth ", static_cast<double>(worst_depth), " half ulp, of perspective weights ", static_cast<double>(worst_weight));
+  CHECK(worst_depth <= 8);  // relative, in units of 2^-24: 4 ulp
+  CHECK(worst_weight <= 4e-7L);  // although inverse_w spreads over 2^16
+}
+
+TEST_CASE("draw_triangle: Z13, weights stay accurate when inverse_w differs by 1e5") {
+  irg::image<float> weight(64, 64), depth(64, 64, -1.0f);
+  const screen_vertex v[3] = {{{0, 0}, 0.5f, 1.0f}, {{64 * 256, 0}, 0.5f, 1e-5f}, {{0, 64 * 256}, 0.5f, 1.0f}};
+  irg::draw_triangle(weight, depth, v[0], v[1], v[2], [](const irg::fragment<float>& f) { return f.weight1; });
+  for (int x = 0; x < 63; ++x) {
+    const long double b1 = (x + 0.5L) / 64, q = (1 - b1) + b1 * static_cast<long double>(1e-5f);
+    CHECK(std::fabs(static_cast<long double>(weight(x, 0)) - b1 * static_cast<long double>(1e-5f) / q) < 1e-9L);
+  }
+}
+
+TEST_CASE("draw_triangle: Z7, of equal depths the first drawn stays, and is counted") {
+  constexpr auto ties = [] {
+    canvas c(4, 4);
+    const screen_vertex v[3] = {{{0, 0}, 0.5f}, {{1024, 0}, 0.5f}, {{0, 1024}, 0.5f}};
+    draw(c, v, irg::solid_shader<irg::rgba8>{{1, 1, 1, 1}});
+    const irg::draw_counts n = draw(c, v, irg::solid_shader<irg::rgba8>{{2, 2, 2, 2}});
+    return n == irg::draw_counts{6, 0, 6} && c.colour(0, 0).r == 1;
+  };
+  CHECK_BOTH(ties());
+}
+
+TEST_CASE("draw_triangle: Z14, opaque triangles without ties give one picture in every order") {
+  test::random random(14);
+  screen_vertex v[12][3];
+  for (auto& t : v)
+    for (auto& p : t) p = random_vertex(random, 48);
+  canvas first(48, 48);
+  for (int round = 0; round < 100; ++round) {
+    int order[12] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+    if (round > 0)
+      for (int i = 11; i > 0; --i) std::swap(order[i], order[random.integer(0, i)]);
+    canvas c(48, 48);
+    std::int64_t ties = 0;
+    for (const int i : order) {
+      const auto shade = static_cast<std::uint8_t>(20 * i + 10);
+      ties += draw(c, v[i], irg::solid_shader<irg::rgba8>{{shade, 0, 0, 255}}).ties;
+    }
+    REQUIRE(ties == 0);
+    if (round == 0)
+      first = c;
+    else
+      REQUIRE(c == first);
+  }
+}
+
+TEST_CASE("draw_triangle: the winding and a rotation of the vertices do not change coverage") {
+  constexpr auto same = [] {
+    const screen_vertex a{{100, 50}, 0.1f}, b{{3000, 700}, 0.9f}, c{{900, 3500}, 0.4f};
+    canvas p(12, 14), q(12, 14), r(12, 14);
+    const irg::solid_shader<irg::rgba8> s{{7, 7, 7, 7}};
+    const auto n = draw(p, {a, b, c}, s), m = draw(q, {a, c, b}, s), k = draw(r, {b, c, a}, s);
+    return n == m && n == k && p == q && p.colour == r.colour && n.tested > 50;
+  };
+  CHECK_BOTH(same());
+}
+
+TEST_CASE("draw_triangle: vertices far outside take the 64-bit path, with the same coverage") {
+  canvas c(33, 9);
+  const int far = irg::snap_limit * 256;
+  const screen_vertex v[3] = {{{-far, -far}, 0.25f}, {{far, -far + 7}, 0.5f}, {{3, far}, 0.75f}};
+  const auto n = draw(c, v, irg::solid_shader<irg::rgba8>{{5, 5, 5, 5}});
+  const auto t = irg::cover_triangle(v[0].position, v[1].position, v[2].position);
+  std::int64_t expected = 0;
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 33; ++x) expected += irg::covers(t, x, y);
+  CHECK(n.tested == expected);
+  CHECK(expected == 33 * 9);
+}
+
+TEST_CASE("draw_triangle: nothing outside the window is written") {
+  canvas c(40, 10), before = c;
+  const irg::cell_window w{5, 2, 29, 7};
+  const screen_vertex v[3] = {{{-9000, -9000}, 0.5f}, {{90000, -9000}, 0.5f}, {{-9000, 90000}, 0.5f}};
+  const auto t = irg::cover_triangle(v[0].position, v[1].position, v[2].position);
+  irg::draw_triangle(c.colour, c.depth, t, v[0], v[1], v[2], irg::solid_shader<irg::rgba8>{{5, 5, 5, 5}}, w);
+  for (int y = 0; y < 10; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const bool in = x >= 5 && x < 29 && y >= 2 && y < 7;
+      CHECK((c.colour(x, y) == irg::rgba8{5, 5, 5, 5}) == in);
+      CHECK((c.depth(x, y) == before.depth(x, y)) == !in);
+    }
+}
+
+TEST_CASE("intensity_shader: the course's Gouraud triangle, GOLDEN 7") {
+  // (0,0) I=10, (4,0) I=50, (0,4) I=90: I(1,1)=40, I(2,0)=30, I(0,3)=70, I(2,2)=70; a sample point is a pixel centre.
+  const auto drawn = [](int x, int y) {
+    irg::image<float> intensity(6, 6, -1.0f);
+    const auto at = [](int px, int py) { return screen_vertex{{px * 256 + 128, py * 256 + 128}}; };
+    irg::draw_triangle(intensity, at(0, 0), at(4, 0), at(0, 4), irg::intensity_shader<float>{10, 50, 90});
+    return intensity(x, y);
+  };
+  CHECK_BOTH(drawn(1, 1) == 40.0f);
+  CHECK_BOTH(drawn(2, 0) == 30.0f);
+  CHECK_BOTH(drawn(0, 3) == 70.0f);
+  CHECK_BOTH(drawn(0, 0) == 10.0f);
+  CHECK_BOTH(drawn(2, 2) == -1.0f);  // on the right edge: not covered; the formula there:
+  CHECK_BOTH(irg::fragment<float>{0.5f, 0.5f, 0.0f}.interpolate(10, 50, 90) == 70.0f);
+}
+
+}  // namespace

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <irg/raster/fill_span.hpp>
+
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include <irg/colour/pixel.hpp>
+#include <irg/raster/image.hpp>
+
+#include "support/check_both.hpp"
+
+namespace {
+
+constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+
+constexpr irg::image<int> filled(irg::span_of_cells span) {
+  irg::image<int> i(4, 2, 0);
+  irg::fill_span(i, span, 7);
+  return i;
+}
+
+constexpr int sum(const irg::image<int>& i) {
+  int n = 0;
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 4; ++x) n += i(x, y);
+  return n;
+}
+
+TEST_CASE("fill_span: writes the span, cut to the raster") {
+  CHECK_BOTH(filled({1, 1, 3})(1, 1) == 7);
+  CHECK_BOTH(sum(filled({1, 1, 3})) == 14);
+  CHECK_BOTH(sum(filled({0, least, most})) == 28);
+  CHECK_BOTH(sum(filled({0, 3, 1})) == 0);  // empty
+  CHECK_BOTH(sum(filled({-1, 0, 4})) == 0);
+  CHECK_BOTH(sum(filled({2, 0, 4})) == 0);
+  CHECK_BOTH(sum(filled({most, least, most})) == 0);
+}
+
+template <class P>
+void same_bytes_as_a_loop(P value) {
+  for (std::size_t count = 0; count < 130; ++count)
+    for (std::size_t offset = 0; offset < 5; ++offset) {
+      std::vector<P> lanes(140), loop(140);
+      irg::fill_pixels(lanes.data() + offset, count, value);
+      for (std::size_t i = 0; i < count; ++i) loop[offset + i] = value;
+      REQUIRE(std::memcmp(lanes.data(), loop.data(), 140 * sizeof(P)) == 0);
+    }
+}
+
+TEST_CASE("fill_pixels: lanes write what a loop writes, for every pixel size, length and start") {
+  same_bytes_as_a_loop<std::uint8_t>(0xab);
+  same_bytes_as_a_loop<std::uint16_t>(0xabcd);
+  same_bytes_as_a_loop(irg::rgba8{1, 2, 3, 4});
+  same_bytes_as_a_loop(irg::rgb8{1, 2, 3});  // three bytes: the plain loop
+  same_bytes_as_a_loop(1.5);
+  struct wide {
+    float v[4];
+  };
+  same_bytes_as_a_loop(wide{{1, 2, 3, 4}});
+}
+
+TEST_CASE("clear: every pixel, through strides and without touching the gaps (L13)") {
+  std::vector<int> memory(5 * 8, -1);
+  irg::image_view<int> upside_down(memory.data() + 4 * 8, 6, 5, -8 * static_cast<std::ptrdiff_t>(sizeof(int)));
+  irg::clear(upside_down, 3);
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 8; ++x) CHECK(memory[static_cast<std::size_t>(8 * y + x)] == (x < 6 ? 3 : -1));
+}
+
+}  // namespace
