@@ -3,9 +3,10 @@
 // flags that belong to the user. `product(x, y)` is x*y rounded on its own under every flag, so a formula written with
 // it has the same bits everywhere. Every exact path of irg spells a product that meets a sum this way.
 //
-// g++ has a builtin for it, free of cost. clang's FP_CONTRACT pragma is ignored under -ffp-contract=fast, so there an
-// empty asm statement takes the product out of the optimiser's sight; it emits no instruction, but keeps clang from
-// vectorising plain loops (explicit packs are not affected).
+// g++ has a builtin for it, free of cost for scalars (vectors it would take apart lane by lane). clang's FP_CONTRACT
+// pragma is ignored under -ffp-contract=fast. So vectors, and everything in clang, go through an empty asm statement that
+// takes the product out of the optimiser's sight; it emits no instruction, but keeps clang from vectorising plain loops
+// (explicit packs are not affected).
 #pragma once
 
 #include <type_traits>
@@ -42,14 +43,13 @@ inline namespace IRG_ABI {
 template <class T>
 IRG_INLINE constexpr T opaque(T value) noexcept {
 #if defined(IRG_HAS_ASSOC_BARRIER)
-  return __builtin_assoc_barrier(value);
-#elif defined(__GNUC__) && !defined(__wasm__)
-  // wasm has no fused instruction to fear. In constant evaluation the asm statement is skipped, not merely harmless.
-  if (!std::is_constant_evaluated()) asm("" : IRG_FLOAT_REGISTER(value));
-  return value;
-#else
-  return value;
+  if constexpr (std::is_arithmetic_v<T>) return __builtin_assoc_barrier(value);
 #endif
+#if defined(__GNUC__) && !defined(__wasm__)
+  // wasm has no fused instruction to fear. In constant evaluation the statement is skipped: it is no constant expression.
+  if (!std::is_constant_evaluated()) asm("" : IRG_FLOAT_REGISTER(value));
+#endif
+  return value;
 }
 
 /// x*y, rounded by itself whatever the contraction flags.

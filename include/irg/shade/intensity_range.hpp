@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Several lights may add up to more than a display can show. The textbook names two ways out: cut off what is over the
+// range, or scale the whole picture down.
+#pragma once
+
+#include <span>
+
+#include <irg/core/contraction.hpp>
+#include <irg/shade/detail/per_channel.hpp>
+
+namespace irg {
+
+/// What becomes of intensities over the range: each channel cut off at the maximum, or all intensities scaled by the
+/// factor that takes the largest of them to the maximum. Scaling keeps hues and contrasts, but its factor depends on
+/// the whole picture and so flickers in an animation.
+enum class intensity_range { clamp, rescale };
+
+inline namespace IRG_ABI {
+
+/// An intensity within 0 to maximum, each channel by itself.
+/// gives   0 for NaN
+template <class I, Scalar T>
+IRG_INLINE constexpr I clamp_intensity(const I& intensity, const T& maximum) noexcept {
+  return detail::per_channel([&](const T& i) { return clamp(i, T(0), maximum); }, intensity);
+}
+
+/// Brings all intensities within 0 to maximum. rescale leaves them as they are when none is over it.
+/// needs   for rescale: finite intensities, none negative
+/// exact   rescale: intensity * maximum / largest, rounded twice
+/// cost    one pass to clamp, two to rescale
+template <class I, Scalar T>
+constexpr void fit_intensities(std::span<I> intensities, const T& maximum,
+                               intensity_range range = intensity_range::clamp) noexcept {
+  if (range == intensity_range::clamp) {
+    for (I& i : intensities) i = clamp_intensity(i, maximum);
+    return;
+  }
+  T largest = maximum;
+  for (const I& i : intensities) largest = detail::largest_channel(largest, i);
+  if (!(maximum < largest)) return;
+  for (I& i : intensities)
+    i = detail::per_channel([&](const T& channel) { return product(channel, maximum) / largest; }, i);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
