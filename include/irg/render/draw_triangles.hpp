@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The triangle stage: cull, clip, sort into bands of rows, and draw each band. Bands are independent of each other, so
+// an executor may draw them in any order on any thread, and small enough to stay in the cache while they are drawn.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <irg/core/executor.hpp>
+#include <irg/raster/fill_span.hpp>
+#include <irg/render/options.hpp>
+#include <irg/render/projected_vertices.hpp>
+
+namespace irg {
+
+/// Three indices of vertices, counter-clockwise seen from outside.
+struct triangle_indices {
+  std::uint32_t v[3];
+  constexpr bool operator==(const triangle_indices&) const = default;
+};
+
+/// Which way a triangle shows itself.
+enum class facing { front, back };
+
+/// Where the corners of a piece lie in its source triangle: the weights of the source's second and third vertex.
+struct triangle_shares {
+  fragment<float> corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
+  /// The value at corner k of a quantity given at the source's vertices.
+  IRG_INLINE constexpr float operator()(int k, float at0, float at1, float at2) const noexcept {
+    return corner[k].interpolate(at0, at1, at2);
+  }
+};
+
+/// How drawing is set up: what is left out, and what the bands are cleared to first, if they are.
+template <class P>
+struct draw_settings {
+  face_culling culling = face_culling::back;
+  skipping skip = skipping::on;
+  std::optional<P> background{};
+};
+
+namespace detail {
+
+inline constexpr int band_height = 32;
+
+// A part of a source triangle that a clip plane left over.
+struct clipped_piece {
+  screen_vertex v[3];
+  triangle_shares shares;
+  std::uint32_t source;
+};
+
+// What each band has to draw, in order: numbers below the triangle count name whole triangles, the rest pieces.
+struct draw_list {
+  std::vector<clipped_piece> pieces;
+  std::vector<std::vector<std::uint32_t>> bands;
+  skip_counts skipped;
+};
+
+inline namespace IRG_ABI {
+
+IRG_INLINE constexpr int band_count(int height) noexcept { return (height + band_height - 1) / band_height; }
+
+// Puts one triangle on the lists of the bands it touches, or counts why not. `counted` keeps the pieces of one triangle
+// from being counted one by one.
+constexpr bool enlist(draw_list& list, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
+                      const screen_vertex& c, int width, int height, face_culling culling, skipping skip) {
+  const std::int64_t area = signed_double_area(a.position, b.position, c.position);  // fronts are negative: y is down
+  if (area > 0 && culling == face_culling::back) return ++list.skipped.backface, false;
+  const cell_window bounds = centres_within(a.position, b.position, c.position);
+  if (skip == skipping::on && (area == 0 || bounds.empty())) return ++list.skipped.small, false;
+  const cell_window seen = intersect(bounds, {0, 0, width, height});
+  if (seen.empty()) return skip == skipping::on && ++list.skipped.frustum, false;
+  for (int band = seen.y_first / band_height; band <= (seen.y_last - 1) / band_height; ++band)
+    list.bands[static_cast<std::size_t>(band)].push_back(number);
+  return true;
+}
+
+// Clips a triangle, and puts what is left of it on the lists as a fan of pieces.
+template <class T>
+constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32_t triangle_count,
+                              const hpoint<T, 3> (&corner)[3], clip_planes planes, const screen_mapping<T>& mapping,
+                              int width, int height, face_culling culling, skipping skip) {
+  clip_volume<T> volume = mapping.guard;
+  volume.planes = planes;
+  const clip_vertex<T, 2> polygon[3] = {{corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
+  const auto left = clip_homogeneous(polygon, volume);
+  if (left.count < 3) {
+    if (skip == skipping::on) ++list.skipped.frustum;
+    return;
+  }
+  const skip_counts before = list.skipped;
+  bool drawn = false;
+  const auto corner_at = [&](int k) { return to_screen(left.vertices[k].position, mapping); };
+  const auto share_at = [&](int k) {
+    return fragment<float>{static_cast<float>(left.vertices[k].attributes[0]), static_cast<float>(left.vertices[k].attributes[1]), 0};
+  };
+  for (int k = 1; k + 1 < left.count; ++k) {
+    const clipped_piece piece{{corner_at(0), corner_at(k), corner_at(k + 1)}, {{share_at(0), share_at(k), share_at(k + 1)}}, source};
+    const auto number = triangle_count + static_cast<std::uint32_t>(list.pieces.size());
+    if (enlist(list, number, piece.v[0], piece.v[1], piece.v[2], width, height, culling, skip)) {
+      list.pieces.push_back(piece);
+      drawn = true;
+    }
+  }
+  // One triangle is one skip at most, however many pieces it came to: none if any piece is drawn.
+  const skip_counts after = list.skipped;
+  list.skipped = before;
+  if (drawn) return;
+  if (after.backface > before.backface)
+    ++list.skipped.backface;
+  else if (after.frustum > before.frustum)
+    ++list.skipped.frustum;
+  else if (after.small > before.small)
+    ++list.skipped.small;
+}
+
+template <class T>
+constexpr draw_list list_triangles(const projected_vertices<T>& v, std::span<const triangle_indices> triangles,
+                                   const screen_mapping<T>& mapping, int width, int height, face_culling culling,
+                                   skipping skip) {
+  draw_list list;
+  list.bands.resize(static_cast<std::size_t>(band_count(height)));
+  const auto count = static_cast<std::uint32_t>(triangles.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto [a, b, c] = triangles[i].v;
+    if (skip == skipping::on && (v.outside[a] & v.outside[b] & v.outside[c]) != clip_planes::none) {
+      ++list.skipped.frustum;
+      continue;
+    }
+    const clip_planes cut = v.cut[a] | v.cut[b] | v.cut[c];
+    if (cut == clip_planes::none)
+      enlist(list, i, v.screen[a], v.screen[b], v.screen[c], width, height, culling, skip);
+    else
+      enlist_clipped<T>(list, i, count, {v.clip[a], v.clip[b], v.clip[c]}, cut, mapping, width, height, culling, skip);
+  }
+  return list;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Draws triangles into a picture and its depth buffer, and returns what it did.
+/// shape   colour and depth are rasters of one size; make_shader(triangle, shares, facing) gives the pixel shader of a
+///         triangle or, after clipping, of a piece of it
+/// needs   indices in range; `depth` holds depths of the same order, unless a background is set
+/// gives   equal depths go to the triangle drawn first; triangles with a corner that is not finite are left out
+/// exact   the same bytes for every executor and with skipping on and off
+/// cost    one pass over the triangles, then the pixels; allocates the bands' lists
+template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
+          Executor E = sequential>
+constexpr render_stats draw_triangles(Colour& colour, Depth& depth, const projected_vertices<T>& vertices,
+                                      std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
+                                      const MakeShader& make_shader,
+                                      const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+  const int width = width_of(colour), height = height_of(colour);
+  const detail::draw_list list =
+      detail::list_triangles(vertices, triangles, mapping, width, height, settings.culling, settings.skip);
+  std::vector<render_stats> done(list.bands.size(), render_stats{});
+  executor(list.bands.size(), [&](std::size_t band) {
+    const int y_first = static_cast<int>(band) * detail::band_height, y_last = lesser(y_first + detail::band_height, height);
+    const cell_window window{0, y_first, width, y_last};
+    if (settings.background)
+      for (int y = y_first; y < y_last; ++y) {
+        fill_span(colour, {y, 0, width}, *settings.background);
+        fill_span(depth, {y, 0, width}, Order::farthest);
+      }
+    const auto draw = [&](const screen_vertex& a, const screen_vertex& b, const screen_vertex& c, std::uint32_t source,
+                          const triangle_shares& shares) {
+      const triangle_coverage t = cover_triangle(a.position, b.position, c.position);
+      if (t.double_area == 0) return;
+      const auto shader = make_shader(source, shares, t.flipped ? facing::front : facing::back);
+      done[band].pixels += draw_triangle<Order>(colour, depth, t, a, b, c, shader, window);
+    };
+    const auto count = static_cast<std::uint32_t>(triangles.size());
+    for (const std::uint32_t number : list.bands[band]) {
+      if (number < count) {
+        const auto [a, b, c] = triangles[number].v;
+        draw(vertices.screen[a], vertices.screen[b], vertices.screen[c], number, {});
+      } else {
+        const detail::clipped_piece& piece = list.pieces[number - count];
+        draw(piece.v[0], piece.v[1], piece.v[2], piece.source, piece.shares);
+      }
+    }
+  });
+  render_stats stats;
+  for (const render_stats& s : done) stats += s;
+  stats.triangles = static_cast<std::int64_t>(triangles.size());
+  stats.skipped = list.skipped;
+  return stats;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What to draw and how, and what drawing did.
+#pragma once
+
+#include <cstdint>
+
+#include <irg/raster/draw_triangle.hpp>
+
+namespace irg {
+
+/// What a surface looks like: its edges, one colour per face, colours between the vertices, or light at every pixel.
+enum class picture_style { wire, flat, gouraud, phong };
+
+/// How hidden surfaces are removed: by depth at every pixel, or not at all (drawing order).
+enum class hidden_surface_method { zbuffer, none };
+
+/// Which faces are left out because of the way they face.
+enum class face_culling { back, none };
+
+/// Whether work that cannot change the picture is left out. `off` is for measuring and for tests: the bytes are equal.
+enum class skipping { on, off };
+
+struct render_options {
+  picture_style style = picture_style::gouraud;
+  hidden_surface_method hidden = hidden_surface_method::zbuffer;
+  face_culling culling = face_culling::back;
+  skipping skip = skipping::on;
+};
+
+/// Triangles that were not rasterized, by reason.
+struct skip_counts {
+  std::int64_t frustum = 0;   // wholly outside the picture or the depth range
+  std::int64_t backface = 0;  // facing away from the eye
+  std::int64_t small = 0;     // holding no pixel centre
+  std::int64_t occluded = 0;  // wholly behind what was already drawn
+
+  IRG_INLINE constexpr skip_counts& operator+=(const skip_counts& o) noexcept {
+    frustum += o.frustum;
+    backface += o.backface;
+    small += o.small;
+    occluded += o.occluded;
+    return *this;
+  }
+  constexpr bool operator==(const skip_counts&) const = default;
+};
+
+/// What rendering did. Independent of the executor; `pixels` and `drawn` also of `skipping`.
+struct render_stats {
+  std::int64_t triangles = 0;  // after faces of more corners were cut
+  skip_counts skipped;
+  draw_counts pixels;
+  std::int64_t drawn = 0;  // pixels that are not background; set by render, which sees the whole picture
+
+  IRG_INLINE constexpr render_stats& operator+=(const render_stats& o) noexcept {
+    triangles += o.triangles;
+    skipped += o.skipped;
+    pixels += o.pixels;
+    drawn += o.drawn;
+    return *this;
+  }
+  constexpr bool operator==(const render_stats&) const = default;
+};
+
+}  // namespace irg
