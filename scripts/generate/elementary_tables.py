@@ -1,0 +1,205 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Prints the private tables of irg/math: trigonometry_tables.hpp or exponential_tables.hpp.
+
+usage: scripts/generate/elementary_tables.py trigonometry|exponential > include/irg/math/detail/..._tables.hpp
+needs: python3-mpmath
+"""
+import sys
+from mpmath import mp, mpf, atan, cos, exp, factorial, floor, frexp, ldexp, log, lu_solve, matrix, nint, pi, sin
+
+mp.prec = 1400
+
+
+def rounded(x):
+    """x rounded to double, as mpf."""
+    return mpf(float(x))
+
+
+def literal(x):
+    return float(x).hex().replace("0x1.0000000000000p", "0x1p")
+
+
+def pair(x):
+    high = rounded(x)
+    return literal(high), literal(x - high)
+
+
+def on_grid(x, step):
+    """x rounded to a multiple of step: a number short enough for exact products and sums."""
+    return nint(x / step) * step
+
+
+def fitted(function, degree, low, high):
+    """Coefficients, low order first, of the polynomial through function at the Chebyshev nodes of [low, high]."""
+    n = degree + 1
+    nodes = [(low + high) / 2 + (high - low) / 2 * cos(pi * (2 * i + 1) / (2 * n)) for i in range(n)]
+    with mp.workprec(400):
+        solution = lu_solve(matrix([[x**j for j in range(n)] for x in nodes]), matrix([function(x) for x in nodes]))
+    return [solution[i] for i in range(n)]
+
+
+def rows(name, members, values, per_line, comment):
+    """A constexpr array of structs or numbers."""
+    print(f"/// {comment}")
+    print(f"inline constexpr {members} {name}[{len(values)}] = {{")
+    for i in range(0, len(values), per_line):
+        print("    " + " ".join(v + "," for v in values[i:i + per_line]))
+    print("};\n")
+
+
+def polynomial(name, coefficients, comment):
+    print(f"/// {comment}")
+    print(f"inline constexpr double {name}[{len(coefficients)}] = {{")
+    print("    " + ", ".join(literal(c) for c in coefficients))
+    print("};\n")
+
+
+def constant(name, value, comment):
+    print(f"/// {comment}\ninline constexpr double {name} = {literal(value)};\n")
+
+
+def head(about):
+    print("// SPDX-License-Identifier: MIT")
+    print(f"// {about}")
+    print("// Printed by scripts/generate/elementary_tables.py; not edited by hand.")
+    print("#pragma once\n\n#include <cstdint>\n\nnamespace irg::detail {\n")
+
+
+def parts_of(name, x, bits, count, comment):
+    """x as `count` numbers of at most `bits` bits and a rest: each times a short integer is exact."""
+    values = []
+    for _ in range(count):
+        significand, exponent = frexp(x)
+        part = ldexp(floor(ldexp(significand, bits)), exponent - bits)
+        values.append(part)
+        x -= part
+    values.append(x)
+    polynomial(name, values, comment)
+
+
+def trigonometry():
+    head("What sine, cosine and arctangent are made from.")
+    parts_of("half_pi_parts", pi / 2, 33, 3, "pi/2 in three numbers of 33 bits and a rest.")
+    high, low = pair(pi / 2)
+    print("/// pi/2 as a double and its rounding error.")
+    print(f"inline constexpr double half_pi_high = {high}, half_pi_low = {low};\n")
+    high, low = pair(pi / 180)
+    print("/// pi/180 as a double and its rounding error.")
+    print(f"inline constexpr double degree_high = {high}, degree_low = {low};\n")
+    high, low = pair(180 / pi)
+    print("/// 180/pi as a double and its rounding error.")
+    print(f"inline constexpr double radian_high = {high}, radian_low = {low};\n")
+    constant("two_over_pi", 2 / pi, "2/pi.")
+
+    words = [0, 0] + [int(floor(ldexp(2 / pi, 32 * (i + 1)))) % 2**32 for i in range(38)]
+    rows("two_over_pi_words", "std::uint32_t", [f"0x{w:08x}u" for w in words], 8,
+         "2/pi in base 2^32; the first two words, of weight 2^32 and 1, are zero.")
+
+    def sine_tail(t):
+        x = t**mpf("0.5")
+        return (sin(x) - x) / x**3
+
+    polynomial("sine_coefficients", fitted(sine_tail, 3, mpf("1e-60"), mpf("0.127")**2),
+               "(sin x - x) / x^3 in powers of x^2 for |x| < 0.127.")
+
+    reach = mpf("0.7856")**2
+    polynomial("sine_wide_coefficients", fitted(sine_tail, 5, mpf("1e-60"), reach),
+               "(sin x - x) / x^3 in powers of x^2 for |x| < 0.7856.")
+
+    def cosine_tail(t):
+        return (cos(t**mpf("0.5")) - 1 + t / 2) / t**2
+
+    polynomial("cosine_wide_coefficients", fitted(cosine_tail, 5, mpf("1e-60"), reach),
+               "(cos x - 1 + x^2/2) / x^4 in powers of x^2 for |x| < 0.7856.")
+
+    def arctangent_tail(t):
+        x = t**mpf("0.5")
+        return (atan(x) - x) / x**3
+
+    polynomial("arctangent_coefficients", fitted(arctangent_tail, 2, mpf("1e-60"), mpf("0.0079")**2),
+               "(atan x - x) / x^3 in powers of x^2 for |x| < 0.0079.")
+
+    print("struct sine_cosine_row {\n  double sine, sine_low, cosine, cosine_low;\n};")
+    values = ["{" + ", ".join(pair(sin(mpf(i) / 128)) + pair(cos(mpf(i) / 128))) + "}" for i in range(102)]
+    rows("sine_cosine_table", "sine_cosine_row", values, 1, "Sine and cosine of i/128, each with its rounding error.")
+
+    print("struct number_pair {\n  double high, low;\n};")
+    values = ["{" + ", ".join(pair(atan(mpf(i) / 64))) + "}" for i in range(65)]
+    rows("arctangent_table", "number_pair", values, 2, "The arctangent of i/64 with its rounding error.")
+    print("}  // namespace irg::detail")
+
+
+LOG_FIRST = 0x3FE6100000000000  # the bits where the logarithm's table begins: 1 is in the middle of an interval
+
+
+def interval(i):
+    """The bounds of table interval i, whose significands stand in [0.69, 1.38)."""
+    def value(bits):
+        fraction = mpf((bits & (2**52 - 1)) + 2**52) / 2**52
+        return ldexp(fraction, (bits >> 52) - 1023)
+    first = LOG_FIRST + (i << 45)
+    return value(first), value(first + (1 << 45))
+
+
+def exponential():
+    head("What powers and logarithms are made from.")
+    grid = ldexp(mpf(1), -42)
+    step = on_grid(log(2) / 128, ldexp(mpf(1), -42))
+    print("/// ln(2)/128 as a number of 35 bits, short enough for exact products with 18-bit integers, and its error.")
+    print(f"inline constexpr double exp_step_high = {literal(step)}, exp_step_low = {literal(log(2) / 128 - step)};\n")
+    constant("exp_steps_per_unit", 128 / log(2), "128/ln(2).")
+    constant("natural_log_of_two", log(2), "ln(2).")
+    ln2 = on_grid(log(2), grid)
+    print("/// ln(2) as a multiple of 2^-42 and the error.")
+    print(f"inline constexpr double log_two_high = {literal(ln2)}, log_two_low = {literal(log(2) - ln2)};\n")
+    for name, base in (("two", 2), ("ten", 10)):
+        high, low = pair(1 / log(base))
+        print(f"/// 1/ln({base}) as a double and its rounding error.")
+        print(f"inline constexpr double inverse_log_{name}_high = {high}, inverse_log_{name}_low = {low};\n")
+
+    reach = log(2) / 256 * mpf("1.01")
+
+    def exp_tail(x):
+        return (exp(x) - 1 - x) / x**2
+
+    polynomial("exp_coefficients", fitted(exp_tail, 3, -reach, reach + mpf("1e-60")),
+               "(e^x - 1 - x) / x^2 for |x| <= ln(2)/256.")
+
+    print("struct exp_row {\n  double power, power_low;\n};")
+    values = ["{" + ", ".join(pair(mpf(2)**(mpf(i) / 128))) + "}" for i in range(128)]
+    rows("exp_table", "exp_row", values, 2, "2^(i/128) with its rounding error.")
+
+    log_rows, worst = [], mpf(0)
+    for i in range(128):
+        low, high = interval(i)
+        # Around 1 the logarithm must be r itself, so that it stays accurate relative to its size.
+        c = mpf(1) if low <= 1 < high else on_grid(2 / (low + high), ldexp(mpf(1), -10))
+        worst = max(worst, abs(low * c - 1), abs(high * c - 1))
+        logarithm = -log(c)
+        short = on_grid(logarithm, grid)
+        log_rows.append("{" + ", ".join((literal(c), literal(short), literal(logarithm - short))) + "}")
+    reach = worst * mpf("1.01")
+
+    def log_tail(x):
+        return (log(1 + x) - x + x**2 / 2) / x**3
+
+    polynomial("log_coefficients", fitted(log_tail, 5, -reach, reach + mpf("1e-60")),
+               f"(ln(1 + x) - x + x^2/2) / x^3 for |x| <= {float(worst):.5f}.")
+    print("/// The bits of the double where the first interval of log_table begins.")
+    print(f"inline constexpr std::uint64_t log_table_first = 0x{LOG_FIRST:016x}u;\n")
+    print("struct log_row {\n  double inverse, log, log_low;\n};")
+    rows("log_table", "log_row", log_rows, 1,
+         "For each interval of significands: about 1/its middle in 10 bits; minus its logarithm on a grid of 2^-42, error.")
+
+    polynomial("cbrt_coefficients", fitted(lambda x: x**(mpf(1) / 3), 3, mpf(1), mpf(2)), "x^(1/3) for 1 <= x <= 2, within 2^-11.")
+    print("/// 2^(i/3).")
+    print("inline constexpr double cbrt_of_power[3] = {" + ", ".join(literal(mpf(2)**(mpf(i) / 3)) for i in range(3)) + "};\n")
+    print("}  // namespace irg::detail")
+
+
+if __name__ == "__main__":
+    tables = {"trigonometry": trigonometry, "exponential": exponential}
+    if len(sys.argv) != 2 or sys.argv[1] not in tables:
+        sys.exit(__doc__)
+    tables[sys.argv[1]]()

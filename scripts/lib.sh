@@ -1,0 +1,70 @@
+# What the scripts share; source it from the project's root folder.
+#   need_packages PACKAGE...      installs what is missing from the distribution
+#   step TEXT COMMAND...          runs a command as the next of $steps steps, its output going to a log
+#   fail SENTENCE                 ends the script with one sentence
+
+script_name=scripts/$(basename "$0")
+steps=${steps:-1}
+step_number=0
+
+fail() {
+  echo "$script_name: $*" >&2
+  exit 1
+}
+
+# The time since $1 (seconds), as "12 s" or "3 min 05 s".
+elapsed_since() {
+  local seconds=$((SECONDS - $1))
+  if [ $seconds -lt 60 ]; then echo "$seconds s"; else printf '%d min %02d s' $((seconds / 60)) $((seconds % 60)); fi
+}
+
+step() {
+  local text=$1 start=$SECONDS log
+  shift
+  step_number=$((step_number + 1))
+  mkdir -p build/log
+  log=build/log/$(basename "$0")-$step_number.log
+  printf '[%d/%d] %s ... ' $step_number "$steps" "$text"
+  if "$@" </dev/null >"$log" 2>&1; then
+    elapsed_since $start
+    return
+  fi
+  echo failed
+  tail -n 40 "$log" >&2
+  echo >&2
+  fail "the step \"$text\" failed; all it said is in $log."
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    return 1
+  fi
+}
+
+install_packages() {
+  export DEBIAN_FRONTEND=noninteractive
+  as_root apt-get update && as_root apt-get install -y --no-install-recommends "$@"
+}
+
+need_packages() {
+  local package missing=()
+  if ! command -v dpkg-query >/dev/null; then
+    step "Taking for granted, as this is no Debian: $*" true
+    return
+  fi
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  if [ ${#missing[@]} = 0 ]; then
+    step "Nothing to install" true
+  elif [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
+    fail "these packages are missing, and installing them needs root: ${missing[*]}."
+  else
+    if [ "$(id -u)" != 0 ]; then sudo -v || fail "root is needed to install: ${missing[*]}."; fi
+    step "Installing ${missing[*]}" install_packages "${missing[@]}"
+  fi
+}
