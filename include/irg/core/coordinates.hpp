@@ -2,10 +2,11 @@
 // Vectors, points and homogeneous points: anything with a fixed number of coordinates.
 //
 // The one customisation point is coordinate_traits<T>. It fits, without a word from the user,
-//   * types with members x and y, or x, y and z, or x, y, z and w     (plain structs, GLM),
+//   * types with members x and y, or x, y and z, or x, y, z and w, of one type     (plain structs, GLM),
 //   * std::array and other tuple-like types with operator[],
 //   * fixed-size column vectors with RowsAtCompileTime and operator[] (Eigen).
-// Any other type is admitted by specialising it:
+// each where T{c...} makes one from its coordinates. Rectangles with x, y, w and h are refused, not mistaken for
+// points. Any other type is admitted by specialising it:
 //
 //   template <> struct irg::coordinate_traits<my::vector> {
 //     using scalar = float;
@@ -30,30 +31,44 @@ enum class coordinate_kind { any, vector, point, homogeneous };
 namespace detail {
 
 template <class T>
-concept has_xy = requires(const T v) {
+concept has_xy = requires(const T& v) {
   requires Scalar<std::remove_cvref_t<decltype(v.x)>>;
   requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.y)>>;
 };
 template <class T>
-concept has_z = requires(const T v) { requires Scalar<std::remove_cvref_t<decltype(v.z)>>; };
+concept has_z = requires(const T& v) { v.z; };
 template <class T>
-concept has_w = requires(const T v) { requires Scalar<std::remove_cvref_t<decltype(v.w)>>; };
+concept has_w = requires(const T& v) { v.w; };
+// x and y; x, y and z; or x, y, z and w, all of one type. A w without z may be a width or a weight: it is not guessed.
 template <class T>
-concept subscriptable = requires(const T v) { requires Scalar<std::remove_cvref_t<decltype(v[0])>>; };
+concept has_named_coordinates =
+    has_xy<T> && (has_z<T> || !has_w<T>) && (!has_z<T> || requires(const T& v) {
+      requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.z)>>;
+    }) && (!has_w<T> || requires(const T& v) {
+      requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.w)>>;
+    });
+template <class T>
+concept subscriptable = requires(const T& v, int i) { requires Scalar<std::remove_cvref_t<decltype(v[i])>>; };
 template <class T>
 concept tuple_sized = requires { std::tuple_size<T>::value; };
 template <class T>
-concept eigen_like = requires {
-  requires(T::RowsAtCompileTime >= 1) && (T::ColsAtCompileTime == 1);
-};
+concept eigen_like = requires { requires(T::RowsAtCompileTime >= 1) && (T::ColsAtCompileTime == 1); };
 
+// Only irg's own meaning of `kind` counts: a foreign type may have a member of that name for purposes of its own.
 template <class T>
 constexpr coordinate_kind kind_of() {
-  if constexpr (requires { T::kind; })
+  if constexpr (requires { requires std::same_as<decltype(T::kind), const coordinate_kind>; })
     return T::kind;
   else
     return coordinate_kind::any;
 }
+
+template <class T, class Traits, class S>
+concept made_from_coordinates = []<int... I>(std::integer_sequence<int, I...>) {
+  return requires(const S c) {
+    { Traits::make((static_cast<void>(I), c)...) } -> std::convertible_to<T>;
+  };
+}(std::make_integer_sequence<int, Traits::size>{});
 
 }  // namespace detail
 
@@ -61,13 +76,13 @@ constexpr coordinate_kind kind_of() {
 template <class T>
 struct coordinate_traits {};
 
-template <detail::has_xy T>
+template <detail::has_named_coordinates T>
 struct coordinate_traits<T> {
   using scalar = std::remove_cvref_t<decltype(std::declval<const T&>().x)>;
   static constexpr int size = detail::has_w<T> ? 4 : detail::has_z<T> ? 3 : 2;
   static constexpr coordinate_kind kind = detail::kind_of<T>();
 
-  IRG_INLINE static constexpr scalar get(const T& v, int i) noexcept {
+  IRG_INLINE static constexpr scalar get(const T& v, int i) noexcept(std::is_nothrow_copy_constructible_v<scalar>) {
     if constexpr (size == 4)
       return i == 0 ? v.x : i == 1 ? v.y : i == 2 ? v.z : v.w;
     else if constexpr (size == 3)
@@ -76,15 +91,17 @@ struct coordinate_traits<T> {
       return i == 0 ? v.x : v.y;
   }
   template <class... S>
-  IRG_INLINE static constexpr T make(S... c) noexcept {
+    requires requires(const S&... c) { T{static_cast<scalar>(c)...}; }
+  IRG_INLINE static constexpr T make(const S&... c) noexcept(std::is_arithmetic_v<scalar>) {
     return T{static_cast<scalar>(c)...};
   }
 };
 
 template <class T>
-  requires(!detail::has_xy<T> && detail::subscriptable<T> && (detail::tuple_sized<T> || detail::eigen_like<T>))
+  requires(!detail::has_named_coordinates<T> && detail::subscriptable<T> &&
+           (detail::tuple_sized<T> || detail::eigen_like<T>))
 struct coordinate_traits<T> {
-  using scalar = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
+  using scalar = std::remove_cvref_t<decltype(std::declval<const T&>()[std::declval<int>()])>;
   static constexpr int size = [] {
     if constexpr (detail::tuple_sized<T>)
       return static_cast<int>(std::tuple_size<T>::value);
@@ -93,25 +110,27 @@ struct coordinate_traits<T> {
   }();
   static constexpr coordinate_kind kind = detail::kind_of<T>();
 
-  IRG_INLINE static constexpr scalar get(const T& v, int i) noexcept {
+  IRG_INLINE static constexpr scalar get(const T& v, int i) noexcept(std::is_nothrow_copy_constructible_v<scalar>) {
     if constexpr (detail::tuple_sized<T>)
       return v[static_cast<std::size_t>(i)];
     else
       return v[i];
   }
   template <class... S>
-  IRG_INLINE static constexpr T make(S... c) noexcept {
+    requires requires(const S&... c) { T{static_cast<scalar>(c)...}; }
+  IRG_INLINE static constexpr T make(const S&... c) noexcept(std::is_arithmetic_v<scalar>) {
     return T{static_cast<scalar>(c)...};
   }
 };
 
 /// A type with a fixed number of coordinates, readable by index and made from them.
 template <class T>
-concept Coordinates = requires(const T v) {
+concept Coordinates = requires(const T& v) {
   requires Scalar<typename coordinate_traits<T>::scalar>;
   requires(coordinate_traits<T>::size >= 1);
   requires std::same_as<std::remove_cvref_t<decltype(coordinate_traits<T>::kind)>, coordinate_kind>;
   { coordinate_traits<T>::get(v, 0) } -> std::convertible_to<typename coordinate_traits<T>::scalar>;
+  requires detail::made_from_coordinates<T, coordinate_traits<T>, typename coordinate_traits<T>::scalar>;
 };
 
 /// A displacement. Models: vec, glm::vec3, Eigen::Vector3f, std::array<double, 3>, a struct with x, y and z.
@@ -127,8 +146,9 @@ concept Point = Coordinates<T> && (coordinate_traits<T>::kind == coordinate_kind
 /// A position of the projective space; the last coordinate is its weight. Models: hpoint, and every foreign type of
 /// three or more coordinates, such as glm::vec4.
 template <class T>
-concept HomogeneousPoint = Coordinates<T> && (coordinate_traits<T>::kind == coordinate_kind::homogeneous ||
-                                              (coordinate_traits<T>::kind == coordinate_kind::any && coordinate_traits<T>::size >= 3));
+concept HomogeneousPoint =
+    Coordinates<T> && (coordinate_traits<T>::kind == coordinate_kind::homogeneous ||
+                       (coordinate_traits<T>::kind == coordinate_kind::any && coordinate_traits<T>::size >= 3));
 
 /// The number type of a type with coordinates.
 template <Coordinates T>
@@ -143,20 +163,20 @@ inline namespace IRG_ABI {
 /// Coordinate i of v.
 /// needs   0 <= i < size_of<T>
 template <Coordinates T>
-IRG_INLINE constexpr scalar_of<T> coordinate(const T& v, int i) noexcept {
+IRG_INLINE constexpr scalar_of<T> coordinate(const T& v, int i) noexcept(noexcept(coordinate_traits<T>::get(v, i))) {
   return coordinate_traits<T>::get(v, i);
 }
 
 /// A T with the given coordinates.
 template <Coordinates T, class... S>
   requires(sizeof...(S) == static_cast<std::size_t>(size_of<T>))
-IRG_INLINE constexpr T from_coordinates(S... c) noexcept {
+IRG_INLINE constexpr T from_coordinates(const S&... c) noexcept(noexcept(coordinate_traits<T>::make(c...))) {
   return coordinate_traits<T>::make(c...);
 }
 
-/// A T whose coordinate i is f(i).
+/// A T whose coordinate i is f(i); f is called once for each i, in no particular order.
 template <Coordinates T, class F>
-IRG_INLINE constexpr T generate_coordinates(F f) {
+IRG_INLINE constexpr T generate_coordinates(F&& f) {
   return [&]<int... I>(std::integer_sequence<int, I...>) {
     return coordinate_traits<T>::make(f(I)...);
   }(std::make_integer_sequence<int, size_of<T>>{});

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include <irg/core/coordinates.hpp>
 
@@ -17,7 +16,7 @@ struct mesh_traits {};
 
 /// Faces of three or more vertices that share their positions through indices.
 template <class T>
-concept Mesh = requires(const T m, std::size_t i) {
+concept Mesh = requires(const T& m, std::size_t i) {
   requires Point<typename mesh_traits<T>::point>;
   { mesh_traits<T>::vertex_count(m) } -> std::convertible_to<std::size_t>;
   { mesh_traits<T>::position(m, i) } -> std::convertible_to<typename mesh_traits<T>::point>;
@@ -26,4 +25,44 @@ concept Mesh = requires(const T m, std::size_t i) {
   { mesh_traits<T>::face_vertex(m, i, i) } -> std::convertible_to<std::size_t>;
 };
 
+/// The type of a mesh's positions.
+template <Mesh T>
+using mesh_point = typename mesh_traits<T>::point;
+
+inline namespace IRG_ABI {
+
+/// The number of positions of a mesh.
+template <Mesh M>
+IRG_INLINE constexpr std::size_t mesh_vertex_count(const M& m) {
+  return static_cast<std::size_t>(mesh_traits<M>::vertex_count(m));
+}
+
+/// Position v of a mesh.
+/// needs   v < mesh_vertex_count(m)
+template <Mesh M>
+IRG_INLINE constexpr mesh_point<M> mesh_position(const M& m, std::size_t v) {
+  return mesh_traits<M>::position(m, v);
+}
+
+/// The number of faces of a mesh.
+template <Mesh M>
+IRG_INLINE constexpr std::size_t mesh_face_count(const M& m) {
+  return static_cast<std::size_t>(mesh_traits<M>::face_count(m));
+}
+
+/// The number of corners of face f.
+/// needs   f < mesh_face_count(m)
+template <Mesh M>
+IRG_INLINE constexpr std::size_t mesh_face_size(const M& m, std::size_t f) {
+  return static_cast<std::size_t>(mesh_traits<M>::face_size(m, f));
+}
+
+/// The position that corner k of face f names.
+/// needs   f < mesh_face_count(m), k < mesh_face_size(m, f)
+template <Mesh M>
+IRG_INLINE constexpr std::size_t mesh_face_vertex(const M& m, std::size_t f, std::size_t k) {
+  return static_cast<std::size_t>(mesh_traits<M>::face_vertex(m, f, k));
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg

@@ -16,10 +16,10 @@ template <class T>
 struct raster_traits {};
 
 template <class T>
-  requires requires(const T r) {
+  requires requires(const T& r) {
     { r.width() } -> std::convertible_to<int>;
     { r.height() } -> std::convertible_to<int>;
-    r(0, 0);
+    requires std::copyable<std::remove_cvref_t<decltype(r(0, 0))>>;
   }
 struct raster_traits<T> {
   using pixel = std::remove_cvref_t<decltype(std::declval<const T&>()(0, 0))>;
@@ -40,8 +40,8 @@ struct raster_traits<T> {
 
 /// A rectangle of pixels that can be read.
 template <class T>
-concept ReadableRaster = requires(const T r) {
-  typename raster_traits<T>::pixel;
+concept ReadableRaster = requires(const T& r) {
+  requires std::copyable<typename raster_traits<T>::pixel>;
   { raster_traits<T>::width(r) } -> std::convertible_to<int>;
   { raster_traits<T>::height(r) } -> std::convertible_to<int>;
   { raster_traits<T>::get(r, 0, 0) } -> std::convertible_to<typename raster_traits<T>::pixel>;
@@ -49,11 +49,13 @@ concept ReadableRaster = requires(const T r) {
 
 /// A rectangle of pixels that can be written one by one.
 template <class T>
-concept WritableRaster = ReadableRaster<T> && requires(T r, typename raster_traits<T>::pixel p) { raster_traits<T>::set(r, 0, 0, p); };
+concept WritableRaster = ReadableRaster<T> && requires(T& r, const typename raster_traits<T>::pixel& p) {
+  raster_traits<T>::set(r, 0, 0, p);
+};
 
 /// A writable raster whose pixels stand side by side in each row.
 template <class T>
-concept RowRaster = WritableRaster<T> && requires(T r) {
+concept RowRaster = WritableRaster<T> && requires(T& r) {
   { raster_traits<T>::row(r, 0) } -> std::same_as<typename raster_traits<T>::pixel*>;
 };
 
@@ -70,13 +72,13 @@ inline namespace IRG_ABI {
 /// The number of pixels in a row of r.
 template <ReadableRaster T>
 IRG_INLINE constexpr int width_of(const T& r) {
-  return raster_traits<T>::width(r);
+  return static_cast<int>(raster_traits<T>::width(r));
 }
 
 /// The number of rows of r.
 template <ReadableRaster T>
 IRG_INLINE constexpr int height_of(const T& r) {
-  return raster_traits<T>::height(r);
+  return static_cast<int>(raster_traits<T>::height(r));
 }
 
 /// The pixel in column x of row y.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polygon rings: closed chains of points, the last joined to the first without being repeated. The one customisation
-// point is ring_traits<T>; it fits every container with size() and operator[] (std::vector, std::array, std::span).
+// point is ring_traits<T>; it fits every container with size() and operator[] (std::vector, std::array, std::span) and
+// plain arrays.
 #pragma once
 
 #include <cstddef>
@@ -14,37 +15,49 @@ template <class T>
 struct ring_traits {};
 
 template <class T>
-  requires requires(const T r, std::size_t i) {
+  requires requires(const T& r, std::size_t i) {
     { r.size() } -> std::convertible_to<std::size_t>;
     requires Coordinates<std::remove_cvref_t<decltype(r[i])>>;
   }
 struct ring_traits<T> {
-  using point = std::remove_cvref_t<decltype(std::declval<const T&>()[0])>;
+  using point = std::remove_cvref_t<decltype(std::declval<const T&>()[std::size_t{}])>;
   IRG_INLINE static constexpr std::size_t size(const T& r) noexcept { return static_cast<std::size_t>(r.size()); }
-  IRG_INLINE static constexpr point vertex(const T& r, std::size_t i) noexcept { return r[i]; }
+  IRG_INLINE static constexpr point vertex(const T& r, std::size_t i) noexcept(noexcept(point(r[i]))) { return r[i]; }
 };
 
-/// A closed chain of points.
+template <Coordinates P, std::size_t N>
+struct ring_traits<P[N]> {
+  using point = P;
+  IRG_INLINE static constexpr std::size_t size(const P (&)[N]) noexcept { return N; }
+  IRG_INLINE static constexpr const P& vertex(const P (&r)[N], std::size_t i) noexcept { return r[i]; }
+};
+
+/// A closed chain of points. Models: std::vector<point<T, 2>>, std::span<const glm::vec2>, a plain array.
 template <class T>
-concept PolygonRing = requires(const T r, std::size_t i) {
+concept PolygonRing = requires(const T& r, std::size_t i) {
   requires Point<typename ring_traits<T>::point> || HomogeneousPoint<typename ring_traits<T>::point>;
   { ring_traits<T>::size(r) } -> std::convertible_to<std::size_t>;
   { ring_traits<T>::vertex(r, i) } -> std::convertible_to<typename ring_traits<T>::point>;
 };
 
+/// The type of a ring's vertices.
+template <PolygonRing T>
+using ring_point = typename ring_traits<T>::point;
+
 inline namespace IRG_ABI {
 
-/// The number of vertices of a ring.
+/// The number of vertices of a ring; 0, 1 and 2 are legal sizes of a degenerate one.
 template <PolygonRing R>
-IRG_INLINE constexpr std::size_t ring_size(const R& r) noexcept {
-  return ring_traits<R>::size(r);
+IRG_INLINE constexpr std::size_t ring_size(const R& r) noexcept(noexcept(ring_traits<R>::size(r))) {
+  return static_cast<std::size_t>(ring_traits<R>::size(r));
 }
 
 /// Vertex i of a ring, counted round and round: vertex size is vertex 0 again.
 /// needs   a ring that is not empty
 template <PolygonRing R>
-IRG_INLINE constexpr typename ring_traits<R>::point ring_vertex(const R& r, std::size_t i) noexcept {
-  const std::size_t n = ring_traits<R>::size(r);
+IRG_INLINE constexpr ring_point<R> ring_vertex(const R& r,
+                                               std::size_t i) noexcept(noexcept(ring_traits<R>::vertex(r, i))) {
+  const std::size_t n = ring_size(r);
   return ring_traits<R>::vertex(r, i < n ? i : i % n);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What rasterizers and clippers send their output to: callables that take one cell, one span or one segment.
+// What rasterizers and clippers send their output to: callables that take one cell, one span or one segment. What a
+// sink returns is ignored; it may be stateful and need not be copyable.
 #pragma once
-
-#include <concepts>
 
 #include <irg/core/config.hpp>
 
@@ -22,14 +21,14 @@ struct span_of_cells {
 
 /// Receives cells, one call each.
 template <class S>
-concept CellSink = std::invocable<S&, cell>;
+concept CellSink = requires(S& sink, const cell c) { sink(c); };
 
 /// Receives runs of cells, one call each.
 template <class S>
-concept SpanSink = std::invocable<S&, span_of_cells>;
+concept SpanSink = requires(S& sink, const span_of_cells s) { sink(s); };
 
 /// Receives segments between two points, one call each.
 template <class S, class P>
-concept SegmentSink = std::invocable<S&, const P&, const P&>;
+concept SegmentSink = requires(S& sink, const P& from, const P& to) { sink(from, to); };
 
 }  // namespace irg

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <irg/core/scalar.hpp>
+
+#include <bit>
+#include <complex>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "support/archetypes.hpp"
+#include "support/check_both.hpp"
+
+namespace own {
+
+struct no_division {
+  friend bool operator==(const no_division&, const no_division&) = default;
+  friend bool operator<(const no_division&, const no_division&);
+  friend no_division operator+(const no_division&, const no_division&);
+  friend no_division operator-(const no_division&, const no_division&);
+  friend no_division operator*(const no_division&, const no_division&);
+  friend no_division operator-(const no_division&);
+  explicit no_division(int = 0);
+};
+
+}  // namespace own
+
+namespace {
+
+enum class colour { red };
+static_assert(irg::Scalar<int> && irg::Scalar<std::uint8_t> && irg::Scalar<std::int64_t>);
+static_assert(irg::Scalar<float> && irg::Scalar<double> && irg::Scalar<long double>);
+static_assert(irg::Scalar<archetype::scalar>);
+static_assert(!irg::Scalar<bool> && !irg::Scalar<void> && !irg::Scalar<colour> && !irg::Scalar<const char*>);
+static_assert(!irg::Scalar<std::string> && !irg::Scalar<std::complex<float>>);  // no /, no <
+static_assert(!irg::Scalar<own::no_division> && !irg::Scalar<const int> && !irg::Scalar<int&> && !irg::Scalar<int[2]>);
+
+static_assert(irg::Real<float> && irg::Real<double> && irg::Real<archetype::scalar>);
+static_assert(!irg::Real<int> && !irg::Real<std::uint64_t> && !irg::Real<bool>);
+
+static_assert(irg::Floating<float> && irg::Floating<double>);
+static_assert(!irg::Floating<long double> && !irg::Floating<int> && !irg::Floating<const float>);
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr bool negative(double x) { return std::bit_cast<std::int64_t>(x) < 0; }
+
+}  // namespace
+
+TEST_CASE("scalar: lesser and greater") {
+  CHECK_BOTH((irg::lesser(2, 3) == 2 && irg::lesser(3, 2) == 2));
+  CHECK_BOTH((irg::greater(2, 3) == 3 && irg::greater(3, 2) == 3));
+  CHECK_BOTH(irg::lesser(archetype::scalar(2), archetype::scalar(3)) == archetype::scalar(2));
+  CHECK_BOTH(irg::greater(archetype::scalar(2), archetype::scalar(3)) == archetype::scalar(3));
+}
+
+TEST_CASE("scalar: the second number wins when they cannot be ordered or are equal") {
+  CHECK_BOTH((irg::lesser(not_a_number, 1.0) == 1.0 && irg::greater(not_a_number, 1.0) == 1.0));
+  CHECK_BOTH(irg::lesser(1.0, not_a_number) != irg::lesser(1.0, not_a_number));
+  CHECK_BOTH(irg::greater(1.0, not_a_number) != irg::greater(1.0, not_a_number));
+  CHECK_BOTH((negative(irg::lesser(0.0, -0.0)) && !negative(irg::lesser(-0.0, 0.0))));
+  CHECK_BOTH((negative(irg::greater(0.0, -0.0)) && !negative(irg::greater(-0.0, 0.0))));
+}
+
+TEST_CASE("scalar: clamp keeps within the range, whatever comes") {
+  CHECK_BOTH((irg::clamp(5, 0, 3) == 3 && irg::clamp(-5, 0, 3) == 0 && irg::clamp(2, 0, 3) == 2));
+  CHECK_BOTH((irg::clamp(0, 0, 3) == 0 && irg::clamp(3, 0, 3) == 3 && irg::clamp(7, 4, 4) == 4));
+  CHECK_BOTH(irg::clamp(not_a_number, -1.0, 1.0) == -1.0);
+  CHECK_BOTH((irg::clamp(infinity, -1.0, 1.0) == 1.0 && irg::clamp(-infinity, -1.0, 1.0) == -1.0));
+  CHECK_BOTH(irg::clamp(archetype::scalar(9), archetype::scalar(1), archetype::scalar(4)) == archetype::scalar(4));
+}
