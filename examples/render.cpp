@@ -87,7 +87,7 @@ settings read_settings(program::command_line& line) {
       s.up = irg::to_vec(triple(word));
     else if (word == "--fov") {
       s.angle = line.numbers(word, 1)[0];
-      if (!(s.angle > 0 && s.angle < 180)) line.fail("option --fov needs an angle between 0 and 180 degrees");
+      if (!(s.angle >= 1e-6 && s.angle < 180)) line.fail("option --fov needs an angle from 0.000001 to less than 180 degrees");
     } else if (word == "--project")
       s.projection = std::array{irg::projection_kind::perspective, irg::projection_kind::orthographic}[line.choice(
           word, {"perspective", "orthographic"})];
@@ -134,13 +134,13 @@ irg::mesh<double> load(const program::command_line& line, const std::string& mod
 irg::camera<double> camera_of(const program::command_line& line, const settings& s, const irg::mesh<double>& shape) {
   const auto ball = irg::sphere_around(shape);
   const double angle = irg::radians(s.angle), aspect = static_cast<double>(s.width) / s.height;
-  irg::camera<double> c = irg::camera_around(ball.centre, ball.radius, irg::vec<double, 3>{1, 0.8, 1.6}, angle, aspect);
+  irg::camera<double> c =
+      irg::camera_around(ball.centre, ball.radius, irg::vec<double, 3>{1, 0.8, 1.6}, angle, aspect, s.projection);
   if (s.eye) c.eye = *s.eye;
   if (s.target) c.target = *s.target;
   c.up = s.up;
-  c.projection = s.projection;
   c = irg::with_depth_range(c, ball.centre, ball.radius);
-  const double reach = irg::length(c.eye - ball.centre) + ball.radius;
+  const double reach = irg::length(c.eye - ball.centre) + ball.radius + irg::length(c.target - ball.centre);
   if (!(reach < 1e150)) line.fail("the model and the eye reach too far for a picture; coordinates may go up to 1e150");
   return c;
 }

@@ -64,8 +64,7 @@ inline namespace IRG_ABI {
 
 IRG_INLINE constexpr int band_count(int height) noexcept { return (height + band_height - 1) / band_height; }
 
-// Puts one triangle on the lists of the bands it touches, or counts why not. `counted` keeps the pieces of one triangle
-// from being counted one by one.
+// Puts one triangle on the lists of the bands it touches, or counts why not.
 constexpr bool enlist(draw_list& list, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
                       const screen_vertex& c, int width, int height, face_culling culling, skipping skip) {
   const std::int64_t area = signed_double_area(a.position, b.position, c.position);  // fronts are negative: y is down

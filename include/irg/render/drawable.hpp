@@ -26,14 +26,16 @@ struct drawable {
 namespace detail {
 inline namespace IRG_ABI {
 
-// Numbers the pairs of position and normal that occur in the corners. Pairs of one position form a chain.
+// Numbers the pairs of position and normal that occur in the corners. Pairs of one position form a chain, of which the
+// newest are looked through: where a thousand normals meet, a pair may be numbered twice, which changes no picture.
 template <class T>
 class corner_vertices {
 public:
   constexpr explicit corner_vertices(std::size_t positions) : first_(positions, mesh_corner::none) {}
 
   constexpr std::uint32_t operator()(const mesh<T>& m, const mesh_corner& c, drawable<T>& out) {
-    for (std::uint32_t v = first_[c.position]; v != mesh_corner::none; v = next_[v])
+    int looks = 64;
+    for (std::uint32_t v = first_[c.position]; v != mesh_corner::none && looks > 0; v = next_[v], --looks)
       if (normal_[v] == c.normal) return v;
     const auto v = static_cast<std::uint32_t>(out.positions.size());
     out.positions.push_back(m.positions[c.position]);

@@ -29,16 +29,38 @@ struct camera {
   T far_distance = std::numeric_limits<T>::infinity();
 };
 
+namespace detail {
+inline namespace IRG_ABI {
+
+// A power of two that brings x > 0 into [1, 2), or as near to it as leaves room for 2^62 of everything.
+template <class T>
+constexpr T scale_towards_one(T x) noexcept {
+  constexpr int most = std::numeric_limits<T>::max_exponent - 64;
+  T scale = T(1);
+  for (int i = 0; i < most && x * scale < T(1); ++i) scale *= T(2);
+  for (int i = 0; i < most && x * scale >= T(2); ++i) scale /= T(2);
+  return scale;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// The matrix from the world to the camera's clip space (reversed depth), for a picture `aspect` times as wide as high.
+/// units   clip space is scaled by a power of two so that w, which is 1 in parallel projection, is 1 to 2 at the near
+///         plane: however large or small the world, 1/w and depth are ordinary floats
 /// needs   a camera in its domain, aspect > 0
+/// gives   parallel projection with the eye at the target: what it shows from distance 1
 template <Floating T>
 constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
   const mat<T, 4, 4> view = look_at(c.eye, c.target, c.up);
   if (c.projection == projection_kind::perspective)
-    return perspective(c.vertical_angle, aspect, c.near_distance, c.far_distance) * view;
-  const T height = length(c.target - c.eye) * tan(c.vertical_angle / T(2)), width = height * aspect;
+    return perspective(c.vertical_angle, aspect, c.near_distance, c.far_distance) * view *
+           detail::scale_towards_one(c.near_distance);
+  const T away = length(c.target - c.eye), least = std::numeric_limits<T>::min();
+  const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
+  const T width = greater(height * aspect, least);
   return orthographic(-width, width, -height, height, c.near_distance, c.far_distance) * view;
 }
 
@@ -49,6 +71,7 @@ constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre, std
   const T away = length(centre - c.eye) + radius;
   if (c.projection == projection_kind::perspective) {
     c.near_distance = greater(away / T(1000), std::numeric_limits<T>::min());
+    c.far_distance = std::numeric_limits<T>::infinity();
   } else {
     c.near_distance = -away;  // parallel rays come from behind the eye as well
     c.far_distance = greater(away, std::numeric_limits<T>::min());
@@ -61,13 +84,17 @@ constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre, std
 /// needs   0 < angle < pi, aspect > 0
 template <Floating T>
 constexpr camera<T> camera_around(const point<T, 3>& centre, std::type_identity_t<T> radius, const vec<T, 3>& direction,
-                                  std::type_identity_t<T> vertical_angle, std::type_identity_t<T> aspect) noexcept {
+                                  std::type_identity_t<T> vertical_angle, std::type_identity_t<T> aspect,
+                                  projection_kind projection = projection_kind::perspective) noexcept {
   camera<T> c;
   c.target = centre;
+  c.projection = projection;
   c.vertical_angle = vertical_angle;
   // The narrower of the two half angles decides.
   const T half_width = atan(tan(vertical_angle / T(2)) * aspect), half_height = vertical_angle / T(2);
-  const T distance = T(0) < radius ? radius / sin(lesser(half_width, half_height)) : T(1);
+  const T narrow = lesser(half_width, half_height);
+  const T share = projection == projection_kind::perspective ? sin(narrow) : tan(narrow);  // of the distance
+  const T distance = T(0) < radius ? radius / share : T(1);
   c.eye = centre + normalized(direction) * distance;
   return with_depth_range(c, centre, radius);
 }

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// colour: pixel types, sRGB, blending, palettes.
+#pragma once
+
+#include <irg/colour/encode_pixel.hpp>
+#include <irg/colour/pixel.hpp>
+#include <irg/colour/pixel_layout.hpp>
+#include <irg/colour/srgb.hpp>

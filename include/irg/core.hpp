@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// core: concepts and customisation points, config, contracts, result, contraction guard, lanes, executors.
+#pragma once
+
+#include <irg/core/config.hpp>
+#include <irg/core/contract.hpp>
+#include <irg/core/contraction.hpp>
+#include <irg/core/coordinates.hpp>
+#include <irg/core/executor.hpp>
+#include <irg/core/lanes.hpp>
+#include <irg/core/mesh_concept.hpp>
+#include <irg/core/plane_concept.hpp>
+#include <irg/core/raster_concept.hpp>
+#include <irg/core/result.hpp>
+#include <irg/core/ring.hpp>
+#include <irg/core/scalar.hpp>
+#include <irg/core/sinks.hpp>

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// DEFLATE compression (RFC 1951) in the zlib wrapping (RFC 1950): matches found through hash chains, blocks with
+// prefix codes of their own, stored blocks where those are shorter. Integers only: the same bytes everywhere.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/io/detail/checksum.hpp>
+#include <irg/io/detail/match_finder.hpp>
+#include <irg/io/detail/prefix_code.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+/// Appends bits to bytes, the lowest bit first.
+class bit_writer {
+public:
+  constexpr explicit bit_writer(std::vector<std::uint8_t>& out) noexcept : out_(out) {}
+
+  /// needs   count <= 56, bits < 2^count
+  IRG_INLINE constexpr void put(std::uint64_t bits, int count) {
+    pending_ |= bits << count_;
+    for (count_ += count; count_ >= 8; count_ -= 8, pending_ >>= 8) out_.push_back(static_cast<std::uint8_t>(pending_));
+  }
+  constexpr void fill_byte() {
+    if (count_ > 0) put(0, 8 - count_);
+  }
+  constexpr void append(std::span<const std::uint8_t> bytes) { out_.insert(out_.end(), bytes.begin(), bytes.end()); }
+
+private:
+  std::vector<std::uint8_t>& out_;
+  std::uint64_t pending_ = 0;
+  int count_ = 0;
+};
+
+/// A literal byte (distance 0) or a match.
+struct token {
+  std::uint16_t value = 0;  // the byte, or the match's length
+  std::uint16_t distance = 0;
+};
+
+/// A number as the format writes it: a symbol, then some of the number's own low bits.
+struct symbol_and_rest {
+  std::size_t symbol = 0;
+  std::uint32_t rest = 0;
+  int rest_bits = 0;
+};
+
+// Both alphabets cut [2^k, 2^(k+1)) into 2^split equal parts, each one symbol.
+IRG_INLINE constexpr symbol_and_rest split_number(std::uint32_t n, int split) noexcept {
+  const int rest_bits = static_cast<int>(std::bit_width(n)) - 1 - split;
+  if (rest_bits <= 0) return {n, 0, 0};
+  return {(static_cast<std::size_t>(rest_bits) << split) + (n >> rest_bits), n & ((1u << rest_bits) - 1), rest_bits};
+}
+IRG_INLINE constexpr symbol_and_rest length_symbol(int length) noexcept {
+  if (length == longest_match) return {285, 0, 0};
+  symbol_and_rest s = split_number(static_cast<std::uint32_t>(length - 3), 2);
+  s.symbol += 257;
+  return s;
+}
+IRG_INLINE constexpr symbol_and_rest distance_symbol(std::uint32_t distance) noexcept { return split_number(distance - 1, 1); }
+
+inline constexpr std::size_t end_of_block = 256;
+using literal_counts = std::array<std::uint32_t, 286>;
+using distance_counts = std::array<std::uint32_t, 30>;
+
+/// Lengths at most 15 for these counts; a code has at least two symbols, as decoders want it.
+template <std::size_t N>
+constexpr prefix_code<N> code_for(std::array<std::uint32_t, N> counts, int limit) noexcept {
+  std::size_t used = 0;
+  for (const std::uint32_t c : counts) used += c != 0 ? 1 : 0;
+  for (std::size_t s = 0; used < 2; ++s) {
+    if (counts[s] != 0) continue;
+    counts[s] = 1;
+    ++used;
+  }
+  return canonical_code(limited_code_lengths(counts, limit));
+}
+
+/// One block's two codes and the compact form in which they are sent.
+class block_codes {
+public:
+  constexpr block_codes(const literal_counts& literals, const distance_counts& distances)
+      : literal(code_for(literals, 15)), distance(code_for(distances, 15)) {
+    for (std::size_t s = 0; s < 286; ++s) body_bits_ += std::uint64_t{literals[s]} * literal.length[s];
+    for (std::size_t s = 0; s < 30; ++s) body_bits_ += std::uint64_t{distances[s]} * distance.length[s];
+    for (std::size_t s = 265; s < 285; ++s) body_bits_ += std::uint64_t{literals[s]} * ((s - 261) / 4);
+    for (std::size_t s = 4; s < 30; ++s) body_bits_ += std::uint64_t{distances[s]} * ((s - 2) / 2);
+
+    while (literal_count_ > 257 && literal.length[literal_count_ - 1] == 0) --literal_count_;
+    while (distance_count_ > 1 && distance.length[distance_count_ - 1] == 0) --distance_count_;
+    shorten_lengths();
+    std::array<std::uint32_t, 19> counts{};
+    for (std::size_t i = 0; i < run_count_; ++i) ++counts[runs_[i].symbol];
+    run_code_ = code_for(counts, 7);
+    while (run_length_count_ > 4 && run_code_.length[sent_order[run_length_count_ - 1]] == 0) --run_length_count_;
+  }
+
+  /// The bits of the block without its first three.
+  constexpr std::uint64_t bits() const noexcept {
+    std::uint64_t n = 14 + 3 * run_length_count_ + body_bits_;
+    for (std::size_t i = 0; i < run_count_; ++i)
+      n += run_code_.length[runs_[i].symbol] + static_cast<std::uint64_t>(runs_[i].rest_bits);
+    return n;
+  }
+
+  constexpr void write_to(bit_writer& out) const {
+    out.put(literal_count_ - 257, 5);
+    out.put(distance_count_ - 1, 5);
+    out.put(run_length_count_ - 4, 4);
+    for (std::size_t i = 0; i < run_length_count_; ++i) out.put(run_code_.length[sent_order[i]], 3);
+    for (std::size_t i = 0; i < run_count_; ++i) {
+      out.put(run_code_.bits[runs_[i].symbol], run_code_.length[runs_[i].symbol]);
+      out.put(runs_[i].rest, runs_[i].rest_bits);
+    }
+  }
+
+  prefix_code<286> literal;
+  prefix_code<30> distance;
+
+private:
+  static constexpr std::array<std::uint8_t, 19> sent_order = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
+                                                              11, 4,  12, 3, 13, 2, 14, 1, 15};
+
+  constexpr std::uint8_t length_at(std::size_t i) const noexcept {
+    return i < literal_count_ ? literal.length[i] : distance.length[i - literal_count_];
+  }
+  // The lengths of both codes in one row, repetitions replaced by 16 (3 to 6 of the last), 17 and 18 (3 to 138 zeros).
+  constexpr void shorten_lengths() noexcept {
+    const std::size_t total = literal_count_ + distance_count_;
+    for (std::size_t i = 0; i < total;) {
+      const std::uint8_t length = length_at(i);
+      std::size_t run = 1;
+      while (i + run < total && run < 138 && length_at(i + run) == length) ++run;
+      const bool repeats = i > 0 && length_at(i - 1) == length;
+      if (length == 0 && run >= 11) {
+        add_run(18, run - 11, 7);
+      } else if (length == 0 && run >= 3) {
+        add_run(17, run - 3, 3);
+      } else if (length != 0 && repeats && run >= 3) {
+        run = run < 6 ? run : 6;
+        add_run(16, run - 3, 2);
+      } else {
+        run = 1;
+        add_run(length, 0, 0);
+      }
+      i += run;
+    }
+  }
+  constexpr void add_run(std::size_t symbol, std::size_t rest, int rest_bits) noexcept {
+    runs_[run_count_++] = {symbol, static_cast<std::uint32_t>(rest), rest_bits};
+  }
+
+  std::size_t literal_count_ = 286, distance_count_ = 30, run_length_count_ = 19;
+  std::array<symbol_and_rest, 316> runs_{};
+  std::size_t run_count_ = 0;
+  prefix_code<19> run_code_{};
+  std::uint64_t body_bits_ = 0;
+};
+
+enum class last_block { no, yes };
+
+/// Writes bytes as they are, in blocks of at most 65535.
+constexpr void write_stored(bit_writer& out, std::span<const std::uint8_t> bytes, last_block last) {
+  do {
+    const std::size_t count = bytes.size() < 65535 ? bytes.size() : 65535;
+    out.put(last == last_block::yes && count == bytes.size() ? 1 : 0, 3);
+    out.fill_byte();
+    out.put(count | (count ^ 65535) << 16, 32);
+    out.append(bytes.first(count));
+    bytes = bytes.subspan(count);
+  } while (!bytes.empty());
+}
+
+/// Writes one block: the tokens, or the bytes they stand for when those are shorter.
+constexpr void write_block(bit_writer& out, std::span<const token> tokens, std::span<const std::uint8_t> bytes,
+                           last_block last) {
+  literal_counts literals{};
+  distance_counts distances{};
+  literals[end_of_block] = 1;
+  for (const token& t : tokens) {
+    ++literals[t.distance == 0 ? t.value : length_symbol(t.value).symbol];
+    if (t.distance != 0) ++distances[distance_symbol(t.distance).symbol];
+  }
+  const block_codes codes(literals, distances);
+  const std::uint64_t stored_bits = (bytes.size() + 5 * (bytes.size() / 65535 + 1)) * 8;
+  if (codes.bits() + 3 >= stored_bits) return write_stored(out, bytes, last);
+
+  out.put(last == last_block::yes ? 5 : 4, 3);
+  codes.write_to(out);
+  for (const token& t : tokens) {
+    if (t.distance == 0) {
+      out.put(codes.literal.bits[t.value], codes.literal.length[t.value]);
+      continue;
+    }
+    const symbol_and_rest l = length_symbol(t.value), d = distance_symbol(t.distance);
+    out.put(codes.literal.bits[l.symbol] | std::uint64_t{l.rest} << codes.literal.length[l.symbol],
+            codes.literal.length[l.symbol] + l.rest_bits);
+    out.put(codes.distance.bits[d.symbol] | std::uint64_t{d.rest} << codes.distance.length[d.symbol],
+            codes.distance.length[d.symbol] + d.rest_bits);
+  }
+  out.put(codes.literal.bits[end_of_block], codes.literal.length[end_of_block]);
+}
+
+/// Appends the DEFLATE stream of the data; it ends on a whole byte.
+/// cost    time proportional to the data times effort.candidates; memory for 2^15 tokens and the search's 128 KiB
+/// source  Deutsch 1996 (RFC 1951); Ziv and Lempel 1977
+constexpr void deflate(std::span<const std::uint8_t> data, const deflate_effort& effort, std::vector<std::uint8_t>& bytes) {
+  bit_writer out(bytes);
+  if (effort.candidates == 0 || data.empty()) return write_stored(out, data, last_block::yes);
+
+  constexpr std::size_t block_tokens = 32768;
+  match_finder finder(data);
+  std::vector<token> tokens;
+  tokens.reserve(data.size() < block_tokens ? data.size() : block_tokens);
+  std::size_t block_begin = 0, position = 0;
+  match here = {};
+  while (position < data.size()) {
+    finder.insert(position);
+    match next = {};
+    if (here.length < effort.improve_below && position + 1 < data.size())
+      next = finder.longer(position + 1, here.length, effort);
+    if (here.length == 0 || next.length > here.length) {
+      tokens.push_back({data[position++], 0});
+      here = next;
+    } else {
+      tokens.push_back({static_cast<std::uint16_t>(here.length), static_cast<std::uint16_t>(here.distance)});
+      const std::size_t end = position + static_cast<std::size_t>(here.length);
+      while (++position < end) finder.insert(position);
+      here = position < data.size() ? finder.longer(position, 0, effort) : match{};
+    }
+    if (tokens.size() == block_tokens && position < data.size()) {
+      write_block(out, tokens, data.subspan(block_begin, position - block_begin), last_block::no);
+      block_begin = position;
+      tokens.clear();
+    }
+  }
+  write_block(out, tokens, data.subspan(block_begin), last_block::yes);
+  out.fill_byte();
+}
+
+/// The zlib stream of the data.
+/// source  Deutsch and Gailly 1996 (RFC 1950)
+constexpr std::vector<std::uint8_t> zlib_compress(std::span<const std::uint8_t> data, const deflate_effort& effort) {
+  std::vector<std::uint8_t> bytes = {0x78, 0x01};
+  deflate(data, effort, bytes);
+  const std::uint32_t sum = adler32(data);
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(sum >> shift));
+  return bytes;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

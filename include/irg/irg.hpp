@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// All of irg but core/threads.hpp. The order is the order of the chapters: each includes earlier ones only.
+#pragma once
+
+#include <irg/core.hpp>
+#include <irg/math.hpp>
+#include <irg/geometry.hpp>
+#include <irg/colour.hpp>
+#include <irg/curve.hpp>
+#include <irg/mesh.hpp>
+#include <irg/view.hpp>
+#include <irg/raster.hpp>
+#include <irg/shade.hpp>
+#include <irg/scene.hpp>
+#include <irg/render.hpp>
+#include <irg/io.hpp>

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The parts of a double: what the elementary functions need to know of the format.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include <irg/core/contraction.hpp>
+#include <irg/core/scalar.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+template <Floating T>
+inline constexpr T infinity = std::numeric_limits<T>::infinity();
+template <Floating T>
+inline constexpr T not_a_number = std::numeric_limits<T>::quiet_NaN();
+
+IRG_INLINE constexpr std::uint64_t bits_of(double x) noexcept { return std::bit_cast<std::uint64_t>(x); }
+IRG_INLINE constexpr double from_bits(std::uint64_t bits) noexcept { return std::bit_cast<double>(bits); }
+
+/// Whether the sign bit is set, which tells -0 from 0.
+IRG_INLINE constexpr bool is_negative(double x) noexcept { return (bits_of(x) >> 63) != 0; }
+IRG_INLINE constexpr bool is_negative(float x) noexcept { return (std::bit_cast<std::uint32_t>(x) >> 31) != 0; }
+
+/// |x| by clearing the sign bit.
+IRG_INLINE constexpr double magnitude(double x) noexcept { return from_bits(bits_of(x) & ~(std::uint64_t{1} << 63)); }
+IRG_INLINE constexpr float magnitude(float x) noexcept {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7fffffffu);
+}
+
+/// The magnitude of x with the sign of y.
+IRG_INLINE constexpr double with_sign(double x, double y) noexcept {
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  return from_bits((bits_of(x) & ~sign) | (bits_of(y) & sign));
+}
+
+template <Floating T>
+IRG_INLINE constexpr bool is_nan(T x) noexcept {
+  return x != x;
+}
+template <Floating T>
+IRG_INLINE constexpr bool is_finite(T x) noexcept {
+  return magnitude(x) <= std::numeric_limits<T>::max();
+}
+
+/// 2^k.
+/// needs   -1074 <= k <= 1023
+IRG_INLINE constexpr double power_of_two(int k) noexcept {
+  return k >= -1022 ? from_bits(static_cast<std::uint64_t>(k + 1023) << 52) : from_bits(std::uint64_t{1} << (k + 1074));
+}
+
+/// x = significand * 2^exponent with 1 <= |significand| < 2.
+struct scaled_number {
+  double significand;
+  int exponent;
+};
+/// needs   x finite and not zero
+IRG_INLINE constexpr scaled_number decompose(double x) noexcept {
+  const bool is_subnormal = magnitude(x) < 0x1p-1022;
+  const std::uint64_t bits = bits_of(is_subnormal ? x * 0x1p54 : x);
+  const int biased = static_cast<int>((bits >> 52) & 0x7ff);
+  return {from_bits((bits & 0x800fffffffffffffu) | 0x3ff0000000000000u), biased - 1023 - (is_subnormal ? 54 : 0)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

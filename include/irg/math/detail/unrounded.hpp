@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Arithmetic on unrounded numbers, an exact_sum<double> whose value is near the sum but need not be the sum rounded:
+// the last steps of the elementary functions are taken in it. Relative errors are of the order 2^-102.
+#pragma once
+
+#include <irg/math/error_free.hpp>
+#include <irg/math/sqrt.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+using unrounded = exact_sum<double>;
+
+IRG_INLINE constexpr unrounded negated(const unrounded& x) noexcept { return {-x.value, -x.error}; }
+
+IRG_INLINE constexpr double round(const unrounded& x) noexcept { return x.value + x.error; }
+
+/// The same number with the value rounded.
+IRG_INLINE constexpr unrounded renormalised(const unrounded& x) noexcept { return fast_two_sum(x.value, x.error); }
+
+IRG_INLINE constexpr unrounded add(const unrounded& a, const unrounded& b) noexcept {
+  const unrounded heads = two_sum(a.value, b.value);
+  return fast_two_sum(heads.value, heads.error + (a.error + b.error));
+}
+
+IRG_INLINE constexpr unrounded multiply(const unrounded& a, const unrounded& b) noexcept {
+  const unrounded heads = fast_two_product(a.value, b.value);
+  return fast_two_sum(heads.value, heads.error + (product(a.value, b.error) + product(a.error, b.value)));
+}
+
+/// needs   values that are the numbers rounded
+IRG_INLINE constexpr unrounded divide(const unrounded& a, const unrounded& b) noexcept {
+  const double quotient = a.value / b.value;
+  const unrounded back = fast_two_product(quotient, b.value);
+  const double rest = (a.value - back.value) - back.error + (a.error - product(quotient, b.error));
+  return {quotient, rest / b.value};
+}
+
+/// The square root of an unrounded number: the rounded root and one step of Newton's iteration.
+IRG_INLINE constexpr unrounded unrounded_sqrt(const unrounded& x) noexcept {
+  const double root = sqrt(x.value);
+  if (!(root > 0)) return {root, 0.0};
+  const unrounded square = fast_two_product(root, root);
+  return {root, ((x.value - square.value) - square.error + x.error) / (2 * root)};
+}
+
+/// x as a number of type T; infinity when it is too large, without an overflow that constant evaluation refuses.
+template <Floating T>
+IRG_INLINE constexpr T narrow(double x) noexcept {
+  if constexpr (std::is_same_v<T, float>) {
+    constexpr double first_infinite = 0x1.ffffffp127;
+    if (magnitude(x) >= first_infinite) return x > 0 ? infinity<float> : -infinity<float>;
+  }
+  return static_cast<T>(x);
+}
+
+/// x * 2^k with one rounding.
+/// needs   1/2 <= |x| <= 2 or so
+/// gives   infinity when the product overflows
+constexpr double scale(const unrounded& x, int k) noexcept {
+  const double rounded = round(x);
+  if (k >= -1022 && k <= 1022 && (k > -1022 || magnitude(rounded) >= 1)) return rounded * power_of_two(k);
+  if (k > 1022) {
+    const double half = rounded * 0.5;
+    if (k > 1024 || (k == 1024 && magnitude(half) >= 0.5) || magnitude(half) >= 1)
+      return x.value > 0 ? infinity<double> : -infinity<double>;
+    return half * 0x1p1023 * (k == 1024 ? 4 : 2);
+  }
+  if (k < -1077) return with_sign(0, x.value);
+  // Rounded to a multiple of 2^-1074-k by adding a number whose last place that is.
+  const double anchor = with_sign(power_of_two(-1074 - k + 52), x.value);
+  const unrounded sum = two_sum(anchor, x.value);
+  return ((sum.value + (sum.error + x.error)) - anchor) * 0x1p-1022 * power_of_two(k + 1022);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Error-free transformations: the rounded sum or product of two numbers together with its rounding error, and what is
+// built on them first, a*b - c*d without cancellation. The forms with and without a fused multiply-add give the same
+// bits, so the instruction set does not show in any result.
+#pragma once
+
+#include <type_traits>
+
+#include <irg/core/contraction.hpp>
+#include <irg/core/scalar.hpp>
+#include <irg/math/detail/float_bits.hpp>
+
+#if defined(__FMA__) || defined(__aarch64__)
+#define IRG_HAS_FMA 1
+#endif
+
+namespace irg {
+
+/// A number in two parts: value + error exactly, value being the sum rounded.
+template <Floating T>
+struct exact_sum {
+  T value{}, error{};
+  friend constexpr bool operator==(const exact_sum&, const exact_sum&) = default;
+};
+
+/// The two halves of a significand: high + low exactly, each with at most half the bits.
+template <Floating T>
+struct split_number {
+  T high{}, low{};
+  friend constexpr bool operator==(const split_number&, const split_number&) = default;
+};
+
+inline namespace IRG_ABI {
+
+/// a + b, rounded, and what rounding took away.
+/// needs   arguments that are no bare products (write product(x, y)), so that nothing fuses into the sum
+/// gives   an error that is NaN when the sum overflows
+/// exact   value + error == a + b, underflow included
+/// cost    6 operations
+/// source  Moller 1965, Knuth 1969 (TwoSum)
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> two_sum(T a, T b) noexcept {
+  const T sum = a + b;
+  const T b_part = sum - a;
+  const T a_part = sum - b_part;
+  return {sum, (a - a_part) + (b - b_part)};
+}
+
+/// large + small, rounded, and what rounding took away.
+/// needs   |large| >= |small|, or large == 0; no bare products
+/// exact   value + error == large + small
+/// cost    3 operations
+/// source  Dekker 1971 (FastTwoSum)
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> fast_two_sum(T large, T small) noexcept {
+  const T sum = large + small;
+  return {sum, small - (sum - large)};
+}
+
+/// x as two numbers of half the bits: 26 + 26 for double, 12 + 12 for float.
+/// needs   |x| <= 2^995 (double), 2^114 (float)
+/// exact   high + low == x
+/// source  Veltkamp 1968, Dekker 1971
+template <Floating T>
+IRG_INLINE constexpr split_number<T> split(T x) noexcept {
+  constexpr T factor = std::is_same_v<T, double> ? T(134217729) : T(4097);  // 2^27 + 1, 2^12 + 1
+  const T scaled = product(factor, x);
+  const T high = scaled - (scaled - x);
+  return {high, x - high};
+}
+
+/// a*b, rounded, and what rounding took away, for arguments of moderate size.
+/// needs   double: |a|, |b| <= 2^995 and a*b == 0 or 2^-968 <= |a*b| < 2^1021; float: a finite product
+/// exact   value + error == a*b (float: unless the error underflows); outside of `needs` the bits of the error may
+///         depend on the instruction set
+/// cost    2 operations with a fused multiply-add, 17 without
+/// source  Dekker 1971
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> fast_two_product(T a, T b) noexcept {
+  if constexpr (std::is_same_v<T, float>) {
+    const double exact = static_cast<double>(a) * static_cast<double>(b);
+    const float value = static_cast<float>(exact);
+    return {value, static_cast<float>(exact - static_cast<double>(value))};
+  } else {
+    const double value = product(a, b);
+#ifdef IRG_HAS_FMA
+    if (!std::is_constant_evaluated()) return {value, __builtin_fma(a, b, -value)};
+#endif
+    const auto [a_high, a_low] = split(a);
+    const auto [b_high, b_low] = split(b);
+    const double head = product(a_high, b_high) - value;
+    const double middle = (head + product(a_high, b_low)) + product(a_low, b_high);
+    return {value, middle + product(a_low, b_low)};
+  }
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+/// two_product where fast_two_product does not hold: zeros, and products or factors near an end of the exponent range.
+constexpr exact_sum<double> two_product_scaled(double a, double b) noexcept {
+  const double value = product(a, b);
+  // Below 2^-1021 the error is at most half the smallest number, which rounds to zero.
+  if (magnitude(value) < 0x1p-1021 || !is_finite(value)) return {value, 0.0};
+  const scaled_number near_a = decompose(a);
+  const scaled_number near_b = decompose(b);
+  const exact_sum<double> near_product = fast_two_product(near_a.significand, near_b.significand);
+  // The exponents add up to -1023 at least, so that one multiplication, and one rounding, leads back.
+  return {value, product(near_product.error, power_of_two(near_a.exponent + near_b.exponent))};
+}
+
+/// Whether |a*b| < 2^1022, found without overflowing.
+IRG_INLINE constexpr bool product_is_moderate(double a, double b) noexcept {
+  return magnitude(a * 0x1p-512) * magnitude(b * 0x1p-512) < 0.25;
+}
+
+constexpr double difference_of_products_scaled(double a, double b, double c, double d) noexcept;
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// a*b, rounded, and what rounding took away, for all arguments.
+/// gives   error 0 when the product is not finite
+/// exact   value + error == a*b unless the error underflows (|a*b| < 2^-968); then error is rounded once
+/// cost    as fast_two_product and one predictable branch
+/// source  Dekker 1971
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
+  if constexpr (std::is_same_v<T, float>) {
+    const exact_sum<float> p = fast_two_product(a, b);
+    return {p.value, detail::is_finite(p.value) ? p.error : 0.0f};
+  } else {
+    const double size = detail::magnitude(a * b);
+    if (size >= 0x1p-968 && size < 0x1p1021 && detail::magnitude(a) <= 0x1p995 && detail::magnitude(b) <= 0x1p995)
+      return fast_two_product(a, b);
+    return detail::two_product_scaled(a, b);
+  }
+}
+
+/// a*b - c*d without cancellation.
+/// gives   infinity or NaN for infinite or NaN arguments; for finite ones never NaN, infinity only when the
+///         difference itself overflows
+/// exact   within 1.5 ulp (measured: 1.0 for double, 0.5001 for float), where |a*b| or |c*d| is at least 2^-900;
+///         below, within 2^-1073 more; exactly zero when the products are equal
+/// cost    two two_products and about 20 operations; float: 3 operations in double
+/// source  Kahan; Jeannerod, Louvet, Muller 2013. Here both errors are kept, which needs no fused multiply-add.
+template <Floating T>
+IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
+  if constexpr (std::is_same_v<T, float>) {
+    return static_cast<float>(static_cast<double>(a) * static_cast<double>(b) -
+                              static_cast<double>(c) * static_cast<double>(d));
+  } else {
+    if (!detail::product_is_moderate(a, b) || !detail::product_is_moderate(c, d))
+      return detail::difference_of_products_scaled(a, b, c, d);
+    const exact_sum<double> left = two_product(a, b);
+    const exact_sum<double> right = two_product(c, d);
+    const exact_sum<double> heads = two_sum(left.value, -right.value);
+    const exact_sum<double> tails = two_sum(left.error, -right.error);
+    const exact_sum<double> sum = two_sum(heads.value, tails.value);
+    return sum.value + (sum.error + (heads.error + tails.error));
+  }
+}
+
+/// a*b + c*d without cancellation.
+/// exact   as difference_of_products
+template <Floating T>
+IRG_INLINE constexpr T sum_of_products(T a, T b, T c, T d) noexcept {
+  return difference_of_products(a, b, -c, d);
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+/// difference_of_products where a product overflows: at 2^-1200 of its size, where a product that loses bits is too
+/// small to count beside the other.
+constexpr double difference_of_products_scaled(double a, double b, double c, double d) noexcept {
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) return product(a, b) - product(c, d);
+  const double difference = difference_of_products(a * 0x1p-600, b * 0x1p-600, c * 0x1p-600, d * 0x1p-600);
+  return difference * 0x1p400 * 0x1p400 * 0x1p400;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

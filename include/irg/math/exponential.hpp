@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Powers, logarithms and the cube root, the same bits in constant evaluation and at run time, on every compiler and
+// instruction set. float arguments are computed in double and rounded once more.
+#pragma once
+
+#include <irg/math/detail/exponential_kernels.hpp>
+
+namespace irg {
+inline namespace IRG_ABI {
+
+/// e^x.
+/// gives   NaN for NaN; infinity beyond 709.78 (float 88.72), 0 below -745.13 (float -103.97)
+/// exact   double within 0.52 ulp, subnormal results too; float within 0.5001 ulp
+/// cost    a table lookup and about 25 operations
+/// source  Tang 1989 (table and short polynomial); coefficients by scripts/generate
+template <Floating T>
+constexpr T exp(T x) noexcept {
+  return detail::narrow<T>(detail::exp_of({static_cast<double>(x), 0.0}));
+}
+
+/// 2^x.
+/// gives   NaN for NaN; exact powers for integers x
+/// exact   as exp
+/// cost    as exp
+template <Floating T>
+constexpr T exp2(T x) noexcept {
+  return detail::narrow<T>(detail::exp2_of(static_cast<double>(x)));
+}
+
+/// The natural logarithm of x.
+/// gives   -infinity for 0 and -0, infinity for infinity, NaN for NaN and everything below zero; +0 for 1
+/// exact   double within 0.51 ulp; float within 0.5001 ulp
+/// cost    a table lookup and about 50 operations
+/// source  Tang 1990 (table and short polynomial); coefficients by scripts/generate
+template <Floating T>
+constexpr T log(T x) noexcept {
+  if (!(x > T(0))) return x == T(0) ? -detail::infinity<T> : detail::not_a_number<T>;
+  return x < detail::infinity<T> ? detail::narrow<T>(detail::round(detail::log_of(static_cast<double>(x)))) : x;
+}
+
+/// The logarithm of x to base 2.
+/// gives   as log; exact integers for powers of two
+/// exact   as log
+/// cost    log and an exact product
+template <Floating T>
+constexpr T log2(T x) noexcept {
+  if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
+  return detail::narrow<T>(detail::round(detail::multiply(detail::log_of(static_cast<double>(x)), {detail::inverse_log_two_high, detail::inverse_log_two_low})));
+}
+
+/// The logarithm of x to base 10.
+/// gives   as log; exact integers for powers of ten
+/// exact   as log
+/// cost    log and an exact product
+template <Floating T>
+constexpr T log10(T x) noexcept {
+  if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
+  return detail::narrow<T>(detail::round(detail::multiply(detail::log_of(static_cast<double>(x)), {detail::inverse_log_ten_high, detail::inverse_log_ten_low})));
+}
+
+/// x to the power y.
+/// gives   what Annex F of C says: 1 for y = 0 or x = 1 even beside NaN; NaN for negative x and y no integer;
+///         0 or infinity with x's sign where y is an odd integer and without it elsewhere
+/// exact   double within 0.60 ulp, subnormal results too; float within 0.5001 ulp
+/// cost    log, an exact product and exp
+/// source  the logarithm carries 14 bits beyond double
+template <Floating T>
+constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
+  return detail::narrow<T>(detail::pow_of(static_cast<double>(x), static_cast<double>(y)));
+}
+
+/// The cube root of x.
+/// gives   NaN for NaN; infinities and zeros with their signs
+/// exact   double within 0.501 ulp; float within 0.5001 ulp; perfect cubes exactly
+/// cost    two divisions, an exact product
+/// source  Halley 1694; the last step compares the exact cube of a 26-bit root
+template <Floating T>
+constexpr T cbrt(T x) noexcept {
+  const double size = detail::magnitude(static_cast<double>(x));
+  if (!(size > 0 && size < detail::infinity<double>)) return x;
+  return detail::narrow<T>(detail::with_sign(detail::cbrt_of(size), static_cast<double>(x)));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

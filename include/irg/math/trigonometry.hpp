@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Sine, cosine, tangent and their inverses, the same bits in constant evaluation and at run time, on every compiler and
+// instruction set. float arguments are computed in double and rounded once more.
+#pragma once
+
+#include <irg/math/constants.hpp>
+#include <irg/math/detail/trigonometry_kernels.hpp>
+#include <irg/math/detail/trigonometry_single.hpp>
+#include <irg/math/hypot.hpp>
+
+namespace irg {
+
+/// The sine and cosine of one angle.
+template <Floating T>
+struct sine_and_cosine {
+  T sine{}, cosine{};
+  friend constexpr bool operator==(const sine_and_cosine&, const sine_and_cosine&) = default;
+};
+
+inline namespace IRG_ABI {
+
+/// The sine and the cosine of x at once.
+/// units   radians
+/// gives   NaN for infinity and NaN; sine -0 for -0
+/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// cost    about one and a half sines
+template <Floating T>
+constexpr sine_and_cosine<T> sin_cos(T x) noexcept {
+  if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
+  const auto angle = detail::reduce_radians(x);
+  return {detail::is_tiny_angle(x) ? x : detail::narrow<T>(detail::rounded_sine(angle)),
+          detail::narrow<T>(detail::rounded_cosine(angle))};
+}
+
+/// The sine of x.
+/// units   radians
+/// gives   NaN for infinity and NaN; -0 for -0
+/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// cost    a table lookup and about 40 operations, 60 more from 2^20 on; float: about 20
+/// source  Payne, Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
+template <Floating T>
+constexpr T sin(T x) noexcept {
+  if (detail::is_tiny_angle(x)) return x;
+  if (!detail::is_finite(x)) return detail::not_a_number<T>;
+  return detail::narrow<T>(detail::rounded_sine(detail::reduce_radians(x)));
+}
+
+/// The cosine of x.
+/// units   radians
+/// gives   NaN for infinity and NaN
+/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// cost    as sin
+/// source  as sin
+template <Floating T>
+constexpr T cos(T x) noexcept {
+  if (!detail::is_finite(x)) return detail::not_a_number<T>;
+  return detail::narrow<T>(detail::rounded_cosine(detail::reduce_radians(x)));
+}
+
+/// The tangent of x.
+/// units   radians
+/// gives   NaN for infinity and NaN; -0 for -0; never infinity, because no number is an odd multiple of pi/2
+/// exact   double within 0.65 ulp for every x up to the largest; float within 0.5001 ulp
+/// cost    sin_cos and two divisions; float: one
+/// source  as sin
+template <Floating T>
+constexpr T tan(T x) noexcept {
+  if (detail::is_tiny_angle(x)) return x;
+  if (!detail::is_finite(x)) return detail::not_a_number<T>;
+  return detail::narrow<T>(detail::rounded_tangent(detail::reduce_radians(x)));
+}
+
+/// The sine and the cosine of an angle in degrees.
+/// units   degrees
+/// gives   NaN for infinity and NaN; exactly 0, 1/2 and 1 with their signs where they are due, for every multiple of
+///         30 degrees; a sine of zero has the sign of x
+/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// cost    as sin_cos, and an exact product
+template <Floating T>
+constexpr sine_and_cosine<T> sin_cos_degrees(T x) noexcept {
+  if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
+  const detail::quadrant_angle angle = detail::reduce_degrees(static_cast<double>(x));
+  const T sine = detail::narrow<T>(detail::rounded_sine(angle));
+  return {sine == 0 && detail::is_negative(x) ? T(-0.0) : sine + T(0),
+          detail::narrow<T>(detail::rounded_cosine(angle)) + T(0)};
+}
+
+/// The sine of x degrees.
+/// units   degrees
+/// gives   as sin_cos_degrees
+/// exact   as sin_cos_degrees
+template <Floating T>
+constexpr T sin_degrees(T x) noexcept {
+  return sin_cos_degrees(x).sine;
+}
+
+/// The cosine of x degrees.
+/// units   degrees
+/// gives   as sin_cos_degrees
+/// exact   as sin_cos_degrees
+template <Floating T>
+constexpr T cos_degrees(T x) noexcept {
+  return sin_cos_degrees(x).cosine;
+}
+
+/// The angle of the vector (x, y): from the positive x axis, counter-clockwise positive.
+/// units   radians in [-pi, pi]
+/// gives   y's sign always; 0 or pi for y = 0, by the sign of x, both zero included; the diagonals for infinities; NaN
+///         for NaN
+/// exact   double within 0.501 ulp over the whole range; float within 0.5001 ulp
+/// cost    a table lookup, three divisions, three exact products; float: two divisions
+/// source  the table's angle is subtracted as a rotation, so that every remainder is exact
+template <Floating T>
+constexpr T atan2(T y, T x) noexcept {
+  if (detail::is_nan(x) || detail::is_nan(y)) return detail::not_a_number<T>;
+  return detail::narrow<T>(detail::angle_of(y, x));
+}
+
+/// The arctangent of x.
+/// units   radians in [-pi/2, pi/2]
+/// gives   NaN for NaN; -0 for -0
+/// exact   double within 0.501 ulp; float within 0.5001 ulp
+/// cost    as atan2
+/// source  as atan2
+template <Floating T>
+constexpr T atan(T x) noexcept {
+  return atan2(x, T(1));
+}
+
+/// The angle whose sine is x.
+/// units   radians in [-pi/2, pi/2]
+/// gives   NaN for |x| > 1 and NaN; -0 for -0
+/// exact   double within 0.501 ulp; float within 0.5001 ulp
+/// cost    atan2, a square root, two exact products
+/// source  atan2(x, sqrt(1 - x*x)) with both arguments unrounded
+template <Floating T>
+constexpr T asin(T x) noexcept {
+  if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
+  return detail::is_tiny_angle(x) ? x : detail::narrow<T>(detail::angle_of_sine(x));
+}
+
+/// The angle whose cosine is x.
+/// units   radians in [0, pi]
+/// gives   NaN for |x| > 1 and NaN; 0 for 1
+/// exact   double within 0.501 ulp; float within 0.5001 ulp
+/// cost    as asin
+/// source  as asin
+template <Floating T>
+constexpr T acos(T x) noexcept {
+  if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
+  return detail::narrow<T>(detail::angle_of_cosine(x));
+}
+
+/// The angle of x degrees in radians.
+/// exact   double within 0.51 ulp, float within 0.5001 ulp, where the result is no subnormal number
+template <Floating T>
+constexpr T radians(T x) noexcept {
+  return detail::narrow<T>(detail::multiply_by_constant(static_cast<double>(x), detail::degree_high, detail::degree_low));
+}
+
+/// The angle of x radians in degrees.
+/// exact   double within 0.51 ulp, float within 0.5001 ulp
+template <Floating T>
+constexpr T degrees(T x) noexcept {
+  return detail::narrow<T>(detail::multiply_by_constant(static_cast<double>(x), detail::radian_high, detail::radian_low));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

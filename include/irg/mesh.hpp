@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// mesh: indexed mesh, half-edge boundaries, validation, normals, shapes (the teapot from its patches).
+#pragma once
+
+#include <irg/mesh/fit.hpp>
+#include <irg/mesh/mesh.hpp>
+#include <irg/mesh/normals.hpp>
+#include <irg/mesh/shape_polyhedra.hpp>
+#include <irg/mesh/shape_sphere.hpp>
+#include <irg/mesh/shapes.hpp>
+#include <irg/mesh/teapot.hpp>
+#include <irg/mesh/triangulate.hpp>
+#include <irg/mesh/validate.hpp>

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Fits a body into the cube [-1, 1]^3: its box is moved to the origin and scaled until the longest edge has length 2.
+// Several bodies are fitted one by one, then scaled and placed.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <irg/core/contract.hpp>
+#include <irg/geometry/box.hpp>
+#include <irg/mesh/mesh.hpp>
+
+namespace irg {
+
+/// What the extents of a body allow.
+enum class fit_status {
+  fitted,          // the longest edge becomes 2
+  empty,           // no positions: nothing to do
+  all_sizes_zero,  // all positions coincide, or are so close that the scale would overflow: moved, not scaled
+  not_finite,      // a coordinate is NaN or infinite: left alone
+};
+
+/// The map p -> (p - centre) * scale, and how it came about.
+template <Floating T>
+struct fit {
+  point<T, 3> centre;
+  T scale = 1;
+  fit_status status = fit_status::empty;
+  constexpr bool operator==(const fit&) const = default;
+};
+
+/// Where a fitted body goes: p -> p * scale + position.
+template <Floating T>
+struct placement {
+  T scale = 1;
+  point<T, 3> position;
+  constexpr bool operator==(const placement&) const = default;
+};
+
+inline namespace IRG_ABI {
+
+/// The map that fits a box into [-1, 1]^3.
+/// gives   a map that does nothing for a box that is empty or not finite; a scale of 1 when all sizes are zero
+/// exact   centre and scale rounded once each (two to three times for boxes wider than half the range)
+/// source  S0 7.2 of the course: centre (max + min)/2, scale 2/max(size)
+template <Floating T>
+constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
+  if (is_empty(extents)) return {};
+  T half_size = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (!detail::is_finite(extents.low[i]) || !detail::is_finite(extents.high[i])) return {{}, 1, fit_status::not_finite};
+    half_size = greater(half_size, extents.high[i] / 2 - extents.low[i] / 2);
+  }
+  const bool has_scale = half_size > 1 / std::numeric_limits<T>::max();
+  return {centre(extents), has_scale ? 1 / half_size : T(1),
+          has_scale ? fit_status::fitted : fit_status::all_sizes_zero};
+}
+
+/// The map that fits a mesh's positions, used by faces or not, into [-1, 1]^3.
+/// gives   not_finite when any coordinate is NaN or infinite
+/// exact   as fit_of a box
+/// cost    two passes over the positions
+template <Mesh M>
+  requires(size_of<typename mesh_traits<M>::point> == 3 && Floating<scalar_of<typename mesh_traits<M>::point>>)
+constexpr auto fit_of(const M& m) noexcept -> fit<scalar_of<typename mesh_traits<M>::point>> {
+  for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v)
+    for (int i = 0; i < 3; ++i)
+      if (!detail::is_finite(coordinate(mesh_traits<M>::position(m, v), i))) return {{}, 1, fit_status::not_finite};
+  return fit_of(enclosing_box(m));
+}
+
+/// Where a fit takes a point.
+/// exact   difference and product rounded once each: points of the fitted box come within 4u of [-1, 1], u = 2^-53 or
+///         2^-24 (more only where the box is wider than 1/8 of the range, as the scale is subnormal there)
+template <Floating T>
+constexpr point<T, 3> fitted(const point<T, 3>& p, const fit<T>& f) noexcept {
+  return to_point((p - f.centre) * f.scale);
+}
+
+/// Where a placement takes a point.
+/// exact   product and sum rounded once each
+template <Floating T>
+constexpr point<T, 3> placed(const point<T, 3>& p, const placement<T>& where) noexcept {
+  return where.position + to_vec(p) * where.scale;
+}
+
+/// Fits a mesh into [-1, 1]^3. Its normals stay right: it is moved and scaled alike on all axes.
+/// gives   the status; the mesh is unchanged when it is empty or not finite
+/// exact   as fitted
+template <Floating T>
+constexpr fit_status fit_mesh(mesh<T>& m) noexcept {
+  const fit<T> f = fit_of(m);
+  if (f.status == fit_status::fitted || f.status == fit_status::all_sizes_zero)
+    for (point<T, 3>& p : m.positions) p = fitted(p, f);
+  return f.status;
+}
+
+/// Fits each mesh by itself into [-1, 1]^3, then scales and places it.
+/// needs   as many placements as meshes
+/// gives   one status per mesh; a mesh that is empty or not finite is left as it is
+/// exact   as fitted, then placed
+/// source  S0 7.2 of the course
+template <Floating T>
+constexpr std::vector<fit_status> fit_each(std::span<mesh<T>> meshes, std::span<const placement<T>> placements) {
+  IRG_EXPECTS(meshes.size() == placements.size());
+  std::vector<fit_status> statuses(meshes.size(), fit_status::empty);
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    statuses[k] = fit_mesh(meshes[k]);
+    if (statuses[k] == fit_status::fitted || statuses[k] == fit_status::all_sizes_zero)
+      for (point<T, 3>& p : meshes[k].positions) p = placed(p, placements[k]);
+  }
+  return statuses;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

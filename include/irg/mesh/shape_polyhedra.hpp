@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Bodies with flat faces: the cube of the course, three Platonic bodies, and a plane grid. They have no normals of
+// their own: their faces are flat, and face_normal gives them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <irg/math/constants.hpp>
+#include <irg/math/sqrt.hpp>
+#include <irg/mesh/mesh.hpp>
+
+namespace irg {
+
+/// How finely a plane grid is cut.
+struct grid_options {
+  int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+/// Triangles over the positions of m; digits count from 1 as in an OBJ file, up to 9, then A, B, C.
+template <class T, std::size_t N>
+constexpr void add_triangles(mesh<T>& m, const char (&digits)[N]) {
+  for (std::size_t k = 0; k + 1 < N; ++k) {
+    const int position = digits[k] <= '9' ? digits[k] - '1' : digits[k] - 'A' + 9;
+    m.corners.push_back({static_cast<std::uint32_t>(position), mesh_corner::none, mesh_corner::none});
+    if (k % 3 == 2) m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The unit cube of the course, from (0, 0, 0) to (1, 1, 1).
+/// shape   8 vertices and 12 triangles in the order of figure 4.1's file, counter-clockwise from outside
+/// exact   yes
+/// source  S0 4.6 of the course, its f list (its P list runs the other way round)
+template <Scalar T>
+constexpr mesh<T> shape_cube() {
+  constexpr T o(0), i(1);
+  mesh<T> m;
+  m.positions = {{o, o, o}, {o, o, i}, {i, o, o}, {i, o, i}, {i, i, o}, {i, i, i}, {o, i, o}, {o, i, i}};
+  detail::add_triangles(m, "132" "342" "354" "564" "576" "786" "718" "128" "153" "175" "246" "268");
+  return m;
+}
+
+/// The regular tetrahedron in the unit sphere, on four corners of a cube.
+/// shape   4 vertices, 4 triangles, counter-clockwise from outside
+/// exact   vertices within 2u of the sphere
+template <Floating T>
+constexpr mesh<T> shape_tetrahedron() {
+  const T i = 1 / sqrt_3<T>;
+  mesh<T> m;
+  m.positions = {{i, i, i}, {i, -i, -i}, {-i, i, -i}, {-i, -i, i}};
+  detail::add_triangles(m, "123" "142" "134" "243");
+  return m;
+}
+
+/// The regular octahedron in the unit sphere, its vertices on the axes.
+/// shape   6 vertices, 8 triangles, counter-clockwise from outside
+/// exact   yes
+template <Scalar T>
+constexpr mesh<T> shape_octahedron() {
+  constexpr T o(0), i(1), j(-1);
+  mesh<T> m;
+  m.positions = {{i, o, o}, {j, o, o}, {o, i, o}, {o, j, o}, {o, o, i}, {o, o, j}};
+  detail::add_triangles(m, "135" "325" "245" "415" "316" "236" "426" "146");
+  return m;
+}
+
+/// The regular icosahedron in the unit sphere, its vertices on three golden rectangles in the coordinate planes.
+/// shape   12 vertices, 20 triangles, counter-clockwise from outside
+/// exact   vertices within 3u of the sphere
+template <Floating T>
+constexpr mesh<T> shape_icosahedron() {
+  const double golden = golden_ratio<double>, length = sqrt(1 + product(golden, golden));
+  const T o = 0, i = static_cast<T>(1 / length), g = static_cast<T>(golden / length);
+  mesh<T> m;
+  m.positions = {{-i, g, o}, {i, g, o}, {-i, -g, o}, {i, -g, o}, {o, -i, g}, {o, i, g},
+                 {o, -i, -g}, {o, i, -g}, {g, o, -i}, {g, o, i}, {-g, o, -i}, {-g, o, i}};
+  detail::add_triangles(m, "1C6" "162" "128" "18B" "1BC" "26A" "6C5" "CB3" "B87" "829"
+                           "4A5" "453" "437" "479" "49A" "5A6" "35C" "73B" "978" "A92");
+  return m;
+}
+
+/// The square [-1, 1] x [-1, 1] of the plane y = 0, facing up.
+/// shape   (columns + 1)*(rows + 1) vertices along x, then z; 2*columns*rows triangles; one normal, (0, 1, 0)
+/// exact   coordinates rounded once; mirror images in the coordinate planes are exact
+template <Floating T>
+constexpr mesh<T> shape_grid(const grid_options& options = {}) {
+  const auto limited = [](int n) { return n < 1 ? 1 : n > 4096 ? 4096 : n; };
+  const int columns = limited(options.columns), rows = limited(options.rows);
+  const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };
+  mesh<T> m;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i) m.positions.push_back({place(i, columns), T(0), place(j, rows)});
+  m.normals = {{T(0), T(1), T(0)}};
+  const auto corner = [&](int i, int j) {
+    m.corners.push_back({static_cast<std::uint32_t>(j * (columns + 1) + i), 0, mesh_corner::none});
+  };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      corner(i, j), corner(i, j + 1), corner(i + 1, j + 1);
+      m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+      corner(i, j), corner(i + 1, j + 1), corner(i + 1, j);
+      m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+    }
+  return m;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// triangulate: a mesh of polygons becomes a mesh of triangles on the same vertices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <irg/mesh/detail/ear_clipper.hpp>
+#include <irg/mesh/mesh.hpp>
+
+namespace irg {
+
+struct triangulate_options {
+  /// How many corner-in-triangle tests a face may take, times its corners, before the rest of it becomes a fan. Bounds
+  /// the time that hostile faces can take; ordinary faces of 10^5 corners need a few dozen.
+  std::size_t tests_per_corner = 1024;
+};
+
+inline namespace IRG_ABI {
+
+/// The same surface made of triangles.
+/// shape   a face of n corners gives n - 2 triangles of its corners in its own direction, in place of it; no vertex is
+///         added, so that neighbours still share whole edges. parts count triangles then
+/// needs   a mesh in which validate() finds no defect, and at most 1,431,655,765 triangles in it
+/// gives   for a simple planar polygon, convex or not: triangles that cover it exactly once, none without area. Collinear
+///         corners are allowed. For others the signed area is kept, in every projection: faces that touch or cross
+///         themselves are cut as far as that goes and finished as a fan, faces without area are fans
+/// exact   decisions on the corners' own coordinates, without the one along which the Newell normal is longest, are
+///         exact for every finite float and double; which coordinate that is, is decided in rounded arithmetic
+/// cost    strictly convex faces: linear. Others O(n log n) and up to tests_per_corner * n tests
+/// source  Meisters 1975, Polygons have ears
+template <Scalar T>
+constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {}) {
+  const std::size_t triangles = m.corners.size() - 2 * m.face_count();
+  IRG_EXPECTS(triangles <= 0xffffffffu / 3);
+  if (triangles == m.face_count()) return m;
+  std::vector<mesh_corner> corners;
+  corners.reserve(3 * triangles);
+  std::vector<std::uint32_t> face_starts;
+  face_starts.reserve(triangles + 1);
+  face_starts.push_back(0);
+
+  detail::ear_clipper<T> clip(options.tests_per_corner);
+  std::size_t part = 0, face_end = m.parts.empty() ? 0 : m.parts[0].face_count;
+  const auto finish_parts = [&](std::size_t faces_done) {
+    for (; part < m.parts.size() && face_end == faces_done; ++part) {
+      const std::size_t first = part == 0 ? 0 : m.parts[part - 1].first_face + m.parts[part - 1].face_count;
+      m.parts[part].first_face = first;
+      m.parts[part].face_count = face_starts.size() - 1 - first;
+      if (part + 1 < m.parts.size()) face_end += m.parts[part + 1].face_count;
+    }
+  };
+  for (std::size_t f = 0; f < m.face_count(); ++f) {
+    finish_parts(f);
+    clip(m, f, [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+      for (const std::uint32_t corner : {i, j, k}) corners.push_back(m.corner(f, corner));
+      face_starts.push_back(static_cast<std::uint32_t>(corners.size()));
+    });
+  }
+  finish_parts(m.face_count());
+  m.corners = std::move(corners);
+  m.face_starts = std::move(face_starts);
+  return m;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

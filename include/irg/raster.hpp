@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// raster: images and views, lines, polygons, triangles, antialiasing, depth formats and tests.
+#pragma once
+
+#include <irg/raster/depth.hpp>
+#include <irg/raster/draw_triangle.hpp>
+#include <irg/raster/fill_span.hpp>
+#include <irg/raster/fragment.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/raster/line_bresenham.hpp>
+#include <irg/raster/subpixel.hpp>
+#include <irg/raster/triangle_coverage.hpp>
+#include <irg/raster/view_opencv.hpp>
+#include <irg/raster/view_sdl.hpp>
+#include <irg/raster/window.hpp>

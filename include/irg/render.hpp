@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// render: scene to picture: the production pipeline, the dispatch over methods, skip counters.
+#pragma once
+
+#include <irg/render/draw_triangles.hpp>
+#include <irg/render/drawable.hpp>
+#include <irg/render/options.hpp>
+#include <irg/render/projected_vertices.hpp>
+#include <irg/render/render.hpp>
+#include <irg/render/wireframe.hpp>

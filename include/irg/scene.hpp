@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// scene: objects, camera, lights: the one interface every method draws from.
+#pragma once
+
+#include <irg/scene/camera.hpp>
+#include <irg/scene/scene.hpp>

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// shade: lights, materials, the Phong model; flat, Gouraud and Phong shading as callables.
+#pragma once
+
+#include <irg/shade/intensity_range.hpp>
+#include <irg/shade/light.hpp>
+#include <irg/shade/material.hpp>
+#include <irg/shade/phong_model.hpp>
+#include <irg/shade/shading.hpp>

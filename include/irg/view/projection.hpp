@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Projections from camera space (right-handed, the view along -z) into clip space: after the division by w, x and y lie
+// in [-1, 1] with y up, and z in [0, 1]. Depth is reversed unless asked otherwise.
+#pragma once
+
+#include <limits>
+
+#include <irg/math/constants.hpp>
+#include <irg/math/mat.hpp>
+#include <irg/math/trigonometry.hpp>
+
+namespace irg {
+
+/// Which end of the depth range is 1. Reversed floats lose least: they are dense near 0, where perspective crowds the
+/// far part of the scene (Upchurch and Desbrun 2012).
+enum class depth_range {
+  reversed,  // near 1, far 0: nearer_is_greater
+  standard   // near 0, far 1: nearer_is_less
+};
+
+/// What the arguments of a projection amount to.
+enum class projection_status {
+  ordinary,
+  bad_angle,         // not between 0 and pi
+  bad_aspect,        // not positive and finite
+  bad_window,        // without width or height, or not finite
+  bad_depth,         // near not in front of far; perspective: near not in front of the eye
+  not_representable  // an entry of the matrix would overflow
+};
+
+/// A projection matrix, the identity unless the status is ordinary.
+template <Floating T>
+struct projection_result {
+  mat<T, 4, 4> matrix;
+  projection_status status = projection_status::ordinary;
+  constexpr bool operator==(const projection_result&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <class T>
+constexpr projection_result<T> refused(projection_status why) noexcept {
+  return {identity<T, 4>(), why};
+}
+
+// a/b, or infinity where that would overflow (which constant evaluation has no word for).
+template <class T>
+constexpr T quotient(T a, T b) noexcept {
+  const bool fits = T(1) <= magnitude(b) || magnitude(a) <= magnitude(b) * (std::numeric_limits<T>::max() / 2);
+  return b != T(0) && fits ? a / b : infinity<T>;
+}
+
+template <class T>
+constexpr projection_result<T> unless_infinite(const mat<T, 4, 4>& m) noexcept {
+  if (!all_finite(m)) return refused<T>(projection_status::not_representable);
+  return {m, projection_status::ordinary};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The central projection with a vertical angle of view, or why there is none.
+/// shape   camera space to clip space with w = -z: the distance in front of the eye
+/// units   vertical_angle in radians between the lower and the upper border; aspect is width over height; z_near and
+///         z_far are distances in front of the eye, z_far may be infinity
+/// gives   bad_angle, bad_aspect, bad_depth (z_near <= 0, z_near >= z_far, NaN), not_representable
+/// exact   entries within 4 ulp of the true ones
+template <Floating T>
+constexpr projection_result<T> perspective_checked(T vertical_angle, std::type_identity_t<T> aspect,
+                                                   std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                                                   depth_range depth = depth_range::reversed) noexcept {
+  constexpr T largest = std::numeric_limits<T>::max();
+  if (!(T(0) < vertical_angle && vertical_angle < pi<T>)) return detail::refused<T>(projection_status::bad_angle);
+  if (!(T(0) < aspect && aspect <= largest)) return detail::refused<T>(projection_status::bad_aspect);
+  if (!(T(0) < z_near && z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
+
+  const T y_scale = detail::quotient(T(1), tan(vertical_angle * T(0.5)));
+  const T x_scale = y_scale <= largest ? detail::quotient(y_scale, aspect) : y_scale;
+  // far/(far - near) and near/(far - near); their difference is 1.
+  const bool endless = z_far > largest;
+  const T far_share = endless ? T(1) : z_far / (z_far - z_near);
+  const T near_share = endless ? T(0) : z_near / (z_far - z_near);
+  const T offset = z_near <= largest / far_share ? z_near * far_share : detail::infinity<T>;
+  const bool reversed = depth == depth_range::reversed;
+  return detail::unless_infinite(mat<T, 4, 4>{{{x_scale, 0, 0, 0},
+                                               {0, y_scale, 0, 0},
+                                               {0, 0, reversed ? near_share : -far_share, reversed ? offset : -offset},
+                                               {0, 0, -1, 0}}});
+}
+
+/// The central projection with a vertical angle of view; see perspective_checked.
+/// needs   0 < vertical_angle < pi, 0 < aspect < infinity, 0 < z_near < z_far (which may be infinity); where this is
+///         broken and not caught, the identity comes out
+template <Floating T>
+constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> aspect, std::type_identity_t<T> z_near,
+                                   std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
+  const projection_result<T> p = perspective_checked(vertical_angle, aspect, z_near, z_far, depth);
+  IRG_EXPECTS(p.status == projection_status::ordinary);
+  return p.matrix;
+}
+
+/// The parallel projection of a box, or why there is none.
+/// shape   camera space to clip space with w = 1; the box reaches from left to right, from bottom to top, and from
+///         z_near to z_far in front of the eye, which may be negative: behind it. Exchanged sides mirror the picture
+/// gives   bad_window (left == right, bottom == top, not finite), bad_depth (z_near >= z_far, not finite),
+///         not_representable
+/// exact   entries within 2 ulp of the true ones; the offsets within u times (|left| + |right|) / |right - left| more
+template <Floating T>
+constexpr projection_result<T> orthographic_checked(T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom,
+                                                    std::type_identity_t<T> top, std::type_identity_t<T> z_near,
+                                                    std::type_identity_t<T> z_far,
+                                                    depth_range depth = depth_range::reversed) noexcept {
+  const auto usable = [](T a, T b) {
+    constexpr T limit = std::numeric_limits<T>::max() / 2;
+    return detail::magnitude(a) <= limit && detail::magnitude(b) <= limit && a != b;
+  };
+  if (!usable(left, right) || !usable(bottom, top)) return detail::refused<T>(projection_status::bad_window);
+  if (!usable(z_near, z_far) || !(z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
+  const T width = right - left, height = top - bottom, length = z_far - z_near;
+  const bool reversed = depth == depth_range::reversed;
+  const T z_scale = detail::quotient(T(1), length);
+  return detail::unless_infinite(
+      mat<T, 4, 4>{{{detail::quotient(T(2), width), 0, 0, detail::quotient(T(0) - (right + left), width)},
+                    {0, detail::quotient(T(2), height), 0, detail::quotient(T(0) - (top + bottom), height)},
+                    {0, 0, reversed ? z_scale : -z_scale, detail::quotient(reversed ? z_far : T(0) - z_near, length)},
+                    {0, 0, 0, 1}}});
+}
+
+/// The parallel projection of a box; see orthographic_checked.
+/// needs   finite numbers, left != right, bottom != top, z_near < z_far; where this is broken and not caught, the
+///         identity comes out
+template <Floating T>
+constexpr mat<T, 4, 4> orthographic(T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom,
+                                    std::type_identity_t<T> top, std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                                    depth_range depth = depth_range::reversed) noexcept {
+  const projection_result<T> p = orthographic_checked(left, right, bottom, top, z_near, z_far, depth);
+  IRG_EXPECTS(p.status == projection_status::ordinary);
+  return p.matrix;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <irg/math/vec.hpp>
+
+#include "hashes.hpp"
+
+namespace {
+
+/// Coordinates between -1 and 1 of very different sizes, so that rounding errors and fused products show.
+template <class T>
+constexpr irg::vec<T, 3> random_vec(test::random& r) {
+  const auto coordinate = [&] {
+    const double scale = 1.0 / static_cast<double>(std::int64_t{1} << r.integer(0, 20));
+    return static_cast<T>((2 * r.unit() - 1) * scale);
+  };
+  const T x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
+template <class T>
+constexpr std::uint64_t products(int rounds) {
+  test::random r(2026);
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    const auto a = random_vec<T>(r), b = random_vec<T>(r);
+    const auto c = irg::cross(a, b) * irg::dot(a, b) + a / T(3) - b;
+    for (int k = 0; k < 3; ++k) h.add(c[k]);
+  }
+  return h.value();
+}
+
+constexpr std::uint64_t math_vec_float(int rounds) { return products<float>(rounds); }
+constexpr std::uint64_t math_vec_double(int rounds) { return products<double>(rounds); }
+HASHED(math_vec_float, 20, 100'000);
+HASHED(math_vec_double, 20, 100'000);
+
+}  // namespace

@@ -1,0 +1,560 @@
+// SPDX-License-Identifier: MIT
+#include <irg/io/obj.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <locale.h>
+#include <new>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include <irg/mesh/triangulate.hpp>
+#include <irg/mesh/validate.hpp>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+// Every byte that this program asks for and gives back is counted, so that the reader's memory can be bounded.
+namespace {
+std::size_t bytes_now = 0, bytes_most = 0;
+constexpr std::size_t header = alignof(std::max_align_t);
+}  // namespace
+
+void* operator new(std::size_t size) {
+  void* const block = std::malloc(size + header);
+  if (block == nullptr) std::abort();
+  *static_cast<std::size_t*>(block) = size;
+  bytes_now += size;
+  bytes_most = std::max(bytes_most, bytes_now);
+  return static_cast<char*>(block) + header;
+}
+void operator delete(void* p) noexcept {
+  if (p == nullptr) return;
+  void* const block = static_cast<char*>(p) - header;
+  bytes_now -= *static_cast<std::size_t*>(block);
+  std::free(block);
+}
+void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+
+namespace {
+
+using irg::read_obj;
+using text = std::string_view;
+using mesh = irg::mesh<double>;
+
+constexpr text square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+std::string with_square(text s) { return std::string(square) + std::string(s); }
+
+/// The error as "line:column message", or "" for a mesh. A mesh must be sound in every way that can be checked.
+std::string outcome(text s, irg::obj_options options = {}) {
+  const auto r = read_obj(s, options);
+  if (r) {
+    REQUIRE(irg::validate(*r) == irg::mesh_finding{});
+    const mesh triangles = irg::triangulate(*r);
+    REQUIRE(irg::validate(triangles) == irg::mesh_finding{});
+    REQUIRE(triangles.face_count() == r->corners.size() - 2 * r->face_count());
+    return "";
+  }
+  REQUIRE(r.error().line >= 1);
+  REQUIRE(r.error().column >= 1);
+  REQUIRE(std::string_view(r.error().message).size() > 10);
+  return std::to_string(r.error().line) + ":" + std::to_string(r.error().column) + " " + r.error().message;
+}
+
+/// The mesh of a text that must have one.
+mesh of(text s) {
+  const std::string problem = outcome(s);
+  INFO(problem);
+  REQUIRE(problem.empty());
+  return *read_obj(s);
+}
+
+std::vector<std::uint32_t> face(const mesh& m, std::size_t f) {
+  std::vector<std::uint32_t> indices;
+  for (std::size_t k = 0; k < m.face_size(f); ++k) indices.push_back(m.corner(f, k).position);
+  return indices;
+}
+using indices = std::vector<std::uint32_t>;
+
+/// The sizes of the faces of a text, or -1 for an error: what constant evaluation compares.
+constexpr int corner_count(text s) {
+  const auto r = read_obj(s);
+  return r ? static_cast<int>(r->corners.size()) : -1;
+}
+constexpr bool fails_at(text s, std::size_t line, std::size_t column) {
+  const auto r = read_obj(s);
+  return !r && r.error().line == line && r.error().column == column;
+}
+
+constexpr std::uint32_t none = irg::mesh_corner::none;
+
+}  // namespace
+
+TEST_CASE("obj: a triangle by hand, at compile time, too") {
+  CHECK_BOTH([] {
+    const auto r = read_obj<float>(
+        "# a comment\nv 0.5 -1 2e1\nv 1 0 0\nv 0 1 0\nvt 0.25 0.75\nvn 0 0 1\nf 1/1/1 2//1 3/1 4\nv 7 8 9\n");
+    const std::uint32_t nothing = irg::mesh_corner::none;
+    return r && r->positions.size() == 4 && r->positions[0] == irg::point<float, 3>{0.5f, -1, 20} &&
+           r->positions[3] == irg::point<float, 3>{7, 8, 9} && r->normals.size() == 1 &&
+           r->normals[0] == irg::vec<float, 3>{0, 0, 1} && r->texcoords[0] == irg::vec<float, 2>{0.25f, 0.75f} &&
+           r->face_count() == 1 && r->face_size(0) == 4 && r->corner(0, 0) == irg::mesh_corner{0, 0, 0} &&
+           r->corner(0, 1) == irg::mesh_corner{1, 0, nothing} && r->corner(0, 2) == irg::mesh_corner{2, nothing, 0} &&
+           r->corner(0, 3) == irg::mesh_corner{3, nothing, nothing};
+  }() == true);
+}
+
+TEST_CASE("obj O1: negative indices count back from what was read so far") {
+  const mesh m = of("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nv 1 1 0\nvn 1 0 0\nf -3//-1 -1//-1 -2//-1\n");
+  CHECK(face(m, 0) == indices{0, 1, 2});
+  CHECK(face(m, 1) == indices{1, 3, 2});
+  CHECK(m.corner(0, 0) == irg::mesh_corner{0, 0, 0});
+  CHECK(m.corner(1, 0) == irg::mesh_corner{1, 1, none});
+  CHECK_BOTH(corner_count("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1") == 3);
+}
+
+TEST_CASE("obj O2: negative indices that reach too far") {
+  CHECK(outcome("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -4\n") == "4:9 negative vertex index reaches back beyond the first vertex");
+  CHECK(outcome("f -1 -1 -1") == "1:3 negative vertex index reaches back beyond the first vertex");
+  CHECK(outcome("v 0 0 0\nf -2147483648 1 1") == "2:3 negative vertex index reaches back beyond the first vertex");
+  CHECK(outcome("v 0 0 0\nf 1/-1 1 1") == "2:5 negative texture coordinate index reaches back beyond the first one");
+  CHECK(outcome("v 0 0 0\nf 1//-1 1 1") == "2:6 negative normal index reaches back beyond the first normal");
+  CHECK(outcome("v 0 0 0\nf 1 1 -99999999999999999999\n") == "2:7 negative vertex index reaches back beyond the first vertex");
+  CHECK(outcome("v 0 0 0\nf -1 -1 -2\nv 0 0 0") == "2:9 negative vertex index reaches back beyond the first vertex");
+}
+
+TEST_CASE("obj O3: index 0") {
+  CHECK(outcome(with_square("f 1 2 0")) == "5:7 vertex index is 0, but indices count from 1");
+  CHECK(outcome(with_square("f 1 2 -0")) == "5:7 vertex index is 0, but indices count from 1");
+  CHECK(outcome(with_square("vt 0 0\nf 1/0 2 3")) == "6:5 texture coordinate index is 0, but indices count from 1");
+  CHECK(outcome(with_square("vn 0 0 1\nf 1//0 2 3")) == "6:6 normal index is 0, but indices count from 1");
+  CHECK_BOTH(fails_at("v 0 0 0\nf 1 0 1", 2, 5));
+}
+
+TEST_CASE("obj O4: indices beyond every integer") {
+  for (const char* big : {"99999999999", "4294967295", "4294967296", "4294967297", "18446744073709551617",
+                          "9223372036854775808", "99999999999999999999999999999999999999999999"}) {
+    INFO(std::string(big));
+    const std::string i = big;
+    CHECK(outcome(with_square("f 1 2 " + i)) == "5:7 face index is larger than the number of vertices");
+    CHECK(outcome(with_square("vt 0\nf 1 2 3/" + i)) ==
+          "6:9 texture coordinate index is larger than the number of texture coordinates");
+    CHECK(outcome(with_square("f 1 2 3//" + i)) == "5:10 normal index is larger than the number of normals");
+  }
+}
+
+TEST_CASE("obj O5: indices out of range") {
+  CHECK(outcome(with_square("f 1 2 9")) == "5:7 face index is larger than the number of vertices");
+  CHECK(outcome(with_square("f 1 2 5")) == "5:7 face index is larger than the number of vertices");
+  CHECK(outcome(with_square("f 1 2 4")).empty());
+  CHECK(outcome(with_square("f 1/1 2 3")) == "5:5 texture coordinate index is larger than the number of texture coordinates");
+  CHECK(outcome(with_square("f 1//1 2 3")) == "5:6 normal index is larger than the number of normals");
+  CHECK(outcome(with_square("f 1 2 3\n  f 1 2 3\nf 1 7 8\nf 9 9 9")) == "7:5 face index is larger than the number of vertices");
+  CHECK_BOTH(fails_at("v 0 0 0\nf 1 1 2", 2, 7));
+}
+
+TEST_CASE("obj O6: forms of face corners") {
+  const std::string data = with_square("vt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 0 -1\n");
+  const auto corners = [&](std::string_view s) { return of(data + "f " + std::string(s)).corners; };
+  using list = std::vector<irg::mesh_corner>;
+  CHECK(corners("1 2 3") == list{{0, none, none}, {1, none, none}, {2, none, none}});
+  CHECK(corners("1/1 2/2 3/1") == list{{0, none, 0}, {1, none, 1}, {2, none, 0}});
+  CHECK(corners("1//1 2//2 3//1") == list{{0, 0, none}, {1, 1, none}, {2, 0, none}});
+  CHECK(corners("1/1/2 2/2/1 3/1/2") == list{{0, 1, 0}, {1, 0, 1}, {2, 1, 0}});
+  CHECK(corners("1 2/2 3//1 4/1/2") == list{{0, none, none}, {1, none, 1}, {2, 0, none}, {3, 1, 0}});
+  CHECK(corners("1/ 2// 3/1/") == list{{0, none, none}, {1, none, none}, {2, none, 0}});
+  CHECK(corners("+1 02 003") == corners("1 2 3"));
+  const std::string not_a_corner = "9:3 face corner is none of the forms 1, 1/2, 1//3 and 1/2/3";
+  CHECK(outcome(data + "f 1/1/1/1 2 3") == not_a_corner);
+  CHECK(outcome(data + "f 1/// 2 3") == "9:6 expected the index of a normal");
+  CHECK(outcome(data + "f 1.5 2 3") == not_a_corner);
+  CHECK(outcome(data + "f 1# 2 3") == not_a_corner);
+  CHECK(outcome(data + "f 1x 2 3") == not_a_corner);
+  CHECK(outcome(data + "f 1/x 2 3") == "9:5 expected the index of a texture coordinate");
+  CHECK(outcome(data + "f 1/1/x 2 3") == "9:7 expected the index of a normal");
+  CHECK(outcome(data + "f 1//x 2 3") == "9:6 expected the index of a normal");
+  CHECK(outcome(data + "f /1 2 3") == "9:3 expected the index of a vertex");
+  CHECK(outcome(data + "f / 2 3") == "9:3 expected the index of a vertex");
+  CHECK(outcome(data + "f 1 / 2 3") == "9:5 expected the index of a vertex");
+}
+
+TEST_CASE("obj O7: faces that are none") {
+  CHECK(outcome(with_square("f a b c")) == "5:3 expected the index of a vertex");
+  CHECK(outcome(with_square("f")) == "5:1 face has fewer than three corners");
+  CHECK(outcome(with_square("f 1 2")) == "5:1 face has fewer than three corners");
+  CHECK(outcome(with_square("f 1")) == "5:1 face has fewer than three corners");
+  CHECK(outcome(with_square("\tf # 1 2 3")) == "5:2 face has fewer than three corners");
+  CHECK(outcome(with_square("f - - -")) == "5:3 expected the index of a vertex");
+}
+
+TEST_CASE("obj O8: forward references are legal, and checked at the end") {
+  CHECK(of("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0").face_count() == 1);
+  CHECK(outcome("f 1 2 3\nf 1 2 4\nf 2 3 5\nv 0 0 0\nv 1 0 0\nv 0 1 0") == "2:7 face index is larger than the number of vertices");
+  CHECK(outcome("f 1/2 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1") ==
+        "1:5 texture coordinate index is larger than the number of texture coordinates");
+  CHECK_BOTH(corner_count("f 1//1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 1 1") == 3);
+  CHECK_BOTH(fails_at("f 1 2 3\nv 0 0 0\nv 1 0 0\n", 1, 7));
+}
+
+TEST_CASE("obj O9: ends of lines, byte order marks, bytes 0") {
+  const mesh expected = of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK(of("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n") == expected);
+  CHECK(of("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r") == expected);
+  CHECK(of("v 0 0 0\n\rv 1 0 0\r\r\nv 0 1 0\n\nf 1 2 3") == expected);
+  CHECK(of("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3") == expected);
+  // Lines are counted alike whatever ends them, columns after the mark.
+  CHECK(outcome("v 0 0 0\r\n\r\nv 0 0 x\r\n") == "3:7 expected a decimal number");
+  CHECK(outcome("v 0 0 0\r\rv 0 0 x\r") == "3:7 expected a decimal number");
+  CHECK(outcome("v 0 0 0\n\nv 0 0 x\n") == "3:7 expected a decimal number");
+  CHECK(outcome("\xEF\xBB\xBFv 0 0 x") == "1:7 expected a decimal number");
+  CHECK(outcome("v 0 0\r\nv 0 0 0") == "1:6 vertex has fewer than three coordinates");
+  CHECK(outcome(text("v 0 0 0\nv 1\0 0 0\n", 17)) == "2:4 byte 0 stands in the text");
+  CHECK(outcome(text("# \0\n", 4)) == "1:3 byte 0 stands in the text");
+  CHECK(outcome(text("\xFF\xFEv\0 \0", 6)) == "1:1 text is UTF-16, but OBJ must be ASCII or UTF-8");
+  CHECK(outcome(text("\xFE\xFF\0v\0 ", 6)) == "1:1 text is UTF-16, but OBJ must be ASCII or UTF-8");
+  CHECK(outcome(text("v\0 \0", 4)) == "1:2 byte 0 stands in the text");
+  CHECK(outcome("v 0 0 0\n\xEF\xBB\xBFv 0 0 0") == "2:1 expected a statement");
+}
+
+TEST_CASE("obj O10: continuation lines") {
+  const mesh expected = of(with_square("f 1 2 3 4"));
+  CHECK(of(with_square("f 1 2 \\\n3 4")) == expected);
+  CHECK(of(with_square("f 1 2\\\n3 4")) == expected);
+  CHECK(of(with_square("f\\\n 1 2 3 \\\r\n 4\r\n")) == expected);
+  CHECK(of(with_square("f 1 \\\r2 3 4")) == expected);
+  CHECK(of(with_square("f 1 2 3 4 \\\n\\\n\\\n")) == expected);
+  CHECK(of(with_square("f 1 2 3 4\\")) == expected);
+  CHECK(of(with_square("f 1 2 3 4 \\\r")) == expected);
+  CHECK(of(with_square("# a comment is not continued \\\nf 1 2 3 4")) == expected);
+  CHECK(of(with_square("curv 0 1 \\\nf 9 9 9\nf 1 2 3 4")) == expected);
+  CHECK(outcome(with_square("f 1 2 \\ \n3 4")) == "5:7 expected the index of a vertex");
+  CHECK(outcome(with_square("f 1 2\\3 4")) == "5:5 face corner is none of the forms 1, 1/2, 1//3 and 1/2/3");
+  CHECK(outcome(with_square("f 1 2 3 \\\n4 \\\n 9")) == "7:2 face index is larger than the number of vertices");
+  CHECK(outcome("v 0 0 \\") == "1:8 vertex has fewer than three coordinates");
+  CHECK(outcome("\\") == "");
+  CHECK(outcome("\\x") == "1:1 expected a statement");
+  const mesh named = of(with_square("g two \\\nwords \\\nf 1 2 3 4"));
+  CHECK(named.face_count() == 0);
+  CHECK(of(with_square("g two\\\nwords\\\n\nf 1 2 3 4")).parts[0].group == "two words");
+}
+
+TEST_CASE("obj O11: long comments, faces and tokens") {
+  CHECK(of(with_square("#" + std::string(2'000'000, 'x') + "\nf 1 2 3 4")).face_count() == 1);
+  std::string f = "f";
+  for (int i = 0; i < 1'000'000; ++i) f += i % 4 == 0 ? " 1" : i % 4 == 1 ? " 2" : i % 4 == 2 ? " 3" : " 4";
+  const mesh m = of(with_square(f));
+  CHECK(m.face_count() == 1);
+  CHECK(m.corners.size() == 1'000'000);
+  CHECK(outcome(with_square(std::string(1 << 20, 'q') + "\nf 1 2 3 4")).empty());
+  CHECK(outcome("v 0 0 " + std::string(1 << 20, '1')) == "1:7 number is too large");
+  CHECK(of("v 0 0 0." + std::string(1 << 20, '3')).positions[0].z == 1.0 / 3);
+  CHECK(outcome("v 0 0 " + std::string(1 << 20, 'z')) == "1:7 expected a decimal number");
+  CHECK(outcome(with_square("f 1 2 " + std::string(1 << 20, '1'))) == "5:7 face index is larger than the number of vertices");
+  CHECK(outcome(with_square("f 1 2 " + std::string(1 << 20, '0') + "3")).empty());
+}
+
+TEST_CASE("obj O12: numbers") {
+  const auto z = [](std::string_view number) { return of("v 0 0 " + std::string(number)).positions[0].z; };
+  const auto why = [](std::string_view number) { return outcome("v 0 0 " + std::string(number)); };
+  CHECK(why("nan") == "1:7 number is not finite");
+  CHECK(why("-NaN(7)") == "1:7 number is not finite");
+  CHECK(why("inf") == "1:7 number is not finite");
+  CHECK(why("+Infinity") == "1:7 number is not finite");
+  CHECK(why("1e999") == "1:7 number is too large");
+  CHECK(why("-1e999") == "1:7 number is too large");
+  CHECK(why("3E4570711268") == "1:7 number is too large");
+  CHECK(z("1e-999") == 0);
+  CHECK(z("0e4570711268") == 0);
+  for (const char* s : {"0x10", "1,5", "1e", "1e+", ".", "-", "+", "--1", "1.2.3", "e5", "1d5", "1f", "\"1\"", "1#", "in", "x"}) {
+    INFO(std::string(s));
+    CHECK(why(s) == "1:7 expected a decimal number");
+  }
+  CHECK(z("5.") == 5);
+  CHECK(z(".5") == 0.5);
+  CHECK(z("+1E+2") == 100);
+  CHECK(outcome("vn 0 0 nan") == "1:8 number is not finite");
+  CHECK(outcome("vt 0 inf") == "1:6 number is not finite");
+  CHECK(outcome("v 1 2 3 nan") == "1:9 number is not finite");
+  CHECK(read_obj<float>("v 0 0 1e39").error().column == 7);
+  CHECK(read_obj<float>("v 0 0 16777217.0000000000000001")->positions[0].z == 16777218.0f);
+  CHECK_BOTH(fails_at("v 0 0 1e999", 1, 7));
+  CHECK_BOTH(corner_count("v 0 0 1e-999") == 0);
+}
+
+TEST_CASE("obj O13: too few and too many numbers") {
+  CHECK(outcome("v") == "1:2 vertex has fewer than three coordinates");
+  CHECK(outcome("v 1 2\nv 1 2 3") == "1:6 vertex has fewer than three coordinates");
+  CHECK(outcome("v 1 2 # 3") == "1:7 vertex has fewer than three coordinates");
+  const irg::point<double, 3> p{1, 2, 3};
+  CHECK(of("v 1 2 3 0.5").positions[0] == p);               // weight, not used
+  CHECK(of("v 1 2 3 0.1 0.2 0.3").positions[0] == p);       // colour, not used
+  CHECK(of("v 1 2 3 1 0.1 0.2 0.3").positions[0] == p);     // both
+  CHECK(outcome("v 1 2 3 4 5 6 7 8") == "1:17 vertex has more than seven numbers");
+  CHECK(outcome("vn 1 2") == "1:7 normal has fewer than three coordinates");
+  CHECK(outcome("vn 1 2 3 4") == "1:10 normal has more than three coordinates");
+  CHECK(outcome("vt") == "1:3 texture coordinate has no number");
+  CHECK(of("vt 0.5").texcoords[0] == irg::vec<double, 2>{0.5, 0});
+  CHECK(of("vt 0.5 0.25 0.125").texcoords[0] == irg::vec<double, 2>{0.5, 0.25});
+  CHECK(outcome("vt 1 2 3 4") == "1:10 texture coordinate has more than three numbers");
+}
+
+TEST_CASE("obj O14: polygons stay as they are written; triangulation keeps their area") {
+  // Twice the signed area in the plane z = 0, exact on these small integers.
+  const auto area = [](const mesh& m) {
+    double sum = 0;
+    for (std::size_t f = 0; f < m.face_count(); ++f)
+      for (std::size_t k = 0; k < m.face_size(f); ++k) {
+        const auto& p = m.positions[m.corner(f, k).position];
+        const auto& q = m.positions[m.corner(f, (k + 1) % m.face_size(f)).position];
+        sum += p.x * q.y - p.y * q.x;
+      }
+    return sum;
+  };
+  const struct {
+    const char* what;
+    text s;
+    double twice_area;
+  } cases[] = {
+      {"quad", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4", 8},
+      {"concave pentagon", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5", 20},
+      {"bow tie", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\nf 1 2 3 4", 0},
+      {"self-crossing with area", "v 0 0 0\nv 4 0 0\nv 1 3 0\nv 4 3 0\nv 0 5 0\nf 1 2 3 4 5", 23},
+      {"collinear", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4", 0},
+      {"one corner twice", "v 0 0 0\nv 4 0 0\nv 4 4 0\nf 1 1 2 3", 16},
+      {"one corner only", "v 0 0 0\nf 1 1 1 1 1", 0},
+      {"spike", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 9 9 0\nf 1 2 3 4 3", 16},
+  };
+  for (const auto& c : cases) {
+    INFO(std::string(c.what));
+    const mesh m = of(c.s);
+    CHECK(m.face_count() == 1);
+    CHECK(area(m) == c.twice_area);
+    CHECK(area(irg::triangulate(m)) == c.twice_area);
+  }
+}
+
+TEST_CASE("obj O15: points and lines beside faces are skipped, unchecked, or refused on request") {
+  CHECK(of(with_square("l 1\nf 1 2 3\np 1 2 99999999999\nl 7 a\n")).face_count() == 1);
+  CHECK(of(with_square("s off\ns 1\nmg 1 2\ncstype bezier\nvp 1 2\nf 1 2 3\nend\nunheard_of 1 2 3")).face_count() == 1);
+  const irg::obj_options refuse{irg::obj_unused::refuse};
+  CHECK(outcome(with_square("l 1\nf 1 2 3"), refuse) == "5:1 statement has no place in a mesh");
+  CHECK(outcome(with_square("f 1 2 3\n  s off"), refuse) == "6:3 statement has no place in a mesh");
+  CHECK(outcome(with_square("o a\ng b\nusemtl c\n# d\nf 1 2 3"), refuse).empty());
+  // What is not even a word is no statement: text that has gone astray is not taken for one.
+  for (const char* s : {"1 2 3", "-v 0 0 0", "v\xC2\xA0"
+                                             "1 2 3",
+                        "\xC2\xA0v 1 2 3", "<obj>", "v# 1 2 3", "v/1", "\x01", "vt,"}) {
+    INFO(std::string(s));
+    CHECK(outcome(s) == "1:1 expected a statement");
+  }
+}
+
+TEST_CASE("obj O16: objects, groups and materials by name; no file is opened") {
+  const mesh m = of(with_square("mtllib missing.mtl\nmtllib ../../etc/passwd\nf 1 2 3\no thing\nf 1 2 4\n"
+                                "usemtl  red and #5 \ng a b\t\nf 2 3 4\nf 1 2 3\ng a b\nf 1 2 3\ng\nusemtl\no\nf 1 3 4\n"));
+  REQUIRE(m.parts.size() == 4);
+  CHECK(m.parts[0] == irg::mesh_part{"", "", "", 0, 1});
+  CHECK(m.parts[1] == irg::mesh_part{"thing", "", "", 1, 1});
+  CHECK(m.parts[2] == irg::mesh_part{"thing", "a b", "red and #5", 2, 3});
+  CHECK(m.parts[3] == irg::mesh_part{"", "", "", 5, 1});
+  CHECK(of(with_square("f 1 2 3")).parts.empty());
+  CHECK(of(with_square("g a\ng b\nusemtl c\no d")).parts.empty());
+  CHECK(of(with_square("g a\ng b\nf 1 2 3\ng c\ng d")).parts == std::vector<irg::mesh_part>{{"", "b", "", 0, 1}});
+
+  std::string switches = std::string(square);
+  for (int i = 0; i < 1'000'000; ++i) {
+    switches += i % 3 == 0 ? "g a" : i % 3 == 1 ? "o b" : "usemtl c";
+    switches += std::to_string(i % 10) + (i % 10 == 9 ? "\nf 1 2 3\n" : "\n");
+  }
+  const mesh many = of(switches);
+  CHECK(many.face_count() == 100'000);
+  CHECK(many.parts.size() > 10'000);
+  for (const irg::mesh_part& part : many.parts) REQUIRE(part.face_count > 0);
+
+  std::string repeated = with_square("usemtl " + std::string(100'000, 'm') + "\n");
+  const std::size_t before = repeated.size();
+  for (int i = 0; i < 10'000; ++i) repeated += i % 2 == 0 ? "g a\nf 1 2 3\n" : "g b\nf 1 2 3\n";
+  CHECK(outcome(repeated).find(" long names are repeated over too many parts") != std::string::npos);
+  CHECK(outcome(std::string_view(repeated).substr(0, before + 12 * 12)).empty());
+#if !defined(__clang__) || defined(_LIBCPP_VERSION)
+  static_assert(read_obj("v 0 0 0\ng a\\\nb\nf 1 1 1")->parts[0].group == "a b");
+#endif
+}
+
+TEST_CASE("obj O17: blanks") {
+  const mesh expected = of(with_square("f 1 2 3 4"));
+  CHECK(of(with_square("\t f\t\t1   2 \t3\v4 \f  ")) == expected);
+  CHECK(of("v\t0  0 0   \n \t v 1 0 0\t\nv 1 1 0\n\n\n   \nv 0 1 0 # four\nf 1 2 3 4 #").positions.size() == 4);
+}
+
+TEST_CASE("obj O17: a comment begins where a token could; bytes beyond ASCII are no blanks") {
+  CHECK(of(with_square("f 1 2 3 #4")).corners.size() == 3);
+  CHECK(outcome(with_square("f 1 2 3\xA0")) == "5:7 face corner is none of the forms 1, 1/2, 1//3 and 1/2/3");
+  CHECK(outcome("v 1 2 \xC2\xA0"
+                "3") == "1:7 expected a decimal number");
+  CHECK(of(with_square("g gr\xC3\xBC\xC2\xA0n\nf 1 2 3")).parts[0].group == "gr\xC3\xBC\xC2\xA0n");
+}
+
+TEST_CASE("obj O18: the locale changes nothing") {
+  for (const char* name : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8"})
+    if (setlocale(LC_ALL, name) == nullptr) MESSAGE("skipped, not installed: locale ", std::string(name));
+  CHECK(of("v 1.5 -0.25 1e-3").positions[0] == irg::point<double, 3>{1.5, -0.25, 0.001});
+  CHECK(outcome("v 1,5 0 0") == "1:3 expected a decimal number");
+  setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("obj O19: empty texts, one byte, two bytes") {
+  CHECK(of("") == mesh{});
+  CHECK(of(text{}) == mesh{});
+  CHECK(of("# nothing\n   # here\r\n\t\n") == mesh{});
+  CHECK_BOTH(corner_count("") == 0);
+  std::size_t meshes = 0;
+  for (int a = 0; a < 256; ++a) {
+    const char one[1] = {static_cast<char>(a)};
+    // Blanks, ends of lines, #, the backslash and letters that begin words nobody knows; v and f lack their numbers.
+    const bool empty = std::string_view(" \t\v\f\n\r#\\").find(one[0]) != text::npos ||
+                       (irg::detail::is_letter(one[0]) && one[0] != 'v' && one[0] != 'f');
+    CHECK((outcome(text(one, 1)) == "") == (a != 0 && empty));
+    for (int b = 0; b < 256; ++b) {
+      const char two[2] = {static_cast<char>(a), static_cast<char>(b)};
+      meshes += outcome(text(two, 2)).empty();
+    }
+  }
+  CHECK(meshes > 2000);
+  CHECK(meshes < 20000);
+}
+
+TEST_CASE("obj O20: cut off at every byte") {
+  const std::string whole =
+      "# model\r\nmtllib a.mtl\r\no thing\r\nv 0 0 0\r\nv 1.5e0 -0.25 +3\r\nv 0 1 0 1\r\nvt 0.5 0.5\r\nvn 0 0 1\r\n"
+      "g one\r\nusemtl red\r\nf 1/1/1 2/1/1 \\\r\n3/1/1\r\ns off\r\nl 1 2\r\nf -3//-1 -2//-1 -1//-1\r\nv 9 9 9\r\nf 4 1 2 3\r\n";
+  const mesh full = of(whole);
+  std::size_t sound = 0;
+  for (std::size_t n = 0; n <= whole.size(); ++n) {
+    const text prefix = text(whole).substr(0, n);
+    const std::string problem = outcome(prefix);
+    if (!problem.empty()) {
+      // Only the statement that was cut can be at fault, and it is the last.
+      const std::size_t last_line = 1 + static_cast<std::size_t>(std::count(prefix.begin(), prefix.end(), '\n'));
+      CHECK(std::stoul(problem) + 1 >= last_line);
+      continue;
+    }
+    ++sound;
+    const mesh m = *read_obj(prefix);
+    // What was read before is there, unchanged: vertices but the last, corners but the last face's.
+    REQUIRE(m.positions.size() <= full.positions.size());
+    for (std::size_t i = 0; i + 1 < m.positions.size(); ++i) REQUIRE(m.positions[i] == full.positions[i]);
+    REQUIRE(m.face_count() <= full.face_count());
+    for (std::size_t f = 0; f + 1 < m.face_count(); ++f) REQUIRE(face(m, f) == face(full, f));
+  }
+  CHECK(sound > whole.size() / 2);
+  CHECK(sound < whole.size());
+}
+
+TEST_CASE("obj: memory is bounded by the text, time by its length") {
+  const auto repeat = [](std::string_view line, std::size_t n, std::string_view head = square) {
+    std::string s(head);
+    for (std::size_t i = 0; i < n; ++i) s += line;
+    return s;
+  };
+  std::string long_name = with_square("o " + std::string(15, 'n') + "\nusemtl " + std::string(300, 'm') + "\n");
+  const std::string texts[] = {
+      repeat("v 0 0 0\n", 200'000), repeat("vt 0\n", 300'000), repeat("vn 0 0 0\n", 200'000), repeat("f 1 1 1\n", 200'000),
+      repeat(" 1", 1'000'000, "v 0 0 0\nf"), repeat("g a\nf 1 1 1\ng\nf 1 1 1\n", 100'000), repeat("g\n", 500'000),
+      repeat("g abcdefghijklmnopqrstuvwxyz\nf 1 1 1\ng\nf 1 1 1\n", 50'000), repeat("f 1 1 1\n", 100'000, ""),
+      repeat("g a\nf 1 1 1\ng b\nf 1 1 1\n", 20'000, long_name), repeat("#", 1'000'000), repeat("\\\n", 500'000), "v 0 0 0",
+  };
+  for (const std::string& s : texts) {
+    INFO(s.substr(s.size() > 40 ? s.size() - 40 : 0));
+    const std::size_t before = bytes_now;
+    bytes_most = before;
+    {
+      const auto r = read_obj(s);
+      CHECK(bytes_most - before <= 64 * s.size() + (std::size_t{1} << 20));
+      if (r) CHECK(irg::validate(*r) == irg::mesh_finding{});
+    }
+    CHECK(bytes_now == before);
+  }
+}
+
+TEST_CASE("obj: seeded disorder never breaks the promises") {
+  const std::string words[] = {"v ", "vt ", "vn ", "f ", "g ", "o ", "usemtl ", "l ", "#", "\n", "\r\n", "\r", "\\\n", "\\", " ", "\t",
+                               "0 ", "1 ", "2 ", "3 ", "-1 ", "-2 ", "/", "//", "1/1/1 ", "1.5 ", "1e9 ", "1e400 ", "nan ", "x",
+                               "v 0 0 0\n", "v 1 0 0\n", "v 0 1 1\n", "vt 0 1\n", "vn 0 0 1\n", "f 1 2 3\n", "f -1 -2 -3 -4\n"};
+  test::random random(5);
+  int meshes_with_faces = 0;
+  for (int i = 0; i < 30'000; ++i) {
+    std::string s(i % 2 == 0 ? square : "");
+    const auto length = random.integer(0, i % 4 == 0 ? 5 : 24);
+    for (int k = 0; k < length; ++k) s += words[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(std::size(words)) - 1))];
+    if (outcome(s).empty() && read_obj(s)->face_count() > 0) ++meshes_with_faces;
+  }
+  CHECK(meshes_with_faces > 100);
+}
+
+#ifdef IRG_MODELS_DIR
+namespace {
+
+/// Edges used once, twice and more often.
+std::tuple<long, long, long> edge_uses(const mesh& m) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    for (std::size_t k = 0; k < m.face_size(f); ++k) {
+      const std::uint32_t a = m.corner(f, k).position, b = m.corner(f, (k + 1) % m.face_size(f)).position;
+      edges.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  std::sort(edges.begin(), edges.end());
+  long uses[3] = {};
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t j = i;
+    while (j < edges.size() && edges[j] == edges[i]) ++j;
+    ++uses[std::min<std::size_t>(j - i, 3) - 1];
+    i = j;
+  }
+  return {uses[0], uses[1], uses[2]};
+}
+
+}  // namespace
+#endif
+
+TEST_CASE("obj: real models") {
+#ifdef IRG_MODELS_DIR
+  const struct {
+    const char* name;
+    std::size_t vertices, faces, triangles;
+    long once, twice, more;
+  } models[] = {
+      {"ogre", 62194, 124008, 124008, 236, 185894, 0}, {"stanford-bunny", 35947, 69451, 69451, 223, 104065, 0},
+      {"fandisk", 6475, 12946, 12946, 0, 19419, 0},    {"teapot", 3644, 6320, 6320, 1036, 8962, 0},
+      {"spot", 2930, 5856, 5856, 0, 8784, 0},          {"cow", 2903, 5804, 5804, 0, 8706, 0},
+      {"beetle", 1148, 2053, 0, 296, 2861, 47},        {"suzanne", 507, 500, 468 * 2 + 32, 42, 963, 0},
+  };
+  for (const auto& model : models) {
+    INFO(std::string(model.name));
+    const std::string path = std::string(IRG_MODELS_DIR) + "/" + model.name + ".obj";
+    std::FILE* const file = std::fopen(path.c_str(), "rb");
+    if (file == nullptr) {
+      MESSAGE("skipped, not there: ", path);
+      continue;
+    }
+    std::string s(std::size_t{1} << 23, '\0');
+    s.resize(std::fread(s.data(), 1, s.size(), file));
+    std::fclose(file);
+    const mesh m = of(s);
+    CHECK(m.positions.size() == model.vertices);
+    CHECK(m.face_count() == model.faces);
+    CHECK(edge_uses(m) == std::tuple{model.once, model.twice, model.more});
+    if (model.triangles != 0) CHECK(irg::triangulate(m).face_count() == model.triangles);
+    const auto as_float = read_obj<float>(s);
+    REQUIRE(as_float);
+    REQUIRE(as_float->corners == m.corners);
+    CHECK(irg::validate(*as_float) == irg::mesh_finding{});
+  }
+#else
+  MESSAGE("skipped: no folder of models was given (IRG_MODELS_DIR)");
+#endif
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include <irg/math/error_free.hpp>
+
+#include <cmath>
+
+#include "support/check_both.hpp"
+#include "support/ulp.hpp"
+
+namespace {
+
+using test::same;
+constexpr double largest = std::numeric_limits<double>::max();
+
+/// A double of full significand and a random exponent.
+double random_double(test::random& r, int lowest, int highest) {
+  const double significand = static_cast<double>((r.next() >> 11) | (std::uint64_t{1} << 52)) * 0x1p-52;
+  return test::either_sign(r, std::ldexp(significand, static_cast<int>(r.integer(lowest, highest))));
+}
+
+}  // namespace
+
+static_assert(noexcept(irg::two_sum(1.0, 2.0)) && noexcept(irg::difference_of_products(1.0f, 1.0f, 1.0f, 1.0f)));
+static_assert(std::is_aggregate_v<irg::exact_sum<double>>);
+
+TEST_CASE("sums by hand") {
+  CHECK_BOTH(irg::two_sum(1.0, 0x1p-60) == irg::exact_sum<double>{1.0, 0x1p-60});
+  CHECK_BOTH(irg::two_sum(0x1p-60, 1.0) == irg::exact_sum<double>{1.0, 0x1p-60});
+  CHECK_BOTH(irg::two_sum(1.0f, 0x1.8p-24f) == irg::exact_sum<float>{1.0f + 0x1p-23f, -0x1p-25f});
+  CHECK_BOTH(irg::fast_two_sum(1.0, -0x1p-60) == irg::exact_sum<double>{1.0, -0x1p-60});
+  CHECK_BOTH(irg::two_sum(0x1p-1074, 0x1p-1074) == irg::exact_sum<double>{0x1p-1073, 0.0});
+}
+
+TEST_CASE("split and product by hand") {
+  CHECK_BOTH(irg::split(1 + 0x1p-52) == irg::split_number<double>{1, 0x1p-52});
+  CHECK_BOTH(irg::split(1 + 0x1p-23f) == irg::split_number<float>{1, 0x1p-23f});
+  CHECK_BOTH(irg::fast_two_product(1 + 0x1p-30, 1 + 0x1p-30) == irg::exact_sum<double>{1 + 0x1p-29, 0x1p-60});
+  CHECK_BOTH(irg::two_product(1 + 0x1p-20f, 1 + 0x1p-20f) == irg::exact_sum<float>{1 + 0x1p-19f, 0x1p-40f});
+}
+
+TEST_CASE("products at the ends of the range") {
+  CHECK_BOTH(irg::two_product(0.0, -3.0) == irg::exact_sum<double>{-0.0, 0.0});
+  CHECK_BOTH(irg::two_product(largest, 1.0) == irg::exact_sum<double>{largest, 0.0});
+  CHECK_BOTH(irg::two_product(largest, 0x1.8p-1) == irg::exact_sum<double>{0x1.7ffffffffffffp1023, 0x1p969});
+  CHECK_BOTH(irg::two_product(0x1p-1074, 0x1p1000) == irg::exact_sum<double>{0x1p-74, 0.0});
+  CHECK_BOTH(irg::two_product(0x1p-600, 0x1p-600) == irg::exact_sum<double>{0.0, 0.0});
+  const irg::exact_sum<double> overflowed = irg::two_product(test::at_run_time(1e200), 1e200);
+  CHECK(std::isinf(overflowed.value));
+  CHECK(overflowed.error == 0);
+}
+
+TEST_CASE("the sum's parts add up to the exact sum, seen in integers") {
+  test::random r(1);
+  for (int i = 0; i < 200000; ++i) {
+    // 53-bit integers at most 60 places apart: their sum fits 128 bits.
+    const auto a = static_cast<std::int64_t>(r.next() >> 11), b = static_cast<std::int64_t>(r.next() >> 11);
+    const int shift = static_cast<int>(r.integer(0, 60));
+    const double x = static_cast<double>(a), y = -std::ldexp(static_cast<double>(b), shift);
+    const irg::exact_sum<double> sum = irg::two_sum(x, y);
+    __extension__ using wide = __int128;
+    const wide exact = static_cast<wide>(a) - (static_cast<wide>(b) << shift);
+    CHECK((static_cast<wide>(sum.value) + static_cast<wide>(sum.error) == exact));
+    CHECK(same(sum.value, x + y));
+    CHECK((std::fabs(x) < std::fabs(y) ? irg::fast_two_sum(y, x) : irg::fast_two_sum(x, y)) == sum);
+  }
+}
+
+TEST_CASE("the product's parts add up to the exact product, seen in integers") {
+  test::random r(2);
+  for (int i = 0; i < 200000; ++i) {
+    const auto a = static_cast<std::int64_t>(r.next() >> 11), b = static_cast<std::int64_t>(r.next() >> 11);
+    const irg::exact_sum<double> p = irg::two_product(static_cast<double>(a), static_cast<double>(b));
+    __extension__ using wide = __int128;
+    CHECK((static_cast<wide>(p.value) + static_cast<wide>(p.error) == static_cast<wide>(a) * static_cast<wide>(b)));
+    CHECK(p == irg::fast_two_product(static_cast<double>(a), static_cast<double>(b)));
+    const irg::split_number<double> s = irg::split(static_cast<double>(a));
+    CHECK(s.high + s.low == static_cast<double>(a));
+    CHECK(std::fmod(s.high, 0x1p26) == 0);
+    CHECK(std::fabs(s.low) <= 0x1p26);
+  }
+}
+
+TEST_CASE("two_product is the fused multiply-add's answer over the whole range") {
+  test::random r(3);
+  for (int i = 0; i < 200000; ++i) {
+    const double a = test::any_double(r), b = i % 2 == 0 ? test::any_double(r) : random_double(r, -1022, 1023);
+    const irg::exact_sum<double> p = irg::two_product(a, b);
+    CHECK(same(p.value, a * b));
+    CHECK(p.error == (std::isfinite(a * b) ? std::fma(a, b, -(a * b)) : 0.0));
+  }
+}
+
+TEST_CASE("difference of products: by hand and degenerate") {
+  CHECK_BOTH(irg::difference_of_products(3.0, 4.0, 2.0, 5.0) == 2);
+  CHECK_BOTH(irg::difference_of_products(1 + 0x1p-30, 1 + 0x1p-30, 1 + 0x1p-29, 1.0) == 0x1p-60);
+  CHECK_BOTH(irg::difference_of_products(1 + 0x1p-20f, 1 + 0x1p-20f, 1 + 0x1p-19f, 1.0f) == 0x1p-40f);
+  CHECK_BOTH(irg::sum_of_products(1 + 0x1p-30, 1 - 0x1p-30, -1.0, 1.0) == -0x1p-60);
+  CHECK_BOTH(irg::difference_of_products(0.1, 0.3, 0.3, 0.1) == 0);
+  CHECK_BOTH(irg::difference_of_products(1e300, 1e300, 1e300, 1e300) == 0);
+  CHECK_BOTH(irg::difference_of_products(largest, 2.0, 0x1.ffffffffffffep1023, 2.0) == 0x1p972);
+  CHECK_BOTH(irg::difference_of_products(largest, 0x1p-600, 1.0, 1.0) == largest * 0x1p-600);
+  const double infinite = irg::difference_of_products(test::at_run_time(1e300), 1e300, 1.0, 1.0);
+  CHECK(std::isinf(infinite));
+  CHECK(std::isnan(irg::difference_of_products(test::at_run_time(std::nan("")), 1.0, 1.0, 1.0)));
+}
+
+TEST_CASE("constant evaluation and run time give the same bits") {
+  constexpr auto p = irg::two_product(0.1, 1e-300);
+  CHECK(p == irg::two_product(test::at_run_time(0.1), test::at_run_time(1e-300)));
+  constexpr auto q = irg::two_product(0x1.fffffffffffffp1000, 0x1.23456789abcdfp20);
+  CHECK(q == irg::two_product(test::at_run_time(0x1.fffffffffffffp1000), test::at_run_time(0x1.23456789abcdfp20)));
+  constexpr double d = irg::difference_of_products(0.1, 0.2, 0.30000000000000004, 0.06666666666666667);
+  CHECK(same(d, irg::difference_of_products(test::at_run_time(0.1), 0.2, 0.30000000000000004, 0.06666666666666667)));
+}
+
+#ifdef IRG_HAVE_MPFR
+TEST_CASE("difference of products: within 1.5 ulp, cancellation included") {
+  test::random r(4);
+  test::real left, right;
+  mpfr_set_prec(left, 3000);
+  mpfr_set_prec(right, 3000);
+  double worst = 0, worst_single = 0;
+  const int count = test::count_of(60000);
+  for (int i = 0; i < count; ++i) {
+    // The second product equals the first but for a change of the last bits of one factor.
+    const int range = i % 3 == 0 ? 450 : 20;
+    const double a = random_double(r, -range, range), b = random_double(r, -range, range);
+    const double c = std::nextafter(b, static_cast<double>(r.integer(-1, 1)) * 1e300);
+    double d = a;
+    for (std::int64_t steps = r.integer(0, 3); steps > 0; --steps) d = std::nextafter(d, 1e300);
+    const double e = i % 4 == 0 ? random_double(r, -range, range) : d;
+    mpfr_set_d(left, a, MPFR_RNDN);
+    mpfr_mul_d(left, left, b, MPFR_RNDN);
+    mpfr_set_d(right, c, MPFR_RNDN);
+    mpfr_mul_d(right, right, e, MPFR_RNDN);
+    mpfr_sub(left, left, right, MPFR_RNDN);
+    const double got = irg::difference_of_products(a, b, c, e);
+    if (mpfr_zero_p(left)) {
+      CHECK(got == 0);
+      continue;
+    }
+    worst = std::fmax(worst, test::ulp_error(got, left));
+    CHECK(same(got, irg::sum_of_products(a, b, -c, e)));
+
+    const auto fa = static_cast<float>(std::ldexp(a, -std::ilogb(a))), fb = static_cast<float>(std::ldexp(b, -std::ilogb(b)));
+    const float fc = std::nextafter(fb, 4.0f), fd = std::nextafter(fa, 0.0f);
+    mpfr_set_d(left, static_cast<double>(fa) * static_cast<double>(fb), MPFR_RNDN);
+    mpfr_sub_d(left, left, static_cast<double>(fc) * static_cast<double>(fd), MPFR_RNDN);
+    worst_single = std::fmax(worst_single, test::ulp_error(irg::difference_of_products(fa, fb, fc, fd), left));
+  }
+  MESSAGE("difference_of_products: ", worst, " ulp in double, ", worst_single, " ulp in float");
+  CHECK(worst <= 1.5);
+  CHECK(worst_single <= 0.5001);
+}
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <irg/math/hypot.hpp>
+
+#include "support/check_both.hpp"
+#include "support/ulp.hpp"
+
+namespace {
+
+using test::same;
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest = std::numeric_limits<double>::max();
+
+}  // namespace
+
+static_assert(noexcept(irg::hypot(1.0, 2.0)));
+static_assert(std::is_same_v<decltype(irg::hypot(1.0f, 2.0f, 3.0f)), float>);
+
+TEST_CASE("lengths by hand") {
+  CHECK_BOTH(irg::hypot(3.0, -4.0) == 5);
+  CHECK_BOTH(irg::hypot(2.0, 3.0, 6.0) == 7);
+  CHECK_BOTH(irg::hypot(1.0, 1.0) == 1.4142135623730951);
+  CHECK_BOTH(irg::hypot(1.0f, 1.0f, 1.0f) == 1.73205081f);
+  CHECK_BOTH(irg::hypot(-7.0, 0.0) == 7);
+}
+
+TEST_CASE("lengths near both ends of the range") {
+  CHECK_BOTH(irg::hypot(3e300, 4e300) == 5e300);
+  CHECK_BOTH(irg::hypot(3 * 0x1p-1074, 4 * 0x1p-1074) == 5 * 0x1p-1074);
+  CHECK_BOTH(irg::hypot(2 * 0x1p-1074, 3 * 0x1p-1074, 6 * 0x1p-1074) == 7 * 0x1p-1074);
+  CHECK_BOTH(irg::hypot(largest, 1.0) == largest);
+  CHECK_BOTH(irg::hypot(largest, largest) == inf);
+  CHECK_BOTH(irg::hypot(0x1p-1074, largest) == largest);
+  CHECK_BOTH(irg::hypot(3e38f, 3e38f) == std::numeric_limits<float>::infinity());
+  CHECK_BOTH(irg::hypot(1e38f, 1e38f, 1e38f) == 1.73205078e38f);
+  CHECK_BOTH(irg::hypot(3 * 0x1p-149f, 4 * 0x1p-149f) == 5 * 0x1p-149f);
+  CHECK_BOTH(same(irg::hypot(0.0, -0.0), 0.0));
+}
+
+TEST_CASE("infinity outweighs NaN") {
+  CHECK_BOTH(irg::hypot(-inf, no_number) == inf);
+  CHECK_BOTH(irg::hypot(1.0, no_number, inf) == inf);
+  CHECK_BOTH(same(irg::hypot(no_number, 0.0), no_number));
+  CHECK_BOTH(same(irg::hypot(1.0, 2.0, no_number), no_number));
+}
+
+TEST_CASE("constant evaluation and run time give the same bits") {
+  CHECK_SAME_LIVES_2(irg::hypot, 0.1, 0.7);
+  CHECK_SAME_LIVES_2(irg::hypot, 1.1e-310, 3.3e-309);
+  CHECK_SAME_LIVES_2(irg::hypot, 1.1e307, -3.3e305);
+  CHECK_SAME_LIVES_2(irg::hypot, 0.1f, -3.3e5f);
+}
+
+TEST_CASE("order and signs of the coordinates do not matter") {
+  test::random r(1);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = test::between(r, -1, 1), y = test::between(r, -3, 3), z = test::of_exponent(r, -10, 3);
+    const double length = irg::hypot(x, y, z);
+    CHECK(same(length, irg::hypot(z, -x, y)));
+    CHECK(same(length, irg::hypot(y, z, -x)));
+    CHECK(same(irg::hypot(x, y), irg::hypot(-y, x)));
+    CHECK(same(std::ldexp(length, 600), irg::hypot(std::ldexp(x, 600), std::ldexp(y, 600), std::ldexp(z, 600))));
+  }
+}
+
+#ifdef IRG_HAVE_MPFR
+TEST_CASE("lengths stay within 0.501 ulp") {
+  using test::random;
+  using result = test::pair_of_doubles;
+  const auto two = [](double x, double y) { return irg::hypot(x, y); };
+  const auto exact_two = [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr y) { mpfr_hypot(out, x, y, MPFR_RNDN); };
+  // Of three: the third coordinate is half of the second.
+  const auto three = [](double x, double y) { return irg::hypot(0.5 * y, x, y); };
+  const auto exact_three = [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr y) {
+    test::real square;
+    mpfr_sqr(square, y, MPFR_RNDN);
+    mpfr_mul_d(square, square, 1.25, MPFR_RNDN);
+    mpfr_sqr(out, x, MPFR_RNDN);
+    mpfr_add(out, out, square, MPFR_RNDN);
+    mpfr_sqrt(out, out, MPFR_RNDN);
+  };
+  const auto any = [](random& r) { return result{test::any_double(r), test::any_double(r)}; };
+  const auto unit = [](random& r) { return result{test::between(r, -1, 1), test::between(r, -1, 1)}; };
+  const auto mixed = [](random& r) { return result{test::of_exponent(r, -30, 30), test::of_exponent(r, -30, 30)}; };
+  const auto at = [](double scale) {
+    return [scale](random& r) { return result{scale * test::between(r, -1, 1), 2 * scale * test::between(r, -1, 1)}; };
+  };
+  const int n = test::count_of(20000);
+  const auto both = [&](const char* range, auto generate) {
+    test::check_ulp((std::string("hypot of two") + range).c_str(), 0.501, two, exact_two, generate, n);
+    test::check_ulp((std::string("hypot of three") + range).c_str(), 0.501, three, exact_three, generate, n);
+  };
+  both(", all doubles", any);
+  both(", unit", unit);
+  both(", mixed", mixed);
+  both(", largest", at(0x1p1022));
+  both(", near 2^-400", at(0x1p-400));
+  // Squares of subnormal coordinates: halves are no longer exact, so only two.
+  test::check_ulp("hypot of two, subnormal", 0.501, two, exact_two, at(0x1p-1050), n);
+  for (const float y : {0.7f, 1e-40f, 3e38f})
+    test::check_floats("hypot with a fixed y", 0.5001, [y](float x) { return irg::hypot(x, y); },
+                       [y](double x) { return std::hypot(x, static_cast<double>(y)); },
+                       [y](mpfr_ptr out, mpfr_ptr x) { mpfr_hypot(out, x, test::real(static_cast<double>(y)), MPFR_RNDN); });
+}
+#else
+TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
+#endif

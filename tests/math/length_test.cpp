@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <irg/math/length.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+using namespace irg;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
+/// A double whose exponent is uniform in [low, high].
+double spread(test::random& r, int low, int high) {
+  const int exponent = static_cast<int>(r.integer(low, high));
+  const double x = std::ldexp(1 + r.unit(), exponent);
+  return (r.next() & 1u) != 0 ? x : -x;
+}
+
+long double wide(double x) { return static_cast<long double>(x); }
+
+/// The length in 64 bits of precision and 15 of exponent.
+long double wide_length(const vec<double, 3>& v) {
+  return std::sqrt(wide(v.x) * wide(v.x) + wide(v.y) * wide(v.y) + wide(v.z) * wide(v.z));
+}
+
+double ulps(double x, long double exact) {
+  int exponent = 0;
+  std::frexp(exact, &exponent);
+  const int place = exponent - 53 < -1074 ? -1074 : exponent - 53;
+  return static_cast<double>(std::abs(wide(x) - exact) / std::ldexp(1.0L, place));
+}
+
+template <class V>
+concept has_length = requires(V v) { length(v); };
+
+template <class T>
+constexpr bool is_zero(const vec<T, 3>& v) {
+  return v == vec<T, 3>{};
+}
+
+}  // namespace
+
+TEST_CASE("length: type facts") {
+  static_assert(std::is_same_v<decltype(length(vec<float, 2>{})), float>);
+  static_assert(noexcept(length(vec<double, 3>{})));
+  static_assert(std::is_same_v<decltype(normalized(std::array<double, 3>{})), std::array<double, 3>>);
+  static_assert(has_length<vec<float, 3>> && !has_length<vec<int, 3>> && !has_length<point<float, 3>>);
+}
+
+TEST_CASE("length: by hand") {
+  CHECK_BOTH(length(vec<double, 3>{2, 3, 6}) == 7);
+  CHECK_BOTH(length(vec<float, 2>{3, -4}) == 5);
+  CHECK_BOTH(length(vec<double, 4>{1, 1, 1, 1}) == 2);
+  CHECK_BOTH(length(vec<double, 5>{-2, 0, 0, 0, 0}) == 2);
+  CHECK_BOTH(length_squared(vec<int, 3>{2, 3, 6}) == 49);
+  CHECK_BOTH(normalized(vec<double, 3>{-2, -1, -2}) == vec<double, 3>{-2.0 / 3, -1.0 / 3, -2.0 / 3});
+  CHECK_BOTH(normalized_fast(vec<float, 3>{0, 3, 4}) == vec<float, 3>{0, 0.6f, 0.8f});
+}
+
+TEST_CASE("length: the golden vector v3 = v2/|v2| = (19, -7, -6)/sqrt(446)") {
+  const vec<double, 3> v = normalized(vec<double, 3>{38, -14, -12});
+  CHECK(v.x == doctest::Approx(19 / std::sqrt(446.0)).epsilon(1e-15));
+  CHECK(v.y == doctest::Approx(-7 / std::sqrt(446.0)).epsilon(1e-15));
+  CHECK(v.z == doctest::Approx(-6 / std::sqrt(446.0)).epsilon(1e-15));
+}
+
+TEST_CASE("length: ends of the range") {
+  CHECK_BOTH(length(vec<double, 3>{largest, 0, 0}) == largest);
+  CHECK_BOTH(length(vec<double, 3>{0, -smallest, 0}) == smallest);
+  CHECK_BOTH(length(vec<double, 2>{3 * smallest, 4 * smallest}) == 5 * smallest);
+  CHECK_BOTH(length(vec<double, 3>{2 * 0x1p1020, 3 * 0x1p1020, 6 * 0x1p1020}) == 7 * 0x1p1020);
+  CHECK_BOTH(length(vec<double, 3>{largest, largest, 0}) == inf);
+  CHECK_BOTH(length(vec<float, 2>{3e38f, 3e38f}) == std::numeric_limits<float>::infinity());
+  CHECK_BOTH(normalized(vec<double, 3>{largest, 0, largest}).x == normalized(vec<double, 3>{1, 0, 1}).x);
+  CHECK_BOTH(normalized(vec<double, 3>{0, smallest, 0}) == vec<double, 3>{0, 1, 0});
+  CHECK_BOTH(normalized(vec<float, 3>{0, -std::numeric_limits<float>::denorm_min(), 0}) == vec<float, 3>{0, -1, 0});
+  CHECK_BOTH(normalized(vec<double, 2>{largest, smallest}) == vec<double, 2>{1, 0});
+}
+
+TEST_CASE("length: no direction") {
+  CHECK_BOTH(!try_normalize(vec<double, 3>{}));
+  CHECK_BOTH(!try_normalize(vec<double, 3>{0, -0.0, 0}));
+  CHECK_BOTH(!try_normalize(vec<double, 3>{1, nan_, 0}));
+  CHECK_BOTH(!try_normalize(vec<double, 3>{inf, 0, 0}));
+  CHECK_BOTH(is_zero(normalized(vec<double, 3>{})));
+  CHECK_BOTH(is_zero(normalized(vec<float, 3>{0, std::numeric_limits<float>::quiet_NaN(), 1})));
+  CHECK_BOTH(is_zero(normalized_fast(vec<double, 3>{})));
+  CHECK_BOTH(length(vec<double, 3>{nan_, 1, -inf}) == inf);
+  CHECK_BOTH(length(vec<double, 5>{nan_, 1, 1, 1, -inf}) == inf);
+  CHECK(std::isnan(length(vec<double, 3>{nan_, 1, 1})));
+}
+
+TEST_CASE("length: error against 64-bit arithmetic over the whole range") {
+  test::random r(1);
+  double worst = 0, worst_subnormal = 0, worst_fast = 0;
+  long double worst_unit = 0;
+  for (int k = 0; k < 200000; ++k) {
+    const int middle = static_cast<int>(r.integer(-1070, 1020));
+    const auto at = [&] { return spread(r, middle - 3 < -1074 ? -1074 : middle - 3, middle + 2); };
+    const vec<double, 3> v{at(), at(), at()};
+    const long double exact = wide_length(v);
+    double& here = exact < 0x1p-1022L ? worst_subnormal : worst;
+    here = std::max(here, ulps(length(v), exact));
+    worst_unit = std::max(worst_unit, std::abs(wide_length(normalized(v)) - 1));
+    const vec<double, 3> w{spread(r, -3, 2), spread(r, -3, 2), spread(r, -3, 2)};
+    worst_fast = std::max(worst_fast, ulps(length_fast(w), wide_length(w)));
+  }
+  CHECK(worst <= 0.502);
+  CHECK(worst_subnormal <= 1);
+  CHECK(worst_unit <= 2 * 0x1p-53L);
+  CHECK(worst_fast <= 2);
+  MESSAGE("length ", worst, " ulp, subnormal ", worst_subnormal, ", |normalized| - 1 ", static_cast<double>(worst_unit * 0x1p53L), " u, fast ", worst_fast, " ulp");
+}
+
+TEST_CASE("length: float's directions") {
+  test::random r(2);
+  double worst = 0;
+  for (int k = 0; k < 100000; ++k) {
+    const int middle = static_cast<int>(r.integer(-140, 120));
+    const auto at = [&] { return static_cast<float>(spread(r, middle - 3, middle + 3)); };
+    const vec<float, 3> v{at(), at(), at()};
+    if (v == vec<float, 3>{}) continue;
+    const vec<float, 3> n = normalized(v);
+    const vec<double, 3> wider{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
+    worst = std::max(worst, std::abs(static_cast<double>(wide_length(wider)) - 1));
+  }
+  CHECK(worst <= 2 * 0x1p-24);
+}
+
+TEST_CASE("length: angles by hand") {
+  constexpr double pi_ = pi<double>;
+  CHECK_BOTH(angle_between(vec<double, 2>{1, 0}, vec<double, 2>{0, -3}) == pi_ / 2);
+  CHECK_BOTH(angle_between(vec<double, 3>{1, 2, 3}, vec<double, 3>{1, 2, 3}) == 0);
+  CHECK_BOTH(angle_between(vec<double, 3>{1, 2, 3}, vec<double, 3>{-2, -4, -6}) == pi_);
+  CHECK_BOTH(angle_between(vec<float, 3>{0, 0, 1}, vec<float, 3>{0, 5, 0}) == pi<float> / 2);
+  CHECK_BOTH(angle_between(vec<double, 3>{largest, 0, 0}, vec<double, 3>{smallest, smallest, 0}) == pi_ / 4);
+  CHECK_BOTH(angle_between(vec<double, 3>{1, 0, 0}, vec<double, 3>{1, 0, 1e-300}) == 1e-300);
+  CHECK_BOTH(angle_between(vec<double, 3>{}, vec<double, 3>{1, 0, 0}) == 0);
+  CHECK(std::isnan(angle_between(vec<double, 3>{nan_, 0, 0}, vec<double, 3>{1, 0, 0})));
+  CHECK(std::isnan(angle_between(vec<double, 3>{1, 0, 0}, vec<double, 3>{1, inf, 0})));
+}
+
+#ifdef __SIZEOF_FLOAT128__
+TEST_CASE("length: angles against 113-bit products") {
+  __extension__ typedef __float128 quad;
+  test::random r(3);
+  double worst = 0;
+  for (int k = 0; k < 100000; ++k) {
+    const int small = static_cast<int>(r.integer(-60, 0));
+    const vec<double, 3> a{r.unit() - 0.5, r.unit() - 0.5, r.unit() - 0.5};
+    const double sign = (r.next() & 1u) != 0 ? 1.5 : -0.75;
+    const auto near = [&](double x) { return sign * x + std::ldexp(r.unit() - 0.5, small); };
+    const vec<double, 3> b{near(a.x), near(a.y), near(a.z)};
+    const auto minor = [&](double p, double q, double s, double t) { return quad(p) * quad(t) - quad(q) * quad(s); };
+    const long double x = static_cast<long double>(minor(a.y, a.z, b.y, b.z));
+    const long double y = static_cast<long double>(minor(a.z, a.x, b.z, b.x));
+    const long double z = static_cast<long double>(minor(a.x, a.y, b.x, b.y));
+    const quad along = quad(a.x) * quad(b.x) + quad(a.y) * quad(b.y) + quad(a.z) * quad(b.z);
+    const long double exact = std::atan2(std::sqrt(x * x + y * y + z * z), static_cast<long double>(along));
+    worst = std::max(worst, ulps(angle_between(a, b), exact));
+  }
+  CHECK(worst <= 4);
+  MESSAGE("angle_between ", worst, " ulp");
+}
+#endif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include <irg/math/vec.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#ifdef IRG_HAVE_GLM
+#include <glm/glm.hpp>
+#endif
+#ifdef IRG_HAVE_EIGEN
+#include <Eigen/Dense>
+#endif
+
+#include "support/archetypes.hpp"
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using vec3 = irg::vec<double, 3>;
+using point3 = irg::point<double, 3>;
+
+// 1. Types. Plain aggregates: no more than their numbers, copied as bytes.
+static_assert(std::is_aggregate_v<vec3> && std::is_trivially_copyable_v<vec3> && sizeof(vec3) == 3 * sizeof(double));
+static_assert(std::is_aggregate_v<point3> && std::is_aggregate_v<irg::hpoint<float, 3>>);
+static_assert(sizeof(irg::vec<float, 2>) == 8 && sizeof(irg::hpoint<float, 2>) == 12 &&
+              sizeof(irg::vec<float, 7>) == 28);
+
+static_assert(irg::Vector<vec3> && !irg::Point<vec3> && !irg::HomogeneousPoint<irg::vec<float, 4>>);
+static_assert(irg::Point<point3> && !irg::Vector<point3> && !irg::HomogeneousPoint<point3>);
+static_assert(irg::HomogeneousPoint<irg::hpoint<float, 2>> && !irg::Vector<irg::hpoint<float, 3>>);
+static_assert(!irg::Point<irg::hpoint<float, 3>> && irg::Vector<irg::vec<float, 7>> && irg::Vector<irg::vec<int, 1>>);
+static_assert(irg::size_of<irg::hpoint<float, 3>> == 4 && irg::size_of<irg::vec<double, 7>> == 7);
+
+template <class A, class B>
+concept can_add = requires(const A& a, const B& b) { a + b; };
+template <class A, class B>
+concept can_subtract = requires(const A& a, const B& b) { a - b; };
+template <class A, class B>
+concept can_scale = requires(const A& a, const B& b) { a* b; };
+template <class A, class B>
+concept can_dot = requires(const A& a, const B& b) { irg::dot(a, b); };
+template <class A, class B>
+concept can_cross = requires(const A& a, const B& b) { irg::cross(a, b); };
+
+static_assert(can_add<vec3, vec3> && can_add<point3, vec3> && !can_add<point3, point3> && !can_add<vec3, point3>);
+static_assert(can_subtract<point3, point3> && can_subtract<point3, vec3> && !can_subtract<vec3, point3>);
+static_assert(std::is_same_v<decltype(point3{} - point3{}), vec3> &&
+              std::is_same_v<decltype(point3{} + vec3{}), point3>);
+static_assert(can_scale<vec3, double> && can_scale<double, vec3> && can_scale<vec3, int>);
+static_assert(!can_scale<vec3, vec3> && !can_scale<point3, double> && !can_add<irg::hpoint<double, 3>, vec3>);
+static_assert(!can_add<vec3, irg::vec<float, 3>> && !can_add<vec3, irg::vec<double, 2>>);
+static_assert(can_dot<vec3, vec3> && can_dot<vec3, std::array<double, 3>> && !can_dot<vec3, irg::vec<double, 2>>);
+static_assert(!can_dot<vec3, irg::vec<float, 3>> && !can_dot<vec3, point3> && !can_dot<point3, point3>);
+static_assert(can_cross<vec3, std::array<double, 3>> && !can_cross<irg::vec<double, 2>, irg::vec<double, 2>>);
+static_assert(!can_cross<irg::vec<double, 4>, irg::vec<double, 4>> && !can_cross<point3, vec3>);
+static_assert(std::is_same_v<decltype(irg::cross(std::array<float, 3>{}, irg::vec<float, 3>{})), std::array<float, 3>>);
+
+constexpr vec3 a{1, 2, 3}, b{4, 5, 6};
+
+constexpr vec3 accumulated() {
+  vec3 v = a;
+  v += b;
+  v -= vec3{1, 1, 1};
+  v *= 2;
+  v[1] = -1;
+  return v;
+}
+
+// Archetypes have what Vector asks and nothing more; dot and cross must not ask for more either.
+constexpr bool archetypes_are_enough() {
+  using number = archetype::scalar;
+  using vector = archetype::vector<number, 3>;
+  const vector u = vector::of(number(1), number(2), number(3)), v = vector::of(number(4), number(5), number(6));
+  const vector w = irg::cross(u, v);
+  return irg::dot(u, v) == number(32) && w.nth(0) == number(-3) && w.nth(1) == number(6) && w.nth(2) == number(-3);
+}
+
+// A double of any sign and any exponent in [-range, range].
+double any_double(test::random& random, int range) {
+  double x = 1 + random.unit();
+  for (auto e = random.integer(-range, range); e != 0; e += e < 0 ? 1 : -1) x = e < 0 ? x / 2 : x * 2;
+  return (random.next() & 1) != 0 ? -x : x;
+}
+vec3 any_vec(test::random& random, int range) {
+  const double x = any_double(random, range), y = any_double(random, range);
+  return {x, y, any_double(random, range)};
+}
+
+// Each operation rounded on its own: volatile leaves the compiler no choice.
+double rounded_product(double x, double y) {
+  volatile double vx = x, vy = y;
+  volatile double p = vx * vy;
+  return p;
+}
+double rounded_sum(double x, double y) {
+  volatile double vx = x, vy = y;
+  volatile double s = vx + vy;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("vec: operators by hand") {
+  CHECK_BOTH(a + b == vec3{5, 7, 9});
+  CHECK_BOTH(b - a == vec3{3, 3, 3});
+  CHECK_BOTH(-a == vec3{-1, -2, -3});
+  CHECK_BOTH(a * 2 == vec3{2, 4, 6});
+  CHECK_BOTH(0.5 * b == vec3{2, 2.5, 3});
+  CHECK_BOTH(b / 2 == vec3{2, 2.5, 3});
+  CHECK_BOTH(accumulated() == vec3{8, -1, 16});
+  CHECK_BOTH(vec3{} == vec3{0, 0, 0});
+  CHECK_BOTH(a != b);
+  CHECK_BOTH(irg::vec<int, 5>{{1, 2, 3, 4, 5}} + irg::vec<int, 5>{{5, 4, 3, 2, 1}} ==
+             irg::vec<int, 5>{{6, 6, 6, 6, 6}});
+}
+
+TEST_CASE("vec: points and vectors") {
+  CHECK_BOTH(point3{5, 5, 5} - point3{1, 2, 3} == vec3{4, 3, 2});
+  CHECK_BOTH(point3{1, 2, 3} + vec3{4, 3, 2} == point3{5, 5, 5});
+  CHECK_BOTH(point3{5, 5, 5} - vec3{4, 3, 2} == point3{1, 2, 3});
+  CHECK_BOTH(irg::to_point(irg::to_vec(point3{1, 2, 3})) == point3{1, 2, 3});
+  CHECK_BOTH(irg::to_homogeneous(point3{1, 2, 3}) == irg::hpoint<double, 3>{1, 2, 3, 1});
+  CHECK_BOTH(irg::to_homogeneous(irg::point<int, 2>{7, 8}) == irg::hpoint<int, 2>{7, 8, 1});
+  CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 3>{2, 4, 6, 2}) == point3{1, 2, 3});
+  CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 2>{2, 4, -2}) == irg::point<double, 2>{-1, -2});
+}
+
+TEST_CASE("vec: GOLDEN 1, exercise 1 of the course") {
+  constexpr vec3 ga{2, 3, -4}, gb{-1, 4, -1}, gc{2, 2, 4};
+  constexpr vec3 v1 = ga + gb, v2 = irg::cross(v1, gc);
+  CHECK_BOTH(v1 == vec3{1, 7, -5});
+  CHECK_BOTH(irg::dot(v1, gb) == 32);
+  CHECK_BOTH(v2 == vec3{38, -14, -12});
+  CHECK_BOTH(-v2 == vec3{-38, 14, 12});
+  CHECK_BOTH(irg::dot(v2, v2) == 1784);
+  CHECK_BOTH(irg::dot(v1, v1) == 75);
+}
+
+TEST_CASE("vec: dot and cross of the coordinate axes") {
+  constexpr irg::vec<int, 3> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  CHECK_BOTH(irg::cross(x, y) == z);
+  CHECK_BOTH(irg::cross(y, z) == x);
+  CHECK_BOTH(irg::cross(z, x) == y);
+  CHECK_BOTH(irg::cross(y, x) == -z);
+  CHECK_BOTH(irg::dot(x, y) == 0);
+  CHECK_BOTH(irg::dot(irg::vec<int, 1>{{3}}, irg::vec<int, 1>{{5}}) == 15);
+  CHECK_BOTH(archetypes_are_enough());
+}
+
+TEST_CASE("vec: sums run from the first coordinate to the last, each product and sum rounded once") {
+  constexpr irg::vec<double, 4> huge{0x1p53, 1, 1, -0x1p53}, ones{1, 1, 1, 1};
+  CHECK_BOTH(irg::dot(huge, ones) == 0.0);  // from the other end: 2
+  constexpr irg::vec<double, 4> reversed{-0x1p53, 1, 1, 0x1p53};
+  CHECK_BOTH(irg::dot(reversed, ones) == 2.0);
+  test::random random(1);
+  int wrong_dot = 0, wrong_cross = 0, wrong_scale = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const vec3 u = any_vec(random, 3), v = any_vec(random, 3);
+    double sum = rounded_product(u.x, v.x);
+    sum = rounded_sum(sum, rounded_product(u.y, v.y));
+    sum = rounded_sum(sum, rounded_product(u.z, v.z));
+    wrong_dot += irg::dot(u, v) != sum;
+    const vec3 w = irg::cross(u, v);
+    wrong_cross += w.x != rounded_sum(rounded_product(u.y, v.z), -rounded_product(u.z, v.y)) ||
+                   w.y != rounded_sum(rounded_product(u.z, v.x), -rounded_product(u.x, v.z)) ||
+                   w.z != rounded_sum(rounded_product(u.x, v.y), -rounded_product(u.y, v.x));
+    wrong_scale += (u * v.x + v).x != rounded_sum(rounded_product(u.x, v.x), v.x);
+  }
+  CHECK(wrong_dot == 0);
+  CHECK(wrong_cross == 0);
+  CHECK(wrong_scale == 0);
+}
+
+TEST_CASE("vec: algebra that rounding cannot spoil") {
+  test::random random(2);
+  int wrong = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const vec3 u = any_vec(random, 500), v = any_vec(random, 500);
+    const vec3 zero{0, 0, 0};
+    wrong += irg::cross(u, u) != zero;                      // huge and tiny alike, as long as no product overflows
+    wrong += irg::cross(u, v) != -irg::cross(v, u) + zero;  // + zero: -0 is 0
+    wrong += irg::dot(u, v) != irg::dot(v, u);
+    wrong += irg::cross(u * 0.5, v) != irg::cross(u, v) * 0.5 && irg::cross(u, v) * 0.5 * 2 == irg::cross(u, v);
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("vec: agreement with integers, which do not round") {
+  test::random random(3);
+  int wrong = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    irg::vec<std::int64_t, 3> u, v;
+    for (int k = 0; k < 3; ++k) {
+      u[k] = random.integer(-(1 << 25), 1 << 25);
+      v[k] = random.integer(-(1 << 25), 1 << 25);
+    }
+    const auto real = [](const irg::vec<std::int64_t, 3>& w) {
+      return vec3{static_cast<double>(w.x), static_cast<double>(w.y), static_cast<double>(w.z)};
+    };
+    wrong += irg::cross(real(u), real(v)) != real(irg::cross(u, v));
+    wrong += irg::dot(real(u), real(v)) != static_cast<double>(irg::dot(u, v));
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("vec: hostile numbers stay what IEEE makes of them") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  CHECK_BOTH(irg::dot(vec3{infinity, 0, 0}, vec3{1, 1, 1}) == infinity);
+  CHECK_BOTH(vec3{not_a_number, 0, 0} != vec3{not_a_number, 0, 0});
+  CHECK_BOTH(vec3{0.0, 0, 0} == vec3{-0.0, 0, 0});
+  volatile double large = 1e200;  // products overflow from 2^512 on: outside of the stated domain, and NaN
+  const vec3 u{large, large, large};
+  CHECK(irg::cross(u, u) != irg::cross(u, u));
+  constexpr vec3 tiny{5e-324, 5e-324, 1};
+  CHECK_BOTH(irg::cross(tiny, tiny) == vec3{0, 0, 0});
+}
+
+TEST_CASE("vec: GLM vectors serve as they are") {
+#ifdef IRG_HAVE_GLM
+  CHECK_BOTH(irg::dot(glm::dvec3(1, 2, 3), vec3{4, 5, 6}) == 32.0);
+  CHECK_BOTH(irg::dot(glm::vec2(1, 2), glm::vec2(4, 5)) == 14.0f);
+  CHECK_BOTH(irg::dot(glm::vec4(1, 2, 3, 4), glm::vec4(1, 1, 1, 1)) == 10.0f);
+  CHECK_BOTH(irg::cross(glm::vec3(1, 7, -5), glm::vec3(2, 2, 4)) == glm::vec3(38, -14, -12));
+  CHECK_BOTH(irg::cross(glm::dvec3(1, 7, -5), vec3{2, 2, 4}).y == -14.0);
+#else
+  MESSAGE("skipped: GLM was not found");
+#endif
+}
+
+TEST_CASE("vec: Eigen vectors serve as they are") {
+#ifdef IRG_HAVE_EIGEN
+  const Eigen::Vector3d u(1, 7, -5), v(2, 2, 4);
+  CHECK(irg::cross(u, v) == Eigen::Vector3d(38, -14, -12));
+  CHECK(irg::cross(u, v) == u.cross(v));
+  CHECK(irg::dot(Eigen::Vector2f(1, 2), Eigen::Vector2f(4, 5)) == 14.0f);
+  CHECK(irg::dot(Eigen::Vector4d(1, 2, 3, 4), irg::vec<double, 4>{1, 1, 1, 1}) == 10.0);
+#else
+  MESSAGE("skipped: Eigen was not found");
+#endif
+}

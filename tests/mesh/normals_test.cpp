@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <irg/mesh/normals.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <irg/mesh/shape_polyhedra.hpp>
+#include <irg/mesh/shape_sphere.hpp>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+using namespace irg;
+
+namespace {
+
+using V3 = vec<double, 3>;
+using P3 = point<double, 3>;
+constexpr double largest = std::numeric_limits<double>::max();
+
+/// A mesh of one polygon.
+template <class T, std::size_t N>
+constexpr mesh<T> polygon(const std::array<point<T, 3>, N>& vertices) {
+  mesh<T> m;
+  std::array<std::uint32_t, N> indices{};
+  for (std::size_t k = 0; k < N; ++k) {
+    m.positions.push_back(vertices[k]);
+    indices[k] = static_cast<std::uint32_t>(k);
+  }
+  add_face(m, indices);
+  return m;
+}
+
+template <class T>
+constexpr mesh<T> right_angle(T size) {
+  return polygon<T, 3>({point<T, 3>{T(0), T(0), T(0)}, point<T, 3>{size, T(0), T(0)}, point<T, 3>{T(0), size, T(0)}});
+}
+
+constexpr V3 cube_normal(std::size_t vertex, normal_weight weight) {
+  return vertex_normals(shape_cube<double>(), weight)[vertex];
+}
+
+/// A triangle and the same seen from behind.
+constexpr mesh<double> sheet() {
+  mesh<double> m = right_angle(1.0);
+  add_face(m, std::array{0, 2, 1});
+  return m;
+}
+
+/// The letter L as one polygon, and the same cut into triangles.
+constexpr std::array<P3, 6> letter{P3{0, 0, 0}, P3{3, 0, 0}, P3{3, 1, 0}, P3{1, 1, 1}, P3{1, 3, 0}, P3{0, 3, 0}};
+
+constexpr bool is_near(const V3& a, const V3& b, double tolerance) { return length(a - b) <= tolerance; }
+
+}  // namespace
+
+TEST_CASE("normals: type facts") {
+  static_assert(std::is_same_v<decltype(face_normal(mesh<float>{}, 0)), std::optional<vec<float, 3>>>);
+  static_assert(std::is_same_v<decltype(vertex_normals(mesh<double>{})), std::vector<V3>>);
+  static_assert(noexcept(face_normal(std::declval<const mesh<double>&>(), 0)));
+}
+
+TEST_CASE("normals: Newell's sums, golden") {
+  CHECK_BOTH(newell_normal(std::array<P3, 4>{P3{0, 0, 0}, P3{1, 0, 0}, P3{1, 1, 0}, P3{0, 1, 0}}) == V3{0, 0, 2});
+  CHECK_BOTH(newell_normal(std::array<P3, 4>{P3{0, 0, 0}, P3{2, 0, 0}, P3{2, 2, 1}, P3{0, 2, 0}}) == V3{-2, -2, 8});
+  CHECK_BOTH(newell_normal(std::array<P3, 3>{P3{1, 0, 0}, P3{0, 2, 0}, P3{0, 0, 3}}) == V3{6, 3, 2});
+  CHECK_BOTH(newell_normal(std::array<P3, 3>{P3{0, 0, 0}, P3{1, 1, 1}, P3{2, 2, 2}}) == V3{});
+}
+
+TEST_CASE("normals: the faces of the cube, golden") {
+  constexpr std::array<V3, 12> expected{V3{0, -1, 0}, V3{0, -1, 0}, V3{1, 0, 0},  V3{1, 0, 0},  V3{0, 1, 0}, V3{0, 1, 0},
+                                        V3{-1, 0, 0}, V3{-1, 0, 0}, V3{0, 0, -1}, V3{0, 0, -1}, V3{0, 0, 1}, V3{0, 0, 1}};
+  const mesh<double> cube = shape_cube<double>();
+  for (std::size_t f = 0; f < 12; ++f) CHECK(*face_normal(cube, f) == expected[f]);
+}
+
+TEST_CASE("normals: the vertices of the cube, golden") {
+  using enum normal_weight;
+  CHECK_BOTH(cube_normal(0, average) == V3{-2.0 / 3, -1.0 / 3, -2.0 / 3});
+  CHECK_BOTH(cube_normal(1, average) == V3{-1.0 / 3, -2.0 / 3, 2.0 / 3});
+  const double a = 0.408248290463863, b = 0.816496580927726;
+  const std::array<V3, 8> expected{V3{-2.0 / 3, -1.0 / 3, -2.0 / 3}, V3{-1.0 / 3, -2.0 / 3, 2.0 / 3}, V3{a, -b, -a}, V3{b, -a, a},
+                                   V3{2.0 / 3, 1.0 / 3, -2.0 / 3},   V3{1.0 / 3, 2.0 / 3, 2.0 / 3},   V3{-a, b, -a}, V3{-b, a, a}};
+  const auto normals = vertex_normals(shape_cube<double>());
+  REQUIRE(normals.size() == 8);
+  for (std::size_t v = 0; v < 8; ++v) CHECK(is_near(normals[v], expected[v], 1e-15));
+}
+
+TEST_CASE("normals: by angle the cube's are diagonals, however its squares are cut") {
+  const mesh<double> cube = shape_cube<double>();
+  const auto normals = vertex_normals(cube, normal_weight::angle);
+  for (std::size_t v = 0; v < 8; ++v) {
+    const V3 diagonal = (cube.positions[v] - P3{0.5, 0.5, 0.5}) * (2 / std::sqrt(3.0));
+    CHECK(is_near(normals[v], diagonal, 4e-16));
+  }
+}
+
+TEST_CASE("normals: by angle and for a polygon with a reflex corner, cutting changes nothing") {
+  const mesh<double> whole = polygon(letter);
+  mesh<double> cut;
+  cut.positions = whole.positions;
+  for (const auto& t : {std::array{0, 1, 3}, std::array{1, 2, 3}, std::array{3, 4, 5}, std::array{3, 5, 0}}) add_face(cut, t);
+  // Flat, so that both have the same face normals.
+  mesh<double> flat = whole, flat_cut = cut;
+  for (auto* m : {&flat, &flat_cut})
+    for (P3& p : m->positions) p.z = 0;
+  // A wall on the edge 2-3 and on 3-4 makes the normals of the reflex corner depend on its angle.
+  for (auto* m : {&flat, &flat_cut}) {
+    m->positions.push_back({1, 1, 1});
+    m->positions.push_back({3, 1, 1});
+    add_face(*m, std::array{3, 2, 7, 6});
+  }
+  const V3 a = vertex_normals(flat, normal_weight::angle)[3], b = vertex_normals(flat_cut, normal_weight::angle)[3];
+  CHECK(is_near(a, b, 1e-15));
+  const V3 by_hand = normalized(V3{0, -0.5, 1.5});  // a right angle of wall, three right angles of floor
+  CHECK(is_near(a, by_hand, 1e-15));
+}
+
+TEST_CASE("normals: by area a large face counts more") {
+  mesh<double> m;
+  m.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}};
+  add_face(m, std::array{0, 1, 2});  // area 2, up z
+  add_face(m, std::array{0, 2, 3});  // area 1, along x
+  CHECK(is_near(vertex_normals(m, normal_weight::area)[0], normalized(V3{1, 0, 2}), 1e-15));
+  CHECK(is_near(vertex_normals(m, normal_weight::average)[0], normalized(V3{1, 0, 1}), 1e-15));
+  for (P3& p : m.positions) p = {p.x * 1e290, p.y * 1e290, p.z * 1e290};
+  CHECK(is_near(vertex_normals(m, normal_weight::area)[0], normalized(V3{1, 0, 2}), 1e-15));
+}
+
+TEST_CASE("normals: of a sphere's mesh they are nearly its points") {
+  const mesh<double> ball = shape_sphere<double>({64, 32});
+  for (const auto weight : {normal_weight::average, normal_weight::angle, normal_weight::area}) {
+    const auto normals = vertex_normals(ball, weight);
+    for (std::size_t v = 0; v < normals.size(); ++v) CHECK(dot(normals[v], to_vec(ball.positions[v])) > 0.998);
+  }
+}
+
+TEST_CASE("normals: random triangles against 64-bit cross products, far from the origin") {
+  test::random r(1);
+  for (int k = 0; k < 20000; ++k) {
+    const double away = (r.next() & 1u) != 0 ? 1e6 : 0;
+    const auto at = [&] { return P3{away + r.unit(), away - r.unit(), away + r.unit()}; };
+    const P3 p = at(), q = at(), s = at();
+    const mesh<double> m = polygon<double, 3>({p, q, s});
+    const auto d = [&](double x, double y) { return static_cast<long double>(x) - static_cast<long double>(y); };
+    const long double ax = d(q.x, p.x), ay = d(q.y, p.y), az = d(q.z, p.z), bx = d(s.x, p.x), by = d(s.y, p.y), bz = d(s.z, p.z);
+    const long double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx, n = std::sqrt(x * x + y * y + z * z);
+    if (n < 1e-3L) continue;
+    const V3 exact{static_cast<double>(x / n), static_cast<double>(y / n), static_cast<double>(z / n)};
+    CHECK(is_near(*face_normal(m, 0), exact, 3e-13));
+  }
+}
+
+TEST_CASE("normals: faces of any size") {
+  CHECK_BOTH(*face_normal(right_angle(1.0), 0) == V3{0, 0, 1});
+  CHECK_BOTH(*face_normal(right_angle(1e-200), 0) == V3{0, 0, 1});
+  CHECK_BOTH(*face_normal(right_angle(5e-324), 0) == V3{0, 0, 1});
+  CHECK_BOTH(*face_normal(right_angle(largest), 0) == V3{0, 0, 1});
+  CHECK_BOTH(*face_normal(right_angle(3e38f), 0) == vec<float, 3>{0, 0, 1});
+  CHECK_BOTH(*face_normal(right_angle(1e-45f), 0) == vec<float, 3>{0, 0, 1});
+  CHECK_BOTH(*face_normal(polygon<double, 3>({P3{-largest, 0, 0}, P3{largest, 0, 0}, P3{0, largest, 0}}), 0) == V3{0, 0, 1});
+  CHECK_BOTH(*face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1e-300, 0}}), 0) == V3{0, 0, 1});
+}
+
+TEST_CASE("normals: degenerate and hostile faces have none") {
+  constexpr double nan_ = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, 1, 1}, P3{2, 2, 2}}), 0));
+  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{7, 7, 7}, P3{7, 7, 7}, P3{7, 7, 7}}), 0));
+  CHECK_BOTH(!face_normal(polygon<double, 2>({P3{0, 0, 0}, P3{1, 0, 0}}), 0));
+  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, nan_, 0}, P3{0, 1, 0}}), 0));
+  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, 0, 0}, P3{0, inf, 0}}), 0));
+  // A bow tie's halves cancel.
+  CHECK_BOTH(!face_normal(polygon<double, 4>({P3{0, 0, 0}, P3{1, 1, 0}, P3{1, 0, 0}, P3{0, 1, 0}}), 0));
+}
+
+TEST_CASE("normals: vertices without a direction get zero") {
+  CHECK_BOTH(vertex_normals(sheet())[1] == V3{});
+  CHECK_BOTH(vertex_normals(sheet(), normal_weight::angle)[1] == V3{});
+  CHECK_BOTH(vertex_normals(sheet(), normal_weight::area)[1] == V3{});
+  CHECK_BOTH(vertex_normals(mesh<float>{}).empty());
+  mesh<double> m = right_angle(1.0);
+  m.positions.push_back({5, 5, 5});
+  m.positions.push_back({0, 0, std::numeric_limits<double>::quiet_NaN()});
+  add_face(m, std::array{0, 1, 4});
+  add_face(m, std::array{0, 0, 1});
+  for (const auto weight : {normal_weight::average, normal_weight::angle, normal_weight::area}) {
+    const auto normals = vertex_normals(m, weight);
+    CHECK(normals[0] == V3{0, 0, 1});
+    CHECK(normals[3] == V3{});
+    CHECK(normals[4] == V3{});
+  }
+}
+
+TEST_CASE("normals: assigned to a mesh") {
+  mesh<float> cube = shape_cube<float>();
+  assign_vertex_normals(cube, normal_weight::angle);
+  CHECK(cube.normals.size() == 8);
+  for (const mesh_corner& c : cube.corners) CHECK(c.normal == c.position);
+}

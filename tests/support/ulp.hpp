@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Errors of elementary functions in units in the last place, measured against MPFR; and runs over floats by their bits.
+// Without MPFR (IRG_HAVE_MPFR undefined) the runs are skipped aloud.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "support/random.hpp"
+
+#ifdef IRG_HAVE_MPFR
+#include <mpfr.h>
+#endif
+
+namespace test {
+
+/// Whether two numbers have the same bits, or are both NaN.
+template <class T>
+constexpr bool same(T a, T b) {
+  if constexpr (sizeof(T) == 8)
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
+  else
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (a != a && b != b);
+}
+
+/// x, hidden from the optimiser.
+template <class T>
+T at_run_time(T x) {
+  volatile T hidden = x;
+  return hidden;
+}
+
+inline bool is_release_tier() { return std::getenv("IRG_RELEASE_TIER") != nullptr; }
+
+/// A finite double, every bit pattern equally likely.
+inline double any_double(random& r) {
+  for (;;) {
+    const double x = std::bit_cast<double>(r.next());
+    if (std::isfinite(x)) return x;
+  }
+}
+inline double between(random& r, double low, double high) { return low + (high - low) * r.unit(); }
+inline double either_sign(random& r, double x) { return (r.next() & 1) != 0 ? x : -x; }
+/// A positive number whose logarithm to base 2 is uniform.
+inline double of_exponent(random& r, double low, double high) { return std::exp2(between(r, low, high)); }
+
+struct pair_of_doubles {
+  double x = 0, y = 0;
+};
+
+/// The number of random arguments a run takes, from how many it takes per commit.
+inline int count_of(int per_commit) { return is_release_tier() ? 100 * per_commit : per_commit; }
+
+#ifdef IRG_HAVE_MPFR
+
+/// A number of 300 bits, and what it takes to compare with it.
+class real {
+public:
+  real() { mpfr_init2(value_, 300); }
+  explicit real(double x) : real() { mpfr_set_d(value_, x, MPFR_RNDN); }
+  real(const real&) = delete;
+  real& operator=(const real&) = delete;
+  ~real() { mpfr_clear(value_); }
+  operator mpfr_ptr() { return value_; }
+
+private:
+  mpfr_t value_;
+};
+
+/// |got - exact| in units in the last place of exact, rounded to T; 1e9 when one is finite and the other is not.
+template <class T>
+double ulp_error(T got, mpfr_ptr exact) {
+  const T nearest = sizeof(T) == 4 ? static_cast<T>(mpfr_get_flt(exact, MPFR_RNDN)) : static_cast<T>(mpfr_get_d(exact, MPFR_RNDN));
+  if (!std::isfinite(nearest) || !std::isfinite(got)) return same(nearest, got) ? 0 : 1e9;
+  int exponent = 0;
+  std::frexp(nearest, &exponent);
+  const int lowest = sizeof(T) == 4 ? -149 : -1074;
+  const int last_place = exponent - std::numeric_limits<T>::digits;
+  static real difference;
+  mpfr_sub_d(difference, exact, static_cast<double>(got), MPFR_RNDN);
+  mpfr_mul_2si(difference, difference, -(last_place < lowest ? lowest : last_place), MPFR_RNDN);
+  return std::fabs(mpfr_get_d(difference, MPFR_RNDN));
+}
+
+/// The largest error of function(x, y) on `count` arguments of generate(random&), printed and compared with the bound.
+template <class F, class Exact, class Generate>
+void check_ulp(const char* what, double bound, F function, Exact exact, Generate generate, int count) {
+  random r(0x5eed);
+  double worst = 0;
+  pair_of_doubles where;
+  real x, y, result;
+  for (int i = 0; i < count; ++i) {
+    const pair_of_doubles p = generate(r);
+    mpfr_set_d(x, p.x, MPFR_RNDN);
+    mpfr_set_d(y, p.y, MPFR_RNDN);
+    exact(result, x, y);
+    const double error = ulp_error(function(p.x, p.y), result);
+    if (error > worst) worst = error, where = p;
+  }
+  MESSAGE(std::string(what), ": ", worst, " ulp on ", count, " arguments");
+  INFO(what, " of ", where.x, ", ", where.y);
+  CHECK(worst <= bound);
+}
+
+/// Runs over the floats, all of them in the release tier and every 99991st else: how many results are not the nearest
+/// float, and the largest error. `reference` is double's function, good enough but near the middle of two floats, where
+/// MPFR decides.
+template <class F, class Reference, class Exact>
+void check_floats(const char* what, double bound, F function, Reference reference, Exact exact) {
+  const std::uint64_t step = is_release_tier() ? 1 : 99991;
+  std::uint64_t misrounded = 0, tested = 0, wrong_kind = 0;
+  double worst = 0.5;
+  real x, result;
+  for (std::uint64_t bits = 0; bits < std::uint64_t{1} << 32; bits += step, ++tested) {
+    const float argument = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    const float got = function(argument);
+    const double want = reference(static_cast<double>(argument));
+    const float low = static_cast<float>(want - std::fabs(want) * 0x1p-40);
+    const float high = static_cast<float>(want + std::fabs(want) * 0x1p-40);
+    if (same(low, high) && same(got, low)) continue;
+    if (want != want || std::isinf(want)) {
+      wrong_kind += same(got, static_cast<float>(want)) ? 0u : 1u;
+      continue;
+    }
+    mpfr_set_flt(x, argument, MPFR_RNDN);
+    exact(result, x);
+    const double error = ulp_error(got, result);
+    if (error > 0.5) ++misrounded;
+    if (error > worst) worst = error;
+  }
+  MESSAGE(std::string(what), ", float: ", misrounded, " of ", tested, " not the nearest, worst ", worst, " ulp");
+  CHECK(worst <= bound);
+  CHECK(wrong_kind == 0);
+}
+
+#endif
+
+}  // namespace test
+
+/// The function's result in constant evaluation has the bits of its result at run time.
+#define CHECK_SAME_LIVES_1(function, x)                                                             \
+  do {                                                                                              \
+    constexpr auto in_constant_evaluation = function(x);                                            \
+    CHECK(test::same(in_constant_evaluation, function(test::at_run_time(x))));                      \
+  } while (false)
+#define CHECK_SAME_LIVES_2(function, x, y)                                                          \
+  do {                                                                                              \
+    constexpr auto in_constant_evaluation = function(x, y);                                         \
+    CHECK(test::same(in_constant_evaluation, function(test::at_run_time(x), test::at_run_time(y)))); \
+  } while (false)

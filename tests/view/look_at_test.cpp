@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include <irg/view/look_at.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+using irg::identity;
+using irg::look_at;
+using irg::look_at_checked;
+using irg::look_at_result;
+using irg::look_at_status;
+using irg::mat;
+using irg::point;
+using irg::vec;
+
+namespace {
+
+using P = point<double, 3>;
+using V = vec<double, 3>;
+using M = mat<double, 4, 4>;
+
+template <class T>
+constexpr double distance_from_orthonormal(const mat<T, 4, 4>& m) {
+  double worst = 0;
+  const auto a = submatrix(m, 3, 3);
+  const auto product = a * transpose(a);
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      const double d = static_cast<double>(product(r, c)) - (r == c ? 1 : 0);
+      worst = irg::greater(worst, d < 0 ? -d : d);
+    }
+  return worst;
+}
+
+template <class T>
+bool finite(const mat<T, 4, 4>& m) {
+  for (const auto& row : m.m)
+    for (const T x : row)
+      if (!std::isfinite(x)) return false;
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("look_at: by hand, in every life") {
+  // From the z axis towards the origin: nothing but a shift.
+  CHECK_BOTH(look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 1, 0}) == M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -5}, {0, 0, 0, 1}}});
+  // From the x axis: the world's -z is to the right.
+  constexpr M from_x = look_at(P{5, 0, 0}, P{0, 0, 0}, V{0, 1, 0});
+  CHECK_BOTH(transform_point(from_x, P{0, 0, -1}) == P{1, 0, -5});
+  CHECK_BOTH(transform_point(from_x, P{0, 2, 0}) == P{0, 2, -5});
+  CHECK_BOTH(transform_point(from_x, P{5, 0, 0}) == P{0, 0, 0});
+  CHECK_BOTH(look_at_checked(P{5, 0, 0}, P{0, 0, 0}, V{0, 1, 0}) == look_at_result<double>{from_x, look_at_status::ordinary});
+
+  constexpr M general = look_at(P{1, 2, 3}, P{-4, 0.5, 2}, V{0.1, 1, 0.2});
+  constexpr auto straight_down = look_at_checked(P{0, 5, 0}, P{0, 0, 0}, V{0, 1, 0});
+  constexpr auto hostile = look_at_checked(P{std::numeric_limits<double>::quiet_NaN(), 5, 0}, P{0, 0, 0}, V{0, 1, 0});
+  volatile double one = 1;
+  CHECK(look_at(P{one, 2 * one, 3 * one}, P{-4 * one, 0.5, 2}, V{0.1 * one, 1, 0.2}) == general);
+  CHECK(look_at_checked(P{0, 5 * one, 0}, P{0, 0, 0}, V{0, one, 0}) == straight_down);
+  static_assert(straight_down.status == look_at_status::up_parallel);
+  static_assert(hostile.status == look_at_status::not_finite && hostile.matrix == identity<double, 4>());
+  static_assert(std::same_as<decltype(look_at(std::array<float, 3>{}, std::array<float, 3>{}, std::array<float, 3>{})), mat<float, 4, 4>>);
+}
+
+TEST_CASE("look_at: GOLDEN 5 and 12, the left-handed frames with their depth turned round") {
+  // S0's eye system looks along +z; its x and y axes are ours, its z is our -z. O = (1,1,3), G = (0,0,0), z up.
+  const M view = look_at(P{1, 1, 3}, P{0, 0, 0}, V{0, 0, 1});
+  const double T[4][3] = {{-0.707106781186548, -0.639602149066831, -0.301511344577764},
+                          {0.707106781186548, -0.639602149066831, -0.301511344577764},
+                          {0, 0.426401432711221, -0.904534033733291},
+                          {0, 0, 3.3166247903554}};
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 3; ++c) CHECK(view(c, r) == doctest::Approx(c == 2 ? -T[r][c] : T[r][c]).epsilon(1e-13));
+  // The third view is rational: O = (4,6,3), G = (1,2,3); (2,2,4) -> (-4/5, 1, 22/5).
+  const P p = transform_point(look_at(P{4, 6, 3}, P{1, 2, 3}, V{0, 0, 1}), P{2, 2, 4});
+  CHECK(std::abs(p.x + 0.8) <= 1e-15);
+  CHECK(std::abs(p.y - 1) <= 1e-15);
+  CHECK(std::abs(p.z + 4.4) <= 2e-15);
+  // S3's polar camera, alpha = 30, beta = 45, R = 10: (1,2,3) -> (-0.63, -0.78, 6.40), left-handed as well.
+  const P q = transform_point(look_at(P{3.53553390593274, 7.07106781186548, 6.12372435695795}, P{0, 0, 0}, V{0, 1, 0}), P{1, 2, 3});
+  CHECK(q.x == doctest::Approx(-0.633974596215561).epsilon(1e-13));
+  CHECK(q.y == doctest::Approx(-0.776457135307562).epsilon(1e-13));
+  CHECK(q.z == doctest::Approx(-6.39511573994625).epsilon(1e-13));
+}
+
+TEST_CASE("look_at: orthonormal, right-handed, eye to the origin, target ahead, up upwards") {
+  test::random r(1);
+  double worst = 0, worst_float = 0, worst_det = 0;
+  for (int i = 0; i < 20000; ++i) {
+    P eye, target;
+    V up;
+    const double spread = std::ldexp(1.0, static_cast<int>(r.integer(-40, 40)));
+    for (int k = 0; k < 3; ++k) {
+      eye[k] = r.unit() - 0.5;
+      target[k] = eye[k] + spread * (r.unit() - 0.5);
+      up[k] = r.unit() - 0.5;
+    }
+    // Some nearly parallel: up is the view plus next to nothing.
+    if (r.integer(0, 3) == 0) {
+      const double off = std::ldexp(1.0, static_cast<int>(r.integer(-60, -1)));
+      for (int k = 0; k < 3; ++k) up[k] = (eye[k] - target[k]) / spread + off * up[k];
+    }
+    const auto v = look_at_checked(eye, target, up);
+    CHECK(v.status != look_at_status::not_finite);
+    if (v.status == look_at_status::eye_at_target) continue;
+    worst = std::max(worst, distance_from_orthonormal(v.matrix));
+    worst_det = std::max(worst_det, std::abs(determinant(submatrix(v.matrix, 3, 3)) - 1));
+    const P at_eye = transform_point(v.matrix, eye), at_target = transform_point(v.matrix, target);
+    for (int k = 0; k < 3; ++k) CHECK(std::abs(at_eye[k]) <= 1e-15);
+    const double far = std::hypot(eye.x - target.x, eye.y - target.y, eye.z - target.z);
+    CHECK(std::abs(at_target.x) <= 4e-15 * (1 + far));
+    CHECK(std::abs(at_target.y) <= 4e-15 * (1 + far));
+    CHECK(std::abs(at_target.z + far) <= 4e-15 * (1 + far));
+    if (v.status == look_at_status::ordinary) {
+      const V up_seen = transform_vector(v.matrix, up);
+      CHECK(up_seen.y > 0);
+      CHECK(std::abs(up_seen.x) <= 2e-15);
+    }
+    const auto f = look_at_checked(
+        point<float, 3>{static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z)},
+        point<float, 3>{static_cast<float>(target.x), static_cast<float>(target.y), static_cast<float>(target.z)},
+        vec<float, 3>{static_cast<float>(up.x), static_cast<float>(up.y), static_cast<float>(up.z)});
+    worst_float = std::max(worst_float, distance_from_orthonormal(f.matrix));
+  }
+  INFO("orthonormal within ", worst * 0x1p53, "u, float ", worst_float * 0x1p24, "u, determinant ", worst_det * 0x1p53, "u");
+  CHECK(worst <= 8 * 0x1p-53);
+  CHECK(worst_float <= 8 * 0x1p-24);
+  CHECK(worst_det <= 16 * 0x1p-53);
+}
+
+TEST_CASE("look_at: up parallel to the view, zero, or nearly so") {
+  // Straight down: y is the view, x is the first axis least aligned with it and stands in for up.
+  constexpr auto down = look_at_checked(P{0, 5, 0}, P{0, 0, 0}, V{0, 1, 0});
+  CHECK_BOTH(down.matrix == M{{{0, 0, 1, 0}, {1, 0, 0, 0}, {0, 1, 0, -5}, {0, 0, 0, 1}}});
+  CHECK_BOTH(look_at_checked(P{0, 5, 0}, P{0, 0, 0}, V{0, -7, 0}) == down);
+  CHECK_BOTH(look_at_checked(P{0, 5, 0}, P{0, 0, 0}, V{0, 0, 0}) == down);
+  // In a general direction, where the cross product is rounding noise or exactly zero.
+  test::random r(2);
+  for (int i = 0; i < 5000; ++i) {
+    V d;
+    for (int k = 0; k < 3; ++k) d[k] = static_cast<double>(r.integer(-100, 100)) / 7;
+    if (d == V{}) continue;
+    const double s = r.unit() + 0.5;
+    const auto v = look_at_checked(P{0, 0, 0} + d, P{0, 0, 0}, d * s);
+    CHECK(v.status == look_at_status::up_parallel);
+    CHECK(distance_from_orthonormal(v.matrix) <= 8 * 0x1p-53);
+    CHECK(v == look_at_checked(P{0, 0, 0} + d, P{0, 0, 0}, V{0, 0, 0}));
+  }
+  // A hair beside the view is enough to be an ordinary camera.
+  CHECK_BOTH(look_at_checked(P{0, 0, 5}, P{0, 0, 0}, V{0, 1e-9, 1}).status == look_at_status::ordinary);
+  CHECK_BOTH(look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 1e-9, 1}) == look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 1, 0}));
+}
+
+TEST_CASE("look_at: eye at the target") {
+  constexpr auto v = look_at_checked(P{1, 2, 3}, P{1, 2, 3}, V{0, 1, 0});
+  CHECK_BOTH(v.status == look_at_status::eye_at_target);
+  CHECK_BOTH(v.matrix == M{{{1, 0, 0, -1}, {0, 1, 0, -2}, {0, 0, 1, -3}, {0, 0, 0, 1}}});
+  constexpr auto both = look_at_checked(P{1, 2, 3}, P{1, 2, 3}, V{0, 0, 1});  // and up along the view that is taken
+  CHECK_BOTH(both.status == look_at_status::eye_at_target);
+  CHECK_BOTH(distance_from_orthonormal(both.matrix) == 0.0);
+}
+
+TEST_CASE("look_at: hostile numbers give a finite matrix") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  const double values[] = {0, 1, -1, least, -least, 1e-300, 1e-160, 1e160, 1e300, most / 4, -most / 4, most, -most, nan, inf};
+  for (const double a : values)
+    for (const double b : values)
+      for (const double c : values) {
+        for (const auto& v : {look_at_checked(P{a, b, c}, P{0, 0, 0}, V{0, 1, 0}), look_at_checked(P{0, 1, 0}, P{a, b, c}, V{0, 1, 0}),
+                              look_at_checked(P{1, 2, 3}, P{3, 2, 1}, V{a, b, c}), look_at_checked(P{a, b, c}, P{b, c, a}, V{c, a, b})}) {
+          CHECK(finite(v.matrix));
+          CHECK(distance_from_orthonormal(v.matrix) <= 8 * 0x1p-53);
+        }
+        const bool any_bad = !std::isfinite(a) || !std::isfinite(b) || !std::isfinite(c);
+        const bool out = any_bad || std::max({std::abs(a), std::abs(b), std::abs(c)}) > most / 4;
+        CHECK((look_at_checked(P{a, b, c}, P{0, 0, 0}, V{0, 1, 0}).status == look_at_status::not_finite) == out);
+        CHECK((look_at_checked(P{1, 2, 3}, P{3, 2, 1}, V{a, b, c}).status == look_at_status::not_finite) == any_bad);
+      }
+  // Next to each other by one denormal: still a direction.
+  CHECK(look_at_checked(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}).status == look_at_status::ordinary);
+  CHECK(look_at(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}) == M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -least}, {0, 0, 0, 1}}});
+}
