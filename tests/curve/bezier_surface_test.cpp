@@ -29,7 +29,8 @@ constexpr bool is_near(const V3& a, const V3& b, double tolerance) { return leng
 /// One octant of a unit sphere's Bezier imitation, its upper border shrunk to the pole (0, 1, 0).
 constexpr bicubic capped() {
   constexpr double k = 0.55;
-  constexpr std::array<std::array<double, 2>, 4> ring{{{1, 0}, {1, k}, {k, 1}, {0, 1}}}, profile{{{0, 1}, {k, 1}, {1, k}, {1, 0}}};
+  constexpr std::array<std::array<double, 2>, 4> ring{{{1, 0}, {1, k}, {k, 1}, {0, 1}}},
+      profile{{{0, 1}, {k, 1}, {1, k}, {1, 0}}};
   bicubic patch;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j)

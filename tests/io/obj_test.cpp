@@ -109,7 +109,9 @@ TEST_CASE("obj: a triangle by hand, at compile time, too") {
 }
 
 TEST_CASE("obj O1: negative indices count back from what was read so far") {
-  const mesh m = of("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nv 1 1 0\nvn 1 0 0\nf -3//-1 -1//-1 -2//-1\n");
+  const mesh m =
+      of("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nv 1 1 0\nvn 1 0 0\nf -3//-1 "
+         "-1//-1 -2//-1\n");
   CHECK(face(m, 0) == indices{0, 1, 2});
   CHECK(face(m, 1) == indices{1, 3, 2});
   CHECK(m.corner(0, 0) == irg::mesh_corner{0, 0, 0});
@@ -118,12 +120,14 @@ TEST_CASE("obj O1: negative indices count back from what was read so far") {
 }
 
 TEST_CASE("obj O2: negative indices that reach too far") {
-  CHECK(outcome("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -4\n") == "4:9 negative vertex index reaches back beyond the first vertex");
+  CHECK(outcome("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -4\n") ==
+        "4:9 negative vertex index reaches back beyond the first vertex");
   CHECK(outcome("f -1 -1 -1") == "1:3 negative vertex index reaches back beyond the first vertex");
   CHECK(outcome("v 0 0 0\nf -2147483648 1 1") == "2:3 negative vertex index reaches back beyond the first vertex");
   CHECK(outcome("v 0 0 0\nf 1/-1 1 1") == "2:5 negative texture coordinate index reaches back beyond the first one");
   CHECK(outcome("v 0 0 0\nf 1//-1 1 1") == "2:6 negative normal index reaches back beyond the first normal");
-  CHECK(outcome("v 0 0 0\nf 1 1 -99999999999999999999\n") == "2:7 negative vertex index reaches back beyond the first vertex");
+  CHECK(outcome("v 0 0 0\nf 1 1 -99999999999999999999\n") ==
+        "2:7 negative vertex index reaches back beyond the first vertex");
   CHECK(outcome("v 0 0 0\nf -1 -1 -2\nv 0 0 0") == "2:9 negative vertex index reaches back beyond the first vertex");
 }
 
@@ -151,9 +155,11 @@ TEST_CASE("obj O5: indices out of range") {
   CHECK(outcome(with_square("f 1 2 9")) == "5:7 face index is larger than the number of vertices");
   CHECK(outcome(with_square("f 1 2 5")) == "5:7 face index is larger than the number of vertices");
   CHECK(outcome(with_square("f 1 2 4")).empty());
-  CHECK(outcome(with_square("f 1/1 2 3")) == "5:5 texture coordinate index is larger than the number of texture coordinates");
+  CHECK(outcome(with_square("f 1/1 2 3")) ==
+        "5:5 texture coordinate index is larger than the number of texture coordinates");
   CHECK(outcome(with_square("f 1//1 2 3")) == "5:6 normal index is larger than the number of normals");
-  CHECK(outcome(with_square("f 1 2 3\n  f 1 2 3\nf 1 7 8\nf 9 9 9")) == "7:5 face index is larger than the number of vertices");
+  CHECK(outcome(with_square("f 1 2 3\n  f 1 2 3\nf 1 7 8\nf 9 9 9")) ==
+        "7:5 face index is larger than the number of vertices");
   CHECK_BOTH(fails_at("v 0 0 0\nf 1 1 2", 2, 7));
 }
 
@@ -193,7 +199,8 @@ TEST_CASE("obj O7: faces that are none") {
 
 TEST_CASE("obj O8: forward references are legal, and checked at the end") {
   CHECK(of("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0").face_count() == 1);
-  CHECK(outcome("f 1 2 3\nf 1 2 4\nf 2 3 5\nv 0 0 0\nv 1 0 0\nv 0 1 0") == "2:7 face index is larger than the number of vertices");
+  CHECK(outcome("f 1 2 3\nf 1 2 4\nf 2 3 5\nv 0 0 0\nv 1 0 0\nv 0 1 0") ==
+        "2:7 face index is larger than the number of vertices");
   CHECK(outcome("f 1/2 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 1") ==
         "1:5 texture coordinate index is larger than the number of texture coordinates");
   CHECK_BOTH(corner_count("f 1//1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 1 1") == 3);
@@ -253,7 +260,8 @@ TEST_CASE("obj O11: long comments, faces and tokens") {
   CHECK(outcome("v 0 0 " + std::string(1 << 20, '1')) == "1:7 number is too large");
   CHECK(of("v 0 0 0." + std::string(1 << 20, '3')).positions[0].z == 1.0 / 3);
   CHECK(outcome("v 0 0 " + std::string(1 << 20, 'z')) == "1:7 expected a decimal number");
-  CHECK(outcome(with_square("f 1 2 " + std::string(1 << 20, '1'))) == "5:7 face index is larger than the number of vertices");
+  CHECK(outcome(with_square("f 1 2 " + std::string(1 << 20, '1'))) ==
+        "5:7 face index is larger than the number of vertices");
   CHECK(outcome(with_square("f 1 2 " + std::string(1 << 20, '0') + "3")).empty());
 }
 
@@ -269,7 +277,8 @@ TEST_CASE("obj O12: numbers") {
   CHECK(why("3E4570711268") == "1:7 number is too large");
   CHECK(z("1e-999") == 0);
   CHECK(z("0e4570711268") == 0);
-  for (const char* s : {"0x10", "1,5", "1e", "1e+", ".", "-", "+", "--1", "1.2.3", "e5", "1d5", "1f", "\"1\"", "1#", "in", "x"}) {
+  for (const char* s :
+       {"0x10", "1,5", "1e", "1e+", ".", "-", "+", "--1", "1.2.3", "e5", "1d5", "1f", "\"1\"", "1#", "in", "x"}) {
     INFO(std::string(s));
     CHECK(why(s) == "1:7 expected a decimal number");
   }
@@ -345,8 +354,9 @@ TEST_CASE("obj O15: points and lines beside faces are skipped, unchecked, or ref
   CHECK(outcome(with_square("f 1 2 3\n  s off"), refuse) == "6:3 statement has no place in a mesh");
   CHECK(outcome(with_square("o a\ng b\nusemtl c\n# d\nf 1 2 3"), refuse).empty());
   // What is not even a word is no statement: text that has gone astray is not taken for one.
-  for (const char* s : {"1 2 3", "-v 0 0 0", "v\xC2\xA0"
-                                             "1 2 3",
+  for (const char* s : {"1 2 3", "-v 0 0 0",
+                        "v\xC2\xA0"
+                        "1 2 3",
                         "\xC2\xA0v 1 2 3", "<obj>", "v# 1 2 3", "v/1", "\x01", "vt,"}) {
     INFO(std::string(s));
     CHECK(outcome(s) == "1:1 expected a statement");
@@ -354,8 +364,9 @@ TEST_CASE("obj O15: points and lines beside faces are skipped, unchecked, or ref
 }
 
 TEST_CASE("obj O16: objects, groups and materials by name; no file is opened") {
-  const mesh m = of(with_square("mtllib missing.mtl\nmtllib ../../etc/passwd\nf 1 2 3\no thing\nf 1 2 4\n"
-                                "usemtl  red and #5 \ng a b\t\nf 2 3 4\nf 1 2 3\ng a b\nf 1 2 3\ng\nusemtl\no\nf 1 3 4\n"));
+  const mesh m =
+      of(with_square("mtllib missing.mtl\nmtllib ../../etc/passwd\nf 1 2 3\no thing\nf 1 2 4\n"
+                     "usemtl  red and #5 \ng a b\t\nf 2 3 4\nf 1 2 3\ng a b\nf 1 2 3\ng\nusemtl\no\nf 1 3 4\n"));
   REQUIRE(m.parts.size() == 4);
   CHECK(m.parts[0] == irg::mesh_part{"", "", "", 0, 1});
   CHECK(m.parts[1] == irg::mesh_part{"thing", "", "", 1, 1});
@@ -431,7 +442,8 @@ TEST_CASE("obj O19: empty texts, one byte, two bytes") {
 TEST_CASE("obj O20: cut off at every byte") {
   const std::string whole =
       "# model\r\nmtllib a.mtl\r\no thing\r\nv 0 0 0\r\nv 1.5e0 -0.25 +3\r\nv 0 1 0 1\r\nvt 0.5 0.5\r\nvn 0 0 1\r\n"
-      "g one\r\nusemtl red\r\nf 1/1/1 2/1/1 \\\r\n3/1/1\r\ns off\r\nl 1 2\r\nf -3//-1 -2//-1 -1//-1\r\nv 9 9 9\r\nf 4 1 2 3\r\n";
+      "g one\r\nusemtl red\r\nf 1/1/1 2/1/1 \\\r\n3/1/1\r\ns off\r\nl 1 2\r\nf -3//-1 -2//-1 -1//-1\r\nv 9 9 9\r\nf 4 "
+      "1 2 3\r\n";
   const mesh full = of(whole);
   std::size_t sound = 0;
   for (std::size_t n = 0; n <= whole.size(); ++n) {
@@ -463,10 +475,19 @@ TEST_CASE("obj: memory is bounded by the text, time by its length") {
   };
   std::string long_name = with_square("o " + std::string(15, 'n') + "\nusemtl " + std::string(300, 'm') + "\n");
   const std::string texts[] = {
-      repeat("v 0 0 0\n", 200'000), repeat("vt 0\n", 300'000), repeat("vn 0 0 0\n", 200'000), repeat("f 1 1 1\n", 200'000),
-      repeat(" 1", 1'000'000, "v 0 0 0\nf"), repeat("g a\nf 1 1 1\ng\nf 1 1 1\n", 100'000), repeat("g\n", 500'000),
-      repeat("g abcdefghijklmnopqrstuvwxyz\nf 1 1 1\ng\nf 1 1 1\n", 50'000), repeat("f 1 1 1\n", 100'000, ""),
-      repeat("g a\nf 1 1 1\ng b\nf 1 1 1\n", 20'000, long_name), repeat("#", 1'000'000), repeat("\\\n", 500'000), "v 0 0 0",
+      repeat("v 0 0 0\n", 200'000),
+      repeat("vt 0\n", 300'000),
+      repeat("vn 0 0 0\n", 200'000),
+      repeat("f 1 1 1\n", 200'000),
+      repeat(" 1", 1'000'000, "v 0 0 0\nf"),
+      repeat("g a\nf 1 1 1\ng\nf 1 1 1\n", 100'000),
+      repeat("g\n", 500'000),
+      repeat("g abcdefghijklmnopqrstuvwxyz\nf 1 1 1\ng\nf 1 1 1\n", 50'000),
+      repeat("f 1 1 1\n", 100'000, ""),
+      repeat("g a\nf 1 1 1\ng b\nf 1 1 1\n", 20'000, long_name),
+      repeat("#", 1'000'000),
+      repeat("\\\n", 500'000),
+      "v 0 0 0",
   };
   for (const std::string& s : texts) {
     INFO(s.substr(s.size() > 40 ? s.size() - 40 : 0));
@@ -482,15 +503,50 @@ TEST_CASE("obj: memory is bounded by the text, time by its length") {
 }
 
 TEST_CASE("obj: seeded disorder never breaks the promises") {
-  const std::string words[] = {"v ", "vt ", "vn ", "f ", "g ", "o ", "usemtl ", "l ", "#", "\n", "\r\n", "\r", "\\\n", "\\", " ", "\t",
-                               "0 ", "1 ", "2 ", "3 ", "-1 ", "-2 ", "/", "//", "1/1/1 ", "1.5 ", "1e9 ", "1e400 ", "nan ", "x",
-                               "v 0 0 0\n", "v 1 0 0\n", "v 0 1 1\n", "vt 0 1\n", "vn 0 0 1\n", "f 1 2 3\n", "f -1 -2 -3 -4\n"};
+  const std::string words[] = {"v ",
+                               "vt ",
+                               "vn ",
+                               "f ",
+                               "g ",
+                               "o ",
+                               "usemtl ",
+                               "l ",
+                               "#",
+                               "\n",
+                               "\r\n",
+                               "\r",
+                               "\\\n",
+                               "\\",
+                               " ",
+                               "\t",
+                               "0 ",
+                               "1 ",
+                               "2 ",
+                               "3 ",
+                               "-1 ",
+                               "-2 ",
+                               "/",
+                               "//",
+                               "1/1/1 ",
+                               "1.5 ",
+                               "1e9 ",
+                               "1e400 ",
+                               "nan ",
+                               "x",
+                               "v 0 0 0\n",
+                               "v 1 0 0\n",
+                               "v 0 1 1\n",
+                               "vt 0 1\n",
+                               "vn 0 0 1\n",
+                               "f 1 2 3\n",
+                               "f -1 -2 -3 -4\n"};
   test::random random(5);
   int meshes_with_faces = 0;
   for (int i = 0; i < 30'000; ++i) {
     std::string s(i % 2 == 0 ? square : "");
     const auto length = random.integer(0, i % 4 == 0 ? 5 : 24);
-    for (int k = 0; k < length; ++k) s += words[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(std::size(words)) - 1))];
+    for (int k = 0; k < length; ++k)
+      s += words[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(std::size(words)) - 1))];
     if (outcome(s).empty() && read_obj(s)->face_count() > 0) ++meshes_with_faces;
   }
   CHECK(meshes_with_faces > 100);

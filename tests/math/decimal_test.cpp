@@ -91,7 +91,8 @@ TEST_CASE("decimal: where the text of a number ends") {
   CHECK_BOTH(reads_part("1.2.3", 3, 1.2));
   CHECK_BOTH(reads_part("7 8", 1, 7));
   CHECK_BOTH(reads_part("1e5.", 3, 1e5));
-  for (const char* s : {"", "-", "+", ".", "-.", "e5", " 1", "nan", "inf", "--1", "+-1", ".e1"}) CHECK(reads_nothing(s));
+  for (const char* s : {"", "-", "+", ".", "-.", "e5", " 1", "nan", "inf", "--1", "+-1", ".e1"})
+    CHECK(reads_nothing(s));
   static_assert(reads_nothing("") && reads_nothing("nan") && reads_nothing(".") && reads_nothing("-"));
 }
 
@@ -196,7 +197,8 @@ TEST_CASE("decimal: agrees with libc on random text") {
     const int digits = static_cast<int>(i % 64 == 0 ? random.integer(20, 1000) : random.integer(0, 24));
     std::snprintf(s, sizeof s, i % 2 == 0 ? "%.*e" : "%.*g", digits, d);
     wrong += wrong_against_libc<double>(s) + wrong_against_libc<float>(s);
-    std::snprintf(s, sizeof s, "%.*f", digits, static_cast<double>(random.integer(-1'000'000'000, 1'000'000'000)) / 1e6);
+    std::snprintf(s, sizeof s, "%.*f", digits,
+                  static_cast<double>(random.integer(-1'000'000'000, 1'000'000'000)) / 1e6);
     wrong += wrong_against_libc<double>(s) + wrong_against_libc<float>(s);
     // Decimal digits as they come, subnormal results among them.
     std::snprintf(s, sizeof s, "%llu.%llue%d", static_cast<unsigned long long>(random.next() >> random.integer(0, 63)),
@@ -285,7 +287,9 @@ TEST_CASE("decimal: a locale with a decimal comma changes nothing (O18)") {
 }
 
 TEST_CASE("decimal: integers") {
-  const auto integer = [](std::string_view s) { return irg::parse_integer<std::int64_t>(s.data(), s.data() + s.size()); };
+  const auto integer = [](std::string_view s) {
+    return irg::parse_integer<std::int64_t>(s.data(), s.data() + s.size());
+  };
   CHECK_BOTH([](std::string_view s) {
     const auto r = irg::parse_integer<int>(s.data(), s.data() + s.size());
     return r.value == -42 && r.end == s.data() + 3 && r.status == decimal_status::ok;

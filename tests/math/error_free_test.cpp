@@ -72,9 +72,10 @@ TEST_CASE("the product's parts add up to the exact product, seen in integers") {
     __extension__ using wide = __int128;
     CHECK((static_cast<wide>(p.value) + static_cast<wide>(p.error) == static_cast<wide>(a) * static_cast<wide>(b)));
     CHECK(p == irg::fast_two_product(static_cast<double>(a), static_cast<double>(b)));
-    const irg::split_number<double> s = irg::split(static_cast<double>(a));
-    CHECK(s.high + s.low == static_cast<double>(a));
-    CHECK(std::fmod(s.high, 0x1p26) == 0);
+    const auto full = static_cast<double>(a | (std::int64_t{1} << 52));  // of exactly 53 bits
+    const irg::split_number<double> s = irg::split(full);
+    CHECK(s.high + s.low == full);
+    CHECK(std::fmod(s.high, 0x1p27) == 0);
     CHECK(std::fabs(s.low) <= 0x1p26);
   }
 }

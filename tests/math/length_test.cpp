@@ -117,7 +117,8 @@ TEST_CASE("length: error against 64-bit arithmetic over the whole range") {
   CHECK(worst_subnormal <= 1);
   CHECK(worst_unit <= 2 * 0x1p-53L);
   CHECK(worst_fast <= 2);
-  MESSAGE("length ", worst, " ulp, subnormal ", worst_subnormal, ", |normalized| - 1 ", static_cast<double>(worst_unit * 0x1p53L), " u, fast ", worst_fast, " ulp");
+  MESSAGE("length ", worst, " ulp, subnormal ", worst_subnormal, ", |normalized| - 1 ",
+          static_cast<double>(worst_unit * 0x1p53L), " u, fast ", worst_fast, " ulp");
 }
 
 TEST_CASE("length: float's directions") {
@@ -167,7 +168,7 @@ TEST_CASE("length: angles against 113-bit products") {
     const long double exact = std::atan2(std::sqrt(x * x + y * y + z * z), static_cast<long double>(along));
     worst = std::max(worst, ulps(angle_between(a, b), exact));
   }
-  CHECK(worst <= 4);
+  CHECK(worst <= 2.7);  // with a plain dot product it is 2.75
   MESSAGE("angle_between ", worst, " ulp");
 }
 #endif

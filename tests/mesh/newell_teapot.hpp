@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Newell's teapot (1975) point by point and patch by patch, as Philip Schneider sent it round in 1990: 269 control points
-// and 28 patches, without a bottom. There, lengths are divided by 3.525 and heights counted from 0.15 above the table;
-// here both are undone, which brings back the well-known decimals. In hundred-thousandths; x, height, depth.
+// Newell's teapot (1975) point by point and patch by patch, as Philip Schneider sent it round in 1990: 269 control
+// points and 28 patches, without a bottom. There, lengths are divided by 3.525 and heights counted from 0.15 above the
+// table; here both are undone, which brings back the well-known decimals. In hundred-thousandths; x, height, depth.
 #pragma once
 
 #include <array>

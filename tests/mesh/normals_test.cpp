@@ -69,8 +69,9 @@ TEST_CASE("normals: Newell's sums, golden") {
 }
 
 TEST_CASE("normals: the faces of the cube, golden") {
-  constexpr std::array<V3, 12> expected{V3{0, -1, 0}, V3{0, -1, 0}, V3{1, 0, 0},  V3{1, 0, 0},  V3{0, 1, 0}, V3{0, 1, 0},
-                                        V3{-1, 0, 0}, V3{-1, 0, 0}, V3{0, 0, -1}, V3{0, 0, -1}, V3{0, 0, 1}, V3{0, 0, 1}};
+  constexpr std::array<V3, 12> expected{V3{0, -1, 0}, V3{0, -1, 0}, V3{1, 0, 0},  V3{1, 0, 0},
+                                        V3{0, 1, 0},  V3{0, 1, 0},  V3{-1, 0, 0}, V3{-1, 0, 0},
+                                        V3{0, 0, -1}, V3{0, 0, -1}, V3{0, 0, 1},  V3{0, 0, 1}};
   const mesh<double> cube = shape_cube<double>();
   for (std::size_t f = 0; f < 12; ++f) CHECK(*face_normal(cube, f) == expected[f]);
 }
@@ -80,8 +81,9 @@ TEST_CASE("normals: the vertices of the cube, golden") {
   CHECK_BOTH(cube_normal(0, average) == V3{-2.0 / 3, -1.0 / 3, -2.0 / 3});
   CHECK_BOTH(cube_normal(1, average) == V3{-1.0 / 3, -2.0 / 3, 2.0 / 3});
   const double a = 0.408248290463863, b = 0.816496580927726;
-  const std::array<V3, 8> expected{V3{-2.0 / 3, -1.0 / 3, -2.0 / 3}, V3{-1.0 / 3, -2.0 / 3, 2.0 / 3}, V3{a, -b, -a}, V3{b, -a, a},
-                                   V3{2.0 / 3, 1.0 / 3, -2.0 / 3},   V3{1.0 / 3, 2.0 / 3, 2.0 / 3},   V3{-a, b, -a}, V3{-b, a, a}};
+  const std::array<V3, 8> expected{
+      V3{-2.0 / 3, -1.0 / 3, -2.0 / 3}, V3{-1.0 / 3, -2.0 / 3, 2.0 / 3}, V3{a, -b, -a}, V3{b, -a, a},
+      V3{2.0 / 3, 1.0 / 3, -2.0 / 3},   V3{1.0 / 3, 2.0 / 3, 2.0 / 3},   V3{-a, b, -a}, V3{-b, a, a}};
   const auto normals = vertex_normals(shape_cube<double>());
   REQUIRE(normals.size() == 8);
   for (std::size_t v = 0; v < 8; ++v) CHECK(is_near(normals[v], expected[v], 1e-15));
@@ -100,7 +102,8 @@ TEST_CASE("normals: by angle and for a polygon with a reflex corner, cutting cha
   const mesh<double> whole = polygon(letter);
   mesh<double> cut;
   cut.positions = whole.positions;
-  for (const auto& t : {std::array{0, 1, 3}, std::array{1, 2, 3}, std::array{3, 4, 5}, std::array{3, 5, 0}}) add_face(cut, t);
+  for (const auto& t : {std::array{0, 1, 3}, std::array{1, 2, 3}, std::array{3, 4, 5}, std::array{3, 5, 0}})
+    add_face(cut, t);
   // Flat, so that both have the same face normals.
   mesh<double> flat = whole, flat_cut = cut;
   for (auto* m : {&flat, &flat_cut})
@@ -144,8 +147,10 @@ TEST_CASE("normals: random triangles against 64-bit cross products, far from the
     const P3 p = at(), q = at(), s = at();
     const mesh<double> m = polygon<double, 3>({p, q, s});
     const auto d = [&](double x, double y) { return static_cast<long double>(x) - static_cast<long double>(y); };
-    const long double ax = d(q.x, p.x), ay = d(q.y, p.y), az = d(q.z, p.z), bx = d(s.x, p.x), by = d(s.y, p.y), bz = d(s.z, p.z);
-    const long double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx, n = std::sqrt(x * x + y * y + z * z);
+    const long double ax = d(q.x, p.x), ay = d(q.y, p.y), az = d(q.z, p.z), bx = d(s.x, p.x), by = d(s.y, p.y),
+                      bz = d(s.z, p.z);
+    const long double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx,
+                      n = std::sqrt(x * x + y * y + z * z);
     if (n < 1e-3L) continue;
     const V3 exact{static_cast<double>(x / n), static_cast<double>(y / n), static_cast<double>(z / n)};
     CHECK(is_near(*face_normal(m, 0), exact, 3e-13));
@@ -159,7 +164,8 @@ TEST_CASE("normals: faces of any size") {
   CHECK_BOTH(*face_normal(right_angle(largest), 0) == V3{0, 0, 1});
   CHECK_BOTH(*face_normal(right_angle(3e38f), 0) == vec<float, 3>{0, 0, 1});
   CHECK_BOTH(*face_normal(right_angle(1e-45f), 0) == vec<float, 3>{0, 0, 1});
-  CHECK_BOTH(*face_normal(polygon<double, 3>({P3{-largest, 0, 0}, P3{largest, 0, 0}, P3{0, largest, 0}}), 0) == V3{0, 0, 1});
+  CHECK_BOTH(*face_normal(polygon<double, 3>({P3{-largest, 0, 0}, P3{largest, 0, 0}, P3{0, largest, 0}}), 0) ==
+             V3{0, 0, 1});
   CHECK_BOTH(*face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1e-300, 0}}), 0) == V3{0, 0, 1});
 }
 

@@ -31,9 +31,20 @@ double irregularity(const mesh<T>& m) {
 
 TEST_CASE("polyhedra: the cube of the course, vertex by vertex and face by face") {
   using P = point<int, 3>;
-  constexpr std::array<P, 8> v{P{0, 0, 0}, P{0, 0, 1}, P{1, 0, 0}, P{1, 0, 1}, P{1, 1, 0}, P{1, 1, 1}, P{0, 1, 0}, P{0, 1, 1}};
-  constexpr std::array<std::array<std::uint32_t, 3>, 12> f{{{1, 3, 2}, {3, 4, 2}, {3, 5, 4}, {5, 6, 4}, {5, 7, 6}, {7, 8, 6},
-                                                            {7, 1, 8}, {1, 2, 8}, {1, 5, 3}, {1, 7, 5}, {2, 4, 6}, {2, 6, 8}}};
+  constexpr std::array<P, 8> v{P{0, 0, 0}, P{0, 0, 1}, P{1, 0, 0}, P{1, 0, 1},
+                               P{1, 1, 0}, P{1, 1, 1}, P{0, 1, 0}, P{0, 1, 1}};
+  constexpr std::array<std::array<std::uint32_t, 3>, 12> f{{{1, 3, 2},
+                                                            {3, 4, 2},
+                                                            {3, 5, 4},
+                                                            {5, 6, 4},
+                                                            {5, 7, 6},
+                                                            {7, 8, 6},
+                                                            {7, 1, 8},
+                                                            {1, 2, 8},
+                                                            {1, 5, 3},
+                                                            {1, 7, 5},
+                                                            {2, 4, 6},
+                                                            {2, 6, 8}}};
   const mesh<int> cube = shape_cube<int>();
   REQUIRE(cube.positions.size() == 8);
   REQUIRE(cube.face_count() == 12);
@@ -55,7 +66,8 @@ TEST_CASE("polyhedra: regular, closed, outward") {
     CHECK(test::facts_of(m).vertices == m.positions.size());
     CHECK(test::facts_of(m).volume == doctest::Approx(volume).epsilon(1e-14));
     CHECK(irregularity(m) < 1e-15);
-    for (std::size_t f = 0; f < m.face_count(); ++f) CHECK(dot(*face_normal(m, f), to_vec(m.positions[m.corner(f, 0).position])) > 0);
+    for (std::size_t f = 0; f < m.face_count(); ++f)
+      CHECK(dot(*face_normal(m, f), to_vec(m.positions[m.corner(f, 0).position])) > 0);
   };
   check(shape_tetrahedron<double>(), 8 / (9 * std::sqrt(3.0)));
   check(shape_octahedron<double>(), 4.0 / 3);

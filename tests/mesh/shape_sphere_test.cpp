@@ -18,7 +18,8 @@ template <class T>
 double off_sphere(const mesh<T>& m) {
   double worst = 0;
   for (const auto& p : m.positions) {
-    const long double x = static_cast<long double>(p.x), y = static_cast<long double>(p.y), z = static_cast<long double>(p.z);
+    const long double x = static_cast<long double>(p.x), y = static_cast<long double>(p.y),
+                      z = static_cast<long double>(p.z);
     worst = std::max(worst, static_cast<double>(std::abs(std::sqrt(x * x + y * y + z * z) - 1)));
   }
   return worst;
@@ -65,9 +66,11 @@ TEST_CASE("sphere: closed, outward, counted, on the sphere") {
     REQUIRE(m.normals.size() == m.positions.size());
     for (std::size_t v = 0; v < m.positions.size(); ++v) CHECK(m.normals[v] == to_vec(m.positions[v]));
     for (const mesh_corner& c : m.corners) CHECK(c.normal == c.position);
-    for (std::size_t f = 0; f < m.face_count(); ++f) CHECK(dot(*face_normal(m, f), m.normals[m.corner(f, 0).normal]) > 0);
+    for (std::size_t f = 0; f < m.face_count(); ++f)
+      CHECK(dot(*face_normal(m, f), m.normals[m.corner(f, 0).normal]) > 0);
   }
-  CHECK(test::facts_of(shape_sphere<double>({200, 100})).volume == doctest::Approx(4 * std::acos(-1.0) / 3).epsilon(1e-3));
+  CHECK(test::facts_of(shape_sphere<double>({200, 100})).volume ==
+        doctest::Approx(4 * std::acos(-1.0) / 3).epsilon(1e-3));
 }
 
 TEST_CASE("sphere: exact mirror images") {
@@ -103,13 +106,15 @@ TEST_CASE("torus: closed, outward, one hole, right distances") {
       CHECK(length(m.normals[v] - outward) < 1e-14);
     }
   }
-  CHECK(test::facts_of(shape_torus<double>({2, 0.5, 400, 200})).volume == doctest::Approx(std::acos(-1.0) * std::acos(-1.0)).epsilon(1e-3));
+  CHECK(test::facts_of(shape_torus<double>({2, 0.5, 400, 200})).volume ==
+        doctest::Approx(std::acos(-1.0) * std::acos(-1.0)).epsilon(1e-3));
   CHECK(mirrors(shape_torus<float>(), -1.0f, 1.0f, 1.0f));
   CHECK(mirrors(shape_torus<float>(), 1.0f, -1.0f, 1.0f));
 }
 
 TEST_CASE("sphere and torus: the same bits in constant evaluation") {
-  constexpr std::uint64_t sphere = hash(shape_sphere<double>({7, 5})), torus = hash(shape_torus<double>({2, 0.75, 5, 4}));
+  constexpr std::uint64_t sphere = hash(shape_sphere<double>({7, 5})),
+                          torus = hash(shape_torus<double>({2, 0.75, 5, 4}));
   CHECK(hash(shape_sphere<double>({7, 5})) == sphere);
   CHECK(hash(shape_torus<double>({2, 0.75, 5, 4})) == torus);
 }

@@ -68,7 +68,8 @@ TEST_CASE("teapot: the patches are Newell's, exactly") {
 
 TEST_CASE("teapot: the bottom's patches") {
   constexpr auto patches = teapot_patches<float>();
-  constexpr std::array<std::array<float, 3>, 4> rows{{{1.5f, 0.84f, 0.15f}, {1.5f, 0.84f, 0.075f}, {1.425f, 0.798f, 0}, {0, 0, 0}}};
+  constexpr std::array<std::array<float, 3>, 4> rows{
+      {{1.5f, 0.84f, 0.15f}, {1.5f, 0.84f, 0.075f}, {1.425f, 0.798f, 0}, {0, 0, 0}}};
   for (std::size_t j = 0; j < 4; ++j) {
     const auto [r, c, y] = rows[j];
     using P = point<float, 3>;
@@ -166,7 +167,8 @@ TEST_CASE("teapot: normals") {
   }
   CHECK(m.positions.size() == 3242);
   for (const int n : {1, 2, 5})
-    for (const auto& normal : shape_teapot<float>({n, teapot_bottom::with}).normals) CHECK(std::abs(length(normal) - 1) < 2e-7f);
+    for (const auto& normal : shape_teapot<float>({n, teapot_bottom::with}).normals)
+      CHECK(std::abs(length(normal) - 1) < 2e-7f);
 }
 
 TEST_CASE("teapot: normals of one patch's border agree with its neighbour's") {
@@ -184,7 +186,8 @@ TEST_CASE("teapot: normals of one patch's border agree with its neighbour's") {
   for (const std::size_t group : {0u, 4u, 8u, 20u, 24u, 28u})
     for (std::size_t q = 0; q < 4; ++q) agree(group + q, group + (q + 1) % 4, true);
   for (const std::size_t group : {12u, 14u, 16u, 18u}) agree(group, group + 1, true), agree(group + 1, group, true);
-  for (std::size_t q = 0; q < 4; ++q) agree(q, 4 + q, false), agree(4 + q, 8 + q, false), agree(8 + q, 28 + q, false), agree(20 + q, 24 + q, false);
+  for (std::size_t q = 0; q < 4; ++q)
+    agree(q, 4 + q, false), agree(4 + q, 8 + q, false), agree(8 + q, 28 + q, false), agree(20 + q, 24 + q, false);
   for (std::size_t side = 0; side < 2; ++side) agree(12 + side, 14 + side, false), agree(16 + side, 18 + side, false);
 }
 

@@ -36,7 +36,8 @@ irg::mesh<T> face_of(const ring& r, const placement<T>& place = {}) {
   for (const auto& p : r) {
     const T x = static_cast<T>(p.x), y = static_cast<T>(p.y);
     indices.push_back(static_cast<std::uint32_t>(m.positions.size()));
-    m.positions.push_back({place.origin.x + x * place.u.x + y * place.v.x, place.origin.y + x * place.u.y + y * place.v.y,
+    m.positions.push_back({place.origin.x + x * place.u.x + y * place.v.x,
+                           place.origin.y + x * place.u.y + y * place.v.y,
                            place.origin.z + x * place.u.z + y * place.v.z});
   }
   irg::add_face(m, indices);
@@ -201,7 +202,8 @@ ring spiral(int turns) {
 
 constexpr irg::mesh<double> l_shape(bool clockwise) {
   irg::mesh<double> m;
-  for (const auto& p : {irg::point<double, 3>{0, 5, 0}, {2, 5, 0}, {2, 5, 1}, {1, 5, 1}, {1, 5, 2}, {0, 5, 2}}) m.positions.push_back(p);
+  for (const auto& p : {irg::point<double, 3>{0, 5, 0}, {2, 5, 0}, {2, 5, 1}, {1, 5, 1}, {1, 5, 2}, {0, 5, 2}})
+    m.positions.push_back(p);
   if (clockwise)
     irg::add_face(m, std::initializer_list<int>{5, 4, 3, 2, 1, 0});
   else
@@ -273,7 +275,9 @@ TEST_CASE("triangulate: corners keep their normals and texture coordinates, part
   const auto t = irg::triangulate(m);
   CHECK(irg::validate(t) == irg::mesh_finding{});
   CHECK(t.face_count() == 3 + 1 + 2);
-  CHECK(t.parts == std::vector<irg::mesh_part>{{"a", "", "", 0, 0}, {"b", "", "", 0, 3}, {"c", "", "", 3, 0}, {"d", "", "", 3, 3}, {"e", "", "", 6, 0}});
+  CHECK(t.parts ==
+        std::vector<irg::mesh_part>{
+            {"a", "", "", 0, 0}, {"b", "", "", 0, 3}, {"c", "", "", 3, 0}, {"d", "", "", 3, 3}, {"e", "", "", 6, 0}});
   for (std::size_t f = 0; f < t.face_count(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       const mesh_corner& c = t.corner(f, k);
@@ -284,19 +288,22 @@ TEST_CASE("triangulate: corners keep their normals and texture coordinates, part
 }
 
 TEST_CASE("triangulate: named shapes, both ways round, from every start, in every plane") {
-  const ring shapes[] = {
-      {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}},                                       // concave pentagon
-      {{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 4}, {0, 4}, {0, 2}},                       // square with flat corners
-      {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1, 3}},                                       // triangle with flat corners
-      {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 1}},                               // and on every side
-      {{0, 0}, {10, 0}, {10, 10}, {5, 1}},                                            // dart
-      {{0, 3}, {3, 3}, {4, 0}, {5, 3}, {8, 3}, {6, 5}, {7, 8}, {4, 6}, {1, 8}, {2, 5}},  // star
-      {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 4}, {4, 4}, {4, 2}, {0, 2}},               // C, collinear runs
-      {{0, 0}, {1, 1000000}, {2, 0}, {1, 999999}},                                    // sliver notch
-      {{0, 0}, {8, 0}, {8, 2}, {6, 2}, {6, 4}, {4, 4}, {4, 6}, {2, 6}, {2, 8}, {0, 8}},  // stairs
-      comb(9), spiral(3)};
-  const placement<double> places[] = {{}, {{0, 0, 7}, {0, 1, 0}, {0, 0, 1}}, {{1, 2, 3}, {0, 0, 1}, {1, 0, 0}},
-                                      {{1, 2, 3}, {1, 0, 1}, {0, 1, 1}}, {{-5, 0, 9}, {0, 1, -2}, {3, 1, 0}},
+  const ring shapes[] = {{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}},  // concave pentagon
+                         {{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 4}, {0, 4}, {0, 2}},  // square with flat corners
+                         {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1, 3}},  // triangle with flat corners
+                         {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 1}},  // and on every side
+                         {{0, 0}, {10, 0}, {10, 10}, {5, 1}},  // dart
+                         {{0, 3}, {3, 3}, {4, 0}, {5, 3}, {8, 3}, {6, 5}, {7, 8}, {4, 6}, {1, 8}, {2, 5}},  // star
+                         {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 4}, {4, 4}, {4, 2}, {0, 2}},  // C, collinear runs
+                         {{0, 0}, {1, 1000000}, {2, 0}, {1, 999999}},  // sliver notch
+                         {{0, 0}, {8, 0}, {8, 2}, {6, 2}, {6, 4}, {4, 4}, {4, 6}, {2, 6}, {2, 8}, {0, 8}},  // stairs
+                         comb(9),
+                         spiral(3)};
+  const placement<double> places[] = {{},
+                                      {{0, 0, 7}, {0, 1, 0}, {0, 0, 1}},
+                                      {{1, 2, 3}, {0, 0, 1}, {1, 0, 0}},
+                                      {{1, 2, 3}, {1, 0, 1}, {0, 1, 1}},
+                                      {{-5, 0, 9}, {0, 1, -2}, {3, 1, 0}},
                                       {{0x1p20, 0, 0}, {0x1p-10, 0, 0x1p-9}, {0, 0x1p-8, 0}}};
   for (ring r : shapes) {
     REQUIRE(is_simple(r));
@@ -351,10 +358,10 @@ TEST_CASE("triangulate: faces that touch themselves") {
   }
   CHECK(m.face_count() == 8);
   CHECK(sum == 2 * (81 - 9));
-  check_any({{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {0, 4}});        // spike
-  check_any({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}});        // two triangles at one point
-  check_any({{0, 0}, {4, 0}, {0, 0}, {4, 0}, {0, 0}});                // to and fro
-  check_any({{0, 0}, {5, 9}, {10, 0}, {0, 6}, {10, 6}});              // pentagram
+  check_any({{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {0, 4}});  // spike
+  check_any({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}});  // two triangles at one point
+  check_any({{0, 0}, {4, 0}, {0, 0}, {4, 0}, {0, 0}});  // to and fro
+  check_any({{0, 0}, {5, 9}, {10, 0}, {0, 6}, {10, 6}});  // pentagram
   test::random random(9);
   for (int i = 0; i < 3000; ++i) {
     ring r;
@@ -381,7 +388,8 @@ TEST_CASE("triangulate: decisions are exact where rounded arithmetic fails") {
         const auto t = irg::triangulate(m);
         REQUIRE(t.face_count() == 2);
         // Corner 3 above the diagonal: convex, a fan. On it or below: the only diagonal with area is 1 3.
-        const bool from_zero = t.corner(0, 0).position == 0 && t.corner(0, 1).position == 1 && t.corner(0, 2).position == 2;
+        const bool from_zero =
+            t.corner(0, 0).position == 0 && t.corner(0, 1).position == 1 && t.corner(0, 2).position == 2;
         CHECK(from_zero == (ulps > 0));
       }
 }
@@ -400,7 +408,8 @@ TEST_CASE("triangulate: large faces") {
   };
   const auto all_forward = [](const irg::mesh<double>& t) {
     for (std::size_t f = 0; f < t.face_count(); ++f) {
-      const auto &a = t.positions[t.corner(f, 0).position], &b = t.positions[t.corner(f, 1).position], &c = t.positions[t.corner(f, 2).position];
+      const auto &a = t.positions[t.corner(f, 0).position], &b = t.positions[t.corner(f, 1).position],
+                 &c = t.positions[t.corner(f, 2).position];
       if (irg::detail::turn<double>({a.x, a.y}, {b.x, b.y}, {c.x, c.y}) <= 0) return false;
     }
     return true;
@@ -440,9 +449,9 @@ TEST_CASE("triangulate: other scalars") {
   check_simple<int>({{0, 3}, {3, 3}, {4, 0}, {5, 3}, {8, 3}, {6, 5}, {7, 8}, {4, 6}, {1, 8}, {2, 5}});
 }
 
-TEST_CASE("exact_sum: the sign of sums of products") {
+TEST_CASE("product_sum: the sign of sums of products") {
   const auto sign = [](std::vector<std::pair<double, double>> add, std::vector<std::pair<double, double>> subtract) {
-    irg::detail::exact_sum s;
+    irg::detail::product_sum s;
     for (const auto& [x, y] : add) s.add(x, y);
     for (const auto& [x, y] : subtract) s.subtract(x, y);
     return s.sign();
@@ -460,12 +469,13 @@ TEST_CASE("exact_sum: the sign of sums of products") {
   test::random random(8);
   for (int i = 0; i < 100'000; ++i) {
     __extension__ typedef __int128 wide;
-    irg::detail::exact_sum s;
+    irg::detail::product_sum s;
     wide expected = 0;
     const double scale = std::ldexp(1.0, static_cast<int>(random.integer(-1000, 900)));
     for (int k = 0; k < 4; ++k) {
       const std::int64_t x = random.integer(-5, 5) * (std::int64_t{1} << random.integer(0, 50)) + random.integer(-1, 1);
-      const std::int64_t y = k % 2 == 0 ? random.integer(-9, 9) : random.integer(-(std::int64_t{1} << 52), std::int64_t{1} << 52);
+      const std::int64_t y =
+          k % 2 == 0 ? random.integer(-9, 9) : random.integer(-(std::int64_t{1} << 52), std::int64_t{1} << 52);
       s.add(static_cast<double>(x) * scale, static_cast<double>(y));
       expected += wide{x} * y;
     }

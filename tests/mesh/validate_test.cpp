@@ -19,7 +19,8 @@ constexpr irg::mesh<T> sample() {
   for (int i = 0; i < 4; ++i) m.positions.push_back({static_cast<T>(i % 2), static_cast<T>(i / 2), static_cast<T>(i)});
   m.normals.push_back({T{0}, T{0}, T{1}});
   m.texcoords.push_back({T{1}, T{1}});
-  for (const std::uint32_t i : {0u, 1u, 2u, 2u, 1u, 3u}) m.corners.push_back({i, i == 1 ? 0 : mesh_corner::none, mesh_corner::none});
+  for (const std::uint32_t i : {0u, 1u, 2u, 2u, 1u, 3u})
+    m.corners.push_back({i, i == 1 ? 0 : mesh_corner::none, mesh_corner::none});
   m.corners[5].texcoord = 0;
   m.face_starts.push_back(3);
   m.face_starts.push_back(6);
@@ -34,7 +35,8 @@ constexpr mesh_finding after(const Change& change) {
   return irg::validate(m);
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -64,7 +66,8 @@ TEST_CASE("validate: face starts") {
 TEST_CASE("validate: indices") {
   using enum mesh_defect;
   CHECK_BOTH(after([](auto& m) { m.corners[4].position = 4; }) == mesh_finding{position_out_of_range, 1, 1});
-  CHECK_BOTH(after([](auto& m) { m.corners[2].position = mesh_corner::none; }) == mesh_finding{position_out_of_range, 0, 2});
+  CHECK_BOTH(after([](auto& m) { m.corners[2].position = mesh_corner::none; }) ==
+             mesh_finding{position_out_of_range, 0, 2});
   CHECK_BOTH(after([](auto& m) { m.corners[5].normal = 1; }) == mesh_finding{normal_out_of_range, 1, 2});
   CHECK_BOTH(after([](auto& m) { m.corners[3].texcoord = 1; }) == mesh_finding{texcoord_out_of_range, 1, 0});
   CHECK_BOTH(after([](auto& m) { m.positions.clear(); }) == mesh_finding{position_out_of_range, 0, 0});
@@ -103,7 +106,8 @@ TEST_CASE("validate: whatever stands in a mesh, the check itself stays in bounds
     m.positions.assign(static_cast<std::size_t>(random.integer(0, 3)), {});
     m.corners.assign(static_cast<std::size_t>(random.integer(0, 7)), {});
     m.face_starts.clear();
-    for (auto n = random.integer(0, 3); n > 0; --n) m.face_starts.push_back(static_cast<std::uint32_t>(random.integer(0, 8)));
+    for (auto n = random.integer(0, 3); n > 0; --n)
+      m.face_starts.push_back(static_cast<std::uint32_t>(random.integer(0, 8)));
     if (i % 2 == 0 && !m.face_starts.empty()) m.face_starts[0] = 0;
     for (auto& c : m.corners) c.position = static_cast<std::uint32_t>(random.integer(0, 3));
     if (irg::validate(m).defect != mesh_defect::none) continue;

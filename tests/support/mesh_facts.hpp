@@ -37,10 +37,13 @@ mesh_facts facts_of(const M& m) {
     }
     const auto p = traits::position(m, traits::face_vertex(m, f, 0));
     for (std::size_t k = 2; k < n; ++k) {
-      const auto q = traits::position(m, traits::face_vertex(m, f, k - 1)), r = traits::position(m, traits::face_vertex(m, f, k));
+      const auto q = traits::position(m, traits::face_vertex(m, f, k - 1)),
+                 r = traits::position(m, traits::face_vertex(m, f, k));
       const auto c = [](const auto& v, int i) { return static_cast<double>(irg::coordinate(v, i)); };
-      facts.volume += (c(p, 0) * (c(q, 1) * c(r, 2) - c(q, 2) * c(r, 1)) + c(p, 1) * (c(q, 2) * c(r, 0) - c(q, 0) * c(r, 2)) +
-                       c(p, 2) * (c(q, 0) * c(r, 1) - c(q, 1) * c(r, 0))) / 6;
+      facts.volume +=
+          (c(p, 0) * (c(q, 1) * c(r, 2) - c(q, 2) * c(r, 1)) + c(p, 1) * (c(q, 2) * c(r, 0) - c(q, 0) * c(r, 2)) +
+           c(p, 2) * (c(q, 0) * c(r, 1) - c(q, 1) * c(r, 0))) /
+          6;
     }
   }
   std::size_t undirected = 0;
@@ -50,7 +53,8 @@ mesh_facts facts_of(const M& m) {
     undirected += !has_opposite || edge.first < edge.second ? 1u : 0u;
   }
   facts.vertices = used.size();
-  facts.euler = static_cast<long>(used.size()) - static_cast<long>(undirected) + static_cast<long>(traits::face_count(m));
+  facts.euler =
+      static_cast<long>(used.size()) - static_cast<long>(undirected) + static_cast<long>(traits::face_count(m));
   return facts;
 }
 

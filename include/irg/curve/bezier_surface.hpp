@@ -53,7 +53,8 @@ constexpr surface_sample<P> patch_sample(const bezier_patch<P, U, V>& patch, cur
   detail::reduce(std::span<P>(far), 2, v);
   const P near_v = detail::blend(near[0], near[1], v), far_v = detail::blend(far[0], far[1], v);
   const P u_near = detail::blend(near[0], far[0], u), u_far = detail::blend(near[1], far[1], u);
-  const auto at_near = detail::scaled_difference(near[0], near[1], V), at_far = detail::scaled_difference(far[0], far[1], V);
+  const auto at_near = detail::scaled_difference(near[0], near[1], V),
+             at_far = detail::scaled_difference(far[0], far[1], V);
   return {detail::blend(near_v, far_v, u), detail::scaled_difference(near_v, far_v, U),
           detail::scaled_difference(u_near, u_far, V), detail::scaled_difference(at_near, at_far, U)};
 }
@@ -73,8 +74,8 @@ constexpr P patch_point(const bezier_patch<P, U, V>& patch, curve_parameter<scal
 template <Coordinates P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
 constexpr std::optional<typename surface_sample<P>::vector> surface_normal(const surface_sample<P>& s,
-                                                                            curve_parameter<scalar_of<P>> u,
-                                                                            curve_parameter<scalar_of<P>> v) noexcept {
+                                                                           curve_parameter<scalar_of<P>> u,
+                                                                           curve_parameter<scalar_of<P>> v) noexcept {
   using vector = typename surface_sample<P>::vector;
   const auto is_zero = [](const vector& d) {
     return coordinate(d, 0) == 0 && coordinate(d, 1) == 0 && coordinate(d, 2) == 0;

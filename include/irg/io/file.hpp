@@ -33,7 +33,7 @@ enum class file_kind { unknown, regular, directory, other };
 /// What stands at the path; unknown when nothing does, or where the system cannot say.
 inline file_kind kind_of_file(const char* path) noexcept {
 #ifdef IRG_HAS_STAT
-  struct stat status {};
+  struct stat status{};
   if (stat(path, &status) != 0) return file_kind::unknown;
   if ((status.st_mode & S_IFMT) == S_IFREG) return file_kind::regular;
   return (status.st_mode & S_IFMT) == S_IFDIR ? file_kind::directory : file_kind::other;
@@ -83,7 +83,8 @@ inline bool replace_file(const char* from, const char* to) noexcept {
 inline namespace IRG_ABI {
 
 /// The bytes of a file.
-/// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read or is empty; line
+/// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read or is empty;
+/// line
 ///         and column are 0
 /// cost    twice the file's size in memory while it is read
 inline result<std::string> read_file(const std::string& path) {
@@ -107,7 +108,8 @@ inline result<std::string> read_file(const std::string& path) {
 }
 
 /// Writes a whole file; absent when that succeeded, else the reason, and then the path is as it was before.
-/// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and is
+/// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
+/// is
 ///         removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither file
 ///         nor directory, such as a pipe or /dev/null, is written to directly
 inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes) {

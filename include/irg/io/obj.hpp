@@ -83,7 +83,7 @@ struct obj_reader {
   mesh<T> read{};
   const char* place = nullptr;
   const char* message = nullptr;
-  obj_names names{};       // as the statements so far say
+  obj_names names{};  // as the statements so far say
   obj_names part_names{};  // of the part that grows
   bool names_changed = false;
 
@@ -124,7 +124,7 @@ struct obj_reader {
       skip_blanks();
       if (!at_statement_end() && !statement()) return false;
       while (at != last && !is_line_break(*at)) ++at;  // a comment, which no backslash continues
-      if (at != last) ++at;                            // CR LF: the line between the two is empty
+      if (at != last) ++at;  // CR LF: the line between the two is empty
     }
     return true;
   }
@@ -177,14 +177,16 @@ struct obj_reader {
 
   constexpr bool vertex() {
     T n[7]{};
-    if (numbers(n, 3, 7, "vertex has fewer than three coordinates", "vertex has more than seven numbers") < 0) return false;
+    if (numbers(n, 3, 7, "vertex has fewer than three coordinates", "vertex has more than seven numbers") < 0)
+      return false;
     read.positions.push_back({n[0], n[1], n[2]});
     return true;
   }
 
   constexpr bool normal() {
     T n[3]{};
-    if (numbers(n, 3, 3, "normal has fewer than three coordinates", "normal has more than three coordinates") < 0) return false;
+    if (numbers(n, 3, 3, "normal has fewer than three coordinates", "normal has more than three coordinates") < 0)
+      return false;
     read.normals.push_back({n[0], n[1], n[2]});
     return true;
   }
@@ -229,7 +231,8 @@ struct obj_reader {
     return true;
   }
 
-  constexpr bool index(std::uint32_t& into, std::size_t so_far, std::size_t limit, const obj_index_messages& messages) noexcept {
+  constexpr bool index(std::uint32_t& into, std::size_t so_far, std::size_t limit,
+                       const obj_index_messages& messages) noexcept {
     const char* const token = at;
     const decimal_result<std::int64_t> number = parse_integer<std::int64_t>(at, last);
     if (number.status == decimal_status::none) return fail(token, messages.missing);
@@ -295,7 +298,8 @@ struct obj_reader {
   /// Whether every index of the corners names something that was read.
   constexpr bool indices_hold() const noexcept {
     for (const mesh_corner& c : read.corners)
-      if (c.position >= read.positions.size() || (c.texcoord != mesh_corner::none && c.texcoord >= read.texcoords.size()) ||
+      if (c.position >= read.positions.size() ||
+          (c.texcoord != mesh_corner::none && c.texcoord >= read.texcoords.size()) ||
           (c.normal != mesh_corner::none && c.normal >= read.normals.size()))
         return false;
     return true;
@@ -312,9 +316,11 @@ inline namespace IRG_ABI {
 ///         nothing has no parts
 /// needs   the text in memory; it is not kept
 /// gives   the first error with its line and column, in place of a half-read mesh; a text without faces is a mesh
-///         without faces. The mesh passes validate(): finite numbers, three corners or more per face, every index in range
+///         without faces. The mesh passes validate(): finite numbers, three corners or more per face, every index in
+///         range
 /// exact   numbers are correctly rounded to T
-/// cost    linear in the text; memory at most 64 times the text and 1 MiB. In constant evaluation clang with libstdc++ 12
+/// cost    linear in the text; memory at most 64 times the text and 1 MiB. In constant evaluation clang with libstdc++
+/// 12
 ///         has no std::string, and so reads texts without names only
 template <Floating T = double>
 constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {

@@ -221,7 +221,7 @@ constexpr T nearest_by_naturals(const decimal_text& text) noexcept {
   const int align = (32 - (b.bit_length() + b_shift) % 32) % 32;
   b.shift_left(b_shift + align);
   a.shift_left(a_shift + align);
-  const quotient q = divide(a, b);
+  const natural_quotient q = divide(a, b);
   return nearest<T>(q.value, binary + b_shift - a_shift, q.inexact);
 }
 

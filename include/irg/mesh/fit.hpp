@@ -50,7 +50,8 @@ constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
   if (is_empty(extents)) return {};
   T half_size = 0;
   for (int i = 0; i < 3; ++i) {
-    if (!detail::is_finite(extents.low[i]) || !detail::is_finite(extents.high[i])) return {{}, 1, fit_status::not_finite};
+    if (!detail::is_finite(extents.low[i]) || !detail::is_finite(extents.high[i]))
+      return {{}, 1, fit_status::not_finite};
     half_size = greater(half_size, extents.high[i] / 2 - extents.low[i] / 2);
   }
   const bool has_scale = half_size > 1 / std::numeric_limits<T>::max();
@@ -73,7 +74,7 @@ constexpr auto fit_of(const M& m) noexcept -> fit<scalar_of<typename mesh_traits
 
 /// Where a fit takes a point.
 /// exact   difference and product rounded once each: points of the fitted box come within 4u of [-1, 1], u = 2^-53 or
-///         2^-24 (more only where the box is wider than 1/8 of the range, as the scale is subnormal there)
+///         2^-24 (two bits worse where the box is wider than half the largest number: the scale is subnormal there)
 template <Floating T>
 constexpr point<T, 3> fitted(const point<T, 3>& p, const fit<T>& f) noexcept {
   return to_point((p - f.centre) * f.scale);

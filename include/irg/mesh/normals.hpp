@@ -25,8 +25,8 @@ enum class normal_weight {
 namespace detail {
 
 template <class M>
-concept mesh_in_space = Mesh<M> && size_of<typename mesh_traits<M>::point> == 3 &&
-                        Floating<scalar_of<typename mesh_traits<M>::point>>;
+concept mesh_in_space =
+    Mesh<M> && size_of<typename mesh_traits<M>::point> == 3 && Floating<scalar_of<typename mesh_traits<M>::point>>;
 template <mesh_in_space M>
 using mesh_normal = vec<scalar_of<typename mesh_traits<M>::point>, 3>;
 
@@ -80,7 +80,8 @@ constexpr vec<double, 3> newell_sum(const polygon_edges<Position>& edge) noexcep
 
 /// The interior angle of a polygon at vertex k, up to two pi where it is not convex.
 template <class Position>
-constexpr double corner_angle(const polygon_edges<Position>& edge, std::size_t k, const vec<double, 3>& normal) noexcept {
+constexpr double corner_angle(const polygon_edges<Position>& edge, std::size_t k,
+                              const vec<double, 3>& normal) noexcept {
   const vec<double, 3> next = edge(k, k + 1 < edge.count ? k + 1 : 0);
   const vec<double, 3> previous = edge(k, k > 0 ? k - 1 : edge.count - 1);
   const double angle = angle_between(next, previous);
@@ -150,7 +151,8 @@ constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::siz
 /// source  average: S0 7.3 of the course, whose division by the count is left out as it keeps the direction;
 ///         angle: Thuermer, Wuethrich 1998; area: the length of Newell's vector
 template <detail::mesh_in_space M>
-constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m, normal_weight weight = normal_weight::average) {
+constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m,
+                                                             normal_weight weight = normal_weight::average) {
   using V = detail::mesh_normal<M>;
   const double scale = weight == normal_weight::area ? detail::area_scale(m) : 1;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});

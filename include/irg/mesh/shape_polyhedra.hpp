@@ -44,7 +44,19 @@ constexpr mesh<T> shape_cube() {
   constexpr T o(0), i(1);
   mesh<T> m;
   m.positions = {{o, o, o}, {o, o, i}, {i, o, o}, {i, o, i}, {i, i, o}, {i, i, i}, {o, i, o}, {o, i, i}};
-  detail::add_triangles(m, "132" "342" "354" "564" "576" "786" "718" "128" "153" "175" "246" "268");
+  detail::add_triangles(m,
+                        "132"
+                        "342"
+                        "354"
+                        "564"
+                        "576"
+                        "786"
+                        "718"
+                        "128"
+                        "153"
+                        "175"
+                        "246"
+                        "268");
   return m;
 }
 
@@ -56,7 +68,11 @@ constexpr mesh<T> shape_tetrahedron() {
   const T i = 1 / sqrt_3<T>;
   mesh<T> m;
   m.positions = {{i, i, i}, {i, -i, -i}, {-i, i, -i}, {-i, -i, i}};
-  detail::add_triangles(m, "123" "142" "134" "243");
+  detail::add_triangles(m,
+                        "123"
+                        "142"
+                        "134"
+                        "243");
   return m;
 }
 
@@ -68,7 +84,15 @@ constexpr mesh<T> shape_octahedron() {
   constexpr T o(0), i(1), j(-1);
   mesh<T> m;
   m.positions = {{i, o, o}, {j, o, o}, {o, i, o}, {o, j, o}, {o, o, i}, {o, o, j}};
-  detail::add_triangles(m, "135" "325" "245" "415" "316" "236" "426" "146");
+  detail::add_triangles(m,
+                        "135"
+                        "325"
+                        "245"
+                        "415"
+                        "316"
+                        "236"
+                        "426"
+                        "146");
   return m;
 }
 
@@ -80,10 +104,29 @@ constexpr mesh<T> shape_icosahedron() {
   const double golden = golden_ratio<double>, length = sqrt(1 + product(golden, golden));
   const T o = 0, i = static_cast<T>(1 / length), g = static_cast<T>(golden / length);
   mesh<T> m;
-  m.positions = {{-i, g, o}, {i, g, o}, {-i, -g, o}, {i, -g, o}, {o, -i, g}, {o, i, g},
-                 {o, -i, -g}, {o, i, -g}, {g, o, -i}, {g, o, i}, {-g, o, -i}, {-g, o, i}};
-  detail::add_triangles(m, "1C6" "162" "128" "18B" "1BC" "26A" "6C5" "CB3" "B87" "829"
-                           "4A5" "453" "437" "479" "49A" "5A6" "35C" "73B" "978" "A92");
+  m.positions = {{-i, g, o},  {i, g, o},  {-i, -g, o}, {i, -g, o}, {o, -i, g},  {o, i, g},
+                 {o, -i, -g}, {o, i, -g}, {g, o, -i},  {g, o, i},  {-g, o, -i}, {-g, o, i}};
+  detail::add_triangles(m,
+                        "1C6"
+                        "162"
+                        "128"
+                        "18B"
+                        "1BC"
+                        "26A"
+                        "6C5"
+                        "CB3"
+                        "B87"
+                        "829"
+                        "4A5"
+                        "453"
+                        "437"
+                        "479"
+                        "49A"
+                        "5A6"
+                        "35C"
+                        "73B"
+                        "978"
+                        "A92");
   return m;
 }
 

@@ -54,7 +54,8 @@ constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
     const vec<double, 2> across = detail::circle_point(i, major), tube = detail::circle_point(j, minor);
     const double radius = big + product(small, tube.x);
     return detail::surface_vertex<T>{
-        {static_cast<T>(radius * across.x), static_cast<T>(0 - product(small, tube.y)), static_cast<T>(radius * across.y)},
+        {static_cast<T>(radius * across.x), static_cast<T>(0 - product(small, tube.y)),
+         static_cast<T>(radius * across.y)},
         {static_cast<T>(tube.x * across.x), static_cast<T>(0 - tube.y), static_cast<T>(tube.x * across.y)}};
   });
   return m;

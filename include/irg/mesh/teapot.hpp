@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The Utah teapot: 32 bicubic Bezier patches, and their triangle mesh.
 //
-// Martin Newell's control points (1975) are usually printed as a list of 306 points and 32 rows of indices. Nearly all of
-// that is repetition. Body, lid and bottom are turned: each control row is a ring about the axis whose quarter has the
-// corners (r, 0), (r, c), (c, r), (0, r). Handle and spout are tubes that mirror each other in the plane of the drawing:
-// each control row is a half ring (x0, y0, 0), (x0, y0, w), (x1, y1, w), (x1, y1, 0). The rows below are all there is.
+// Martin Newell's control points (1975) are usually printed as a list of 306 points and 32 rows of indices. Nearly all
+// of that is repetition. Body, lid and bottom are turned: each control row is a ring about the axis whose quarter has
+// the corners (r, 0), (r, c), (c, r), (0, r). Handle and spout are tubes that mirror each other in the plane of the
+// drawing: each control row is a half ring (x0, y0, 0), (x0, y0, w), (x1, y1, w), (x1, y1, 0). The rows below are all
+// there is.
 #pragma once
 
 #include <array>
@@ -38,15 +39,29 @@ inline constexpr int teapot_unit = 100000;
 
 // From the rim's inner edge over the body down to the middle of the bottom; every third row is shared by two patches.
 inline constexpr std::array<turned_row, 13> teapot_body{{
-    {140000, 78400, 240000}, {133750, 74900, 253125}, {143750, 80500, 253125}, {150000, 84000, 240000},  // rim
-    {175000, 98000, 187500}, {200000, 112000, 135000}, {200000, 112000, 90000},                          // upper body
-    {200000, 112000, 45000}, {150000, 84000, 22500}, {150000, 84000, 15000},                             // lower body
-    {150000, 84000, 7500}, {142500, 79800, 0}, {0, 0, 0},                                                // bottom
+    {140000, 78400, 240000},
+    {133750, 74900, 253125},
+    {143750, 80500, 253125},
+    {150000, 84000, 240000},  // rim
+    {175000, 98000, 187500},
+    {200000, 112000, 135000},
+    {200000, 112000, 90000},                          // upper body
+    {200000, 112000, 45000},
+    {150000, 84000, 22500},
+    {150000, 84000, 15000},                             // lower body
+    {150000, 84000, 7500},
+    {142500, 79800, 0},
+    {0, 0, 0},                                                // bottom
 }};
 // From the top of the knob to the lid's edge.
 inline constexpr std::array<turned_row, 7> teapot_lid{{
-    {0, 0, 315000}, {80000, 45000, 315000}, {0, 0, 285000}, {20000, 11200, 270000},  // knob
-    {40000, 22400, 255000}, {130000, 72800, 255000}, {130000, 72800, 240000},        // lid
+    {0, 0, 315000},
+    {80000, 45000, 315000},
+    {0, 0, 285000},
+    {20000, 11200, 270000},  // knob
+    {40000, 22400, 255000},
+    {130000, 72800, 255000},
+    {130000, 72800, 240000},        // lid
 }};
 // From the rim round to the body; the first point of a row is on the inside of the bow.
 inline constexpr std::array<tube_row, 7> teapot_handle{{
@@ -106,7 +121,8 @@ constexpr bezier_patch<point<T, 3>> teapot_patch(const Rows& rows, std::size_t f
 
 /// Appends a body given by control rows and made of `parts` patches around and `chain` patches along.
 template <class T, class Rows>
-constexpr void add_teapot_part(mesh<T>& m, int n, const Rows& rows, int parts, int chain, ring_end first, ring_end last) {
+constexpr void add_teapot_part(mesh<T>& m, int n, const Rows& rows, int parts, int chain, ring_end first,
+                               ring_end last) {
   add_rings(m, parts * n, chain * n, first, last, [&](int i, int j) {
     const int link = j == chain * n ? chain - 1 : j / n;
     const auto patch = teapot_patch<T>(rows, static_cast<std::size_t>(3 * link), static_cast<std::size_t>(i / n));

@@ -24,7 +24,8 @@ inline namespace IRG_ABI {
 /// shape   a face of n corners gives n - 2 triangles of its corners in its own direction, in place of it; no vertex is
 ///         added, so that neighbours still share whole edges. parts count triangles then
 /// needs   a mesh in which validate() finds no defect, and at most 1,431,655,765 triangles in it
-/// gives   for a simple planar polygon, convex or not: triangles that cover it exactly once, none without area. Collinear
+/// gives   for a simple planar polygon, convex or not: triangles that cover it exactly once, none without area.
+/// Collinear
 ///         corners are allowed. For others the signed area is kept, in every projection: faces that touch or cross
 ///         themselves are cut as far as that goes and finished as a fan, faces without area are fans
 /// exact   decisions on the corners' own coordinates, without the one along which the Newell normal is longest, are

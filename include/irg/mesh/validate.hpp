@@ -12,19 +12,20 @@ namespace irg {
 /// What is wrong with a mesh.
 enum class mesh_defect {
   none,
-  bad_face_start,            ///< face_starts is empty, does not begin with 0, falls, or does not end at corners.size()
-  short_face,                ///< a face has fewer than three corners
-  position_out_of_range,     ///< a corner names a position that the mesh does not have
-  normal_out_of_range,       ///< likewise; mesh_corner::none is no defect
-  texcoord_out_of_range,     ///< likewise
-  position_not_finite,       ///< a coordinate of a position is infinite or NaN
-  normal_not_finite,         ///< likewise
-  texcoord_not_finite,       ///< likewise
+  bad_face_start,  ///< face_starts is empty, does not begin with 0, falls, or does not end at corners.size()
+  short_face,  ///< a face has fewer than three corners
+  position_out_of_range,  ///< a corner names a position that the mesh does not have
+  normal_out_of_range,  ///< likewise; mesh_corner::none is no defect
+  texcoord_out_of_range,  ///< likewise
+  position_not_finite,  ///< a coordinate of a position is infinite or NaN
+  normal_not_finite,  ///< likewise
+  texcoord_not_finite,  ///< likewise
   parts_do_not_cover_faces,  ///< there are parts, but they are no partition of the faces into runs in order
 };
 
 /// The first defect of a mesh and its place.
-/// shape   index counts entries of what the defect names: faces (bad_face_start, short_face, ..._out_of_range), positions,
+/// shape   index counts entries of what the defect names: faces (bad_face_start, short_face, ..._out_of_range),
+/// positions,
 ///         normals, texcoords (..._not_finite) or parts; corner counts the corners of that face
 struct mesh_finding {
   mesh_defect defect = mesh_defect::none;
@@ -63,7 +64,8 @@ constexpr mesh_finding find_face_defect(const mesh<T>& m) noexcept {
     for (std::size_t k = 0; k < end - start; ++k) {
       const mesh_corner& c = m.corners[start + k];
       if (c.position >= m.positions.size()) return {mesh_defect::position_out_of_range, f, k};
-      if (c.normal != mesh_corner::none && c.normal >= m.normals.size()) return {mesh_defect::normal_out_of_range, f, k};
+      if (c.normal != mesh_corner::none && c.normal >= m.normals.size())
+        return {mesh_defect::normal_out_of_range, f, k};
       if (c.texcoord != mesh_corner::none && c.texcoord >= m.texcoords.size())
         return {mesh_defect::texcoord_out_of_range, f, k};
     }

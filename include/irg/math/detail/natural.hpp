@@ -69,7 +69,7 @@ struct natural {
 };
 
 /// The quotient of two naturals, and whether a remainder is left.
-struct quotient {
+struct natural_quotient {
   std::uint64_t value;
   bool inexact;
 };
@@ -77,7 +77,7 @@ struct quotient {
 /// a / b in whole numbers.
 /// needs   the top bit of b's highest word set, and a < b * 2^64
 /// source  Knuth 1969, The Art of Computer Programming 2, algorithm D, cut to its two digits of 32 bits
-constexpr quotient divide(natural& a, const natural& b) noexcept {
+constexpr natural_quotient divide(natural& a, const natural& b) noexcept {
   const int n = b.size;
   std::uint64_t value = 0;
   for (int j = 1; j >= 0; --j) {

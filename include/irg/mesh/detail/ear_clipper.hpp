@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <irg/mesh/detail/exact_sum.hpp>
+#include <irg/mesh/detail/product_sum.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg::detail {
@@ -19,7 +19,7 @@ inline namespace IRG_ABI {
 /// in the face's own direction.
 template <Scalar T>
 class ear_clipper {
- public:
+public:
   constexpr explicit ear_clipper(std::size_t tests_per_corner) : tests_per_corner_(tests_per_corner) {}
 
   template <class Emit>
@@ -34,20 +34,20 @@ class ear_clipper {
     clip(emit);
   }
 
- private:
+private:
   using number = std::conditional_t<Floating<T>, double, T>;  // holds every T
   using flat_point = point<number, 2>;
 
   enum class tip_rule {
-    strict,   // a left turn whose closed triangle holds no other reflex corner
+    strict,  // a left turn whose closed triangle holds no other reflex corner
     touched,  // likewise, but corners at the triangle's own corners do not count: rings joined to holes by a bridge
-    flat,     // likewise, or no turn at all: what remains of faces that touch themselves
+    flat,  // likewise, or no turn at all: what remains of faces that touch themselves
   };
 
   std::size_t tests_per_corner_;
   std::uint32_t size_ = 0;
-  int direction_ = 1;                     // 1 counter-clockwise, -1 clockwise, in the plane of points_
-  std::vector<flat_point> points_;        // the face's corners without their coordinate along axis
+  int direction_ = 1;  // 1 counter-clockwise, -1 clockwise, in the plane of points_
+  std::vector<flat_point> points_;  // the face's corners without their coordinate along axis
   std::vector<std::uint32_t> next_, previous_;
   std::vector<char> reflex_, gone_;
   std::vector<std::uint32_t> reflex_by_x_;  // the corners that were reflex at first, by rising x
@@ -75,8 +75,8 @@ class ear_clipper {
     for (std::size_t i = 1; i + 1 < size_; ++i)
       for (int k = 0; k < 3; ++k) {
         const int u = (k + 1) % 3, v = (k + 2) % 3;
-        normal[k] = normal[k] + (product(from_first(i, u), from_first(i + 1, v)) -
-                                 product(from_first(i, v), from_first(i + 1, u)));
+        normal[k] = normal[k] +
+                    (product(from_first(i, u), from_first(i + 1, v)) - product(from_first(i, v), from_first(i + 1, u)));
       }
     for (number& n : normal) n = n < zero ? -n : n;
     const int x_or_y = normal[0] < normal[1] ? 1 : 0;
@@ -123,7 +123,7 @@ class ear_clipper {
       for (std::size_t i = 0; i < size_; ++i) take(points_[i], points_[i + 1 < size_ ? i + 1 : 0]);
     };
     if constexpr (Floating<T>) {
-      exact_sum twice;
+      product_sum twice;
       each([&](const auto& p, const auto& q) { twice.add(p.x, q.y), twice.subtract(p.y, q.x); });
       return twice.sign();
     } else {
@@ -195,8 +195,7 @@ class ear_clipper {
   }
 
   constexpr bool may_go(std::uint32_t tip, tip_rule rule) noexcept {
-    if (reflex_[tip])
-      return rule == tip_rule::flat && turn_at(previous_[tip], tip, next_[tip]) == 0;
+    if (reflex_[tip]) return rule == tip_rule::flat && turn_at(previous_[tip], tip, next_[tip]) == 0;
     return is_ear(tip, rule);
   }
 

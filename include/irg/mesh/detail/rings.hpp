@@ -85,7 +85,9 @@ constexpr void add_rings(mesh<T>& m, int around, int rows, ring_end first, ring_
     }
 }
 
-IRG_INLINE constexpr int clamped(int n, int least, int most) noexcept { return n < least ? least : n > most ? most : n; }
+IRG_INLINE constexpr int clamped(int n, int least, int most) noexcept {
+  return n < least ? least : n > most ? most : n;
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg::detail

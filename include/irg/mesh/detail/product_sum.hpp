@@ -17,8 +17,8 @@ inline namespace IRG_ABI {
 
 /// A fixed-point number wide enough for every sum of 2^28 products of two finite doubles.
 /// shape   limb i counts in units of 2^(32 i - 2148); limbs are signed and carry nothing until sign() is asked for
-class exact_sum {
- public:
+class product_sum {
+public:
   /// Adds x * y, or subtracts it.
   /// needs   finite x and y
   constexpr void add(double x, double y) noexcept { add(x, y, 1); }
@@ -36,7 +36,7 @@ class exact_sum {
     return carry < 0 ? -1 : carry > 0 || rest ? 1 : 0;
   }
 
- private:
+private:
   static constexpr std::size_t limb_count = 136;
   std::int64_t limbs_[limb_count]{};
   std::size_t lowest_ = limb_count, end_ = 0;  // the limbs in use
@@ -83,7 +83,7 @@ constexpr int sign_of(const T& x) noexcept(noexcept(x < x)) {
 
 IRG_NOINLINE constexpr int turn_by_integers(const point<double, 2>& a, const point<double, 2>& b,
                                             const point<double, 2>& c) noexcept {
-  exact_sum sum;  // a x b + b x c + c x a
+  product_sum sum;  // a x b + b x c + c x a
   sum.add(a.x, b.y), sum.subtract(a.y, b.x);
   sum.add(b.x, c.y), sum.subtract(b.y, c.x);
   sum.add(c.x, a.y), sum.subtract(c.y, a.x);
@@ -98,7 +98,8 @@ template <Scalar T>
 constexpr int turn(const point<T, 2>& a, const point<T, 2>& b, const point<T, 2>& c) noexcept {
   if constexpr (std::same_as<T, double>) {
     const auto abs = [](double x) { return x < 0 ? -x : x; };
-    const double largest = greater(greater(greater(abs(a.x), abs(a.y)), greater(abs(b.x), abs(b.y))), greater(abs(c.x), abs(c.y)));
+    const double largest =
+        greater(greater(greater(abs(a.x), abs(a.y)), greater(abs(b.x), abs(b.y))), greater(abs(c.x), abs(c.y)));
     if (largest < 0x1p400) {  // so that nothing overflows; the lower limit makes flushed subnormals harmless
       const double left = product(a.x - c.x, b.y - c.y), right = product(a.y - c.y, b.x - c.x);
       const double det = left - right, size = abs(left) + abs(right);
