@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// Draws the pictures of the documentation into the folder named on the command line. `scripts/pictures` calls it; a test
+// checks that the committed pictures are what it draws.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include <irg/colour/srgb.hpp>
+#include <irg/curve/bezier.hpp>
+#include <irg/io/image_file.hpp>
+#include <irg/math/trigonometry.hpp>
+#include <irg/mesh/shapes.hpp>
+#include <irg/mesh/teapot.hpp>
+#include <irg/raster/draw_triangle.hpp>
+#include <irg/raster/fill_span.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/raster/line_bresenham.hpp>
+#include <irg/render/render.hpp>
+#include <irg/view/affine.hpp>
+
+namespace {
+
+using picture = irg::image<irg::rgba8>;
+using vec3 = irg::vec<double, 3>;
+
+constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, pale{222, 220, 214, 255}, blue{92, 142, 196, 255},
+    red{204, 96, 72, 255}, dark_blue{48, 90, 140, 255}, dark_red{150, 60, 40, 255};
+
+std::string folder = ".";
+int failures = 0;
+
+void save(const std::string& name, const picture& p) {
+  if (const auto error = irg::write_image(folder + "/" + name + ".png", p)) {
+    std::fprintf(stderr, "pictures: %s: %s\n", error->message, name.c_str());
+    ++failures;
+  }
+}
+
+// Each pixel as a square of `size` pixels, with thin lines between them.
+picture enlarged(const picture& small, int size) {
+  picture big(small.width() * size + 1, small.height() * size + 1, pale);
+  for (int y = 0; y < small.height(); ++y)
+    for (int x = 0; x < small.width(); ++x)
+      for (int row = 1; row < size; ++row)
+        irg::fill_span(big, {y * size + row, x * size + 1, (x + 1) * size}, small(x, y));
+  return big;
+}
+
+void dot(picture& p, irg::cell centre, int radius, irg::rgba8 colour) {
+  for (int dy = -radius; dy <= radius; ++dy) {
+    int half = 0;
+    while ((half + 1) * (half + 1) + dy * dy <= radius * radius + radius) ++half;
+    irg::fill_span(p, {centre.y + dy, centre.x - half, centre.x + half + 1}, colour);
+  }
+}
+
+void paste(picture& onto, const picture& p, int left, int top) {
+  for (int y = 0; y < p.height(); ++y)
+    for (int x = 0; x < p.width(); ++x) onto(left + x, top + y) = p(x, y);
+}
+
+void shared_edge() {
+  picture small(14, 9, paper);
+  const irg::subpixel a{300, 200}, b{3400, 420}, c{2300, 2150}, d{500, 1700};
+  const auto fill = [&](irg::subpixel p, irg::subpixel q, irg::subpixel r, irg::rgba8 colour) {
+    irg::covered_spans(irg::cover_triangle(p, q, r), irg::window_of(small), [&](irg::span_of_cells s) { irg::fill_span(small, s, colour); });
+  };
+  fill(a, b, d, blue);
+  fill(b, c, d, red);
+  constexpr int size = 40;
+  picture big = enlarged(small, size);
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 14; ++x) dot(big, {x * size + size / 2, y * size + size / 2}, 2, ink);
+  const auto place = [](irg::subpixel p) { return irg::cell{p.x * size / 256, p.y * size / 256}; };
+  for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, d}, std::pair{d, a}, std::pair{b, c}, std::pair{c, d}})
+    irg::draw_line(big, place(p), place(q), ink);
+  save("shared_edge", big);
+}
+
+void lines() {
+  constexpr int size = 10;
+  picture small(64, 40, paper);
+  const irg::cell_window window{8, 5, 56, 35};
+  for (int y = window.y_first; y < window.y_last; ++y) irg::fill_span(small, {y, window.x_first, window.x_last}, {255, 255, 255, 255});
+  for (int i = 0; i < 16; ++i) {
+    const double angle = irg::two_pi<double> * i / 16;
+    const irg::cell end{32 + static_cast<int>(std::floor(60 * irg::cos(angle))), 20 + static_cast<int>(std::floor(60 * irg::sin(angle)))};
+    irg::draw_line(small, {32, 20}, end, pale);
+    irg::draw_line(small, {32, 20}, end, i % 2 ? blue : red, window);
+  }
+  save("lines", enlarged(small, size));
+}
+
+struct encode_light {
+  irg::rgba8 operator()(const irg::rgb<float>& light) const { return irg::encode(light); }
+};
+
+void depth() {
+  picture p(420, 220, paper);
+  irg::image<float> z(420, 220, irg::nearer_is_greater::farthest);
+  const auto triangle = [&](float left, float right, int top, irg::rgb<float> near, irg::rgb<float> far) {
+    const auto mix = [&](float t) { return irg::rgb<float>{far.r + t * (near.r - far.r), far.g + t * (near.g - far.g), far.b + t * (near.b - far.b)}; };
+    const irg::screen_vertex a{{20 * 256, top * 256}, left}, b{{400 * 256, top * 256}, right}, c{{210 * 256, 210 * 256}, (left + right) / 2};
+    irg::draw_triangle(p, z, a, b, c, irg::vertex_colour_shader<irg::rgba8, encode_light>{mix(a.depth), mix(b.depth), mix(c.depth), {}});
+  };
+  triangle(0.9f, 0.1f, 20, {0.1f, 0.3f, 0.7f}, {0.5f, 0.65f, 0.85f});
+  triangle(0.1f, 0.9f, 50, {0.7f, 0.12f, 0.06f}, {0.9f, 0.6f, 0.5f});
+  save("depth", p);
+}
+
+irg::scene<double> scene_of(irg::mesh<double> shape, vec3 from, int width, int height, double zoom = 1.0) {
+  irg::scene<double> s;
+  s.objects.resize(1);
+  s.objects[0].shape = std::move(shape);
+  s.objects[0].surface = {{0.10, 0.20, 0.30}, {0.25, 0.50, 0.75}, {0.40, 0.40, 0.40}, 50.0};
+  s.lights = {{{-0.4, 1.0, 0.7, 0.0}, {1.0, 1.0, 1.0}}};
+  s.ambient = {0.5, 0.5, 0.5};
+  const auto ball = irg::sphere_around(s.objects[0].shape);
+  s.view = irg::camera_around(ball.centre, ball.radius / zoom, from, irg::radians(40.0), static_cast<double>(width) / height);
+  s.view = irg::with_depth_range(s.view, ball.centre, ball.radius);
+  return s;
+}
+
+picture render(const irg::scene<double>& s, int width, int height, irg::render_options options = {}) {
+  picture p(width, height);
+  irg::image<float> z(width, height);
+  irg::render(s, p, z, options);
+  return p;
+}
+
+void teapots() {
+  const vec3 from{0.6, 0.6, 1.6};
+  save("teapot", render(scene_of(irg::shape_teapot<double>({.subdivisions = 16}), from, 800, 520, 1.18), 800, 520,
+                        {.style = irg::picture_style::phong, .culling = irg::face_culling::none}));
+  const auto small = scene_of(irg::shape_teapot<double>({.subdivisions = 6}), from, 400, 260, 1.18);
+  save("teapot-wire", render(small, 400, 260, {.style = irg::picture_style::wire}));
+  save("teapot-flat", render(small, 400, 260, {.style = irg::picture_style::flat, .culling = irg::face_culling::none}));
+  save("teapot-gouraud", render(small, 400, 260, {.style = irg::picture_style::gouraud, .culling = irg::face_culling::none}));
+  auto cut = small;
+  cut.view.near_distance = irg::length(cut.view.target - cut.view.eye) * 0.93;
+  save("clip", render(cut, 400, 260, {.style = irg::picture_style::flat, .culling = irg::face_culling::none}));
+}
+
+void shading() {
+  picture p(900, 300, paper);
+  const auto s = scene_of(irg::shape_sphere<double>({.slices = 18, .stacks = 12}), {0.3, 0.4, 1.0}, 300, 300, 0.95);
+  int left = 0;
+  for (const auto style : {irg::picture_style::flat, irg::picture_style::gouraud, irg::picture_style::phong}) {
+    paste(p, render(s, 300, 300, {.style = style}), left, 0);
+    left += 300;
+  }
+  save("shading", p);
+}
+
+void materials() {
+  picture p(800, 400, paper);
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 4; ++column) {
+      auto s = scene_of(irg::shape_sphere<double>({.slices = 64, .stacks = 48}), {0.3, 0.4, 1.0}, 200, 200, 0.95);
+      const double ks = row ? 0.8 : 0.3;
+      s.objects[0].surface = {{0.16, 0.06, 0.04}, {0.55, 0.18, 0.12}, {ks, ks, ks}, static_cast<double>(4 << (2 * column))};
+      paste(p, render(s, 200, 200, {.style = irg::picture_style::phong}), 200 * column, 200 * row);
+    }
+  save("materials", p);
+}
+
+// Every face with its own normal, so that its edges stay sharp.
+irg::mesh<double> faceted(irg::mesh<double> m) {
+  for (std::size_t f = 0; f < m.face_count(); ++f) {
+    for (std::size_t k = 0; k < m.face_size(f); ++k) m.corners[m.face_starts[f] + k].normal = static_cast<std::uint32_t>(f);
+  }
+  m.normals.clear();
+  for (std::size_t f = 0; f < m.face_count(); ++f) m.normals.push_back(irg::face_normal(m, f).value_or(vec3{}));
+  return m;
+}
+
+void shapes() {
+  irg::scene<double> s = scene_of(irg::shape_sphere<double>({.slices = 48, .stacks = 32}), {0.5, 0.7, 1.6}, 800, 360);
+  const auto add = [&](irg::mesh<double> shape, vec3 place, irg::rgb<double> colour) {
+    irg::object<double> o;
+    o.shape = std::move(shape);
+    o.placement = irg::translation(place);
+    o.surface = {{colour.r / 2, colour.g / 2, colour.b / 2}, colour, {0.3, 0.3, 0.3}, 40.0};
+    s.objects.push_back(std::move(o));
+  };
+  s.objects.clear();
+  add(faceted(irg::shape_cube<double>()), {-4.4, -0.5, -0.5}, {0.75, 0.42, 0.20});
+  add(irg::shape_sphere<double>({.slices = 48, .stacks = 32}), {-1.6, 0, 0}, {0.25, 0.50, 0.75});
+  add(irg::shape_torus<double>({.major_segments = 64, .minor_segments = 32}), {1.5, 0, 0}, {0.35, 0.60, 0.35});
+  add(faceted(irg::shape_icosahedron<double>()), {4.3, 0, 0}, {0.65, 0.30, 0.55});
+  s.view = irg::camera_around(irg::point<double, 3>{0, 0, 0}, 2.6, vec3{0.1, 0.5, 1.0}, irg::radians(30.0), 1.0);
+  s.view.near_distance = 0.1;
+  save("shapes", render(s, 800, 360, {.style = irg::picture_style::phong}));
+}
+
+void projections() {
+  picture p(800, 300, paper);
+  auto s = scene_of(irg::shape_cube<double>(), {1.0, 0.8, 1.6}, 400, 300);
+  const auto ball = irg::sphere_around(s.objects[0].shape);
+  s.view = irg::camera_around(ball.centre, ball.radius * 1.3, vec3{1.0, 0.8, 1.6}, irg::radians(70.0), 4.0 / 3.0);
+  paste(p, render(s, 400, 300, {.style = irg::picture_style::flat}), 0, 0);
+  s.view.projection = irg::projection_kind::orthographic;
+  s.view = irg::with_depth_range(s.view, ball.centre, ball.radius);
+  paste(p, render(s, 400, 300, {.style = irg::picture_style::flat}), 400, 0);
+  save("projections", p);
+}
+
+void srgb() {
+  picture p(640, 130, paper);
+  for (int x = 0; x < 640; ++x) {
+    const float light = (static_cast<float>(x) + 0.5f) / 640;
+    const auto naive = static_cast<std::uint8_t>(light * 255 + 0.5f);
+    for (int y = 0; y < 60; ++y) p(x, y) = irg::encode({light, light, light});
+    for (int y = 70; y < 130; ++y) p(x, y) = {naive, naive, naive, 255};
+  }
+  save("srgb", p);
+}
+
+void bezier() {
+  picture p(640, 320, paper);
+  const std::array<irg::point<double, 2>, 4> control{{{40, 280}, {150, 30}, {470, 40}, {600, 270}}};
+  const auto cell = [](irg::point<double, 2> q) { return irg::cell{static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}; };
+  for (std::size_t i = 0; i < 3; ++i) irg::draw_line(p, cell(control[i]), cell(control[i + 1]), pale);
+  // de Casteljau's construction at t = 0.4
+  irg::point<double, 2> level[4] = {control[0], control[1], control[2], control[3]};
+  for (int n = 3; n > 0; --n) {
+    for (int i = 0; i < n; ++i) level[i] = level[i] + (level[i + 1] - level[i]) * 0.4;
+    for (int i = 0; i + 1 < n; ++i) irg::draw_line(p, cell(level[i]), cell(level[i + 1]), n == 3 ? blue : red);
+    for (int i = 0; i < n; ++i) dot(p, cell(level[i]), 3, n == 1 ? ink : n == 3 ? dark_blue : dark_red);
+  }
+  irg::cell last = cell(control[0]);
+  for (int k = 1; k <= 100; ++k) {
+    const irg::cell next = cell(irg::bezier_point(control, k / 100.0));
+    irg::draw_line(p, last, next, ink);
+    last = next;
+  }
+  for (const auto& c : control) dot(p, cell(c), 4, ink);
+  save("bezier", p);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 2) folder = argv[1];
+  shared_edge();
+  lines();
+  depth();
+  teapots();
+  shading();
+  materials();
+  shapes();
+  projections();
+  srgb();
+  bezier();
+  return failures == 0 ? 0 : 1;
+}
