@@ -34,3 +34,32 @@ HASHED(math_vec_float, 20, 100'000);
 HASHED(math_vec_double, 20, 100'000);
 
 }  // namespace
+
+namespace {
+
+/// Plain loops over arrays, which compilers like to vectorise and fuse.
+template <class T>
+constexpr std::uint64_t loops(int rounds) {
+  constexpr std::size_t n = 64;
+  T a[n]{}, b[n]{}, c[n]{};
+  test::random r(11);
+  determinism::hasher h;
+  for (int k = 0; k < rounds; ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      a[i] = static_cast<T>(r.unit());
+      b[i] = static_cast<T>(r.unit());
+      c[i] = static_cast<T>(r.unit());
+    }
+    for (std::size_t i = 0; i < n; ++i) a[i] = irg::product(a[i], b[i]) + irg::product(c[i], b[i]);
+    for (std::size_t i = 0; i < n; ++i) b[i] = irg::product(a[i], c[i]) - b[i];
+    for (std::size_t i = 0; i < n; ++i) h.add(a[i] + b[i]);
+  }
+  return h.value();
+}
+
+constexpr std::uint64_t math_product_in_loops_float(int rounds) { return loops<float>(rounds); }
+constexpr std::uint64_t math_product_in_loops_double(int rounds) { return loops<double>(rounds); }
+HASHED(math_product_in_loops_float, 1, 1000);
+HASHED(math_product_in_loops_double, 1, 1000);
+
+}  // namespace

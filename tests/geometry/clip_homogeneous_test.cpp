@@ -140,7 +140,8 @@ TEST_CASE("clip_homogeneous: type facts") {
   static_assert(!irg::ClipVertex<hpoint<float, 3>>);
   static_assert(noexcept(clip_homogeneous(triangle<float>{}.v)));
   static_assert(sizeof(clip_homogeneous(triangle<float>{}.v).vertices) == 9 * sizeof(V<float>));
-  static_assert((clip_planes::depth | clip_planes::sides) == clip_planes::all && ~clip_planes::all == clip_planes::none);
+  static_assert((clip_planes::depth | clip_planes::sides) == clip_planes::all &&
+                ~clip_planes::all == clip_planes::none);
 }
 
 TEST_CASE("clip_homogeneous: by hand, in every life") {
@@ -167,12 +168,14 @@ TEST_CASE("clip_homogeneous: by hand, in every life") {
   CHECK_BOTH(clip_homogeneous(outside.v).empty());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_BOTH(clip_homogeneous(triangle_of<double>({nan, 0, 0.5, 1}, {0.5, 0, 0.5, 1}, {0, 0.5, 0.5, 1}).v).empty());
-  CHECK_BOTH(clip_code(hpoint<double, 3>{2, -3, -1, 1}) == (clip_planes::right | clip_planes::bottom | clip_planes::z_far));
+  CHECK_BOTH(clip_code(hpoint<double, 3>{2, -3, -1, 1}) ==
+             (clip_planes::right | clip_planes::bottom | clip_planes::z_far));
   CHECK_BOTH(clip_code(hpoint<double, 3>{1, -1, 1, 1}) == clip_planes::none);
   CHECK_BOTH(clip_code(hpoint<double, 3>{2, -3, 2, 1}, {clip_planes::all, 2, 4}) == clip_planes::z_near);
 
   // A triangle that meets all six planes leaves nine vertices.
-  constexpr auto large = triangle_of<R>({R(-9, 5), 0, R(7, 5), 1}, {0, R(9, 5), R(-2, 5), 1}, {R(9, 5), R(-9, 5), R(1, 2), 1});
+  constexpr auto large =
+      triangle_of<R>({R(-9, 5), 0, R(7, 5), 1}, {0, R(9, 5), R(-2, 5), 1}, {R(9, 5), R(-9, 5), R(1, 2), 1});
   constexpr auto nonagon = clip_homogeneous(large.v);
   CHECK(agrees_with_samples(large, nonagon, R(1)));
   CHECK_BOTH(nonagon.count == 9);
@@ -188,8 +191,9 @@ TEST_CASE("clip_homogeneous: GOLDEN 12, three dimensions") {
   struct {
     R x, y, z;
     bool inside;
-  } const points[] = {{0, 0, 5, true},         {10, 0, 5, true}, {11, 0, 5, false},       {0, R(15, 2), 5, true}, {0, 8, 5, false},
-                      {0, 0, 1, true},         {0, 0, R(1, 2), false}, {0, 0, 10, true}, {0, 0, 11, false},      {0, 0, -5, false}};
+  } const points[] = {{0, 0, 5, true},   {10, 0, 5, true}, {11, 0, 5, false},      {0, R(15, 2), 5, true},
+                      {0, 8, 5, false},  {0, 0, 1, true},  {0, 0, R(1, 2), false}, {0, 0, 10, true},
+                      {0, 0, 11, false}, {0, 0, -5, false}};
   for (const auto& p : points) CHECK((clip_code(to_clip(p.x, p.y, p.z)) == clip_planes::none) == p.inside);
 }
 
@@ -198,7 +202,8 @@ TEST_CASE("clip_homogeneous: GOLDEN 12, the window [0,4] x [0,3]") {
   const auto clip3 = [&](R ax, R ay, R bx, R by, R cx, R cy) {
     return clip_homogeneous(triangle_of(to_clip(ax, ay), to_clip(bx, by), to_clip(cx, cy)).v);
   };
-  CHECK(same_cycle({to_clip(R(7, 2), 3), to_clip(R(1, 2), 3), to_clip(0, R(7, 3)), to_clip(0, 1), to_clip(4, 1), to_clip(4, R(7, 3))},
+  CHECK(same_cycle({to_clip(R(7, 2), 3), to_clip(R(1, 2), 3), to_clip(0, R(7, 3)), to_clip(0, 1), to_clip(4, 1),
+                    to_clip(4, R(7, 3))},
                    clip3(-1, 1, 5, 1, 2, 5)));
   CHECK(same_cycle({to_clip(2, 1), to_clip(2, 2), to_clip(1, 1)}, clip3(1, 1, 2, 1, 2, 2)));
   CHECK(clip3(5, 1, 6, 1, 5, 2).empty());
@@ -386,12 +391,14 @@ TEST_CASE("clip_homogeneous: w = 0, denormal w, the eye itself (Z1, Z3)") {
   CHECK(left_over.count >= 3);
   // Vertices 0, 0, 0, 0 stand for nothing and go; three of them are no polygon.
   CHECK(clip_homogeneous(triangle_of<double>({0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}).v).empty());
-  const clip_vertex<double, 0> apex[] = {{{0, 0, 0, 0}}, {{0.5, -0.5, 0.5, 1}}, {{0.5, 0.5, 0.5, 1}}, {{-0.5, 0.5, 0.5, 1}}};
+  const clip_vertex<double, 0> apex[] = {
+      {{0, 0, 0, 0}}, {{0.5, -0.5, 0.5, 1}}, {{0.5, 0.5, 0.5, 1}}, {{-0.5, 0.5, 0.5, 1}}};
   CHECK(clip_homogeneous(apex).count == 3);
   // Wholly behind the camera, even where x and y would pass after the division.
   CHECK(clip_homogeneous(triangle_of<double>({0, 0, -0.5, -1}, {0.5, 0, -0.5, -1}, {0, 0.5, -0.5, -1}).v).empty());
   // Without the sides, points at infinity may stay, and w >= 0 all the same.
-  const auto sky = clip_homogeneous(triangle_of<double>({1, 0, 0, 0}, {0.5, 0, 0.5, 1}, {0, 0.5, 0.5, 1}).v, {clip_planes::depth});
+  const auto sky =
+      clip_homogeneous(triangle_of<double>({1, 0, 0, 0}, {0.5, 0, 0.5, 1}, {0, 0.5, 0.5, 1}).v, {clip_planes::depth});
   CHECK(sky.count == 3);
   CHECK(sky[0].position == hpoint<double, 3>{1, 0, 0, 0});
 }
@@ -417,7 +424,8 @@ TEST_CASE("clip_homogeneous: hostile input (Z4)") {
   for (const float guard : {nan, inf}) CHECK(clip_homogeneous(plain.v, {clip_planes::all, guard, 1}).empty());
   // Not convex: whatever comes out, nothing is written beyond the capacity.
   clip_vertex<float, 0> comb[20];
-  for (int i = 0; i < 20; ++i) comb[i].position = {i % 2 ? 5.0f : -5.0f, static_cast<float>(i) / 10 - 1, i % 3 ? 3.0f : -3.0f, 1};
+  for (int i = 0; i < 20; ++i)
+    comb[i].position = {i % 2 ? 5.0f : -5.0f, static_cast<float>(i) / 10 - 1, i % 3 ? 3.0f : -3.0f, 1};
   CHECK(clip_homogeneous(comb).count <= 26);
 }
 
@@ -429,7 +437,8 @@ struct own_vertex {
 };
 struct own_rule {
   constexpr own_vertex operator()(const own_vertex& a, const own_vertex& b, float t) const {
-    return {irg::lerp_clip_vertex{}(clip_vertex<float, 0>{a.position}, clip_vertex<float, 0>{b.position}, t).position, a.label + b.label};
+    return {irg::lerp_clip_vertex{}(clip_vertex<float, 0>{a.position}, clip_vertex<float, 0>{b.position}, t).position,
+            a.label + b.label};
   }
 };
 

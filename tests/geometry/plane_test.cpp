@@ -119,7 +119,8 @@ TEST_CASE("plane: far from the origin Newell's normal keeps its direction") {
     std::array<point<double, 3>, 8> ring;
     for (int k = 0; k < 8; ++k) {
       const double c = std::cos(k * 0.785398163397448), s = std::sin(k * 0.785398163397448);
-      for (int j = 0; j < 3; ++j) ring[static_cast<std::size_t>(k)][j] = offset[j] + c * u[j] / u_size + s * v[j] / v_size;
+      for (int j = 0; j < 3; ++j)
+        ring[static_cast<std::size_t>(k)][j] = offset[j] + c * u[j] / u_size + s * v[j] / v_size;
     }
     const auto p = newell_plane(ring);
     CHECK(p.has_value());
@@ -138,7 +139,8 @@ TEST_CASE("plane: degenerate and hostile") {
   CHECK_BOTH(!newell_plane(std::array<D, 2>{D{0, 0, 0}, D{1, 0, 0}}));
   CHECK(!newell_plane(std::vector<D>{}));
   CHECK_BOTH(!newell_plane(std::array<D, 4>{D{0, 0, 0}, D{1, 1, 0}, D{1, 0, 0}, D{0, 1, 0}}));  // bow-tie: no area
-  CHECK_BOTH(newell_plane(std::array<D, 5>{D{0, 0, 0}, D{1, 0, 0}, D{1, 0, 0}, D{1, 1, 0}, D{0, 1, 0}}) == plane<double>{0, 0, 2, 0});
+  CHECK_BOTH(newell_plane(std::array<D, 5>{D{0, 0, 0}, D{1, 0, 0}, D{1, 0, 0}, D{1, 1, 0}, D{0, 1, 0}}) ==
+             plane<double>{0, 0, 2, 0});
   CHECK(!plane_through(D{nan, nan, nan}, D{1, 0, 0}, D{0, 1, 0}));
   CHECK(!plane_through(D{inf, inf, inf}, D{1, 0, 0}, D{0, 1, 0}));
   CHECK(side_of(plane<double>{nan, 0, 0, 0}, D{1, 1, 1}) == plane_side::on);

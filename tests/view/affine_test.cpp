@@ -75,7 +75,9 @@ constexpr double degree = 3.14159265358979323846 / 180;
 mesh<double> tetrahedron() {
   mesh<double> m;
   m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (const std::array<int, 3>& f : {std::array{0, 2, 1}, std::array{0, 1, 3}, std::array{0, 3, 2}, std::array{1, 2, 3}}) add_face(m, f);
+  for (const std::array<int, 3>& f :
+       {std::array{0, 2, 1}, std::array{0, 1, 3}, std::array{0, 3, 2}, std::array{1, 2, 3}})
+    add_face(m, f);
   const double third = 1 / std::sqrt(3.0);
   m.normals = {{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}, {third, third, third}};
   for (std::size_t i = 0; i < m.corners.size(); ++i) m.corners[i].normal = static_cast<std::uint32_t>(i / 3);
@@ -121,15 +123,18 @@ TEST_CASE("affine: GOLDEN 12") {
                                 {0.342020143326, 0.939692620786, 0, -6.84040286651},
                                 {0, 0, 1, 0},
                                 {0, 0, 0, 1}}}) <= 6e-11);
-  CHECK_BOTH(distance(T * R, D{{{0.939692620786, -0.342020143326, 0, -20}, {0.342020143326, 0.939692620786, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}) <=
-             6e-13);
+  CHECK_BOTH(distance(T * R, D{{{0.939692620786, -0.342020143326, 0, -20},
+                                {0.342020143326, 0.939692620786, 0, 0},
+                                {0, 0, 1, 0},
+                                {0, 0, 0, 1}}}) <= 6e-13);
   // Quarter turns, right-handed.
   CHECK_BOTH(distance(transform_point(rotation_x(90 * degree), P{0, 1, 0}), P{0, 0, 1}) <= 1e-16);
   CHECK_BOTH(distance(transform_point(rotation_y(90 * degree), P{0, 0, 1}), P{1, 0, 0}) <= 1e-16);
   CHECK_BOTH(distance(transform_point(rotation_z(90 * degree), P{1, 0, 0}), P{0, 1, 0}) <= 1e-16);
   CHECK_BOTH(transform_point(scaling(V{2, 3, -1}), P{1, 2, 3}) == P{2, 6, -3});
   CHECK_BOTH(to_cartesian(hpoint<double, 3>{4, 6, 2, 2}) == P{2, 3, 1});
-  CHECK_BOTH(distance(transform_point(translation(V{0, 0, 5}) * rotation_z(90 * degree) * scaling(2.0), P{1, 0, 0}), P{0, 2, 5}) <= 2e-16);
+  CHECK_BOTH(distance(transform_point(translation(V{0, 0, 5}) * rotation_z(90 * degree) * scaling(2.0), P{1, 0, 0}),
+                      P{0, 2, 5}) <= 2e-16);
 }
 
 TEST_CASE("affine: rotations are orthonormal and agree with each other") {
@@ -141,8 +146,9 @@ TEST_CASE("affine: rotations are orthonormal and agree with each other") {
     const D m = rotation(axis, angle);
     const auto a = linear_part(m);
     worst = std::max({worst, distance(transpose(a) * a, identity<double, 3>()), std::abs(determinant(a) - 1)});
-    const auto f = linear_part(rotation(vec<float, 3>{static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
-                                        static_cast<float>(angle)));
+    const auto f = linear_part(
+        rotation(vec<float, 3>{static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
+                 static_cast<float>(angle)));
     worst_float = std::max(worst_float, distance(transpose(f) * f, identity<float, 3>()));
     worst_axis = std::max(worst_axis, distance(transform_vector(m, axis), axis));
     // Another way: turn the axis into z by two coordinate rotations, turn about z, turn back.
@@ -169,7 +175,9 @@ TEST_CASE("affine: the order of composition matters; inverses undo") {
     const D turn = random_rotation(r);
     const D m = translation(shift) * turn * scaling(factors);
     const P p = to_point(random_vector(r));
-    CHECK(distance(transform_point(m, p), transform_point(translation(shift), transform_point(turn, transform_point(scaling(factors), p)))) <= 1e-14);
+    CHECK(distance(transform_point(m, p),
+                   transform_point(translation(shift), transform_point(turn, transform_point(scaling(factors), p)))) <=
+          1e-14);
     CHECK(m != scaling(factors) * turn * translation(shift));
     const auto undo = inverse(m);
     CHECK(undo.has_value());
@@ -195,7 +203,8 @@ TEST_CASE("affine: normals stay at right angles and outside, under non-uniform s
     CHECK(std::abs(dot(image, image_v)) <= 1e-14 / (least * least));
     // What lies on the normal's side still does.
     CHECK(dot(transform_vector(m, n), image) > 0);
-    CHECK(orientation_of(m) == (factors.x * factors.y * factors.z > 0 ? map_orientation::preserving : map_orientation::reversing));
+    CHECK(orientation_of(m) ==
+          (factors.x * factors.y * factors.z > 0 ? map_orientation::preserving : map_orientation::reversing));
   }
   // Scaling by (1, 4, 1): the plane x + y = 1 becomes x + y/4 = 1. The naive image of its normal would be (1, 4, 0).
   CHECK_BOTH(transform_normal(scaling(V{1, 4, 1}), V{1, 1, 0}) == V{4, 1, 0});
@@ -211,7 +220,9 @@ TEST_CASE("affine: the normal matrix is the inverse transpose times a positive f
       for (int x = 0; x < 4; ++x) m(y, x) = r.integer(-5, 5);
     const auto undo = inverse(linear_part(m));
     const rational d = determinant(linear_part(m));
-    CHECK(orientation_of(m) == (rational(0) < d ? map_orientation::preserving : d < rational(0) ? map_orientation::reversing : map_orientation::singular));
+    CHECK(orientation_of(m) == (rational(0) < d   ? map_orientation::preserving
+                                : d < rational(0) ? map_orientation::reversing
+                                                  : map_orientation::singular));
     if (undo) CHECK(normal_matrix(m) == transpose(*undo) * (d < rational(0) ? -d : d));
   }
 }
@@ -240,7 +251,8 @@ TEST_CASE("affine: meshes") {
   const auto mirrored = transform_mesh(pentagon, scaling(vec<float, 3>{-1, 1, 1}));
   for (std::size_t k = 0; k < 5; ++k) CHECK(mirrored.corner(0, k).position == (5 - k) % 5);
   CHECK(mirrored.positions[2] == point<float, 3>{-2, 1, 0});
-  CHECK(transform_mesh(transform_mesh(pentagon, scaling(vec<float, 3>{-1, 1, 1})), scaling(vec<float, 3>{-1, 1, 1})) == pentagon);
+  CHECK(transform_mesh(transform_mesh(pentagon, scaling(vec<float, 3>{-1, 1, 1})), scaling(vec<float, 3>{-1, 1, 1})) ==
+        pentagon);
   CHECK(transform_mesh(mesh<float>{}, identity<float, 4>()) == mesh<float>{});
 }
 

@@ -49,13 +49,15 @@ bool finite(const mat<T, 4, 4>& m) {
 
 TEST_CASE("look_at: by hand, in every life") {
   // From the z axis towards the origin: nothing but a shift.
-  CHECK_BOTH(look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 1, 0}) == M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -5}, {0, 0, 0, 1}}});
+  CHECK_BOTH(look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 1, 0}) ==
+             M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -5}, {0, 0, 0, 1}}});
   // From the x axis: the world's -z is to the right.
   constexpr M from_x = look_at(P{5, 0, 0}, P{0, 0, 0}, V{0, 1, 0});
   CHECK_BOTH(transform_point(from_x, P{0, 0, -1}) == P{1, 0, -5});
   CHECK_BOTH(transform_point(from_x, P{0, 2, 0}) == P{0, 2, -5});
   CHECK_BOTH(transform_point(from_x, P{5, 0, 0}) == P{0, 0, 0});
-  CHECK_BOTH(look_at_checked(P{5, 0, 0}, P{0, 0, 0}, V{0, 1, 0}) == look_at_result<double>{from_x, look_at_status::ordinary});
+  CHECK_BOTH(look_at_checked(P{5, 0, 0}, P{0, 0, 0}, V{0, 1, 0}) ==
+             look_at_result<double>{from_x, look_at_status::ordinary});
 
   constexpr M general = look_at(P{1, 2, 3}, P{-4, 0.5, 2}, V{0.1, 1, 0.2});
   constexpr auto straight_down = look_at_checked(P{0, 5, 0}, P{0, 0, 0}, V{0, 1, 0});
@@ -65,7 +67,8 @@ TEST_CASE("look_at: by hand, in every life") {
   CHECK(look_at_checked(P{0, 5 * one, 0}, P{0, 0, 0}, V{0, one, 0}) == straight_down);
   static_assert(straight_down.status == look_at_status::up_parallel);
   static_assert(hostile.status == look_at_status::not_finite && hostile.matrix == identity<double, 4>());
-  static_assert(std::same_as<decltype(look_at(std::array<float, 3>{}, std::array<float, 3>{}, std::array<float, 3>{})), mat<float, 4, 4>>);
+  static_assert(std::same_as<decltype(look_at(std::array<float, 3>{}, std::array<float, 3>{}, std::array<float, 3>{})),
+                             mat<float, 4, 4>>);
 }
 
 TEST_CASE("look_at: GOLDEN 5 and 12, the left-handed frames with their depth turned round") {
@@ -83,7 +86,8 @@ TEST_CASE("look_at: GOLDEN 5 and 12, the left-handed frames with their depth tur
   CHECK(std::abs(p.y - 1) <= 1e-15);
   CHECK(std::abs(p.z + 4.4) <= 2e-15);
   // S3's polar camera, alpha = 30, beta = 45, R = 10: (1,2,3) -> (-0.63, -0.78, 6.40), left-handed as well.
-  const P q = transform_point(look_at(P{3.53553390593274, 7.07106781186548, 6.12372435695795}, P{0, 0, 0}, V{0, 1, 0}), P{1, 2, 3});
+  const P q = transform_point(look_at(P{3.53553390593274, 7.07106781186548, 6.12372435695795}, P{0, 0, 0}, V{0, 1, 0}),
+                              P{1, 2, 3});
   CHECK(q.x == doctest::Approx(-0.633974596215561).epsilon(1e-13));
   CHECK(q.y == doctest::Approx(-0.776457135307562).epsilon(1e-13));
   CHECK(q.z == doctest::Approx(-6.39511573994625).epsilon(1e-13));
@@ -128,7 +132,8 @@ TEST_CASE("look_at: orthonormal, right-handed, eye to the origin, target ahead, 
         vec<float, 3>{static_cast<float>(up.x), static_cast<float>(up.y), static_cast<float>(up.z)});
     worst_float = std::max(worst_float, distance_from_orthonormal(f.matrix));
   }
-  INFO("orthonormal within ", worst * 0x1p53, "u, float ", worst_float * 0x1p24, "u, determinant ", worst_det * 0x1p53, "u");
+  INFO("orthonormal within ", worst * 0x1p53, "u, float ", worst_float * 0x1p24, "u, determinant ", worst_det * 0x1p53,
+       "u");
   CHECK(worst <= 8 * 0x1p-53);
   CHECK(worst_float <= 8 * 0x1p-24);
   CHECK(worst_det <= 16 * 0x1p-53);
@@ -169,12 +174,15 @@ TEST_CASE("look_at: eye at the target") {
 TEST_CASE("look_at: hostile numbers give a finite matrix") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-  const double values[] = {0, 1, -1, least, -least, 1e-300, 1e-160, 1e160, 1e300, most / 4, -most / 4, most, -most, nan, inf};
+  const double values[] = {0,     1,        -1,        least, -least, 1e-300, 1e-160, 1e160,
+                           1e300, most / 4, -most / 4, most,  -most,  nan,    inf};
   for (const double a : values)
     for (const double b : values)
       for (const double c : values) {
-        for (const auto& v : {look_at_checked(P{a, b, c}, P{0, 0, 0}, V{0, 1, 0}), look_at_checked(P{0, 1, 0}, P{a, b, c}, V{0, 1, 0}),
-                              look_at_checked(P{1, 2, 3}, P{3, 2, 1}, V{a, b, c}), look_at_checked(P{a, b, c}, P{b, c, a}, V{c, a, b})}) {
+        for (const auto& v :
+             {look_at_checked(P{a, b, c}, P{0, 0, 0}, V{0, 1, 0}), look_at_checked(P{0, 1, 0}, P{a, b, c}, V{0, 1, 0}),
+              look_at_checked(P{1, 2, 3}, P{3, 2, 1}, V{a, b, c}),
+              look_at_checked(P{a, b, c}, P{b, c, a}, V{c, a, b})}) {
           CHECK(finite(v.matrix));
           CHECK(distance_from_orthonormal(v.matrix) <= 8 * 0x1p-53);
         }
@@ -185,5 +193,6 @@ TEST_CASE("look_at: hostile numbers give a finite matrix") {
       }
   // Next to each other by one denormal: still a direction.
   CHECK(look_at_checked(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}).status == look_at_status::ordinary);
-  CHECK(look_at(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}) == M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -least}, {0, 0, 0, 1}}});
+  CHECK(look_at(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}) ==
+        M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -least}, {0, 0, 0, 1}}});
 }

@@ -82,13 +82,15 @@ TEST_CASE("perspective: by hand, in every life") {
   CHECK_BOTH((m * P{0, 0, -1}) == hpoint<double, 3>{0, 0, 1, 1});  // nearest: z = w
   CHECK_BOTH((m * P{0, 0, -5}) == hpoint<double, 3>{0, 0, 0, 5});  // farthest: z = 0
   CHECK_BOTH((m * P{0, 0, 0}).w == 0.0);                           // the eye
-  CHECK((near(projected(m, P{2, 1, -1}), P{1, 1, 1}, 1e-15) && near(projected(m, P{-10, -5, -5}), P{-1, -1, 0}, 1e-15)));
+  CHECK(
+      (near(projected(m, P{2, 1, -1}), P{1, 1, 1}, 1e-15) && near(projected(m, P{-10, -5, -5}), P{-1, -1, 0}, 1e-15)));
   constexpr auto standard = perspective(pi<double> / 2, 2, 1, 5, depth_range::standard);
   CHECK_BOTH((standard * P{0, 0, -1}) == hpoint<double, 3>{0, 0, 0, 1});
   CHECK_BOTH((standard * P{0, 0, -5}) == hpoint<double, 3>{0, 0, 5, 5});
   constexpr auto endless = perspective(pi<double> / 2, 2, 1, inf);
   CHECK_BOTH((endless * P{0, 0, -4}) == hpoint<double, 3>{0, 0, 1, 4});
-  CHECK_BOTH((perspective(pi<double> / 2, 2, 1, inf, depth_range::standard) * P{0, 0, -4}) == hpoint<double, 3>{0, 0, 3, 4});
+  CHECK_BOTH((perspective(pi<double> / 2, 2, 1, inf, depth_range::standard) * P{0, 0, -4}) ==
+             hpoint<double, 3>{0, 0, 3, 4});
 
   constexpr auto any = perspective(0.7f, 1.5f, 0.1f, 100.0f);
   volatile float angle = 0.7f;
@@ -103,7 +105,8 @@ TEST_CASE("orthographic: by hand, in every life") {
   CHECK_BOTH(projected(m, P{4, 3, -5}) == P{1, 1, 0});
   CHECK_BOTH(projected(m, P{0, 0, -3}) == P{0, 0, 0.5});
   CHECK_BOTH(projected(orthographic(-4.0, 4, -3, 3, 1, 5, depth_range::standard), P{4, 3, -5}) == P{1, 1, 1});
-  CHECK_BOTH(projected(orthographic(0.0, 2, 1, 5, -1, 1), P{0, 5, 1}) == P{-1, 1, 1});       // off centre, from behind the eye
+  CHECK_BOTH(projected(orthographic(0.0, 2, 1, 5, -1, 1), P{0, 5, 1}) ==
+             P{-1, 1, 1});       // off centre, from behind the eye
   CHECK_BOTH(projected(orthographic(2.0, 0, 1, 5, -1, 1), P{0, 5, 1}) == P{1, 1, 1});        // mirrored
   constexpr auto any = orthographic(0.1f, 1.5f, -0.3f, 0.9f, 0.1f, 100.0f);
   volatile float left = 0.1f;
@@ -126,7 +129,8 @@ TEST_CASE("perspective: GOLDEN 12, central projection") {
 TEST_CASE("projections: the eight corners of the view volume become those of the clip volume") {
   test::random r(1);
   for (int i = 0; i < 2000; ++i) {
-    const double angle = 0.05 + 3 * r.unit(), aspect = 0.1 + 5 * r.unit(), n = 0.01 + r.unit(), f = n * (1.5 + 1000 * r.unit());
+    const double angle = 0.05 + 3 * r.unit(), aspect = 0.1 + 5 * r.unit(), n = 0.01 + r.unit(),
+                 f = n * (1.5 + 1000 * r.unit());
     const double left = -r.unit(), right = r.unit() + 0.1, bottom = -r.unit(), top = r.unit() + 0.1;
     const depth_range depth = r.integer(0, 1) ? depth_range::reversed : depth_range::standard;
     const auto m = perspective(angle, aspect, n, f, depth);
@@ -145,7 +149,8 @@ TEST_CASE("perspective: reversed float depth never inverts an order that the flo
   const auto reversed = sort_pairs(perspective(1.0f, 1.5f, 0.1f, 1e5f), depth_range::reversed, 1e5);
   CHECK(reversed.inverted == 0);
   CHECK(reversed.tied == 0);
-  const auto endless = sort_pairs(perspective(1.0f, 1.5f, 0.1f, std::numeric_limits<float>::infinity()), depth_range::reversed, inf);
+  const auto endless =
+      sort_pairs(perspective(1.0f, 1.5f, 0.1f, std::numeric_limits<float>::infinity()), depth_range::reversed, inf);
   CHECK(endless.inverted == 0);
   CHECK(endless.tied == 0);
 }
@@ -176,7 +181,8 @@ TEST_CASE("projections: what is refused, and extreme ranges (Z10)") {
     CHECK((p.status == ordinary || p.matrix == identity<double, 4>()));
     return p.status;
   };
-  for (const double angle : {0.0, -0.0, -1.0, pi<double>, 4.0, inf, -inf, not_a_number}) CHECK(status(angle, 1, 1, 2) == bad_angle);
+  for (const double angle : {0.0, -0.0, -1.0, pi<double>, 4.0, inf, -inf, not_a_number})
+    CHECK(status(angle, 1, 1, 2) == bad_angle);
   for (const double aspect : {0.0, -1.0, inf, not_a_number}) CHECK(status(1, aspect, 1, 2) == bad_aspect);
   CHECK(status(1, 1, 0, 2) == bad_depth);
   CHECK(status(1, 1, -1, 2) == bad_depth);

@@ -63,8 +63,8 @@ TEST_CASE("viewport: GOLDEN 12") {
 
 TEST_CASE("viewport: stays within its borders, and there and back (Z12)") {
   test::random r(1);
-  for (const viewport<float>& v : {viewport<float>{0, 0, 1, 1}, viewport<float>{0, 0, 65535, 1}, viewport<float>{7, 9, 1920, 1080},
-                                   viewport<float>{-3, 0.5f, 13, 17}}) {
+  for (const viewport<float>& v : {viewport<float>{0, 0, 1, 1}, viewport<float>{0, 0, 65535, 1},
+                                   viewport<float>{7, 9, 1920, 1080}, viewport<float>{-3, 0.5f, 13, 17}}) {
     for (int i = 0; i < 5000; ++i) {
       const float w = static_cast<float>(r.unit()) + 1e-6f;
       const float x = w * static_cast<float>(2 * r.unit() - 1), y = w * static_cast<float>(2 * r.unit() - 1);

@@ -3,21 +3,14 @@
 // flags that belong to the user. `product(x, y)` is x*y rounded on its own under every flag, so a formula written with
 // it has the same bits everywhere. Every exact path of irg spells a product that meets a sum this way.
 //
-// g++ has a builtin for it, free of cost for scalars (vectors it would take apart lane by lane). clang's FP_CONTRACT
-// pragma is ignored under -ffp-contract=fast. So vectors, and everything in clang, go through an empty asm statement that
-// takes the product out of the optimiser's sight; it emits no instruction, but keeps clang from vectorising plain loops
-// (explicit packs are not affected).
+// An empty asm statement takes the product out of the optimiser's sight; it emits no instruction, but plain loops over
+// products are not vectorised (explicit packs are not affected). Nothing less holds: clang ignores its FP_CONTRACT pragma
+// under -ffp-contract=fast, and g++ 12 forgets __builtin_assoc_barrier when it vectorises a loop.
 #pragma once
 
 #include <type_traits>
 
 #include <irg/core/config.hpp>
-
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_assoc_barrier) && !defined(__clang__)
-#define IRG_HAS_ASSOC_BARRIER 1
-#endif
-#endif
 
 // The register class that holds a float, a double or a pack on this target.
 #if defined(__x86_64__) || defined(__i386__)
@@ -42,9 +35,6 @@ inline namespace IRG_ABI {
 /// exact   the identity; in constant evaluation, where nothing is fused, it does nothing
 template <class T>
 IRG_INLINE constexpr T opaque(T value) noexcept {
-#if defined(IRG_HAS_ASSOC_BARRIER)
-  if constexpr (std::is_arithmetic_v<T>) return __builtin_assoc_barrier(value);
-#endif
 #if defined(__GNUC__) && !defined(__wasm__)
   // wasm has no fused instruction to fear. In constant evaluation the statement is skipped: it is no constant expression.
   if (!std::is_constant_evaluated()) asm("" : IRG_FLOAT_REGISTER(value));

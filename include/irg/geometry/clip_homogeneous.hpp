@@ -54,7 +54,8 @@ struct clip_vertex<T, 0> {
 template <class V>
 concept ClipVertex = std::default_initializable<V> && requires(const V v) {
   requires HomogeneousPoint<std::remove_cvref_t<decltype(v.position)>>;
-  requires std::same_as<std::remove_cvref_t<decltype(v.position)>, hpoint<scalar_of<std::remove_cvref_t<decltype(v.position)>>, 3>>;
+  requires std::same_as<std::remove_cvref_t<decltype(v.position)>,
+                        hpoint<scalar_of<std::remove_cvref_t<decltype(v.position)>>, 3>>;
 };
 
 /// The number type of a clip vertex.
@@ -79,8 +80,8 @@ struct clipped_segment {
   V first, second;
 };
 
-/// Interpolates clip vertices: everything at `t` of the way from a to b. Vertex types of your own bring a callable of this
-/// shape along; the clipper then sets the coordinates that the cut fixes.
+/// Interpolates clip vertices: everything at `t` of the way from a to b. Vertex types of your own bring a callable of
+/// this shape along; the clipper then sets the coordinates that the cut fixes.
 struct lerp_clip_vertex {
   template <class T, int K>
   IRG_INLINE constexpr clip_vertex<T, K> operator()(const clip_vertex<T, K>& a, const clip_vertex<T, K>& b,
@@ -133,7 +134,8 @@ IRG_INLINE constexpr bool can_clip(const hpoint<T, 3>& p, const clip_volume<T>& 
   if constexpr (Floating<T>) {
     constexpr T limit = std::numeric_limits<T>::max() / 8;
     const auto fits = [](T x) { return -limit <= x && x <= limit; };
-    return fits(p.x) && fits(p.y) && fits(p.z) && fits(p.w) && fits(product(v.guard_x, p.w)) && fits(product(v.guard_y, p.w));
+    return fits(p.x) && fits(p.y) && fits(p.z) && fits(p.w) && fits(product(v.guard_x, p.w)) &&
+           fits(product(v.guard_y, p.w));
   } else {
     return true;
   }
@@ -191,8 +193,10 @@ constexpr V cut_edge(const V& inside, const V& outside, clip_planes plane, const
   V meeting = interpolate(inside, outside, d / (d - clip_distance(outside.position, plane, v)));
   const clip_planes held = v.planes & ~(clip_code(inside.position, v) | clip_code(outside.position, v));
   hpoint<T, 3>& p = meeting.position;
-  for (const clip_planes pair : {clip_planes::depth, clip_planes::left | clip_planes::right, clip_planes::bottom | clip_planes::top})
-    if (overlap(pair, plane) && overlap(pair, held) && p.w < T(0)) p.w = T(0);  // on one plane, inside the other: w >= 0
+  for (const clip_planes pair :
+       {clip_planes::depth, clip_planes::left | clip_planes::right, clip_planes::bottom | clip_planes::top})
+    if (overlap(pair, plane) && overlap(pair, held) && p.w < T(0))
+      p.w = T(0);  // on one plane, inside the other: w >= 0
   const T x_high = product(v.guard_x, p.w), y_high = product(v.guard_y, p.w);
   p.x = confine(p.x, T(0) - x_high, x_high, clip_planes::left, clip_planes::right, plane, held);
   p.y = confine(p.y, T(0) - y_high, y_high, clip_planes::bottom, clip_planes::top, plane, held);
@@ -260,7 +264,8 @@ inline namespace IRG_ABI {
 ///         0, 0, 0, 0 stand for no position and are left out; without the sides, points at infinity (w = 0) may stay
 /// exact   in rationals. In floats clip_code decides which vertices are inside. A cut's coordinate at its plane is
 ///         exact; every coordinate is within 16u * guard * the polygon's largest coordinate of what the interpolated
-///         attributes say (found: 7u). Clipping again changes no bit; polygons that share an edge get the same bits on it
+///         attributes say (found: 7u). Clipping again changes no bit; polygons that share an edge get the same bits on
+///         it
 /// cost    a polygon all inside or all outside costs its codes; each plane that cuts costs one pass
 /// source  Sutherland and Hodgman, Reentrant polygon clipping, 1974; Blinn and Newell, Clipping using homogeneous
 ///         coordinates, 1978

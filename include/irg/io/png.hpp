@@ -26,8 +26,9 @@ namespace detail {
 inline namespace IRG_ABI {
 
 /// The pixels of a raster, each read once, and which channels they need.
+template <class Bytes = std::vector<std::uint8_t>>
 struct png_pixels {
-  std::vector<std::uint8_t> rgba;
+  Bytes rgba;
   std::size_t width = 0, height = 0;
   bool has_colour = true, has_opacity = true;
 
@@ -35,8 +36,8 @@ struct png_pixels {
 };
 
 template <EncodableRaster R>
-constexpr png_pixels read_pixels(const R& raster, int width, int height, png_options::channels kept) {
-  png_pixels p{{}, static_cast<std::size_t>(width), static_cast<std::size_t>(height)};
+constexpr png_pixels<> read_pixels(const R& raster, int width, int height, png_options::channels kept) {
+  png_pixels<> p{{}, static_cast<std::size_t>(width), static_cast<std::size_t>(height)};
   p.rgba = std::vector<std::uint8_t>(4 * p.width * p.height, std::uint8_t{0});
   int colour = 0, transparency = 0;
   std::uint8_t* out = p.rgba.data();
@@ -59,7 +60,8 @@ constexpr png_pixels read_pixels(const R& raster, int width, int height, png_opt
 }
 
 /// Copies the needed channels of row y.
-constexpr void copy_row(const png_pixels& p, std::size_t y, std::uint8_t* out) noexcept {
+template <class Bytes>
+constexpr void copy_row(const png_pixels<Bytes>& p, std::size_t y, std::uint8_t* out) noexcept {
   const std::uint8_t* in = p.rgba.data() + 4 * p.width * y;
   for (std::size_t x = 0; x < p.width; ++x, in += 4) {
     *out++ = in[0];
@@ -74,10 +76,11 @@ constexpr void copy_row(const png_pixels& p, std::size_t y, std::uint8_t* out) n
 enum class filtering { none, adaptive };
 
 /// The rows as PNG compresses them: each its filter's number and its differences.
-constexpr std::vector<std::uint8_t> filter_rows(const png_pixels& p, filtering mode) {
+template <class Bytes>
+constexpr Bytes filter_rows(const png_pixels<Bytes>& p, filtering mode) {
   const std::size_t pixel = p.channels(), count = pixel * p.width;
-  std::vector<std::uint8_t> filtered(p.height * (count + 1), std::uint8_t{0});
-  std::vector<std::uint8_t> above(pixel + count, std::uint8_t{0}), row(pixel + count, std::uint8_t{0});
+  Bytes filtered(p.height * (count + 1), std::uint8_t{0});
+  Bytes above(pixel + count, std::uint8_t{0}), row(pixel + count, std::uint8_t{0});
   for (std::size_t y = 0; y < p.height; ++y, row.swap(above)) {
     copy_row(p, y, row.data() + pixel);
     const png_row r{row.data() + pixel, above.data() + pixel, pixel, count};
@@ -86,13 +89,15 @@ constexpr std::vector<std::uint8_t> filter_rows(const png_pixels& p, filtering m
   return filtered;
 }
 
-constexpr void append_big_endian(std::vector<std::uint8_t>& file, std::size_t n) {
+template <class Bytes>
+constexpr void append_big_endian(Bytes& file, std::size_t n) {
   for (int shift = 24; shift >= 0; shift -= 8) file.push_back(static_cast<std::uint8_t>(n >> shift));
 }
 
 /// Appends a chunk: length, name, data, checksum over name and data.
 /// needs   less than 2^31 bytes of data
-constexpr void append_chunk(std::vector<std::uint8_t>& file, const char (&name)[5], std::span<const std::uint8_t> data) {
+template <class Bytes>
+constexpr void append_chunk(Bytes& file, const char (&name)[5], std::span<const std::uint8_t> data) {
   append_big_endian(file, data.size());
   const std::size_t checked = file.size();
   for (int i = 0; i < 4; ++i) file.push_back(static_cast<std::uint8_t>(name[i]));
@@ -100,8 +105,9 @@ constexpr void append_chunk(std::vector<std::uint8_t>& file, const char (&name)[
   append_big_endian(file, crc32(std::span<const std::uint8_t>(file).subspan(checked)));
 }
 
-constexpr void append_header(std::vector<std::uint8_t>& file, const png_pixels& p) {
-  std::vector<std::uint8_t> header;
+template <class Bytes>
+constexpr void append_header(Bytes& file, const png_pixels<Bytes>& p) {
+  Bytes header;
   append_big_endian(header, p.width);
   append_big_endian(header, p.height);
   const int colour_type = (p.has_colour ? 2 : 0) + (p.has_opacity ? 4 : 0);
@@ -135,7 +141,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
   if (const auto refused = detail::refuse_picture_size(width, height)) return *refused;
 
   const bool stored = options.effort == png_options::compression::stored;
-  const detail::png_pixels pixels = detail::read_pixels(raster, width, height, options.kept);
+  const detail::png_pixels<> pixels = detail::read_pixels(raster, width, height, options.kept);
   const std::vector<std::uint8_t> filtered =
       detail::filter_rows(pixels, stored ? detail::filtering::none : detail::filtering::adaptive);
   const std::vector<std::uint8_t> stream = detail::zlib_compress(filtered, detail::effort_of(options.effort));

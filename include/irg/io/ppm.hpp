@@ -2,6 +2,7 @@
 // PPM and PGM (netpbm): the simplest picture files, uncompressed, 8 bits per channel, without opacity.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,7 +18,8 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-constexpr void append_decimal(std::vector<std::uint8_t>& file, int n) {
+template <class Bytes>
+constexpr void append_decimal(Bytes& file, int n) {
   if (n >= 10) append_decimal(file, n / 10);
   file.push_back(static_cast<std::uint8_t>('0' + n % 10));
 }
@@ -208,11 +210,15 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& ra
 /// exact   samples are scaled to 255 with rounding to nearest, half up; files with the largest value 255 are kept
 /// cost    nothing is allocated before the size was checked against the file's length
 /// source  netpbm, ppm(5) and pgm(5)
-constexpr result<image<rgb8>> read_ppm(std::span<const std::uint8_t> bytes) {
+template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
+constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
   return detail::netpbm_reader<std::uint8_t>(bytes).read();
 }
 /// The same from bytes as read_file gives them.
-constexpr result<image<rgb8>> read_ppm(std::string_view bytes) { return detail::netpbm_reader<char>(bytes).read(); }
+template <std::convertible_to<std::string_view> Bytes>
+constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
+  return detail::netpbm_reader<char>(std::string_view(bytes)).read();
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg

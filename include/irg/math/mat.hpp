@@ -124,18 +124,16 @@ constexpr mat<T, R, C> operator*(const mat<T, R, K>& a, const mat<T, K, C>& b) n
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T, int R, int C>
 IRG_INLINE constexpr vec<T, R> operator*(const mat<T, R, C>& a, const vec<T, C>& v) noexcept {
-  return generate_coordinates<vec<T, R>>([&](int r) {
-    return detail::sum_of_products<C>([&](int k) { return a(r, k); }, [&](int k) { return v[k]; });
-  });
+  return generate_coordinates<vec<T, R>>(
+      [&](int r) { return detail::sum_of_products<C>([&](int k) { return a(r, k); }, [&](int k) { return v[k]; }); });
 }
 
 /// The image of a homogeneous point; the matrix has one row and column more than the space has dimensions.
 template <class T, int M, int N>
   requires(M == N + 1)
 IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const hpoint<T, N>& p) noexcept {
-  return generate_coordinates<hpoint<T, N>>([&](int r) {
-    return detail::sum_of_products<M>([&](int k) { return a(r, k); }, [&](int k) { return p[k]; });
-  });
+  return generate_coordinates<hpoint<T, N>>(
+      [&](int r) { return detail::sum_of_products<M>([&](int k) { return a(r, k); }, [&](int k) { return p[k]; }); });
 }
 
 /// The image of a point, a homogeneous point since the matrix may be projective. transform_point gives a point.
@@ -151,7 +149,8 @@ template <class T, int M, Point P>
   requires(size_of<P> == M - 1 && std::same_as<scalar_of<P>, T>)
 IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexcept {
   return generate_coordinates<P>([&](int r) {
-    return detail::sum_of_products<M - 1>([&](int k) { return a(r, k); }, [&](int k) { return coordinate(p, k); }) + a(r, M - 1);
+    return detail::sum_of_products<M - 1>([&](int k) { return a(r, k); }, [&](int k) { return coordinate(p, k); }) +
+           a(r, M - 1);
   });
 }
 
@@ -169,7 +168,8 @@ IRG_INLINE constexpr V transform_vector(const mat<T, M, M>& a, const V& v) noexc
 template <class T, int N>
   requires(N >= 2)
 constexpr mat<T, N - 1, N - 1> submatrix(const mat<T, N, N>& a, int row, int column) noexcept {
-  return detail::filled_mat<T, N - 1, N - 1>([&](int r, int c) { return a(r < row ? r : r + 1, c < column ? c : c + 1); });
+  return detail::filled_mat<T, N - 1, N - 1>(
+      [&](int r, int c) { return a(r < row ? r : r + 1, c < column ? c : c + 1); });
 }
 
 /// The factor by which the matrix scales lengths, areas or volumes, negative when it turns left into right.
@@ -179,7 +179,9 @@ constexpr mat<T, N - 1, N - 1> submatrix(const mat<T, N, N>& a, int row, int col
 template <class T, int N>
   requires(N <= 4 || Real<T>)
 constexpr T determinant(const mat<T, N, N>& a) noexcept {
-  const auto minor = [&](int r, int c0, int c1) { return product(a(r, c0), a(r + 1, c1)) - product(a(r, c1), a(r + 1, c0)); };
+  const auto minor = [&](int r, int c0, int c1) {
+    return product(a(r, c0), a(r + 1, c1)) - product(a(r, c1), a(r + 1, c0));
+  };
   if constexpr (N == 1) {
     return a(0, 0);
   } else if constexpr (N == 2) {

@@ -20,13 +20,14 @@ struct grid_options {
 namespace detail {
 inline namespace IRG_ABI {
 
-/// Triangles over the positions of m; digits count from 1 as in an OBJ file, up to 9, then A, B, C.
+/// Triangles over the positions of m, three digits each; digits count from 1 as in an OBJ file, up to 9, then A, B, C.
 template <class T, std::size_t N>
 constexpr void add_triangles(mesh<T>& m, const char (&digits)[N]) {
   for (std::size_t k = 0; k + 1 < N; ++k) {
+    if (digits[k] == ' ') continue;
     const int position = digits[k] <= '9' ? digits[k] - '1' : digits[k] - 'A' + 9;
     m.corners.push_back({static_cast<std::uint32_t>(position), mesh_corner::none, mesh_corner::none});
-    if (k % 3 == 2) m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+    if (m.corners.size() % 3 == 0) m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
   }
 }
 
@@ -44,19 +45,7 @@ constexpr mesh<T> shape_cube() {
   constexpr T o(0), i(1);
   mesh<T> m;
   m.positions = {{o, o, o}, {o, o, i}, {i, o, o}, {i, o, i}, {i, i, o}, {i, i, i}, {o, i, o}, {o, i, i}};
-  detail::add_triangles(m,
-                        "132"
-                        "342"
-                        "354"
-                        "564"
-                        "576"
-                        "786"
-                        "718"
-                        "128"
-                        "153"
-                        "175"
-                        "246"
-                        "268");
+  detail::add_triangles(m, "132 342 354 564 576 786 718 128 153 175 246 268");
   return m;
 }
 
@@ -68,11 +57,7 @@ constexpr mesh<T> shape_tetrahedron() {
   const T i = 1 / sqrt_3<T>;
   mesh<T> m;
   m.positions = {{i, i, i}, {i, -i, -i}, {-i, i, -i}, {-i, -i, i}};
-  detail::add_triangles(m,
-                        "123"
-                        "142"
-                        "134"
-                        "243");
+  detail::add_triangles(m, "123 142 134 243");
   return m;
 }
 
@@ -84,15 +69,7 @@ constexpr mesh<T> shape_octahedron() {
   constexpr T o(0), i(1), j(-1);
   mesh<T> m;
   m.positions = {{i, o, o}, {j, o, o}, {o, i, o}, {o, j, o}, {o, o, i}, {o, o, j}};
-  detail::add_triangles(m,
-                        "135"
-                        "325"
-                        "245"
-                        "415"
-                        "316"
-                        "236"
-                        "426"
-                        "146");
+  detail::add_triangles(m, "135 325 245 415 316 236 426 146");
   return m;
 }
 
@@ -106,27 +83,7 @@ constexpr mesh<T> shape_icosahedron() {
   mesh<T> m;
   m.positions = {{-i, g, o},  {i, g, o},  {-i, -g, o}, {i, -g, o}, {o, -i, g},  {o, i, g},
                  {o, -i, -g}, {o, i, -g}, {g, o, -i},  {g, o, i},  {-g, o, -i}, {-g, o, i}};
-  detail::add_triangles(m,
-                        "1C6"
-                        "162"
-                        "128"
-                        "18B"
-                        "1BC"
-                        "26A"
-                        "6C5"
-                        "CB3"
-                        "B87"
-                        "829"
-                        "4A5"
-                        "453"
-                        "437"
-                        "479"
-                        "49A"
-                        "5A6"
-                        "35C"
-                        "73B"
-                        "978"
-                        "A92");
+  detail::add_triangles(m, "1C6 162 128 18B 1BC 26A 6C5 CB3 B87 829 4A5 453 437 479 49A 5A6 35C 73B 978 A92");
   return m;
 }
 

@@ -39,29 +39,35 @@ inline constexpr int teapot_unit = 100000;
 
 // From the rim's inner edge over the body down to the middle of the bottom; every third row is shared by two patches.
 inline constexpr std::array<turned_row, 13> teapot_body{{
+    // rim
     {140000, 78400, 240000},
     {133750, 74900, 253125},
     {143750, 80500, 253125},
-    {150000, 84000, 240000},  // rim
+    {150000, 84000, 240000},
+    // upper body
     {175000, 98000, 187500},
     {200000, 112000, 135000},
-    {200000, 112000, 90000},                          // upper body
+    {200000, 112000, 90000},
+    // lower body
     {200000, 112000, 45000},
     {150000, 84000, 22500},
-    {150000, 84000, 15000},                             // lower body
+    {150000, 84000, 15000},
+    // bottom
     {150000, 84000, 7500},
     {142500, 79800, 0},
-    {0, 0, 0},                                                // bottom
+    {0, 0, 0},
 }};
 // From the top of the knob to the lid's edge.
 inline constexpr std::array<turned_row, 7> teapot_lid{{
+    // knob
     {0, 0, 315000},
     {80000, 45000, 315000},
     {0, 0, 285000},
-    {20000, 11200, 270000},  // knob
+    {20000, 11200, 270000},
+    // lid
     {40000, 22400, 255000},
     {130000, 72800, 255000},
-    {130000, 72800, 240000},        // lid
+    {130000, 72800, 240000},
 }};
 // From the rim round to the body; the first point of a row is on the inside of the bow.
 inline constexpr std::array<tube_row, 7> teapot_handle{{

@@ -53,6 +53,9 @@ struct clipped_piece {
   std::uint32_t source;
 };
 
+// What became of a triangle: of several pieces' fates the greatest counts.
+enum class listing { small, out_of_sight, listed };
+
 // What each band has to draw, in order: numbers below the triangle count name whole triangles, the rest pieces.
 struct draw_list {
   std::vector<clipped_piece> pieces;
@@ -64,21 +67,31 @@ inline namespace IRG_ABI {
 
 IRG_INLINE constexpr int band_count(int height) noexcept { return (height + band_height - 1) / band_height; }
 
-// Puts one triangle on the lists of the bands it touches, or counts why not.
-constexpr bool enlist(draw_list& list, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
-                      const screen_vertex& c, int width, int height, face_culling culling, skipping skip) {
-  const std::int64_t area = signed_double_area(a.position, b.position, c.position);  // fronts are negative: y is down
-  if (area > 0 && culling == face_culling::back) return ++list.skipped.backface, false;
-  const cell_window bounds = centres_within(a.position, b.position, c.position);
-  if (skip == skipping::on && (area == 0 || bounds.empty())) return ++list.skipped.small, false;
-  const cell_window seen = intersect(bounds, {0, 0, width, height});
-  if (seen.empty()) return skip == skipping::on && ++list.skipped.frustum, false;
-  for (int band = seen.y_first / band_height; band <= (seen.y_last - 1) / band_height; ++band)
-    list.bands[static_cast<std::size_t>(band)].push_back(number);
-  return true;
+// Whether culling leaves out a triangle or polygon of this signed area: fronts are negative, because y is down.
+IRG_INLINE constexpr bool is_culled(std::int64_t area, face_culling culling) noexcept {
+  return area > 0 && culling == face_culling::back;
 }
 
-// Clips a triangle, and puts what is left of it on the lists as a fan of pieces.
+// Puts one triangle on the lists of the bands it touches, or says why not.
+constexpr listing enlist(draw_list& list, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
+                         const screen_vertex& c, std::int64_t area, int width, int height, skipping skip) {
+  const cell_window bounds = centres_within(a.position, b.position, c.position);
+  if (skip == skipping::on && (area == 0 || bounds.empty())) return listing::small;
+  const cell_window seen = intersect(bounds, {0, 0, width, height});
+  if (seen.empty()) return listing::out_of_sight;
+  for (int band = seen.y_first / band_height; band <= (seen.y_last - 1) / band_height; ++band)
+    list.bands[static_cast<std::size_t>(band)].push_back(number);
+  return listing::listed;
+}
+
+IRG_INLINE constexpr void count_skipped(skip_counts& counts, listing why, skipping skip) noexcept {
+  if (skip == skipping::off) return;
+  if (why == listing::small) ++counts.small;
+  if (why == listing::out_of_sight) ++counts.frustum;
+}
+
+// Clips a triangle, and puts what is left of it on the lists as a fan of pieces. It faces one way, and is one skip at
+// most, however many pieces it comes to.
 template <class T>
 constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32_t triangle_count,
                               const hpoint<T, 3> (&corner)[3], clip_planes planes, const screen_mapping<T>& mapping,
@@ -87,34 +100,31 @@ constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32
   volume.planes = planes;
   const clip_vertex<T, 2> polygon[3] = {{corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
   const auto left = clip_homogeneous(polygon, volume);
-  if (left.count < 3) {
-    if (skip == skipping::on) ++list.skipped.frustum;
-    return;
+  if (left.count < 3) return count_skipped(list.skipped, listing::out_of_sight, skip);
+
+  screen_vertex on_screen[9];
+  fragment<float> share[9];
+  for (int k = 0; k < left.count; ++k) {
+    on_screen[k] = to_screen(left.vertices[k].position, mapping);
+    share[k] = {static_cast<float>(left.vertices[k].attributes[0]), static_cast<float>(left.vertices[k].attributes[1]), 0};
   }
-  const skip_counts before = list.skipped;
-  bool drawn = false;
-  const auto corner_at = [&](int k) { return to_screen(left.vertices[k].position, mapping); };
-  const auto share_at = [&](int k) {
-    return fragment<float>{static_cast<float>(left.vertices[k].attributes[0]), static_cast<float>(left.vertices[k].attributes[1]), 0};
+  const auto area_of = [&](int k) {
+    return signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
   };
-  for (int k = 1; k + 1 < left.count; ++k) {
-    const clipped_piece piece{{corner_at(0), corner_at(k), corner_at(k + 1)}, {{share_at(0), share_at(k), share_at(k + 1)}}, source};
+  std::int64_t area = 0;
+  for (int k = 1; k + 1 < left.count; ++k) area += area_of(k);
+  if (is_culled(area, culling)) return static_cast<void>(++list.skipped.backface);
+  listing result = listing::small;
+  for (int k = 1; k + 1 < left.count && area != 0; ++k) {
+    // Snapping may turn round a piece thinner than 1/256 pixel; the pieces beside it cover its place.
+    if (area_of(k) != 0 && (area_of(k) > 0) != (area > 0)) continue;
+    const clipped_piece piece{{on_screen[0], on_screen[k], on_screen[k + 1]}, {{share[0], share[k], share[k + 1]}}, source};
     const auto number = triangle_count + static_cast<std::uint32_t>(list.pieces.size());
-    if (enlist(list, number, piece.v[0], piece.v[1], piece.v[2], width, height, culling, skip)) {
-      list.pieces.push_back(piece);
-      drawn = true;
-    }
+    const listing l = enlist(list, number, piece.v[0], piece.v[1], piece.v[2], area_of(k), width, height, skip);
+    if (l == listing::listed) list.pieces.push_back(piece);
+    result = greater(result, l);
   }
-  // One triangle is one skip at most, however many pieces it came to: none if any piece is drawn.
-  const skip_counts after = list.skipped;
-  list.skipped = before;
-  if (drawn) return;
-  if (after.backface > before.backface)
-    ++list.skipped.backface;
-  else if (after.frustum > before.frustum)
-    ++list.skipped.frustum;
-  else if (after.small > before.small)
-    ++list.skipped.small;
+  count_skipped(list.skipped, result, skip);
 }
 
 template <class T>
@@ -131,10 +141,15 @@ constexpr draw_list list_triangles(const projected_vertices<T>& v, std::span<con
       continue;
     }
     const clip_planes cut = v.cut[a] | v.cut[b] | v.cut[c];
-    if (cut == clip_planes::none)
-      enlist(list, i, v.screen[a], v.screen[b], v.screen[c], width, height, culling, skip);
-    else
+    if (cut != clip_planes::none) {
       enlist_clipped<T>(list, i, count, {v.clip[a], v.clip[b], v.clip[c]}, cut, mapping, width, height, culling, skip);
+      continue;
+    }
+    const std::int64_t area = signed_double_area(v.screen[a].position, v.screen[b].position, v.screen[c].position);
+    if (is_culled(area, culling))
+      ++list.skipped.backface;
+    else
+      count_skipped(list.skipped, enlist(list, i, v.screen[a], v.screen[b], v.screen[c], area, width, height, skip), skip);
   }
   return list;
 }

@@ -13,7 +13,7 @@ enum class look_at_status {
   ordinary,
   up_parallel,    // up is zero or parallel to the view: an axis of the world took its place
   eye_at_target,  // there is no direction: the camera looks along the world's -z
-  not_finite      // a coordinate is NaN or infinite, or the eye or the target too far out for the matrix to be finite
+  not_finite  // a coordinate is NaN or infinite, or the eye or the target too far out for the matrix to be finite
 };
 
 /// A view matrix and how it came about.
@@ -62,7 +62,8 @@ template <Point P, Vector V>
 constexpr look_at_result<scalar_of<P>> look_at_checked(const P& eye, const P& target, const V& up) noexcept {
   using T = scalar_of<P>;
   using limits = std::numeric_limits<T>;
-  if (!detail::within(eye, limits::max() / 4) || !detail::within(target, limits::max() / 4) || !detail::within(up, limits::max()))
+  if (!detail::within(eye, limits::max() / 4) || !detail::within(target, limits::max() / 4) ||
+      !detail::within(up, limits::max()))
     return {identity<T, 4>(), look_at_status::not_finite};
 
   const auto backward =
@@ -80,9 +81,9 @@ constexpr look_at_result<scalar_of<P>> look_at_checked(const P& eye, const P& ta
   const vec<T, 3> from_origin = generate_coordinates<vec<T, 3>>([&](int i) { return coordinate(eye, i); });
   const auto shift = [&](const vec<T, 3>& axis) { return T(0) - dot(axis, from_origin); };
   return {{{{x.x, x.y, x.z, shift(x)}, {y.x, y.y, y.z, shift(y)}, {z.x, z.y, z.z, shift(z)}, {0, 0, 0, 1}}},
-          !backward   ? look_at_status::eye_at_target
-          : parallel  ? look_at_status::up_parallel
-                      : look_at_status::ordinary};
+          !backward  ? look_at_status::eye_at_target
+          : parallel ? look_at_status::up_parallel
+                     : look_at_status::ordinary};
 }
 
 /// The matrix from world space into the space of a camera at `eye` that looks at `target`; see look_at_checked, whose

@@ -15,16 +15,16 @@ namespace irg {
 /// far part of the scene (Upchurch and Desbrun 2012).
 enum class depth_range {
   reversed,  // near 1, far 0: nearer_is_greater
-  standard   // near 0, far 1: nearer_is_less
+  standard  // near 0, far 1: nearer_is_less
 };
 
 /// What the arguments of a projection amount to.
 enum class projection_status {
   ordinary,
-  bad_angle,         // not between 0 and pi
-  bad_aspect,        // not positive and finite
-  bad_window,        // without width or height, or not finite
-  bad_depth,         // near not in front of far; perspective: near not in front of the eye
+  bad_angle,  // not between 0 and pi
+  bad_aspect,  // not positive and finite
+  bad_window,  // without width or height, or not finite
+  bad_depth,  // near not in front of far; perspective: near not in front of the eye
   not_representable  // an entry of the matrix would overflow
 };
 
@@ -109,9 +109,9 @@ constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> asp
 ///         not_representable
 /// exact   entries within 2 ulp of the true ones; the offsets within u times (|left| + |right|) / |right - left| more
 template <Floating T>
-constexpr projection_result<T> orthographic_checked(T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom,
-                                                    std::type_identity_t<T> top, std::type_identity_t<T> z_near,
-                                                    std::type_identity_t<T> z_far,
+constexpr projection_result<T> orthographic_checked(T left, std::type_identity_t<T> right,
+                                                    std::type_identity_t<T> bottom, std::type_identity_t<T> top,
+                                                    std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                                     depth_range depth = depth_range::reversed) noexcept {
   const auto usable = [](T a, T b) {
     constexpr T limit = std::numeric_limits<T>::max() / 2;
@@ -134,8 +134,8 @@ constexpr projection_result<T> orthographic_checked(T left, std::type_identity_t
 ///         identity comes out
 template <Floating T>
 constexpr mat<T, 4, 4> orthographic(T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom,
-                                    std::type_identity_t<T> top, std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
-                                    depth_range depth = depth_range::reversed) noexcept {
+                                    std::type_identity_t<T> top, std::type_identity_t<T> z_near,
+                                    std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
   const projection_result<T> p = orthographic_checked(left, right, bottom, top, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.matrix;

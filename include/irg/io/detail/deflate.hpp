@@ -17,10 +17,14 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
+// Whatever touches the output is a template over its container: where a debugging std::vector is no constexpr type, a
+// plain constexpr function could not even be declared.
+
 /// Appends bits to bytes, the lowest bit first.
+template <class Bytes>
 class bit_writer {
 public:
-  constexpr explicit bit_writer(std::vector<std::uint8_t>& out) noexcept : out_(out) {}
+  constexpr explicit bit_writer(Bytes& out) noexcept : out_(out) {}
 
   /// needs   count <= 56, bits < 2^count
   IRG_INLINE constexpr void put(std::uint64_t bits, int count) {
@@ -33,7 +37,7 @@ public:
   constexpr void append(std::span<const std::uint8_t> bytes) { out_.insert(out_.end(), bytes.begin(), bytes.end()); }
 
 private:
-  std::vector<std::uint8_t>& out_;
+  Bytes& out_;
   std::uint64_t pending_ = 0;
   int count_ = 0;
 };
@@ -109,7 +113,8 @@ public:
     return n;
   }
 
-  constexpr void write_to(bit_writer& out) const {
+  template <class Bytes>
+  constexpr void write_to(bit_writer<Bytes>& out) const {
     out.put(literal_count_ - 257, 5);
     out.put(distance_count_ - 1, 5);
     out.put(run_length_count_ - 4, 4);
@@ -166,7 +171,8 @@ private:
 enum class last_block { no, yes };
 
 /// Writes bytes as they are, in blocks of at most 65535.
-constexpr void write_stored(bit_writer& out, std::span<const std::uint8_t> bytes, last_block last) {
+template <class Bytes>
+constexpr void write_stored(bit_writer<Bytes>& out, std::span<const std::uint8_t> bytes, last_block last) {
   do {
     const std::size_t count = bytes.size() < 65535 ? bytes.size() : 65535;
     out.put(last == last_block::yes && count == bytes.size() ? 1 : 0, 3);
@@ -178,7 +184,8 @@ constexpr void write_stored(bit_writer& out, std::span<const std::uint8_t> bytes
 }
 
 /// Writes one block: the tokens, or the bytes they stand for when those are shorter.
-constexpr void write_block(bit_writer& out, std::span<const token> tokens, std::span<const std::uint8_t> bytes,
+template <class Bytes>
+constexpr void write_block(bit_writer<Bytes>& out, std::span<const token> tokens, std::span<const std::uint8_t> bytes,
                            last_block last) {
   literal_counts literals{};
   distance_counts distances{};
@@ -210,12 +217,13 @@ constexpr void write_block(bit_writer& out, std::span<const token> tokens, std::
 /// Appends the DEFLATE stream of the data; it ends on a whole byte.
 /// cost    time proportional to the data times effort.candidates; memory for 2^15 tokens and the search's 128 KiB
 /// source  Deutsch 1996 (RFC 1951); Ziv and Lempel 1977
-constexpr void deflate(std::span<const std::uint8_t> data, const deflate_effort& effort, std::vector<std::uint8_t>& bytes) {
+template <class Bytes>
+constexpr void deflate(std::span<const std::uint8_t> data, const deflate_effort& effort, Bytes& bytes) {
   bit_writer out(bytes);
   if (effort.candidates == 0 || data.empty()) return write_stored(out, data, last_block::yes);
 
   constexpr std::size_t block_tokens = 32768;
-  match_finder finder(data);
+  match_finder<> finder(data);
   std::vector<token> tokens;
   tokens.reserve(data.size() < block_tokens ? data.size() : block_tokens);
   std::size_t block_begin = 0, position = 0;
@@ -246,8 +254,9 @@ constexpr void deflate(std::span<const std::uint8_t> data, const deflate_effort&
 
 /// The zlib stream of the data.
 /// source  Deutsch and Gailly 1996 (RFC 1950)
-constexpr std::vector<std::uint8_t> zlib_compress(std::span<const std::uint8_t> data, const deflate_effort& effort) {
-  std::vector<std::uint8_t> bytes = {0x78, 0x01};
+template <class Bytes = std::vector<std::uint8_t>>
+constexpr Bytes zlib_compress(std::span<const std::uint8_t> data, const deflate_effort& effort) {
+  Bytes bytes = {0x78, 0x01};
   deflate(data, effort, bytes);
   const std::uint32_t sum = adler32(data);
   for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(sum >> shift));

@@ -49,8 +49,9 @@ struct match {
   std::size_t distance = 0;
 };
 
-/// Finds earlier occurrences of the bytes at a position. Positions are kept modulo 2^16: a distance read back from them
-/// may be stale, but a match is believed only after its bytes were compared.
+/// Finds earlier occurrences of the bytes at a position. Positions are kept modulo 2^16 (Position's range): a distance
+/// read back from them may be stale, but a match is believed only after its bytes were compared.
+template <class Position = std::uint16_t>
 class match_finder {
 public:
   constexpr explicit match_finder(std::span<const std::uint8_t> data)
@@ -58,15 +59,15 @@ public:
         size_(data.size()),
         shift_(32 - lesser(static_cast<int>(std::bit_width(data.size())), 15)),
         mask_(data.size() < window_size ? std::bit_ceil(data.size() + 1) - 1 : window_size - 1),
-        newest_(std::size_t{1} << (32 - shift_), std::uint16_t{0}),
-        older_(mask_ + 1, std::uint16_t{0}) {}
+        newest_(std::size_t{1} << (32 - shift_), Position{0}),
+        older_(mask_ + 1, Position{0}) {}
 
   /// Makes the position known to later searches.
   IRG_INLINE constexpr void insert(std::size_t position) noexcept {
     if (size_ - position < 4) return;
-    std::uint16_t& newest = newest_[hash(position)];
+    Position& newest = newest_[hash(position)];
     older_[position & mask_] = newest;
-    newest = static_cast<std::uint16_t>(position);
+    newest = static_cast<Position>(position);
   }
 
   /// The longest match at a position among those longer than `than`; the nearest of equals.
@@ -77,9 +78,9 @@ public:
     match best{than < shortest_match ? shortest_match - 1 : than, 0};
     if (best.length >= limit) return {};
     std::size_t last = 0;
-    std::uint16_t candidate = newest_[hash(position)];
+    Position candidate = newest_[hash(position)];
     for (int i = 0; i < effort.candidates; ++i, candidate = older_[candidate & mask_]) {
-      const std::size_t distance = static_cast<std::uint16_t>(position - candidate);
+      const std::size_t distance = static_cast<Position>(position - candidate);
       if (distance <= last || distance > window_size || distance > position) break;
       last = distance;
       const std::uint8_t* there = here - distance;
@@ -101,8 +102,8 @@ private:
   std::size_t size_;
   int shift_;
   std::size_t mask_;
-  std::vector<std::uint16_t> newest_;  // by hash
-  std::vector<std::uint16_t> older_;   // by position modulo the window
+  std::vector<Position> newest_;  // by hash
+  std::vector<Position> older_;   // by position modulo the window
 };
 
 }  // namespace IRG_ABI
