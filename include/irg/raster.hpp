@@ -5,6 +5,7 @@
 #include <irg/raster/depth.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/fill_span.hpp>
+#include <irg/raster/foreign_view.hpp>
 #include <irg/raster/fragment.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_bresenham.hpp>

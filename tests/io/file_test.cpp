@@ -8,6 +8,8 @@
 #include <doctest/doctest.h>
 
 #if defined(__unix__)
+#include <csignal>
+#include <sys/resource.h>
 #include <unistd.h>
 #endif
 
@@ -101,6 +103,19 @@ TEST_CASE("file: a failed write leaves everything as it was") {
   if (fs::exists("/dev/full")) CHECK(why_unwritten("/dev/full", "x") == "not all bytes could be written");
   CHECK(why_unwritten("/dev/null", "x").empty());
   CHECK(!fs::is_regular_file("/dev/null"));  // written to, not replaced
+  // A full disk, as far as a process can have one to itself.
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+  const std::string why = why_unwritten(folder / "a", std::string(100'000, 'x'));
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+  std::signal(SIGXFSZ, SIG_DFL);
+  CHECK(why == "not all bytes could be written");
+  CHECK(folder.entries() == 1);
+  CHECK(*irg::read_file(folder / "a") == "old");
 #endif
 }
 

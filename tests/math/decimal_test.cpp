@@ -227,6 +227,18 @@ TEST_CASE("decimal: halfway between neighbours, and beside it") {
     wrong += bits(parse<float>(s).value) != bits(low);
   }
   CHECK(wrong == 0);
+  // So near to halfway that the nearest double is halfway itself: rounding twice would go wrong.
+  long near_halfway = 0;
+  for (int i = 0; i < 50'000; ++i) {
+    const auto b = static_cast<std::uint32_t>(random.integer(0x38000000, 0x60000000));  // 3e-5 to 4e19
+    const double mean =
+        (static_cast<double>(std::bit_cast<float>(b)) + static_cast<double>(std::bit_cast<float>(b + 1))) / 2;
+    std::snprintf(s, sizeof s, "%.15e", mean);
+    wrong += wrong_against_libc<float>(s) + wrong_against_libc<double>(s);
+    near_halfway += std::strtod(s, nullptr) == mean;
+  }
+  CHECK(wrong == 0);
+  CHECK(near_halfway > 1000);
 }
 
 #ifdef IRG_HAVE_MPFR

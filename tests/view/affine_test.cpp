@@ -139,12 +139,24 @@ TEST_CASE("affine: GOLDEN 12") {
 
 TEST_CASE("affine: rotations are orthonormal and agree with each other") {
   test::random r(1);
-  double worst = 0, worst_float = 0, worst_axis = 0, worst_turn = 0;
+  double worst = 0, worst_entry = 0, worst_float = 0, worst_axis = 0, worst_turn = 0;
   for (int i = 0; i < 5000; ++i) {
     const V axis = random_vector(r);
     const double angle = 20 * r.unit() - 10;
     const D m = rotation(axis, angle);
     const auto a = linear_part(m);
+    // Rodrigues' formula in a wider type.
+    using wide = long double;
+    const wide length = std::hypot(static_cast<wide>(axis.x), static_cast<wide>(axis.y), static_cast<wide>(axis.z));
+    const wide n[3] = {static_cast<wide>(axis.x) / length, static_cast<wide>(axis.y) / length,
+                       static_cast<wide>(axis.z) / length};
+    const wide c = std::cos(static_cast<wide>(angle)), s = std::sin(static_cast<wide>(angle));
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) {
+        const wide turn = x == y ? c : (x == (y + 1) % 3 ? -s : s) * n[3 - x - y];
+        worst_entry = std::max(
+            worst_entry, static_cast<double>(std::abs(turn + (1 - c) * n[x] * n[y] - static_cast<wide>(a(y, x)))));
+      }
     worst = std::max({worst, distance(transpose(a) * a, identity<double, 3>()), std::abs(determinant(a) - 1)});
     const auto f = linear_part(
         rotation(vec<float, 3>{static_cast<float>(axis.x), static_cast<float>(axis.y), static_cast<float>(axis.z)},
@@ -157,6 +169,7 @@ TEST_CASE("affine: rotations are orthonormal and agree with each other") {
     worst_turn = std::max(worst_turn, distance(m, rotation_z(azimuth) * rotation_y(polar) * rotation_z(angle) * to_z));
   }
   CHECK(worst <= 16 * 0x1p-53);
+  CHECK(worst_entry <= 10 * 0x1p-53);
   CHECK(worst_float <= 16 * 0x1p-24);
   CHECK(worst_axis <= 4e-15);
   CHECK(worst_turn <= 2e-15);

@@ -19,6 +19,7 @@ IRG_INLINE constexpr rgba8 to_rgba8(const rgba8& p) noexcept { return p; }
 
 /// The same colour and opacity, in irg's channel order.
 IRG_INLINE constexpr rgba8 to_rgba8(const bgra8& p) noexcept { return {p.r, p.g, p.b, p.a}; }
+IRG_INLINE constexpr rgba8 to_rgba8(const bgr8& p) noexcept { return {p.r, p.g, p.b, 255}; }
 
 /// The same colour, opaque.
 IRG_INLINE constexpr rgba8 to_rgba8(const rgb8& p) noexcept { return {p.r, p.g, p.b, 255}; }

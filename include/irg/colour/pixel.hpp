@@ -26,6 +26,12 @@ struct rgb8 {
   constexpr bool operator==(const rgb8&) const = default;
 };
 
+/// Blue, green and red, 8 bits each: OpenCV's usual order.
+struct bgr8 {
+  std::uint8_t b = 0, g = 0, r = 0;
+  constexpr bool operator==(const bgr8&) const = default;
+};
+
 /// Red, green and blue as numbers: light, not encoding; 0 is dark and 1 is the display's white, larger values are legal.
 template <class T>
 struct rgb {

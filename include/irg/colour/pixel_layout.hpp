@@ -34,10 +34,13 @@ template <>
 struct pixel_layout<bgra8> : channel_layout<std::uint8_t, 4, 2, 1, 0, 3> {};
 template <>
 struct pixel_layout<rgb8> : channel_layout<std::uint8_t, 3, 0, 1, 2> {};
+template <>
+struct pixel_layout<bgr8> : channel_layout<std::uint8_t, 3, 2, 1, 0> {};
 template <class T>
 struct pixel_layout<rgb<T>> : channel_layout<T, 3, 0, 1, 2> {};
 
-/// A pixel type whose channels fill it without a gap in a known order. Models: numbers, rgba8, bgra8, rgb8, rgb<float>.
+/// A pixel type whose channels fill it without a gap in a known order. Models: numbers, rgba8, bgra8, rgb8, bgr8,
+/// rgb<float>.
 template <class P>
 concept ChannelPixel = std::is_trivially_copyable_v<P> && requires {
   typename pixel_layout<P>::channel;

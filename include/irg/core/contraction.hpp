@@ -12,19 +12,25 @@
 
 #include <irg/core/config.hpp>
 
-// The register class that holds a float, a double or a pack on this target.
-#if defined(__x86_64__) || defined(__i386__)
+// The register class that holds a float, a double or a pack on this target, and its size in bytes.
 #if defined(__AVX512F__)
 #define IRG_FLOAT_REGISTER "+v"
-#else
+#define IRG_FLOAT_REGISTER_BYTES 64
+#elif defined(__AVX__)
 #define IRG_FLOAT_REGISTER "+x"
-#endif
+#define IRG_FLOAT_REGISTER_BYTES 32
+#elif defined(__x86_64__) || defined(__i386__)
+#define IRG_FLOAT_REGISTER "+x"
+#define IRG_FLOAT_REGISTER_BYTES 16
 #elif defined(__aarch64__)
 #define IRG_FLOAT_REGISTER "+w"
+#define IRG_FLOAT_REGISTER_BYTES 16
 #elif defined(__riscv)
 #define IRG_FLOAT_REGISTER "+f"
+#define IRG_FLOAT_REGISTER_BYTES 8
 #else
 #define IRG_FLOAT_REGISTER "+m"
+#define IRG_FLOAT_REGISTER_BYTES 64
 #endif
 
 namespace irg {
@@ -37,7 +43,12 @@ template <class T>
 IRG_INLINE constexpr T opaque(T value) noexcept {
 #if defined(__GNUC__) && !defined(__wasm__)
   // wasm has no fused instruction to fear. In constant evaluation the statement is skipped: it is no constant expression.
-  if (!std::is_constant_evaluated()) asm("" : IRG_FLOAT_REGISTER(value));
+  if (!std::is_constant_evaluated()) {
+    if constexpr (sizeof(T) <= IRG_FLOAT_REGISTER_BYTES)
+      asm("" : IRG_FLOAT_REGISTER(value));
+    else
+      asm("" : "+m"(value));  // a pack of several registers
+  }
 #endif
   return value;
 }

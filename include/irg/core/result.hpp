@@ -20,7 +20,7 @@ struct parse_error {
 
 /// Either a value or an error, never half of each.
 template <class T, class E = parse_error>
-class result {
+class [[nodiscard]] result {
 public:
   IRG_INLINE constexpr result(T value) : value_(std::move(value)) {}
   IRG_INLINE constexpr result(E error) : error_(std::move(error)) {}

@@ -117,52 +117,52 @@ inline constexpr bool is_own<hpoint<T, N>> = true;
 inline namespace IRG_ABI {
 
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator+(const vec<T, N>& a, const vec<T, N>& b) noexcept {
+IRG_INLINE constexpr vec<T, N> operator+(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return a[i] + b[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a, const vec<T, N>& b) noexcept {
+IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept {
+IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return -a[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a, std::type_identity_t<T> s) noexcept {
+IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a, std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return product(a[i], s); });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s, const vec<T, N>& a) noexcept {
+IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s, const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
   return a * s;
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a, std::type_identity_t<T> s) noexcept {
+IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a, std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return a[i] / s; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N>& operator+=(vec<T, N>& a, const vec<T, N>& b) noexcept {
+IRG_INLINE constexpr vec<T, N>& operator+=(vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return a = a + b;
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N>& operator-=(vec<T, N>& a, const vec<T, N>& b) noexcept {
+IRG_INLINE constexpr vec<T, N>& operator-=(vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return a = a - b;
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N>& operator*=(vec<T, N>& a, std::type_identity_t<T> s) noexcept {
+IRG_INLINE constexpr vec<T, N>& operator*=(vec<T, N>& a, std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
   return a = a * s;
 }
 
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator-(const point<T, N>& a, const point<T, N>& b) noexcept {
+IRG_INLINE constexpr vec<T, N> operator-(const point<T, N>& a, const point<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr point<T, N> operator+(const point<T, N>& a, const vec<T, N>& v) noexcept {
+IRG_INLINE constexpr point<T, N> operator+(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<point<T, N>>([&](int i) { return a[i] + v[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>& v) noexcept {
+IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<point<T, N>>([&](int i) { return a[i] - v[i]; });
 }
 
@@ -170,7 +170,7 @@ IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>
 /// exact   each product and each sum rounded once, from the first coordinate to the last, never fused
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>>)
-IRG_INLINE constexpr scalar_of<A> dot(const A& a, const B& b) noexcept {
+IRG_INLINE constexpr scalar_of<A> dot(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
   scalar_of<A> sum = product(coordinate(a, 0), coordinate(b, 0));
   for (int i = 1; i < size_of<A>; ++i) sum = sum + product(coordinate(a, i), coordinate(b, i));
   return sum;
@@ -178,10 +178,11 @@ IRG_INLINE constexpr scalar_of<A> dot(const A& a, const B& b) noexcept {
 
 /// The vector at right angles to both, of the length of the parallelogram's area; counter-clockwise from a to b as
 /// seen from its tip.
-/// exact   each product and each difference rounded once; cross(a, a) is exactly zero for finite a
+/// exact   each product and each difference rounded once; cross(a, a) is exactly zero where the products do not
+///         overflow, that is for coordinates below 2^64 (float) or 2^512 (double)
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>>)
-IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept {
+IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
   const auto minor = [&](int i, int j) {
     return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
   };

@@ -27,6 +27,13 @@ public:
     IRG_EXPECTS(stride_in_bytes % static_cast<std::ptrdiff_t>(alignof(P)) == 0);
   }
 
+  /// The same window, for reading only.
+  IRG_INLINE constexpr operator image_view<const P>() const noexcept
+    requires(!std::is_const_v<P>)
+  {
+    return {first_, width_, height_, stride_};
+  }
+
   IRG_INLINE constexpr int width() const noexcept { return width_; }
   IRG_INLINE constexpr int height() const noexcept { return height_; }
   IRG_INLINE constexpr std::ptrdiff_t stride() const noexcept { return stride_; }
@@ -61,14 +68,16 @@ private:
 /// A rectangle of pixels in memory, row after row from the top.
 template <class P>
 class image {
+  static_assert(!std::same_as<P, bool>, "std::vector<bool> holds no pixels one could point to; use unsigned char");
+
 public:
   constexpr image() = default;
   /// An image of one colour.
   /// needs   width >= 0, height >= 0
   constexpr image(int width, int height, const P& fill = P{})
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
-    IRG_EXPECTS(width >= 0 && height >= 0);
-  }
+      : width_((IRG_EXPECTS(width >= 0 && height >= 0), width)),
+        height_(height),
+        pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
 
   IRG_INLINE constexpr int width() const noexcept { return width_; }
   IRG_INLINE constexpr int height() const noexcept { return height_; }
@@ -116,5 +125,8 @@ struct raster_traits<image_view<P>> {
     return r.row(y);
   }
 };
+
+template <class P>
+struct raster_traits<const image_view<P>> : raster_traits<image_view<P>> {};
 
 }  // namespace irg

@@ -94,12 +94,10 @@ IRG_INLINE constexpr void count_skipped(skip_counts& counts, listing why, skippi
 // most, however many pieces it comes to.
 template <class T>
 constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32_t triangle_count,
-                              const hpoint<T, 3> (&corner)[3], clip_planes planes, const screen_mapping<T>& mapping,
-                              int width, int height, face_culling culling, skipping skip) {
-  clip_volume<T> volume = mapping.guard;
-  volume.planes = planes;
+                              const hpoint<T, 3> (&corner)[3], const screen_mapping<T>& mapping, int width, int height,
+                              face_culling culling, skipping skip) {
   const clip_vertex<T, 2> polygon[3] = {{corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
-  const auto left = clip_homogeneous(polygon, volume);
+  const auto left = clip_homogeneous(polygon, mapping.guard);
   if (left.count < 3) return count_skipped(list.skipped, listing::out_of_sight, skip);
 
   screen_vertex on_screen[9];
@@ -142,7 +140,7 @@ constexpr draw_list list_triangles(const projected_vertices<T>& v, std::span<con
     }
     const clip_planes cut = v.cut[a] | v.cut[b] | v.cut[c];
     if (cut != clip_planes::none) {
-      enlist_clipped<T>(list, i, count, {v.clip[a], v.clip[b], v.clip[c]}, cut, mapping, width, height, culling, skip);
+      enlist_clipped<T>(list, i, count, {v.clip[a], v.clip[b], v.clip[c]}, mapping, width, height, culling, skip);
       continue;
     }
     const std::int64_t area = signed_double_area(v.screen[a].position, v.screen[b].position, v.screen[c].position);

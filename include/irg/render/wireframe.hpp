@@ -50,9 +50,7 @@ constexpr std::optional<std::pair<cell, cell>> line_of(const projected_vertices<
                                                        const screen_mapping<T>& mapping) noexcept {
   const clip_planes cut = v.cut[e.a] | v.cut[e.b];
   if (cut == clip_planes::none) return std::pair{cell_of(v.screen[e.a].position), cell_of(v.screen[e.b].position)};
-  clip_volume<T> volume = mapping.guard;
-  volume.planes = cut;
-  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{v.clip[e.a]}, clip_vertex<T, 0>{v.clip[e.b]}, volume);
+  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{v.clip[e.a]}, clip_vertex<T, 0>{v.clip[e.b]}, mapping.guard);
   if (!left) return std::nullopt;
   return std::pair{cell_of(to_screen(left->first.position, mapping).position),
                    cell_of(to_screen(left->second.position, mapping).position)};

@@ -69,7 +69,7 @@ constexpr mat<T, 4, 4> rotation_z(T angle) noexcept {
 /// Turns about an axis through the origin, counter-clockwise as seen from its tip. Its length does not matter.
 /// units   radians
 /// gives   the identity for an axis that is zero, NaN or infinite
-/// exact   entries within 6u of the true ones (u = 2^-53, float 2^-24)
+/// exact   entries within 10u of the true ones (u = 2^-53, float 2^-24; found: 7.1u), orthonormal within 16u
 /// source  Rodrigues, 1840
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)

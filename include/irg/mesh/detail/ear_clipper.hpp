@@ -27,7 +27,7 @@ public:
     size_ = static_cast<std::uint32_t>(m.face_size(face));
     if (size_ == 3) return emit(0u, 1u, 2u);
     flatten(m, face);
-    if (strictly_convex() || !find_direction(m, face)) {
+    if (turns_one_way() || !find_direction(m, face)) {
       for (std::uint32_t i = 2; i < size_; ++i) emit(0u, i - 1, i);
       return;
     }
@@ -38,11 +38,8 @@ private:
   using number = std::conditional_t<Floating<T>, double, T>;  // holds every T
   using flat_point = point<number, 2>;
 
-  enum class tip_rule {
-    strict,  // a left turn whose closed triangle holds no other reflex corner
-    touched,  // likewise, but corners at the triangle's own corners do not count: rings joined to holes by a bridge
-    flat,  // likewise, or no turn at all: what remains of faces that touch themselves
-  };
+  // A tip may go when it is an ear; when no ears are left, which simple rings never come to, straight corners may, too.
+  enum class tip_rule { ear, ear_or_straight };
 
   std::size_t tests_per_corner_;
   std::uint32_t size_ = 0;
@@ -102,20 +99,16 @@ private:
     return turn(points_[before], points_[tip], points_[after]);
   }
 
-  /// Whether all turns go one way and the ring goes round once: then its x direction changes twice.
-  constexpr bool strictly_convex() const noexcept {
-    int side = 0, changes = 0;
+  /// Whether all turns go one way: the ring is convex, or goes round more than once, and then any fan will do.
+  constexpr bool turns_one_way() const noexcept {
+    int side = 0;
     for (std::uint32_t i = 0; i < size_; ++i) {
       const std::uint32_t j = i + 1 < size_ ? i + 1 : 0, k = j + 1 < size_ ? j + 1 : 0;
       const int t = turn_at(i, j, k);
       if (t == 0 || t == -side) return false;
       side = t;
-      if (rises(points_[i], points_[j]) != rises(points_[j], points_[k])) ++changes;
     }
-    return changes == 2;
-  }
-  static constexpr bool rises(const flat_point& a, const flat_point& b) noexcept {
-    return a.x < b.x || (!(b.x < a.x) && a.y < b.y);
+    return true;
   }
 
   constexpr int area_sign() const noexcept {
@@ -168,7 +161,7 @@ private:
   constexpr void clip(const Emit& emit) {
     link();
     std::uint32_t left = size_, any = 0;
-    for (const tip_rule rule : {tip_rule::strict, tip_rule::touched, tip_rule::flat}) {
+    for (const tip_rule rule : {tip_rule::ear, tip_rule::ear_or_straight}) {
       queue_.clear();
       for (std::uint32_t i = any, n = 0; n < left; ++n, i = next_[i]) queue_.push_back(i);
       for (std::size_t head = 0; head < queue_.size() && left > 3; ++head) {
@@ -195,11 +188,13 @@ private:
   }
 
   constexpr bool may_go(std::uint32_t tip, tip_rule rule) noexcept {
-    if (reflex_[tip]) return rule == tip_rule::flat && turn_at(previous_[tip], tip, next_[tip]) == 0;
-    return is_ear(tip, rule);
+    if (reflex_[tip]) return rule == tip_rule::ear_or_straight && turn_at(previous_[tip], tip, next_[tip]) == 0;
+    return is_ear(tip);
   }
 
-  constexpr bool is_ear(std::uint32_t tip, tip_rule rule) noexcept {
+  /// Whether the closed triangle of a left turn holds no other reflex corner. Corners that stand where its own do are
+  /// not counted: a ring that is joined to a hole by a bridge passes there twice, each time with an angle of its own.
+  constexpr bool is_ear(std::uint32_t tip) noexcept {
     const std::uint32_t before = previous_[tip], after = next_[tip];
     const flat_point &a = points_[before], &b = points_[tip], &c = points_[after];
     const number x_low = lesser(lesser(a.x, b.x), c.x), x_high = greater(greater(a.x, b.x), c.x);
@@ -212,7 +207,7 @@ private:
       if (gone_[*r] || !reflex_[*r] || *r == before || *r == after) continue;
       const flat_point& p = points_[*r];
       if (p.y < y_low || y_high < p.y) continue;
-      if (rule != tip_rule::strict && (p == a || p == b || p == c)) continue;
+      if (p == a || p == b || p == c) continue;
       if (turn(a, b, p) != -direction_ && turn(b, c, p) != -direction_ && turn(c, a, p) != -direction_) return false;
     }
     return true;
