@@ -10,7 +10,7 @@
 #define IRG_TEST_TEXT(...) IRG_TEST_TEXT_OF(__VA_ARGS__)
 constexpr std::string_view abi = IRG_TEST_TEXT(IRG_ABI);
 
-TEST_CASE("config: the namespace of functions names major version and instruction set") {
+TEST_CASE("config: the namespace of functions names major version, instruction set and checks") {
   CHECK_BOTH(abi.starts_with("v0_"));
 #ifdef __AVX2__
   CHECK_BOTH(abi.find("avx") != abi.npos);
@@ -18,9 +18,14 @@ TEST_CASE("config: the namespace of functions names major version and instructio
   CHECK_BOTH(abi.find("avx2") == abi.npos);
 #endif
 #ifdef __FMA__
-  CHECK_BOTH(abi.ends_with("_fma"));
+  CHECK_BOTH(abi.find("_fma_") != abi.npos);
 #else
-  CHECK_BOTH(abi.ends_with("_plain"));
+  CHECK_BOTH(abi.find("_plain_") != abi.npos);
+#endif
+#ifdef NDEBUG
+  CHECK_BOTH(abi.ends_with("_release"));
+#else
+  CHECK_BOTH(abi.ends_with("_checked"));
 #endif
 }
 

@@ -23,7 +23,8 @@ std::size_t bytes_now = 0, bytes_most = 0;
 constexpr std::size_t header = alignof(std::max_align_t);
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined: compilers that see through one of the two warn that it does not fit the other.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   void* const block = std::malloc(size + header);
   if (block == nullptr) std::abort();
   *static_cast<std::size_t*>(block) = size;
@@ -31,13 +32,13 @@ void* operator new(std::size_t size) {
   bytes_most = std::max(bytes_most, bytes_now);
   return static_cast<char*>(block) + header;
 }
-void operator delete(void* p) noexcept {
+[[gnu::noinline]] void operator delete(void* p) noexcept {
   if (p == nullptr) return;
   void* const block = static_cast<char*>(p) - header;
   bytes_now -= *static_cast<std::size_t*>(block);
   std::free(block);
 }
-void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
 namespace {
 

@@ -353,6 +353,29 @@ TEST_CASE("triangulate: faces that touch themselves") {
   check_simple<double>(
       {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {1, 1}, {0, 0}, {4, 1}, {8, 5}, {8, 1}, {4, 1}});
   check_simple<double>({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {2, 6}, {6, 6}, {6, 2}, {2, 2}, {2, 6}, {0, 8}});
+  check_simple<double>({{0, 0},
+                        {33, 23},
+                        {32, 19},
+                        {27, 17},
+                        {32, 22},
+                        {33, 23},
+                        {0, 0},
+                        {40, 0},
+                        {40, 40},
+                        {0, 40},
+                        {4, 31},
+                        {6, 34},
+                        {10, 32},
+                        {9, 28},
+                        {5, 29},
+                        {4, 31},
+                        {0, 40}});
+  // A spike has no area: it goes without leaving triangles that turn the other way.
+  ring spiked = {{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {1, 3}, {0, 4}};
+  for (std::size_t start = 0; start < spiked.size(); ++start) {
+    for (const ring& t : triangles_of(irg::triangulate(face_of<double>(spiked)), spiked)) CHECK(twice_area(t) >= 0);
+    std::rotate(spiked.begin(), spiked.begin() + 1, spiked.end());
+  }
   check_any({{0, 0}, {4, 0}, {4, 4}, {9, 9}, {4, 4}, {0, 4}});  // spike
   check_any({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}});  // two triangles at one point
   check_any({{0, 0}, {4, 0}, {0, 0}, {4, 0}, {0, 0}});  // to and fro
@@ -387,6 +410,13 @@ TEST_CASE("triangulate: decisions are exact where rounded arithmetic fails") {
             t.corner(0, 0).position == 0 && t.corner(0, 1).position == 1 && t.corner(0, 2).position == 2;
         CHECK(from_zero == (ulps > 0));
       }
+}
+
+TEST_CASE("triangulate: a face whose area is lost in rounding is looked at along every axis") {
+  const ring l = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  check_simple<double>(l, {{0x1p1000, 0, 0}, {0, 0x1p-500, 0}, {0, 0, 0x1p-500}});
+  check_simple<double>(l, {{0, 0x1p1000, 0}, {0, 0, 0x1p-500}, {0x1p-500, 0, 0}});
+  check_simple<double>(l, {{0, 0, 0x1p1000}, {0x1p-500, 0, 0}, {0, 0x1p-500, 0}});
 }
 
 TEST_CASE("triangulate: large faces") {

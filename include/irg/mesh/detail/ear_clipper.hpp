@@ -38,8 +38,8 @@ private:
   using number = std::conditional_t<Floating<T>, double, T>;  // holds every T
   using flat_point = point<number, 2>;
 
-  // A tip may go when it is an ear; when no ears are left, which simple rings never come to, straight corners may, too.
-  enum class tip_rule { ear, ear_or_straight };
+  // Folds, which simple rings do not have, go before ears are looked for: beside them turns say nothing of the inside.
+  enum class tip_rule { fold, fold_or_ear };
 
   std::size_t tests_per_corner_;
   std::uint32_t size_ = 0;
@@ -161,7 +161,7 @@ private:
   constexpr void clip(const Emit& emit) {
     link();
     std::uint32_t left = size_, any = 0;
-    for (const tip_rule rule : {tip_rule::ear, tip_rule::ear_or_straight}) {
+    for (const tip_rule rule : {tip_rule::fold, tip_rule::fold_or_ear}) {
       queue_.clear();
       for (std::uint32_t i = any, n = 0; n < left; ++n, i = next_[i]) queue_.push_back(i);
       for (std::size_t head = 0; head < queue_.size() && left > 3; ++head) {
@@ -188,8 +188,17 @@ private:
   }
 
   constexpr bool may_go(std::uint32_t tip, tip_rule rule) noexcept {
-    if (reflex_[tip]) return rule == tip_rule::ear_or_straight && turn_at(previous_[tip], tip, next_[tip]) == 0;
-    return is_ear(tip);
+    if (reflex_[tip]) return is_fold(tip);
+    return rule == tip_rule::fold_or_ear && is_ear(tip);
+  }
+
+  /// Whether the ring turns back on itself at the tip, or stands still.
+  constexpr bool is_fold(std::uint32_t tip) const noexcept {
+    const flat_point &a = points_[previous_[tip]], &b = points_[tip], &c = points_[next_[tip]];
+    if (turn(a, b, c) != 0) return false;
+    const bool x_between = (a.x < b.x && b.x < c.x) || (c.x < b.x && b.x < a.x);
+    const bool y_between = (a.y < b.y && b.y < c.y) || (c.y < b.y && b.y < a.y);
+    return !x_between && !y_between;
   }
 
   /// Whether the closed triangle of a left turn holds no other reflex corner. Corners that stand where its own do are
