@@ -51,7 +51,8 @@ def rows(name, members, values, per_line, comment):
 def polynomial(name, coefficients, comment):
     print(f"/// {comment}")
     print(f"inline constexpr double {name}[{len(coefficients)}] = {{")
-    print("    " + ", ".join(literal(c) for c in coefficients))
+    for i in range(0, len(coefficients), 4):
+        print("    " + " ".join(literal(c) + "," for c in coefficients[i:i + 4]))
     print("};\n")
 
 
@@ -190,11 +191,13 @@ def exponential():
     print(f"inline constexpr std::uint64_t log_table_first = 0x{LOG_FIRST:016x}u;\n")
     print("struct log_row {\n  double inverse, log, log_low;\n};")
     rows("log_table", "log_row", log_rows, 1,
-         "For each interval of significands: about 1/its middle in 10 bits; minus its logarithm on a grid of 2^-42, error.")
+         "For each interval: about 1/its middle, in 10 bits; minus its logarithm, on a grid of 2^-42; the error.")
 
-    polynomial("cbrt_coefficients", fitted(lambda x: x**(mpf(1) / 3), 3, mpf(1), mpf(2)), "x^(1/3) for 1 <= x <= 2, within 2^-11.")
+    polynomial("cbrt_coefficients", fitted(lambda x: x**(mpf(1) / 3), 3, mpf(1), mpf(2)),
+               "x^(1/3) for 1 <= x <= 2, within 2^-11.")
     print("/// 2^(i/3).")
-    print("inline constexpr double cbrt_of_power[3] = {" + ", ".join(literal(mpf(2)**(mpf(i) / 3)) for i in range(3)) + "};\n")
+    powers = ", ".join(literal(mpf(2)**(mpf(i) / 3)) for i in range(3))
+    print("inline constexpr double cbrt_of_power[3] = {" + powers + "};\n")
     print("}  // namespace irg::detail")
 
 

@@ -13,7 +13,8 @@ namespace {
 template <class T>
 constexpr T argument(test::random& r, int i) {
   if (i % 3 == 1) return static_cast<T>(32 * r.unit() - 16);
-  if (i % 3 == 2) return static_cast<T>(1 + (r.unit() - 0.5) / static_cast<double>(std::int64_t{1} << r.integer(0, 40)));
+  if (i % 3 == 2)
+    return static_cast<T>(1 + (r.unit() - 0.5) / static_cast<double>(std::int64_t{1} << r.integer(0, 40)));
   if constexpr (sizeof(T) == 8)
     return std::bit_cast<double>(r.next());
   else
@@ -41,6 +42,7 @@ constexpr std::uint64_t circular(int rounds) {
     h.add(both.sine);
     h.add(both.cosine);
     h.add(irg::radians(x));
+    h.add(irg::degrees(x));
   });
 }
 
@@ -95,10 +97,10 @@ constexpr std::uint64_t exact_products(int rounds) {
   return h.value();
 }
 
-#define HASHED_BOTH(function, few, many)                                                 \
+#define HASHED_BOTH(function, few, many)                                                            \
   constexpr std::uint64_t math_##function##_float(int rounds) { return function<float>(rounds); }   \
   constexpr std::uint64_t math_##function##_double(int rounds) { return function<double>(rounds); } \
-  HASHED(math_##function##_float, few, many);                                            \
+  HASHED(math_##function##_float, few, many);                                                       \
   HASHED(math_##function##_double, few, many)
 
 HASHED_BOTH(circular, 60, 300'000);

@@ -28,7 +28,8 @@ test::inflated round_trip(const bytes& data, const d::deflate_effort& effort) {
 #ifdef IRG_HAVE_PNG
   bytes unzipped(data.size() + 1);
   uLongf count = static_cast<uLongf>(unzipped.size());
-  if (uncompress(unzipped.data(), &count, stream.data(), static_cast<uLong>(stream.size())) != Z_OK) out.error = "zlib refuses";
+  if (uncompress(unzipped.data(), &count, stream.data(), static_cast<uLong>(stream.size())) != Z_OK)
+    out.error = "zlib refuses";
   unzipped.resize(count);
   if (unzipped != data) out.error = "zlib finds other data";
 #endif
@@ -44,7 +45,8 @@ bytes noise(std::size_t count, std::uint64_t seed) {
 
 // The fewest bits any code of limited length needs, by trying all lengths.
 template <std::size_t N>
-std::uint64_t fewest_bits(const std::array<std::uint32_t, N>& frequency, int limit, std::size_t symbol = 0, int room = -1) {
+std::uint64_t fewest_bits(const std::array<std::uint32_t, N>& frequency, int limit, std::size_t symbol = 0,
+                          int room = -1) {
   if (room < 0) room = 1 << limit;
   if (symbol == N) return 0;
   std::uint64_t best = ~std::uint64_t{0} / 2;
@@ -52,7 +54,8 @@ std::uint64_t fewest_bits(const std::array<std::uint32_t, N>& frequency, int lim
   for (int l = 1; l <= limit; ++l) {
     const int left = room - (1 << (limit - l));
     if (left < 0) continue;
-    best = std::min(best, frequency[symbol] * static_cast<std::uint64_t>(l) + fewest_bits(frequency, limit, symbol + 1, left));
+    best = std::min(
+        best, frequency[symbol] * static_cast<std::uint64_t>(l) + fewest_bits(frequency, limit, symbol + 1, left));
   }
   return best;
 }
@@ -100,14 +103,18 @@ TEST_CASE("checksums: the values every specification prints") {
 }
 
 TEST_CASE("code lengths: by hand, and against all codes there are") {
-  CHECK_BOTH(d::limited_code_lengths(std::array<std::uint32_t, 4>{1, 1, 2, 4}, 15) == std::array<std::uint8_t, 4>{3, 3, 2, 1});
-  CHECK_BOTH(d::limited_code_lengths(std::array<std::uint32_t, 4>{1, 1, 2, 4}, 2) == std::array<std::uint8_t, 4>{2, 2, 2, 2});
-  CHECK_BOTH(d::limited_code_lengths(std::array<std::uint32_t, 3>{0, 9, 1}, 15) == std::array<std::uint8_t, 3>{0, 1, 1});
+  CHECK_BOTH(d::limited_code_lengths(std::array<std::uint32_t, 4>{1, 1, 2, 4}, 15) ==
+             std::array<std::uint8_t, 4>{3, 3, 2, 1});
+  CHECK_BOTH(d::limited_code_lengths(std::array<std::uint32_t, 4>{1, 1, 2, 4}, 2) ==
+             std::array<std::uint8_t, 4>{2, 2, 2, 2});
+  CHECK_BOTH(d::limited_code_lengths(std::array<std::uint32_t, 3>{0, 9, 1}, 15) ==
+             std::array<std::uint8_t, 3>{0, 1, 1});
   test::random random(7);
   int wrong = 0;
   for (int trial = 0; trial < 400; ++trial) {
     std::array<std::uint32_t, 6> f{};
-    for (std::uint32_t& n : f) n = static_cast<std::uint32_t>(random.integer(0, 1) * random.integer(1, 1 << random.integer(0, 10)));
+    for (std::uint32_t& n : f)
+      n = static_cast<std::uint32_t>(random.integer(0, 1) * random.integer(1, 1 << random.integer(0, 10)));
     f[0] = f[5] = 3;  // two symbols at least
     for (int limit = 3; limit <= 5; ++limit) {
       const auto length = d::limited_code_lengths(f, limit);
@@ -185,7 +192,8 @@ TEST_CASE("hand-made extremes come back") {
       CHECK(round_trip(bytes(n, 0), effort).error == nullptr);
       CHECK(round_trip(noise(n, n), effort).error == nullptr);
     }
-    for (const std::size_t n : {257u, 258u, 259u, 260u, 261u, 262u, 263u, 516u, 517u, 65534u, 65535u, 65536u, 131070u, 131071u})
+    for (const std::size_t n :
+         {257u, 258u, 259u, 260u, 261u, 262u, 263u, 516u, 517u, 65534u, 65535u, 65536u, 131070u, 131071u})
       CHECK(round_trip(bytes(n, 200), effort).error == nullptr);
     bytes all;
     for (int k = 0; k < 3 * 256; ++k) all.push_back(static_cast<std::uint8_t>(k * 37));
@@ -214,8 +222,10 @@ TEST_CASE("the window reaches back 32768 bytes, not one more") {
       CHECK(back.error == nullptr);
       CHECK(back.farthest <= 32768);
       // The last block's bytes are found again, in one match of 200, exactly when they are within reach.
-      if (distance <= 32768) CHECK((back.longest_match == 200 && back.farthest == distance));
-      else CHECK(back.longest_match < 200);
+      if (distance <= 32768)
+        CHECK((back.longest_match == 200 && back.farthest == distance));
+      else
+        CHECK(back.longest_match < 200);
     }
   }
 }
@@ -244,8 +254,12 @@ TEST_CASE("random mixtures come back, over many blocks") {
       const auto n = static_cast<std::size_t>(random.integer(0, 3000));
       switch (random.integer(0, 3)) {
         case 0: data.insert(data.end(), n, static_cast<std::uint8_t>(random.next())); break;
-        case 1: for (std::size_t i = 0; i < n; ++i) data.push_back(static_cast<std::uint8_t>(random.next())); break;
-        case 2: for (std::size_t i = 0; i < n; ++i) data.push_back(static_cast<std::uint8_t>(random.next() % 3)); break;
+        case 1:
+          for (std::size_t i = 0; i < n; ++i) data.push_back(static_cast<std::uint8_t>(random.next()));
+          break;
+        case 2:
+          for (std::size_t i = 0; i < n; ++i) data.push_back(static_cast<std::uint8_t>(random.next() % 3));
+          break;
         default:  // a copy of earlier bytes, which may overlap what it makes
           if (data.empty()) break;
           for (std::size_t from = static_cast<std::size_t>(random.next()) % data.size(), i = 0; i < n; ++i)

@@ -42,7 +42,8 @@ TEST_CASE("the ending names the format") {
   CHECK_BOTH(picture_format_of("a.ppm") == picture_format::ppm);
   CHECK_BOTH(picture_format_of("folder.ppm/A.PNG") == picture_format::png);
   CHECK_BOTH(picture_format_of("a.png.PpM") == picture_format::ppm);
-  for (const char* path : {"", ".", "png", "apng", "a.png ", "a.jpg", "a.svg", "a.pgm", "a.png/", "a.png/b", "a.pn", "a.p@g", ".pnG.x"}) {
+  for (const char* path :
+       {"", ".", "png", "apng", "a.png ", "a.jpg", "a.svg", "a.pgm", "a.png/", "a.png/b", "a.pn", "a.p@g", ".pnG.x"}) {
     CAPTURE(path);
     CHECK(!picture_format_of(path).has_value());
   }

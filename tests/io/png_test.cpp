@@ -86,10 +86,10 @@ const char* round_trip(const R& raster, const png_options& options, int colour_t
   return nullptr;
 }
 
-#define CHECK_ROUND_TRIP(...)                          \
-  do {                                                 \
-    const char* const why = round_trip(__VA_ARGS__);   \
-    CHECK_MESSAGE(why == nullptr, (why ? why : ""));   \
+#define CHECK_ROUND_TRIP(...)                        \
+  do {                                               \
+    const char* const why = round_trip(__VA_ARGS__); \
+    CHECK_MESSAGE(why == nullptr, (why ? why : "")); \
   } while (false)
 
 enum class kind { noise, gradient, constant };
@@ -113,8 +113,8 @@ constexpr std::uint64_t fnv(std::span<const std::uint8_t> data) {
 constexpr rgba8 picture_at(int x, int y) {
   const int dx = x - 20, dy = y - 14, d = dx * dx + dy * dy;
   if (d > 150) return {30, 40, 50, 255};
-  return {static_cast<std::uint8_t>(255 - d), static_cast<std::uint8_t>(120 + dx * 3), static_cast<std::uint8_t>(90 - dy * 4),
-          static_cast<std::uint8_t>(x < 20 ? 255 : 250)};
+  return {static_cast<std::uint8_t>(255 - d), static_cast<std::uint8_t>(120 + dx * 3),
+          static_cast<std::uint8_t>(90 - dy * 4), static_cast<std::uint8_t>(x < 20 ? 255 : 250)};
 }
 constexpr image<rgba8> small_picture(int width, int height) {
   image<rgba8> p(width, height);
@@ -137,11 +137,12 @@ TEST_CASE("what encode_png takes") {
 TEST_CASE("one pixel, byte by byte") {
   // Signature, IHDR 1 x 1 gray, sRGB, a zlib stream of one stored block, IEND; the checksums by an independent routine.
   const bytes file = *irg::encode_png(image<std::uint8_t>(1, 1, 7), {stored});
-  const bytes expected = {0x89, 'P',  'N',  'G',  0x0d, 0x0a, 0x1a, 0x0a,                                       //
-                          0,    0,    0,    13,   'I',  'H',  'D',  'R',  0,    0, 0, 1, 0, 0, 0, 1, 8, 0, 0, 0, 0,  //
-                          0x3a, 0x7e, 0x9b, 0x55,                                                               //
-                          0,    0,    0,    1,    's',  'R',  'G',  'B',  0,    0xae, 0xce, 0x1c, 0xe9,         //
-                          0,    0,    0,    13,   'I',  'D',  'A',  'T',  0x78, 0x01, 1, 2, 0, 0xfd, 0xff, 0, 7, 0, 9, 0, 8};
+  const bytes expected = {
+      0x89, 'P',  'N',  'G',  0x0d, 0x0a, 0x1a, 0x0a,  //
+      0,    0,    0,    13,   'I',  'H',  'D',  'R',  0,    0,    0,    1,    0,    0,    0,    1, 8, 0, 0, 0, 0,  //
+      0x3a, 0x7e, 0x9b, 0x55,  //
+      0,    0,    0,    1,    's',  'R',  'G',  'B',  0,    0xae, 0xce, 0x1c, 0xe9,  //
+      0,    0,    0,    13,   'I',  'D',  'A',  'T',  0x78, 0x01, 1,    2,    0,    0xfd, 0xff, 0, 7, 0, 9, 0, 8};
   REQUIRE(file.size() == expected.size() + 4 + 12);
   CHECK(bytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(expected.size())) == expected);
   CHECK(test::decode_png(file).error == nullptr);
@@ -206,15 +207,15 @@ TEST_CASE("each filter is found where it is best, and undone") {
     for (int x = 0; x < n; ++x) p(x, y) = static_cast<std::uint8_t>(f(x));
   };
   const auto at = [&](int x, int y) { return x < 0 || y < 0 ? 0 : int{p(x, y)}; };
-  row(0, [&](int x) { return x % 7 == 0 ? 1 : 0; });                                   // none: small already
+  row(0, [&](int x) { return x % 7 == 0 ? 1 : 0; });  // none: small already
   row(1, [&](int) { return noise(); });
-  row(2, [&](int x) { return 20 + 6 * x; });                                           // sub: a ramp below noise
+  row(2, [&](int x) { return 20 + 6 * x; });  // sub: a ramp below noise
   row(3, [&](int) { return noise(); });
-  row(4, [&](int x) { return at(x, 3) + 1; });                                         // up: the row above again
+  row(4, [&](int x) { return at(x, 3) + 1; });  // up: the row above again
   row(5, [&](int) { return noise(); });
   for (int x = 0; x < n; ++x) p(x, 6) = static_cast<std::uint8_t>((at(x - 1, 6) + at(x, 5)) / 2 + 1);  // average
   row(7, [&](int) { return noise(); });
-  for (int x = 0; x < n; ++x) {                                                        // paeth, by its definition
+  for (int x = 0; x < n; ++x) {  // paeth, by its definition
     const int a = at(x - 1, 8), b = at(x, 7), c = at(x - 1, 7), e = a + b - c;
     const int pa = std::abs(e - a), pb = std::abs(e - b), pc = std::abs(e - c);
     p(x, 8) = static_cast<std::uint8_t>((pa <= pb && pa <= pc ? a : pb <= pc ? b : c) + 1);
@@ -244,8 +245,9 @@ TEST_CASE("views with gaps, upside down, and pictures that exist only when read"
   CHECK_ROUND_TRIP((image_view<const irg::rgb8>(reinterpret_cast<const irg::rgb8*>(odd.data()), 5, 5, 16)), {}, 0);
 
   int reads = 0;
-  const virtual_raster made{300, 200, [](int x, int y) { return irg::rgb8{static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 9}; },
-                            &reads};
+  const virtual_raster made{
+      300, 200, [](int x, int y) { return irg::rgb8{static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 9}; },
+      &reads};
   const bytes file = *irg::encode_png(made);
   CHECK(reads == 300 * 200);
   CHECK(test::decode_png(file).picture == plain_copy(made));
@@ -264,8 +266,10 @@ TEST_CASE("much data is cut into chunks") {
 TEST_CASE("hostile sizes are refused before a pixel is read") {
   int reads = 0;
   constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
-  const int sizes[][2] = {{0, 0}, {0, 5}, {5, 0}, {-1, 5}, {5, -1}, {-1, -1}, {least, least}, {least, 1}, {most, most}, {most, 2}, {2, most},
-                          {most, 1}, {1, most}, {100000, 100000}, {50000, 85899}, {65536, 65536}, {32768, 32769}, {46341, 46341}};
+  const int sizes[][2] = {{0, 0},         {0, 5},         {5, 0},        {-1, 5},          {5, -1},
+                          {-1, -1},       {least, least}, {least, 1},    {most, most},     {most, 2},
+                          {2, most},      {most, 1},      {1, most},     {100000, 100000}, {50000, 85899},
+                          {65536, 65536}, {32768, 32769}, {46341, 46341}};
   for (const auto& [width, height] : sizes) {
     CAPTURE(width);
     CAPTURE(height);
@@ -283,8 +287,10 @@ TEST_CASE("hostile sizes are refused before a pixel is read") {
 
 TEST_CASE("long thin pictures") {
   for (const auto effort : {stored, fast}) {
-    CHECK_ROUND_TRIP((virtual_raster{100000, 1, [](int x, int) { return static_cast<std::uint8_t>(x / 3 * 7 >> 4); }}), {effort}, 0);
-    CHECK_ROUND_TRIP((virtual_raster{1, 100000, [](int, int y) { return static_cast<std::uint8_t>(y / 3 * 7 >> 4); }}), {effort}, 0);
+    CHECK_ROUND_TRIP((virtual_raster{100000, 1, [](int x, int) { return static_cast<std::uint8_t>(x / 3 * 7 >> 4); }}),
+                     {effort}, 0);
+    CHECK_ROUND_TRIP((virtual_raster{1, 100000, [](int, int y) { return static_cast<std::uint8_t>(y / 3 * 7 >> 4); }}),
+                     {effort}, 0);
   }
 }
 
@@ -294,7 +300,8 @@ TEST_CASE("the file's bytes are the same everywhere") {
   CHECK(fnv(*irg::encode_png(p, {stored})) == 0x2a61e9d69999439cu);
   CHECK(fnv(*irg::encode_png(p, {fast})) == 0x4e1d0ea2582526d0u);
   const virtual_raster larger{500, 300, [](int x, int y) {  // several blocks
-                                return irg::rgb8{static_cast<std::uint8_t>((x * x + y * y) >> 6), static_cast<std::uint8_t>(x * y >> 9),
+                                return irg::rgb8{static_cast<std::uint8_t>((x * x + y * y) >> 6),
+                                                 static_cast<std::uint8_t>(x * y >> 9),
                                                  static_cast<std::uint8_t>((x ^ y) * 5)};
                               }};
   CHECK(fnv(*irg::encode_png(larger, {fast})) == 0xceaf08e4fcef086bu);

@@ -90,7 +90,7 @@ TEST_CASE("the four kinds are read") {
   CHECK_BOTH(reads("P5 1 1 255\na", 1, 1, {{'a', 'a', 'a'}}));
   CHECK_BOTH(reads("P6 1 1 65535\n\0\0\xff\xff\x80\x80"sv, 1, 1, {{0, 255, 128}}));  // the high byte first
   CHECK_BOTH(reads("P5 2 1 256\n\x01\0\0\x80"sv, 2, 1, {w, {128, 128, 128}}));       // 127.5 rounds up
-  CHECK_BOTH(reads("P5 1 1 255\n\n", 1, 1, {{'\n', '\n', '\n'}}));                   // one blank only ends the header
+  CHECK_BOTH(reads("P5 1 1 255\n\n", 1, 1, {{'\n', '\n', '\n'}}));  // one blank only ends the header
   CHECK_BOTH(reads("P6 1 1 255 # # ", 1, 1, {{'#', ' ', '#'}}) == false);
   CHECK_BOTH(reads("P6 1 1 255 # #", 1, 1, {{'#', ' ', '#'}}));
 }
@@ -124,7 +124,8 @@ TEST_CASE("I3: what is written is read") {
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
           const std::uint64_t n = random.next();
-          p(x, y) = {static_cast<std::uint8_t>(n), static_cast<std::uint8_t>(n >> 8), static_cast<std::uint8_t>(n >> 16)};
+          p(x, y) = {static_cast<std::uint8_t>(n), static_cast<std::uint8_t>(n >> 8),
+                     static_cast<std::uint8_t>(n >> 16)};
         }
       CHECK(*irg::read_ppm(*irg::encode_ppm(p)) == p);
       // Upside down, and through a window with gaps between its rows.
@@ -141,7 +142,8 @@ TEST_CASE("I3: what is written is read") {
 
 TEST_CASE("I1: sizes that are no picture or too much of one") {
   constexpr int most = std::numeric_limits<int>::max();
-  const int sizes[][2] = {{0, 0}, {0, 9}, {9, 0}, {-1, 1}, {1, -1}, {most, most}, {most, 1}, {100000, 100000}, {50000, 85899}, {65536, 65536}};
+  const int sizes[][2] = {{0, 0},       {0, 9},    {9, 0},           {-1, 1},        {1, -1},
+                          {most, most}, {most, 1}, {100000, 100000}, {50000, 85899}, {65536, 65536}};
   for (const auto& [width, height] : sizes) {
     int read = 0;
     const virtual_raster r{width, height, [&](int, int) { return ++read, rgba8{}; }};
@@ -202,7 +204,8 @@ TEST_CASE("a file cut off anywhere, or changed anywhere, is a picture or an erro
   const file_bytes binary = *irg::encode_ppm(p);
   for (std::size_t n = 0; n < binary.size(); ++n) CHECK(!irg::read_ppm(std::span(binary).first(n)).has_value());
   const std::string text = "P3\n# a comment\n2 2\n255\n1 2 3 4 5 6\n7 8 9 10 11 12";
-  for (std::size_t n = 0; n < text.size() - 1; ++n) CHECK(!irg::read_ppm(std::string_view(text).substr(0, n)).has_value());
+  for (std::size_t n = 0; n < text.size() - 1; ++n)
+    CHECK(!irg::read_ppm(std::string_view(text).substr(0, n)).has_value());
   CHECK(irg::read_ppm(text).has_value());
 
   test::random random(12);
@@ -213,13 +216,17 @@ TEST_CASE("a file cut off anywhere, or changed anywhere, is a picture or an erro
     for (std::int64_t n = random.integer(1, 4); n > 0; --n) {
       const auto i = static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(changed.size()) - 1));
       const char c = alphabet[static_cast<std::size_t>(random.integer(0, sizeof alphabet - 1))];
-      if (random.integer(0, 3) == 0) changed.insert(i, 1, c);
-      else changed[i] = c;
+      if (random.integer(0, 3) == 0)
+        changed.insert(i, 1, c);
+      else
+        changed[i] = c;
     }
     const auto r = irg::read_ppm(changed);
     pictures += r.has_value();
-    if (r) unexplained += r->width() < 1 || r->height() < 1;
-    else unexplained += r.error().line == 0 || r.error().column == 0 || std::strlen(r.error().message) < 10;
+    if (r)
+      unexplained += r->width() < 1 || r->height() < 1;
+    else
+      unexplained += r.error().line == 0 || r.error().column == 0 || std::strlen(r.error().message) < 10;
   }
   CHECK(unexplained == 0);
   CHECK(pictures > 1000);

@@ -173,7 +173,8 @@ TEST_CASE("difference of products: within 0.51 ulp, cancellation included") {
     worst = std::fmax(worst, test::ulp_error(got, left));
     CHECK(same(got, irg::sum_of_products(a, b, -c, e)));
 
-    const auto fa = static_cast<float>(std::ldexp(a, -std::ilogb(a))), fb = static_cast<float>(std::ldexp(b, -std::ilogb(b)));
+    const auto fa = static_cast<float>(std::ldexp(a, -std::ilogb(a))),
+               fb = static_cast<float>(std::ldexp(b, -std::ilogb(b)));
     const float fc = std::nextafter(fb, 4.0f), fd = std::nextafter(fa, 0.0f);
     mpfr_set_d(left, static_cast<double>(fa) * static_cast<double>(fb), MPFR_RNDN);
     mpfr_sub_d(left, left, static_cast<double>(fc) * static_cast<double>(fd), MPFR_RNDN);
@@ -182,5 +183,42 @@ TEST_CASE("difference of products: within 0.51 ulp, cancellation included") {
   MESSAGE("difference_of_products: ", worst, " ulp in double, ", worst_single, " ulp in float");
   CHECK(worst <= 0.51);
   CHECK(worst_single <= 0.5001);
+}
+
+TEST_CASE("difference of products: both ends of the range") {
+  test::random r(6);
+  test::real left, right;
+  mpfr_set_prec(left, 5000);
+  mpfr_set_prec(right, 5000);
+  double worst_large = 0, worst_small = 0;
+  for (int i = 0; i < test::count_of(20000); ++i) {
+    // Products between 2^1000 and 2^1100 that may cancel, and products below 2^-900.
+    const bool is_large = i % 2 == 0;
+    const int first = static_cast<int>(r.integer(is_large ? 500 : -900, is_large ? 1000 : -100));
+    const int sum = static_cast<int>(r.integer(is_large ? 1000 : -1080, is_large ? 1100 : -950));
+    const double a = random_double(r, first, first), b = random_double(r, sum - first, sum - first);
+    const double c = i % 3 == 0 ? std::nextafter(a, 0.0) : random_double(r, first, first), d = i % 5 == 0 ? b : -b;
+    mpfr_set_d(left, a, MPFR_RNDN);
+    mpfr_mul_d(left, left, b, MPFR_RNDN);
+    mpfr_set_d(right, c, MPFR_RNDN);
+    mpfr_mul_d(right, right, d, MPFR_RNDN);
+    mpfr_sub(left, left, right, MPFR_RNDN);
+    const double got = irg::difference_of_products(a, b, c, d);
+    CHECK(!std::isnan(got));
+    if (is_large) {
+      worst_large = std::fmax(worst_large, test::ulp_error(got, left));
+    } else {
+      // In units of the smallest double, beyond one unit in the last place of the result.
+      const double last_place = std::fmax(std::nextafter(std::fabs(got), 1.0) - std::fabs(got), 0x1p-1074);
+      mpfr_sub_d(left, left, got, MPFR_RNDN);
+      mpfr_abs(left, left, MPFR_RNDN);
+      mpfr_sub_d(left, left, last_place, MPFR_RNDN);
+      worst_small = std::fmax(worst_small, std::ldexp(mpfr_get_d(left, MPFR_RNDU), 1000) * 0x1p74);
+    }
+  }
+  MESSAGE("difference_of_products: ", worst_large, " ulp of large products; ", worst_small,
+          " smallest doubles beyond one ulp of small ones");
+  CHECK(worst_large <= 0.51);
+  CHECK(worst_small <= 2);
 }
 #endif

@@ -154,10 +154,11 @@ TEST_CASE("exact results are exact") {
 }
 
 #ifdef IRG_HAVE_MPFR
-#define IRG_ULP(function, bound, range, ...)                                                                     \
-  test::check_ulp(#function ", " range, bound, [](double x, double) { return irg::function(x); },                 \
-                  [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr) { mpfr_##function(out, x, MPFR_RNDN); },                 \
-                  [](test::random & r) -> test::pair_of_doubles { return {__VA_ARGS__, 0}; }, test::count_of(15000))
+#define IRG_ULP(function, bound, range, ...)                                          \
+  test::check_ulp(                                                                    \
+      #function ", " range, bound, [](double x, double) { return irg::function(x); }, \
+      [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr) { mpfr_##function(out, x, MPFR_RNDN); }, \
+      [](test::random& r) -> test::pair_of_doubles { return {__VA_ARGS__, 0}; }, test::count_of(15000))
 
 TEST_CASE("exponentials stay within their bound") {
   IRG_ULP(exp, 0.52, "whole range", test::between(r, -746, 709.78));
@@ -182,6 +183,7 @@ TEST_CASE("logarithms stay within their bound") {
 
 TEST_CASE("cube roots stay within their bound") {
   IRG_ULP(cbrt, 0.501, "all doubles", test::any_double(r));
+  IRG_ULP(cbrt, 0.501, "subnormal", test::between(r, -1, 1) * 0x1p-1022);
   IRG_ULP(cbrt, 0.501, "1 to 8", test::between(r, 1, 8));
 }
 
@@ -195,21 +197,24 @@ TEST_CASE("powers stay within their bound") {
   // Arguments whose result is e^t.
   const auto of_result = [](double x, double t) { return result{x, t / std::log(x)}; };
   run("pow, moderate", [](random& r) { return result{test::between(r, 0, 10), test::between(r, -20, 20)}; });
-  run("pow, all bases", [&](random& r) { return of_result(test::of_exponent(r, -1074, 1023), test::between(r, -744, 709.7)); });
+  run("pow, all bases",
+      [&](random& r) { return of_result(test::of_exponent(r, -1074, 1023), test::between(r, -744, 709.7)); });
   run("pow, bases near 1", [&](random& r) {
     return of_result(1 + test::either_sign(r, test::of_exponent(r, -52, -2)), test::between(r, -744, 709.7));
   });
-  run("pow, largest results", [&](random& r) { return of_result(test::of_exponent(r, 1, 1023), test::between(r, 700, 709.7)); });
-  run("pow, subnormal results", [&](random& r) { return of_result(test::of_exponent(r, 1, 1023), test::between(r, -746, -706)); });
+  run("pow, largest results",
+      [&](random& r) { return of_result(test::of_exponent(r, 1, 1023), test::between(r, 700, 709.7)); });
+  run("pow, subnormal results",
+      [&](random& r) { return of_result(test::of_exponent(r, 1, 1023), test::between(r, -746, -706)); });
   run("pow, integers", [](random& r) {
     return result{static_cast<double>(r.integer(-999, 999)), static_cast<double>(r.integer(-20, 30))};
   });
 }
 
-#define IRG_FLOAT_RUN(function)                                                                          \
-  test::check_floats(#function, 0.5001, [](float x) { return irg::function(x); },                        \
-                     [](double x) { return std::function(x); },                                          \
-                     [](mpfr_ptr out, mpfr_ptr x) { mpfr_##function(out, x, MPFR_RNDN); })
+#define IRG_FLOAT_RUN(function)                                                                               \
+  test::check_floats(                                                                                         \
+      #function, 0.5001, [](float x) { return irg::function(x); }, [](double x) { return std::function(x); }, \
+      [](mpfr_ptr out, mpfr_ptr x) { mpfr_##function(out, x, MPFR_RNDN); })
 
 TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
   IRG_FLOAT_RUN(exp);
@@ -219,9 +224,10 @@ TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
   IRG_FLOAT_RUN(log10);
   IRG_FLOAT_RUN(cbrt);
   for (const float y : {2.4f, 1 / 2.4f, -3.0f, 50.0f})
-    test::check_floats("pow with a fixed y", 0.5001, [y](float x) { return irg::pow(x, y); },
-                       [y](double x) { return std::pow(x, static_cast<double>(y)); },
-                       [y](mpfr_ptr out, mpfr_ptr x) { mpfr_pow(out, x, test::real(static_cast<double>(y)), MPFR_RNDN); });
+    test::check_floats(
+        "pow with a fixed y", 0.5001, [y](float x) { return irg::pow(x, y); },
+        [y](double x) { return std::pow(x, static_cast<double>(y)); },
+        [y](mpfr_ptr out, mpfr_ptr x) { mpfr_pow(out, x, test::real(static_cast<double>(y)), MPFR_RNDN); });
 }
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }

@@ -105,6 +105,10 @@ TEST_CASE("radians and degrees") {
   CHECK_BOTH(same(irg::degrees(no_number), no_number));
   CHECK_BOTH(same(irg::radians(-0.0), -0.0));
   CHECK_BOTH(irg::degrees(inf) == inf);
+  CHECK_BOTH(irg::degrees(-largest) == -inf);
+  CHECK_BOTH(irg::degrees(smallest) == 57 * smallest);
+  CHECK_BOTH(irg::radians(29 * smallest) == smallest);
+  CHECK_BOTH(same(irg::radians(-28 * smallest), -0.0));
 }
 
 TEST_CASE("inverse functions: values by hand") {
@@ -230,22 +234,71 @@ TEST_CASE("sine, cosine and tangent stay within their bounds") {
   check_circular("tan", 0.65, IRG_OWN(irg::tan), IRG_EXACT(mpfr_tan));
 }
 
-TEST_CASE("sine of degrees stays within its bound") {
-  const auto exact = [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr) {
-    mpfr_fmod_ui(out, x, 360, MPFR_RNDN);
-    test::real pi;
-    mpfr_const_pi(pi, MPFR_RNDN);
-    mpfr_mul(out, out, pi, MPFR_RNDN);
-    mpfr_div_ui(out, out, 180, MPFR_RNDN);
-    mpfr_sin(out, out, MPFR_RNDN);
-  };
+namespace {
+
+/// x degrees modulo 360 in radians; zero_at is the angle modulo 180 whose sine or cosine is exactly zero, where no
+/// number of bits of pi gives zero. Returns whether x is such an angle.
+bool exact_radians(mpfr_ptr out, mpfr_ptr x, double zero_at) {
+  mpfr_fmod_ui(out, x, 180, MPFR_RNDN);
+  mpfr_abs(out, out, MPFR_RNDN);
+  const bool is_zero = mpfr_cmp_d(out, zero_at) == 0;
+  mpfr_fmod_ui(out, x, 360, MPFR_RNDN);
+  test::real pi;
+  mpfr_const_pi(pi, MPFR_RNDN);
+  mpfr_mul(out, out, pi, MPFR_RNDN);
+  mpfr_div_ui(out, out, 180, MPFR_RNDN);
+  if (is_zero) mpfr_set_zero(out, 1);
+  return is_zero;
+}
+void exact_sin_degrees(mpfr_ptr out, mpfr_ptr x) {
+  if (!exact_radians(out, x, 0)) mpfr_sin(out, out, MPFR_RNDN);
+}
+void exact_cos_degrees(mpfr_ptr out, mpfr_ptr x) {
+  if (!exact_radians(out, x, 90)) mpfr_cos(out, out, MPFR_RNDN);
+}
+
+}  // namespace
+
+TEST_CASE("sine and cosine of degrees stay within their bounds") {
   using test::random;
   using result = test::pair_of_doubles;
-  // Multiples of 180, where 300 bits of pi do not give the exact zero, are tested apart.
-  test::check_ulp("sin_degrees, to 1000", 0.55, IRG_OWN(irg::sin_degrees), exact,
-                  [](random& r) { return result{test::between(r, -1000, 1000), 0}; }, test::count_of(20000));
-  test::check_ulp("sin_degrees, to 2^48", 0.55, IRG_OWN(irg::sin_degrees), exact,
-                  [](random& r) { return result{test::of_exponent(r, 10, 48) + 0x1p-5, 0}; }, test::count_of(20000));
+  const auto sine = [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr) { exact_sin_degrees(out, x); };
+  const auto cosine = [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr) { exact_cos_degrees(out, x); };
+  const auto both = [&](const std::string& range, auto generate) {
+    const int n = test::count_of(8000);
+    test::check_ulp(("sin_degrees" + range).c_str(), 0.55, IRG_OWN(irg::sin_degrees), sine, generate, n);
+    test::check_ulp(("cos_degrees" + range).c_str(), 0.55, IRG_OWN(irg::cos_degrees), cosine, generate, n);
+  };
+  both(", all doubles", [](random& r) { return result{test::any_double(r), 0}; });
+  both(", to 1000", [](random& r) { return result{test::between(r, -1000, 1000), 0}; });
+  both(", 2^10 to 2^60", [](random& r) { return result{test::of_exponent(r, 10, 60), 0}; });
+  both(", integers", [](random& r) { return result{static_cast<double>(r.integer(-100000, 100000)), 0}; });
+  both(", near multiples of 90", [](random& r) {
+    return result{90.0 * static_cast<double>(r.integer(-99, 99)) + test::of_exponent(r, -60, 0), 0};
+  });
+}
+
+TEST_CASE("radians and degrees stay within their bounds") {
+  using test::random;
+  using result = test::pair_of_doubles;
+  const auto to_radians = [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr) {
+    mpfr_const_pi(out, MPFR_RNDN);
+    mpfr_mul(out, out, x, MPFR_RNDN);
+    mpfr_div_ui(out, out, 180, MPFR_RNDN);
+  };
+  const auto to_degrees = [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr) {
+    mpfr_const_pi(out, MPFR_RNDN);
+    mpfr_div(out, x, out, MPFR_RNDN);
+    mpfr_mul_ui(out, out, 180, MPFR_RNDN);
+  };
+  const int n = test::count_of(8000);
+  const auto any = [](random& r) { return result{test::any_double(r), 0}; };
+  const auto moderate = [](random& r) { return result{test::between(r, -400, 400), 0}; };
+  const auto subnormal = [](random& r) { return result{test::between(r, -1, 1) * 0x1p-1022, 0}; };
+  for (const auto& generate : {+any, +moderate, +subnormal}) {
+    test::check_ulp("radians", 0.51, IRG_OWN(irg::radians), to_radians, generate, n);
+    test::check_ulp("degrees", 0.51, IRG_OWN(irg::degrees), to_degrees, generate, n);
+  }
 }
 
 TEST_CASE("the inverse functions stay within their bounds") {
@@ -261,8 +314,9 @@ TEST_CASE("the inverse functions stay within their bounds") {
   test::check_ulp("acos, unit", 0.501, IRG_OWN(irg::acos), IRG_EXACT(mpfr_acos), unit, n);
   test::check_ulp("acos, tiny", 0.501, IRG_OWN(irg::acos), IRG_EXACT(mpfr_acos), tiny, n);
   test::check_ulp("acos, near 1", 0.501, IRG_OWN(irg::acos), IRG_EXACT(mpfr_acos), near_one, n);
-  test::check_ulp("atan, all doubles", 0.501, IRG_OWN(irg::atan), IRG_EXACT(mpfr_atan),
-                  [](random& r) { return result{test::any_double(r), 0}; }, n);
+  test::check_ulp(
+      "atan, all doubles", 0.501, IRG_OWN(irg::atan), IRG_EXACT(mpfr_atan),
+      [](random& r) { return result{test::any_double(r), 0}; }, n);
   test::check_ulp("atan, unit", 0.501, IRG_OWN(irg::atan), IRG_EXACT(mpfr_atan), unit, n);
 
   const auto own = [](double y, double x) { return irg::atan2(y, x); };
@@ -273,30 +327,36 @@ TEST_CASE("the inverse functions stay within their bounds") {
   const auto subnormal = [](random& r) {
     return result{test::between(r, -1, 1) * 0x1p-1060, test::between(r, -1, 1) * 0x1p-1060};
   };
-  test::check_ulp("atan2, all doubles", 0.501, own, exact,
-                  [](random& r) { return result{test::any_double(r), test::any_double(r)}; }, n);
-  test::check_ulp("atan2, unit square", 0.501, own, exact,
-                  [](random& r) { return result{test::between(r, -1, 1), test::between(r, -1, 1)}; }, n);
+  test::check_ulp(
+      "atan2, all doubles", 0.501, own, exact,
+      [](random& r) { return result{test::any_double(r), test::any_double(r)}; }, n);
+  test::check_ulp(
+      "atan2, unit square", 0.501, own, exact,
+      [](random& r) { return result{test::between(r, -1, 1), test::between(r, -1, 1)}; }, n);
   test::check_ulp("atan2, ratios to 2^70", 0.501, own, exact, ratio, n);
   test::check_ulp("atan2, subnormal", 0.501, own, exact, subnormal, n);
 }
 
-#define IRG_FLOAT_RUN(name, function, reference, operation)                      \
-  test::check_floats(name, 0.5001, [](float x) { return function(x); },          \
-                     [](double x) { return reference(x); },                      \
-                     [](mpfr_ptr out, mpfr_ptr x) { operation(out, x, MPFR_RNDN); })
+#define IRG_MPFR(operation) [](mpfr_ptr out, mpfr_ptr x) { operation(out, x, MPFR_RNDN); }
+#define IRG_FLOAT_RUN(name, function, reference, operation) \
+  test::check_floats(                                       \
+      name, 0.5001, [](float x) { return function(x); }, [](double x) { return reference(x); }, operation)
 
 TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
-  IRG_FLOAT_RUN("sin", irg::sin, std::sin, mpfr_sin);
-  IRG_FLOAT_RUN("cos", irg::cos, std::cos, mpfr_cos);
-  IRG_FLOAT_RUN("tan", irg::tan, std::tan, mpfr_tan);
-  IRG_FLOAT_RUN("asin", irg::asin, std::asin, mpfr_asin);
-  IRG_FLOAT_RUN("acos", irg::acos, std::acos, mpfr_acos);
-  IRG_FLOAT_RUN("atan", irg::atan, std::atan, mpfr_atan);
+  IRG_FLOAT_RUN("sin", irg::sin, std::sin, IRG_MPFR(mpfr_sin));
+  IRG_FLOAT_RUN("cos", irg::cos, std::cos, IRG_MPFR(mpfr_cos));
+  IRG_FLOAT_RUN("tan", irg::tan, std::tan, IRG_MPFR(mpfr_tan));
+  IRG_FLOAT_RUN("asin", irg::asin, std::asin, IRG_MPFR(mpfr_asin));
+  IRG_FLOAT_RUN("acos", irg::acos, std::acos, IRG_MPFR(mpfr_acos));
+  IRG_FLOAT_RUN("atan", irg::atan, std::atan, IRG_MPFR(mpfr_atan));
+  // Double's sine of degrees has its own test above, and serves as reference here.
+  IRG_FLOAT_RUN("sin_degrees", irg::sin_degrees, irg::sin_degrees, exact_sin_degrees);
+  IRG_FLOAT_RUN("cos_degrees", irg::cos_degrees, irg::cos_degrees, exact_cos_degrees);
   for (const float x : {0.7f, -3e-5f, 1e-38f, -2e30f})
-    test::check_floats("atan2 of a fixed x", 0.5001, [x](float y) { return irg::atan2(y, x); },
-                       [x](double y) { return std::atan2(y, static_cast<double>(x)); },
-                       [x](mpfr_ptr out, mpfr_ptr y) { mpfr_atan2(out, y, test::real(static_cast<double>(x)), MPFR_RNDN); });
+    test::check_floats(
+        "atan2 of a fixed x", 0.5001, [x](float y) { return irg::atan2(y, x); },
+        [x](double y) { return std::atan2(y, static_cast<double>(x)); },
+        [x](mpfr_ptr out, mpfr_ptr y) { mpfr_atan2(out, y, test::real(static_cast<double>(x)), MPFR_RNDN); });
 }
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }

@@ -138,12 +138,13 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
         const irg::subpixel p{x * 256 + 128, y * 256 + 128};
         const long double b1 = static_cast<long double>(irg::signed_double_area(v[2].position, v[0].position, p)) / area;
         const long double b2 = static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, p)) / area;
-        const long double z = v[0].depth + b1 * (static_cast<long double>(v[1].depth) - v[0].depth) +
-                              b2 * (static_cast<long double>(v[2].depth) - v[0].depth);
-        const long double q = v[0].inverse_w * (1 - b1 - b2) + v[1].inverse_w * b1 + v[2].inverse_w * b2;
-        worst_depth = std::fmax(worst_depth, std::fabs(z / static_cast<long double>(depth(x, y)) - 1) * 0x1p24L);
-        worst_weight = std::fmax(worst_weight, std::fabs(b1 * v[1].inverse_w / q - static_cast<long double>(weights(x, y).w1)));
-        worst_weight = std::fmax(worst_weight, std::fabs(b2 * v[2].inverse_w / q - static_cast<long double>(weights(x, y).w2)));
+        const auto wide = [](float f) { return static_cast<long double>(f); };
+        const long double z0 = wide(v[0].depth), q1 = wide(v[1].inverse_w), q2 = wide(v[2].inverse_w);
+        const long double z = z0 + b1 * (wide(v[1].depth) - z0) + b2 * (wide(v[2].depth) - z0);
+        const long double q = wide(v[0].inverse_w) * (1 - b1 - b2) + q1 * b1 + q2 * b2;
+        worst_depth = std::fmax(worst_depth, std::fabs(z / wide(depth(x, y)) - 1) * 0x1p24L);
+        worst_weight = std::fmax(worst_weight, std::fabs(b1 * q1 / q - wide(weights(x, y).w1)));
+        worst_weight = std::fmax(worst_weight, std::fabs(b2 * q2 / q - wide(weights(x, y).w2)));
         const float low = std::fmin(v[0].depth, std::fmin(v[1].depth, v[2].depth));
         const float high = std::fmax(v[0].depth, std::fmax(v[1].depth, v[2].depth));
         REQUIRE(depth(x, y) >= low);

@@ -34,9 +34,12 @@ public:
     for (bool last = false; !last && out_.error == nullptr;) {
       last = bits(1) == 1;
       const unsigned type = bits(2);
-      if (type == 0) stored();
-      else if (type == 2) dynamic();
-      else fail("block type");
+      if (type == 0)
+        stored();
+      else if (type == 2)
+        dynamic();
+      else
+        fail("block type");
     }
     out_.consumed = (at_ + 7) / 8;
     return out_;
@@ -114,9 +117,11 @@ private:
   void body(const code& literal, const code& distance) {
     static constexpr unsigned length_base[] = {3,  4,  5,  6,  7,  8,  9,  10, 11,  13,  15,  17,  19,  23, 27,
                                                31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258};
-    static constexpr int length_bits[] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
-    static constexpr unsigned distance_base[] = {1,   2,   3,   4,   5,   7,    9,    13,   17,   25,   33,   49,   65,    97,    129,
-                                                 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
+    static constexpr int length_bits[] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2,
+                                          2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
+    static constexpr unsigned distance_base[] = {1,    2,    3,    4,    5,    7,    9,    13,    17,    25,
+                                                 33,   49,   65,   97,   129,  193,  257,  385,   513,   769,
+                                                 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577};
     while (out_.error == nullptr) {
       const unsigned s = symbol(literal);
       if (s == 256) return;
@@ -143,7 +148,8 @@ private:
 /// The data of a zlib stream, its header, checksum and length verified.
 inline inflated unzip(std::span<const std::uint8_t> in) {
   inflated out;
-  if (in.size() < 6 || in[0] != 0x78 || (in[0] * 256 + in[1]) % 31 != 0 || (in[1] & 0x20) != 0) return out.error = "zlib header", out;
+  if (in.size() < 6 || in[0] != 0x78 || (in[0] * 256 + in[1]) % 31 != 0 || (in[1] & 0x20) != 0)
+    return out.error = "zlib header", out;
   out = inflater(in.subspan(2)).run();
   if (out.error != nullptr) return out;
   std::uint64_t a = 1, b = 0;
@@ -197,7 +203,8 @@ inline void unfilter(bytes& rows, std::size_t count, std::size_t height, std::si
 inline decoded_png decode_png(std::span<const std::uint8_t> file) {
   decoded_png out;
   const auto number = [&](std::size_t i) {
-    return std::uint32_t{file[i]} << 24 | std::uint32_t{file[i + 1]} << 16 | std::uint32_t{file[i + 2]} << 8 | file[i + 3];
+    return std::uint32_t{file[i]} << 24 | std::uint32_t{file[i + 1]} << 16 | std::uint32_t{file[i + 2]} << 8 |
+           file[i + 3];
   };
   static constexpr std::uint8_t signature[] = {137, 80, 78, 71, 13, 10, 26, 10};
   for (std::size_t i = 0; i < 8; ++i)
@@ -215,7 +222,8 @@ inline decoded_png decode_png(std::span<const std::uint8_t> file) {
       width = number(at + 8);
       height = number(at + 12);
       out.colour_type = data[9];
-      if (length != 13 || data[8] != 8 || data[10] != 0 || data[11] != 0 || data[12] != 0) return out.error = "IHDR", out;
+      if (length != 13 || data[8] != 8 || data[10] != 0 || data[11] != 0 || data[12] != 0)
+        return out.error = "IHDR", out;
     } else if (name == "sRGB") {
       if (length != 1 || data[0] > 3 || out.data_chunks > 0) return out.error = "sRGB", out;
       ++out.srgb_chunks;

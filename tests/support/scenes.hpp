@@ -117,6 +117,8 @@ irg::scene<T> random_scene(random& r, int faces, positions kind) {
     s.view.near_distance = T(-20), s.view.far_distance = T(20);
   } else if (r.integer(0, 2) == 0) {
     s.view.near_distance = T(0.5), s.view.far_distance = T(6);
+  } else if (r.integer(0, 1) == 0) {
+    s.view.near_distance = T(0.0001);
   }
   return s;
 }

@@ -76,7 +76,8 @@ private:
 /// |got - exact| in units in the last place of exact, rounded to T; 1e9 when one is finite and the other is not.
 template <class T>
 double ulp_error(T got, mpfr_ptr exact) {
-  const T nearest = sizeof(T) == 4 ? static_cast<T>(mpfr_get_flt(exact, MPFR_RNDN)) : static_cast<T>(mpfr_get_d(exact, MPFR_RNDN));
+  const T nearest =
+      sizeof(T) == 4 ? static_cast<T>(mpfr_get_flt(exact, MPFR_RNDN)) : static_cast<T>(mpfr_get_d(exact, MPFR_RNDN));
   if (!std::isfinite(nearest) || !std::isfinite(got)) return same(nearest, got) ? 0 : 1e9;
   int exponent = 0;
   std::frexp(nearest, &exponent);
@@ -144,13 +145,13 @@ void check_floats(const char* what, double bound, F function, Reference referenc
 }  // namespace test
 
 /// The function's result in constant evaluation has the bits of its result at run time.
-#define CHECK_SAME_LIVES_1(function, x)                                                             \
-  do {                                                                                              \
-    constexpr auto in_constant_evaluation = function(x);                                            \
-    CHECK(test::same(in_constant_evaluation, function(test::at_run_time(x))));                      \
+#define CHECK_SAME_LIVES_1(function, x)                                        \
+  do {                                                                         \
+    constexpr auto in_constant_evaluation = function(x);                       \
+    CHECK(test::same(in_constant_evaluation, function(test::at_run_time(x)))); \
   } while (false)
-#define CHECK_SAME_LIVES_2(function, x, y)                                                          \
-  do {                                                                                              \
-    constexpr auto in_constant_evaluation = function(x, y);                                         \
+#define CHECK_SAME_LIVES_2(function, x, y)                                                           \
+  do {                                                                                               \
+    constexpr auto in_constant_evaluation = function(x, y);                                          \
     CHECK(test::same(in_constant_evaluation, function(test::at_run_time(x), test::at_run_time(y)))); \
   } while (false)

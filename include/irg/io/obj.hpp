@@ -320,8 +320,7 @@ inline namespace IRG_ABI {
 ///         range
 /// exact   numbers are correctly rounded to T
 /// cost    linear in the text; memory at most 64 times the text and 1 MiB. In constant evaluation clang with libstdc++
-/// 12
-///         has no std::string, and so reads texts without names only
+///         12 has no std::string, so that it reads texts without names only
 template <Floating T = double>
 constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {
   if (static_cast<std::uint64_t>(text.size()) >> 32 != 0) return parse_error{0, 0, "text is longer than 4 GiB"};

@@ -32,7 +32,8 @@ constexpr std::optional<encode_error> refuse_picture_size(int width, int height)
   if (width < 0 || height < 0) return encode_error{"picture cannot have a negative width or height"};
   if (width == 0 || height == 0) return encode_error{"picture needs at least one pixel"};
   const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-  if (pixels > max_picture_pixels) return encode_error{"picture is too large: it has more pixels than irg::max_picture_pixels"};
+  if (pixels > max_picture_pixels)
+    return encode_error{"picture is too large: it has more pixels than irg::max_picture_pixels"};
   return std::nullopt;
 }
 

@@ -26,8 +26,8 @@ constexpr void append_decimal(Bytes& file, int n) {
 
 /// The file "P<kind> width height 255" with the samples that write(pixel, out) puts there, `channels` per pixel.
 template <EncodableRaster R, class Write>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_netpbm(char kind, std::size_t channels, const R& raster,
-                                                                        Write write) {
+constexpr result<std::vector<std::uint8_t>, encode_error> encode_netpbm(char kind, std::size_t channels,
+                                                                        const R& raster, Write write) {
   const int width = width_of(raster), height = height_of(raster);
   if (const auto refused = refuse_picture_size(width, height)) return *refused;
   std::vector<std::uint8_t> file = {'P', static_cast<std::uint8_t>(kind), '\n'};
@@ -113,7 +113,8 @@ private:
     return static_cast<std::uint8_t>((sample * 255 + largest_ / 2) / largest_);
   }
   constexpr std::uint64_t samples(int width, int height) const noexcept {
-    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * static_cast<std::uint64_t>(channels_);
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
+           static_cast<std::uint64_t>(channels_);
   }
 
   // What follows says whether it went well; failure_ tells why when it did not.
@@ -124,11 +125,13 @@ private:
 
   constexpr bool enough_bytes(int width, int height) noexcept {
     if (!at_end() && bytes_[at_] == '#') skip_comment();
-    if (at_end() || !is_space(bytes_[at_])) return failed("white space is expected between the header and the pixels", at_);
+    if (at_end() || !is_space(bytes_[at_]))
+      return failed("white space is expected between the header and the pixels", at_);
     ++at_;
     const std::uint64_t needed = samples(width, height) * (largest_ > 255 ? 2 : 1);
     if (bytes_.size() - at_ < needed) return failed("file is too short for the pixels that begin here", at_);
-    if (bytes_.size() - at_ > needed) return failed("file is too long for the one picture whose pixels begin here", at_);
+    if (bytes_.size() - at_ > needed)
+      return failed("file is too long for the one picture whose pixels begin here", at_);
     return true;
   }
   constexpr bool enough_text(int width, int height) noexcept {

@@ -45,7 +45,8 @@ constexpr T log(T x) noexcept {
 template <Floating T>
 constexpr T log2(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::narrow<T>(detail::round(detail::multiply(detail::log_of(static_cast<double>(x)), {detail::inverse_log_two_high, detail::inverse_log_two_low})));
+  return detail::narrow<T>(detail::round(detail::multiply(
+      detail::log_of(static_cast<double>(x)), {detail::inverse_log_two_high, detail::inverse_log_two_low})));
 }
 
 /// The logarithm of x to base 10.
@@ -55,7 +56,8 @@ constexpr T log2(T x) noexcept {
 template <Floating T>
 constexpr T log10(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::narrow<T>(detail::round(detail::multiply(detail::log_of(static_cast<double>(x)), {detail::inverse_log_ten_high, detail::inverse_log_ten_low})));
+  return detail::narrow<T>(detail::round(detail::multiply(
+      detail::log_of(static_cast<double>(x)), {detail::inverse_log_ten_high, detail::inverse_log_ten_low})));
 }
 
 /// x to the power y.

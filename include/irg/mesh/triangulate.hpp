@@ -24,13 +24,13 @@ inline namespace IRG_ABI {
 /// shape   a face of n corners gives n - 2 triangles of its corners in its own direction, in place of it; no vertex is
 ///         added, so that neighbours still share whole edges. parts count triangles then
 /// needs   a mesh in which validate() finds no defect, and at most 1,431,655,765 triangles in it
-/// gives   for a simple planar polygon, convex or not: triangles that cover it exactly once, none without area.
-/// Collinear
-///         corners are allowed. For others the signed area is kept, in every projection: faces that touch or cross
-///         themselves are cut as far as that goes and finished as a fan, faces without area are fans
+/// gives   for a simple planar polygon, convex or not: triangles that cover it exactly once, none of them without area.
+///         Straight corners are allowed, and so are holes that bridges join to the ring. For others the signed area is
+///         kept, in every projection: folds go as triangles without area, what crosses itself is cut as far as ears go
+///         and finished as a fan, faces without area are fans
 /// exact   decisions on the corners' own coordinates, without the one along which the Newell normal is longest, are
 ///         exact for every finite float and double; which coordinate that is, is decided in rounded arithmetic
-/// cost    strictly convex faces: linear. Others O(n log n) and up to tests_per_corner * n tests
+/// cost    linear for strictly convex faces, else O(n log n) and up to tests_per_corner * n tests
 /// source  Meisters 1975, Polygons have ears
 template <Scalar T>
 constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {}) {

@@ -134,11 +134,14 @@ constexpr draw_list list_triangles(const projected_vertices<T>& v, std::span<con
   const auto count = static_cast<std::uint32_t>(triangles.size());
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto [a, b, c] = triangles[i].v;
-    if (skip == skipping::on && (v.outside[a] & v.outside[b] & v.outside[c]) != clip_planes::none) {
+    const clip_planes cut = v.cut[a] | v.cut[b] | v.cut[c];
+    // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle lands,
+    // and only the depth planes, by which it decides itself, are sure to change nothing.
+    const clip_planes sure = cut == clip_planes::none ? clip_planes::all : clip_planes::depth;
+    if (skip == skipping::on && overlap(v.outside[a] & v.outside[b] & v.outside[c], sure)) {
       ++list.skipped.frustum;
       continue;
     }
-    const clip_planes cut = v.cut[a] | v.cut[b] | v.cut[c];
     if (cut != clip_planes::none) {
       enlist_clipped<T>(list, i, count, {v.clip[a], v.clip[b], v.clip[c]}, mapping, width, height, culling, skip);
       continue;

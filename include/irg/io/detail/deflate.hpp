@@ -67,7 +67,9 @@ IRG_INLINE constexpr symbol_and_rest length_symbol(int length) noexcept {
   s.symbol += 257;
   return s;
 }
-IRG_INLINE constexpr symbol_and_rest distance_symbol(std::uint32_t distance) noexcept { return split_number(distance - 1, 1); }
+IRG_INLINE constexpr symbol_and_rest distance_symbol(std::uint32_t distance) noexcept {
+  return split_number(distance - 1, 1);
+}
 
 inline constexpr std::size_t end_of_block = 256;
 using literal_counts = std::array<std::uint32_t, 286>;

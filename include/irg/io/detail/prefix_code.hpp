@@ -25,7 +25,8 @@ struct prefix_code {
 /// cost    O(N * limit), and O(N^2) short steps of sorting
 /// source  Larmore and Hirschberg 1990 (package-merge)
 template <std::size_t N>
-constexpr std::array<std::uint8_t, N> limited_code_lengths(const std::array<std::uint32_t, N>& frequency, int limit) noexcept {
+constexpr std::array<std::uint8_t, N> limited_code_lengths(const std::array<std::uint32_t, N>& frequency,
+                                                           int limit) noexcept {
   std::array<std::size_t, N> order{};  // the used symbols, rarest first
   std::size_t used = 0;
   for (std::size_t symbol = 0; symbol < N; ++symbol) {
@@ -46,8 +47,8 @@ constexpr std::array<std::uint8_t, N> limited_code_lengths(const std::array<std:
     auto& weight = weights[row % 2];
     std::size_t size = 0, symbol = 0, pair = 0;
     while (size < wanted && (symbol < used || pair + 1 < size_before)) {
-      const bool pair_is_lighter = pair + 1 < size_before && symbol < used &&
-                                   before[pair] + before[pair + 1] < frequency[order[symbol]];
+      const bool pair_is_lighter =
+          pair + 1 < size_before && symbol < used && before[pair] + before[pair + 1] < frequency[order[symbol]];
       is_symbol[row][size] = symbol < used && !pair_is_lighter;
       if (is_symbol[row][size]) {
         weight[size++] = frequency[order[symbol++]];

@@ -88,7 +88,8 @@ constexpr double cbrt_of(double x) noexcept {
   const double y = from_bits(bits_of(better) & ~std::uint64_t{0x7ffffff});
   const exact_sum<double> cube = fast_two_product(y * y, y);
   const double excess = ((f - cube.value) - cube.error) / cube.value;
-  const double series = product(excess, 0x1.5555555555555p-2 + product(excess, -0x1.c71c71c71c71cp-4 + excess * 0x1p-4));
+  const double series =
+      product(excess, 0x1.5555555555555p-2 + product(excess, -0x1.c71c71c71c71cp-4 + excess * 0x1p-4));
   return (y + product(y, series)) * power_of_two(third);
 }
 

@@ -27,7 +27,7 @@ inline constexpr double inverse_log_ten_high = 0x1.bcb7b1526e50ep-2, inverse_log
 
 /// (e^x - 1 - x) / x^2 for |x| <= ln(2)/256.
 inline constexpr double exp_coefficients[4] = {
-    0x1.fffffffffff51p-2, 0x1.5555555555523p-3, 0x1.55555ae8e1f80p-5, 0x1.11111440cf238p-7
+    0x1.fffffffffff51p-2, 0x1.5555555555523p-3, 0x1.55555ae8e1f80p-5, 0x1.11111440cf238p-7,
 };
 
 struct exp_row {
@@ -103,7 +103,8 @@ inline constexpr exp_row exp_table[128] = {
 
 /// (ln(1 + x) - x + x^2/2) / x^3 for |x| <= 0.00427.
 inline constexpr double log_coefficients[6] = {
-    0x1.5555555555556p-2, -0x1p-2, 0x1.99999998dba7fp-3, -0x1.55555554aa624p-3, 0x1.2493e8f283255p-3, -0x1.00017639608b7p-3
+    0x1.5555555555556p-2, -0x1p-2, 0x1.99999998dba7fp-3, -0x1.55555554aa624p-3,
+    0x1.2493e8f283255p-3, -0x1.00017639608b7p-3,
 };
 
 /// The bits of the double where the first interval of log_table begins.
@@ -112,7 +113,7 @@ inline constexpr std::uint64_t log_table_first = 0x3fe6100000000000u;
 struct log_row {
   double inverse, log, log_low;
 };
-/// For each interval of significands: about 1/its middle in 10 bits; minus its logarithm on a grid of 2^-42, error.
+/// For each interval: about 1/its middle, in 10 bits; minus its logarithm, on a grid of 2^-42; the error.
 inline constexpr log_row log_table[128] = {
     {0x1.7240000000000p+0, -0x1.79db6681b0000p-2, 0x1.4d319161a11f8p-44},
     {0x1.7040000000000p+0, -0x1.744f8633f2000p-2, 0x1.91e9d1816c06cp-46},
@@ -246,7 +247,7 @@ inline constexpr log_row log_table[128] = {
 
 /// x^(1/3) for 1 <= x <= 2, within 2^-11.
 inline constexpr double cbrt_coefficients[4] = {
-    0x1.1c90a1fb8969fp-1, 0x1.296213a52f037p-1, -0x1.44f0d2e8403a6p-3, 0x1.6ae260afe5091p-6
+    0x1.1c90a1fb8969fp-1, 0x1.296213a52f037p-1, -0x1.44f0d2e8403a6p-3, 0x1.6ae260afe5091p-6,
 };
 
 /// 2^(i/3).

@@ -172,8 +172,7 @@ constexpr unrounded angle_in_first_quadrant(const unrounded& y, const unrounded&
   const double slope = i * 0x1p-6;
   // The vector turned back by the table's angle: top / bottom is the tangent of what remains, at most 1/127.
   const exact_sum<double> drop = fast_two_product(slope, large.value);
-  const unrounded top =
-      two_sum(small.value - drop.value, (small.error - product(slope, large.error)) - drop.error);
+  const unrounded top = two_sum(small.value - drop.value, (small.error - product(slope, large.error)) - drop.error);
   const exact_sum<double> gain = fast_two_product(slope, small.value);
   const unrounded bottom = add(large, {gain.value, gain.error + product(slope, small.error)});
   const unrounded tangent = divide(top, bottom);
@@ -219,9 +218,15 @@ constexpr double angle_of_cosine(double x) noexcept {
 
 /// x times a constant given as a double and its rounding error.
 constexpr double multiply_by_constant(double x, double high, double low) noexcept {
+  const double size = magnitude(x);
+  if (size >= 0x1p-900 && size <= 0x1p990) return round(multiply({x, 0.0}, {high, low}));
   if (!is_finite(x) || x == 0) return x;
-  const exact_sum<double> head = two_product(x, high);
-  return is_finite(head.value) ? head.value + (head.error + product(x, low)) : head.value;
+  // Near the ends of the range the product is taken of the significand, and rounded where it belongs.
+  const scaled_number parts = decompose(x);
+  const unrounded exact = multiply({parts.significand, 0.0}, {high, low});
+  const scaled_number result = decompose(exact.value);
+  const double error = exact.error * power_of_two(-result.exponent);
+  return scale({result.significand, error}, result.exponent + parts.exponent);
 }
 
 }  // namespace IRG_ABI

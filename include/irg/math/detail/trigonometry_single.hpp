@@ -36,7 +36,8 @@ IRG_INLINE constexpr double rounded_sine(const short_quadrant_angle& angle) noex
   const double tt = product(t, t);
   const bool is_cosine = (angle.quadrant & 1) != 0;
   const auto& c = is_cosine ? cosine_wide_coefficients : sine_wide_coefficients;
-  const double tail = (c[0] + product(t, c[1])) + product(tt, (c[2] + product(t, c[3])) + product(tt, c[4] + product(t, c[5])));
+  const double tail =
+      (c[0] + product(t, c[1])) + product(tt, (c[2] + product(t, c[3])) + product(tt, c[4] + product(t, c[5])));
   const double result = is_cosine ? (1 - 0.5 * t) + product(tt, tail) : x + product(product(x, t), tail);
   return (angle.quadrant & 2) == 0 ? result : -result;
 }
@@ -69,9 +70,11 @@ IRG_INLINE constexpr double short_angle_in_first_quadrant(double y, double x) no
 /// needs   no NaN
 constexpr double angle_of(float y, float x) noexcept {
   const double x_size = static_cast<double>(magnitude(x)), y_size = static_cast<double>(magnitude(y));
-  if (!is_finite(x_size) || !is_finite(y_size) || y_size == 0) return angle_of(static_cast<double>(y), static_cast<double>(x));
+  if (!is_finite(x_size) || !is_finite(y_size) || y_size == 0)
+    return angle_of(static_cast<double>(y), static_cast<double>(x));
   const double angle = short_angle_in_first_quadrant(y_size, x_size);
-  return with_sign(is_negative(x) ? straight_angle.value - (angle - straight_angle.error) : angle, static_cast<double>(y));
+  return with_sign(is_negative(x) ? straight_angle.value - (angle - straight_angle.error) : angle,
+                   static_cast<double>(y));
 }
 
 /// asin and acos.

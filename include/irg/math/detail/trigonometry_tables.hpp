@@ -9,7 +9,7 @@ namespace irg::detail {
 
 /// pi/2 in three numbers of 33 bits and a rest.
 inline constexpr double half_pi_parts[4] = {
-    0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e000000p-69, 0x1.b839a252049c1p-104
+    0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e000000p-69, 0x1.b839a252049c1p-104,
 };
 
 /// pi/2 as a double and its rounding error.
@@ -35,22 +35,24 @@ inline constexpr std::uint32_t two_over_pi_words[40] = {
 
 /// (sin x - x) / x^3 in powers of x^2 for |x| < 0.127.
 inline constexpr double sine_coefficients[4] = {
-    -0x1.5555555555555p-3, 0x1.111111110d5e7p-7, -0x1.a01a008186d48p-13, 0x1.71c276f31011dp-19
+    -0x1.5555555555555p-3, 0x1.111111110d5e7p-7, -0x1.a01a008186d48p-13, 0x1.71c276f31011dp-19,
 };
 
 /// (sin x - x) / x^3 in powers of x^2 for |x| < 0.7856.
 inline constexpr double sine_wide_coefficients[6] = {
-    -0x1.5555555555555p-3, 0x1.1111111110bafp-7, -0x1.a01a019e82d53p-13, 0x1.71de37957503dp-19, -0x1.ae6009e2148e0p-26, 0x1.5e0ab20641569p-33
+    -0x1.5555555555555p-3, 0x1.1111111110bafp-7, -0x1.a01a019e82d53p-13, 0x1.71de37957503dp-19,
+    -0x1.ae6009e2148e0p-26, 0x1.5e0ab20641569p-33,
 };
 
 /// (cos x - 1 + x^2/2) / x^4 in powers of x^2 for |x| < 0.7856.
 inline constexpr double cosine_wide_coefficients[6] = {
-    0x1.5555555555555p-5, -0x1.6c16c16c16965p-10, 0x1.a01a019f4e451p-16, -0x1.27e4fa174f62cp-22, 0x1.1eeb6858c7e58p-29, -0x1.907d3b5c05656p-37
+    0x1.5555555555555p-5, -0x1.6c16c16c16965p-10, 0x1.a01a019f4e451p-16, -0x1.27e4fa174f62cp-22,
+    0x1.1eeb6858c7e58p-29, -0x1.907d3b5c05656p-37,
 };
 
 /// (atan x - x) / x^3 in powers of x^2 for |x| < 0.0079.
 inline constexpr double arctangent_coefficients[3] = {
-    -0x1.5555555555546p-2, 0x1.999999913c746p-3, -0x1.248cd5228e57fp-3
+    -0x1.5555555555546p-2, 0x1.999999913c746p-3, -0x1.248cd5228e57fp-3,
 };
 
 struct sine_cosine_row {

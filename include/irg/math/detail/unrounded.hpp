@@ -70,7 +70,8 @@ constexpr double scale(const unrounded& x, int k) noexcept {
   // Rounded to a multiple of 2^-1074-k by adding a number whose last place that is.
   const double anchor = with_sign(power_of_two(-1074 - k + 52), x.value);
   const unrounded sum = two_sum(anchor, x.value);
-  return ((sum.value + (sum.error + x.error)) - anchor) * 0x1p-1022 * power_of_two(k + 1022);
+  const double units = (sum.value + (sum.error + x.error)) - anchor;
+  return with_sign(units * 0x1p-1022 * power_of_two(k + 1022), x.value);
 }
 
 }  // namespace IRG_ABI
