@@ -115,6 +115,7 @@ settings read_settings(program::command_line& line) {
   }
   if (s.model.empty()) line.fail("no model given; --help tells how");
   if (s.out.empty()) line.fail("no picture given; -o OUT.png names it");
+  if (s.out == s.stats) line.fail("the picture and the statistics need two files, not both: " + s.out);
   return s;
 }
 
@@ -222,13 +223,14 @@ int main(int argc, char** argv) {
   const irg::render_stats stats =
       irg::render(world, picture, depth, s.options, {}, irg::parallel{s.threads},
                   [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
+  const auto old_picture = irg::read_file(s.stats.empty() ? std::string() : s.out);
   watch.lap();
   if (const auto error = irg::write_image(s.out, picture)) line.fail(std::string(error->message) + ": " + s.out);
   ms.write = watch.lap();
   if (!s.stats.empty()) {
     const std::string json = stats_json(stats, ms, hash_of(picture));
     if (const auto error = irg::write_file_atomically(s.stats, json)) {
-      std::remove(s.out.c_str());
+      if (!old_picture || irg::write_file_atomically(s.out, *old_picture)) std::remove(s.out.c_str());
       line.fail(std::string(error->message) + ": " + s.stats);
     }
   }

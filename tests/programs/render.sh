@@ -1,0 +1,301 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The contract of `render`, seen from outside: options, refusals, files left behind, hashes.
+# usage: render.sh FOLDER-WITH-THE-PROGRAMS
+set -u
+export LC_ALL=C
+[ -n "${1:-}" ] && [ -x "$1/render" ] || { echo "usage: $0 FOLDER (that holds the program render)"; exit 1; }
+program=$(cd "$1" && pwd)/render
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+passed=0 failed=0
+
+check() { # check "what" condition...
+  local what=$1
+  shift
+  if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $what"; fi
+}
+has() { case $1 in *"$2"*) true ;; *) false ;; esac; }
+is() { [ "$1" = "$2" ]; }
+is_not() { [ "$1" != "$2" ]; }
+number() { sed -n "s/.*\"$1\": \([0-9][0-9.]*\).*/\1/p" "$2"; }
+hash_in() { sed -n 's/^  "hash": "\([0-9a-f]\{16\}\)"$/\1/p' "$1"; }
+
+# Runs the program; leaves status, out and err.
+run() {
+  timeout 120 "$program" "$@" >"$work/.out" 2>"$work/.err"
+  status=$?
+  err=$(cat "$work/.err")
+}
+
+# refused "what" "part of the message" arguments...: exit 2, one line `render: ...`, nothing on standard output and no
+# file that was not there before.
+refused() {
+  local what=$1 part=$2 before after
+  shift 2
+  before=$(find . -type f -o -type l | sort)
+  run "$@"
+  after=$(find . -type f -o -type l | sort)
+  check "$what: exit 2, not $status" is "$status" 2
+  check "$what: one line on standard error, not: $err" is "$(wc -l <.err)" 1
+  check "$what: begins with the program's name: $err" is "${err#render: }" "$(printf %s "$err" | tail -c +9)"
+  check "$what: says '$part': $err" has "$err" "$part"
+  check "$what: standard output is empty" is "$(wc -c <.out)" 0
+  check "$what: leaves no file" is "$before" "$after"
+  check "$what: no full stop or trace" is "${err%.}" "$err"
+}
+
+# drawn "what" arguments...: the picture p.ppm and s.json come out, silently.
+drawn() {
+  local what=$1
+  shift
+  rm -f p.ppm s.json
+  run "$@" -o p.ppm --stats s.json
+  check "$what: exit 0, not $status: $err" is "$status" 0
+  check "$what: silent" is "$(cat .out .err | wc -c)" 0
+  check "$what: a picture" test -s p.ppm
+  check "$what: a hash" is_not "$(hash_in s.json)" ""
+}
+
+# FNV-1a of width and height, then R, G, B and opacity 255 of each pixel of a PPM picture.
+hash_of_ppm() {
+  local -a words
+  local width height h=$((0xcbf29ce484222325)) i p=1099511628211
+  read -r width height < <(sed -n 2p "$1" | tr -d '\r')
+  local header=$(($(printf 'P6\n%s %s\n255\n' "$width" "$height" | wc -c)))
+  for i in "$width" "$height"; do
+    for shift in 0 8 16 24; do h=$(((h ^ (i >> shift & 255)) * p)); done
+  done
+  words=($(tail -c +$((header + 1)) "$1" | od -An -v -tu1))
+  is "${#words[@]}" $((width * height * 3)) || return 1
+  for ((i = 0; i < ${#words[@]}; i += 3)); do
+    h=$(((h ^ words[i]) * p))
+    h=$(((h ^ words[i + 1]) * p))
+    h=$(((h ^ words[i + 2]) * p))
+    h=$(((h ^ 255) * p))
+  done
+  printf '%016x' "$h"
+}
+
+small="--size 48x36"
+
+# ---- models
+cat >square.obj <<'END'
+v -1 -1 0
+v 1 -1 0
+v 1 1 0
+v -1 1 0
+f 1 2 3 4
+END
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n' >points.obj
+: >empty.obj
+printf 'v 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n' >nan.obj
+printf 'v 0 0 0\nv 1 0 0\nv inf 0 0\nf 1 2 3\n' >inf.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' >range.obj
+printf 'v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n' >dot.obj
+printf 'v 1e200 0 0\nv -1e200 0 0\nv 0 1e200 0\nf 1 2 3\n' >huge.obj
+mkdir folder
+
+# ---- help and defaults
+run --help
+check "--help: exit 0" is "$status" 0
+check "--help: silent on standard error" is "$err" ""
+for word in MODEL -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip --threads \
+  teapot cube sphere torus 1280x720 gouraud zbuffer perspective; do
+  check "--help names $word" has "$(cat .out)" "$word"
+done
+run cube --help
+check "--help after a model: exit 0" is "$status" 0
+
+run cube -o default.ppm --stats default.json
+check "defaults: exit 0: $err" is "$status" 0
+check "defaults: 1280 x 720" is "$(sed -n 2p default.ppm)" "1280 720"
+run cube -o same.ppm --stats same.json --size 1280x720 --up 0,1,0 --fov 40 --project perspective --hidden zbuffer \
+  --style gouraud --cull back --skip on --threads 1
+check "the defaults, spelled out, are the defaults" is "$(hash_in same.json)" "$(hash_in default.json)"
+check "the same bytes" cmp -s default.ppm same.ppm
+
+for model in teapot cube sphere torus square.obj; do drawn "$model" $model $small; done
+run cube $small -o picture.png
+check "a .png picture: exit 0" is "$status" 0
+check "PNG begins as it must" is "$(head -c 8 picture.png | od -An -tx1 | tr -d ' \n')" 89504e470d0a1a0a
+
+# ---- statistics
+drawn "statistics" teapot $small
+for key in triangles frustum backface small occluded pixels_tested pixels_shaded pixels_drawn depth_ties; do
+  check "statistics have a number for $key" is "$(grep -c "\"$key\": [0-9]" s.json)" 1
+done
+for stage in load draw write; do check "milliseconds of $stage" is_not "$(number $stage s.json)" ""; done
+check "skipped is an object" has "$(cat s.json)" '"skipped": {"frustum": '
+check "ms is an object" has "$(cat s.json)" '"ms": {"'
+check "braces match" is "$(tr -cd '{' <s.json | wc -c)" "$(tr -cd '}' <s.json | wc -c)"
+check "one object" is "$(head -c 1 s.json)$(tail -n 1 s.json)" "{}"
+check "no comma before a brace" is "$(tr -d ' \n' <s.json | grep -c ',}')" 0
+check "an even number of quotes" is $(($(tr -cd '"' <s.json | wc -c) % 2)) 0
+check "as many pixels drawn as are not background" is "$(number pixels_drawn s.json)" \
+  "$(tail -c +$((1 + $(head -n 3 p.ppm | wc -c))) p.ppm | od -An -v -w3 -tu1 | grep -vc '^ *250 249 246$')"
+check "no more shaded than tested" test "$(number pixels_shaded s.json)" -le "$(number pixels_tested s.json)"
+check "no more drawn than shaded" test "$(number pixels_drawn s.json)" -le "$(number pixels_shaded s.json)"
+drawn "a cube's statistics" cube $small
+check "a cube has 12 triangles" is "$(number triangles s.json)" 12
+check "6 of them face away" is "$(number backface s.json)" 6
+drawn "a cube's statistics without culling" cube $small --cull none
+check "none of them is left out" is "$(number backface s.json)" 0
+
+# ---- hashes
+for style in gouraud wire flat phong; do
+  for hidden in zbuffer none; do
+    drawn "$style $hidden" teapot $small --style $style --hidden $hidden
+    hash=$(hash_in s.json)
+    check "$style $hidden: the hash is that of the picture" is "$(hash_of_ppm p.ppm)" "$hash"
+    cp p.ppm first.ppm
+    for threads in 2 3 16; do
+      drawn "$style $hidden on $threads threads" teapot $small --style $style --hidden $hidden --threads $threads
+      check "$style $hidden on $threads threads: the same hash" is "$(hash_in s.json)" "$hash"
+      check "$style $hidden on $threads threads: the same bytes" cmp -s p.ppm first.ppm
+    done
+    for cull in back none; do
+      drawn "$style $hidden $cull" teapot $small --style $style --hidden $hidden --cull $cull
+      hash=$(hash_in s.json)
+      tested=$(number pixels_tested s.json)
+      drawn "$style $hidden $cull without skips" teapot $small --style $style --hidden $hidden --cull $cull --skip off --threads 2
+      check "$style $hidden $cull without skips: the same hash" is "$(hash_in s.json)" "$hash"
+      check "$style $hidden $cull without skips: the same pixels tested" is "$(number pixels_tested s.json)" "$tested"
+      for key in frustum small occluded; do
+        check "$style $hidden $cull without skips: no $key" is "$(number $key s.json)" 0
+      done
+      if [ $cull = none ]; then
+        check "$style $hidden without culling: no backface" is "$(number backface s.json)" 0
+      else
+        check "$style $hidden with culling: backface" test "$(number backface s.json)" -gt 0
+      fi
+    done
+  done
+done
+
+# ---- what options do
+hash_with() { drawn "$*" "$@" && hash_in s.json; }
+plain=$(hash_with cube $small)
+for option in "--style wire" "--style flat" "--style phong" "--fov 60" "--up 1,0,0" "--up -1,0.5,0" "--light -3,2,-4" \
+  "--project orthographic" "--eye 3,2,5" "--eye -3,2,-5" "--target 0.5,0.75,0.5" "--size 36x48"; do
+  check "$option changes the picture" is_not "$(hash_with cube $small $option)" "$plain"
+done
+check "two lights are not one" is_not "$(hash_with cube $small --light 3,4,5 --light -3,0,5)" "$(hash_with cube $small --light 3,4,5)"
+check "the order of options does not matter" is "$(hash_with --fov 50 $small --eye 3,2,5 cube)" "$(hash_with cube --eye 3,2,5 --fov 50 $small)"
+check "an eye without a target looks at the centre" is "$(hash_with cube $small --eye 3,2,5)" \
+  "$(hash_with cube $small --eye 3,2,5 --target 0.5,0.5,0.5)"
+check "the last of two wins" is "$(hash_with cube --size 9x9 $small)" "$plain"
+
+# The sphere around a model touches the picture: a square picture of a sphere is filled from border to border.
+for project in perspective orthographic; do
+  drawn "the sphere fits, $project" sphere --size 101x101 --style flat --project $project
+  rows=$(tail -c +$((1 + $(head -n 3 p.ppm | wc -c))) p.ppm | od -An -v -w303 -tu1 |
+    awk '{ for (i = 1; i <= 303; i += 3) if ($i != 250 || $(i + 1) != 249 || $(i + 2) != 246) { print NR - 1; next } }')
+  check "the sphere reaches the upper border, $project" test "$(echo "$rows" | head -n 1)" -le 2
+  check "the sphere reaches the lower border, $project" test "$(echo "$rows" | tail -n 1)" -ge 98
+done
+
+# ---- pictures of awkward scenes
+drawn "the eye inside the model" cube $small --eye 0.5,0.4,0.6 --target 0.1,0.2,0.3
+check "the eye inside the model: backs are culled" is "$(number pixels_drawn s.json)" 0
+drawn "the eye inside the model without culling" cube $small --eye 0.5,0.4,0.6 --target 0.1,0.2,0.3 --cull none
+check "the eye inside the model without culling: all pixels" is "$(number pixels_drawn s.json)" $((48 * 36))
+for project in perspective orthographic; do
+  drawn "the eye at the target, $project" cube $small --eye 0.5,0.5,3 --target 0.5,0.5,3 --project $project
+  check "the eye at the target looks along -z, $project" test "$(number pixels_drawn s.json)" -gt 0
+  drawn "up parallel to the view, $project" cube $small --eye 0.5,5,0.5 --project $project
+  check "up parallel to the view: something is seen, $project" test "$(number pixels_drawn s.json)" -gt 0
+  drawn "no up, $project" cube $small --up 0,0,0 --project $project
+  drawn "a model of no size, $project" dot.obj $small --project $project
+  check "a model of no size: the background, $project" is "$(number pixels_drawn s.json)" 0
+done
+drawn "the widest angle" cube $small --fov 179.99999999999997
+drawn "the narrowest angle" cube $small --fov 0.000001
+for size in 1x1 3x1 1x3 65535x1 1x65535; do
+  drawn "$size" cube --size $size
+  check "$size: that size" is "$(sed -n 2p p.ppm)" "${size/x/ }"
+done
+
+# ---- refusals
+refused "no arguments" "no model"
+refused "no picture" "-o" cube
+refused "a missing file" "missing.obj" missing.obj -o x.png --stats x.json
+refused "a folder" "folder" folder -o x.png --stats x.json
+refused "an empty file" "empty" empty.obj -o x.png --stats x.json
+refused "a model without faces" "no faces" points.obj -o x.png --stats x.json
+refused "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png --stats x.json
+refused "an infinite vertex" "inf.obj:3:3" inf.obj -o x.png --stats x.json
+refused "an index out of range" "range.obj:4:7" range.obj -o x.png --stats x.json
+refused "a model too large" "too far" huge.obj -o x.png --stats x.json
+if [ "$(id -u)" != 0 ]; then
+  cp square.obj locked.obj && chmod 000 locked.obj
+  refused "a file that may not be read" "locked.obj" locked.obj -o x.png --stats x.json
+  mkdir locked && chmod 555 locked
+  refused "a folder that may not be written" "locked" cube $small -o locked/x.png --stats x.json
+else
+  echo "skipped: files that may not be read or written (running as root)"
+fi
+refused "a picture in no folder" "nowhere/x.png" cube $small -o nowhere/x.png --stats x.json
+refused "a picture in a file" "square.obj/x.png" cube $small -o square.obj/x.png --stats x.json
+refused "a picture that is a folder" "folder" cube $small -o folder --stats x.json
+mkdir folder.png
+refused "a picture that is a folder called .png" "folder.png" cube $small -o folder.png --stats x.json
+refused "statistics in no folder" "nowhere/x.json" cube $small -o x.png --stats nowhere/x.json
+refused "statistics that are a folder" "folder" cube $small -o x.png --stats folder
+refused "a picture of unknown ending" ".png" cube -o x.gif --stats x.json
+refused "a picture without ending" ".png" cube -o png --stats x.json
+for size in 0x0 0x5 5x0 -5x3 5x-3 100000x100000 65536x1 1x65536 65535x65535 12 x 5x x5 5x5x5 5.5x5 axb nanx5 infx5 1e400x5 "" " 5x5"; do
+  refused "--size '$size'" "--size" cube -o x.png --stats x.json --size "$size"
+done
+for option in --eye --target --up --light; do
+  for value in 1,2 1,2,3,4 1,2, ,,, "" nan,0,0 0,inf,0 1e999,0,0 "1, 2,3" 1x,2,3 cube; do
+    refused "$option '$value'" "$option" cube -o x.png --stats x.json $option "$value"
+  done
+done
+for value in 0 180 -1 1e-310 nan inf x "" 1,2; do refused "--fov '$value'" "--fov" cube -o x.png --stats x.json --fov "$value"; done
+for value in 0 -1 257 1.5 1e300 nan x ""; do refused "--threads '$value'" "--threads" cube -o x.png --stats x.json --threads "$value"; done
+refused_choice() { # option value supported...
+  local option=$1 value=$2
+  shift 2
+  for word in "$@"; do refused "$option '$value' names $word" "$word" cube -o x.png --stats x.json "$option" "$value"; done
+}
+for value in nothing "" Wire; do
+  refused_choice --project "$value" perspective orthographic
+  refused_choice --hidden "$value" zbuffer none
+  refused_choice --style "$value" gouraud wire flat phong
+  refused_choice --cull "$value" back none
+  refused_choice --skip "$value" on off
+done
+# What is promised for later works or is refused with the list; never anything else.
+for pair in "--project isometric" "--project dimetric" "--project trimetric" "--project oblique" "--hidden painter" \
+  "--hidden warnock" "--hidden bsp" "--hidden raytrace" "--style hidden-line"; do
+  run cube $small -o later.ppm $pair
+  if [ "$status" = 0 ]; then
+    check "$pair: a picture" test -s later.ppm
+  else
+    rm -f later.ppm
+    refused "$pair" "supported: " cube $small -o x.png --stats x.json $pair
+  fi
+done
+for option in -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip --threads; do
+  refused "$option without a value" "$option" cube $small -o x.png $option
+done
+refused "an unknown option" "--colour" cube -o x.png --colour red
+refused "an unknown short option" "-q" cube -o x.png -q
+refused "two models" "sphere" cube sphere -o x.png
+refused "an eye out of range" "too far" cube -o x.png --eye 1e200,0,0
+refused "a target out of range" "too far" cube -o x.png --target 1e300,0,0 --project orthographic
+
+# A picture that stood there before stays when the new one cannot be drawn.
+cp picture.png kept.png
+refused "a failure beside an old picture" "missing.obj" missing.obj -o kept.png
+check "an old picture is as it was" cmp -s picture.png kept.png
+refused "a failure of the statistics beside an old picture" "nowhere" cube -o kept.png $small --style wire --stats nowhere/x.json
+check "an old picture is as it was when the statistics cannot be written" cmp -s picture.png kept.png
+
+refused "one file for both" "both.png" cube $small -o both.png --stats both.png
+
+check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
