@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Numbers: what is no scalar, and flags that are refused. CASE 0 is the control and compiles.
 #if CASE == 2  // -ffast-math
-// expect: irg: -ffast-math and -ffinite-math-only break exact decisions
+// expect: irg: -ffast-math and its parts break exact decisions
 #define __FAST_MATH__ 1
 #endif
 #include <irg/core/contraction.hpp>

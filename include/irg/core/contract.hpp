@@ -13,6 +13,7 @@
 #endif
 
 namespace irg::detail {
+inline namespace IRG_ABI {
 
 #ifdef NDEBUG
 // Not constexpr: reaching this call makes the expression no constant, which is the compile error that is wanted.
@@ -24,6 +25,7 @@ inline void precondition_broken() noexcept {}
 }
 #endif
 
+}  // namespace IRG_ABI
 }  // namespace irg::detail
 
 #ifdef NDEBUG

@@ -20,8 +20,8 @@ template <Real T>
 struct curve_parameter {
   T rest = 1, t = 0;
   constexpr curve_parameter() = default;
-  IRG_INLINE constexpr curve_parameter(const T& t_) noexcept : rest(T(1) - t_), t(t_) {}
-  IRG_INLINE constexpr curve_parameter(const T& rest_, const T& t_) noexcept : rest(rest_), t(t_) {}
+  IRG_INLINE constexpr curve_parameter(const T& at) noexcept : rest(T(1) - at), t(at) {}
+  IRG_INLINE constexpr curve_parameter(const T& remaining, const T& at) noexcept : rest(remaining), t(at) {}
   constexpr bool operator==(const curve_parameter&) const = default;
 };
 

@@ -25,8 +25,7 @@ enum class mesh_defect {
 
 /// The first defect of a mesh and its place.
 /// shape   index counts entries of what the defect names: faces (bad_face_start, short_face, ..._out_of_range),
-/// positions,
-///         normals, texcoords (..._not_finite) or parts; corner counts the corners of that face
+///         positions, normals, texcoords (..._not_finite) or parts; corner counts the corners of that face
 struct mesh_finding {
   mesh_defect defect = mesh_defect::none;
   std::size_t index = 0;
@@ -38,7 +37,7 @@ namespace detail {
 inline namespace IRG_ABI {
 
 template <Scalar T>
-constexpr bool is_finite(T x) noexcept {
+constexpr bool all_finite(T x) noexcept {
   if constexpr (std::numeric_limits<T>::has_infinity)
     return x >= std::numeric_limits<T>::lowest() && x <= std::numeric_limits<T>::max();
   else
@@ -50,7 +49,7 @@ template <int N, class Elements>
 constexpr std::size_t first_not_finite(const Elements& elements) noexcept {
   for (std::size_t i = 0; i < elements.size(); ++i)
     for (int k = 0; k < N; ++k)
-      if (!is_finite(elements[i][k])) return i;
+      if (!all_finite(elements[i][k])) return i;
   return elements.size();
 }
 
