@@ -17,7 +17,8 @@ int main() {
 
   // No coordinate is too far away, and cells outside the window cost nothing.
   int visible = 0;
-  irg::line_bresenham({-2000000000, -2000000000}, {2000000000, 2000000000}, {0, 0, 100, 100}, [&](irg::cell) { ++visible; });
+  irg::line_bresenham({-2000000000, -2000000000}, {2000000000, 2000000000}, {0, 0, 100, 100},
+                      [&](irg::cell) { ++visible; });
   std::printf("%d of 4000000001 cells are visible\n", visible);
 
   return std::string_view(rows[1]) == "..@@." && visible == 100 ? 0 : 1;

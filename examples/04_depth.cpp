@@ -29,7 +29,7 @@ int main() {
     for (int x = 0; x < 10; ++x) std::printf("%c ", picture(x, y));
     std::puts("");
   }
-  std::printf("a: %lld of %lld pixels drawn, b: %lld of %lld\n", static_cast<long long>(a.shaded), static_cast<long long>(a.tested),
-              static_cast<long long>(b.shaded), static_cast<long long>(b.tested));
+  std::printf("a: %lld of %lld pixels drawn, b: %lld of %lld\n", static_cast<long long>(a.shaded),
+              static_cast<long long>(a.tested), static_cast<long long>(b.shaded), static_cast<long long>(b.tested));
   return a.shaded == 25 && b.shaded == 10 && picture(4, 0) == 'a' && picture(5, 0) == 'b' ? 0 : 1;
 }

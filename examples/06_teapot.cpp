@@ -13,12 +13,13 @@ int main(int argc, char** argv) {
   irg::scene<double> scene;
   scene.objects.push_back({irg::shape_teapot<double>()});
   scene.objects[0].surface = {{0.1, 0.2, 0.3}, {0.25, 0.5, 0.75}, {0.4, 0.4, 0.4}, 50.0};  // ambient, diffuse, specular
-  scene.lights = {{{-0.4, 1.0, 0.7, 0.0}, {1.0, 1.0, 1.0}},                               // weight 0: at infinity
+  scene.lights = {{{-0.4, 1.0, 0.7, 0.0}, {1.0, 1.0, 1.0}},  // weight 0: at infinity
                   {{4.0, 1.0, 1.0, 1.0}, {0.3, 0.2, 0.1}}};
   scene.ambient = {0.3, 0.3, 0.3};
 
   const auto ball = irg::sphere_around(scene.objects[0].shape);
-  scene.view = irg::camera_around(ball.centre, ball.radius, irg::vec<double, 3>{0.6, 0.6, 1.6}, irg::radians(40.0), 4.0 / 3.0);
+  scene.view =
+      irg::camera_around(ball.centre, ball.radius, irg::vec<double, 3>{0.6, 0.6, 1.6}, irg::radians(40.0), 4.0 / 3.0);
 
   irg::image<irg::rgba8> picture(640, 480);
   irg::image<float> depth(640, 480);
@@ -26,7 +27,8 @@ int main(int argc, char** argv) {
 
   const char* path = argc > 1 ? argv[1] : "teapot.png";
   if (const auto error = irg::write_image(path, picture)) return std::printf("%s: %s\n", error->message, path), 1;
-  std::printf("%lld triangles, %lld of them facing away; %lld pixels drawn; %s\n", static_cast<long long>(stats.triangles),
-              static_cast<long long>(stats.skipped.backface), static_cast<long long>(stats.drawn), path);
+  std::printf("%lld triangles, %lld of them facing away; %lld pixels drawn; %s\n",
+              static_cast<long long>(stats.triangles), static_cast<long long>(stats.skipped.backface),
+              static_cast<long long>(stats.drawn), path);
   return stats.drawn > 50000 && stats.skipped.backface > stats.triangles / 3 ? 0 : 1;
 }

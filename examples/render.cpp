@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <new>
 #include <string>
 
 #include <irg/core/threads.hpp>
@@ -59,8 +60,10 @@ void read_size(program::command_line& line, settings& s) {
   const bool cross = width.end != end && *width.end == 'x';
   const auto height = irg::parse_decimal<double>(cross ? width.end + 1 : end, end);
   const auto side = [](double v) { return v >= 1 && v <= longest_side && v == std::floor(v); };
-  if (!cross || height.end != end || !side(width.value) || !side(height.value) || width.value * height.value > double{most_pixels})
-    line.fail("option --size needs WxH with sides from 1 to 65535 and at most 134217728 pixels, not '" + std::string(text) + "'");
+  if (!cross || height.end != end || !side(width.value) || !side(height.value) ||
+      width.value * height.value > double{most_pixels})
+    line.fail("option --size needs WxH with sides from 1 to 65535 and at most 134217728 pixels, not '" +
+              std::string(text) + "'");
   s.width = static_cast<int>(width.value);
   s.height = static_cast<int>(height.value);
 }
@@ -87,13 +90,14 @@ settings read_settings(program::command_line& line) {
       s.up = irg::to_vec(triple(word));
     else if (word == "--fov") {
       s.angle = line.numbers(word, 1)[0];
-      if (!(s.angle >= 1e-6 && s.angle < 180)) line.fail("option --fov needs an angle from 0.000001 to less than 180 degrees");
+      if (!(s.angle >= 1e-6 && s.angle < 180))
+        line.fail("option --fov needs an angle from 0.000001 to less than 180 degrees");
     } else if (word == "--project")
-      s.projection = std::array{irg::projection_kind::perspective, irg::projection_kind::orthographic}[line.choice(
-          word, {"perspective", "orthographic"})];
+      s.projection = std::array{irg::projection_kind::perspective,
+                                irg::projection_kind::orthographic}[line.choice(word, {"perspective", "orthographic"})];
     else if (word == "--hidden")
-      s.options.hidden = std::array{irg::hidden_surface_method::zbuffer, irg::hidden_surface_method::none}[line.choice(
-          word, {"zbuffer", "none"})];
+      s.options.hidden = std::array{irg::hidden_surface_method::zbuffer,
+                                    irg::hidden_surface_method::none}[line.choice(word, {"zbuffer", "none"})];
     else if (word == "--style")
       s.options.style = std::array{irg::picture_style::gouraud, irg::picture_style::wire, irg::picture_style::flat,
                                    irg::picture_style::phong}[line.choice(word, {"gouraud", "wire", "flat", "phong"})];
@@ -101,7 +105,8 @@ settings read_settings(program::command_line& line) {
       const auto p = triple(word);
       s.lights.push_back({irg::to_homogeneous(p), {1, 1, 1}});
     } else if (word == "--cull")
-      s.options.culling = std::array{irg::face_culling::back, irg::face_culling::none}[line.choice(word, {"back", "none"})];
+      s.options.culling =
+          std::array{irg::face_culling::back, irg::face_culling::none}[line.choice(word, {"back", "none"})];
     else if (word == "--skip")
       s.options.skip = std::array{irg::skipping::on, irg::skipping::off}[line.choice(word, {"on", "off"})];
     else if (word == "--threads")
@@ -192,18 +197,16 @@ std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint6
       "{\n  \"triangles\": %lld,\n"
       "  \"skipped\": {\"frustum\": %lld, \"backface\": %lld, \"small\": %lld, \"occluded\": %lld},\n"
       "  \"pixels_tested\": %lld,\n  \"pixels_shaded\": %lld,\n  \"pixels_drawn\": %lld,\n  \"depth_ties\": %lld,\n"
-      "  \"ms\": {\"load\": %.3f, \"prepare\": %.3f, \"shade\": %.3f, \"project\": %.3f, \"draw\": %.3f, \"write\": %.3f},\n"
+      "  \"ms\": {\"load\": %.3f, \"prepare\": %.3f, \"shade\": %.3f, \"project\": %.3f, \"draw\": %.3f, \"write\": "
+      "%.3f},\n"
       "  \"hash\": \"%016llx\"\n}\n",
-      n(s.triangles), n(s.skipped.frustum), n(s.skipped.backface), n(s.skipped.small), n(s.skipped.occluded), n(s.pixels.tested),
-      n(s.pixels.shaded), n(s.drawn), n(s.pixels.ties), ms.load, ms.stage[0], ms.stage[1], ms.stage[2], ms.stage[3], ms.write,
-      static_cast<unsigned long long>(hash));
+      n(s.triangles), n(s.skipped.frustum), n(s.skipped.backface), n(s.skipped.small), n(s.skipped.occluded),
+      n(s.pixels.tested), n(s.pixels.shaded), n(s.drawn), n(s.pixels.ties), ms.load, ms.stage[0], ms.stage[1],
+      ms.stage[2], ms.stage[3], ms.write, static_cast<unsigned long long>(hash));
   return {text, static_cast<std::size_t>(length)};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  program::command_line line(argc, argv, "render", help);
+void run(program::command_line& line) {
   settings s = read_settings(line);
   if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png or .ppm, not: " + s.out);
   timings ms;
@@ -233,5 +236,16 @@ int main(int argc, char** argv) {
       if (!old_picture || irg::write_file_atomically(s.out, *old_picture)) std::remove(s.out.c_str());
       line.fail(std::string(error->message) + ": " + s.stats);
     }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  program::command_line line(argc, argv, "render", help);
+  try {
+    run(line);
+  } catch (const std::bad_alloc&) {
+    line.fail("there is not enough memory for this model and this size");
   }
 }

@@ -15,7 +15,7 @@ fail() {
 # The time since $1 (seconds), as "12 s" or "3 min 05 s".
 elapsed_since() {
   local seconds=$((SECONDS - $1))
-  if [ $seconds -lt 60 ]; then echo "$seconds s"; else printf '%d min %02d s' $((seconds / 60)) $((seconds % 60)); fi
+  if [ $seconds -lt 60 ]; then echo "$seconds s"; else printf '%d min %02d s\n' $((seconds / 60)) $((seconds % 60)); fi
 }
 
 step() {

@@ -47,11 +47,14 @@ prepared prepare() {
   const irg::mesh<float> shape = load(p.name);
   p.body = irg::make_drawable(shape);
   const auto ball = irg::sphere_around(shape);
-  const auto view = irg::camera_around(ball.centre, ball.radius, irg::vec<float, 3>{0, 0.2f, 1}, irg::radians(40.0f), 16.0f / 9.0f);
+  const auto view =
+      irg::camera_around(ball.centre, ball.radius, irg::vec<float, 3>{0, 0.2f, 1}, irg::radians(40.0f), 16.0f / 9.0f);
   p.to_clip = irg::view_projection(view, 16.0f / 9.0f);
   const irg::light<float> lamp{{-0.5f, 0.7f, 1, 0}, {1, 1, 1}};
-  const irg::gouraud_shader<float> shader{{{0.2f, 0.2f, 0.2f}, {0.7f, 0.5f, 0.3f}, {}, 1}, {{0.3f, 0.3f, 0.3f}, {&lamp, 1}}, view.eye};
-  for (std::size_t i = 0; i < p.body.positions.size(); ++i) p.colours.push_back(shader(p.body.positions[i], p.body.normals[i]));
+  const irg::gouraud_shader<float> shader{
+      {{0.2f, 0.2f, 0.2f}, {0.7f, 0.5f, 0.3f}, {}, 1}, {{0.3f, 0.3f, 0.3f}, {&lamp, 1}}, view.eye};
+  for (std::size_t i = 0; i < p.body.positions.size(); ++i)
+    p.colours.push_back(shader(p.body.positions[i], p.body.normals[i]));
   return p;
 }
 
@@ -73,12 +76,14 @@ int main() {
 
   const auto make_shader = [&](std::uint32_t i, const irg::triangle_shares&, irg::facing) {
     const auto [a, b, c] = p.body.triangles[i].v;
-    return irg::vertex_colour_shader<irg::rgba8, irg::detail::encode_srgb>{p.colours[a], p.colours[b], p.colours[c], {}};
+    return irg::vertex_colour_shader<irg::rgba8, irg::detail::encode_srgb>{
+        p.colours[a], p.colours[b], p.colours[c], {}};
   };
   const auto draw = [&](irg::face_culling culling) {
     const auto vertices = irg::project_vertices<float>(p.body.positions, p.to_clip, mapping);
-    stats = irg::draw_triangles<irg::nearer_is_greater, float>(picture, depth, vertices, p.body.triangles, mapping, make_shader,
-                                                              irg::draw_settings<irg::rgba8>{culling, irg::skipping::on, background});
+    stats = irg::draw_triangles<irg::nearer_is_greater, float>(
+        picture, depth, vertices, p.body.triangles, mapping, make_shader,
+        irg::draw_settings<irg::rgba8>{culling, irg::skipping::on, background});
   };
   std::vector<bench::contender> racers;
   racers.push_back({"irg culled", [&] { draw(irg::face_culling::back); }});
@@ -108,21 +113,28 @@ int main() {
     peer->draw(true, {0, 0, 0});
     peer_pixels = not_background(peer->picture());
     for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) differing += (peer->picture()(x, y) == background) != (picture(x, y) == background);
+      for (int x = 0; x < width; ++x)
+        differing += (peer->picture()(x, y) == background) != (picture(x, y) == background);
   }
 #endif
   const auto triangles = static_cast<std::int64_t>(p.body.triangles.size());
-  std::printf("%s: %lld triangles, %lld skipped as back faces, %lld as small; pixels drawn: irg %lld, llvmpipe %lld; covered by one only: %lld\n",
-              p.name.c_str(), static_cast<long long>(triangles), static_cast<long long>(stats.skipped.backface),
-              static_cast<long long>(stats.skipped.small), static_cast<long long>(pixels), static_cast<long long>(peer_pixels),
-              static_cast<long long>(differing));
+  std::printf(
+      "%s: %lld triangles, %lld skipped as back faces, %lld as small; pixels drawn: irg %lld, llvmpipe %lld; covered "
+      "by one only: %lld\n",
+      p.name.c_str(), static_cast<long long>(triangles), static_cast<long long>(stats.skipped.backface),
+      static_cast<long long>(stats.skipped.small), static_cast<long long>(pixels), static_cast<long long>(peer_pixels),
+      static_cast<long long>(differing));
   std::printf("%-32s %9s %9s %9s\n", "milliseconds of processor time", "median", "least", "90 %");
   const double limit = racers[2].median();
   for (const bench::contender& c : racers) {
-    std::printf("%-32s %9.3f %9.3f %9.3f\n", c.name.c_str(), c.median() * 1e3, c.percentile(0) * 1e3, c.percentile(0.9) * 1e3);
+    std::printf("%-32s %9.3f %9.3f %9.3f\n", c.name.c_str(), c.median() * 1e3, c.percentile(0) * 1e3,
+                c.percentile(0.9) * 1e3);
     const bool culled = c.name.find("not culled") == std::string::npos, own = c.name.starts_with("irg");
-    bench::row r{.kernel = "render", .test_case = p.name + (culled ? " gouraud 1920x1080 culled" : " gouraud 1920x1080"),
-                 .implementation = own ? "irg" : c.name.starts_with("limit") ? "limit:clear" : "llvmpipe"};
+    bench::row r{.kernel = "render",
+                 .test_case = p.name + (culled ? " gouraud 1920x1080 culled" : " gouraud 1920x1080"),
+                 .implementation = own                           ? "irg"
+                                   : c.name.starts_with("limit") ? "limit:clear"
+                                                                 : "llvmpipe"};
     r.ns_per_item = c.median() * 1e9 / static_cast<double>(triangles);
     r.items = triangles;
     r.item = "triangle";
@@ -130,7 +142,8 @@ int main() {
     if (culled && own) r.note = std::to_string(pixels) + " pixels drawn; sRGB encoded";
     if (culled && r.implementation == "llvmpipe") {
       r.wrong = std::to_string(differing);
-      r.note = std::to_string(peer_pixels) + " pixels drawn; wrong: pixels covered by one side only; 24-bit depth; no sRGB encoding";
+      r.note = std::to_string(peer_pixels) +
+               " pixels drawn; wrong: pixels covered by one side only; 24-bit depth; no sRGB encoding";
     }
     bench::report(r);
   }

@@ -24,13 +24,15 @@ public:
   /// threads = 0 draws on the calling thread. Call before any other use of GL in the process.
   llvmpipe(int width, int height, int threads) : picture_(width, height) {
     setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 0, OSMESA_ACCUM_BITS, 0, 0};
+    const int attributes[] = {
+        OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 0, OSMESA_ACCUM_BITS, 0, 0};
     context_ = OSMesaCreateContextAttribs(attributes, nullptr);
     ok_ = context_ && OSMesaMakeCurrent(context_, picture_.data(), GL_UNSIGNED_BYTE, width, height);
     if (!ok_) return;
     OSMesaPixelStore(OSMESA_Y_UP, 0);
-    const char* vertex = "#version 120\nattribute vec3 p; attribute vec3 c; uniform mat4 m; varying vec3 v;\n"
-                         "void main() { gl_Position = m * vec4(p, 1.0); v = c; }\n";
+    const char* vertex =
+        "#version 120\nattribute vec3 p; attribute vec3 c; uniform mat4 m; varying vec3 v;\n"
+        "void main() { gl_Position = m * vec4(p, 1.0); v = c; }\n";
     const char* fragment = "#version 120\nvarying vec3 v;\nvoid main() { gl_FragColor = vec4(v, 1.0); }\n";
     program_ = glCreateProgram();
     for (const auto& [kind, source] : {std::pair{GL_VERTEX_SHADER, vertex}, std::pair{GL_FRAGMENT_SHADER, fragment}}) {
@@ -61,13 +63,16 @@ public:
     GLuint buffers[3];
     glGenBuffers(3, buffers);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(positions.size() * sizeof positions[0]), positions.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(positions.size() * sizeof positions[0]), positions.data(),
+                 GL_STATIC_DRAW);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours.size() * sizeof colours[0]), colours.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours.size() * sizeof colours[0]), colours.data(),
+                 GL_STATIC_DRAW);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[2]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof triangles[0]), triangles.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof triangles[0]),
+                 triangles.data(), GL_STATIC_DRAW);
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
     count_ = static_cast<GLsizei>(3 * triangles.size());

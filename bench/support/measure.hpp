@@ -58,9 +58,10 @@ inline void report(const row& r) {
   const char* path = std::getenv("IRG_BENCH_CSV");
   std::FILE* file = path ? std::fopen(path, "a") : nullptr;
   if (!file) return;
-  std::fprintf(file, "%s,%s,%s,%s,%.6g,%lld,%s,%s,%s,%s,%s,%s,%s\n", r.kernel.c_str(), r.test_case.c_str(), r.implementation.c_str(),
-               r.same_work.c_str(), r.ns_per_item, static_cast<long long>(r.items), r.item.c_str(), r.limit_fraction.c_str(),
-               r.max_error.c_str(), r.mean_error.c_str(), r.error_unit.c_str(), r.wrong.c_str(), r.note.c_str());
+  std::fprintf(file, "%s,%s,%s,%s,%.6g,%lld,%s,%s,%s,%s,%s,%s,%s\n", r.kernel.c_str(), r.test_case.c_str(),
+               r.implementation.c_str(), r.same_work.c_str(), r.ns_per_item, static_cast<long long>(r.items),
+               r.item.c_str(), r.limit_fraction.c_str(), r.max_error.c_str(), r.mean_error.c_str(),
+               r.error_unit.c_str(), r.wrong.c_str(), r.note.c_str());
   std::fclose(file);
 }
 

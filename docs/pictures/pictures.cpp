@@ -65,7 +65,8 @@ void shared_edge() {
   picture small(14, 9, paper);
   const irg::subpixel a{300, 200}, b{3400, 420}, c{2300, 2150}, d{500, 1700};
   const auto fill = [&](irg::subpixel p, irg::subpixel q, irg::subpixel r, irg::rgba8 colour) {
-    irg::covered_spans(irg::cover_triangle(p, q, r), irg::window_of(small), [&](irg::span_of_cells s) { irg::fill_span(small, s, colour); });
+    irg::covered_spans(irg::cover_triangle(p, q, r), irg::window_of(small),
+                       [&](irg::span_of_cells s) { irg::fill_span(small, s, colour); });
   };
   fill(a, b, d, blue);
   fill(b, c, d, red);
@@ -83,10 +84,12 @@ void lines() {
   constexpr int size = 10;
   picture small(64, 40, paper);
   const irg::cell_window window{8, 5, 56, 35};
-  for (int y = window.y_first; y < window.y_last; ++y) irg::fill_span(small, {y, window.x_first, window.x_last}, {255, 255, 255, 255});
+  for (int y = window.y_first; y < window.y_last; ++y)
+    irg::fill_span(small, {y, window.x_first, window.x_last}, {255, 255, 255, 255});
   for (int i = 0; i < 16; ++i) {
     const double angle = irg::two_pi<double> * i / 16;
-    const irg::cell end{32 + static_cast<int>(std::floor(60 * irg::cos(angle))), 20 + static_cast<int>(std::floor(60 * irg::sin(angle)))};
+    const irg::cell end{32 + static_cast<int>(std::floor(60 * irg::cos(angle))),
+                        20 + static_cast<int>(std::floor(60 * irg::sin(angle)))};
     irg::draw_line(small, {32, 20}, end, pale);
     irg::draw_line(small, {32, 20}, end, i % 2 ? blue : red, window);
   }
@@ -101,9 +104,14 @@ void depth() {
   picture p(420, 220, paper);
   irg::image<float> z(420, 220, irg::nearer_is_greater::farthest);
   const auto triangle = [&](float left, float right, int top, irg::rgb<float> near, irg::rgb<float> far) {
-    const auto mix = [&](float t) { return irg::rgb<float>{far.r + t * (near.r - far.r), far.g + t * (near.g - far.g), far.b + t * (near.b - far.b)}; };
-    const irg::screen_vertex a{{20 * 256, top * 256}, left}, b{{400 * 256, top * 256}, right}, c{{210 * 256, 210 * 256}, (left + right) / 2};
-    irg::draw_triangle(p, z, a, b, c, irg::vertex_colour_shader<irg::rgba8, encode_light>{mix(a.depth), mix(b.depth), mix(c.depth), {}});
+    const auto mix = [&](float t) {
+      return irg::rgb<float>{far.r + t * (near.r - far.r), far.g + t * (near.g - far.g), far.b + t * (near.b - far.b)};
+    };
+    const irg::screen_vertex a{{20 * 256, top * 256}, left}, b{{400 * 256, top * 256}, right},
+        c{{210 * 256, 210 * 256}, (left + right) / 2};
+    irg::draw_triangle(
+        p, z, a, b, c,
+        irg::vertex_colour_shader<irg::rgba8, encode_light>{mix(a.depth), mix(b.depth), mix(c.depth), {}});
   };
   triangle(0.9f, 0.1f, 20, {0.1f, 0.3f, 0.7f}, {0.5f, 0.65f, 0.85f});
   triangle(0.1f, 0.9f, 50, {0.7f, 0.12f, 0.06f}, {0.9f, 0.6f, 0.5f});
@@ -118,7 +126,8 @@ irg::scene<double> scene_of(irg::mesh<double> shape, vec3 from, int width, int h
   s.lights = {{{-0.4, 1.0, 0.7, 0.0}, {1.0, 1.0, 1.0}}};
   s.ambient = {0.5, 0.5, 0.5};
   const auto ball = irg::sphere_around(s.objects[0].shape);
-  s.view = irg::camera_around(ball.centre, ball.radius / zoom, from, irg::radians(40.0), static_cast<double>(width) / height);
+  s.view = irg::camera_around(ball.centre, ball.radius / zoom, from, irg::radians(40.0),
+                              static_cast<double>(width) / height);
   s.view = irg::with_depth_range(s.view, ball.centre, ball.radius);
   return s;
 }
@@ -137,7 +146,8 @@ void teapots() {
   const auto small = scene_of(irg::shape_teapot<double>({.subdivisions = 6}), from, 400, 260, 1.18);
   save("teapot-wire", render(small, 400, 260, {.style = irg::picture_style::wire}));
   save("teapot-flat", render(small, 400, 260, {.style = irg::picture_style::flat, .culling = irg::face_culling::none}));
-  save("teapot-gouraud", render(small, 400, 260, {.style = irg::picture_style::gouraud, .culling = irg::face_culling::none}));
+  save("teapot-gouraud",
+       render(small, 400, 260, {.style = irg::picture_style::gouraud, .culling = irg::face_culling::none}));
   auto cut = small;
   cut.view.near_distance = irg::length(cut.view.target - cut.view.eye) * 0.93;
   save("clip", render(cut, 400, 260, {.style = irg::picture_style::flat, .culling = irg::face_culling::none}));
@@ -160,7 +170,8 @@ void materials() {
     for (int column = 0; column < 4; ++column) {
       auto s = scene_of(irg::shape_sphere<double>({.slices = 64, .stacks = 48}), {0.3, 0.4, 1.0}, 200, 200, 0.95);
       const double ks = row ? 0.8 : 0.3;
-      s.objects[0].surface = {{0.16, 0.06, 0.04}, {0.55, 0.18, 0.12}, {ks, ks, ks}, static_cast<double>(4 << (2 * column))};
+      s.objects[0].surface = {
+          {0.16, 0.06, 0.04}, {0.55, 0.18, 0.12}, {ks, ks, ks}, static_cast<double>(4 << (2 * column))};
       paste(p, render(s, 200, 200, {.style = irg::picture_style::phong}), 200 * column, 200 * row);
     }
   save("materials", p);
@@ -169,7 +180,8 @@ void materials() {
 // Every face with its own normal, so that its edges stay sharp.
 irg::mesh<double> faceted(irg::mesh<double> m) {
   for (std::size_t f = 0; f < m.face_count(); ++f) {
-    for (std::size_t k = 0; k < m.face_size(f); ++k) m.corners[m.face_starts[f] + k].normal = static_cast<std::uint32_t>(f);
+    for (std::size_t k = 0; k < m.face_size(f); ++k)
+      m.corners[m.face_starts[f] + k].normal = static_cast<std::uint32_t>(f);
   }
   m.normals.clear();
   for (std::size_t f = 0; f < m.face_count(); ++f) m.normals.push_back(irg::face_normal(m, f).value_or(vec3{}));
@@ -221,7 +233,9 @@ void srgb() {
 void bezier() {
   picture p(640, 320, paper);
   const std::array<irg::point<double, 2>, 4> control{{{40, 280}, {150, 30}, {470, 40}, {600, 270}}};
-  const auto cell = [](irg::point<double, 2> q) { return irg::cell{static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}; };
+  const auto cell = [](irg::point<double, 2> q) {
+    return irg::cell{static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))};
+  };
   for (std::size_t i = 0; i < 3; ++i) irg::draw_line(p, cell(control[i]), cell(control[i + 1]), pale);
   // de Casteljau's construction at t = 0.4
   irg::point<double, 2> level[4] = {control[0], control[1], control[2], control[3]};

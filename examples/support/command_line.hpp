@@ -13,16 +13,21 @@
 
 namespace program {
 
-/// Ends the program: `NAME: what is wrong` and exit 2.
+/// Ends the program: `NAME: what is wrong` and exit 2. Control characters, of a file's name say, become question marks,
+/// so that the message stays one line.
 [[noreturn]] inline void fail(std::string_view name, std::string_view what) {
-  std::fprintf(stderr, "%.*s: %.*s\n", static_cast<int>(name.size()), name.data(), static_cast<int>(what.size()), what.data());
+  std::string line = std::string(name) + ": " + std::string(what);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
+  std::fprintf(stderr, "%s\n", line.c_str());
   std::exit(2);
 }
 
 /// The words of a command line, taken one by one.
 class command_line {
 public:
-  command_line(int argc, char** argv, std::string_view name, std::string_view help) : name_(name), words_(argv + 1, argv + argc) {
+  command_line(int argc, char** argv, std::string_view name, std::string_view help)
+      : name_(name), words_(argv + (argc > 0), argv + argc) {
     for (const std::string_view word : words_)
       if (word == "--help") {
         std::fwrite(help.data(), 1, help.size(), stdout);
@@ -76,7 +81,8 @@ public:
   int integer(std::string_view option, int low, int high) {
     const double n = numbers(option, 1)[0];
     if (!(n >= low && n <= high) || n != static_cast<int>(n))
-      fail("option " + std::string(option) + " needs a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+      fail("option " + std::string(option) + " needs a whole number from " + std::to_string(low) + " to " +
+           std::to_string(high));
     return static_cast<int>(n);
   }
 

@@ -30,14 +30,18 @@ constexpr char channel_at(int place) {
   };
   P red{}, green{}, blue{};
   red.r = green.g = blue.b = 7;
-  return std::bit_cast<bytes>(red).at[place] == 7 ? 'r' : std::bit_cast<bytes>(green).at[place] == 7 ? 'g' : std::bit_cast<bytes>(blue).at[place] == 7 ? 'b' : 'a';
+  return std::bit_cast<bytes>(red).at[place] == 7     ? 'r'
+         : std::bit_cast<bytes>(green).at[place] == 7 ? 'g'
+         : std::bit_cast<bytes>(blue).at[place] == 7  ? 'b'
+                                                      : 'a';
 }
 
 template <class P>
 constexpr bool layout_is_true() {
   using layout = irg::pixel_layout<P>;
-  return channel_at<P>(layout::red) == 'r' && channel_at<P>(layout::green) == 'g' && channel_at<P>(layout::blue) == 'b' &&
-         (layout::alpha < 0 || channel_at<P>(layout::alpha) == 'a') && layout::count == static_cast<int>(sizeof(P));
+  return channel_at<P>(layout::red) == 'r' && channel_at<P>(layout::green) == 'g' &&
+         channel_at<P>(layout::blue) == 'b' && (layout::alpha < 0 || channel_at<P>(layout::alpha) == 'a') &&
+         layout::count == static_cast<int>(sizeof(P));
 }
 
 TEST_CASE("pixel_layout: says where the channels really are") {

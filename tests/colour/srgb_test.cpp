@@ -137,7 +137,8 @@ TEST_CASE_TEMPLATE("srgb: the continuous curve", T, float, double) {
     worst_encoded = std::max(worst_encoded, ulps(irg::linear_to_srgb(x), encoded_of(exact)));
     worst_light = std::max(worst_light, ulps(irg::srgb_to_linear(x), light_of(exact)));
   }
-  MESSAGE("linear_to_srgb ", static_cast<double>(worst_encoded), " ulp, srgb_to_linear ", static_cast<double>(worst_light));
+  MESSAGE("linear_to_srgb ", static_cast<double>(worst_encoded), " ulp, srgb_to_linear ",
+          static_cast<double>(worst_light));
   CHECK(worst_encoded < 8.0L);
   CHECK(worst_light < 8.0L);
   CHECK(irg::linear_to_srgb(std::numeric_limits<T>::quiet_NaN()) != T(0));

@@ -18,7 +18,9 @@ float any_float(test::random& r) {
   }
 }
 
-bool same(float a, float b) { return a != a ? b != b : std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+bool same(float a, float b) {
+  return a != a ? b != b : std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
 
 template <int N>
 void lanes_equal_scalars() {

@@ -15,7 +15,8 @@ struct encode_srgb {
 };
 
 constexpr irg::screen_vertex random_vertex(test::random& r, int width, int height) {
-  return {{static_cast<std::int32_t>(r.integer(-width * 64, width * 320)), static_cast<std::int32_t>(r.integer(-height * 64, height * 320))},
+  return {{static_cast<std::int32_t>(r.integer(-width * 64, width * 320)),
+           static_cast<std::int32_t>(r.integer(-height * 64, height * 320))},
           static_cast<float>(r.unit()),
           static_cast<float>(0.01 + r.unit())};
 }
@@ -43,7 +44,8 @@ constexpr std::uint64_t triangles(int rounds) {
       const auto red = static_cast<float>(r.unit()), green = static_cast<float>(r.unit());
       return irg::rgb<float>{red, green, static_cast<float>(r.unit())};
     };
-    const auto a = random_vertex(r, width, height), b = random_vertex(r, width, height), c = random_vertex(r, width, height);
+    const auto a = random_vertex(r, width, height), b = random_vertex(r, width, height),
+               c = random_vertex(r, width, height);
     const auto at0 = light(), at1 = light(), at2 = light();
     counts += irg::draw_triangle<Order>(colour, depth, a, b, c,
                                         irg::vertex_colour_shader<irg::rgba8, encode_srgb>{at0, at1, at2, {}});
@@ -66,7 +68,8 @@ constexpr std::uint64_t raster_fill_span(int rounds) {
   irg::image<irg::rgba8> colour(97, 5);
   const irg::image<float> depth(97, 5, 0.0f);
   for (int i = 0; i < rounds; ++i) {
-    const int y = static_cast<int>(r.integer(-1, 5)), first = static_cast<int>(r.integer(-9, 97)), last = static_cast<int>(r.integer(-9, 120));
+    const int y = static_cast<int>(r.integer(-1, 5)), first = static_cast<int>(r.integer(-9, 97)),
+              last = static_cast<int>(r.integer(-9, 120));
     const auto shade = static_cast<std::uint8_t>(r.integer(0, 255));
     irg::fill_span(colour, {y, first, last}, {shade, 1, 2, 3});
   }

@@ -24,7 +24,8 @@ constexpr std::uint64_t pictures(irg::picture_style style, int rounds) {
   else
     world.objects[0].shape = irg::shape_teapot<T>();
   world.objects[0].surface = {{T(0.2), T(0.1), T(0.1)}, {T(0.7), T(0.5), T(0.3)}, {T(0.3), T(0.3), T(0.3)}, T(9.5)};
-  world.lights = {{{T(1), T(2), T(3), T(0)}, {T(1), T(1), T(1)}}, {{T(-3), T(4), T(1), T(1)}, {T(0.5), T(0.25), T(0.125)}}};
+  world.lights = {{{T(1), T(2), T(3), T(0)}, {T(1), T(1), T(1)}},
+                  {{T(-3), T(4), T(1), T(1)}, {T(0.5), T(0.25), T(0.125)}}};
   world.ambient = {T(0.3), T(0.3), T(0.4)};
   const auto ball = irg::sphere_around(world.objects[0].shape);
   for (int i = 0; i < rounds; ++i) {
@@ -32,7 +33,8 @@ constexpr std::uint64_t pictures(irg::picture_style style, int rounds) {
                                     static_cast<T>(width) / static_cast<T>(height));
     irg::image<irg::rgba8> colour(width, height);
     irg::image<float> depth(width, height);
-    const auto stats = irg::render(world, colour, depth, {.style = style, .culling = i % 2 ? irg::face_culling::none : irg::face_culling::back});
+    const auto stats = irg::render(
+        world, colour, depth, {.style = style, .culling = i % 2 ? irg::face_culling::none : irg::face_culling::back});
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const irg::rgba8 p = colour(x, y);
@@ -51,7 +53,9 @@ constexpr std::uint64_t pictures(irg::picture_style style, int rounds) {
 constexpr std::uint64_t render_wire(int rounds) { return pictures<double>(irg::picture_style::wire, rounds); }
 constexpr std::uint64_t render_flat(int rounds) { return pictures<double>(irg::picture_style::flat, rounds); }
 constexpr std::uint64_t render_gouraud(int rounds) { return pictures<double>(irg::picture_style::gouraud, rounds); }
-constexpr std::uint64_t render_gouraud_float(int rounds) { return pictures<float>(irg::picture_style::gouraud, rounds); }
+constexpr std::uint64_t render_gouraud_float(int rounds) {
+  return pictures<float>(irg::picture_style::gouraud, rounds);
+}
 constexpr std::uint64_t render_phong(int rounds) { return pictures<double>(irg::picture_style::phong, rounds); }
 HASHED(render_wire, 1, 5);
 HASHED(render_flat, 1, 5);
@@ -61,14 +65,16 @@ HASHED(render_phong, 1, 5);
 
 constexpr std::uint64_t io_obj_and_png(int rounds) {
   determinism::hasher h;
-  const auto mesh = irg::read_obj<double>("v 0.1 1e-3 3.25\nv 12.5 -.5 7\nv 1 2.000000000000000001 3\nvn 0 0 1\nf 1//1 2//1 -1//1\n");
+  const auto mesh =
+      irg::read_obj<double>("v 0.1 1e-3 3.25\nv 12.5 -.5 7\nv 1 2.000000000000000001 3\nvn 0 0 1\nf 1//1 2//1 -1//1\n");
   if (mesh)
     for (const auto& p : mesh->positions)
       for (int i = 0; i < 3; ++i) h.add(p[i]);
   irg::image<irg::rgba8> picture(9 * rounds, 5 * rounds);
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x)
-      picture(x, y) = {static_cast<std::uint8_t>(x * y / 7), static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 255};
+      picture(x, y) = {static_cast<std::uint8_t>(x * y / 7), static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
+                       255};
   if (const auto png = irg::encode_png(picture))
     for (const std::uint8_t byte : *png) h.add(byte);
   return h.value();

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
 
-static_assert(irg::EncodableRaster<irg::image<irg::rgba8>> && irg::EncodableRaster<irg::image_view<const std::uint8_t>>);
+static_assert(irg::EncodableRaster<irg::image<irg::rgba8>> &&
+              irg::EncodableRaster<irg::image_view<const std::uint8_t>>);
 static_assert(!irg::EncodableRaster<irg::image<float>> && !irg::EncodableRaster<int>);
 
 constexpr bool accepted(int width, int height) { return !irg::detail::refuse_picture_size(width, height); }

@@ -9,7 +9,8 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-static_assert(irg::DepthOrder<irg::nearer_is_greater> && irg::DepthOrder<irg::nearer_is_less> && irg::DepthOrder<irg::drawing_order>);
+static_assert(irg::DepthOrder<irg::nearer_is_greater> && irg::DepthOrder<irg::nearer_is_less> &&
+              irg::DepthOrder<irg::drawing_order>);
 static_assert(!irg::DepthOrder<int>);
 
 TEST_CASE("depth orders: strict, so that the first of two equal depths stays; NaN is never nearer") {

@@ -25,7 +25,8 @@ using colours = irg::vertex_colour_shader<irg::rgba8, to_bytes>;
 struct canvas {
   irg::image<irg::rgba8> colour;
   irg::image<float> depth;
-  constexpr canvas(int width, int height, float farthest = 0.0f) : colour(width, height), depth(width, height, farthest) {}
+  constexpr canvas(int width, int height, float farthest = 0.0f)
+      : colour(width, height), depth(width, height, farthest) {}
   constexpr bool operator==(const canvas&) const = default;
 };
 
@@ -41,7 +42,7 @@ irg::draw_counts draw_plain(canvas& c, const screen_vertex (&v)[3], const Shader
   const auto w = irg::intersect(t.bounds, irg::window_of(c.colour));
   if (t.double_area == 0 || w.empty()) return {};
   return irg::detail::triangle_kernel<float, std::int64_t, Order>(t, irg::detail::set_up(t, v[0], v[1], v[2]), w,
-                                                                 c.colour.width(), c.colour, c.depth, shader);
+                                                                  c.colour.width(), c.colour, c.depth, shader);
 }
 
 screen_vertex random_vertex(test::random& r, int pixels) {
@@ -88,7 +89,10 @@ TEST_CASE("draw_triangle: lanes give the bytes of the plain kernel, for every wi
     canvas lanes(width, height), plain(width, height);
     for (int k = 0; k < 3; ++k) {
       const screen_vertex v[3] = {random_vertex(random, 64), random_vertex(random, 64), random_vertex(random, 64)};
-      const colours s{{static_cast<float>(random.unit()), 0.5f, 0.1f}, {0.3f, static_cast<float>(random.unit()), 1.0f}, {0, 0, 1}, {}};
+      const colours s{{static_cast<float>(random.unit()), 0.5f, 0.1f},
+                      {0.3f, static_cast<float>(random.unit()), 1.0f},
+                      {0, 0, 1},
+                      {}};
       if (i % 3 == 0)
         REQUIRE(draw(lanes, v, s) == draw_plain(plain, v, s));
       else if (i % 3 == 1)
@@ -131,13 +135,16 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
     irg::image<float> depth(60, 60, -1.0f);
     const auto record = [](const irg::fragment<float>& f) { return recorder{f.weight1, f.weight2}; };
     irg::draw_triangle(weights, depth, v[0], v[1], v[2], record);
-    const long double area = static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+    const long double area =
+        static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 60; ++x) {
         if (!irg::covers(t, x, y)) continue;
         const irg::subpixel p{x * 256 + 128, y * 256 + 128};
-        const long double b1 = static_cast<long double>(irg::signed_double_area(v[2].position, v[0].position, p)) / area;
-        const long double b2 = static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, p)) / area;
+        const long double b1 =
+            static_cast<long double>(irg::signed_double_area(v[2].position, v[0].position, p)) / area;
+        const long double b2 =
+            static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, p)) / area;
         const auto wide = [](float f) { return static_cast<long double>(f); };
         const long double z0 = wide(v[0].depth), q1 = wide(v[1].inverse_w), q2 = wide(v[2].inverse_w);
         const long double z = z0 + b1 * (wide(v[1].depth) - z0) + b2 * (wide(v[2].depth) - z0);
@@ -151,7 +158,8 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
         REQUIRE(depth(x, y) <= high);
       }
   }
-  MESSAGE("largest error of depth ", static_cast<double>(worst_depth), " half ulp, of perspective weights ", static_cast<double>(worst_weight));
+  MESSAGE("largest error of depth ", static_cast<double>(worst_depth), " half ulp, of perspective weights ",
+          static_cast<double>(worst_weight));
   CHECK(worst_depth <= 8);  // relative, in units of 2^-24: 4 ulp
   CHECK(worst_weight <= 4e-7L);  // although inverse_w spreads over 2^16
 }

@@ -29,8 +29,10 @@ TEST_CASE("foreign rows: refused with a reason where they cannot be read as such
   CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, 4, 4, 16)).empty());
   CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, -1, 4, 16)) == "its size is negative");
   CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, 4, -4, 16)) == "its size is negative");
-  CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory + 1, 2, 2, 16)) == "its rows are not aligned for the pixel type");
-  CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, 2, 2, 18)) == "its rows are not aligned for the pixel type");
+  CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory + 1, 2, 2, 16)) ==
+        "its rows are not aligned for the pixel type");
+  CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, 2, 2, 18)) ==
+        "its rows are not aligned for the pixel type");
   CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, 5, 2, 16)) == "its rows overlap");
   CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, 5, 2, -16)) == "its rows overlap");
   CHECK(refusal(irg::detail::foreign_rows<std::uint32_t>(memory, 5, 1, 0)).empty());  // one row has no neighbour

@@ -35,7 +35,8 @@ TEST_CASE("shaders: solid, vertex colours, intensities") {
 TEST_CASE("fragment: packs compute what scalars compute") {
   using floats = irg::pack<float, 4>;
   const float w1[4] = {0.1f, 0.7f, 0.0f, 0.33f}, w2[4] = {0.3f, 0.2f, 1.0f, 0.33f};
-  const irg::fragment<floats> at{irg::lanes<floats>::load(w1), irg::lanes<floats>::load(w2), irg::lanes<floats>::broadcast(0)};
+  const irg::fragment<floats> at{irg::lanes<floats>::load(w1), irg::lanes<floats>::load(w2),
+                                 irg::lanes<floats>::broadcast(0)};
   for (int i = 0; i < 4; ++i)
     CHECK(at.interpolate(0.1f, 0.9f, 0.4f)[i] == irg::fragment<float>{w1[i], w2[i], 0}.interpolate(0.1f, 0.9f, 0.4f));
 }

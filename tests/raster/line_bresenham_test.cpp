@@ -27,7 +27,8 @@ constexpr std::vector<cell> cells(cell a, cell b, irg::cell_window w = everythin
 constexpr cell oracle_cell(cell a, cell b, std::int64_t i) {
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
   const std::int64_t w = dx < 0 ? -dx : dx, h = dy < 0 ? -dy : dy, n = w > h ? w : h, m = w > h ? h : w;
-  std::int64_t k = n == 0 ? 0 : static_cast<std::int64_t>(wide{i} * m / n);  // the integer below, then one more if nearer
+  std::int64_t k =
+      n == 0 ? 0 : static_cast<std::int64_t>(wide{i} * m / n);  // the integer below, then one more if nearer
   if (wide{2} * (wide{i} * m - wide{k} * n) > n) ++k;
   const std::int64_t sx = dx < 0 ? -1 : 1, sy = dy < 0 ? -1 : 1;
   return w > h ? cell{static_cast<int>(a.x + sx * i), static_cast<int>(a.y + sy * k)}
@@ -104,16 +105,20 @@ TEST_CASE("line_bresenham: random lines over the whole int range against the rat
     // a window around a cell of the line, so that most lines cross it
     const std::int64_t w = std::abs(std::int64_t{b.x} - a.x), h = std::abs(std::int64_t{b.y} - a.y), n = w > h ? w : h;
     const cell middle = oracle_cell(a, b, random.integer(0, n));
-    const auto near = [&](int c) { return static_cast<int>(irg::clamp<std::int64_t>(c + random.integer(-9, 3), least, most - 16)); };
+    const auto near = [&](int c) {
+      return static_cast<int>(irg::clamp<std::int64_t>(c + random.integer(-9, 3), least, most - 16));
+    };
     const irg::cell_window window{near(middle.x), near(middle.y), near(middle.x) + 12, near(middle.y) + 12};
     std::vector<cell> expected;  // walk the rows or columns of the window only
     const bool steep = h >= w;
     const std::int64_t start = steep ? a.y : a.x, sign = steep ? (b.y < a.y ? -1 : 1) : (b.x < a.x ? -1 : 1);
-    const std::int64_t low = steep ? window.y_first : window.x_first, high = (steep ? window.y_last : window.x_last) - 1;
+    const std::int64_t low = steep ? window.y_first : window.x_first,
+                       high = (steep ? window.y_last : window.x_last) - 1;
     const std::int64_t i0 = sign > 0 ? low - start : start - high, i1 = sign > 0 ? high - start : start - low;
     for (std::int64_t k = i0 < 0 ? 0 : i0; k <= i1 && k <= n; ++k) {
       const cell c = oracle_cell(a, b, k);
-      if (c.x >= window.x_first && c.x < window.x_last && c.y >= window.y_first && c.y < window.y_last) expected.push_back(c);
+      if (c.x >= window.x_first && c.x < window.x_last && c.y >= window.y_first && c.y < window.y_last)
+        expected.push_back(c);
     }
     crossing += expected.size() >= 2;
     REQUIRE(cells(a, b, window) == expected);

@@ -42,7 +42,8 @@ subpixel random_vertex(test::random& r, int extent) {
 }
 
 TEST_CASE("cover_triangle: a triangle by hand, in both windings and from every vertex") {
-  constexpr subpixel a{0, 0}, b{1024, 0}, c{0, 1024};  // 4 by 4 pixels, the hypotenuse through the centres of a diagonal
+  constexpr subpixel a{0, 0}, b{1024, 0},
+      c{0, 1024};  // 4 by 4 pixels, the hypotenuse through the centres of a diagonal
   CHECK_BOTH(pixel_count(a, b, c) == 6);               // the hypotenuse is a right edge: its centres are not covered
   CHECK_BOTH(pixel_count(a, c, b) == 6);
   CHECK_BOTH(pixel_count(b, c, a) == 6);
@@ -62,9 +63,11 @@ TEST_CASE("cover_triangle: F1, triangles without area cover nothing") {
 
 TEST_CASE("cover_triangle: F13, vertices at the limit of the domain") {
   constexpr int far = irg::snap_limit * 256;
-  CHECK_BOTH(pixel_count({-far, -far}, {far, -far}, {-far, far}, {-8, -8, 8, 8}) == 120);  // half of it, without the diagonal
+  CHECK_BOTH(pixel_count({-far, -far}, {far, -far}, {-far, far}, {-8, -8, 8, 8}) ==
+             120);  // half of it, without the diagonal
   CHECK_BOTH(pixel_count({far, far}, {far, -far}, {-far, far}, {-8, -8, 8, 8}) == 136);
-  CHECK_BOTH(irg::cover_triangle({-far, -far}, {far, -far}, {-far, far}).double_area == std::int64_t{far} * 2 * far * 2);
+  CHECK_BOTH(irg::cover_triangle({-far, -far}, {far, -far}, {-far, far}).double_area ==
+             std::int64_t{far} * 2 * far * 2);
 }
 
 TEST_CASE("cover_triangle: F14, a sliver of 1/256 pixel across 16k pixels") {
@@ -214,7 +217,8 @@ TEST_CASE("cover_triangle: F16, a triangle moved by whole pixels covers the same
   test::random random(16);
   for (int i = 0; i < 300; ++i) {
     const subpixel v[3] = {random_vertex(random, 2000), random_vertex(random, 2000), random_vertex(random, 2000)};
-    const int mx = static_cast<int>(random.integer(-30000, 30000)), my = static_cast<int>(random.integer(-30000, 30000));
+    const int mx = static_cast<int>(random.integer(-30000, 30000)),
+              my = static_cast<int>(random.integer(-30000, 30000));
     const auto moved = [&](subpixel p) { return subpixel{p.x + mx * 256, p.y + my * 256}; };
     const auto t = irg::cover_triangle(v[0], v[1], v[2]);
     const auto u = irg::cover_triangle(moved(v[0]), moved(v[1]), moved(v[2]));
@@ -226,13 +230,15 @@ TEST_CASE("cover_triangle: F16, a triangle moved by whole pixels covers the same
 TEST_CASE("covered_spans: work ends at the window, however large the triangle") {
   constexpr int far = irg::snap_limit * 256;
   int rows = 0;
-  irg::covered_spans(irg::cover_triangle({-far, -far}, {far, -far}, {0, far}), {10, 10, 20, 13}, [&](irg::span_of_cells s) {
-    CHECK(s.x_first == 10);
-    CHECK(s.x_last == 20);
-    ++rows;
-  });
+  irg::covered_spans(irg::cover_triangle({-far, -far}, {far, -far}, {0, far}), {10, 10, 20, 13},
+                     [&](irg::span_of_cells s) {
+                       CHECK(s.x_first == 10);
+                       CHECK(s.x_last == 20);
+                       ++rows;
+                     });
   CHECK(rows == 3);
-  irg::covered_spans(irg::cover_triangle({0, 0}, {512, 0}, {0, 512}), {5, 5, 5, 9}, [&](irg::span_of_cells) { ++rows; });
+  irg::covered_spans(irg::cover_triangle({0, 0}, {512, 0}, {0, 512}), {5, 5, 5, 9},
+                     [&](irg::span_of_cells) { ++rows; });
   CHECK(rows == 3);  // an empty window gets no call
 }
 

@@ -81,7 +81,11 @@ constexpr matrix eye_at_origin(double near = 0.125) {
 
 constexpr soup two_crossing_triangles() {
   // They pass through each other; the second one reaches behind the eye.
-  return {{{-2, -2, -3}, {2, -2, -1}, {0, 2, -2}, {-2, 1, -1}, {1, -1, 2}, {2, 2, -4}}, {{{0, 1, 2}}, {{3, 4, 5}}}, eye_at_origin(), 16, 16};
+  return {{{-2, -2, -3}, {2, -2, -1}, {0, 2, -2}, {-2, 1, -1}, {1, -1, 2}, {2, 2, -4}},
+          {{{0, 1, 2}}, {{3, 4, 5}}},
+          eye_at_origin(),
+          16,
+          16};
 }
 
 TEST_CASE("draw_triangles: types") {
@@ -99,7 +103,8 @@ TEST_CASE("draw_triangles: constant evaluation gives the bytes and counts of run
       irg::render_stats stats;
     } b{};
     for (int y = 0; y < 16; ++y)
-      for (int x = 0; x < 16; ++x) b.colour[y][x] = m.colour(x, y), b.depth[y][x] = std::bit_cast<std::uint32_t>(m.depth(x, y));
+      for (int x = 0; x < 16; ++x)
+        b.colour[y][x] = m.colour(x, y), b.depth[y][x] = std::bit_cast<std::uint32_t>(m.depth(x, y));
     b.stats = m.stats;
     return b;
   }();
@@ -190,14 +195,23 @@ void compare_with_definition(const soup& s, irg::face_culling culling, agreement
 soup random_visible_soup(test::random& r, int width, int height, double reach = 1.0) {
   soup s{{}, {}, eye_at_origin(), width, height};
   const int triangles = static_cast<int>(r.integer(1, 24));
-  const bool flat = r.integer(0, 3) == 0;  // all at nearly one depth: ties and near ties
+  const bool flat = r.integer(0, 3) == 0;     // all at one depth: ties
+  const bool lattice = r.integer(0, 3) == 0;  // corners on a lattice of half pixels: edges through centres
   for (int i = 0; i < triangles; ++i) {
     const double size = std::ldexp(1.0, static_cast<int>(r.integer(-4, 2)));
-    const double cx = reach * (2 * r.unit() - 1), cy = reach * (2 * r.unit() - 1), depth = flat ? 3.0 : 0.5 + 6 * r.unit();
+    const double cx = reach * (2 * r.unit() - 1), cy = reach * (2 * r.unit() - 1),
+                 depth = flat ? 3.0 : 0.5 + 6 * r.unit();
     for (int k = 0; k < 3; ++k) {
       if (!s.positions.empty() && r.integer(0, 4) == 0) continue;  // shares a corner with an earlier one
       const double z = flat ? depth : std::fmax(0.25, depth + size * (r.unit() - 0.5));
-      s.positions.push_back({(cx + reach * size * (r.unit() - 0.5)) * z, (cy + reach * size * (r.unit() - 0.5)) * z, -z});
+      if (lattice) {
+        const auto coordinate = [&] { return static_cast<double>(r.integer(-64, 64)) / 64 * reach; };
+        const double power_of_two = std::ldexp(1.0, flat ? 1 : static_cast<int>(r.integer(0, 2)));
+        s.positions.push_back({coordinate() * power_of_two, coordinate() * power_of_two, -power_of_two});
+        continue;
+      }
+      s.positions.push_back(
+          {(cx + reach * size * (r.unit() - 0.5)) * z, (cy + reach * size * (r.unit() - 0.5)) * z, -z});
     }
     const auto any = [&](int back) {
       const auto n = static_cast<std::int64_t>(s.positions.size());
@@ -227,7 +241,8 @@ TEST_CASE("draw_triangles: pictures of every shape, narrower than the lanes and 
   test::random r(102);
   agreement sum;
   for (int width = 1; width <= 20; ++width)
-    for (const int height : {1, 2, 31, 32, 33, 65}) compare_with_definition(random_visible_soup(r, width, height), irg::face_culling::none, sum);
+    for (const int height : {1, 2, 31, 32, 33, 65})
+      compare_with_definition(random_visible_soup(r, width, height), irg::face_culling::none, sum);
   CHECK(sum.covered > 0);
   CHECK(sum.wrong == 0);
 }
@@ -337,14 +352,17 @@ void compare_with_rays(const soup& s, irg::face_culling culling, ray_agreement& 
       ++sum.compared;
       sum.covered += first != 0;
       const mark& drawn = m.colour(x, y);
-      const bool right = drawn.triangle == first &&
-                         (first == 0 || (drawn.side == (best.front ? irg::facing::front : irg::facing::back) &&
-                                         std::fabs(static_cast<long double>(m.depth(x, y)) - best.depth) <= uncertainty));
+      const bool right =
+          drawn.triangle == first &&
+          (first == 0 || (drawn.side == (best.front ? irg::facing::front : irg::facing::back) &&
+                          std::fabs(static_cast<long double>(m.depth(x, y)) - best.depth) <= uncertainty));
       if (!right) ++sum.wrong;
       if (right && first != 0 && s.triangles.size() == 1) {
         // The weights, where they do not change fast enough for snapping to matter.
         const ray_hit beside = oracles[0](x + 1, y), below = oracles[0](x, y + 1);
-        const auto change = [&](auto weight) { return std::fabs(beside.*weight - best.*weight) + std::fabs(below.*weight - best.*weight); };
+        const auto change = [&](auto weight) {
+          return std::fabs(beside.*weight - best.*weight) + std::fabs(below.*weight - best.*weight);
+        };
         if (!beside.hit || !below.hit || change(&ray_hit::s) + change(&ray_hit::t) > 0.1L) continue;
         sum.worst_weight = std::fmax(sum.worst_weight, std::fabs(static_cast<long double>(drawn.s) - best.s));
         sum.worst_weight = std::fmax(sum.worst_weight, std::fabs(static_cast<long double>(drawn.t) - best.t));
@@ -407,7 +425,8 @@ TEST_CASE("draw_triangles: Z5, each corner in each of the 27 cells that the clip
 
 TEST_CASE("draw_triangles: Z13, weights in a triangle whose corners' distances differ 100,000 times") {
   ray_agreement sum;
-  const soup s{{{-0.3, -0.3, -0.3}, {20000, -5000, -30000}, {-5000, 20000, -30000}}, {{{0, 1, 2}}}, eye_at_origin(), 200, 200};
+  const soup s{
+      {{-0.3, -0.3, -0.3}, {20000, -5000, -30000}, {-5000, 20000, -30000}}, {{{0, 1, 2}}}, eye_at_origin(), 200, 200};
   compare_with_rays(s, irg::face_culling::none, sum);
   CHECK(sum.covered > 5000);
   CHECK(sum.wrong == 0);
@@ -448,8 +467,8 @@ TEST_CASE("draw_triangles: Z6, inside a cube of triangles every pixel is covered
     soup s = cube_around(r, static_cast<int>(r.integer(1, 5)), 64, 48);
     const double margin = i % 3 == 0 ? 0.9999 : 0.7;  // near the walls, where most is clipped
     const point eye{margin * (2 * r.unit() - 1), margin * (2 * r.unit() - 1), margin * (2 * r.unit() - 1)};
-    const irg::camera<double> c{eye, {2 * r.unit() - 1, 2 * r.unit() - 1, 2 * r.unit() - 1}, {0, 1, 0}, {},
-                                irg::radians(static_cast<double>(r.integer(10, 140))), 1e-6};
+    const irg::camera<double> c{eye, {2 * r.unit() - 1, 2 * r.unit() - 1, 2 * r.unit() - 1}, {0, 1, 0},
+                                {},  irg::radians(static_cast<double>(r.integer(10, 140))),  1e-6};
     s.to_clip = irg::view_projection(c, 64.0 / 48);
     const marks m = draw(s);
     for (int y = 0; y < s.height; ++y)
@@ -463,7 +482,8 @@ TEST_CASE("draw_triangles: Z6, inside a cube of triangles every pixel is covered
 
 TEST_CASE("draw_triangles: Z6, a corner exactly on a clip plane") {
   // The near plane is at distance 1, and the corner is on it; its neighbour beyond the edge is behind the eye.
-  const soup s{{{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, -3, 2}}, {{{0, 1, 2}}, {{1, 0, 3}}}, eye_at_origin(1), 32, 32};
+  const soup s{
+      {{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, -3, 2}}, {{{0, 1, 2}}, {{1, 0, 3}}}, eye_at_origin(1), 32, 32};
   const marks whole = draw(s);
   soup one = s;
   one.triangles.pop_back();
@@ -485,7 +505,11 @@ TEST_CASE("draw_triangles: Z7, of equal depths the lowest index wins, in either 
 }
 
 TEST_CASE("draw_triangles: in drawing order the last one wins, whatever its depth") {
-  const soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}, {-2, -2, -5}, {2, -2, -5}, {0, 2, -5}}, {{{0, 1, 2}}, {{3, 4, 5}}}, eye_at_origin(), 32, 32};
+  const soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}, {-2, -2, -5}, {2, -2, -5}, {0, 2, -5}},
+               {{{0, 1, 2}}, {{3, 4, 5}}},
+               eye_at_origin(),
+               32,
+               32};
   const marks m = draw<irg::drawing_order>(s);
   soup far = s;
   far.triangles = {{{3, 4, 5}}};
@@ -531,11 +555,27 @@ TEST_CASE("draw_triangles: Z14, any order of triangles gives the same picture wh
 TEST_CASE("draw_triangles: counters by hand") {
   // One seen, one facing away, one beside the picture, one behind the eye, one smaller than a pixel, one edge-on, one
   // that is clipped and seen.
-  const soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}, {50, 0, -2}, {51, 0, -2}, {50, 1, -2}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2},
-                {0.51, 0.51, -8}, {0.511, 0.51, -8}, {0.51, 0.511, -8}, {-0.5, -0.5, -1}, {0.5, -0.5, 1}, {0.2, -0.6, -1}},
+  const soup s{{{-1, -1, -2},
+                {1, -1, -2},
+                {0, 1, -2},
+                {50, 0, -2},
+                {51, 0, -2},
+                {50, 1, -2},
+                {0, 0, 2},
+                {1, 0, 2},
+                {0, 1, 2},
+                {0.51, 0.51, -8},
+                {0.511, 0.51, -8},
+                {0.51, 0.511, -8},
+                {-0.5, -0.5, -1},
+                {0.5, -0.5, 1},
+                {0.2, -0.6, -1}},
                {{{0, 1, 2}}, {{0, 2, 1}}, {{3, 4, 5}}, {{6, 7, 8}}, {{9, 10, 11}}, {{0, 1, 1}}, {{12, 13, 14}}},
-               eye_at_origin(), 32, 32};
-  const auto on = draw(s, irg::face_culling::back).stats, off = draw(s, irg::face_culling::back, irg::skipping::off).stats;
+               eye_at_origin(),
+               32,
+               32};
+  const auto on = draw(s, irg::face_culling::back).stats,
+             off = draw(s, irg::face_culling::back, irg::skipping::off).stats;
   CHECK(on.triangles == 7);
   CHECK(on.skipped.backface == 1);
   CHECK(on.skipped.frustum == 2);
@@ -550,9 +590,14 @@ TEST_CASE("draw_triangles: counters by hand") {
 TEST_CASE("draw_triangles: S1, skipping changes no byte and no pixel count, on triangles anywhere") {
   test::random r(108);
   for (int i = 0; i < 1500; ++i) {
-    soup s{{}, {}, eye_at_origin(i % 2 ? 0.125 : 1e-6), static_cast<int>(r.integer(1, 40)), static_cast<int>(r.integer(1, 70))};
+    soup s{{},
+           {},
+           eye_at_origin(i % 2 ? 0.125 : 1e-6),
+           static_cast<int>(r.integer(1, 40)),
+           static_cast<int>(r.integer(1, 70))};
     for (int k = 0; k < 60; ++k)
-      s.positions.push_back(test::random_position<double>(r, i % 3 == 0 ? test::positions::hostile : test::positions::everywhere));
+      s.positions.push_back(
+          test::random_position<double>(r, i % 3 == 0 ? test::positions::hostile : test::positions::everywhere));
     for (int k = 0; k < 40; ++k) {
       const auto any = [&] { return static_cast<std::uint32_t>(r.integer(0, 59)); };
       s.triangles.push_back({{any(), any(), any()}});
@@ -594,8 +639,11 @@ TEST_CASE("draw_triangles: Z4, triangles that are not finite are left out, and t
     soup t = s;
     const auto n = static_cast<std::uint32_t>(s.positions.size());
     t.positions.push_back({-1, -1, -0.2}), t.positions.push_back({1, -1, -0.2}), t.positions.push_back({0, 1, -0.2});
-    t.positions[n + static_cast<std::uint32_t>(i % 3)][i / 3 % 3] =
-        i % 4 == 0 ? std::numeric_limits<double>::quiet_NaN() : i % 4 == 1 ? infinite : i % 4 == 2 ? -infinite : 1.7e308;
+    t.positions[n + static_cast<std::uint32_t>(i % 3)][i / 3 % 3] = i % 4 == 0
+                                                                        ? std::numeric_limits<double>::quiet_NaN()
+                                                                    : i % 4 == 1 ? infinite
+                                                                    : i % 4 == 2 ? -infinite
+                                                                                 : 1.7e308;
     t.triangles.push_back({{n, n + 1, n + 2}});
     for (const auto skip : {irg::skipping::on, irg::skipping::off}) {
       const marks m = draw(t, irg::face_culling::none, skip);

@@ -22,7 +22,9 @@ constexpr irg::projected_vertices<double> projected(const point& p, int width = 
   const point positions[1] = {p};
   return irg::project_vertices<double>(positions, m, irg::map_to_screen<double>(width, height));
 }
-constexpr irg::screen_vertex on_screen(const point& p, int width = 64, int height = 32) { return projected(p, width, height).screen[0]; }
+constexpr irg::screen_vertex on_screen(const point& p, int width = 64, int height = 32) {
+  return projected(p, width, height).screen[0];
+}
 constexpr clip_planes cut(const point& p) { return projected(p).cut[0]; }
 constexpr clip_planes outside(const point& p) { return projected(p).outside[0]; }
 
@@ -30,7 +32,8 @@ TEST_CASE("project_vertices: by hand") {
   // 90 degrees, at distance 2: the borders of the square view are at x, y = -2 and 2; the picture is stretched.
   CHECK_BOTH(on_screen({0, 0, -2}).position == irg::subpixel{32 * 256, 16 * 256});
   CHECK_BOTH(on_screen({1, 0, -2}).position == irg::subpixel{48 * 256, 16 * 256});
-  CHECK_BOTH(on_screen({0, 1, -2}).position == irg::subpixel{32 * 256, 8 * 256});  // up in the world is up in the picture
+  CHECK_BOTH(on_screen({0, 1, -2}).position ==
+             irg::subpixel{32 * 256, 8 * 256});  // up in the world is up in the picture
   CHECK_BOTH(on_screen({0, 0, -2}).depth == 0.5f);
   CHECK_BOTH(on_screen({0, 0, -2}).inverse_w == 0.5f);
   CHECK_BOTH(on_screen({0, 0, -8}).depth == 0.125f);
@@ -64,10 +67,12 @@ TEST_CASE("project_vertices: Z1, w = 0 and the eye itself are cut") {
 }
 
 TEST_CASE("project_vertices: Z4, what is not finite is cut and outside") {
-  const double odd[] = {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity, std::numeric_limits<double>::max()};
+  const double odd[] = {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity,
+                        std::numeric_limits<double>::max()};
   for (int axis = 0; axis < 3; ++axis)
     for (const double value : odd)
-      for (const auto& m : {eye_at_origin, irg::orthographic(-1.0, 1, -1, 1, -5, 5), irg::perspective(1.0, 1.0, 0.5, 9.0)}) {
+      for (const auto& m :
+           {eye_at_origin, irg::orthographic(-1.0, 1, -1, 1, -5, 5), irg::perspective(1.0, 1.0, 0.5, 9.0)}) {
         point p{0.5, 0.25, -2};
         p[axis] = value;
         const auto v = projected(p, 64, 32, m);

@@ -36,8 +36,8 @@ constexpr irg::scene<double> scene_of(const std::vector<irg::mesh<double>>& shap
   return s;
 }
 
-constexpr irg::picture_style styles[] = {irg::picture_style::wire, irg::picture_style::flat, irg::picture_style::gouraud,
-                                         irg::picture_style::phong};
+constexpr irg::picture_style styles[] = {irg::picture_style::wire, irg::picture_style::flat,
+                                         irg::picture_style::gouraud, irg::picture_style::phong};
 
 // ---- one source, three lives
 
@@ -66,9 +66,11 @@ constexpr small_picture lit_triangle() {
 TEST_CASE("render: two lit, depth-tested triangles in a constant expression, with the bytes of run time") {
   static constexpr small_picture at_compile_time = lit_triangle();
   static_assert(at_compile_time.stats.triangles == 2 && at_compile_time.stats.skipped == irg::skip_counts{});
-  static_assert(at_compile_time.stats.pixels.tested > at_compile_time.stats.drawn);  // some of one is hidden by the other
+  static_assert(at_compile_time.stats.pixels.tested >
+                at_compile_time.stats.drawn);  // some of one is hidden by the other
   static_assert(at_compile_time.stats.drawn > 300 && at_compile_time.colour[0][0] == background);
-  static_assert(at_compile_time.colour[16][16] != background && at_compile_time.colour[16][16] != at_compile_time.colour[20][16]);
+  static_assert(at_compile_time.colour[16][16] != background &&
+                at_compile_time.colour[16][16] != at_compile_time.colour[20][16]);
   CHECK(at_compile_time == lit_triangle());
 }
 
@@ -167,8 +169,8 @@ TEST_CASE("render: a back that is shown is lit as a front of the other direction
 TEST_CASE("render: flat faces have one colour, of the course's reflection model at their centre") {
   const auto s = scene_of({triangle_at(0)});
   const auto r = test::render(s, 33, 33, {irg::picture_style::flat});
-  const irg::rgb<double> light = irg::phong_model(s.objects[0].surface, irg::lighting<double>{s.ambient, s.lights}, s.view.eye,
-                                                  point{0, -1.0 / 3, 0}, irg::vec<double, 3>{0, 0, 1});
+  const irg::rgb<double> light = irg::phong_model(s.objects[0].surface, irg::lighting<double>{s.ambient, s.lights},
+                                                  s.view.eye, point{0, -1.0 / 3, 0}, irg::vec<double, 3>{0, 0, 1});
   const irg::rgba8 expected =
       irg::encode({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});
   int seen = 0;
@@ -197,13 +199,15 @@ TEST_CASE("render: Phong pixels are the reflection model at the pixel's own poin
     for (int x = 0; x < 40; ++x) {
       const irg::vec<double, 3> in_camera{(x + 0.5 - 20) / 20, (20 - y - 0.5) / 20, -1};
       irg::vec<double, 3> ray{};  // the view matrix turned back
-      for (int i = 0; i < 3; ++i) ray[i] = view(0, i) * in_camera.x + view(1, i) * in_camera.y + view(2, i) * in_camera.z;
+      for (int i = 0; i < 3; ++i)
+        ray[i] = view(0, i) * in_camera.x + view(1, i) * in_camera.y + view(2, i) * in_camera.z;
       if (ray.y >= -0.1) continue;
       const point p = s.view.eye + ray * (-1 / ray.y);
-      const auto light = irg::phong_model(s.objects[0].surface, irg::lighting<double>{s.ambient, s.lights}, s.view.eye, p,
-                                          irg::vec<double, 3>{0, 1, 0});
+      const auto light = irg::phong_model(s.objects[0].surface, irg::lighting<double>{s.ambient, s.lights}, s.view.eye,
+                                          p, irg::vec<double, 3>{0, 1, 0});
       const irg::rgba8 q = r.picture.colour(x, y);
-      const irg::rgba8 e = irg::encode({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});
+      const irg::rgba8 e =
+          irg::encode({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});
       REQUIRE(std::abs(q.r - e.r) + std::abs(q.g - e.g) + std::abs(q.b - e.b) <= 6);
       ++compared;
     }
@@ -284,7 +288,8 @@ void skipping_changes_nothing(std::uint64_t seed, int scenes) {
     };
     same(test::render(s, width, height, options, test::backwards{}));
     if (i % 8 == 0)
-      for (int threads = 1; threads <= 16; threads += 1 + threads / 3) same(test::render(s, width, height, options, irg::parallel{threads}));
+      for (int threads = 1; threads <= 16; threads += 1 + threads / 3)
+        same(test::render(s, width, height, options, irg::parallel{threads}));
   }
   MESSAGE(scenes, " scenes, ", drawn, " pixels drawn, ", skipped, " triangles skipped");
   CHECK(skipped > scenes);
@@ -304,7 +309,8 @@ TEST_CASE("render: observers hear of every stage of every object, and change not
   for (const auto style : styles) {
     std::vector<irg::render_stage> heard;
     test::canvas c(20, 20);
-    irg::render(s, c.colour, c.depth, {style}, {}, irg::sequential{}, [&](irg::render_stage stage) { heard.push_back(stage); });
+    irg::render(s, c.colour, c.depth, {style}, {}, irg::sequential{},
+                [&](irg::render_stage stage) { heard.push_back(stage); });
     using enum irg::render_stage;
     const std::vector<irg::render_stage> once =
         style == irg::picture_style::wire ? std::vector{project, draw} : std::vector{prepare, shade, project, draw};
@@ -319,12 +325,14 @@ TEST_CASE("render: draws into views, upside down too") {
   const auto s = scene_of({triangle_at(0)});
   const auto expected = test::render(s, 24, 17);
   std::vector<irg::rgba8> memory(30 * 17, irg::rgba8{7, 7, 7, 7});
-  irg::image_view<irg::rgba8> bottom_up(memory.data() + 16 * 30, 24, 17, -30 * static_cast<std::ptrdiff_t>(sizeof(irg::rgba8)));
+  irg::image_view<irg::rgba8> bottom_up(memory.data() + 16 * 30, 24, 17,
+                                        -30 * static_cast<std::ptrdiff_t>(sizeof(irg::rgba8)));
   irg::image<float> depth(24, 17);
   CHECK(irg::render(s, bottom_up, depth) == expected.stats);
   for (int y = 0; y < 17; ++y)
     for (int x = 0; x < 30; ++x)
-      REQUIRE(memory[static_cast<std::size_t>((16 - y) * 30 + x)] == (x < 24 ? expected.picture.colour(x, y) : irg::rgba8{7, 7, 7, 7}));
+      REQUIRE(memory[static_cast<std::size_t>((16 - y) * 30 + x)] ==
+              (x < 24 ? expected.picture.colour(x, y) : irg::rgba8{7, 7, 7, 7}));
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ using point = irg::point<double, 3>;
 using picture = irg::image<int>;
 using mesh = irg::mesh<double>;
 
-constexpr auto eye_at_origin = irg::perspective(irg::pi<double> / 2, 1.0, 0.125, std::numeric_limits<double>::infinity());
+constexpr auto eye_at_origin =
+    irg::perspective(irg::pi<double> / 2, 1.0, 0.125, std::numeric_limits<double>::infinity());
 
 struct drawn {
   picture lines;
@@ -37,8 +38,8 @@ constexpr drawn draw(const mesh& m, int width, int height, irg::face_culling cul
 }
 
 // The pixels that line_bresenham gives for pairs of vertices none of which is clipped, the smaller index first.
-picture expected_lines(const mesh& m, const std::set<std::pair<std::uint32_t, std::uint32_t>>& edges, int width, int height,
-                       std::int64_t& cells) {
+picture expected_lines(const mesh& m, const std::set<std::pair<std::uint32_t, std::uint32_t>>& edges, int width,
+                       int height, std::int64_t& cells) {
   picture lines(width, height, 0);
   const auto mapping = irg::map_to_screen<double>(width, height);
   const auto v = irg::project_vertices<double>(m.positions, eye_at_origin, mapping);

@@ -33,7 +33,8 @@ TEST_CASE("camera: types") {
 }
 
 TEST_CASE("view_projection: by hand, from (0, 0, 2) at the origin, 90 degrees") {
-  constexpr camera c{{0, 0, 2}, {0, 0, 0}, {0, 1, 0}, irg::projection_kind::perspective, irg::pi<double> / 2, 1.0, infinity};
+  constexpr camera c{{0, 0, 2},           {0, 0, 0}, {0, 1, 0}, irg::projection_kind::perspective,
+                     irg::pi<double> / 2, 1.0,       infinity};
   CHECK_BOTH((near(seen(c, 1, {0, 0, 0}).x, 0) && near(seen(c, 1, {0, 0, 0}).y, 0)));
   CHECK_BOTH(near(seen(c, 1, {2, 0, 0}).x, 1));         // the right border at the target's distance
   CHECK_BOTH(near(seen(c, 1, {0, -2, 0}).y, -1));       // y is up
@@ -57,7 +58,13 @@ TEST_CASE("view_projection: the target is in the middle of the picture, and up i
   test::random r(1);
   for (int i = 0; i < 2000; ++i) {
     const auto coordinate = [&] { return static_cast<double>(r.integer(-1000, 1000)) / 64; };
-    camera c{{coordinate(), coordinate(), coordinate()}, {coordinate(), coordinate(), coordinate()}, {}, {}, 0.7, 0.001, infinity};
+    camera c{{coordinate(), coordinate(), coordinate()},
+             {coordinate(), coordinate(), coordinate()},
+             {},
+             {},
+             0.7,
+             0.001,
+             infinity};
     c.up = {coordinate(), coordinate(), coordinate()};
     if (i % 2) c = in_parallel(c);
     if (c.eye == c.target || irg::length(irg::cross(c.up, c.target - c.eye)) < 1e-3) continue;
@@ -91,7 +98,8 @@ TEST_CASE("view_projection: at the ends of the range w stays within 2^62 of that
     CHECK(w <= 0x1p62);
   }
   for (const float size : {1.2e-38f, 1e-20f, 1.0f, 1e37f}) {
-    const irg::camera<float> c{{0, 0, 0}, {0, 0, -size}, {0, 1, 0}, {}, 0.7f, size, std::numeric_limits<float>::infinity()};
+    const irg::camera<float> c{
+        {0, 0, 0}, {0, 0, -size}, {0, 1, 0}, {}, 0.7f, size, std::numeric_limits<float>::infinity()};
     const float w = (irg::view_projection(c, 1) * irg::point<float, 3>{0, 0, -size}).w;
     CHECK(w >= 0x1p-62f);
     CHECK(w <= 0x1p62f);
@@ -172,7 +180,8 @@ TEST_CASE("camera_around: the sphere touches the border of the picture and is in
       for (const double degrees : {1.0, 20.0, 40.0, 90.0, 150.0})
         for (const double radius : {1e-100, 0.001, 1.0, 700.0, 1e100}) {
           const point centre{radius * static_cast<double>(r.integer(-3, 3)), radius, radius * 2};
-          const camera c = irg::camera_around(centre, radius, vec{1, 0.8, 1.6}, irg::radians(degrees), aspect, projection);
+          const camera c =
+              irg::camera_around(centre, radius, vec{1, 0.8, 1.6}, irg::radians(degrees), aspect, projection);
           const sphere_extent e = extent_of(c, aspect, centre, radius);
           CAPTURE(aspect);
           CAPTURE(degrees);
@@ -227,15 +236,17 @@ TEST_CASE("with_depth_range: a point at the eye still has a range") {
   CHECK_BOTH((c.near_distance > 0 && c.near_distance < c.far_distance));
   constexpr camera p = irg::with_depth_range(in_parallel({{1, 1, 1}, {0, 0, 0}, {0, 1, 0}}), {1, 1, 1}, 0);
   CHECK_BOTH(p.near_distance < p.far_distance);
-  CHECK_BOTH((irg::detail::all_finite(irg::view_projection(c, 0.25)) && irg::detail::all_finite(irg::view_projection(p, 0.25))));
+  CHECK_BOTH((irg::detail::all_finite(irg::view_projection(c, 0.25)) &&
+              irg::detail::all_finite(irg::view_projection(p, 0.25))));
 }
 
 TEST_CASE("camera: constant evaluation gives the bits of run time") {
   constexpr auto at_compile_time =
       irg::view_projection(irg::camera_around(point{0.1, 0.2, 0.3}, 1.7, vec{1, 0.8, 1.6}, 0.69, 16.0 / 9), 16.0 / 9);
   volatile double angle = 0.69;
-  CHECK(at_compile_time ==
-        irg::view_projection(irg::camera_around(point{0.1, 0.2, 0.3}, 1.7, vec{1, 0.8, 1.6}, angle, 16.0 / 9), 16.0 / 9));
+  CHECK(
+      at_compile_time ==
+      irg::view_projection(irg::camera_around(point{0.1, 0.2, 0.3}, 1.7, vec{1, 0.8, 1.6}, angle, 16.0 / 9), 16.0 / 9));
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ TEST_CASE("intensity_range: GOLDEN 7") {
   constexpr std::array<rational, 3> three{rational(40), rational(120), rational(290)};
   CHECK_BOTH(fitted(three, rational(255), by_rescale) ==
              std::array<rational, 3>{rational(1020, 29), rational(3060, 29), rational(255)});
-  CHECK_BOTH(fitted(three, rational(255), by_clamp) == std::array<rational, 3>{rational(40), rational(120), rational(255)});
+  CHECK_BOTH(fitted(three, rational(255), by_clamp) ==
+             std::array<rational, 3>{rational(40), rational(120), rational(255)});
   CHECK_BOTH(fitted(std::array<double, 3>{40, 120, 290}, 255.0, by_rescale) ==
              std::array<double, 3>{1020.0 / 29, 3060.0 / 29, 255});
 }

@@ -45,5 +45,6 @@ TEST_CASE("light: exact on rationals") {
   using test::rational;
   constexpr irg::light<rational, rational> source{{rational(3), rational(2), rational(4), rational(1)}, rational(200)};
   constexpr irg::point<rational, 3> centre{rational(1, 3), rational(0), rational(2, 3)};
-  CHECK_BOTH(irg::direction_to_light(source, centre) == irg::vec<rational, 3>{rational(8, 3), rational(2), rational(10, 3)});
+  CHECK_BOTH(irg::direction_to_light(source, centre) ==
+             irg::vec<rational, 3>{rational(8, 3), rational(2), rational(10, 3)});
 }

@@ -39,8 +39,9 @@ constexpr rational formula_7(const vec3<rational>& l) {
 
 TEST_CASE("phong_model: types") {
   static_assert(std::is_same_v<decltype(formula_9(up, up)), rational>);
-  static_assert(std::is_same_v<decltype(irg::diffuse_term(irg::rgb<float>{}, irg::rgb<float>{}, vec3<float>{}, vec3<float>{})),
-                               irg::rgb<float>>);
+  static_assert(
+      std::is_same_v<decltype(irg::diffuse_term(irg::rgb<float>{}, irg::rgb<float>{}, vec3<float>{}, vec3<float>{})),
+                     irg::rgb<float>>);
   static_assert(noexcept(irg::phong_model(irg::material<float>{}, irg::lighting<float>{}, point3<float>{},
                                           point3<float>{}, vec3<float>{})));
 }
@@ -151,7 +152,8 @@ TEST_CASE("phong_model: in a scene") {
   CHECK_BOTH(seen(dull, {100.0, sun}, {0, 0, 3}) == 20.0 + 120.0);
   // Sources add up: the lamp stands at L = (3/5, 0, 4/5), R.V = 4/5.
   CHECK_BOTH(seen(dull, {100.0, both}, {0, 0, 3}) == 20.0 + 120.0 + 100 * 0.6 * 0.8);
-  CHECK(seen(shiny, {100.0, both}, {0, 0, 3}) == doctest::Approx(220.0 + 100 * (0.5 * 0.8 + 0.5 * 0.64)).epsilon(1e-14));
+  CHECK(seen(shiny, {100.0, both}, {0, 0, 3}) ==
+        doctest::Approx(220.0 + 100 * (0.5 * 0.8 + 0.5 * 0.64)).epsilon(1e-14));
 }
 
 TEST_CASE("phong_model: each channel of a colour is the one-channel model") {
@@ -166,10 +168,11 @@ TEST_CASE("phong_model: each channel of a colour is the one-channel model") {
     const point3<double> eye{around(), around(), around()}, p{around(), around(), around()};
     const vec3<double> normal = irg::normalized(vec3<double>{around(), around(), around()});
     const irg::rgb<double> ambient{unit(), unit(), unit()};
-    const auto seen_colour = irg::phong_model(irg::material<double>{ka, kd, ks, n},
-                                              irg::lighting<double>{ambient, colours}, eye, p, normal);
-    const auto channel = [&](double irg::rgb<double>::*c) {
-      const lights one{{{colours[0].position, colours[0].intensity.*c}, {colours[1].position, colours[1].intensity.*c}}};
+    const auto seen_colour =
+        irg::phong_model(irg::material<double>{ka, kd, ks, n}, irg::lighting<double>{ambient, colours}, eye, p, normal);
+    const auto channel = [&](double irg::rgb<double>::* c) {
+      const lights one{
+          {{colours[0].position, colours[0].intensity.*c}, {colours[1].position, colours[1].intensity.*c}}};
       return irg::phong_model(irg::material<double, double>{ka.*c, kd.*c, ks.*c, n},
                               irg::lighting<double, double>{ambient.*c, one}, eye, p, normal);
     };
@@ -181,12 +184,14 @@ TEST_CASE("phong_model: each channel of a colour is the one-channel model") {
     long double expected = static_cast<long double>(ambient.r) * static_cast<long double>(ka.r);
     for (const auto& source : colours) {
       using longs = std::array<long double, 3>;
-      const longs m{static_cast<long double>(normal.x), static_cast<long double>(normal.y), static_cast<long double>(normal.z)};
+      const longs m{static_cast<long double>(normal.x), static_cast<long double>(normal.y),
+                    static_cast<long double>(normal.z)};
       const auto parts = [&](const vec3<double>& d) {  // of the unit vector: height over the surface, the part along it
         const longs c{static_cast<long double>(d.x), static_cast<long double>(d.y), static_cast<long double>(d.z)};
         const long double length = std::hypot(std::hypot(c[0], c[1]), c[2]);
         const long double h = (c[0] * m[0] + c[1] * m[1] + c[2] * m[2]) / length;
-        return std::array<long double, 4>{h, c[0] / length - h * m[0], c[1] / length - h * m[1], c[2] / length - h * m[2]};
+        return std::array<long double, 4>{h, c[0] / length - h * m[0], c[1] / length - h * m[1],
+                                          c[2] / length - h * m[2]};
       };
       const auto& s = source.position;
       const auto l = parts(s.w == 1 ? vec3<double>{s.x - p.x, s.y - p.y, s.z - p.z} : vec3<double>{s.x, s.y, s.z});
@@ -206,9 +211,9 @@ TEST_CASE("phong_model: degenerate scenes have no NaN") {
   constexpr std::span<const irg::light<double, double>> both(sun_and_lamp);
   constexpr static lights in_the_point{{{{0, 0, 0, 1}, 100.0}, {{0, 0, 0, 0}, 100.0}}};
   CHECK_BOTH(seen(shiny, {100.0, in_the_point}, {0, 0, 3}) == 20.0);
-  CHECK_BOTH(seen(shiny, {100.0, both.first<1>()}, {0, 0, 0}) == 120.0);         // the eye in the point: no highlight
-  CHECK_BOTH(seen(shiny, {100.0, both}, {0, 0, 3}, {0, 0, 0}) == 20.0);          // no normal
-  CHECK_BOTH(seen(shiny, {100.0, both}, {0, 0, 3}, {0, 0, -1}) == 20.0);         // seen from behind
-  CHECK_BOTH(seen(shiny, {100.0, both.first<1>()}, {0, 0, 1e300}) == 220.0);     // eye nearly at infinity
-  CHECK_BOTH(seen(shiny, {100.0, both.first<1>()}, {0, 0, 1e-310}) == 220.0);    // and nearly in the point
+  CHECK_BOTH(seen(shiny, {100.0, both.first<1>()}, {0, 0, 0}) == 120.0);  // the eye in the point: no highlight
+  CHECK_BOTH(seen(shiny, {100.0, both}, {0, 0, 3}, {0, 0, 0}) == 20.0);  // no normal
+  CHECK_BOTH(seen(shiny, {100.0, both}, {0, 0, 3}, {0, 0, -1}) == 20.0);  // seen from behind
+  CHECK_BOTH(seen(shiny, {100.0, both.first<1>()}, {0, 0, 1e300}) == 220.0);  // eye nearly at infinity
+  CHECK_BOTH(seen(shiny, {100.0, both.first<1>()}, {0, 0, 1e-310}) == 220.0);  // and nearly in the point
 }

@@ -16,8 +16,18 @@ using triangle = std::array<point3, 3>;
 // The unit cube of the course: 12 triangles, counter-clockwise seen from outside.
 constexpr std::array<point3, 8> corners{
     {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 1}}};
-constexpr std::array<std::array<std::size_t, 3>, 12> faces{
-    {{0, 2, 1}, {2, 3, 1}, {2, 4, 3}, {4, 5, 3}, {4, 6, 5}, {6, 7, 5}, {6, 0, 7}, {0, 1, 7}, {0, 4, 2}, {0, 6, 4}, {1, 3, 5}, {1, 5, 7}}};
+constexpr std::array<std::array<std::size_t, 3>, 12> faces{{{0, 2, 1},
+                                                            {2, 3, 1},
+                                                            {2, 4, 3},
+                                                            {4, 5, 3},
+                                                            {4, 6, 5},
+                                                            {6, 7, 5},
+                                                            {6, 0, 7},
+                                                            {0, 1, 7},
+                                                            {0, 4, 2},
+                                                            {0, 6, 4},
+                                                            {1, 3, 5},
+                                                            {1, 5, 7}}};
 
 constexpr triangle face(std::size_t i) { return {corners[faces[i][0]], corners[faces[i][1]], corners[faces[i][2]]}; }
 constexpr vec3 face_normal(std::size_t i) {
@@ -45,7 +55,8 @@ constexpr bool near(double a, double b) { return a - b < 1e-12 * b && b - a < 1e
 
 TEST_CASE("shading: plain aggregates") {
   static_assert(std::is_trivially_copyable_v<irg::flat_shader<float>> && std::is_aggregate_v<irg::phong_shader<float>>);
-  static_assert(std::is_same_v<decltype(irg::phong_shader<float>{}(irg::point<float, 3>{}, irg::vec<float, 3>{})), irg::rgb<float>>);
+  static_assert(std::is_same_v<decltype(irg::phong_shader<float>{}(irg::point<float, 3>{}, irg::vec<float, 3>{})),
+                               irg::rgb<float>>);
   static_assert(noexcept(gouraud({}, {})));
 }
 
@@ -58,8 +69,8 @@ TEST_CASE("shading: the mean of vertices") {
 }
 
 TEST_CASE("shading: GOLDEN 7, the faces of the cube") {
-  constexpr double golden[12] = {20, 20, 73.3699507995993, 78.3997116070745, 46.9076633390697, 47.3702931657094,
-                                 20, 20, 20,               20,               106.74768752147,  105.115923873823};
+  constexpr double golden[12] = {20, 20, 73.3699507995993, 78.3997116070745, 46.9076633390697, 47.3702931657094, 20, 20,
+                                 20, 20, 106.74768752147,  105.115923873823};
   constexpr auto all_right = [](const double(&expected)[12]) {
     for (std::size_t i = 0; i < 12; ++i)
       if (!near(flat(face(i), face_normal(i)), expected[i])) return false;

@@ -104,10 +104,12 @@ template <class T>
 irg::scene<T> random_scene(random& r, int faces, positions kind) {
   irg::scene<T> s;
   s.objects.push_back({random_mesh<T>(r, faces, kind)});
-  s.objects.push_back({random_mesh<T>(r, faces / 2, kind), irg::rotation_y(T(1)) * irg::scaling(irg::vec<T, 3>{-1, 1, 1})});
+  s.objects.push_back(
+      {random_mesh<T>(r, faces / 2, kind), irg::rotation_y(T(1)) * irg::scaling(irg::vec<T, 3>{-1, 1, 1})});
   s.objects[0].surface = {{T(0.8), T(0.4), T(0.2)}, {T(0.8), T(0.4), T(0.2)}, {T(0.3), T(0.3), T(0.3)}, T(20)};
   s.objects[1].surface.diffuse = {T(0.1), T(0.5), T(0.9)};
-  s.lights = {{{T(3), T(4), T(5), T(1)}, {T(1), T(1), T(1)}}, {{T(-1), T(0.5), T(0.25), T(0)}, {T(0.4), T(0.4), T(0.5)}}};
+  s.lights = {{{T(3), T(4), T(5), T(1)}, {T(1), T(1), T(1)}},
+              {{T(-1), T(0.5), T(0.25), T(0)}, {T(0.4), T(0.4), T(0.5)}}};
   s.ambient = {T(0.1), T(0.1), T(0.15)};
   s.view.eye = kind == positions::ordinary ? irg::point<T, 3>{1, 2, 5} : random_position<T>(r, positions::ordinary);
   s.view.target = {T(0.25), T(0), T(-1)};

@@ -7,13 +7,15 @@
 #define IRG_VERSION_MINOR 1
 #define IRG_VERSION_PATCH 0
 
-#if (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||                            \
-     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)) &&               \
+#if (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||              \
+     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)) && \
     !defined(IRG_ALLOW_FAST_MATH)
-#error "irg: -ffast-math and its parts break exact decisions and reproducible pictures; build without them, or define IRG_ALLOW_FAST_MATH to give up both"
+#error \
+    "irg: -ffast-math and its parts break exact decisions and reproducible pictures; build without them, or define IRG_ALLOW_FAST_MATH to give up both"
 #endif
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && !defined(IRG_ALLOW_EXCESS_PRECISION)
-#error "irg: this target computes float and double in wider registers (x87); build with -msse2 -mfpmath=sse, or define IRG_ALLOW_EXCESS_PRECISION"
+#error \
+    "irg: this target computes float and double in wider registers (x87); build with -msse2 -mfpmath=sse, or define IRG_ALLOW_EXCESS_PRECISION"
 #endif
 
 // Functions stand in an inline namespace that names the major version, the instruction set and whether preconditions are

@@ -144,7 +144,7 @@ struct lanes<pack<T, N>> {
   using mask = pack<std::int32_t, N>;
   IRG_INLINE static pack<T, N> broadcast(T x) noexcept {
 #ifdef IRG_LANES_VECTOR
-    return {x - typename pack<T, N>::storage{}};
+    return {x - typename pack<T, N>::storage {}};
 #else
     pack<T, N> r{};
     for (int i = 0; i < N; ++i) r.v[i] = x;

@@ -16,7 +16,7 @@ concept Scalar = std::regular<T> && !std::same_as<T, bool> && requires(const T a
   static_cast<T>(1);
   { a + b } -> std::convertible_to<T>;
   { a - b } -> std::convertible_to<T>;
-  { a * b } -> std::convertible_to<T>;
+  { a* b } -> std::convertible_to<T>;
   { a / b } -> std::convertible_to<T>;
   { -a } -> std::convertible_to<T>;
   { a < b } -> std::convertible_to<bool>;

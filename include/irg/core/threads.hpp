@@ -23,7 +23,8 @@ struct parallel {
       for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) task(i);
     };
     std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < static_cast<std::size_t>(threads < 1 ? 1 : threads) && i < count; ++i) helpers.emplace_back(work);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(threads < 1 ? 1 : threads) && i < count; ++i)
+      helpers.emplace_back(work);
     work();
   }
 };

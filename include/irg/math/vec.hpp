@@ -11,13 +11,13 @@
 
 namespace irg {
 
-#define IRG_COORDINATES_2                                                                    \
-  T x{}, y{};                                                                                \
-  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : y; }  \
+#define IRG_COORDINATES_2                                                                   \
+  T x{}, y{};                                                                               \
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : y; } \
   IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : y; }
-#define IRG_COORDINATES_3                                                                                    \
-  T x{}, y{}, z{};                                                                                           \
-  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : i == 1 ? y : z; }     \
+#define IRG_COORDINATES_3                                                                                \
+  T x{}, y{}, z{};                                                                                       \
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : i == 1 ? y : z; } \
   IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : z; }
 #define IRG_COORDINATES_4                                                                                             \
   T x{}, y{}, z{}, w{};                                                                                               \
@@ -129,15 +129,18 @@ IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept(std::is_ar
   return generate_coordinates<vec<T, N>>([&](int i) { return -a[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a, std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
+IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a,
+                                         std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return product(a[i], s); });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s, const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
+IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s,
+                                         const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
   return a * s;
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a, std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
+IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a,
+                                         std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) { return a[i] / s; });
 }
 template <class T, int N>

@@ -41,9 +41,15 @@ struct mesh {
   std::vector<std::uint32_t> face_starts = {0};
   std::vector<mesh_part> parts;
 
-  IRG_INLINE constexpr std::size_t face_count() const noexcept { return face_starts.empty() ? 0 : face_starts.size() - 1; }
-  IRG_INLINE constexpr std::size_t face_size(std::size_t f) const noexcept { return face_starts[f + 1] - face_starts[f]; }
-  IRG_INLINE constexpr const mesh_corner& corner(std::size_t f, std::size_t k) const noexcept { return corners[face_starts[f] + k]; }
+  IRG_INLINE constexpr std::size_t face_count() const noexcept {
+    return face_starts.empty() ? 0 : face_starts.size() - 1;
+  }
+  IRG_INLINE constexpr std::size_t face_size(std::size_t f) const noexcept {
+    return face_starts[f + 1] - face_starts[f];
+  }
+  IRG_INLINE constexpr const mesh_corner& corner(std::size_t f, std::size_t k) const noexcept {
+    return corners[face_starts[f] + k];
+  }
 
   constexpr bool operator==(const mesh&) const = default;
 };
@@ -66,7 +72,8 @@ inline namespace IRG_ABI {
 /// needs   three or more indices, each < positions.size()
 template <class T, class Indices>
 constexpr void add_face(mesh<T>& m, const Indices& positions) {
-  for (const auto i : positions) m.corners.push_back({static_cast<std::uint32_t>(i), mesh_corner::none, mesh_corner::none});
+  for (const auto i : positions)
+    m.corners.push_back({static_cast<std::uint32_t>(i), mesh_corner::none, mesh_corner::none});
   m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
 }
 

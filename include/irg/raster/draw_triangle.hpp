@@ -75,7 +75,8 @@ IRG_INLINE constexpr triangle_setup set_up(const triangle_coverage& t, const scr
   const double area = static_cast<double>(t.double_area);
   return {{t.edge[0], edge1, edge2},
           static_cast<float>(double{one_pixel} / area),
-          {static_cast<float>(t.edge[0].rest / area), static_cast<float>(edge1.rest / area), static_cast<float>(edge2.rest / area)},
+          {static_cast<float>(t.edge[0].rest / area), static_cast<float>(edge1.rest / area),
+           static_cast<float>(edge2.rest / area)},
           {v0.depth, v1.depth, v2.depth},
           {v0.inverse_w, v1.inverse_w, v2.inverse_w},
           lesser(lesser(v0.depth, v1.depth), v2.depth),
@@ -136,8 +137,9 @@ IRG_INLINE constexpr void shade_pixels(P* row, unsigned bits, const fragment<F>&
 // The pixels [x, x + count) of one row, where they lie in [x_first, x_last). F is float or a pack of them; I is the
 // integer of the same shape, or int64 with a plain float. Returns early when nothing is left to do.
 template <class F, class I, class Order, class P, class Shader>
-IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y, int x_first, int x_last, float* depth_row,
-                                          P* colour_row, const Shader& shader, I& tested, I& shaded, I& ties) {
+IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y, int x_first, int x_last,
+                                          float* depth_row, P* colour_row, const Shader& shader, I& tested, I& shaded,
+                                          I& ties) {
   using integers = lanes<I>;
   using integer = typename integers::scalar;
   const auto at = [&](const triangle_edge& e) {
@@ -176,8 +178,8 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y,
 
 // Walks over the rows of the window; packs of F never leave [reach_first, reach_last).
 template <class F, class I, class Order, class Colour, class Depth, class Shader>
-constexpr draw_counts triangle_kernel(const triangle_coverage& t, const triangle_setup& s, const cell_window& w, int reach_last,
-                                      Colour& colour, Depth& depth, const Shader& shader) {
+constexpr draw_counts triangle_kernel(const triangle_coverage& t, const triangle_setup& s, const cell_window& w,
+                                      int reach_last, Colour& colour, Depth& depth, const Shader& shader) {
   constexpr int count = lanes<F>::count;
   I tested = lanes<I>::broadcast(0), shaded = tested, ties = tested;
   for (int y = w.y_first; y < w.y_last; ++y) {
@@ -203,7 +205,8 @@ constexpr draw_counts draw_covered(Colour& colour, Depth& depth, const triangle_
   if (!std::is_constant_evaluated()) {
     constexpr int count = native_lanes<float>;
     if (window.x_last - window.x_first >= count && fits_32_bits(t, w, count))
-      return triangle_kernel<pack<float, count>, pack<std::int32_t, count>, Order>(t, s, w, window.x_last, colour, depth, shader);
+      return triangle_kernel<pack<float, count>, pack<std::int32_t, count>, Order>(t, s, w, window.x_last, colour,
+                                                                                   depth, shader);
   }
   return triangle_kernel<float, std::int64_t, Order>(t, s, w, window.x_last, colour, depth, shader);
 }
@@ -240,11 +243,11 @@ constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_v
 
 /// Draws every covered pixel of a triangle: no depth buffer, what is drawn later covers what was drawn before.
 template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
-constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex& v0, const screen_vertex& v1, const screen_vertex& v2,
-                                    const Shader& shader) {
+constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex& v0, const screen_vertex& v1,
+                                    const screen_vertex& v2, const Shader& shader) {
   const detail::no_depth depth{};
-  return detail::draw_covered<drawing_order>(colour, depth, cover_triangle(v0.position, v1.position, v2.position), v0, v1,
-                                             v2, shader, window_of(colour));
+  return detail::draw_covered<drawing_order>(colour, depth, cover_triangle(v0.position, v1.position, v2.position), v0,
+                                             v1, v2, shader, window_of(colour));
 }
 
 }  // namespace IRG_ABI

@@ -29,7 +29,8 @@ IRG_INLINE void fill_lanes(P* first, std::size_t count, const P& value) noexcept
     return;
   }
   bytes pattern;
-  for (std::size_t i = 0; i < step; ++i) std::memcpy(reinterpret_cast<char*>(&pattern.v) + i * sizeof(P), &value, sizeof(P));
+  for (std::size_t i = 0; i < step; ++i)
+    std::memcpy(reinterpret_cast<char*>(&pattern.v) + i * sizeof(P), &value, sizeof(P));
   const std::size_t last = count - step;
   for (std::size_t i = 0; i < last; i += step) std::memcpy(static_cast<void*>(first + i), &pattern.v, sizeof pattern.v);
   std::memcpy(static_cast<void*>(first + last), &pattern.v, sizeof pattern.v);

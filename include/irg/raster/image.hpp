@@ -20,7 +20,8 @@ public:
   constexpr image_view() = default;
   /// A view of rows that follow each other without a gap.
   IRG_INLINE constexpr image_view(P* first_row, int width, int height) noexcept
-      : image_view(first_row, width, height, static_cast<std::ptrdiff_t>(width) * static_cast<std::ptrdiff_t>(sizeof(P))) {}
+      : image_view(first_row, width, height,
+                   static_cast<std::ptrdiff_t>(width) * static_cast<std::ptrdiff_t>(sizeof(P))) {}
   IRG_INLINE constexpr image_view(P* first_row, int width, int height, std::ptrdiff_t stride_in_bytes) noexcept
       : first_(first_row), width_(width), height_(height), stride_(stride_in_bytes) {
     IRG_EXPECTS(width >= 0 && height >= 0);
@@ -75,8 +76,7 @@ public:
   /// An image of one colour.
   /// needs   width >= 0, height >= 0
   constexpr image(int width, int height, const P& fill = P{})
-      : width_((IRG_EXPECTS(width >= 0 && height >= 0), width)),
-        height_(height),
+      : width_((IRG_EXPECTS(width >= 0 && height >= 0), width)), height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
 
   IRG_INLINE constexpr int width() const noexcept { return width_; }

@@ -88,7 +88,8 @@ constexpr void line_bresenham(cell a, cell b, const cell_window& window, Sink&& 
   if (steps.first >= steps.last) return;
   std::int64_t aside = f.aside_at(steps.first);
   // error = 2*i*m - 2*n*aside + 2*m - n: positive when step i + 1 is nearer to aside + 1.
-  auto error = static_cast<std::int64_t>(detail::int128{2} * (steps.first + 1) * f.m - detail::int128{2} * f.n * aside - f.n);
+  auto error =
+      static_cast<std::int64_t>(detail::int128{2} * (steps.first + 1) * f.m - detail::int128{2} * f.n * aside - f.n);
   for (std::int64_t i = steps.first; i < steps.last; ++i) {
     emit(f.at(i, aside));
     if (error > 0) {

@@ -96,7 +96,8 @@ template <class T>
 constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32_t triangle_count,
                               const hpoint<T, 3> (&corner)[3], const screen_mapping<T>& mapping, int width, int height,
                               face_culling culling, skipping skip) {
-  const clip_vertex<T, 2> polygon[3] = {{corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
+  const clip_vertex<T, 2> polygon[3] = {
+      {corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
   const auto left = clip_homogeneous(polygon, mapping.guard);
   if (left.count < 3) return count_skipped(list.skipped, listing::out_of_sight, skip);
 
@@ -104,7 +105,8 @@ constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32
   fragment<float> share[9];
   for (int k = 0; k < left.count; ++k) {
     on_screen[k] = to_screen(left.vertices[k].position, mapping);
-    share[k] = {static_cast<float>(left.vertices[k].attributes[0]), static_cast<float>(left.vertices[k].attributes[1]), 0};
+    share[k] = {static_cast<float>(left.vertices[k].attributes[0]), static_cast<float>(left.vertices[k].attributes[1]),
+                0};
   }
   const auto area_of = [&](int k) {
     return signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
@@ -116,7 +118,8 @@ constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32
   for (int k = 1; k + 1 < left.count && area != 0; ++k) {
     // Snapping may turn round a piece thinner than 1/256 pixel; the pieces beside it cover its place.
     if (area_of(k) != 0 && (area_of(k) > 0) != (area > 0)) continue;
-    const clipped_piece piece{{on_screen[0], on_screen[k], on_screen[k + 1]}, {{share[0], share[k], share[k + 1]}}, source};
+    const clipped_piece piece{
+        {on_screen[0], on_screen[k], on_screen[k + 1]}, {{share[0], share[k], share[k + 1]}}, source};
     const auto number = triangle_count + static_cast<std::uint32_t>(list.pieces.size());
     const listing l = enlist(list, number, piece.v[0], piece.v[1], piece.v[2], area_of(k), width, height, skip);
     if (l == listing::listed) list.pieces.push_back(piece);
@@ -150,7 +153,8 @@ constexpr draw_list list_triangles(const projected_vertices<T>& v, std::span<con
     if (is_culled(area, culling))
       ++list.skipped.backface;
     else
-      count_skipped(list.skipped, enlist(list, i, v.screen[a], v.screen[b], v.screen[c], area, width, height, skip), skip);
+      count_skipped(list.skipped, enlist(list, i, v.screen[a], v.screen[b], v.screen[c], area, width, height, skip),
+                    skip);
   }
   return list;
 }
@@ -178,7 +182,8 @@ constexpr render_stats draw_triangles(Colour& colour, Depth& depth, const projec
       detail::list_triangles(vertices, triangles, mapping, width, height, settings.culling, settings.skip);
   std::vector<render_stats> done(list.bands.size(), render_stats{});
   executor(list.bands.size(), [&](std::size_t band) {
-    const int y_first = static_cast<int>(band) * detail::band_height, y_last = lesser(y_first + detail::band_height, height);
+    const int y_first = static_cast<int>(band) * detail::band_height,
+              y_last = lesser(y_first + detail::band_height, height);
     const cell_window window{0, y_first, width, y_last};
     if (settings.background)
       for (int y = y_first; y < y_last; ++y) {

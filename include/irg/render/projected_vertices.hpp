@@ -32,12 +32,13 @@ struct screen_mapping {
 inline namespace IRG_ABI {
 
 /// The mapping of clip space onto a picture of width x height pixels whose first pixel is (0, 0).
-/// needs   1 <= width, height <= 32768
+/// needs   1 <= width, height <= 65536
 template <Floating T>
 constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
   // Up to 2^15 pixels from the picture's centre: coverage of small triangles then fits in 32 bits, and all in 64.
   const T half_width = static_cast<T>(width) / T(2), half_height = static_cast<T>(height) / T(2), reach = T(1 << 15);
-  return {half_width, half_height, half_width, half_height, {}, {clip_planes::all, reach / half_width, reach / half_height}};
+  return {half_width,  half_height, half_width,
+          half_height, {},          {clip_planes::all, reach / half_width, reach / half_height}};
 }
 
 /// Where a clip-space position stands on the screen.
@@ -59,7 +60,8 @@ constexpr projected_vertices<T> project_vertices(std::span<const point<T, 3>> po
                                                  const screen_mapping<T>& mapping) {
   const std::size_t n = positions.size();
   projected_vertices<T> v{std::vector<hpoint<T, 3>>(n, hpoint<T, 3>{}), std::vector<screen_vertex>(n, screen_vertex{}),
-                          std::vector<clip_planes>(n, clip_planes::none), std::vector<clip_planes>(n, clip_planes::none)};
+                          std::vector<clip_planes>(n, clip_planes::none),
+                          std::vector<clip_planes>(n, clip_planes::none)};
   for (std::size_t i = 0; i < n; ++i) {
     const hpoint<T, 3> p = to_clip * positions[i];
     v.clip[i] = p;

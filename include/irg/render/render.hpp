@@ -93,7 +93,8 @@ struct object_shading {
       const auto [a, b, c] = body.triangles[triangle].v;
       const rgb<float> at0 = vertex_colour(a, side), at1 = vertex_colour(b, side), at2 = vertex_colour(c, side);
       const auto corner = [&](int k) {
-        return rgb<float>{shares(k, at0.r, at1.r, at2.r), shares(k, at0.g, at1.g, at2.g), shares(k, at0.b, at1.b, at2.b)};
+        return rgb<float>{shares(k, at0.r, at1.r, at2.r), shares(k, at0.g, at1.g, at2.g),
+                          shares(k, at0.b, at1.b, at2.b)};
       };
       return vertex_colour_shader<rgba8, encode_srgb>{corner(0), corner(1), corner(2), {}};
     };
@@ -102,7 +103,8 @@ struct object_shading {
     return [this](std::uint32_t triangle, const triangle_shares& shares, facing side) {
       const auto [a, b, c] = body.triangles[triangle].v;
       const auto normal = [&](std::uint32_t v) { return side == facing::front ? body.normals[v] : -body.normals[v]; };
-      return phong_pixels<T>{phong, {body.positions[a], body.positions[b], body.positions[c]}, {normal(a), normal(b), normal(c)}, shares};
+      return phong_pixels<T>{
+          phong, {body.positions[a], body.positions[b], body.positions[c]}, {normal(a), normal(b), normal(c)}, shares};
     };
   }
 };
@@ -119,15 +121,16 @@ struct picture_colours {
 inline namespace IRG_ABI {
 
 /// Renders a scene into a picture and its depth buffer, both overwritten, and returns what it did.
-/// shape   colour and depth have one size, at most 32768 x 32768
+/// shape   colour and depth have one size, at most 65536 x 65536
 /// needs   valid meshes (mesh/validate.hpp); a camera in its domain
 /// gives   the background alone for a scene without objects; of equal depths the first object and face wins
 /// exact   the same bytes for every executor, compiler, instruction set and for skipping on and off
 /// cost    the vertices and triangles once, then the pixels
 template <DepthOrder Order, Floating T, RowRaster Colour, RowRaster Depth, Executor E, class Observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Depth& depth, const render_options& options,
-                                      const picture_colours& colours, const E& executor, Observer&& observer) {
+constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Depth& depth,
+                                      const render_options& options, const picture_colours& colours, const E& executor,
+                                      Observer&& observer) {
   const int width = width_of(colour), height = height_of(colour);
   render_stats stats;
   if (width == 0 || height == 0) return stats;
@@ -148,10 +151,15 @@ constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Dep
     }
     const drawable<T> body = make_drawable(shape);
     observer(render_stage::prepare);
-    detail::object_shading<T> shading{body, shape, {o.surface, light, world.view.eye}, {o.surface, light, world.view.eye},
-                                      {o.surface, light, world.view.eye}, {}};
+    detail::object_shading<T> shading{body,
+                                      shape,
+                                      {o.surface, light, world.view.eye},
+                                      {o.surface, light, world.view.eye},
+                                      {o.surface, light, world.view.eye},
+                                      {}};
     if (options.style == picture_style::flat)
-      for (std::size_t f = 0; f < shape.face_count(); ++f) shading.colours.push_back(shading.face_colour(f, facing::front));
+      for (std::size_t f = 0; f < shape.face_count(); ++f)
+        shading.colours.push_back(shading.face_colour(f, facing::front));
     if (options.style == picture_style::gouraud)
       for (std::size_t v = 0; v < body.positions.size(); ++v)
         shading.colours.push_back(detail::to_float_colour(shading.gouraud(body.positions[v], body.normals[v])));
@@ -162,7 +170,8 @@ constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Dep
     if (!cleared) settings.background = colours.background;
     cleared = true;
     const auto draw = [&](const auto& make_shader) {
-      stats += draw_triangles<Order, T>(colour, depth, vertices, body.triangles, mapping, make_shader, settings, executor);
+      stats +=
+          draw_triangles<Order, T>(colour, depth, vertices, body.triangles, mapping, make_shader, settings, executor);
     };
     if (options.style == picture_style::flat) draw(shading.flat_pixels());
     if (options.style == picture_style::gouraud) draw(shading.gouraud_pixels());
@@ -171,7 +180,8 @@ constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Dep
   }
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      if (wire ? !(get_pixel(colour, x, y) == colours.background) : !(get_pixel(depth, x, y) == Order::farthest)) ++stats.drawn;
+      if (wire ? !(get_pixel(colour, x, y) == colours.background) : !(get_pixel(depth, x, y) == Order::farthest))
+        ++stats.drawn;
   return stats;
 }
 

@@ -40,7 +40,8 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
     if (v.cut[m.corner(f, k).position] != clip_planes::none) return false;
   const subpixel origin = v.screen[m.corner(f, 0).position].position;
   for (std::size_t k = 1; k + 1 < n; ++k)
-    area += signed_double_area(origin, v.screen[m.corner(f, k).position].position, v.screen[m.corner(f, k + 1).position].position);
+    area += signed_double_area(origin, v.screen[m.corner(f, k).position].position,
+                               v.screen[m.corner(f, k + 1).position].position);
   return area >= 0;
 }
 
@@ -50,7 +51,8 @@ constexpr std::optional<std::pair<cell, cell>> line_of(const projected_vertices<
                                                        const screen_mapping<T>& mapping) noexcept {
   const clip_planes cut = v.cut[e.a] | v.cut[e.b];
   if (cut == clip_planes::none) return std::pair{cell_of(v.screen[e.a].position), cell_of(v.screen[e.b].position)};
-  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{v.clip[e.a]}, clip_vertex<T, 0>{v.clip[e.b]}, mapping.guard);
+  const auto left =
+      clip_segment_homogeneous(clip_vertex<T, 0>{v.clip[e.a]}, clip_vertex<T, 0>{v.clip[e.b]}, mapping.guard);
   if (!left) return std::nullopt;
   return std::pair{cell_of(to_screen(left->first.position, mapping).position),
                    cell_of(to_screen(left->second.position, mapping).position)};
