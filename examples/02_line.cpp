@@ -21,5 +21,6 @@ int main() {
                       [&](irg::cell) { ++visible; });
   std::printf("%d of 4000000001 cells are visible\n", visible);
 
-  return std::string_view(rows[1]) == "..@@." && visible == 100 ? 0 : 1;
+  const std::string_view top = rows[0], middle = rows[1], bottom = rows[2];
+  return top == "@@..." && middle == "..@@." && bottom == "....@" && visible == 100 ? 0 : 1;
 }

@@ -3,6 +3,7 @@
 // away are left out. Every face is filled with its number.
 // previous: 04_depth, next: 06_teapot
 #include <cstdio>
+#include <string_view>
 
 #include <irg/mesh/shapes.hpp>
 #include <irg/raster/draw_triangle.hpp>
@@ -36,5 +37,9 @@ int main() {
 
   for (int y = 0; y < height; ++y) std::printf("%.*s\n", width, picture.row(y));
   std::printf("%d of 12 triangles face the eye\n", front_faces);
-  return front_faces == 6 && picture(0, 0) == '.' && picture(width / 2, height / 2) != '.' ? 0 : 1;
+  const std::string_view row_7(picture.row(7), width), row_17(picture.row(17), width);
+  return front_faces == 6 && row_7 == ".........llfffffffffffeeeeeeeeeddd.........." &&
+                 row_17 == "....................kkkkdc.................."
+             ? 0
+             : 1;
 }

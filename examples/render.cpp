@@ -2,7 +2,9 @@
 // render - a model file becomes a picture.
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <string>
 
@@ -56,16 +58,25 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
 void read_size(program::command_line& line, settings& s) {
   const std::string_view text = line.value_of("--size");
   const char* end = text.data() + text.size();
+  const bool plain = text.find_first_not_of("0123456789x") == text.npos;
   const auto width = irg::parse_decimal<double>(text.data(), end);
   const bool cross = width.end != end && *width.end == 'x';
   const auto height = irg::parse_decimal<double>(cross ? width.end + 1 : end, end);
   const auto side = [](double v) { return v >= 1 && v <= longest_side && v == std::floor(v); };
-  if (!cross || height.end != end || !side(width.value) || !side(height.value) ||
+  if (!plain || !cross || height.end != end || !side(width.value) || !side(height.value) ||
       width.value * height.value > double{most_pixels})
     line.fail("option --size needs WxH with sides from 1 to 65535 and at most 134217728 pixels, not '" +
               std::string(text) + "'");
   s.width = static_cast<int>(width.value);
   s.height = static_cast<int>(height.value);
+}
+
+// Whether two paths lead to the same file, whatever they look like.
+bool one_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code failed;
+  const auto resolved = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, failed); };
+  return a == b || (resolved(a) == resolved(b) && !failed);
 }
 
 settings read_settings(program::command_line& line) {
@@ -120,7 +131,8 @@ settings read_settings(program::command_line& line) {
   }
   if (s.model.empty()) line.fail("no model given; --help tells how");
   if (s.out.empty()) line.fail("no picture given; -o OUT.png names it");
-  if (s.out == s.stats) line.fail("the picture and the statistics need two files, not both: " + s.out);
+  if (one_file(s.out, s.stats)) line.fail("the picture and the statistics need two files, not both: " + s.out);
+  if (one_file(s.out, s.model) || one_file(s.stats, s.model)) line.fail("the model would be overwritten: " + s.model);
   return s;
 }
 
@@ -147,6 +159,7 @@ irg::camera<double> camera_of(const program::command_line& line, const settings&
   c.up = s.up;
   c = irg::with_depth_range(c, ball.centre, ball.radius);
   const double reach = irg::length(c.eye - ball.centre) + ball.radius + irg::length(c.target - ball.centre);
+  if (ball.radius > 0 && ball.radius < 1e-150) line.fail("the model is too small; scale it to more than 1e-150");
   if (!(reach < 1e150)) line.fail("the model and the eye reach too far for a picture; coordinates may go up to 1e150");
   return c;
 }
@@ -200,7 +213,7 @@ std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint6
       "  \"ms\": {\"load\": %.3f, \"prepare\": %.3f, \"shade\": %.3f, \"project\": %.3f, \"draw\": %.3f, \"write\": "
       "%.3f},\n"
       "  \"hash\": \"%016llx\"\n}\n",
-      n(s.triangles), n(s.skipped.frustum), n(s.skipped.backface), n(s.skipped.small), n(s.skipped.occluded),
+      n(s.triangles), n(s.skipped.frustum), n(s.skipped.backface), n(s.skipped.tiny), n(s.skipped.occluded),
       n(s.pixels.tested), n(s.pixels.shaded), n(s.drawn), n(s.pixels.ties), ms.load, ms.stage[0], ms.stage[1],
       ms.stage[2], ms.stage[3], ms.write, static_cast<unsigned long long>(hash));
   return {text, static_cast<std::size_t>(length)};
@@ -243,6 +256,9 @@ void run(program::command_line& line) {
 
 int main(int argc, char** argv) {
   program::command_line line(argc, argv, "render", help);
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a full quota is a failed write, which is cleaned up after, not the program's end
+#endif
   try {
     run(line);
   } catch (const std::bad_alloc&) {

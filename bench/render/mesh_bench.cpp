@@ -122,7 +122,7 @@ int main() {
       "%s: %lld triangles, %lld skipped as back faces, %lld as small; pixels drawn: irg %lld, llvmpipe %lld; covered "
       "by one only: %lld\n",
       p.name.c_str(), static_cast<long long>(triangles), static_cast<long long>(stats.skipped.backface),
-      static_cast<long long>(stats.skipped.small), static_cast<long long>(pixels), static_cast<long long>(peer_pixels),
+      static_cast<long long>(stats.skipped.tiny), static_cast<long long>(pixels), static_cast<long long>(peer_pixels),
       static_cast<long long>(differing));
   std::printf("%-32s %9s %9s %9s\n", "milliseconds of processor time", "median", "least", "90 %");
   const double limit = racers[2].median();

@@ -43,7 +43,7 @@ constexpr std::uint64_t pictures(irg::picture_style style, int rounds) {
       }
     h.add(stats.skipped.backface);
     h.add(stats.skipped.frustum);
-    h.add(stats.skipped.small);
+    h.add(stats.skipped.tiny);
     h.add(stats.pixels.tested);
     h.add(stats.drawn);
   }

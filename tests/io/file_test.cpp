@@ -94,7 +94,7 @@ TEST_CASE("file: what cannot be read is said in a sentence") {
 TEST_CASE("file: a failed write leaves everything as it was") {
   const scratch folder;
   CHECK(why_unwritten(folder / "a", "old").empty());
-  CHECK(why_unwritten(folder / "no/such/folder", "x") == "file does not exist");
+  CHECK(why_unwritten(folder / "no/such/folder", "x") == "folder of the file does not exist");
   CHECK(why_unwritten(folder.path.string(), "x") == "path is a directory, not a file");
   CHECK(why_unwritten((folder / "a") + "/b", "x") == "a part of the path is not a directory");
   CHECK(folder.entries() == 1);

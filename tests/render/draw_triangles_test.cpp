@@ -579,7 +579,7 @@ TEST_CASE("draw_triangles: counters by hand") {
   CHECK(on.triangles == 7);
   CHECK(on.skipped.backface == 1);
   CHECK(on.skipped.frustum == 2);
-  CHECK(on.skipped.small == 2);
+  CHECK(on.skipped.tiny == 2);
   CHECK(on.skipped.occluded == 0);
   CHECK(off.skipped == irg::skip_counts{0, 1, 0, 0});
   CHECK(off.pixels == on.pixels);
@@ -606,7 +606,7 @@ TEST_CASE("draw_triangles: S1, skipping changes no byte and no pixel count, on t
     const marks on = draw(s, culling), off = draw(s, culling, irg::skipping::off);
     REQUIRE(same(on, off));
     REQUIRE(on.stats.pixels == off.stats.pixels);
-    REQUIRE(off.stats.skipped.frustum + off.stats.skipped.small + off.stats.skipped.occluded == 0);
+    REQUIRE(off.stats.skipped.frustum + off.stats.skipped.tiny + off.stats.skipped.occluded == 0);
     if (culling == irg::face_culling::none) REQUIRE(on.stats.skipped.backface + off.stats.skipped.backface == 0);
     REQUIRE(on.stats.skipped.backface <= off.stats.skipped.backface);  // out of sight comes first
   }

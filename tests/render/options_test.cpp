@@ -31,7 +31,7 @@ TEST_CASE("skip_counts and render_stats: comparison looks at every member") {
   for (int member = 0; member < 9; ++member) {
     irg::render_stats s;
     std::int64_t* const at[9] = {&s.triangles,     &s.skipped.frustum,  &s.skipped.backface,
-                                 &s.skipped.small, &s.skipped.occluded, &s.pixels.tested,
+                                 &s.skipped.tiny,  &s.skipped.occluded, &s.pixels.tested,
                                  &s.pixels.shaded, &s.pixels.ties,      &s.drawn};
     ++*at[member];
     CHECK(!(s == zero));

@@ -275,7 +275,7 @@ void skipping_changes_nothing(std::uint64_t seed, int scenes) {
     REQUIRE(on.stats.pixels == off.stats.pixels);
     REQUIRE(on.stats.drawn == off.stats.drawn);
     REQUIRE(on.stats.triangles == off.stats.triangles);
-    REQUIRE(off.stats.skipped.frustum + off.stats.skipped.small + off.stats.skipped.occluded == 0);
+    REQUIRE(off.stats.skipped.frustum + off.stats.skipped.tiny + off.stats.skipped.occluded == 0);
     if (options.culling == irg::face_culling::none) REQUIRE(off.stats.skipped.backface == 0);
     const auto& c = on.stats.skipped;
     REQUIRE(c.frustum + c.backface + c.small + c.occluded <= on.stats.triangles);

@@ -10,17 +10,16 @@
 #if (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||              \
      defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)) && \
     !defined(IRG_ALLOW_FAST_MATH)
-#error \
-    "irg: -ffast-math and its parts break exact decisions and reproducible pictures; build without them, or define IRG_ALLOW_FAST_MATH to give up both"
+#error "irg: -ffast-math and its parts break exact decisions (define IRG_ALLOW_FAST_MATH to give them up)"
 #endif
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && !defined(IRG_ALLOW_EXCESS_PRECISION)
-#error \
-    "irg: this target computes float and double in wider registers (x87); build with -msse2 -mfpmath=sse, or define IRG_ALLOW_EXCESS_PRECISION"
+#error "irg: x87 computes in wider registers: -msse2 -mfpmath=sse, or define IRG_ALLOW_EXCESS_PRECISION"
 #endif
 
-// Functions stand in an inline namespace that names the major version, the instruction set and whether preconditions are
-// checked, so that objects built with different -march flags, or with and without NDEBUG, never share a body. Types and concepts stand in `irg` itself, so such objects can still
-// hand each other meshes and images. Member functions of types are therefore forced inline.
+// Functions stand in an inline namespace that names the major version, the instruction set and whether preconditions
+// are checked, so that objects built with different -march flags, or with and without NDEBUG, never share a body. Types
+// and concepts stand in `irg` itself, so such objects can still hand each other meshes and images. Member functions of
+// types are therefore forced inline.
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define IRG_ISA avx512
 #elif defined(__AVX2__)

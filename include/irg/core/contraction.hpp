@@ -4,8 +4,8 @@
 // it has the same bits everywhere. Every exact path of irg spells a product that meets a sum this way.
 //
 // An empty asm statement takes the product out of the optimiser's sight; it emits no instruction, but plain loops over
-// products are not vectorised (explicit packs are not affected). Nothing less holds: clang ignores its FP_CONTRACT pragma
-// under -ffp-contract=fast, and g++ 12 forgets __builtin_assoc_barrier when it vectorises a loop.
+// products are not vectorised (explicit packs are not affected). Nothing less holds: clang ignores its FP_CONTRACT
+// pragma under -ffp-contract=fast, and g++ 12 forgets __builtin_assoc_barrier when it vectorises a loop.
 #pragma once
 
 #include <type_traits>
@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 template <class T>
 IRG_INLINE constexpr T opaque(T value) noexcept {
 #if defined(__GNUC__) && !defined(__wasm__)
-  // wasm has no fused instruction to fear. In constant evaluation the statement is skipped: it is no constant expression.
+  // wasm has no fused instruction to fear. In constant evaluation the statement is skipped: it is no constant there.
   if (!std::is_constant_evaluated()) {
     if constexpr (sizeof(T) <= IRG_FLOAT_REGISTER_BYTES)
       asm("" : IRG_FLOAT_REGISTER(value));

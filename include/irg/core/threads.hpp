@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -11,7 +12,8 @@
 
 namespace irg {
 
-/// Runs the tasks on `threads` threads, the calling one among them; whoever is free takes the next task.
+/// Runs the tasks on `threads` threads, the calling one among them; whoever is free takes the next task. Where the
+/// system grants fewer threads, fewer do the work.
 /// needs   tasks that do not throw
 struct parallel {
   int threads = 1;
@@ -22,10 +24,26 @@ struct parallel {
     const auto work = [&] {
       for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) task(i);
     };
-    std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < static_cast<std::size_t>(threads < 1 ? 1 : threads) && i < count; ++i)
-      helpers.emplace_back(work);
+    const std::size_t most = static_cast<std::size_t>(threads < 1 ? 1 : threads);
+    std::vector<std::thread> helpers;
+    helpers.reserve(most < count ? most : count);
+    start(helpers, most < count ? most : count, work);
     work();
+    for (std::thread& helper : helpers) helper.join();
+  }
+
+private:
+  // Starts count - 1 threads, or as many as the system grants: the calling thread does what nobody else does.
+  template <class Work>
+  static void start(std::vector<std::thread>& helpers, std::size_t count, const Work& work) {
+#ifdef __cpp_exceptions
+    try {
+      for (std::size_t i = 1; i < count; ++i) helpers.emplace_back(work);
+    } catch (const std::system_error&) {
+    }
+#else
+    for (std::size_t i = 1; i < count; ++i) helpers.emplace_back(work);
+#endif
   }
 };
 

@@ -41,20 +41,20 @@ template <Coordinates P, int U, int V>
 constexpr surface_sample<P> patch_sample(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
                                          curve_parameter<scalar_of<P>> v) noexcept {
   // Two chords along u for every j, then two chords of each along v: the bilinear net that touches the patch here.
-  std::array<P, static_cast<std::size_t>(V) + 1> near{}, far{};
+  std::array<P, static_cast<std::size_t>(V) + 1> first_row{}, last_row{};
   for (std::size_t j = 0; j <= static_cast<std::size_t>(V); ++j) {
     std::array<P, static_cast<std::size_t>(U) + 1> along{};
     for (std::size_t i = 0; i <= static_cast<std::size_t>(U); ++i) along[i] = patch.points[i][j];
     detail::reduce(std::span<P>(along), 2, u);
-    near[j] = along[0];
-    far[j] = along[1];
+    first_row[j] = along[0];
+    last_row[j] = along[1];
   }
-  detail::reduce(std::span<P>(near), 2, v);
-  detail::reduce(std::span<P>(far), 2, v);
-  const P near_v = detail::blend(near[0], near[1], v), far_v = detail::blend(far[0], far[1], v);
-  const P u_near = detail::blend(near[0], far[0], u), u_far = detail::blend(near[1], far[1], u);
-  const auto at_near = detail::scaled_difference(near[0], near[1], V),
-             at_far = detail::scaled_difference(far[0], far[1], V);
+  detail::reduce(std::span<P>(first_row), 2, v);
+  detail::reduce(std::span<P>(last_row), 2, v);
+  const P near_v = detail::blend(first_row[0], first_row[1], v), far_v = detail::blend(last_row[0], last_row[1], v);
+  const P u_near = detail::blend(first_row[0], last_row[0], u), u_far = detail::blend(first_row[1], last_row[1], u);
+  const auto at_near = detail::scaled_difference(first_row[0], first_row[1], V),
+             at_far = detail::scaled_difference(last_row[0], last_row[1], V);
   return {detail::blend(near_v, far_v, u), detail::scaled_difference(near_v, far_v, U),
           detail::scaled_difference(u_near, u_far, V), detail::scaled_difference(at_near, at_far, U)};
 }

@@ -132,7 +132,7 @@ IRG_INLINE constexpr T clip_distance(const hpoint<T, 3>& p, clip_planes plane, c
 template <class T>
 IRG_INLINE constexpr bool can_clip(const hpoint<T, 3>& p, const clip_volume<T>& v) noexcept {
   if constexpr (Floating<T>) {
-    constexpr T limit = std::numeric_limits<T>::max() / 8;
+    constexpr T limit = (std::numeric_limits<T>::max)() / 8;
     const auto fits = [](T x) { return -limit <= x && x <= limit; };
     return fits(p.x) && fits(p.y) && fits(p.z) && fits(p.w) && fits(product(v.guard_x, p.w)) &&
            fits(product(v.guard_y, p.w));

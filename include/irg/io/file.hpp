@@ -55,9 +55,12 @@ inline std::string without_links(const std::string& path) {
   return path;
 }
 
+/// More is not read: endless devices end, too.
+inline constexpr std::size_t most_bytes = sizeof(std::size_t) > 4 ? std::size_t{1} << 32 : std::size_t{1} << 31;
+
 /// The sentence for the system's reason not to open a file.
-inline parse_error open_error(int reason, const char* otherwise) noexcept {
-  if (reason == ENOENT) return {0, 0, "file does not exist"};
+inline parse_error open_error(int reason, const char* missing, const char* otherwise) noexcept {
+  if (reason == ENOENT) return {0, 0, missing};
   if (reason == EACCES) return {0, 0, "permission to open the file is denied"};
   if (reason == EISDIR) return {0, 0, "path is a directory, not a file"};
   if (reason == ENOTDIR) return {0, 0, "a part of the path is not a directory"};
@@ -83,24 +86,24 @@ inline bool replace_file(const char* from, const char* to) noexcept {
 inline namespace IRG_ABI {
 
 /// The bytes of a file.
-/// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read or is empty;
-/// line
-///         and column are 0
+/// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read, is empty or
+///         holds more than 4 GiB; line and column are 0
 /// cost    twice the file's size in memory while it is read
 inline result<std::string> read_file(const std::string& path) {
   if (detail::kind_of_file(path.c_str()) == detail::file_kind::directory)
     return parse_error{0, 0, "path is a directory, not a file"};
   errno = 0;
   std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) return detail::open_error(errno, "file cannot be opened");
+  if (file == nullptr) return detail::open_error(errno, "file does not exist", "file cannot be opened");
   std::string bytes;
   std::size_t filled = 0;
   do {
     bytes.resize(filled == 0 ? std::size_t{1} << 16 : 2 * filled);
     filled += std::fread(bytes.data() + filled, 1, bytes.size() - filled, file);
-  } while (filled == bytes.size());
+  } while (filled == bytes.size() && filled <= detail::most_bytes);
   const bool broken = std::ferror(file) != 0;
   std::fclose(file);
+  if (filled > detail::most_bytes) return parse_error{0, 0, "file holds more than 4 GiB"};
   if (broken) return parse_error{0, 0, "file cannot be read"};
   if (filled == 0) return parse_error{0, 0, "file is empty"};
   bytes.resize(filled);
@@ -109,15 +112,14 @@ inline result<std::string> read_file(const std::string& path) {
 
 /// Writes a whole file; absent when that succeeded, else the reason, and then the path is as it was before.
 /// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
-/// is
-///         removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither file
+///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither file
 ///         nor directory, such as a pipe or /dev/null, is written to directly
 inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes) {
   const detail::file_kind kind = detail::kind_of_file(path.c_str());
   if (kind == detail::file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   if (kind == detail::file_kind::other) {
     std::FILE* const device = std::fopen(path.c_str(), "wb");
-    if (device == nullptr) return detail::open_error(errno, "file cannot be opened");
+    if (device == nullptr) return detail::open_error(errno, "file does not exist", "file cannot be opened");
     if (!detail::write_and_close(device, bytes)) return parse_error{0, 0, "not all bytes could be written"};
     return std::nullopt;
   }
@@ -129,7 +131,7 @@ inline std::optional<parse_error> write_file_atomically(const std::string& path,
     beside = target + "." + std::to_string(attempt) + ".part";
     file = std::fopen(beside.c_str(), "wbx");  // x: never a file that another writer is at
   }
-  if (file == nullptr) return detail::open_error(errno, "file cannot be created");
+  if (file == nullptr) return detail::open_error(errno, "folder of the file does not exist", "file cannot be created");
   const bool written = detail::write_and_close(file, bytes);
   if (written && detail::replace_file(beside.c_str(), target.c_str())) return std::nullopt;
   std::remove(beside.c_str());

@@ -261,7 +261,7 @@ constexpr decimal_result<T> parse_decimal(const char* first, const char* last) n
   if (text.digits_end == nullptr) return {T{0}, first, decimal_status::none};
   const T value = detail::magnitude<T>(text);
   decimal_status status = decimal_status::ok;
-  if (value > std::numeric_limits<T>::max()) status = decimal_status::overflow;
+  if (value > (std::numeric_limits<T>::max)()) status = decimal_status::overflow;
   if (value == T{0} && text.mantissa != 0) status = decimal_status::underflow;
   return {text.negative ? -value : value, text.end, status};
 }
@@ -276,7 +276,7 @@ constexpr decimal_result<I> parse_integer(const char* first, const char* last) n
   const bool negative = std::is_signed_v<I> && p != last && *p == '-';
   if (negative || (p != last && *p == '+')) ++p;
   if (p == last || !detail::is_digit(*p)) return {I{0}, first, decimal_status::none};
-  constexpr std::uint64_t max = static_cast<std::uint64_t>(std::numeric_limits<I>::max());
+  constexpr std::uint64_t max = static_cast<std::uint64_t>(std::(numeric_limits<I>::max)());
   const std::uint64_t limit = negative ? max + 1 : max;
   std::uint64_t value = 0;
   bool fits = true;

@@ -52,9 +52,9 @@ IRG_INLINE constexpr exact_sum<T> two_sum(T a, T b) noexcept {
 /// cost    3 operations
 /// source  Dekker 1971 (FastTwoSum)
 template <Floating T>
-IRG_INLINE constexpr exact_sum<T> fast_two_sum(T large, T small) noexcept {
-  const T sum = large + small;
-  return {sum, small - (sum - large)};
+IRG_INLINE constexpr exact_sum<T> fast_two_sum(T large, T lesser_one) noexcept {
+  const T sum = large + lesser_one;
+  return {sum, lesser_one - (sum - large)};
 }
 
 /// x as two numbers of half the bits: 26 + 26 for double, 12 + 12 for float.

@@ -54,7 +54,7 @@ constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
       return {{}, 1, fit_status::not_finite};
     half_size = greater(half_size, extents.high[i] / 2 - extents.low[i] / 2);
   }
-  const bool has_scale = half_size > 1 / std::numeric_limits<T>::max();
+  const bool has_scale = half_size > 1 / (std::numeric_limits<T>::max)();
   return {centre(extents), has_scale ? 1 / half_size : T(1),
           has_scale ? fit_status::fitted : fit_status::all_sizes_zero};
 }

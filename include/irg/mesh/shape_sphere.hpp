@@ -48,13 +48,14 @@ template <Floating T>
 constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
   const int major = detail::clamped(options.major_segments, 3, 4096);
   const int minor = detail::clamped(options.minor_segments, 3, 4096);
-  const double big = static_cast<double>(options.major_radius), small = static_cast<double>(options.minor_radius);
+  const double ring_radius = static_cast<double>(options.major_radius),
+               tube_radius = static_cast<double>(options.minor_radius);
   mesh<T> m;
   detail::add_rings(m, major, minor, detail::ring_end::closed, detail::ring_end::closed, [&](int i, int j) {
     const vec<double, 2> across = detail::circle_point(i, major), tube = detail::circle_point(j, minor);
-    const double radius = big + product(small, tube.x);
+    const double radius = ring_radius + product(tube_radius, tube.x);
     return detail::surface_vertex<T>{
-        {static_cast<T>(radius * across.x), static_cast<T>(0 - product(small, tube.y)),
+        {static_cast<T>(radius * across.x), static_cast<T>(0 - product(tube_radius, tube.y)),
          static_cast<T>(radius * across.y)},
         {static_cast<T>(tube.x * across.x), static_cast<T>(0 - tube.y), static_cast<T>(tube.x * across.y)}};
   });

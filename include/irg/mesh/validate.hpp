@@ -39,7 +39,7 @@ inline namespace IRG_ABI {
 template <Scalar T>
 constexpr bool all_finite(T x) noexcept {
   if constexpr (std::numeric_limits<T>::has_infinity)
-    return x >= std::numeric_limits<T>::lowest() && x <= std::numeric_limits<T>::max();
+    return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
   else
     return true;
 }

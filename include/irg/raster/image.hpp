@@ -75,7 +75,7 @@ public:
   constexpr image() = default;
   /// An image of one colour.
   /// needs   width >= 0, height >= 0
-  constexpr image(int width, int height, const P& fill = P{})
+  IRG_INLINE constexpr image(int width, int height, const P& fill = P{})
       : width_((IRG_EXPECTS(width >= 0 && height >= 0), width)), height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
 

@@ -54,7 +54,7 @@ struct clipped_piece {
 };
 
 // What became of a triangle: of several pieces' fates the greatest counts.
-enum class listing { small, out_of_sight, listed };
+enum class listing { tiny, out_of_sight, listed };
 
 // What each band has to draw, in order: numbers below the triangle count name whole triangles, the rest pieces.
 struct draw_list {
@@ -76,7 +76,7 @@ IRG_INLINE constexpr bool is_culled(std::int64_t area, face_culling culling) noe
 constexpr listing enlist(draw_list& list, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
                          const screen_vertex& c, std::int64_t area, int width, int height, skipping skip) {
   const cell_window bounds = centres_within(a.position, b.position, c.position);
-  if (skip == skipping::on && (area == 0 || bounds.empty())) return listing::small;
+  if (skip == skipping::on && (area == 0 || bounds.empty())) return listing::tiny;
   const cell_window seen = intersect(bounds, {0, 0, width, height});
   if (seen.empty()) return listing::out_of_sight;
   for (int band = seen.y_first / band_height; band <= (seen.y_last - 1) / band_height; ++band)
@@ -86,7 +86,7 @@ constexpr listing enlist(draw_list& list, std::uint32_t number, const screen_ver
 
 IRG_INLINE constexpr void count_skipped(skip_counts& counts, listing why, skipping skip) noexcept {
   if (skip == skipping::off) return;
-  if (why == listing::small) ++counts.small;
+  if (why == listing::tiny) ++counts.tiny;
   if (why == listing::out_of_sight) ++counts.frustum;
 }
 
@@ -114,7 +114,7 @@ constexpr void enlist_clipped(draw_list& list, std::uint32_t source, std::uint32
   std::int64_t area = 0;
   for (int k = 1; k + 1 < left.count; ++k) area += area_of(k);
   if (is_culled(area, culling)) return static_cast<void>(++list.skipped.backface);
-  listing result = listing::small;
+  listing result = listing::tiny;
   for (int k = 1; k + 1 < left.count && area != 0; ++k) {
     // Snapping may turn round a piece thinner than 1/256 pixel; the pieces beside it cover its place.
     if (area_of(k) != 0 && (area_of(k) > 0) != (area > 0)) continue;

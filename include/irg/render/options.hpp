@@ -31,13 +31,13 @@ struct render_options {
 struct skip_counts {
   std::int64_t frustum = 0;   // wholly outside the picture or the depth range
   std::int64_t backface = 0;  // facing away from the eye
-  std::int64_t small = 0;     // holding no pixel centre
+  std::int64_t tiny = 0;      // holding no pixel centre
   std::int64_t occluded = 0;  // wholly behind what was already drawn
 
   IRG_INLINE constexpr skip_counts& operator+=(const skip_counts& o) noexcept {
     frustum += o.frustum;
     backface += o.backface;
-    small += o.small;
+    tiny += o.tiny;
     occluded += o.occluded;
     return *this;
   }

@@ -58,7 +58,7 @@ constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<
   if (c.projection == projection_kind::perspective)
     return perspective(c.vertical_angle, aspect, c.near_distance, c.far_distance) * view *
            detail::scale_towards_one(c.near_distance);
-  const T away = length(c.target - c.eye), least = std::numeric_limits<T>::min();
+  const T away = length(c.target - c.eye), least = (std::numeric_limits<T>::min)();
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
   const T width = greater(height * aspect, least);
   return orthographic(-width, width, -height, height, c.near_distance, c.far_distance) * view;
@@ -70,11 +70,11 @@ template <Floating T>
 constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre, std::type_identity_t<T> radius) noexcept {
   const T away = length(centre - c.eye) + radius;
   if (c.projection == projection_kind::perspective) {
-    c.near_distance = greater(away / T(1000), std::numeric_limits<T>::min());
+    c.near_distance = greater(away / T(1000), (std::numeric_limits<T>::min)());
     c.far_distance = std::numeric_limits<T>::infinity();
   } else {
     c.near_distance = -away;  // parallel rays come from behind the eye as well
-    c.far_distance = greater(away, std::numeric_limits<T>::min());
+    c.far_distance = greater(away, (std::numeric_limits<T>::min)());
   }
   return c;
 }

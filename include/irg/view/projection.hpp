@@ -47,7 +47,7 @@ constexpr projection_result<T> refused(projection_status why) noexcept {
 // a/b, or infinity where that would overflow (which constant evaluation has no word for).
 template <class T>
 constexpr T quotient(T a, T b) noexcept {
-  const bool fits = T(1) <= magnitude(b) || magnitude(a) <= magnitude(b) * (std::numeric_limits<T>::max() / 2);
+  const bool fits = T(1) <= magnitude(b) || magnitude(a) <= magnitude(b) * (std::(numeric_limits<T>::max)() / 2);
   return b != T(0) && fits ? a / b : infinity<T>;
 }
 
@@ -72,7 +72,7 @@ template <Floating T>
 constexpr projection_result<T> perspective_checked(T vertical_angle, std::type_identity_t<T> aspect,
                                                    std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                                    depth_range depth = depth_range::reversed) noexcept {
-  constexpr T largest = std::numeric_limits<T>::max();
+  constexpr T largest = (std::numeric_limits<T>::max)();
   if (!(T(0) < vertical_angle && vertical_angle < pi<T>)) return detail::refused<T>(projection_status::bad_angle);
   if (!(T(0) < aspect && aspect <= largest)) return detail::refused<T>(projection_status::bad_aspect);
   if (!(T(0) < z_near && z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
@@ -114,7 +114,7 @@ constexpr projection_result<T> orthographic_checked(T left, std::type_identity_t
                                                     std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                                     depth_range depth = depth_range::reversed) noexcept {
   const auto usable = [](T a, T b) {
-    constexpr T limit = std::numeric_limits<T>::max() / 2;
+    constexpr T limit = (std::numeric_limits<T>::max)() / 2;
     return detail::magnitude(a) <= limit && detail::magnitude(b) <= limit && a != b;
   };
   if (!usable(left, right) || !usable(bottom, top)) return detail::refused<T>(projection_status::bad_window);

@@ -42,7 +42,7 @@ IRG_INLINE constexpr bool is_nan(T x) noexcept {
 }
 template <Floating T>
 IRG_INLINE constexpr bool is_finite(T x) noexcept {
-  return magnitude(x) <= std::numeric_limits<T>::max();
+  return magnitude(x) <= (std::numeric_limits<T>::max)();
 }
 
 /// 2^k.

@@ -166,15 +166,16 @@ constexpr unrounded cosine_from_sine(double x) noexcept {
 /// needs   x and y at least 0, the larger of them not far from 1
 constexpr unrounded angle_in_first_quadrant(const unrounded& y, const unrounded& x) noexcept {
   const bool is_steep = x.value < y.value;
-  const unrounded& small = is_steep ? x : y;
+  const unrounded& lesser_one = is_steep ? x : y;
   const unrounded& large = is_steep ? y : x;
-  const int i = static_cast<int>(small.value / large.value * 64 + 0.5);
+  const int i = static_cast<int>(lesser_one.value / large.value * 64 + 0.5);
   const double slope = i * 0x1p-6;
   // The vector turned back by the table's angle: top / bottom is the tangent of what remains, at most 1/127.
   const exact_sum<double> drop = fast_two_product(slope, large.value);
-  const unrounded top = two_sum(small.value - drop.value, (small.error - product(slope, large.error)) - drop.error);
-  const exact_sum<double> gain = fast_two_product(slope, small.value);
-  const unrounded bottom = add(large, {gain.value, gain.error + product(slope, small.error)});
+  const unrounded top =
+      two_sum(lesser_one.value - drop.value, (lesser_one.error - product(slope, large.error)) - drop.error);
+  const exact_sum<double> gain = fast_two_product(slope, lesser_one.value);
+  const unrounded bottom = add(large, {gain.value, gain.error + product(slope, lesser_one.error)});
   const unrounded tangent = divide(top, bottom);
   const double q = tangent.value;
   const double t = product(q, q);

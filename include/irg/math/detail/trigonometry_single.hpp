@@ -54,11 +54,11 @@ IRG_INLINE constexpr double rounded_tangent(const short_quadrant_angle& angle) n
 /// needs   finite numbers at least 0, not both 0, with exponents of float
 IRG_INLINE constexpr double short_angle_in_first_quadrant(double y, double x) noexcept {
   const bool is_steep = x < y;
-  const double small = is_steep ? x : y;
+  const double lesser_one = is_steep ? x : y;
   const double large = is_steep ? y : x;
-  const int i = static_cast<int>(small / large * 64 + 0.5);
+  const int i = static_cast<int>(lesser_one / large * 64 + 0.5);
   const double slope = i * 0x1p-6;
-  const double tangent = (small - product(slope, large)) / (large + product(slope, small));
+  const double tangent = (lesser_one - product(slope, large)) / (large + product(slope, lesser_one));
   const double t = product(tangent, tangent);
   const auto& c = arctangent_coefficients;
   const double cube = product(product(tangent, t), c[0] + product(t, c[1] + product(t, c[2])));

@@ -37,9 +37,9 @@ inline namespace IRG_ABI {
 constexpr vec<double, 2> circle_point(int k, int n) noexcept {
   const int quarter = 4 * k / n, rest = 4 * k - quarter * n;  // the angle is (quarter + rest/n) right angles
   const bool beyond_diagonal = 2 * rest > n;
-  const int small = beyond_diagonal ? n - rest : rest;
-  const double angle = half_pi<double> * static_cast<double>(small) / static_cast<double>(n);
-  double c = 2 * small == n ? sqrt(0.5) : cos(angle), s = 2 * small == n ? c : sin(angle);
+  const int lesser_part = beyond_diagonal ? n - rest : rest;
+  const double angle = half_pi<double> * static_cast<double>(lesser_part) / static_cast<double>(n);
+  double c = 2 * lesser_part == n ? sqrt(0.5) : cos(angle), s = 2 * lesser_part == n ? c : sin(angle);
   if (beyond_diagonal) std::swap(c, s);
   // 0 - s rather than -s: the axes have no negative zeros.
   if (quarter == 0) return {c, s};
