@@ -75,7 +75,9 @@ void read_size(program::command_line& line, settings& s) {
 bool one_file(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   std::error_code failed;
-  const auto resolved = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, failed); };
+  const auto resolved = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, failed), failed);
+  };
   return a == b || (resolved(a) == resolved(b) && !failed);
 }
 

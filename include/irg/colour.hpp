@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// colour: pixel types, sRGB, blending, palettes.
+// colour: pixel types and their layouts, sRGB.
 #pragma once
 
 #include <irg/colour/encode_pixel.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// curve: Bezier (both forms), B-spline, NURBS, surfaces, tessellation, paths.
+// curve: Bezier curves and surfaces, tessellation.
 #pragma once
 
 #include <irg/curve/bezier.hpp>

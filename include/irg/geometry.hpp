@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// geometry: exact predicates, lines, planes, triangles, polygons, bounds, intersection, distance, clipping.
+// geometry: planes, boxes, homogeneous clipping.
 #pragma once
 
 #include <irg/geometry/box.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// io: OBJ, PPM, PNG and other formats; reads from memory, writes any raster; nothing else touches files.
+// io: OBJ, PPM, PNG; reads from memory, writes any raster; nothing else touches files.
 #pragma once
 
 #include <irg/io/file.hpp>

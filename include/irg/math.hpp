@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// math: constexpr elementary functions, error-free arithmetic, expansions, decimal text, vectors, matrices, solving.
+// math: constexpr elementary functions, error-free arithmetic, decimal text, vectors, matrices.
 #pragma once
 
 #include <irg/math/constants.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mesh: indexed mesh, half-edge boundaries, validation, normals, shapes (the teapot from its patches).
+// mesh: indexed mesh, validation, triangulation, normals, shapes (the teapot from its patches).
 #pragma once
 
 #include <irg/mesh/fit.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// raster: images and views, lines, polygons, triangles, antialiasing, depth formats and tests.
+// raster: images and views, spans, lines, triangles, depth.
 #pragma once
 
 #include <irg/raster/depth.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// render: scene to picture: the production pipeline, the dispatch over methods, skip counters.
+// render: scene to picture: the pipeline with its skip counters.
 #pragma once
 
 #include <irg/render/draw_triangles.hpp>

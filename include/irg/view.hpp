@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// view: affine and projective maps, the textbook view transform, cameras, projections, window to viewport.
+// view: affine maps, look-at, projections, viewport.
 #pragma once
 
 #include <irg/view/affine.hpp>

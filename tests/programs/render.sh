@@ -295,6 +295,22 @@ refused "a failure of the statistics beside an old picture" "nowhere" cube -o ke
 check "an old picture is as it was when the statistics cannot be written" cmp -s picture.png kept.png
 
 refused "one file for both" "both.png" cube $small -o both.png --stats both.png
+refused "one file for both by another name" "both.png" cube $small -o both.png --stats ./both.png
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >self.ppm
+cp self.ppm self.kept
+refused "a picture over its model" "overwritten" self.ppm -o ./self.ppm
+check "the model is as it was" cmp -s self.ppm self.kept
+printf 'v 0 0 0\nv 1e-310 0 0\nv 0 1e-310 0\nf 1 2 3\n' >minute.obj
+refused "a model below the range of the numbers" "too small" minute.obj -o x.png
+refused "a size that is no plain number" "--size" cube -o x.png --size 1e2x50
+refused "a folder that does not exist" "folder" cube -o nowhere/x.png
+# Where the system grants no threads, the calling one does the work. (Sanitizers need more room than that.)
+if (ulimit -v 400000 && "$program" --help) >/dev/null 2>&1; then
+  run cube $small --threads 200 -o many.ppm
+  few=$( (ulimit -v 400000; "$program" cube $small --threads 200 -o few.ppm 2>&1); echo $?)
+  check "few threads for many: exit 0" is "$few" 0
+  check "few threads for many: the same picture" cmp -s many.ppm few.ppm
+fi
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
 echo "$passed passed, $failed failed"

@@ -278,8 +278,8 @@ void skipping_changes_nothing(std::uint64_t seed, int scenes) {
     REQUIRE(off.stats.skipped.frustum + off.stats.skipped.tiny + off.stats.skipped.occluded == 0);
     if (options.culling == irg::face_culling::none) REQUIRE(off.stats.skipped.backface == 0);
     const auto& c = on.stats.skipped;
-    REQUIRE(c.frustum + c.backface + c.small + c.occluded <= on.stats.triangles);
-    skipped += c.frustum + c.small, drawn += on.stats.drawn;
+    REQUIRE(c.frustum + c.backface + c.tiny + c.occluded <= on.stats.triangles);
+    skipped += c.frustum + c.tiny, drawn += on.stats.drawn;
 
     options.skip = irg::skipping::on;
     const auto same = [&](const test::rendered& other) {

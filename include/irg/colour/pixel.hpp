@@ -32,7 +32,7 @@ struct bgr8 {
   constexpr bool operator==(const bgr8&) const = default;
 };
 
-/// Red, green and blue as numbers: light, not encoding; 0 is dark and 1 is the display's white, larger values are legal.
+/// Red, green and blue as numbers: light, not encoding; 0 is dark, 1 is the display's white, larger values are legal.
 template <class T>
 struct rgb {
   T r{}, g{}, b{};

@@ -27,7 +27,7 @@ struct empty_extent {
     else if constexpr (limits::has_infinity)
       return limits::infinity();
     else
-      return limits::max();
+      return (limits::max)();
   }
   IRG_INLINE static constexpr T high() noexcept {
     if constexpr (!limits::is_specialized)

@@ -112,8 +112,8 @@ inline result<std::string> read_file(const std::string& path) {
 
 /// Writes a whole file; absent when that succeeded, else the reason, and then the path is as it was before.
 /// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
-///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither file
-///         nor directory, such as a pipe or /dev/null, is written to directly
+///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither
+///         file nor directory, such as a pipe or /dev/null, is written to directly
 inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes) {
   const detail::file_kind kind = detail::kind_of_file(path.c_str());
   if (kind == detail::file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};

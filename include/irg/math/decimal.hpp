@@ -276,7 +276,7 @@ constexpr decimal_result<I> parse_integer(const char* first, const char* last) n
   const bool negative = std::is_signed_v<I> && p != last && *p == '-';
   if (negative || (p != last && *p == '+')) ++p;
   if (p == last || !detail::is_digit(*p)) return {I{0}, first, decimal_status::none};
-  constexpr std::uint64_t max = static_cast<std::uint64_t>(std::(numeric_limits<I>::max)());
+  constexpr std::uint64_t max = static_cast<std::uint64_t>((std::numeric_limits<I>::max)());
   const std::uint64_t limit = negative ? max + 1 : max;
   std::uint64_t value = 0;
   bool fits = true;

@@ -2,7 +2,8 @@
 // line_bresenham: the cells of a straight line, one per step along its longer axis, in integers.
 //
 // With n steps along the longer axis and m <= n along the shorter one, step i is aside by the integer nearest to
-// i * m / n, an exact tie staying on the start point's side: aside(i) = ceil(i*m/n - 1/2) = floor((2*i*m + n - 1) / 2n).
+// i * m / n, an exact tie staying on the start point's side:
+//     aside(i) = ceil(i*m/n - 1/2) = floor((2*i*m + n - 1) / 2n)
 // Because this names every cell without walking to it, a clipped line starts at its first visible cell and has
 // exactly the cells that the whole line has in the window.
 #pragma once

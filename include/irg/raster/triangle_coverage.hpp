@@ -5,7 +5,7 @@
 // An edge from a to b has the edge function E(p) = (b - a) x (p - a): positive on the inside, zero on the edge, linear
 // in p. All centres agree in the low 8 bits of E, so E = 256 * F + rest with one `rest` per edge and F an integer that
 // changes by -dy per pixel to the right and by dx per pixel down. F >= 0 decides coverage: `rest` absorbs both the low
-// bits and the tie rule. F needs 8 bits less than E, so 32 bits serve all triangles of up to 8 million pixels.
+// bits and the tie rule. F needs 8 bits less than E, so 32 bits serve triangles whose box has up to 4 million pixels.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ namespace irg {
 
 /// One edge of a triangle, ready to walk over pixels.
 struct triangle_edge {
-  std::int64_t at_origin = 0;            // F at pixel (0, 0)
-  std::int32_t right = 0, down = 0;      // change of F per pixel
-  std::int32_t rest = 0;                 // E = 256 * F + rest, 0 <= rest <= 256
+  std::int64_t at_origin = 0;  // F at pixel (0, 0)
+  std::int32_t right = 0, down = 0;  // change of F per pixel
+  std::int32_t rest = 0;  // E = 256 * F + rest, 0 <= rest <= 256
 
   /// F at pixel (x, y): the pixel's centre is on the edge's inner side exactly when it is not negative.
   IRG_INLINE constexpr std::int64_t operator()(int x, int y) const noexcept {
@@ -37,7 +37,7 @@ enum class winding { clockwise, counter_clockwise, degenerate };
 struct triangle_coverage {
   triangle_edge edge[3];
   std::int64_t double_area = 0;  // in (1/256 pixel)^2; 0 for a triangle that covers nothing because it has no inside
-  cell_window bounds;            // no covered pixel lies outside
+  cell_window bounds;  // no covered pixel lies outside
   bool flipped = false;
 };
 

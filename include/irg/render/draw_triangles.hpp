@@ -138,8 +138,8 @@ constexpr draw_list list_triangles(const projected_vertices<T>& v, std::span<con
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto [a, b, c] = triangles[i].v;
     const clip_planes cut = v.cut[a] | v.cut[b] | v.cut[c];
-    // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle lands,
-    // and only the depth planes, by which it decides itself, are sure to change nothing.
+    // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle
+    // lands, and only the depth planes, by which it decides itself, are sure to change nothing.
     const clip_planes sure = cut == clip_planes::none ? clip_planes::all : clip_planes::depth;
     if (skip == skipping::on && overlap(v.outside[a] & v.outside[b] & v.outside[c], sure)) {
       ++list.skipped.frustum;

@@ -63,8 +63,8 @@ constexpr std::optional<std::pair<cell, cell>> line_of(const projected_vertices<
 
 inline namespace IRG_ABI {
 
-/// Draws the edges of a mesh's faces, each once, and returns what it did: as `triangles` its faces, as pixels.shaded the
-/// cells of all lines.
+/// Draws the edges of a mesh's faces, each once, and returns what it did: `triangles` counts n - 2 for a face of
+/// n corners, pixels.shaded the cells of all lines.
 /// shape   `vertices` are the mesh's positions, projected; faces may have any number of corners
 /// gives   faces that face away are left out when culling is `back`; an edge is drawn if any of its faces is
 /// exact   the same pixels for every executor; lines by line_bresenham from the smaller vertex index to the larger

@@ -79,7 +79,7 @@ constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre, std
   return c;
 }
 
-/// A camera that looks at the centre of a sphere from `direction`, so far away that the sphere just touches the picture.
+/// A camera that looks at the centre of a sphere from `direction`, so far away that the sphere touches the picture.
 /// gives   distance 1 for a sphere of radius 0
 /// needs   0 < angle < pi, aspect > 0
 template <Floating T>

@@ -62,8 +62,8 @@ template <Point P, Vector V>
 constexpr look_at_result<scalar_of<P>> look_at_checked(const P& eye, const P& target, const V& up) noexcept {
   using T = scalar_of<P>;
   using limits = std::numeric_limits<T>;
-  if (!detail::within(eye, limits::max() / 4) || !detail::within(target, limits::max() / 4) ||
-      !detail::within(up, limits::max()))
+  if (!detail::within(eye, (limits::max)() / 4) || !detail::within(target, (limits::max)() / 4) ||
+      !detail::within(up, (limits::max)()))
     return {identity<T, 4>(), look_at_status::not_finite};
 
   const auto backward =

@@ -47,7 +47,7 @@ constexpr projection_result<T> refused(projection_status why) noexcept {
 // a/b, or infinity where that would overflow (which constant evaluation has no word for).
 template <class T>
 constexpr T quotient(T a, T b) noexcept {
-  const bool fits = T(1) <= magnitude(b) || magnitude(a) <= magnitude(b) * (std::(numeric_limits<T>::max)() / 2);
+  const bool fits = T(1) <= magnitude(b) || magnitude(a) <= magnitude(b) * ((std::numeric_limits<T>::max)() / 2);
   return b != T(0) && fits ? a / b : infinity<T>;
 }
 
