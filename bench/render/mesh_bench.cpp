@@ -83,7 +83,7 @@ int main() {
     const auto vertices = irg::project_vertices<float>(p.body.positions, p.to_clip, mapping);
     stats = irg::draw_triangles<irg::nearer_is_greater, float>(
         picture, depth, vertices, p.body.triangles, mapping, make_shader,
-        irg::draw_settings<irg::rgba8>{culling, irg::skipping::on, background});
+        irg::draw_settings<irg::rgba8>{culling, irg::skipping::on, irg::clearing::before_drawing, background});
   };
   std::vector<bench::contender> racers;
   racers.push_back({"irg culled", [&] { draw(irg::face_culling::back); }});

@@ -69,7 +69,7 @@ constexpr marks draw(const soup& s, irg::face_culling culling = irg::face_cullin
     return mark_shader{i + 1, side, shares};
   };
   m.stats = irg::draw_triangles<Order, double>(m.colour, m.depth, vertices, s.triangles, mapping, shader,
-                                               {culling, skip, mark{}}, executor);
+                                               {culling, skip, irg::clearing::before_drawing, mark{}}, executor);
   return m;
 }
 
@@ -90,7 +90,7 @@ constexpr soup two_crossing_triangles() {
 
 TEST_CASE("draw_triangles: types") {
   static_assert(std::is_aggregate_v<irg::triangle_indices>);
-  static_assert(std::is_same_v<decltype(irg::draw_settings<irg::rgba8>::background), std::optional<irg::rgba8>>);
+  static_assert(irg::draw_settings<irg::rgba8>{}.clear == irg::clearing::none);
   static_assert(irg::PixelShader<mark_shader, mark>);
 }
 

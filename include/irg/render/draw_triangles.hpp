@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,12 +33,17 @@ struct triangle_shares {
   }
 };
 
-/// How drawing is set up: what is left out, and what the bands are cleared to first, if they are.
+/// Whether the picture and its depth are cleared first: band by band, just before each is drawn, while it is in the
+/// cache.
+enum class clearing { none, before_drawing };
+
+/// How drawing is set up: what is left out, and what the picture is cleared to first, if it is.
 template <class P>
 struct draw_settings {
   face_culling culling = face_culling::back;
   skipping skip = skipping::on;
-  std::optional<P> background{};
+  clearing clear = clearing::none;
+  P background{};
 };
 
 namespace detail {
@@ -167,7 +171,7 @@ inline namespace IRG_ABI {
 /// Draws triangles into a picture and its depth buffer, and returns what it did.
 /// shape   colour and depth are rasters of one size; make_shader(triangle, shares, facing) gives the pixel shader of a
 ///         triangle or, after clipping, of a piece of it
-/// needs   indices in range; `depth` holds depths of the same order, unless a background is set
+/// needs   indices in range; `depth` holds depths of the same order, unless they are cleared first
 /// gives   equal depths go to the triangle drawn first; triangles with a corner that is not finite are left out
 /// exact   the same bytes for every executor and with skipping on and off
 /// cost    one pass over the triangles, then the pixels; allocates the bands' lists
@@ -185,9 +189,9 @@ constexpr render_stats draw_triangles(Colour& colour, Depth& depth, const projec
     const int y_first = static_cast<int>(band) * detail::band_height,
               y_last = lesser(y_first + detail::band_height, height);
     const cell_window window{0, y_first, width, y_last};
-    if (settings.background)
+    if (settings.clear == clearing::before_drawing)
       for (int y = y_first; y < y_last; ++y) {
-        fill_span(colour, {y, 0, width}, *settings.background);
+        fill_span(colour, {y, 0, width}, settings.background);
         fill_span(depth, {y, 0, width}, Order::farthest);
       }
     const auto draw = [&](const screen_vertex& a, const screen_vertex& b, const screen_vertex& c, std::uint32_t source,
