@@ -16,7 +16,7 @@
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/raster/line_bresenham.hpp>
+#include <irg/raster/draw_line.hpp>
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/colour/encode_pixel.hpp>
+#include <irg/colour/mix.hpp>
 #include <irg/colour/pixel.hpp>
 #include <irg/colour/pixel_layout.hpp>
 #include <irg/colour/srgb.hpp>

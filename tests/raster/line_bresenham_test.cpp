@@ -5,8 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include <irg/raster/image.hpp>
-
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 
@@ -147,18 +145,6 @@ TEST_CASE("line_bresenham: L4, L7, L8, L11, degenerate lines and windows") {
   CHECK_BOTH(cells({-3, 3}, {3, -3}, {0, 0, 4, 4}).size() == 1);  // exactly the corner
   CHECK_BOTH(cells({0, 0}, {3, 3}, {2, 2, 2, 9}).empty());
   CHECK_BOTH(cells({0, 0}, {3, 3}, {3, 3, 1, 1}).empty());  // inverted
-}
-
-TEST_CASE("draw_line: writes the line's pixels and no others") {
-  constexpr auto sum = [] {
-    irg::image<int> image(5, 3);
-    irg::draw_line(image, {-2, 0}, {4, 2}, 1);
-    int n = 0;
-    for (int y = 0; y < 3; ++y)
-      for (int x = 0; x < 5; ++x) n += image(x, y) << (5 * y + x);
-    return n;
-  };
-  CHECK_BOTH(sum() == (0b00111 << 5 | 0b11000 << 10));
 }
 
 }  // namespace

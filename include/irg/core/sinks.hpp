@@ -3,6 +3,8 @@
 // sink returns is ignored; it may be stateful and need not be copyable.
 #pragma once
 
+#include <cstdint>
+
 #include <irg/core/config.hpp>
 
 namespace irg {
@@ -19,6 +21,13 @@ struct span_of_cells {
   friend constexpr bool operator==(const span_of_cells&, const span_of_cells&) = default;
 };
 
+/// A run of pixels of row y that are covered in part: the columns x_first to x_last - 1. coverage[i] belongs to column
+/// x_first + i: 0 is untouched, 255 is covered whole. A null pointer says that all are covered whole.
+struct coverage_span {
+  int y = 0, x_first = 0, x_last = 0;
+  const std::uint8_t* coverage = nullptr;
+};
+
 /// Receives cells, one call each.
 template <class S>
 concept CellSink = requires(S& sink, const cell c) { sink(c); };
@@ -26,6 +35,10 @@ concept CellSink = requires(S& sink, const cell c) { sink(c); };
 /// Receives runs of cells, one call each.
 template <class S>
 concept SpanSink = requires(S& sink, const span_of_cells s) { sink(s); };
+
+/// Receives runs of partly covered cells, one call each. The coverages are valid during the call only.
+template <class S>
+concept CoverageSink = requires(S& sink, const coverage_span s) { sink(s); };
 
 /// Receives segments between two points, one call each.
 template <class S, class P>

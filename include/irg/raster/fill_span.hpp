@@ -8,6 +8,7 @@
 
 #include <irg/core/lanes.hpp>
 #include <irg/core/sinks.hpp>
+#include <irg/raster/paint.hpp>
 #include <irg/raster/window.hpp>
 
 namespace irg {
@@ -52,18 +53,19 @@ IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count, const P& valu
   for (std::size_t i = 0; i < count; ++i) first[i] = value;
 }
 
-/// Writes value to those pixels of a span that lie in the raster.
+/// Paints those pixels of a span that lie in the raster.
 /// gives   nothing when the span is empty or misses the raster
-template <WritableRaster R>
-IRG_INLINE constexpr void fill_span(R& raster, const span_of_cells& span, const pixel_of<R>& value) {
+template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
+IRG_INLINE constexpr void fill_span(R& raster, const span_of_cells& span, const Paint& paint) {
   if (span.y < 0 || span.y >= height_of(raster)) return;
   const int first = greater(span.x_first, 0);
   const int last = lesser(span.x_last, width_of(raster));
   if (first >= last) return;
-  if constexpr (RowRaster<R>)
-    fill_pixels(raster_traits<R>::row(raster, span.y) + first, static_cast<std::size_t>(last - first), value);
+  if constexpr (RowRaster<R> && !BlendFunction<Paint, R>)
+    fill_pixels(raster_traits<R>::row(raster, span.y) + first, static_cast<std::size_t>(last - first),
+                static_cast<pixel_of<R>>(paint));
   else
-    for (int x = first; x < last; ++x) set_pixel(raster, x, span.y, value);
+    for (int x = first; x < last; ++x) paint_pixel(raster, x, span.y, paint);
 }
 
 /// Writes value to every pixel of the raster.

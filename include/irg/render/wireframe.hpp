@@ -12,7 +12,7 @@
 #include <irg/core/executor.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/raster/fill_span.hpp>
-#include <irg/raster/line_bresenham.hpp>
+#include <irg/raster/draw_line.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/projected_vertices.hpp>
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <irg/colour/mix.hpp>
+
+#include "support/check_both.hpp"
+
+namespace {
+
+TEST_CASE("mix: the nearest integer for all 2^24 arguments") {
+  for (int a = 0; a < 256; ++a)
+    for (int b = 0; b < 256; ++b)
+      for (int c = 0; c < 256; ++c) {
+        const int exact = a * (255 - c) + b * c;  // times 255
+        const int got =
+            irg::mix(static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c));
+        REQUIRE(2 * (exact - 255 * got) < 255);
+        REQUIRE(2 * (255 * got - exact) < 255);
+      }
+}
+
+TEST_CASE("mix: channels, and the ends") {
+  CHECK_BOTH(irg::mix(irg::rgba8{0, 10, 255, 255}, irg::rgba8{255, 20, 0, 0}, 51) == irg::rgba8{51, 12, 204, 204});
+  CHECK_BOTH(irg::mix(irg::bgr8{1, 2, 3}, irg::bgr8{4, 5, 6}, 255) == irg::bgr8{4, 5, 6});
+  CHECK_BOTH(irg::mix(1.0f, 3.0f, 0) == 1.0f);
+  CHECK_BOTH(irg::mix(0.1, 3.7, 255) == 3.7);
+  CHECK_BOTH(irg::mix(irg::rgb<double>{0, 0, 0}, irg::rgb<double>{255, 51, 0}, 5) == irg::rgb<double>{5, 1, 0});
+}
+
+TEST_CASE("mix: what it mixes") {
+  static_assert(irg::Mixable<irg::rgb8> && irg::Mixable<std::uint8_t> && irg::Mixable<float>);
+  static_assert(!irg::Mixable<int> && !irg::Mixable<char>);
+}
+
+}  // namespace
