@@ -17,6 +17,7 @@ using point2 = irg::point<float, 2>;
 constexpr auto takes_cell = [](irg::cell) {};
 constexpr auto takes_span = [](const irg::span_of_cells&) {};
 constexpr auto takes_segment = [](const point2&, const point2&) {};
+constexpr auto takes_coverage = [](const irg::coverage_span&) {};
 constexpr auto takes_anything = [](auto&&...) {};
 constexpr auto takes_text = [](const std::string&) {};
 constexpr auto takes_two_ints = [](int, int) {};
@@ -36,6 +37,10 @@ static_assert(!irg::CellSink<std::vector<irg::cell>> && !irg::CellSink<archetype
 static_assert(irg::SpanSink<decltype(takes_span)> && irg::SpanSink<decltype(takes_anything)>);
 static_assert(irg::SpanSink<archetype::span_sink> && !irg::SpanSink<archetype::cell_sink>);
 static_assert(!irg::SpanSink<decltype(takes_cell)> && !irg::SpanSink<counter> && !irg::SpanSink<int>);
+
+static_assert(irg::CoverageSink<decltype(takes_coverage)> && irg::CoverageSink<decltype(takes_anything)>);
+static_assert(!irg::CoverageSink<decltype(takes_span)> && !irg::CoverageSink<decltype(takes_cell)>);
+static_assert(!irg::SpanSink<decltype(takes_coverage)> && !irg::CoverageSink<int>);
 
 static_assert(irg::SegmentSink<decltype(takes_segment), point2> && irg::SegmentSink<decltype(takes_anything), point2>);
 static_assert(irg::SegmentSink<archetype::segment_sink<point2>, point2>);

@@ -2,10 +2,13 @@
 #include <irg/raster/line_bresenham.hpp>
 
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 #include "support/check_both.hpp"
+#include "support/line_oracle.hpp"
+#include "support/line_properties.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -70,58 +73,74 @@ TEST_CASE("line_bresenham: every cell is the nearest one, and the quality criter
     }
 }
 
-TEST_CASE("line_bresenham: L9, clipped cells are the unclipped ones in the window, all pairs on 8 x 8, all windows") {
-  long windows = 0;
-  for (int a = 0; a < 64; ++a)
-    for (int b = 0; b < 64; ++b) {
-      const cell p{a % 8, a / 8}, q{b % 8, b / 8};
-      const auto whole = cells(p, q);
-      for (int x0 = 0; x0 < 8; ++x0)
-        for (int x1 = x0; x1 <= 8; x1 += 2)
-          for (int y0 = 0; y0 < 8; y0 += 2)
-            for (int y1 = y0; y1 <= 8; ++y1) {
-              std::vector<cell> expected;
-              for (const cell c : whole)
-                if (c.x >= x0 && c.x < x1 && c.y >= y0 && c.y < y1) expected.push_back(c);
-              REQUIRE(cells(p, q, {x0, y0, x1, y1}) == expected);
-              ++windows;
-            }
-    }
-  CHECK(windows > 100000);
+constexpr auto draw = [](cell a, cell b, const irg::cell_window& w, const irg::line_options& options, auto&& emit) {
+  irg::line_bresenham(a, b, w, emit, options);
+};
+
+TEST_CASE("line_bresenham: L9 and the whole int range against the oracle, all options") {
+  test::check_window_line(draw);
 }
 
-TEST_CASE("line_bresenham: random lines over the whole int range against the rational oracle") {
-  test::random random(3);
-  const int trials = std::getenv("IRG_RELEASE_TIER") ? 10000000 : 20000;
-  long crossing = 0;
-  for (int i = 0; i < trials; ++i) {
-    const auto coordinate = [&] {
-      const int bits = static_cast<int>(random.integer(4, 32));
-      return static_cast<int>(random.integer(-(std::int64_t{1} << (bits - 1)), (std::int64_t{1} << (bits - 1)) - 1));
+TEST_CASE("line_bresenham: the four criteria, closed and half-open, both ties") {
+  for (const irg::line_options& options : test::all_line_options)
+    test::check_line_criteria(
+        [&](cell a, cell b) {
+          test::cells line;
+          irg::line_bresenham(a, b, everything, [&](cell c) { line.push_back(c); }, options);
+          return line;
+        },
+        options.ends);
+}
+
+TEST_CASE("line_bresenham: GOLDEN 10, symmetric ties: 5000 random pairs have the same cells both ways") {
+  test::random r(2);
+  constexpr irg::line_options symmetric{.ties = irg::line_ties::symmetric};
+  int different = 0, plain_different = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const auto coordinate = [&] { return static_cast<int>(r.integer(-15, 15)); };
+    const int ax = coordinate(), ay = coordinate(), bx = coordinate();
+    const cell a{ax, ay}, b{bx, coordinate()};
+    const auto both = [&](const irg::line_options& options) {
+      std::vector<cell> there, back;
+      irg::line_bresenham(a, b, everything, [&](cell c) { there.push_back(c); }, options);
+      irg::line_bresenham(b, a, everything, [&](cell c) { back.push_back(c); }, options);
+      return std::vector<cell>(back.rbegin(), back.rend()) == there;
     };
-    const cell a{coordinate(), coordinate()}, b{coordinate(), coordinate()};
-    // a window around a cell of the line, so that most lines cross it
-    const std::int64_t w = std::abs(std::int64_t{b.x} - a.x), h = std::abs(std::int64_t{b.y} - a.y), n = w > h ? w : h;
-    const cell middle = oracle_cell(a, b, random.integer(0, n));
-    const auto near = [&](int c) {
-      return static_cast<int>(irg::clamp<std::int64_t>(c + random.integer(-9, 3), least, most - 16));
-    };
-    const irg::cell_window window{near(middle.x), near(middle.y), near(middle.x) + 12, near(middle.y) + 12};
-    std::vector<cell> expected;  // walk the rows or columns of the window only
-    const bool steep = h >= w;
-    const std::int64_t start = steep ? a.y : a.x, sign = steep ? (b.y < a.y ? -1 : 1) : (b.x < a.x ? -1 : 1);
-    const std::int64_t low = steep ? window.y_first : window.x_first,
-                       high = (steep ? window.y_last : window.x_last) - 1;
-    const std::int64_t i0 = sign > 0 ? low - start : start - high, i1 = sign > 0 ? high - start : start - low;
-    for (std::int64_t k = i0 < 0 ? 0 : i0; k <= i1 && k <= n; ++k) {
-      const cell c = oracle_cell(a, b, k);
-      if (c.x >= window.x_first && c.x < window.x_last && c.y >= window.y_first && c.y < window.y_last)
-        expected.push_back(c);
-    }
-    crossing += expected.size() >= 2;
-    REQUIRE(cells(a, b, window) == expected);
+    different += !both(symmetric);
+    plain_different += !both({});
   }
-  CHECK(crossing > trials / 4);
+  CHECK(different == 0);
+  CHECK(plain_different > 500);  // start_side is another rule
+}
+
+TEST_CASE("line_bresenham: GOLDEN 10, symmetric ties by hand") {
+  constexpr auto symmetric = [](cell a, cell b) {
+    std::vector<cell> out;
+    irg::line_bresenham(a, b, everything, [&](cell c) { out.push_back(c); }, {.ties = irg::line_ties::symmetric});
+    return out;
+  };
+  CHECK_BOTH(symmetric({0, 0}, {8, 4}) ==
+             std::vector<cell>{{0, 0}, {1, 0}, {2, 1}, {3, 1}, {4, 2}, {5, 2}, {6, 3}, {7, 3}, {8, 4}});
+  CHECK_BOTH(symmetric({8, 4}, {0, 0}) ==
+             std::vector<cell>{{8, 4}, {7, 3}, {6, 3}, {5, 2}, {4, 2}, {3, 1}, {2, 1}, {1, 0}, {0, 0}});
+  CHECK_BOTH(symmetric({0, 4}, {8, 0}) ==
+             std::vector<cell>{{0, 4}, {1, 4}, {2, 3}, {3, 3}, {4, 2}, {5, 2}, {6, 1}, {7, 1}, {8, 0}});
+  CHECK_BOTH(symmetric({4, 8}, {0, 0}) ==
+             std::vector<cell>{{4, 8}, {3, 7}, {3, 6}, {2, 5}, {2, 4}, {1, 3}, {1, 2}, {0, 1}, {0, 0}});
+}
+
+TEST_CASE("line_bresenham: a half-open polyline draws each vertex once, whatever the ties") {
+  constexpr cell ring[] = {{0, 0}, {9, 4}, {4, 13}, {-7, 2}, {-7, 2}, {0, -6}};
+  for (const irg::line_ties ties : {irg::line_ties::start_side, irg::line_ties::symmetric})
+    for (const cell vertex : ring) {
+      int drawn = 0, corners = 0;
+      for (std::size_t i = 0; i < std::size(ring); ++i) {
+        irg::line_bresenham(ring[i], ring[(i + 1) % std::size(ring)], everything, [&](cell c) { drawn += c == vertex; },
+                            {irg::line_ends::half_open, ties});
+        corners += ring[i] == vertex;
+      }
+      CHECK(drawn == (corners == 2 ? 1 : corners));  // the repeated vertex' own line is empty
+    }
 }
 
 TEST_CASE("line_bresenham: L1 to L3, ends at the extremes of int") {
@@ -145,6 +164,53 @@ TEST_CASE("line_bresenham: L4, L7, L8, L11, degenerate lines and windows") {
   CHECK_BOTH(cells({-3, 3}, {3, -3}, {0, 0, 4, 4}).size() == 1);  // exactly the corner
   CHECK_BOTH(cells({0, 0}, {3, 3}, {2, 2, 2, 9}).empty());
   CHECK_BOTH(cells({0, 0}, {3, 3}, {3, 3, 1, 1}).empty());  // inverted
+  CHECK_BOTH(cells({0, 0}, {0, 0}, {0, 0, 1, 1}) == std::vector<cell>{{0, 0}});
+  CHECK_BOTH(cells({4, 0}, {4, 0}, {0, 0, 4, 4}).empty());  // x_last is outside
+  CHECK_BOTH(cells({3, 0}, {3, 0}, {0, 0, 4, 4}).size() == 1);
+}
+
+TEST_CASE("line_bresenham: L5, two cells in all eight directions") {
+  constexpr auto both_cells = [] {
+    bool right = true;
+    for (int k = 0; k < 9; ++k) {
+      const cell b{5 + k % 3 - 1, 5 + k / 3 - 1};
+      right = right && (k == 4 ? cells({5, 5}, b).size() == 1 : cells({5, 5}, b) == std::vector<cell>{{5, 5}, b});
+    }
+    return right;
+  };
+  CHECK_BOTH(both_cells());
+}
+
+TEST_CASE("line_bresenham: L6, slope one half forward and back") {
+  CHECK_BOTH(cells({0, 0}, {6, 3}) == std::vector<cell>{{0, 0}, {1, 0}, {2, 1}, {3, 1}, {4, 2}, {5, 2}, {6, 3}});
+  CHECK_BOTH(cells({6, 3}, {0, 0}) == std::vector<cell>{{6, 3}, {5, 3}, {4, 2}, {3, 2}, {2, 1}, {1, 1}, {0, 0}});
+}
+
+TEST_CASE("line_bresenham: without a window, the cells at the greatest int, too") {
+  constexpr auto all = [](cell a, cell b, irg::line_options options) {
+    std::vector<cell> out;
+    irg::line_bresenham(a, b, [&](cell c) { out.push_back(c); }, options);
+    return out;
+  };
+  CHECK_BOTH(all({most - 2, most}, {most, most - 1}, {}) ==
+             std::vector<cell>{{most - 2, most}, {most - 1, most}, {most, most - 1}});
+  CHECK_BOTH(all({most, most - 1}, {most - 2, most}, {irg::line_ends::half_open, irg::line_ties::symmetric}) ==
+             std::vector<cell>{{most, most - 1}, {most - 1, most}});
+}
+
+TEST_CASE("line_bresenham: L10, far ends that other libraries draw wrong") {
+  constexpr irg::cell_window w{0, 0, 1024, 1024};
+  constexpr struct {
+    cell a, b;
+  } far[] = {{{262, 23}, {91618510, -54756195}}, {{263, 214}, {80120779, 11846827}}, {{34, 204}, {46400, 47400}}};
+  for (const auto& line : far) {
+    test::cells expected;
+    test::oracle_line(line.a, line.b, w, {}, expected);
+    CHECK(expected.size() > 20);
+    CHECK(cells(line.a, line.b, w) == expected);
+    test::oracle_line(line.b, line.a, w, {}, expected);
+    CHECK(cells(line.b, line.a, w) == expected);
+  }
 }
 
 }  // namespace

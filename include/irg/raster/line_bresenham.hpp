@@ -5,6 +5,27 @@
 #include <irg/raster/detail/line_frame.hpp>
 
 namespace irg {
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <class Sink>
+constexpr void emit_bresenham(const bresenham_frame& f, const step_range& steps, Sink& emit) {
+  if (steps.first >= steps.last) return;
+  std::int64_t aside = f.aside_at(steps.first), error = f.error_at(steps.first, aside);
+  for (std::int64_t i = steps.first; i < steps.last; ++i) {
+    emit(f.at(i, aside));
+    if (error > 0) {
+      ++aside;
+      error -= 2 * f.n;
+    }
+    error += 2 * f.m;
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// Calls emit(cell) for the cells of the line from a to b that lie in the window, in the order from a to b.
@@ -18,20 +39,14 @@ constexpr void line_bresenham(cell a, cell b, const cell_window& window, Sink&& 
                               const line_options& options = {}) {
   if (window.empty()) return;
   const detail::bresenham_frame f = detail::frame_of(a, b, options.ties);
-  const detail::step_range steps = detail::visible_steps(f, window, options.ends);
-  if (steps.first >= steps.last) return;
-  std::int64_t aside = f.aside_at(steps.first);
-  // error = 2*(i+1)*m - 2*n*aside - n + tie: positive when step i + 1 is nearer to aside + 1.
-  auto error = static_cast<std::int64_t>(detail::int128{2} * (steps.first + 1) * f.m - detail::int128{2} * f.n * aside -
-                                         f.n + f.tie);
-  for (std::int64_t i = steps.first; i < steps.last; ++i) {
-    emit(f.at(i, aside));
-    if (error > 0) {
-      ++aside;
-      error -= 2 * f.n;
-    }
-    error += 2 * f.m;
-  }
+  detail::emit_bresenham(f, detail::visible_steps(f, window, options.ends), emit);
+}
+
+/// Calls emit(cell) for all cells of the line, up to 2^32 of them.
+template <CellSink Sink>
+constexpr void line_bresenham(cell a, cell b, Sink&& emit, const line_options& options = {}) {
+  const detail::bresenham_frame f = detail::frame_of(a, b, options.ties);
+  detail::emit_bresenham(f, {0, detail::steps_drawn(f, options.ends)}, emit);
 }
 
 }  // namespace IRG_ABI

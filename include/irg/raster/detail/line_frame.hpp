@@ -16,7 +16,6 @@
 
 namespace irg {
 namespace detail {
-inline namespace IRG_ABI {
 
 __extension__ typedef __int128 int128;
 
@@ -36,7 +35,18 @@ struct bresenham_frame {
   IRG_INLINE constexpr std::int64_t aside_at(std::int64_t i) const noexcept {
     return n == 0 ? 0 : static_cast<std::int64_t>((int128{2} * i * m + n - 1 + tie) / (int128{2} * n));
   }
+  // Positive when step i + 1 lies nearer to aside + 1 than to the aside of step i; from 2*(m - n) + 1 to 2*m.
+  IRG_INLINE constexpr std::int64_t error_at(std::int64_t i, std::int64_t aside) const noexcept {
+    return static_cast<std::int64_t>(int128{2} * (i + 1) * m - int128{2} * n * aside - n + tie);
+  }
 };
+
+// The steps from first to last - 1.
+struct step_range {
+  std::int64_t first, last;
+};
+
+inline namespace IRG_ABI {
 
 // steps_drawn: n + 1 of a closed line, n of a half-open one.
 constexpr std::int64_t steps_drawn(const bresenham_frame& f, line_ends ends) noexcept {
@@ -52,10 +62,6 @@ constexpr bresenham_frame frame_of(cell a, cell b, line_ties ties = line_ties::s
   return steep ? bresenham_frame{height, width, sy, sx, true, a, tie}
                : bresenham_frame{width, height, sx, sy, false, a, tie};
 }
-
-struct step_range {
-  std::int64_t first, last;
-};
 
 // The steps t >= 0 for which start + sign * t lies in [low, high).
 constexpr step_range steps_within(std::int64_t start, int sign, std::int64_t low, std::int64_t high) noexcept {
