@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // 02_line - a line is a stream of cells; draw it into anything that accepts cells.
-// previous: 01_pixel, next: 03_triangle
+// previous: 01_pixel, next: 03_polygon
 //
 //   @ @ . . .
 //   . . @ @ .     from (0, 0) to (5, 2); the end outside the window changes no cell inside it

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// 05_cube - from space to the screen: a camera's matrix, clip space, the division by w, the viewport; faces that turn
+// 07_cube - from space to the screen: a camera's matrix, clip space, the division by w, the viewport; faces that turn
 // away are left out. Every face is filled with its number.
-// previous: 04_depth, next: 06_teapot
+// previous: 06_depth, next: 08_teapot
 #include <cstdio>
 #include <string_view>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// 06_teapot - the Utah teapot, lit, as a PNG: teapot.png, or the file named on the command line.
-// previous: 05_cube
+// 08_teapot - the Utah teapot, lit, as a PNG: teapot.png, or the file named on the command line.
+// previous: 07_cube
 #include <cstdio>
 
 #include <irg/io/image_file.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// 03_triangle - two triangles that share an edge: every pixel of the square belongs to exactly one of them.
-// previous: 02_line, next: 04_depth
+// 05_triangle - two triangles that share an edge: every pixel of the square belongs to exactly one of them.
+// previous: 04_smooth_edges, next: 06_depth
 //
 //   a a a a a a a b
 //   a a a a a a b b

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// 04_depth - two triangles that pass through each other: the depth buffer decides pixel by pixel.
-// previous: 03_triangle, next: 05_cube
+// 06_depth - two triangles that pass through each other: the depth buffer decides pixel by pixel.
+// previous: 05_triangle, next: 07_cube
 //
 //   a a a a a b b b b .
 //   . a a a a b b b . .

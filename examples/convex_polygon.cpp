@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// convex_polygon - which way round a polygon runs, whether it is convex, its edges, where a point lies, and its pixels.
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <irg/geometry/polygon_convexity.hpp>
+#include <irg/io/image_file.hpp>
+#include <irg/raster/draw_line.hpp>
+#include <irg/raster/fill_convex.hpp>
+#include <irg/raster/fill_convex_textbook.hpp>
+#include <irg/raster/fill_polygon.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/raster/triangle_coverage.hpp>
+
+#include "support/command_line.hpp"
+#include "support/number_input.hpp"
+#include "support/number_output.hpp"
+#include "support/picture_options.hpp"
+
+namespace {
+
+constexpr std::string_view help =
+    R"(convex_polygon - a polygon's orientation, convexity, edges and pixels, and where a point lies
+
+Reads n, then x y of each of the n vertices, then x y of a point, from standard input. Vertices may have decimals and
+reach from -2097152 to 2097152; to be filled they are rounded to 1/256. y points up, but down with --rule top-left.
+
+  --input FILE         read the numbers from FILE
+  --rule RULE          which pixels are filled (top-left):
+                         top-left   centres (i+0.5, j+0.5) inside, or on a top or left edge
+                         course     points (i, j) of rows from L to D, drawn if L < D
+                         closed     points (i, j) inside and on the boundary
+                         rounded    rows from L to D, both rounded, halves up, drawn if L < D
+                         half-open  points (i, j) with L <= i < D, without the top row
+                       A polygon that is not convex is filled by the non-zero rule with top-left, and refused by others.
+  --list               print the filled rows instead: y, first x, last x (that pixel included)
+  -o OUT               draw the polygon, enlarged where it is small: .png or .ppm
+  --size WxH           pixels of the picture (640x480)
+)";
+
+enum class fill_choice { top_left, course, closed, rounded, half_open };
+
+struct settings {
+  std::string input, out;
+  fill_choice rule = fill_choice::top_left;
+  bool list = false;
+  program::picture_size size;
+};
+
+settings read_settings(program::command_line& line) {
+  settings s;
+  while (!line.done()) {
+    const std::string_view word = line.take();
+    if (word == "--input") {
+      s.input = line.value_of(word);
+      if (s.input.empty()) line.fail("option --input needs a file's name");
+    } else if (word == "-o") {
+      s.out = line.value_of(word);
+      if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png or .ppm, not: " + s.out);
+    } else if (word == "--rule") {
+      s.rule = static_cast<fill_choice>(line.choice(word, {"top-left", "course", "closed", "rounded", "half-open"}));
+    } else if (word == "--list") {
+      s.list = true;
+    } else if (word == "--size") {
+      s.size = program::read_size(line);
+    } else {
+      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
+    }
+  }
+  if (program::one_file(s.out, s.input)) line.fail("the input would be overwritten: " + s.input);
+  return s;
+}
+
+using point = irg::point<double, 2>;
+
+struct problem {
+  std::vector<point> ring;
+  std::vector<irg::subpixel> rounded;
+  point p;
+  bool convex = false;
+};
+
+problem read_problem(program::command_line& line, const settings& s) {
+  using program::number_input;
+  problem out;
+  number_input::prompt_if_terminal("number of vertices: ", s.input);
+  number_input in(line, s.input);
+  const int n = in.integer("n", 0);
+  number_input::prompt_if_terminal("x y of each vertex: ", s.input);
+  const auto coordinate = [&](const char* name, int i) {
+    const std::string what = std::string(name) + " of vertex " + std::to_string(i + 1);
+    const double v = in.number(what);
+    if (!irg::can_snap(v)) in.fail_at_word(what + " is out of range, it is not from -2097152 to 2097152");
+    return v;
+  };
+  for (int i = 0; i < n; ++i) {
+    const double x = coordinate("x", i);
+    out.ring.push_back({x, coordinate("y", i)});
+    out.rounded.push_back(irg::snap(out.ring.back()));
+  }
+  out.convex = irg::is_convex(out.ring);
+  if (!out.convex && s.rule != fill_choice::top_left)
+    in.fail_at_word("the polygon is not convex; only --rule top-left fills such ones");
+  number_input::prompt_if_terminal("x y of the point: ", s.input);
+  out.p.x = in.number("x of the point");
+  out.p.y = in.number("y of the point");
+  in.expect_end();
+  return out;
+}
+
+// The hull of the rounded vertices. Rounding may push vertices of a convex polygon in by 1/256, so that their edges'
+// lines, which the textbook's fill makes endless, would cut deep.
+std::vector<irg::subpixel> rounded_hull(const problem& in) {
+  std::vector<irg::subpixel> points = in.rounded, hull;
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t base = hull.size();
+    for (const irg::subpixel p : points) {
+      while (hull.size() >= base + 2 && irg::signed_double_area(hull[hull.size() - 2], hull.back(), p) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+template <class Sink>
+void filled_spans(const problem& in, fill_choice rule, const irg::cell_window& window, Sink&& sink) {
+  if (rule == fill_choice::top_left) {
+    if (in.convex)
+      irg::convex_spans(in.rounded, window, sink);
+    else
+      irg::polygon_spans(in.rounded, irg::fill_rule::non_zero, window, sink);
+    return;
+  }
+  const irg::sample_rule rules[] = {irg::sample_rule::course, irg::sample_rule::closed, irg::sample_rule::rounded,
+                                    irg::sample_rule::half_open};
+  irg::convex_spans_textbook(rounded_hull(in), rules[static_cast<int>(rule) - 1], window, sink);
+}
+
+constexpr irg::cell_window everything{-irg::snap_limit - 2, -irg::snap_limit - 2, irg::snap_limit + 2,
+                                      irg::snap_limit + 2};
+
+// Where the picture shows what: `zoom` pixels a cell, the polygon's box in its middle.
+class camera {
+public:
+  camera(const problem& in, const settings& s) : width_(s.size.width), height_(s.size.height), flip_(sample_points(s)) {
+    std::int64_t low_x = 0, high_x = 256, low_y = 0, high_y = 256;
+    if (!in.rounded.empty()) {
+      low_x = high_x = in.rounded[0].x;
+      low_y = high_y = in.rounded[0].y;
+    }
+    for (const irg::subpixel v : in.rounded) {
+      low_x = std::min<std::int64_t>(low_x, v.x), high_x = std::max<std::int64_t>(high_x, v.x);
+      low_y = std::min<std::int64_t>(low_y, v.y), high_y = std::max<std::int64_t>(high_y, v.y);
+    }
+    const std::int64_t cells_wide = (high_x - low_x) / 256 + 3, cells_high = (high_y - low_y) / 256 + 3;
+    zoom_ = std::clamp<std::int64_t>(std::min(s.size.width / cells_wide, s.size.height / cells_high), 1, 64);
+    left_ = (low_x + high_x) / 512 - s.size.width / zoom_ / 2;
+    top_ =
+        flip_ ? (low_y + high_y) / 512 + s.size.height / zoom_ / 2 : (low_y + high_y) / 512 - s.size.height / zoom_ / 2;
+  }
+
+  std::int64_t zoom() const { return zoom_; }
+  // The cells that may be seen.
+  irg::cell_window cells() const {
+    const auto limited = [](std::int64_t v) {
+      return static_cast<int>(std::clamp<std::int64_t>(v, everything.x_first, everything.x_last));
+    };
+    const std::int64_t across = width_ / zoom_ + 2, down = height_ / zoom_ + 2;
+    return {limited(left_ - 1), limited(flip_ ? top_ - down : top_ - 1), limited(left_ + across),
+            limited(flip_ ? top_ + 2 : top_ + down)};
+  }
+  // The first picture column and row of a cell.
+  std::int64_t column(std::int64_t x) const { return (x - left_) * zoom_; }
+  std::int64_t row(std::int64_t y) const { return (flip_ ? top_ - y : y - top_) * zoom_; }
+  // The picture's pixel for a position; integer sample points stand in the middle of their cells.
+  irg::cell pixel(double x, double y) const {
+    const auto limited = [](double v) { return static_cast<int>(std::clamp(std::floor(v), -1e9, 1e9)); };
+    const double z = static_cast<double>(zoom_), l = static_cast<double>(left_), t = static_cast<double>(top_);
+    return {limited((x - l + (flip_ ? 0.5 : 0.0)) * z), limited((flip_ ? t - y + 0.5 : y - t) * z)};
+  }
+
+private:
+  static bool sample_points(const settings& s) { return s.rule != fill_choice::top_left; }
+  std::int64_t width_, height_, zoom_ = 1, left_ = 0, top_ = 0;
+  bool flip_;
+};
+
+irg::image<irg::rgba8> picture_of(const problem& in, const settings& s) {
+  constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, blue{146, 184, 222, 255}, red{204, 96, 72, 255};
+  irg::image<irg::rgba8> p(s.size.width, s.size.height, paper);
+  const camera view(in, s);
+  const std::int64_t side = view.zoom() < 8 ? view.zoom() : view.zoom() - 1;  // large cells stand apart
+  filled_spans(in, s.rule, view.cells(), [&](const irg::span_of_cells& span) {
+    const auto top = static_cast<int>(view.row(span.y)), bottom = static_cast<int>(view.row(span.y) + side);
+    for (int y = top; y < bottom; ++y)
+      for (int x = span.x_first; x < span.x_last; ++x) {
+        const auto left = static_cast<int>(view.column(x));
+        irg::fill_span(p, {y, left, static_cast<int>(left + side)}, blue);
+      }
+  });
+  for (std::size_t i = 0; i < in.ring.size(); ++i) {
+    const point a = irg::ring_vertex(in.ring, i), b = irg::ring_vertex(in.ring, i + 1);
+    irg::draw_line(p, view.pixel(a.x, a.y), view.pixel(b.x, b.y), ink);
+  }
+  const irg::cell at = view.pixel(in.p.x, in.p.y);
+  for (int d = -4; d <= 4; ++d)
+    for (const irg::cell c : {irg::cell{at.x + d, at.y + d}, irg::cell{at.x + d, at.y - d}})
+      if (c.x >= 0 && c.x < s.size.width && c.y >= 0 && c.y < s.size.height) p(c.x, c.y) = red;
+  return p;
+}
+
+void put(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void print_report(const problem& in, fill_choice rule) {
+  const char* const orientations[] = {"clockwise", "degenerate", "counter-clockwise"};
+  const char* const locations[] = {"outside", "boundary", "inside"};
+  put(std::string("orientation: ") + orientations[static_cast<int>(irg::orientation_of(in.ring)) + 1] + "\n");
+  put(std::string("convex: ") + (in.convex ? "yes" : "no") + "\n");
+  for (std::size_t i = 0; i < in.ring.size(); ++i) {
+    const auto e = irg::edge_through(irg::ring_vertex(in.ring, i), irg::ring_vertex(in.ring, i + 1));
+    put("edge: " + program::shortest(e.a) + " " + program::shortest(e.b) + " " + program::shortest(e.c) + "\n");
+  }
+  put(std::string("point: ") + locations[static_cast<int>(irg::locate_point(in.ring, in.p)) + 1] + "\n");
+  std::int64_t pixels = 0;
+  filled_spans(in, rule, everything, [&](const irg::span_of_cells& s) { pixels += s.x_last - s.x_first; });
+  put("pixels: " + std::to_string(pixels) + "\n");
+}
+
+void run(program::command_line& line) {
+  const settings s = read_settings(line);
+  const problem in = read_problem(line, s);
+  if (!s.out.empty())
+    if (const auto error = irg::write_image(s.out, picture_of(in, s)))
+      line.fail(std::string(error->message) + ": " + s.out);
+  if (s.list)
+    filled_spans(in, s.rule, everything, [](const irg::span_of_cells& span) {
+      std::printf("%d %d %d\n", span.y, span.x_first, span.x_last - 1);
+    });
+  else
+    print_report(in, s.rule);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) line.fail("standard output cannot be written");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  program::command_line line(argc, argv, "convex_polygon", help);
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a full quota is a failed write, not the program's end
+#endif
+  try {
+    run(line);
+  } catch (const std::bad_alloc&) {
+    line.fail("there is not enough memory for this polygon and this size");
+  }
+}

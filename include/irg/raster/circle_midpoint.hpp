@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// circle_midpoint: the cells of a circle, each once; circle_spans: the cells of a disc. Whole centre and radius.
+//
+// In the octant around an axis the circle has one cell per step k across that axis, at the height m nearest to
+// sqrt(r^2 - k^2): m * (m - 1) < r^2 - k^2 <= m * (m + 1). There are no ties, because (m + 1/2)^2 is no integer. The
+// octant ends with the last k <= m. So every cell can be named without walking to it.
+#pragma once
+
+#include <irg/raster/detail/conic_arc.hpp>
+#include <irg/raster/fill_span.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+// The height of the circle at k, 0 <= k <= r.
+constexpr std::int64_t circle_height(std::int64_t r, std::int64_t k) noexcept {
+  const std::int64_t square = r * r - k * k, root = floor_sqrt(square);
+  return square > root * root + root ? root + 1 : root;
+}
+
+// How many k >= 0 have a height of m or more.
+constexpr std::int64_t circle_reach(std::int64_t r, std::int64_t m) noexcept {
+  return m <= 0 ? r + 1 : m > r ? 0 : floor_sqrt(r * r - m * (m - 1) - 1) + 1;
+}
+
+// One past the last k of an octant.
+constexpr std::int64_t circle_octant_end(std::int64_t r) noexcept {
+  const std::int64_t k = floor_sqrt(r * r / 2);
+  return k + 1 <= r && circle_height(r, k + 1) == k + 1 ? k + 2 : k + 1;
+}
+
+// The cells of one octant with first <= k < last that lie in the window.
+template <CellSink Sink>
+constexpr void circle_octant(const conic_arc& arc, std::int64_t r, std::int64_t end, const cell_window& w,
+                             Sink&& emit) {
+  const step_range along = arc.along(w), aside = arc.aside(w);
+  std::int64_t first = along.first, last = lesser(along.last, end);
+  if (first >= last || aside.first >= aside.last) return;
+  last = lesser(last, circle_reach(r, aside.first));
+  first = greater(first, circle_reach(r, aside.last));
+  if (first >= last) return;
+  std::int64_t m = circle_height(r, first);
+  std::int64_t excess = r * r - first * first - m * (m - 1);  // positive while m is not too high
+  for (std::int64_t k = first; k < last; ++k) {
+    emit(arc.at(k, m));
+    excess -= 2 * k + 1;
+    if (excess <= 0) {
+      --m;
+      excess += 2 * m;
+    }
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Calls emit(cell) for the cells of the circle around a cell that lie in the window, each once, in no stated order.
+/// shape   8-connected, symmetric in x, in y and in x = y; where |x| <= |y| one cell per column, the nearest to the
+///         true circle, elsewhere one per row
+/// gives   no call for a negative radius, the centre's cell for radius 0
+/// exact   for all int centres and radii; clipped cells are the unclipped circle's
+/// cost    one addition per visible cell and at most five square roots for each of eight octants, whatever the radius
+/// source  Bresenham 1977; the midpoint form after Pitteway 1967 and Van Aken 1984
+template <CellSink Sink>
+constexpr void circle_midpoint(const cell& centre, int radius, const cell_window& window, Sink&& emit) {
+  if (window.empty() || radius < 0) return;
+  const std::int64_t r = radius, end = detail::circle_octant_end(r);
+  // The cells on the diagonals belong to the octants that run along x; a circle of one cell has these only.
+  const std::int64_t upright_end = detail::circle_height(r, end - 1) == end - 1 ? end - 1 : end;
+  detail::for_mirrored_arcs(centre, false,
+                            [&](const detail::conic_arc& arc) { detail::circle_octant(arc, r, end, window, emit); });
+  detail::for_mirrored_arcs(
+      centre, true, [&](const detail::conic_arc& arc) { detail::circle_octant(arc, r, upright_end, window, emit); });
+}
+
+/// Calls emit(span) for the rows in the window of the disc around a cell, from top to bottom.
+/// shape   the cells with x^2 + y^2 <= radius^2, counted from the centre
+/// gives   no call for a negative radius, the centre's cell for radius 0
+/// exact   for all int centres and radii
+/// cost    one square root per visible row
+template <SpanSink Sink>
+constexpr void circle_spans(const cell& centre, int radius, const cell_window& window, Sink&& emit) {
+  if (radius < 0) return;
+  const std::int64_t r = radius;
+  detail::symmetric_spans(centre, r, window, emit,
+                          [r](std::int64_t dy) { return detail::floor_sqrt(r * r - dy * dy); });
+}
+
+/// Paints the pixels of the circle that lie in the window, each once.
+/// exact   the cells of circle_midpoint
+template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
+constexpr void draw_circle(R& raster, const cell& centre, int radius, const Paint& paint, const cell_window& window) {
+  circle_midpoint(centre, radius, intersect(window, window_of(raster)),
+                  [&](const cell& c) { paint_pixel(raster, c.x, c.y, paint); });
+}
+
+/// Paints the pixels of the circle, each once.
+template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
+constexpr void draw_circle(R& raster, const cell& centre, int radius, const Paint& paint) {
+  draw_circle(raster, centre, radius, paint, window_of(raster));
+}
+
+/// Paints the pixels of the disc that lie in the window, each once.
+/// exact   the spans of circle_spans
+template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
+constexpr void fill_circle(R& raster, const cell& centre, int radius, const Paint& paint, const cell_window& window) {
+  circle_spans(centre, radius, intersect(window, window_of(raster)),
+               [&](const span_of_cells& s) { fill_span(raster, s, paint); });
+}
+
+/// Paints the pixels of the disc, each once.
+template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
+constexpr void fill_circle(R& raster, const cell& centre, int radius, const Paint& paint) {
+  fill_circle(raster, centre, radius, paint, window_of(raster));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

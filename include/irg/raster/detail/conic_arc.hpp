@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The mirrored arcs that circles and ellipses are made of, and the part of one that a window sees.
+#pragma once
+
+#include <irg/raster/detail/integer_sqrt.hpp>
+#include <irg/raster/detail/line_frame.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+// One arc: k cells along and m aside from the centre, mirrored by the signs; along is x unless `upright`.
+struct conic_arc {
+  cell centre;
+  int sign_along, sign_aside;
+  bool upright;
+
+  IRG_INLINE constexpr cell at(std::int64_t k, std::int64_t m) const noexcept {
+    const std::int64_t x = upright ? sign_aside * m : sign_along * k, y = upright ? sign_along * k : sign_aside * m;
+    return {static_cast<int>(centre.x + x), static_cast<int>(centre.y + y)};
+  }
+  // The k and the m that a window sees. On the axes an arc and its mirror image have the same cells: those belong to
+  // the arc with the positive sign.
+  constexpr step_range along(const cell_window& w) const noexcept {
+    step_range r = upright ? steps_within(centre.y, sign_along, w.y_first, w.y_last)
+                           : steps_within(centre.x, sign_along, w.x_first, w.x_last);
+    if (sign_along < 0) r.first = greater(r.first, std::int64_t{1});
+    return r;
+  }
+  constexpr step_range aside(const cell_window& w) const noexcept {
+    step_range r = upright ? steps_within(centre.x, sign_aside, w.x_first, w.x_last)
+                           : steps_within(centre.y, sign_aside, w.y_first, w.y_last);
+    if (sign_aside < 0) r.first = greater(r.first, std::int64_t{1});
+    return r;
+  }
+};
+
+// Calls body(arc) for the four mirror images.
+template <class Body>
+constexpr void for_mirrored_arcs(const cell& centre, bool upright, Body&& body) {
+  for (int sign_along = 1; sign_along >= -1; sign_along -= 2)
+    for (int sign_aside = 1; sign_aside >= -1; sign_aside -= 2)
+      body(conic_arc{centre, sign_along, sign_aside, upright});
+}
+
+// Calls emit(span) for the rows of the window that are at most radius_y away from the centre, half_width(dy) being the
+// reach to both sides of it.
+template <class HalfWidth, SpanSink Sink>
+constexpr void symmetric_spans(const cell& centre, std::int64_t radius_y, const cell_window& w, Sink&& emit,
+                               HalfWidth&& half_width) {
+  if (w.empty()) return;
+  const std::int64_t first = greater(centre.y - radius_y, std::int64_t{w.y_first});
+  const std::int64_t last = lesser(centre.y + radius_y + 1, std::int64_t{w.y_last});
+  for (std::int64_t y = first; y < last; ++y) {
+    const std::int64_t half = half_width(y - centre.y);
+    const std::int64_t x_first = greater(centre.x - half, std::int64_t{w.x_first});
+    const std::int64_t x_last = lesser(centre.x + half + 1, std::int64_t{w.x_last});
+    if (x_first < x_last) emit(span_of_cells{static_cast<int>(y), static_cast<int>(x_first), static_cast<int>(x_last)});
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg
