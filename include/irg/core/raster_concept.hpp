@@ -6,12 +6,14 @@
 // have row(y), a pointer to the first of width() pixels in sequence, are written faster.
 #pragma once
 
+#include <cstddef>
+
 #include <irg/core/scalar.hpp>
 
 namespace irg {
 
 /// How irg reads and writes a raster. Members: pixel, width(r), height(r), get(r, x, y), and where they make sense
-/// set(r, x, y, p) and row(r, y).
+/// set(r, x, y, p), row(r, y) and bytes_per_row(r), the signed distance from each row to the next.
 template <class T>
 struct raster_traits {};
 
@@ -36,6 +38,11 @@ struct raster_traits<T> {
   {
     return r.row(y);
   }
+  IRG_INLINE static constexpr std::ptrdiff_t bytes_per_row(const T& r)
+    requires std::same_as<decltype(r.bytes_per_row()), std::ptrdiff_t>
+  {
+    return r.bytes_per_row();
+  }
 };
 
 /// A rectangle of pixels that can be read.
@@ -59,6 +66,12 @@ concept RowRaster = WritableRaster<T> && requires(T& r) {
   { raster_traits<T>::row(r, 0) } -> std::same_as<typename raster_traits<T>::pixel*>;
 };
 
+/// A row raster whose rows are all the same distance apart.
+template <class T>
+concept EvenRowRaster = RowRaster<T> && requires(const T& r) {
+  { raster_traits<T>::bytes_per_row(r) } -> std::same_as<std::ptrdiff_t>;
+};
+
 /// A raster of depths: one ordered number per pixel.
 template <class T>
 concept DepthRaster = WritableRaster<T> && Scalar<typename raster_traits<T>::pixel>;
@@ -79,6 +92,12 @@ IRG_INLINE constexpr int width_of(const T& r) {
 template <ReadableRaster T>
 IRG_INLINE constexpr int height_of(const T& r) {
   return static_cast<int>(raster_traits<T>::height(r));
+}
+
+/// The bytes from each row of r to the next one, negative where rows stand bottom up.
+template <EvenRowRaster T>
+IRG_INLINE constexpr std::ptrdiff_t bytes_per_row_of(const T& r) {
+  return raster_traits<T>::bytes_per_row(r);
 }
 
 /// The pixel in column x of row y.

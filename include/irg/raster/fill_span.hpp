@@ -20,21 +20,73 @@ template <class P>
 inline constexpr bool fills_in_lanes =
     std::is_trivially_copyable_v<P> && sizeof(P) <= 16 && (sizeof(P) & (sizeof(P) - 1)) == 0;
 
-// Writes count copies of value from first on, a register at a time; the last store overlaps the one before.
+// Copies the first N bytes of a pattern to p.
+template <std::size_t N, class Pattern>
+IRG_INLINE void store_front(char* p, const Pattern& pattern) noexcept {
+  std::memcpy(p, &pattern.v, N);
+}
+
+// Writes a pattern of pixels of `unit` bytes over fewer bytes than a register has: two stores that overlap, or one that
+// leaves out what is beyond.
+template <std::size_t unit, class Pattern>
+IRG_INLINE void fill_part(char* p, std::size_t size, const Pattern& pattern) noexcept {
+#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
+  if constexpr (unit >= 4) {
+    typedef int ints __attribute__((vector_size(32)));
+    static constexpr int in_or_out[16] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    ints mask;
+    std::memcpy(&mask, in_or_out + 8 - size / 4, sizeof mask);
+    __builtin_ia32_maskstored256(reinterpret_cast<ints*>(p), mask, reinterpret_cast<const ints&>(pattern.v));
+    return;
+  }
+#endif
+  if constexpr (sizeof pattern.v > 16) {
+    if (size >= 16) {
+      store_front<16>(p, pattern);
+      return store_front<16>(p + size - 16, pattern);
+    }
+  }
+  if (size >= 8) {
+    store_front<8>(p, pattern);
+    return store_front<8>(p + size - 8, pattern);
+  }
+  if constexpr (unit <= 2) {
+    if (size >= 4) {
+      store_front<4>(p, pattern);
+      return store_front<4>(p + size - 4, pattern);
+    }
+    if (size == 0) return;  // one to three units
+    store_front<unit>(p, pattern);
+    store_front<unit>(p + size / (2 * unit) * unit, pattern);
+    store_front<unit>(p + size - unit, pattern);
+  } else if constexpr (unit == 4) {
+    if (size == 4) store_front<4>(p, pattern);
+  }
+}
+
+// Writes count copies of value from first on, a register at a time; the last stores overlap the ones before.
 template <class P>
 IRG_INLINE void fill_lanes(P* first, std::size_t count, const P& value) noexcept {
   using bytes = pack<std::uint8_t, native_bytes>;
-  constexpr std::size_t step = static_cast<std::size_t>(native_bytes) / sizeof(P);
-  if (count < step) {
-    for (std::size_t i = 0; i < count; ++i) first[i] = value;
-    return;
-  }
+  constexpr std::size_t step = static_cast<std::size_t>(native_bytes), unit = sizeof(P);
   bytes pattern;
-  for (std::size_t i = 0; i < step; ++i)
-    std::memcpy(reinterpret_cast<char*>(&pattern.v) + i * sizeof(P), &value, sizeof(P));
-  const std::size_t last = count - step;
-  for (std::size_t i = 0; i < last; i += step) std::memcpy(static_cast<void*>(first + i), &pattern.v, sizeof pattern.v);
-  std::memcpy(static_cast<void*>(first + last), &pattern.v, sizeof pattern.v);
+  for (std::size_t i = 0; i < step; i += unit) std::memcpy(reinterpret_cast<char*>(&pattern.v) + i, &value, unit);
+  const std::size_t size = count * unit;
+  char* const p = reinterpret_cast<char*>(first);
+  if (size < step) return fill_part<unit>(p, size, pattern);
+  if (size > 2 * step) {
+    const std::size_t last = size - 2 * step;
+    std::size_t i = 0;
+    do {
+      store_front<step>(p + i, pattern);
+      store_front<step>(p + i + step, pattern);
+      i += 2 * step;
+    } while (i < last);
+    store_front<step>(p + last, pattern);
+  } else {
+    store_front<step>(p, pattern);
+  }
+  store_front<step>(p + size - step, pattern);
 }
 
 }  // namespace IRG_ABI
@@ -53,6 +105,35 @@ IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count, const P& valu
   for (std::size_t i = 0; i < count; ++i) first[i] = value;
 }
 
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// A paint as the loops over runs want it: the pixel itself, made once, or a reference to the function.
+template <WritableRaster R, PaintFor<R> Paint>
+IRG_INLINE constexpr decltype(auto) prepared_paint(const Paint& paint) {
+  if constexpr (BlendFunction<Paint, R>)
+    return (paint);
+  else
+    return static_cast<pixel_of<R>>(paint);
+}
+
+// Paints the columns first to last - 1 of row y.
+// needs   0 <= first < last <= width, 0 <= y < height
+template <WritableRaster R, PaintFor<R> Paint>
+IRG_INLINE constexpr void paint_run(R& raster, int y, int first, int last, const Paint& paint) {
+  if constexpr (RowRaster<R> && !BlendFunction<Paint, R>)
+    fill_pixels(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), paint);
+  else
+    for (int x = first; x < last; ++x) paint_pixel(raster, x, y, paint);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
 /// Paints those pixels of a span that lie in the raster.
 /// gives   nothing when the span is empty or misses the raster
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
@@ -60,12 +141,7 @@ IRG_INLINE constexpr void fill_span(R& raster, const span_of_cells& span, const 
   if (span.y < 0 || span.y >= height_of(raster)) return;
   const int first = greater(span.x_first, 0);
   const int last = lesser(span.x_last, width_of(raster));
-  if (first >= last) return;
-  if constexpr (RowRaster<R> && !BlendFunction<Paint, R>)
-    fill_pixels(raster_traits<R>::row(raster, span.y) + first, static_cast<std::size_t>(last - first),
-                static_cast<pixel_of<R>>(paint));
-  else
-    for (int x = first; x < last; ++x) paint_pixel(raster, x, span.y, paint);
+  if (first < last) detail::paint_run(raster, span.y, first, last, detail::prepared_paint<R>(paint));
 }
 
 /// Writes value to every pixel of the raster.

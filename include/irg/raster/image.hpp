@@ -81,6 +81,9 @@ public:
 
   IRG_INLINE constexpr int width() const noexcept { return width_; }
   IRG_INLINE constexpr int height() const noexcept { return height_; }
+  IRG_INLINE constexpr std::ptrdiff_t bytes_per_row() const noexcept {
+    return static_cast<std::ptrdiff_t>(width_) * static_cast<std::ptrdiff_t>(sizeof(P));
+  }
   IRG_INLINE constexpr P* row(int y) noexcept { return pixels_.data() + offset(y); }
   IRG_INLINE constexpr const P* row(int y) const noexcept { return pixels_.data() + offset(y); }
   IRG_INLINE constexpr P& operator()(int x, int y) noexcept { return row(y)[(IRG_EXPECTS(0 <= x && x < width_), x)]; }
@@ -124,6 +127,7 @@ struct raster_traits<image_view<P>> {
   {
     return r.row(y);
   }
+  IRG_INLINE static constexpr std::ptrdiff_t bytes_per_row(const image_view<P>& r) noexcept { return r.stride(); }
 };
 
 template <class P>

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The pixels of any polygon: rings with holes, rings that cross themselves and each other, under either fill rule.
+// Pixels whose centre is on an edge are decided as in triangle_coverage.hpp, exactly, so polygons that tile a region
+// have each of its pixels exactly once.
+#pragma once
+
+#include <irg/raster/detail/polygon_bands.hpp>
+#include <irg/raster/fill_span.hpp>
+
+namespace irg {
+
+/// Memory that filling polygons needs, to be used again by the next one.
+struct fill_workspace {
+  std::vector<detail::polygon_edge<std::int32_t>> edges;
+  std::vector<detail::polygon_edge<std::int64_t>> far_edges;
+  std::vector<int> turns;
+  detail::polygon_bands bands;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <class I, FillablePolygon P, class Emit>
+constexpr void scan_polygon(const P& polygon, fill_rule rule, const cell_window& w, std::vector<polygon_edge<I>>& edges,
+                            std::vector<int>& turns, Emit& emit) {
+  const auto vertex = [](const auto& ring, std::size_t i) {
+    if constexpr (sizeof(I) == 4)
+      return near_vertex(ring, i);
+    else
+      return far_vertex(ring, i);
+  };
+  edges.clear();
+  for_each_ring(polygon, [&](const auto& ring) {
+    const std::size_t n = ring_size(ring);
+    if (n < 3) return;
+    auto a = vertex(ring, n - 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto b = vertex(ring, i);
+      add_edge<I>(edges, a, b, w);
+      a = b;
+    }
+  });
+  scan_edges(edges, turns, rule, w, emit);
+}
+
+// Calls emit(y, x_first, x_last) for the runs of covered pixels; false, and no call, when a vertex is refused.
+template <FillablePolygon P, class Emit>
+constexpr bool walk_polygon(const P& polygon, fill_rule rule, const cell_window& w, fill_workspace& workspace,
+                            Emit&& emit) {
+  if constexpr (FillableRing<P>)
+    if (ring_size(polygon) <= 3) return walk_ring(polygon, w, emit);
+  const ring_reach reach = reach_of_polygon(polygon);
+  if (reach == ring_reach::refused) return false;
+  if (w.empty()) return true;
+  if constexpr (FillableRing<P>)
+    if (reach == ring_reach::near && goes_down_and_up_once(polygon)) return walk_ring(polygon, w, emit);
+  if (reach == ring_reach::near)
+    scan_polygon<std::int32_t>(polygon, rule, w, workspace.edges, workspace.turns, emit);
+  else
+    scan_polygon<std::int64_t>(polygon, rule, w, workspace.far_edges, workspace.turns, emit);
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Calls emit(span) for the covered pixels in the window, ordered by y, then by x.
+/// shape   one ring, or a container of rings; holes are rings
+/// units   floating vertices in pixels, snapped to 1/256 as by snap(); subpixel vertices as they are
+/// gives   spans that neither overlap nor touch. False and no span when a vertex is NaN, infinite or more than
+///         far_limit pixels from the origin; else true. Rings of less than 3 vertices count for nothing
+/// exact   coverage is decided without rounding after the vertices are snapped
+/// cost    per row of the window, one step and at best one comparison per edge that crosses it, after sorting the
+///         edges; rows whose edges are much out of order are counted by column, or sorted. The workspace keeps memory
+///         for the edges; a single ring that no level line crosses more than twice needs none
+template <FillablePolygon P, SpanSink Sink>
+constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,
+                             fill_workspace& workspace) {
+  return detail::walk_polygon(polygon, rule, window, workspace,
+                              [&](int y, int first, int last) { emit(span_of_cells{y, first, last}); });
+}
+
+template <FillablePolygon P, SpanSink Sink>
+constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit) {
+  fill_workspace workspace;
+  return polygon_spans(polygon, rule, window, emit, workspace);
+}
+
+/// Paints the pixels of a polygon, each once.
+/// gives   false, and nothing painted, when a vertex is NaN, infinite or more than far_limit pixels from the origin
+template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>
+constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint, const cell_window& window,
+                            fill_workspace& workspace) {
+  decltype(auto) prepared = detail::prepared_paint<R>(paint);
+  return detail::walk_polygon(polygon, rule, intersect(window, window_of(raster)), workspace,
+                              [&](int y, int first, int last) { detail::paint_run(raster, y, first, last, prepared); });
+}
+
+template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>
+constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
+                            const cell_window& window) {
+  fill_workspace workspace;
+  return fill_polygon(raster, polygon, rule, paint, window, workspace);
+}
+
+template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>
+constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint) {
+  return fill_polygon(raster, polygon, rule, paint, window_of(raster));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
