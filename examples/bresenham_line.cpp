@@ -303,7 +303,7 @@ void run(program::command_line& line) {
     const auto differing = steps_of(p) <= longest_compared_line ? count_differing(p, s) : derive_differing(p, s);
     std::printf("cells: %lld\ndiffering: %lld\n", static_cast<long long>(count), static_cast<long long>(differing));
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) line.fail("standard output cannot be written");
+  program::finish_output(line, s.out);
 }
 
 }  // namespace

@@ -134,6 +134,33 @@ std::vector<irg::subpixel> rounded_hull(const problem& in) {
   return hull;
 }
 
+// The rows of a hull with the vertices of at least a triangle. Each row is given only the two edges that it crosses:
+// asking every edge in every row, as the textbook does, takes hours for a million vertices.
+template <class Sink>
+void hull_spans(const std::vector<irg::subpixel>& hull, irg::sample_rule rule, const irg::cell_window& window,
+                Sink&& sink) {
+  const auto next = [&](std::size_t i) { return i + 1 == hull.size() ? 0 : i + 1; };
+  const auto before = [&](std::size_t i) { return i == 0 ? hull.size() - 1 : i - 1; };
+  // counter-clockwise: `right` goes up from the lowest vertex as `left` goes back
+  std::size_t right = 0, left = 0;
+  int top = hull[0].y;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const irg::subpixel v = hull[i], r = hull[right], l = hull[left];
+    if (v.y < r.y || (v.y == r.y && v.x > r.x)) right = i;
+    if (v.y < l.y || (v.y == l.y && v.x < l.x)) left = i;
+    top = std::max(top, v.y);
+  }
+  const int y_first = std::max((hull[right].y + irg::one_pixel - 1) >> irg::subpixel_bits, window.y_first);
+  const int y_last = std::min((top >> irg::subpixel_bits) + 1, window.y_last);
+  for (int y = y_first; y < y_last; ++y) {
+    const auto is_passed = [&](const irg::subpixel& v) { return v.y <= y * irg::one_pixel && v.y < top; };
+    while (is_passed(hull[next(right)])) right = next(right);
+    while (is_passed(hull[before(left)])) left = before(left);
+    const irg::subpixel slab[] = {hull[right], hull[next(right)], hull[before(left)], hull[left]};
+    irg::convex_spans_textbook(slab, rule, {window.x_first, y, window.x_last, y + 1}, sink);
+  }
+}
+
 template <class Sink>
 void filled_spans(const problem& in, fill_choice rule, const irg::cell_window& window, Sink&& sink) {
   if (rule == fill_choice::top_left) {
@@ -145,7 +172,12 @@ void filled_spans(const problem& in, fill_choice rule, const irg::cell_window& w
   }
   const irg::sample_rule rules[] = {irg::sample_rule::course, irg::sample_rule::closed, irg::sample_rule::rounded,
                                     irg::sample_rule::half_open};
-  irg::convex_spans_textbook(rounded_hull(in), rules[static_cast<int>(rule) - 1], window, sink);
+  const std::vector<irg::subpixel> hull = rounded_hull(in);
+  const irg::sample_rule sampled = rules[static_cast<int>(rule) - 1];
+  if (hull.size() < 3)
+    irg::convex_spans_textbook(hull, sampled, window, sink);
+  else
+    hull_spans(hull, sampled, window, sink);
 }
 
 constexpr irg::cell_window everything{-irg::snap_limit - 2, -irg::snap_limit - 2, irg::snap_limit + 2,
@@ -221,26 +253,25 @@ irg::image<irg::rgba8> picture_of(const problem& in, const settings& s) {
   return p;
 }
 
-void put(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-
-void print_report(const problem& in, fill_choice rule) {
+std::string report_of(const problem& in, fill_choice rule) {
   const char* const orientations[] = {"clockwise", "degenerate", "counter-clockwise"};
   const char* const locations[] = {"outside", "boundary", "inside"};
-  put(std::string("orientation: ") + orientations[static_cast<int>(irg::orientation_of(in.ring)) + 1] + "\n");
-  put(std::string("convex: ") + (in.convex ? "yes" : "no") + "\n");
+  std::string text = std::string("orientation: ") + orientations[static_cast<int>(irg::orientation_of(in.ring)) + 1];
+  text += std::string("\nconvex: ") + (in.convex ? "yes" : "no") + "\n";
   for (std::size_t i = 0; i < in.ring.size(); ++i) {
     const auto e = irg::edge_through(irg::ring_vertex(in.ring, i), irg::ring_vertex(in.ring, i + 1));
-    put("edge: " + program::shortest(e.a) + " " + program::shortest(e.b) + " " + program::shortest(e.c) + "\n");
+    text += "edge: " + program::shortest(e.a) + " " + program::shortest(e.b) + " " + program::shortest(e.c) + "\n";
   }
-  put(std::string("point: ") + locations[static_cast<int>(irg::locate_point(in.ring, in.p)) + 1] + "\n");
+  text += std::string("point: ") + locations[static_cast<int>(irg::locate_point(in.ring, in.p)) + 1] + "\n";
   std::int64_t pixels = 0;
   filled_spans(in, rule, everything, [&](const irg::span_of_cells& s) { pixels += s.x_last - s.x_first; });
-  put("pixels: " + std::to_string(pixels) + "\n");
+  return text + "pixels: " + std::to_string(pixels) + "\n";
 }
 
 void run(program::command_line& line) {
   const settings s = read_settings(line);
   const problem in = read_problem(line, s);
+  const std::string report = s.list ? "" : report_of(in, s.rule);  // whole before anything is written: memory may end
   if (!s.out.empty())
     if (const auto error = irg::write_image(s.out, picture_of(in, s)))
       line.fail(std::string(error->message) + ": " + s.out);
@@ -249,8 +280,8 @@ void run(program::command_line& line) {
       std::printf("%d %d %d\n", span.y, span.x_first, span.x_last - 1);
     });
   else
-    print_report(in, s.rule);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) line.fail("standard output cannot be written");
+    std::fwrite(report.data(), 1, report.size(), stdout);
+  program::finish_output(line, s.out);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What programs that write a picture share: its size, and the guard against writing over what was read.
+// What programs that write a picture share: its size, the guard against writing over what was read, and the end.
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
@@ -40,6 +41,13 @@ inline bool one_file(const std::string& a, const std::string& b) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, failed), failed);
   };
   return a == b || (resolved(a) == resolved(b) && !failed);
+}
+
+/// Ends standard output. Where it cannot be written the program ends, and the picture, written by then, is removed.
+inline void finish_output(const command_line& line, const std::string& picture) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  if (!picture.empty()) std::remove(picture.c_str());
+  line.fail("standard output cannot be written");
 }
 
 }  // namespace program

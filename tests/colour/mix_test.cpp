@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
 #include <irg/colour/mix.hpp>
 
 #include "support/check_both.hpp"
@@ -23,6 +27,19 @@ TEST_CASE("mix: channels, and the ends") {
   CHECK_BOTH(irg::mix(1.0f, 3.0f, 0) == 1.0f);
   CHECK_BOTH(irg::mix(0.1, 3.7, 255) == 3.7);
   CHECK_BOTH(irg::mix(irg::rgb<double>{0, 0, 0}, irg::rgb<double>{255, 51, 0}, 5) == irg::rgb<double>{5, 1, 0});
+}
+
+TEST_CASE("mix: at both ends the other value does not matter") {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double greatest = std::numeric_limits<double>::max();
+  for (const double other : {0.0, infinity, -infinity, nan, greatest, -greatest}) {
+    CHECK(irg::mix(greatest, other, 0) == greatest);
+    CHECK(irg::mix(infinity, other, 0) == infinity);
+    CHECK(irg::mix(other, greatest, 255) == greatest);
+    CHECK(std::signbit(irg::mix(-0.0, other, 0)));
+  }
+  CHECK_BOTH(irg::mix(1.0f, std::numeric_limits<float>::infinity(), 0) == 1.0f);
+  CHECK_BOTH(irg::mix(2.0, 2.0, 77) == 2.0);
 }
 
 TEST_CASE("mix: what it mixes") {

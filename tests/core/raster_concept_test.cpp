@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <irg/raster/fill_span.hpp>
-#include <irg/raster/line_bresenham.hpp>
+#include <irg/raster/draw_line.hpp>
 #ifdef IRG_HAVE_OPENCV
 #include <opencv2/core.hpp>
 #endif

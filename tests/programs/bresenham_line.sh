@@ -256,6 +256,9 @@ if [ -w /dev/full ]; then
   (echo "$course" | "$program" >/dev/full 2>.err)
   check "a full disk: exit 2" is "$?" 2
   check "a full disk: one line" is "$(cat .err)" "bresenham_line: standard output cannot be written"
+  (echo "$course" | "$program" -o full.png >/dev/full 2>.err)
+  check "a full disk: exit 2 with a picture" is "$?" 2
+  check "a full disk: leaves no picture" test ! -e full.png
 fi
 
 echo "$passed passed, $failed failed"

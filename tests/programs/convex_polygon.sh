@@ -145,6 +145,22 @@ run "4 0.5 0.25 0.5 3.75 3.125 3.75 3.125 0.25 1 1" --rule closed
 check "decimals: closed" is "$(line pixels)" 9
 run "3 0.001953125 0 4 0 0.001953125 4 0 0" --rule closed # 1/512 is rounded up to 1/256
 check "vertices are rounded to 1/256" is "$(line pixels)" 10
+# Rows times edges are too many here: 4 million times 3000.
+awk 'BEGIN { n = 3000; print n; for (i = 0; i < n; ++i) printf "%.15g %.15g\n", 2e6 * cos(i * 6.283185307179586 / n), 2e6 * sin(i * 6.283185307179586 / n); print "0 0" }' >large
+for rule in top-left course closed rounded half-open; do
+  timeout 30 "$program" --rule $rule <large >.out 2>.err
+  check "a large circle by $rule: $(line pixels)" is "$(line pixels | cut -c 1-7)" 1256636
+done
+# With memory for the report but not for the fill, nothing is printed. 126 and up: not even the program could start.
+if (ulimit -v 48000 && "$program" --help) >/dev/null 2>&1; then
+  awk 'BEGIN { n = 100000; print n; for (i = 0; i < n; ++i) print (i * 7919) % 211, (i * 104729) % 199; print "0 0" }' >tangle
+  for memory in 12000 16000 24000 32000 48000; do
+    (ulimit -v $memory && exec "$program" <tangle) >.out 2>.err
+    status=$?
+    check "in $memory KiB: an answer, or exit 2 and no output" \
+      test "$status" = 0 -o "$status" = 2 -a ! -s .out -o "$status" = 126 -o "$status" = 127
+  done
+fi
 run "3 0 0 1e-1 0 +0.0 .1 -0 -0.0"
 check "minus zero is printed as 0" is "$(line edge | tr '\n' ';')" "0 0.1 0;-0.1 -0.1 0.010000000000000002;0.1 0 0;"
 run "3 -2097152 -2097152 2097152 -2097152 2097152 2097152 0 0"
@@ -243,6 +259,9 @@ if [ -e /dev/full ]; then
   printf '%s' "$course" | "$program" >/dev/full 2>.err
   check "a full disk: exit 2" is "$?" 2
   check "a full disk: says so" is "$(wc -l <.err)" 1
+  printf '%s' "$course" | "$program" -o full.png >/dev/full 2>.err
+  check "a full disk: exit 2 with a picture" is "$?" 2
+  check "a full disk: leaves no picture" test ! -e full.png
 fi
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0

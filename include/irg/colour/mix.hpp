@@ -20,9 +20,11 @@ IRG_INLINE constexpr std::uint8_t mix(std::uint8_t a, std::uint8_t b, std::uint8
 }
 
 /// a + (b - a) * coverage / 255.
-/// exact   a at coverage 0, b at 255; between them four roundings
+/// exact   a at coverage 0 and b at 255, whatever the other one is; between them four roundings
+/// gives   infinity or NaN between them when a or b is not finite, or b - a overflows
 template <std::floating_point T>
 IRG_INLINE constexpr T mix(T a, T b, std::uint8_t coverage) noexcept {
+  if (coverage == 0) return a;
   if (coverage == 255) return b;
   return a + product(b - a, static_cast<T>(coverage) / T(255));
 }

@@ -34,7 +34,8 @@ inline namespace IRG_ABI {
 /// gives   no call for a width of 0 or less, nor for a == b with butt caps; a == b gives a disc with round caps and a
 ///         square along the axes with square caps
 /// exact   decided without rounding; a centre exactly on the outline belongs to the line when the outline is a left or
-///         a level top edge there, so that lines which touch share no pixel and leave none out
+///         a level top edge there, so that lines which touch share no pixel and leave none out; the highest and the
+///         lowest point of a round cap do not belong to it
 /// cost    some twenty divisions per line, a dozen additions and, with round caps, two square roots per visible row
 template <SpanSink Sink>
 constexpr void line_thick(const subpixel& a, const subpixel& b, const line_pen& pen, const cell_window& window,

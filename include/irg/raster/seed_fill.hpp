@@ -8,7 +8,9 @@
 
 #include <bit>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <irg/core/sinks.hpp>
@@ -34,7 +36,7 @@ class seed_marks {
 public:
   constexpr explicit seed_marks(const cell_window& w)
       : y_first_(w.y_first), words_per_row_((std::int64_t{w.x_last} - w.x_first + 63) / 64),
-        words_(static_cast<std::size_t>(words_per_row_ * (std::int64_t{w.y_last} - w.y_first)), 0) {}
+        words_(countable(words_per_row_ * (std::int64_t{w.y_last} - w.y_first)), 0) {}
 
   constexpr std::uint64_t* row(int y) noexcept { return words_.data() + (std::int64_t{y} - y_first_) * words_per_row_; }
   static constexpr bool is_marked(const std::uint64_t* row, std::int64_t i) noexcept {
@@ -63,6 +65,11 @@ public:
   }
 
 private:
+  // More words than a size_t of 32 bits can count become as many as no vector holds, so that it refuses them.
+  static constexpr std::size_t countable(std::int64_t words) noexcept {
+    return static_cast<std::size_t>(lesser<std::int64_t>(words, std::numeric_limits<std::ptrdiff_t>::max()));
+  }
+
   std::int64_t y_first_, words_per_row_;
   std::vector<std::uint64_t> words_;
 };
