@@ -37,8 +37,8 @@ Reads x1 y1 x2 y2, whole numbers from -2147483648 to 2147483647, from standard i
                          seed       as the course prints it: 0 to 45 degrees, without the last cell
   --window x0,y0,x1,y1 only the cells with x0 <= x <= x1 and y0 <= y <= y1
   --list               print the cells instead, x y, from x1 y1 on
-  -o OUT               draw the line and the reference line, 20 rows further, enlarged where they are small: .png or
-                       .ppm
+  -o OUT               draw the line and the reference line, 20 rows further, enlarged where they are small: .png,
+                       .ppm or .svg
   --size WxH           pixels of the picture (640x480)
 
 Prints how many cells there are, and how many of them differ from the reference line's, moved back by 20 rows. The
@@ -87,7 +87,7 @@ settings read_settings(program::command_line& line) {
       if (s.input.empty()) line.fail("option --input needs a file's name");
     } else if (word == "-o") {
       s.out = line.value_of(word);
-      if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png or .ppm, not: " + s.out);
+      if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + s.out);
     } else if (word == "--method") {
       s.method = static_cast<line_method>(line.choice(word, {"integer", "symmetric", "textbook", "seed"}));
     } else if (word == "--window") {

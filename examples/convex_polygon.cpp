@@ -39,7 +39,7 @@ reach from -2097152 to 2097152; to be filled they are rounded to 1/256. y points
                          half-open  points (i, j) with L <= i < D, without the top row
                        A polygon that is not convex is filled by the non-zero rule with top-left, and refused by others.
   --list               print the filled rows instead: y, first x, last x (that pixel included)
-  -o OUT               draw the polygon, enlarged where it is small: .png or .ppm
+  -o OUT               draw the polygon, enlarged where it is small: .png, .ppm or .svg
   --size WxH           pixels of the picture (640x480)
 )";
 
@@ -61,7 +61,7 @@ settings read_settings(program::command_line& line) {
       if (s.input.empty()) line.fail("option --input needs a file's name");
     } else if (word == "-o") {
       s.out = line.value_of(word);
-      if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png or .ppm, not: " + s.out);
+      if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + s.out);
     } else if (word == "--rule") {
       s.rule = static_cast<fill_choice>(line.choice(word, {"top-left", "course", "closed", "rounded", "half-open"}));
     } else if (word == "--list") {

@@ -25,7 +25,7 @@ constexpr std::string_view help =
     R"(render MODEL -o OUT - draws a model into a picture
 
   MODEL                a Wavefront OBJ file, or one of teapot, cube, sphere, torus
-  -o OUT               the picture: .png or .ppm
+  -o OUT               the picture: .png, .ppm or .svg
   --stats FILE.json    what was drawn and skipped, milliseconds per stage, a hash of the picture
   --size WxH           pixels (1280x720)
   --eye x,y,z          where the eye stands (so far from the centre that the whole model is seen)
@@ -223,7 +223,7 @@ std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint6
 
 void run(program::command_line& line) {
   settings s = read_settings(line);
-  if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png or .ppm, not: " + s.out);
+  if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + s.out);
   timings ms;
   stopwatch watch;
 

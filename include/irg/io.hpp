@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// io: OBJ, PPM, PNG; reads from memory, writes any raster; nothing else touches files.
+// io: OBJ, PPM, PNG, SVG; reads from memory, writes any raster; nothing else touches files.
 #pragma once
 
 #include <irg/io/file.hpp>
@@ -8,3 +8,4 @@
 #include <irg/io/picture_limits.hpp>
 #include <irg/io/png.hpp>
 #include <irg/io/ppm.hpp>
+#include <irg/io/svg.hpp>

@@ -40,10 +40,11 @@ struct temporary {
 TEST_CASE("the ending names the format") {
   CHECK_BOTH(picture_format_of("a.png") == picture_format::png);
   CHECK_BOTH(picture_format_of("a.ppm") == picture_format::ppm);
+  CHECK_BOTH(picture_format_of("a.Svg") == picture_format::svg);
   CHECK_BOTH(picture_format_of("folder.ppm/A.PNG") == picture_format::png);
   CHECK_BOTH(picture_format_of("a.png.PpM") == picture_format::ppm);
   for (const char* path :
-       {"", ".", "png", "apng", "a.png ", "a.jpg", "a.svg", "a.pgm", "a.png/", "a.png/b", "a.pn", "a.p@g", ".pnG.x"}) {
+       {"", ".", "png", "apng", "a.png ", "a.jpg", "a.svgz", "a.pgm", "a.png/", "a.png/b", "a.pn", "a.p@g", ".pnG.x"}) {
     CAPTURE(path);
     CHECK(!picture_format_of(path).has_value());
   }
@@ -51,7 +52,7 @@ TEST_CASE("the ending names the format") {
 
 TEST_CASE("a file holds the picture") {
   const image<rgba8> p = checkers(31, 17);
-  for (const char* ending : {".png", ".PNG", ".ppm", ".Ppm"}) {
+  for (const char* ending : {".png", ".PNG", ".ppm", ".Ppm", ".svg"}) {
     const temporary file(ending);
     CAPTURE(ending);
     REQUIRE(!irg::write_image(file.path, p).has_value());
@@ -62,6 +63,8 @@ TEST_CASE("a file holds the picture") {
     if (picture_format_of(ending) == picture_format::png) {
       CHECK(bytes == *irg::encode_png(p));
       CHECK(test::decode_png(bytes).picture == p);
+    } else if (picture_format_of(ending) == picture_format::svg) {
+      CHECK(bytes == *irg::encode_svg(p));
     } else {
       CHECK(bytes == *irg::encode_ppm(p));
       CHECK((*irg::read_ppm(*read))(1, 0) == irg::rgb8{1, 2, 3});

@@ -174,6 +174,8 @@ row() { pixels "$1" | grep -n "^ *$2 *$3 *$4\$" | cut -d: -f1 | awk -v w="$5" '{
 row course.ppm 48 90 140 220 | awk '{ print $1, $2 + 20 }' >blue.txt
 row course.ppm 204 96 72 220 >red.txt
 check "picture: the reference line is the same, 20 rows further" cmp -s blue.txt red.txt
+run "0 0 5 2" -o vector.svg --size 90x250
+check "a picture as SVG" grep -q '<rect .*fill="#305a8c"/>' vector.svg
 run "0 0 5 2" -o small.ppm --size 90x250 --method symmetric
 check "small lines are enlarged: 6 squares of 9 x 9" is "$(count small.ppm 48 90 140)" $((6 * 9 * 9))
 run "$course" -o picture.png
@@ -202,8 +204,8 @@ printf '1 2\n3 4\n\n  5' >more.txt
 refused "a left-over number in a file" "nothing more is expected, but there is '5': more.txt:4:3" "" --input more.txt
 refused "the input as picture" "overwritten: line.ppm" "$course" --input line.ppm -o line.ppm
 refused "a picture in no folder" "nowhere/x.png" "$course" -o nowhere/x.png
-refused "an ending that is not written" ".png or .ppm, not: x.svg" "$course" -o x.svg
-refused "no ending" ".png or .ppm, not: x" "$course" -o x
+refused "an ending that is not written" ".png, .ppm or .svg, not: x.gif" "$course" -o x.gif
+refused "no ending" ".png, .ppm or .svg, not: x" "$course" -o x
 mkdir folder.png
 refused "a picture that is a folder" "folder.png" "$course" -o folder.png
 

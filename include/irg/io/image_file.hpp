@@ -12,14 +12,15 @@
 #include <irg/io/file.hpp>
 #include <irg/io/png.hpp>
 #include <irg/io/ppm.hpp>
+#include <irg/io/svg.hpp>
 
 namespace irg {
 
 /// The picture files that irg writes.
-enum class picture_format { png, ppm };
+enum class picture_format { png, ppm, svg };
 
 /// The endings of their names, for messages.
-inline constexpr const char* picture_endings = ".png, .ppm";
+inline constexpr const char* picture_endings = ".png, .ppm or .svg";
 
 inline namespace IRG_ABI {
 
@@ -36,6 +37,7 @@ constexpr std::optional<picture_format> picture_format_of(std::string_view path)
   };
   if (ends_with(".png")) return picture_format::png;
   if (ends_with(".ppm")) return picture_format::ppm;
+  if (ends_with(".svg")) return picture_format::svg;
   return std::nullopt;
 }
 
@@ -44,7 +46,8 @@ constexpr std::optional<picture_format> picture_format_of(std::string_view path)
 template <EncodableRaster R>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_picture(const R& raster, picture_format format,
                                                                          const png_options& options = {}) {
-  return format == picture_format::png ? encode_png(raster, options) : encode_ppm(raster);
+  if (format == picture_format::png) return encode_png(raster, options);
+  return format == picture_format::ppm ? encode_ppm(raster) : encode_svg(raster);
 }
 
 /// Writes a picture file; absent when that succeeded, else the reason, and then the path is as it was before.
@@ -53,7 +56,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_picture(const R
 template <EncodableRaster R>
 std::optional<parse_error> write_image(const std::string& path, const R& raster, const png_options& options = {}) {
   const std::optional<picture_format> format = picture_format_of(path);
-  if (!format) return parse_error{0, 0, "picture's file name must end in .png or .ppm"};
+  if (!format) return parse_error{0, 0, "picture's file name must end in .png, .ppm or .svg"};
   const auto bytes = encode_picture(raster, *format, options);
   if (!bytes) return parse_error{0, 0, bytes.error().message};
   return write_file_atomically(path, std::span<const std::uint8_t>(*bytes));
