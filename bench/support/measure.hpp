@@ -3,6 +3,10 @@
 // them; the median counts. Processor time, not wall time. Rows go to the file that IRG_BENCH_CSV names.
 #pragma once
 
+#ifdef __linux__
+#include <sched.h>
+#endif
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -21,11 +25,25 @@ inline double processor_seconds() {
   return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
+/// Whether only to see that everything runs: little work, one round.
+inline bool smoke() { return std::getenv("IRG_BENCH_SMOKE") != nullptr; }
+
+/// Keeps a program of one thread on the processor it runs on, so that it keeps its caches.
+inline void stay_on_this_processor() {
+#ifdef __linux__
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  CPU_SET(sched_getcpu(), &set);
+  sched_setaffinity(0, sizeof set, &set);
+#endif
+}
+
 /// One implementation of the same work.
 struct contender {
   std::string name;
   std::function<void()> run;
-  std::vector<double> seconds{};
+  std::vector<double> seconds{};  // per run
+  int runs_per_turn = 1;
 
   double median() const { return percentile(0.5); }
   double percentile(double p) const {
@@ -35,16 +53,24 @@ struct contender {
   }
 };
 
-/// Runs all contenders in turn: two rounds unmeasured, then `rounds` measured ones; a single one where
-/// IRG_BENCH_SMOKE is set, to see only that everything runs.
-inline void race(std::vector<contender>& contenders, int rounds) {
-  const bool smoke = std::getenv("IRG_BENCH_SMOKE") != nullptr;
-  for (int round = smoke ? 0 : -2; round < (smoke ? 1 : rounds); ++round)
+/// What stands before the measured runs of a turn: nothing, or one run that is not measured, so that nobody pays for
+/// what the one before left in the caches.
+enum class warming { none, one_run };
+
+/// Runs all contenders in turn: first unmeasured rounds, then `rounds` measured ones; a single one when smoke(). A turn is
+/// as many runs as last `least_seconds`, so that a short run is not lost in the clock's and the interrupts' noise.
+inline void race(std::vector<contender>& contenders, int rounds, double least_seconds = 0,
+                 warming warm = warming::none) {
+  for (int round = smoke() ? 0 : -2; round < (smoke() ? 1 : rounds); ++round)
     for (contender& c : contenders) {
+      if (warm == warming::one_run && round >= 0 && !smoke()) c.run();
       const double start = processor_seconds();
-      c.run();
-      const double taken = processor_seconds() - start;
-      if (round >= 0) c.seconds.push_back(taken);
+      for (int i = 0; i < c.runs_per_turn; ++i) c.run();
+      const double taken = (processor_seconds() - start) / c.runs_per_turn;
+      if (round >= 0)
+        c.seconds.push_back(taken);
+      else if (taken < least_seconds)
+        c.runs_per_turn = static_cast<int>(std::min(1000.0, least_seconds / std::max(taken, 1e-7))) + 1;
     }
 }
 

@@ -20,6 +20,14 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
+#include "fills.hpp"
+#include "fills_aa.hpp"
+#include "line_kernels.hpp"
+#include "line_teaching.hpp"
+#include "line_variants.hpp"
+#include "textbook_fill.hpp"
+#include "lines_aa.hpp"
+
 namespace {
 
 using picture = irg::image<irg::rgba8>;
@@ -268,5 +276,31 @@ int main(int argc, char** argv) {
   projections();
   srgb();
   bezier();
+  save("draw_line", line_kernels::steps());
+  save("draw_lines", line_kernels::tiles());
+  save("draw_polyline", line_kernels::polylines());
+  save("line_textbook", line_teaching::textbook());
+  save("line_dda", line_teaching::dda());
+  save("line_run_slice", line_teaching::run_slice());
+  save("line_cells", line_teaching::cells());
+  save("line_subpixel", line_variants::subpixel());
+  save("line_styled", line_variants::styled());
+  save("line_thick", line_variants::thick());
+  save("circle_midpoint", line_variants::circles());
+  save("ellipse_midpoint", line_variants::ellipses());
+  save("fill_convex_textbook", textbook_fill::rules());
+  save("seed_fill", textbook_fill::seeds());
+  save("conformance", textbook_fill::tiling());
+  save("polygon_convexity", textbook_fill::locations());
+  save("edge_walk", fills::edge());
+  save("fill_convex", fills::convex());
+  save("fill_polygon", fills::rules());
+  save("fill_polygons", fills::batch());
+  save("line_wu", lines_aa::wu());
+  save("line_aa", lines_aa::area());
+  save("fill_convex_aa", fills_aa::convex());
+  save("fill_polygon_aa", fills_aa::rules());
+  save("fill_seam", fills_aa::seam());
+  save("blend_span", fills_aa::run());
   return failures == 0 ? 0 : 1;
 }

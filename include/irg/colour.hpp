@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// colour: pixel types and their layouts, sRGB.
+// colour: pixel types and their layouts, mixing, sRGB.
 #pragma once
 
 #include <irg/colour/encode_pixel.hpp>

@@ -1,18 +1,43 @@
 // SPDX-License-Identifier: MIT
-// raster: images and views, spans, lines, triangles, depth.
+// raster: images and views, lines, polygons, circles, antialiasing, spans, triangles, depth.
 #pragma once
 
+#include <irg/raster/blend_span.hpp>
+#include <irg/raster/circle_midpoint.hpp>
 #include <irg/raster/depth.hpp>
 #include <irg/raster/draw_line.hpp>
+#include <irg/raster/draw_lines.hpp>
+#include <irg/raster/draw_polyline.hpp>
 #include <irg/raster/draw_triangle.hpp>
+#include <irg/raster/edge_walk.hpp>
+#include <irg/raster/ellipse_midpoint.hpp>
+#include <irg/raster/fill_convex.hpp>
+#include <irg/raster/fill_convex_aa.hpp>
+#include <irg/raster/fill_convex_textbook.hpp>
+#include <irg/raster/fill_polygon.hpp>
+#include <irg/raster/fill_polygon_aa.hpp>
+#include <irg/raster/fill_polygons.hpp>
 #include <irg/raster/fill_rule.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/foreign_view.hpp>
 #include <irg/raster/fragment.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/raster/line_aa.hpp>
+#include <irg/raster/line_aa_options.hpp>
 #include <irg/raster/line_bresenham.hpp>
+#include <irg/raster/line_cells.hpp>
+#include <irg/raster/line_dda.hpp>
 #include <irg/raster/line_options.hpp>
+#include <irg/raster/line_pen.hpp>
+#include <irg/raster/line_run_slice.hpp>
+#include <irg/raster/line_seed.hpp>
+#include <irg/raster/line_styled.hpp>
+#include <irg/raster/line_subpixel.hpp>
+#include <irg/raster/line_textbook.hpp>
+#include <irg/raster/line_thick.hpp>
+#include <irg/raster/line_wu.hpp>
 #include <irg/raster/paint.hpp>
+#include <irg/raster/seed_fill.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 #include <irg/raster/view_opencv.hpp>

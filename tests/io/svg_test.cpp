@@ -27,7 +27,7 @@ irg::image<rgba8> painted(const std::string& text, int width, int height) {
   for (std::size_t at = text.find("<rect"); at != std::string::npos; at = text.find("<rect", at + 1)) {
     int x = -1, y = -1, run = -1, rows = -1, read = 0;
     unsigned r = 0, g = 0, b = 0, thousandths = 1000;
-    REQUIRE(std::sscanf(text.c_str() + at, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"1\" fill=\"#%2x%2x%2x\"%n",
+    REQUIRE(std::sscanf(text.c_str() + at, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#%2x%2x%2x\"%n",
                         &x, &y, &run, &rows, &r, &g, &b, &read) == 7);
     std::sscanf(text.c_str() + at + read, " fill-opacity=\"0.%3u\"", &thousandths);
     for (int i = 0; i < run * rows; ++i)

@@ -2,6 +2,7 @@
 #include <irg/raster/draw_line.hpp>
 
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include <irg/raster/image.hpp>
 
 #include "support/check_both.hpp"
+#include "support/line_oracle.hpp"
+#include "support/line_properties.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -78,10 +81,65 @@ TEST_CASE("draw_line: L5, L6, L9, all ends on 8 x 8, all options, windows inside
   CHECK(drawn == 200000);
 }
 
+// Draws a line by value, and once more by a function, which tells the pixels in their order and clears them. The window
+// lies inside a view that is little larger, upside down every other time. Calls emit with a cell that is in no window
+// when the two do not agree or a pixel elsewhere is painted.
+class both_ways {
+public:
+  template <class Emit>
+  void operator()(cell a, cell b, const cell_window& w, const line_options& options, Emit&& emit) {
+    const auto moved = [&](cell c, cell& to) {
+      const std::int64_t x = std::int64_t{c.x} - w.x_first + 2, y = std::int64_t{c.y} - w.y_first + 2;
+      to = {static_cast<int>(x), static_cast<int>(y)};
+      return x == to.x && y == to.y;
+    };
+    cell from, to;
+    if (!moved(a, from) || !moved(b, to)) return irg::line_bresenham(a, b, w, emit, options);
+    ++drawn;
+    const int width = w.x_last - w.x_first + 3, height = w.y_last - w.y_first + 3;
+    const bool upwards = drawn % 2 == 0;
+    unsigned char* const first = memory_.data() + (upwards ? (height - 1) * 64 : 0);
+    irg::image_view<unsigned char> view(first, width, height, upwards ? -64 : 64);
+    const cell_window inner{2, 2, width - 1, height - 1};
+    irg::draw_line(view, from, to, 1, inner, options);
+    const auto clear = [&](const unsigned char& there) -> unsigned char {
+      const auto at = static_cast<int>(&there - first), row = (at + 64 * height) / 64 - height, x = at - 64 * row;
+      emit(there == 1 ? cell{x - 2 + w.x_first, (upwards ? -row : row) - 2 + w.y_first} : nowhere);
+      return 0;
+    };
+    irg::draw_line(view, from, to, clear, inner, options);
+    for (int i = 0; i < 64 * height; i += 64)
+      if (std::memcmp(memory_.data() + i, blank_.data(), 64) != 0) emit(nowhere);
+  }
+  long drawn = 0;
+
+private:
+  static constexpr cell nowhere{most, most};
+  std::vector<unsigned char> memory_ = std::vector<unsigned char>(64 * 64, 0), blank_ = memory_;
+};
+
+TEST_CASE("draw_line: L5, L6, L9, 10^5 random lines, 10^7 for a release, and a lattice, by value and by function") {
+  both_ways draw;
+  test::check_window_line([&](cell a, cell b, const cell_window& w, const line_options& options, auto&& emit) {
+    draw(a, b, w, options, emit);
+  });
+  CHECK(draw.drawn > 700000);
+}
+
+TEST_CASE("draw_line: the criteria of a good raster line") {
+  const auto draw = [](auto& raster, cell a, cell b) { irg::draw_line(raster, a, b, 1); };
+  test::check_line_criteria_in<irg::image<unsigned char>>(draw);
+  test::check_line_criteria_in<irg::image<float>>(draw);
+  for (const line_ties ties : {line_ties::start_side, line_ties::symmetric})
+    test::check_line_criteria_in<irg::image<unsigned char>>(
+        [&](auto& raster, cell a, cell b) { irg::draw_line(raster, a, b, 1, {line_ends::half_open, ties}); },
+        line_ends::half_open);
+}
+
 TEST_CASE("draw_line: random lines over the whole int range") {
   test::random random(11);
   irg::image<int> image(40, 30);
-  const long trials = std::getenv("IRG_RELEASE_TIER") ? 10000000 : 100000;
+  const long trials = std::getenv("IRG_RELEASE_TIER") ? 1000000 : 100000;
   long crossing = 0;
   for (long i = 0; i < trials; ++i) {
     const auto end = [&] {
@@ -162,6 +220,66 @@ TEST_CASE("draw_line: the fixed-point walk is exact up to its bounds") {
     REQUIRE(walk_is_exact(walk_of_steps_64(f, {first, last}), f, first, random));
   }
 }
+
+TEST_CASE("draw_line: the lines on which the start of the walk in 32 bits has least room") {
+  using namespace irg::detail;
+  // Of all n up to 46340, all m and all steps these are lost first when the start is `room` units lower or higher.
+  struct tight {
+    std::int64_t n, m, step;
+    int tie, room;
+  };
+  for (const tight& t : {tight{46269, 6088, 46250, 0, -192},
+                         {46340, 23170, 1, 0, 2},
+                         {46340, 23170, 46339, 1, -2},
+                         {46339, 7723, 3, 1, 4}}) {
+    const bresenham_frame f{t.n, t.m, 1, 1, false, {0, 0}, t.tie};
+    auto walk = walk_of_steps_32(f, {0, t.n + 1});
+    const auto aside = [&] {
+      return static_cast<std::int64_t>((walk.part + static_cast<std::uint64_t>(t.step) * walk.slope) >> 32);
+    };
+    const std::uint32_t start = walk.part;
+    CHECK(aside() == f.aside_at(t.step));
+    walk.part = start + static_cast<std::uint32_t>(t.room - (t.room > 0 ? 1 : -1));
+    CHECK(aside() == f.aside_at(t.step));
+    walk.part = start + static_cast<std::uint32_t>(t.room);
+    CHECK(aside() != f.aside_at(t.step));
+  }
+}
+
+TEST_CASE("draw_line: the walk in 64 bits on the lines that need its last units") {
+  using namespace irg::detail;
+  using wide_uint = line_uint128;
+  test::random random(18);
+  constexpr std::int64_t cells = 2147483647;  // the widest window
+  int lowest = 0;
+  constexpr std::int64_t lengths[] = {4294967295, 4294967293, 4294967291, 4294967279,
+                                      3000000001, 2147483647, 2147483649};
+  for (const std::int64_t n : lengths) {
+    // m such that the slope is short of the true one by nearly a unit, or by nearly nothing; the step where v is whole
+    const auto power = static_cast<std::int64_t>((wide_uint{1} << 64) % static_cast<wide_uint>(n));
+    const std::int64_t unit = inverse(power, n);
+    if (unit == 0) continue;
+    for (const std::int64_t m : {n - unit, unit}) {
+      const auto step = static_cast<std::int64_t>(wide_uint(inverse(m, n)) * wide_uint((n + 1) / 2) % wide_uint(n));
+      for (const std::int64_t first : {std::int64_t{0}, step - (cells - 1), step, n + 1 - cells}) {
+        if (first < 0 || first > step || step - first >= cells) continue;
+        const bresenham_frame f{n, m, 1, 1, false, {least, least}, 0};
+        const auto walk = walk_of_steps_64(f, {first, irg::lesser(n + 1, first + cells)});
+        CHECK(walk_is_exact(walk, f, first, random));
+        lowest += first == step - (cells - 1);
+      }
+    }
+  }
+  CHECK(lowest > 0);
+}
+
+// Constants, for a compiler may keep equal ones in one register.
+IRG_NOINLINE std::ptrdiff_t step_of_equal_numbers() {
+  std::uint64_t part = 5;
+  return irg::detail::step<std::uint64_t>(part, ~std::uint64_t{0}, 7, 5);
+}
+
+TEST_CASE("draw_line: a step whose operands are known to be equal") { CHECK(step_of_equal_numbers() == 5); }
 
 TEST_CASE("draw_line: lines longer than 32 bits of fraction serve, inside the raster") {
   irg::image<unsigned char> wide(100000, 3), high(3, 100000);

@@ -182,6 +182,52 @@ TEST_CASE("draw_lines: cut walks are the whole walk's cells, tile by tile") {
   }
 }
 
+// The cells of the pieces of a walk that goes right and down over tiles of 256 x 64; true when each tile holds its own.
+constexpr bool cut_as_walked(std::uint32_t part, std::uint32_t slope, int cells) {
+  using namespace irg::detail;
+  const tile_grid grid = tiles_of({0, 0, 2000, 2000}, 4);
+  const line_walk<std::uint32_t> walk{part, slope, cells, {0, 0}, {1, 1, 0}};
+  std::uint64_t sum = part;
+  int x = 0;
+  bool right = true;
+  cut_walk(walk, grid, 0, [&](const line_piece& piece, std::uint32_t tile) {
+    for (int k = 0; k < piece.cells; ++k, ++x, sum += slope)
+      right = right && tile == (sum >> 32) / 64 * grid.columns + static_cast<std::uint32_t>(x) / 256;
+  });
+  return right && x == cells;
+}
+
+TEST_CASE("draw_lines: a walk is cut where its fraction runs full, to the unit, though no line's does there") {
+  CHECK_BOTH(cut_as_walked(0x80000000u, 0x80000000u, 700));  // full without a rest
+  CHECK_BOTH(cut_as_walked(0, 0x40000000u, 700));
+  CHECK_BOTH(cut_as_walked(0xffffffffu, 1, 3));
+  CHECK_BOTH(cut_as_walked(0x7fffffffu, 0x80000000u, 700));
+  CHECK_BOTH(cut_as_walked(0x80000001u, 0x80000000u, 700));
+  CHECK_BOTH(cut_as_walked(0x7fffffffu, 0xffffffffu, 700));
+  CHECK_BOTH(cut_as_walked(0x7fffffffu, 0, 700));
+}
+
+// Lines of one cell, very many in one tile, then as many in the next.
+struct tile_after_tile {
+  std::size_t tiles;
+  std::size_t size() const { return tiles * irg::detail::pieces_at_once; }
+  cell_line operator[](std::size_t i) const {
+    const cell c{static_cast<int>(i / irg::detail::pieces_at_once) * 256 + static_cast<int>(i % 200), 3};
+    return {c, c};
+  }
+};
+
+TEST_CASE("draw_lines: lines that come tile by tile do not fill the memory of every tile") {
+  irg::image<std::uint32_t> image(256 * 8, 64);
+  irg::line_batch memory;
+  irg::detail::draw_lines_by_piece(image, tile_after_tile{8}, irg::window_of(image), {}, memory.pieces(),
+                                   [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+  std::size_t kept = 0;
+  for (const auto& tile : memory.pieces().of_tile) kept += tile.capacity();
+  CHECK(kept <= irg::detail::most_pieces_kept);
+  CHECK(image(7 * 256 + 199, 3) > 7u * irg::detail::pieces_at_once);
+}
+
 TEST_CASE("draw_lines: few lines, no lines, empty windows, functions, constant evaluation") {
   constexpr auto drawn = [](cell_window w) {
     irg::image<int> image(8, 8, 0), expected(8, 8, 0);

@@ -123,6 +123,20 @@ TEST_CASE("fill_polygons: far, empty and flat polygons in a batch") {
   CHECK(irg::fill_polygons(batched, std::vector<points>{}, fill_rule::even_odd, 1));
 }
 
+TEST_CASE("fill_polygons: bands of a raster as tall as int allows") {
+  using square = std::array<irg::point<double, 2>, 4>;
+  constexpr int most = std::numeric_limits<int>::max();
+  const std::array<square, 1> low{square{{{0, 2147483000.0}, {1, 2147483000.0}, {1, 2147483648.0}, {0, 2147483648.0}}}};
+  irg::detail::polygon_bands bands;
+  bands.rows = 524288;
+  int calls = 0;
+  CHECK(irg::detail::for_each_in_band(low, 1, {0, 0, 1, most}, bands, [&](std::size_t, const cell_window& band) {
+    CHECK(band == cell_window{0, 4095 * 524288, 1, most});
+    ++calls;
+  }));
+  CHECK(calls == 1);
+}
+
 constexpr int sum_of_filled() {
   using quad = std::array<subpixel, 4>;
   using frame = std::array<quad, 2>;

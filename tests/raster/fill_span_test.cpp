@@ -60,6 +60,17 @@ TEST_CASE("fill_pixels: lanes write what a loop writes, for every pixel size, le
   same_bytes_as_a_loop(wide{{1, 2, 3, 4}});
 }
 
+TEST_CASE("fill_pixels: throws what copying a pixel throws") {
+  static_assert(noexcept(irg::fill_pixels(static_cast<int*>(nullptr), 1, 2)));
+  struct may_throw {
+    may_throw() = default;
+    may_throw(const may_throw&) = default;
+    may_throw& operator=(const may_throw&) { throw 1; }
+  };
+  may_throw pixels[2];
+  CHECK_THROWS_AS(irg::fill_pixels(pixels, 2, may_throw{}), int);
+}
+
 TEST_CASE("clear: every pixel, through strides and without touching the gaps (L13)") {
   std::vector<int> memory(5 * 8, -1);
   irg::image_view<int> upside_down(memory.data() + 4 * 8, 6, 5, -8 * static_cast<std::ptrdiff_t>(sizeof(int)));

@@ -10,6 +10,8 @@
 #include <irg/raster/line_bresenham.hpp>
 
 #include "support/check_both.hpp"
+#include "support/line_oracle.hpp"
+#include "support/line_properties.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -128,6 +130,40 @@ std::int32_t coordinate(test::random& r, int low, int high) {
   constexpr int steps[] = {128, 64, 32, 1};
   const int step = steps[r.integer(0, 3)];
   return static_cast<std::int32_t>(r.integer(low * 256 / step, high * 256 / step)) * step;
+}
+
+// Lines from centre to centre; those that reach farther than subpixel does are left to line_bresenham.
+template <class Emit>
+bool centre_to_centre(cell a, cell b, const cell_window& w, const irg::line_options& options, Emit&& emit) {
+  const auto near = [](cell c) {
+    return c.x >= -irg::snap_limit && c.x < irg::snap_limit && c.y >= -irg::snap_limit && c.y < irg::snap_limit;
+  };
+  if (!near(a) || !near(b)) {
+    irg::line_bresenham(a, b, w, emit, options);
+    return false;
+  }
+  irg::line_subpixel(subpixel{a.x * 256 + 128, a.y * 256 + 128}, subpixel{b.x * 256 + 128, b.y * 256 + 128}, w, emit,
+                     {.ends = options.ends, .ties = options.ties});
+  return true;
+}
+
+TEST_CASE("line_subpixel: L5, L6, L9, from centre to centre, as for whole cells: random lines and a lattice") {
+  long drawn = 0;
+  test::check_window_line([&](cell a, cell b, const cell_window& w, const irg::line_options& options, auto&& emit) {
+    drawn += centre_to_centre(a, b, w, options, emit);
+  });
+  CHECK(drawn > 700000);
+}
+
+TEST_CASE("line_subpixel: the criteria of a good raster line, from centre to centre") {
+  for (const irg::line_options& options : test::all_line_options)
+    test::check_line_criteria(
+        [&](cell a, cell b) {
+          std::vector<cell> line;
+          centre_to_centre(a, b, everything, options, [&](cell c) { line.push_back(c); });
+          return line;
+        },
+        options.ends);
 }
 
 TEST_CASE("line_subpixel: against both definitions, every pixel of the box, random windows") {

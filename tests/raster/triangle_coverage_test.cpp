@@ -242,4 +242,32 @@ TEST_CASE("covered_spans: work ends at the window, however large the triangle") 
   CHECK(rows == 3);  // an empty window gets no call
 }
 
+constexpr int columns_outside(subpixel a, subpixel b, subpixel c, irg::cell_window w) {
+  int n = 0;
+  irg::covered_spans(irg::cover_triangle(a, b, c), w, [&](irg::span_of_cells s) {
+    n += irg::greater(w.x_first - s.x_first, 0) + irg::greater(s.x_last - w.x_last, 0);
+  });
+  return n;
+}
+
+TEST_CASE("covered_spans: a level lower edge through centres, with the triangle right of the window") {
+  CHECK_BOTH(columns_outside({5632, 2176}, {5760, 2176}, {5760, -2048}, {-3, -3, 20, 20}) == 0);
+  CHECK_BOTH(columns_outside({0, 0}, {5632, 2176}, {5760, 2176}, {-3, -3, 20, 20}) == 0);
+  CHECK_BOTH(irg::covered_span(irg::cover_triangle({0, 0}, {9, 9}, {18, 18}), 0, 5, 2).x_last == 2);
+  test::random random(31);
+  for (int i = 0; i < 6000; ++i) {
+    const auto place = [&] { return static_cast<int>(random.integer(-2000, 6000)) & (i % 3 ? -1 : ~127); };
+    const int ax = place(), ay = place(), bx = place(), by = place(), cx = place();
+    const auto t = irg::cover_triangle({ax, ay}, {bx, by}, {cx, place()});
+    const int low = static_cast<int>(random.integer(-3, 24)), high = static_cast<int>(random.integer(low, 25));
+    for (int y = -3; y < 20; ++y) {
+      const irg::span_of_cells s = irg::covered_span(t, y, low, high);
+      REQUIRE((low <= s.x_first && s.x_first <= s.x_last && s.x_last <= high));
+      int covered = 0;
+      for (int x = low; x < high; ++x) covered += irg::covers(t, x, y);
+      REQUIRE(covered == s.x_last - s.x_first);
+    }
+  }
+}
+
 }  // namespace

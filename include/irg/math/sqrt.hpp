@@ -39,10 +39,17 @@ IRG_INLINE T sqrt_instruction(T x) noexcept {
   return __builtin_elementwise_sqrt(x);
 #elif defined(__SSE2__) && defined(__GNUC__) && !defined(__clang__)
   T root;
+#ifdef __AVX__  // the older encoding among AVX instructions stalls for a hundred cycles and more
+  if constexpr (std::is_same_v<T, float>)
+    asm("vsqrtss %1, %1, %0" : "=x"(root) : "x"(x));
+  else
+    asm("vsqrtsd %1, %1, %0" : "=x"(root) : "x"(x));
+#else
   if constexpr (std::is_same_v<T, float>)
     asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
   else
     asm("sqrtsd %1, %0" : "=x"(root) : "x"(x));
+#endif
   return root;
 #elif defined(__GNUC__)
   if constexpr (std::is_same_v<T, float>)

@@ -15,7 +15,7 @@ inline namespace IRG_ABI {
 /// Paints the pixels of the line from a to b that lie in the window, in the order from a to b.
 /// gives   nothing when the window is empty or the line misses it; a function paint is called once per pixel
 /// exact   for all int coordinates the cells of line_bresenham with the same options
-/// cost    one division per line that lies in the window, at most four otherwise, and one store per visible pixel
+/// cost    one division per line that lies in the window, at most five otherwise, and one store per visible pixel
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void draw_line(R& raster, cell a, cell b, const Paint& paint, const cell_window& window,
                          const line_options& options = {}) {

@@ -59,7 +59,7 @@ struct quotient_and_rest {
 };
 
 // n / d rounded down, by way of 1/d in double. Exact for |n| < 2^53, 0 < d < 2^31 and |n / d| < 2^50: the estimate is
-// off by less than 1, whatever its rounding, and the rest says which way.
+// off by less than 1/2, so the integer nearest to it is the quotient or the next one; the rest says which.
 IRG_INLINE constexpr quotient_and_rest divide_down(std::int64_t n, std::int64_t d, double reciprocal) noexcept {
   constexpr double to_integer = 0x1.8p52;  // the sum's low bits are the nearest integer
   std::int64_t q = std::bit_cast<std::int64_t>(static_cast<double>(n) * reciprocal + to_integer) -

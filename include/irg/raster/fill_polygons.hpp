@@ -51,6 +51,7 @@ constexpr int polygon_band_height(const R&, const P& polygons, std::size_t n, co
 
 // Calls f(i, band) for each polygon i and each band of rows it touches, in the order of the bands, then of the
 // polygons; false when a polygon is refused.
+// needs   a window that is not empty
 template <FillablePolygons P, class F>
 constexpr bool for_each_in_band(const P& polygons, std::size_t n, const cell_window& w, polygon_bands& bands, F&& f) {
   bool all = true;
@@ -64,7 +65,7 @@ constexpr bool for_each_in_band(const P& polygons, std::size_t n, const cell_win
   for (std::size_t k = 0; k + 2 < bands.starts.size(); ++k) {
     cell_window band = w;
     band.y_first = w.y_first + static_cast<int>(k) * bands.rows;
-    band.y_last = lesser(w.y_last, band.y_first + bands.rows);
+    if (w.y_last - band.y_first > bands.rows) band.y_last = band.y_first + bands.rows;
     for (; item < bands.starts[k + 1]; ++item) f(static_cast<std::size_t>(bands.items[item]), band);
   }
   return all;
@@ -80,7 +81,7 @@ inline namespace IRG_ABI {
 /// gives   false when a polygon was left out because it has a vertex that fill_polygon refuses; the others are painted.
 ///         A blend function is called for a pixel in the order of the polygons, but for different pixels in any order
 /// cost    that of the polygons one by one, or less: where the pixels of a large raster are painted more than once, it
-///         is worked through in bands that fit the second-level cache, with 40 bytes a polygon and 4 a polygon and band
+///         is worked through in bands that fit the second-level cache, with 32 bytes a polygon and 4 a polygon and band
 template <WritableRaster R, FillablePolygons P, PaintsFor<R> Paints = pixel_of<R>>
 constexpr bool fill_polygons(R& raster, const P& polygons, fill_rule rule, const Paints& paints,
                              const cell_window& window, fill_workspace& workspace) {

@@ -98,7 +98,8 @@ inline namespace IRG_ABI {
 /// exact   the same bytes from the plain loop and from lanes
 /// cost    one store per register's worth of pixels
 template <class P>
-IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count, const P& value) noexcept {
+IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count,
+                                      const P& value) noexcept(std::is_nothrow_copy_assignable_v<P>) {
   if constexpr (detail::fills_in_lanes<P>) {
     if (!std::is_constant_evaluated()) return detail::fill_lanes(first, count, value);
   }

@@ -121,11 +121,11 @@ IRG_INLINE constexpr bool covers(const triangle_coverage& t, int x, int y) noexc
 }
 
 /// The covered pixels of row y, cut to the columns [x_first, x_last).
-/// gives   an empty span when there are none
+/// gives   an empty span when there are none, as in an empty range
 /// cost    one division per edge
 constexpr span_of_cells covered_span(const triangle_coverage& t, int y, int x_first, int x_last) noexcept {
-  std::int64_t first = x_first, last = x_last;
-  if (t.double_area == 0) last = first;
+  const std::int64_t none = lesser(x_first, x_last);
+  std::int64_t first = x_first, last = t.double_area == 0 ? none : x_last;
   for (const triangle_edge& e : t.edge) {
     const std::int64_t f = e(0, y);
     if (e.right > 0)
@@ -133,7 +133,7 @@ constexpr span_of_cells covered_span(const triangle_coverage& t, int y, int x_fi
     else if (e.right < 0)
       last = lesser(last, detail::floor_div(f, -std::int64_t{e.right}) + 1);  // one past the greatest such x
     else if (f < 0)
-      last = first;
+      last = none;
   }
   first = lesser(first, std::int64_t{x_last});  // an empty span, too, stays within [x_first, x_last]
   return {y, static_cast<int>(first), static_cast<int>(greater(first, last))};

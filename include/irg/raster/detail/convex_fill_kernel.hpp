@@ -5,7 +5,8 @@
 // row, too far by more than 0 and less than 4 units of 2^-35 column, so after k rows it is too far by less than
 // 4 * (k + 1). The true position is a multiple of 1/dy from the next column, so the column is right as long as
 // 4 * (k + 1) * dy < 2^35. A ring of at most 2^20 / 256 rows (dy <= 2^20) keeps that. The doubles that positions are
-// computed in stay below 2^52 units, where their two roundings amount to 1 unit at most.
+// computed in stay below 2^52 units, where their two roundings amount to 1 unit at most; so do those of the advances of
+// all edges across two rows or more (dy > 256). Other edges never use theirs, which is below 2^61.
 #pragma once
 
 #include <irg/raster/detail/snapped_ring.hpp>
@@ -211,7 +212,7 @@ IRG_NOINLINE constexpr bool walk_far_ring(const R& ring, const cell_window& wind
 }
 
 // Calls emit(y, x_first, x_last), x_first < x_last, for at most one run in each row of the window.
-// gives   false, and no call, when a vertex cannot be snapped
+// gives   false, and no call, when a vertex is refused (see ring_reach)
 template <FillableRing R, class Emit>
 IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Emit&& emit) {
   constexpr std::size_t kept = is_snapped_ring<R> ? 1 : 32;  // vertices snapped once; longer rings are snapped twice

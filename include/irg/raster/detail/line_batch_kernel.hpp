@@ -54,6 +54,7 @@ struct tile_grid {
 inline constexpr int tile_row_bytes = 1024, tile_height_bits = 6;  // 64 KiB
 inline constexpr std::uint32_t most_tiles = 4096;
 inline constexpr std::size_t pieces_at_once = std::size_t{1} << 18;  // 6 MiB
+inline constexpr std::size_t most_pieces_kept = 4 * pieces_at_once;  // room for them, in all tiles together
 
 // How the lines of a batch are put in order: as given; whole, by the tile that holds their middle, which is only for
 // lines that all write one value; or in pieces, by tile.
@@ -128,7 +129,8 @@ IRG_INLINE constexpr void cut_walk(const line_walk<std::uint32_t>& walk, const t
   }
 }
 
-// Draws the pieces of the first tiles and forgets them. value_of(line) is the pixel to write.
+// Draws the pieces of the first tiles and forgets them. value_of(line) is the pixel to write. Memory is kept for the
+// next pieces, but not without end: lines that come in the order of the tiles would have every tile keep its most.
 template <class P, class ValueOf>
 void draw_pieces(const byte_rows<P>& rows, line_pieces& pieces, std::uint32_t tiles, const ValueOf& value_of) {
   constexpr auto size = static_cast<std::ptrdiff_t>(sizeof(P));
@@ -139,6 +141,7 @@ void draw_pieces(const byte_rows<P>& rows, line_pieces& pieces, std::uint32_t ti
     aside[o] = straight[o] + octant.aside(size, rows.distance);
   }
   if (pieces.count == 0) return;
+  std::size_t kept = 0;
   for (std::uint32_t t = 0; t < tiles; ++t) {
     for (const line_piece& piece : pieces.of_tile[t]) {
       const P value = value_of(piece.line);
@@ -147,6 +150,11 @@ void draw_pieces(const byte_rows<P>& rows, line_pieces& pieces, std::uint32_t ti
       walk_bytes(rows, bytes, piece.cells, [&](P* pixel) { *pixel = value; });
     }
     pieces.of_tile[t].clear();
+    kept += pieces.of_tile[t].capacity();
+    if (kept > most_pieces_kept) {
+      kept -= pieces.of_tile[t].capacity();
+      std::vector<line_piece>().swap(pieces.of_tile[t]);
+    }
   }
   pieces.count = 0;
 }

@@ -8,7 +8,7 @@
 //     part  = v(0) * 2^k + steps         rounded up, makes up for it in advance.
 // The sum is never below v, and above it by less than steps + 1 units: right as long as 2n * (steps + 1) <= 2^k.
 //   k = 32  serves whole lines up to n = 46340;
-//   k = 64  serves the visible steps (fewer than 2^31 - 1) of every other line (n < 2^32).
+//   k = 64  serves the visible steps (fewer than 2^31) of every other line (n < 2^32).
 // A step aside happens when the sum's fraction overflows: the carry selects the step. The octant is a mask. As branches
 // both would be mispredicted again and again, which is what the textbook loop pays for.
 #pragma once
@@ -75,7 +75,8 @@ IRG_INLINE byte_rows<pixel_of<R>> byte_rows_of(R& raster) noexcept {
 }
 
 // How far it is to the next cell: `straight`, or `aside` when the fraction overflows. Compilers make a branch of the
-// plain words here, or a mask that waits for the mask before it; both cost more than the rest of the step.
+// plain words here, or a mask that waits for the mask before it; both cost more than the rest of the step. (&: part is
+// written before aside is read, so they must not share a register.)
 template <class Fraction>
 IRG_INLINE std::ptrdiff_t step(Fraction& part, Fraction slope, std::ptrdiff_t straight, std::ptrdiff_t aside) noexcept {
 #if defined(__GNUC__) && defined(__x86_64__) && defined(__LP64__)
@@ -184,7 +185,7 @@ constexpr line_walk<std::uint32_t> walk_of_steps_32(const bresenham_frame& f, co
 }
 
 // The same for every line, with 128-bit divisions.
-// needs   fewer than 2^31 - 1 steps, f.n > 0
+// needs   fewer than 2^31 steps, f.n > 0
 constexpr line_walk<std::uint64_t> walk_of_steps_64(const bresenham_frame& f, const step_range& steps) noexcept {
   const int128 twice = int128{2} * f.n, v = int128{2} * steps.first * f.m + f.n - 1 + f.tie;
   const auto count = static_cast<std::uint64_t>(steps.last - steps.first);
