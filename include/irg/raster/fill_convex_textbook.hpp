@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <irg/core/ring.hpp>
+#include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/subpixel.hpp>
@@ -52,11 +53,11 @@ struct textbook_crossing {
   }
 };
 
-// n / d rounded down and up; d > 0.
+// Rounded quotients, where they fit 64 bits.
 constexpr std::int64_t textbook_floor(int128 n, int128 d) noexcept {
-  return static_cast<std::int64_t>(n >= 0 ? n / d : -((-n + d - 1) / d));
+  return static_cast<std::int64_t>(floor_div(n, d));
 }
-constexpr std::int64_t textbook_ceil(int128 n, int128 d) noexcept { return -textbook_floor(-n, d); }
+constexpr std::int64_t textbook_ceil(int128 n, int128 d) noexcept { return static_cast<std::int64_t>(ceil_div(n, d)); }
 
 // What all rows share.
 struct textbook_extents {

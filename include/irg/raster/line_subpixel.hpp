@@ -7,6 +7,7 @@
 // column. The two rules differ in ties and in the cells at the ends only, so one walk serves both.
 #pragma once
 
+#include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/detail/snap_range.hpp>
 #include <irg/raster/line_options.hpp>
 #include <irg/raster/paint.hpp>
@@ -33,11 +34,6 @@ inline namespace IRG_ABI {
 
 // Column or row c seen from the other side: cells keep their centres at +128.
 IRG_INLINE constexpr std::int64_t mirrored_cell(std::int64_t c, int sign) noexcept { return sign > 0 ? c : -1 - c; }
-
-// n / d rounded up; d > 0.
-IRG_INLINE constexpr std::int64_t subpixel_ceil_div(std::int64_t n, std::int64_t d) noexcept {
-  return n > 0 ? (n - 1) / d + 1 : -(-n / d);
-}
 
 // A line turned so that it runs to the right and not up, at most at 45 degrees. Column c has the row
 // floor((at_zero + c * dv) / du): the line's height there in 1/256 pixel, less than a step of which decides the tie.
@@ -121,8 +117,8 @@ constexpr void clip_walk(subpixel_walk& w, const cell_window& window) noexcept {
   w.first = greater(w.first, along.first);
   w.last = lesser(w.last, along.last);
   if (w.dv > 0) {
-    w.first = greater(w.first, subpixel_ceil_div(aside.first * w.du - w.at_zero, w.dv));
-    w.last = lesser(w.last, subpixel_ceil_div(aside.last * w.du - w.at_zero, w.dv));
+    w.first = greater(w.first, ceil_div(aside.first * w.du - w.at_zero, w.dv));
+    w.last = lesser(w.last, ceil_div(aside.last * w.du - w.at_zero, w.dv));
   } else if (w.at_zero < aside.first * w.du || w.at_zero >= aside.last * w.du) {
     w.last = w.first;
   }

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include <irg/core/sinks.hpp>
+#include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>
 
@@ -82,11 +83,6 @@ IRG_INLINE constexpr cell_window centres_within(const subpixel& a, const subpixe
   return {first_centre(left), first_centre(top), last_centre(right), last_centre(bottom)};
 }
 
-// The quotient rounded down; d > 0.
-IRG_INLINE constexpr std::int64_t floor_div(std::int64_t n, std::int64_t d) noexcept {
-  return n >= 0 ? n / d : -((-n + d - 1) / d);
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -129,7 +125,7 @@ constexpr span_of_cells covered_span(const triangle_coverage& t, int y, int x_fi
   for (const triangle_edge& e : t.edge) {
     const std::int64_t f = e(0, y);
     if (e.right > 0)
-      first = greater(first, -detail::floor_div(f, e.right));  // smallest x with f + right * x >= 0
+      first = greater(first, -detail::floor_div(f, std::int64_t{e.right}));  // smallest x with f + right * x >= 0
     else if (e.right < 0)
       last = lesser(last, detail::floor_div(f, -std::int64_t{e.right}) + 1);  // one past the greatest such x
     else if (f < 0)

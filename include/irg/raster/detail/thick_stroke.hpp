@@ -9,6 +9,7 @@
 // strokes that touch share no pixel and leave none out.
 #pragma once
 
+#include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/detail/integer_sqrt.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/line_pen.hpp>
@@ -16,12 +17,6 @@
 namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
-
-// n / d rounded down; d > 0.
-template <class I>
-IRG_INLINE constexpr I stroke_floor_div(I n, I d) noexcept {
-  return n >= 0 ? n / d : -((-n + d - 1) / d);
-}
 
 // The integers [first, last).
 template <class I>
@@ -31,9 +26,9 @@ struct stroke_range {
   // Keeps the v with a * v <= c.
   IRG_INLINE constexpr void cut(std::int64_t a, I c) noexcept {
     if (a > 0)
-      last = lesser(last, static_cast<I>(stroke_floor_div<I>(c, a) + 1));
+      last = lesser(last, static_cast<I>(floor_div<I>(c, a) + 1));
     else if (a < 0)
-      first = greater(first, static_cast<I>(-stroke_floor_div<I>(c, -a)));
+      first = greater(first, static_cast<I>(-floor_div<I>(c, -a)));
     else if (c < 0)
       last = first;
   }
@@ -61,9 +56,9 @@ struct stroke_edge_walk {
              : e.a < 0 ? -1
                        : 0) {
     const I value = e.c - static_cast<I>(e.b) * y, fall = -e.b;
-    at = stroke_floor_div(value, size);
+    at = floor_div(value, size);
     rest = value - at * size;
-    step = stroke_floor_div(fall, size);
+    step = floor_div(fall, size);
     step_rest = fall - step * size;
   }
   IRG_INLINE constexpr void cut(stroke_range<I>& x) const noexcept {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Quotients of integers, rounded down or up whatever their sign; the language's own division rounds towards 0.
+#pragma once
+
+#include <irg/core/config.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// The greatest integer that is not above n / d; d > 0. I is a signed integer of any width.
+template <class I>
+IRG_INLINE constexpr I floor_div(I n, I d) noexcept {
+  const I q = n / d;
+  return q * d > n ? q - 1 : q;
+}
+
+// The least integer that is not below n / d; d > 0.
+template <class I>
+IRG_INLINE constexpr I ceil_div(I n, I d) noexcept {
+  const I q = n / d;
+  return q * d < n ? q + 1 : q;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
