@@ -89,7 +89,7 @@ void primitives_agree() {
     std::vector<irg::rgba8> there(length);  // exactly: a sanitizer sees what is read or written beyond
     for (irg::rgba8& p : there) p = random_pixel<irg::rgba8>(r);
     const auto value = random_pixel<irg::rgba8>(r);
-    std::uint8_t coverage[2 * N];
+    std::uint8_t coverage[2 * static_cast<unsigned>(N)];
     for (std::uint8_t& c : coverage) c = random_byte(r);
     const auto colour = irg::detail::prepare_mix<N>(value);
     const auto first = irg::detail::load_coverages<N>(coverage), second = irg::detail::load_coverages<N>(coverage + N);

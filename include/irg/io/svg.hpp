@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A raster becomes an SVG picture: one rectangle for each run of equal pixels in a row, or in several equal rows, so pixels
-// keep sharp edges at any size. Good for small pictures of cells; photographs belong into PNG.
+// A raster becomes an SVG picture: one rectangle for each run of equal pixels in a row, or in several equal rows, so
+// pixels keep sharp edges at any size. Good for small pictures of cells; shaded ones belong into PNG.
 #pragma once
 
 #include <cstdint>

@@ -26,12 +26,12 @@ IRG_INLINE void store_front(char* p, const Pattern& pattern) noexcept {
   std::memcpy(p, &pattern.v, N);
 }
 
-// Writes a pattern of pixels of `unit` bytes over fewer bytes than a register has: two stores that overlap, or one that
+// Writes a pattern of pixels of Unit bytes over fewer bytes than a register has: two stores that overlap, or one that
 // leaves out what is beyond.
-template <std::size_t unit, class Pattern>
+template <std::size_t Unit, class Pattern>
 IRG_INLINE void fill_part(char* p, std::size_t size, const Pattern& pattern) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
-  if constexpr (unit >= 4) {
+  if constexpr (Unit >= 4) {
     typedef int ints __attribute__((vector_size(32)));
     static constexpr int in_or_out[16] = {-1, -1, -1, -1, -1, -1, -1, -1};
     ints mask;
@@ -50,16 +50,16 @@ IRG_INLINE void fill_part(char* p, std::size_t size, const Pattern& pattern) noe
     store_front<8>(p, pattern);
     return store_front<8>(p + size - 8, pattern);
   }
-  if constexpr (unit <= 2) {
+  if constexpr (Unit <= 2) {
     if (size >= 4) {
       store_front<4>(p, pattern);
       return store_front<4>(p + size - 4, pattern);
     }
     if (size == 0) return;  // one to three units
-    store_front<unit>(p, pattern);
-    store_front<unit>(p + size / (2 * unit) * unit, pattern);
-    store_front<unit>(p + size - unit, pattern);
-  } else if constexpr (unit == 4) {
+    store_front<Unit>(p, pattern);
+    store_front<Unit>(p + size / (2 * Unit) * Unit, pattern);
+    store_front<Unit>(p + size - Unit, pattern);
+  } else if constexpr (Unit == 4) {
     if (size == 4) store_front<4>(p, pattern);
   }
 }

@@ -263,24 +263,25 @@ IRG_INLINE pack<std::int32_t, N> coverage_of_area(const pack<float, N>& area) no
 template <class F, class Target, class Left, class Right>
 IRG_INLINE constexpr void area_row(Target& target, const Left& left, const Right& right, float height,
                                    const cell_window& w) {
-  constexpr int N = lanes<F>::count;
+  constexpr int count = lanes<F>::count;
   const int x_first = greater(left.first, w.x_first), x_last = lesser(-right.first, w.x_last);
   if (x_first >= x_last) return;
   const F up = lanes<F>::ramp(), down = lanes<F>::broadcast(0) - up, full = lanes<F>::broadcast(height);
-  if (height == 1 && x_last - x_first >= 2 * N) {
-    const int left_partial = (clamp(left.end, x_first, x_last) - x_first + (N - 1)) & -N;
-    const int right_partial = (x_last - clamp(-right.end, x_first, x_last) + (N - 1)) & -N;
+  if (height == 1 && x_last - x_first >= 2 * count) {
+    const int left_partial = (clamp(left.end, x_first, x_last) - x_first + (count - 1)) & -count;
+    const int right_partial = (x_last - clamp(-right.end, x_first, x_last) + (count - 1)) & -count;
     const int solid = x_last - x_first - left_partial - right_partial;
-    if (solid >= N) {
+    if (solid >= count) {
       int x = x_first;
-      for (; x < x_first + left_partial; x += N) target.mix_all(x, coverage_of_area(full - left.uncovered(x, up)));
+      for (; x < x_first + left_partial; x += count) target.mix_all(x, coverage_of_area(full - left.uncovered(x, up)));
       target.fill(x, solid);
-      for (x += solid; x < x_last; x += N) target.mix_all(x, coverage_of_area(full - right.uncovered(-1 - x, down)));
+      for (x += solid; x < x_last; x += count)
+        target.mix_all(x, coverage_of_area(full - right.uncovered(-1 - x, down)));
       return;
     }
   }
-  for (int x = x_first; x < x_last; x += N)
-    target.mix_some(x, lesser(N, x_last - x),
+  for (int x = x_first; x < x_last; x += count)
+    target.mix_some(x, lesser(count, x_last - x),
                     coverage_of_area(full - (left.uncovered(x, up) + right.uncovered(-1 - x, down))));
 }
 

@@ -223,15 +223,15 @@ IRG_INLINE typename mix_types<N>::halves load_coverages(const std::uint8_t* cove
 // Mixes count pixels from first on.
 template <class P>
 IRG_INLINE void mix_run(P* first, std::size_t count, const std::uint8_t* coverage, const P& value) noexcept {
-  constexpr int N = mix_lanes;
-  const mix_colour<N> colour = prepare_mix(value);
+  constexpr int step = mix_lanes;
+  const mix_colour<step> colour = prepare_mix(value);
   std::size_t i = 0;
-  for (; i + N <= count; i += N) mix_all<N>(first + i, colour, load_coverages<N>(coverage + i));
+  for (; i + step <= count; i += step) mix_all<step>(first + i, colour, load_coverages<step>(coverage + i));
   if (i == count) return;
   const int rest = static_cast<int>(count - i);
-  std::uint8_t last[static_cast<unsigned>(N)];
-  for (int k = 0; k < N; ++k) last[k] = coverage[i + static_cast<std::size_t>(no_further_than(rest - 1, k))];
-  mix_some<N>(first + i, rest, colour, load_coverages<N>(last));
+  std::uint8_t last[static_cast<unsigned>(step)];
+  for (int k = 0; k < step; ++k) last[k] = coverage[i + static_cast<std::size_t>(no_further_than(rest - 1, k))];
+  mix_some<step>(first + i, rest, colour, load_coverages<step>(last));
 }
 
 #endif

@@ -4,8 +4,8 @@
 // With d = b - a, p is inside the strip of width w around the line when |(p - a) x d| <= w/2 * |d|, and between square
 // ends when (p - a) . d lies w/2 * |d| beyond them at most. That product is irrational, but the left sides are
 // integers: only floor(sqrt(w^2 * d.d)), and whether the root is exact, matter. So every edge becomes
-// a * x + b * y <= c in integers, x and y being the pixel. An edge that goes exactly through a centre owns it when it is
-// a left or a level top edge, and a disc owns the left half of its circle without the highest and the lowest point:
+// a * x + b * y <= c in integers, x and y being the pixel. An edge that goes exactly through a centre owns it when it
+// is a left or a level top edge, and a disc owns the left half of its circle without the highest and the lowest point:
 // strokes that touch share no pixel and leave none out.
 #pragma once
 
