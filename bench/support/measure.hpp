@@ -31,9 +31,11 @@ inline bool smoke() { return std::getenv("IRG_BENCH_SMOKE") != nullptr; }
 /// Keeps a program of one thread on the processor it runs on, so that it keeps its caches.
 inline void stay_on_this_processor() {
 #ifdef __linux__
+  const int processor = sched_getcpu();
+  if (processor < 0) return;
   cpu_set_t set;
   CPU_ZERO(&set);
-  CPU_SET(sched_getcpu(), &set);
+  CPU_SET(static_cast<std::size_t>(processor), &set);
   sched_setaffinity(0, sizeof set, &set);
 #endif
 }

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Lines of whole pixels: one call per line, and all lines in one call.
+#include <span>
+
+#include <irg/raster/draw_line.hpp>
+#include <irg/raster/draw_lines.hpp>
+#include <irg/raster/line_dda.hpp>
+#include <irg/raster/line_run_slice.hpp>
+#include <irg/raster/line_textbook.hpp>
+
+#include "raster/lines.hpp"
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+#include "raster/peer_opencv.hpp"
+#endif
+#ifdef IRG_HAVE_SDL2
+#include "raster/peer_sdl.hpp"
+#endif
+#ifdef IRG_HAVE_AGG
+#include "raster/peer_agg.hpp"
+#endif
+#ifdef IRG_HAVE_CAIRO
+#include "raster/peer_cairo.hpp"
+#endif
+
+namespace {
+
+using namespace bench;
+
+// A contender of irg: draw(a, b) for each line.
+template <class Draw>
+drawer own(std::string name, const std::vector<segment>& lines, Draw draw, promise promised, std::string note = {}) {
+  return {std::move(name),
+          [&lines, draw](int first, int last) mutable {
+            for (int k = first; k < last; ++k)
+              draw(lines[static_cast<std::size_t>(k)].a, lines[static_cast<std::size_t>(k)].b);
+          },
+          true, std::move(note), promised};
+}
+
+// Cells given one by one to a function that writes them if they are on the canvas; for the algorithms without a window.
+auto plotter(const canvas& c) {
+  return [&c](irg::cell p) {
+    if (c.holds(p.x, p.y)) c.at(p.x, p.y) = white;
+  };
+}
+
+void add_own(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
+  const irg::cell_window window{0, 0, c.width(), c.height()};
+  d.push_back(own(
+      "irg", lines, [view = c.view()](irg::cell a, irg::cell b) mutable { irg::draw_line(view, a, b, white_rgba); },
+      promise::nothing_wrong));
+  const auto write = [&c](irg::cell p) { c.at(p.x, p.y) = white; };
+  d.push_back(own(
+      "irg:bresenham sink", lines, [=](irg::cell a, irg::cell b) { irg::line_bresenham(a, b, window, write); },
+      promise::nothing_wrong));
+  const auto write_run = [&c](const irg::line_run& r) {
+    const int dx = (r.last.x > r.first.x) - (r.last.x < r.first.x),
+              dy = (r.last.y > r.first.y) - (r.last.y < r.first.y);
+    const int count = std::max(std::abs(r.last.x - r.first.x), std::abs(r.last.y - r.first.y)) + 1;
+    std::uint32_t* p = &c.at(r.first.x, r.first.y);
+    for (int i = 0; i < count; ++i, p += dx + std::ptrdiff_t{dy} * c.width()) *p = white;
+  };
+  d.push_back(own(
+      "irg:run slice", lines, [=](irg::cell a, irg::cell b) { irg::line_run_slice(a, b, window, write_run); },
+      promise::nothing_wrong));
+  d.push_back(own(
+      "irg:dda exact", lines, [=](irg::cell a, irg::cell b) { irg::line_dda_exact(a, b, window, write); },
+      promise::nothing_wrong));
+}
+
+// Algorithms that know no window and have a longest line.
+void add_unclipped(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
+  std::int64_t steps = 0;
+  for (const segment& s : lines) steps = std::max(steps, walk(s).n);
+  if (steps <= irg::line_dda_steps<float>)
+    d.push_back(own(
+        "irg:dda float", lines,
+        [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::line_dda<float>(a, b, plot); }, promise::none));
+  if (steps <= irg::line_textbook_steps<float>)
+    d.push_back(own(
+        "irg:textbook float", lines,
+        [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::line_bresenham_textbook<float>(a, b, plot); },
+        promise::none, "real-valued error variable"));
+  d.push_back(own(
+      "irg:textbook double", lines,
+      [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::line_bresenham_textbook<double>(a, b, plot); },
+      promise::nothing_wrong, "real-valued error variable"));
+  d.push_back(textbook_lines(c, lines));
+}
+
+void add_peers(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
+#ifdef IRG_HAVE_AGG
+  d.push_back(antigrain::lines(c, lines));
+#endif
+#ifdef IRG_HAVE_SDL2
+  d.push_back(sdl::lines(c, lines));
+#endif
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+  d.push_back(opencv::lines(c, lines, cv::LINE_8));
+#endif
+#ifdef IRG_HAVE_CAIRO
+  d.push_back(cairo::lines(c, lines, CAIRO_ANTIALIAS_NONE));
+#endif
+  (void)c, (void)d, (void)lines;
+}
+
+int run(const canvas& c, const std::string& name, const std::vector<segment>& lines) {
+  contest one{"line", name + " " + c.name(), "line", static_cast<int>(lines.size())};
+  if (!wanted(one.test_case)) return 0;
+  for (const segment& s : lines) one.cells += visible_cells(c, s);
+  one.on = &c;
+  one.judge = [&](const drawer& d) { return judge_lines(c, lines, d); };
+  one.error_unit = "px";
+  add_own(one.drawers, c, lines);
+  if (name.starts_with("random")) add_unclipped(one.drawers, c, lines);
+  add_peers(one.drawers, c, lines);
+  if (one.cells > 0) {
+    one.limit = "limit:store per step";
+    one.drawers.push_back(limit_store_per_step(c, lines));
+    one.drawers.push_back(limit_replay(c, lines, fetching::not_ahead));
+    one.drawers.push_back(limit_replay(c, lines, fetching::ahead));
+    one.drawers.push_back(limit_memset(c, one.cells));
+  }
+  return hold(one);
+}
+
+// All lines in one call, for whoever has such a call.
+
+drawer own_batch(const canvas& c, const std::vector<segment>& lines) {
+  std::vector<irg::cell_line> all;
+  for (const segment& s : lines) all.push_back({s.a, s.b});
+  drawer d{"irg", {}};
+  d.draw = [view = c.view(), all, memory = irg::line_batch{}](int first, int last) mutable {
+    const std::span<const irg::cell_line> some(all.data() + first, static_cast<std::size_t>(last - first));
+    irg::draw_lines(view, some, white_rgba, irg::window_of(view), irg::line_options{}, memory);
+  };
+  d.promised = promise::nothing_wrong;
+  d.note = "sorting timed";
+  return d;
+}
+
+/// The cells known beforehand and sorted by tiles of 256 x 64 pixels.
+drawer limit_replay_by_tile(const canvas& c, const std::vector<segment>& lines) {
+  const auto tile = [width = c.width() / 256 + 1](irg::cell p) { return p.y / 64 * width + p.x / 256; };
+  std::vector<std::vector<std::uint32_t>> tiles(static_cast<std::size_t>(tile({c.width() - 1, c.height() - 1})) + 1);
+  for (const segment& s : lines)
+    walk(s).cells(c, [&](irg::cell p) {
+      tiles[static_cast<std::size_t>(tile(p))].push_back(static_cast<std::uint32_t>(p.y * c.width() + p.x));
+    });
+  std::vector<std::uint32_t> offsets;
+  for (const auto& t : tiles) offsets.insert(offsets.end(), t.begin(), t.end());
+  return {"limit:replay by tile", [offsets, pixels = c.pixels()](int, int) {
+            for (const std::uint32_t offset : offsets) pixels[offset] = white;
+          }};
+}
+
+// One by one as elsewhere; whoever promises exactness has to draw all lines at once without a wrong pixel, too.
+errors judge_batch(const canvas& c, const std::vector<segment>& lines, const drawer& d) {
+  errors e = judge_lines(c, lines, d);
+  if (d.promised == promise::none) return e;
+  d.draw(0, static_cast<int>(lines.size()));
+  std::vector<bool> due(c.pixel_count());
+  for (const segment& s : lines)
+    walk(s).cells(c, [&](irg::cell p) { due[static_cast<std::size_t>(p.y * c.width() + p.x)] = true; });
+  for (std::size_t i = 0; i < c.pixel_count(); ++i) e.wrong += (c.pixels()[i] != 0) != due[i];
+  c.clear();
+  return e;
+}
+
+int run_batch(const canvas& c, const std::string& name, const std::vector<segment>& lines) {
+  contest one{"line_batch", name + " " + c.name(), "line", static_cast<int>(lines.size())};
+  if (!wanted(one.test_case)) return 0;
+  for (const segment& s : lines) one.cells += visible_cells(c, s);
+  one.on = &c;
+  one.judge = [&](const drawer& d) { return judge_batch(c, lines, d); };
+  one.error_unit = "px";
+  one.drawers.push_back(own_batch(c, lines));
+  one.drawers.push_back(own(
+      "irg:one by one", lines,
+      [view = c.view()](irg::cell a, irg::cell b) mutable { irg::draw_line(view, a, b, white_rgba); },
+      promise::nothing_wrong));
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+  one.drawers.push_back(opencv::line_batch(c, lines));
+#endif
+  add_peers(one.drawers, c, lines);
+  if (one.cells > 0) {
+    one.limit = "limit:replay by tile";
+    one.drawers.push_back(limit_replay_by_tile(c, lines));
+    one.drawers.push_back(limit_replay(c, lines, fetching::not_ahead));
+    one.drawers.push_back(limit_replay(c, lines, fetching::ahead));
+    one.drawers.push_back(limit_store_per_step(c, lines));
+  }
+  return hold(one);
+}
+
+}  // namespace
+
+int main() {
+  bench::stay_on_this_processor();
+  const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
+  int broken = 0;
+  struct sizes {
+    int length, count;
+  };
+  const auto items = [](int n) { return smoke() ? n / 100 + 2 : n; };
+  for (const auto [length, count] : {sizes{8, 50000}, {32, 30000}, {128, 10000}, {512, 4000}, {1500, 2000}}) {
+    const std::string px = " " + std::to_string(length) + " px";
+    const auto on = [&](const canvas& c, const char* name, heading h) {
+      const std::vector<segment> lines = lines_inside(c, items(count), length, h);
+      broken += run(c, name + px, lines);
+      if (h == heading::random) broken += run_batch(c, name + px, lines);
+    };
+    on(large, "random", heading::random);
+    if (length <= 512) on(small, "random", heading::random);
+    if (length < 32 || length > 512) continue;
+    on(large, "horizontal", heading::horizontal);
+    on(large, "vertical", heading::vertical);
+    on(large, "diagonal", heading::diagonal);
+  }
+  const std::vector<segment> clipped = lines_clipped(large, items(4000), 1280);
+  const std::vector<segment> outside = lines_outside(large, items(20000), passing::far_away);
+  broken += run(large, "clipped 90 % 1280 px", clipped) + run_batch(large, "clipped 90 % 1280 px", clipped);
+  broken += run(large, "outside", outside) + run_batch(large, "outside", outside);
+  broken += run(large, "outside by a corner", lines_outside(large, items(20000), passing::by_a_corner));
+  if (broken) std::printf("%d promises broken\n", broken);
+  return broken != 0;
+}
