@@ -269,8 +269,37 @@ TEST_CASE("line_aa: the plain kernel and the lanes give the same coverages") {
     const line_aa_options o = random.options();
     coverages plain(w);
     irg::detail::aa_span_writer<float, coverages> writer{plain};
-    irg::detail::aa_line(a, b, o, w, writer);
+    if (!irg::detail::aa_draw_slender(a, b, o, w, writer)) irg::detail::aa_line(a, b, o, w, writer);
     REQUIRE(plain.value == covered(a, b, w, o).value);
+  }
+}
+
+// One pixel wide, 2 to 40 pixels long: the lines that pictures are made of go a way of their own.
+TEST_CASE("line_aa: short slender lines: areas, turned, reversed, x and y exchanged") {
+  random_lines random{test::random(38)};
+  const int trials = std::getenv("IRG_RELEASE_TIER") ? 200000 : 400;
+  const cell_window w{-24, -24, 24, 24};
+  real worst = 0;
+  for (int i = 0; i < trials; ++i) {
+    const auto c = [&] { return static_cast<std::int32_t>(random.integer(-(i % 20 + 1) * one, (i % 20 + 1) * one)); };
+    subpixel a{c(), c()}, b{c(), c()};
+    if (i % 3 == 0) a.x = (a.x | 255) - 127, a.y = (a.y | 255) - 127, b.x = (b.x | 255) - 127, b.y = (b.y | 255) - 127;
+    const line_aa_options o{i % 4 == 0 ? static_cast<int>(random.integer(200, 400)) : one,
+                            i % 5 == 0 ? line_aa_caps::square : line_aa_caps::butt};
+    auto there = covered(a, b, w, o), back = covered(b, a, w, o);
+    auto exchanged = covered({a.y, a.x}, {b.y, b.x}, w, o);
+    const auto shape = rectangle(a, b, o, 0, 0);
+    int different = 0, most = 0;
+    for (int y = w.y_first; y < w.y_last; ++y)
+      for (int x = w.x_first; x < w.x_last; ++x) {
+        different += there.seen(x, y) != back.seen(x, y);
+        most = std::max(most, std::abs(there.seen(x, y) - exchanged.seen(y, x)));
+        if (there.seen(x, y) != 0 || (x + y + i) % 16 == 0)
+          worst = std::max(worst, std::fabs(there.seen(x, y) - 255 * area_in_pixel(shape, x, y)));
+      }
+    REQUIRE(different == 0);
+    REQUIRE(most <= 1);
+    REQUIRE(worst <= allowed);
   }
 }
 
@@ -345,14 +374,19 @@ TEST_CASE("line_aa: degenerate and hostile input") {
 // Any raster, any window: what draw_line_aa writes is what the sink form says, and nothing else is touched.
 TEST_CASE("draw_line_aa: the sink form's coverages, mixed, and no byte outside the window") {
   random_lines random{test::random(37)};
-  const irg::rgba8 guard{9, 8, 7, 6};
   for (int i = 0; i < 2500; ++i) {
     auto [a, b] = random.line();
     const int mx = static_cast<int>(random.integer(0, 40)) * one, my = static_cast<int>(random.integer(0, 30)) * one;
     a.x += mx, b.x += mx, a.y += my, b.y += my;
     const line_aa_options o = random.options();
     const int width = static_cast<int>(random.integer(0, 40)), height = static_cast<int>(random.integer(0, 30));
-    std::vector<irg::rgba8> memory(48 * 32, guard), expected = memory;
+    std::vector<irg::rgba8> memory(48 * 32, irg::rgba8{});
+    for (irg::rgba8& p : memory) {
+      const auto bits = static_cast<std::uint32_t>(random.integer(0, 0xffffffff));
+      p = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16),
+           static_cast<std::uint8_t>(bits >> 24)};
+    }
+    std::vector<irg::rgba8> expected = memory;
     const irg::image_view<irg::rgba8> view(memory.data() + 48 + 3, width, height, 48 * 4),
         by_hand(expected.data() + 48 + 3, width, height, 48 * 4);
     const irg::rgba8 colour{static_cast<std::uint8_t>(random.integer(0, 255)), 200, 30, 255};

@@ -207,6 +207,7 @@ constexpr void aa_line(const subpixel& a, const subpixel& b, const line_aa_optio
 template <class R>
 void aa_mix_line(R& raster, const subpixel& a, const subpixel& b, const pixel_of<R>& value,
                  const line_aa_options& options, const cell_window& w) noexcept {
+  if (aa_slender_writer<R> slender(raster, value); aa_draw_slender(a, b, options, w, slender)) return;
   aa_mixing_writer<R> writer(raster, value, w);
   aa_line(a, b, options, w, writer);
 }
@@ -233,10 +234,10 @@ constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& 
   if (!detail::aa_can_draw(a, b, options.width)) return false;
   if (std::is_constant_evaluated()) {
     detail::aa_span_writer<float, std::remove_reference_t<Sink>> writer{emit};
-    detail::aa_line(a, b, options, window, writer);
+    if (!detail::aa_draw_slender(a, b, options, window, writer)) detail::aa_line(a, b, options, window, writer);
   } else {
     detail::aa_span_writer<detail::aa_lanes, std::remove_reference_t<Sink>> writer{emit};
-    detail::aa_line(a, b, options, window, writer);
+    if (!detail::aa_draw_slender(a, b, options, window, writer)) detail::aa_line(a, b, options, window, writer);
   }
   return true;
 }

@@ -65,6 +65,25 @@ IRG_INLINE typename mix_types<N>::halves in_both_halves(const pack<std::int32_t,
   return reinterpret_cast<typename mix_types<N>::halves>(coverage.v | (coverage.v << 16));
 }
 
+// (x + x / 256) / 256 for each x, which is how mix() divides by 255: the upper half of x * 257.
+template <int N>
+IRG_INLINE typename mix_types<N>::halves over_255(typename mix_types<N>::halves x) noexcept {
+  using halves = typename mix_types<N>::halves;
+#ifdef __SSE2__
+  using shorts = typename pack<std::int16_t, 2 * N>::storage;
+  const halves factor = 257 - halves{};
+  if constexpr (N == 4)
+    return reinterpret_cast<halves>(
+        __builtin_ia32_pmulhuw128(reinterpret_cast<shorts>(x), reinterpret_cast<shorts>(factor)));
+#ifdef __AVX2__
+  if constexpr (N == 8)
+    return reinterpret_cast<halves>(
+        __builtin_ia32_pmulhuw256(reinterpret_cast<shorts>(x), reinterpret_cast<shorts>(factor)));
+#endif
+#endif
+  return (x + (x >> 8)) >> 8;
+}
+
 // N pixels mixed.
 template <int N>
 IRG_INLINE typename mix_types<N>::words mix_words(typename mix_types<N>::words there, const mix_colour<N>& colour,
@@ -73,7 +92,7 @@ IRG_INLINE typename mix_types<N>::words mix_words(typename mix_types<N>::words t
   const halves both = reinterpret_cast<halves>(there), rest = 255 - coverage;
   const halves even = (both & 0xff) * rest + (colour.even * coverage + 128);
   const halves odd = (both >> 8) * rest + (colour.odd * coverage + 128);
-  return reinterpret_cast<typename mix_types<N>::words>(((even + (even >> 8)) >> 8) | ((odd + (odd >> 8)) & 0xff00));
+  return reinterpret_cast<typename mix_types<N>::words>(over_255<N>(even) | (over_255<N>(odd) << 8));
 }
 
 // Mixes N pixels from first on.

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// A line of a given width as a rectangle, seen in a frame in which it runs right and down, and the edges of its rows.
+//
+// All numbers are pixels relative to a whole pixel above and to the left of the line, so whole-pixel moves change no
+// bit; lines that are mirror images of each other have the same frame, so their pixels mirror exactly. Of the two ends,
+// the start is the one whose position within its pixel comes first, so that a to b and b to a have the same pixels.
+// When the two positions are the same, the rectangle is its own image under a half turn: then each half is drawn from
+// its own end, and the row in the middle is folded.
+#pragma once
+
+#include <irg/raster/detail/line_aa_kernel.hpp>
+#include <irg/raster/line_aa_options.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// How the frame lies on the raster: column k of the frame is column origin + sign * k, where origin names a pixel.
+struct aa_axis {
+  std::int32_t start, base;  // where the line starts, in 1/256 pixel; the pixel that is number 0; both in the frame
+  bool mirrored;
+  IRG_INLINE constexpr int sign() const noexcept { return mirrored ? -1 : 1; }
+  IRG_INLINE constexpr int at(int index) const noexcept { return mirrored ? -1 - (base + index) : base + index; }
+};
+
+// The frame's axis for a line from a to b: mirrored so that it rises.
+IRG_INLINE constexpr aa_axis aa_axis_of(std::int32_t a, std::int32_t b, std::int32_t margin) noexcept {
+  const bool mirrored = b < a;
+  const std::int32_t start = mirrored ? -a : a;
+  return {start, (start >> subpixel_bits) - margin, mirrored};
+}
+
+struct aa_frame {
+  aa_axis x, y;
+};
+
+IRG_INLINE constexpr aa_frame aa_frame_of(const subpixel& a, const subpixel& b, std::int32_t margin) noexcept {
+  return {aa_axis_of(a.x, b.x, margin), aa_axis_of(a.y, b.y, margin)};
+}
+
+// The position of the start within its pixel, as one number.
+IRG_INLINE constexpr std::int32_t aa_fraction(const aa_frame& f) noexcept {
+  constexpr std::int32_t fraction = one_pixel - 1;
+  return (f.x.start & fraction) << subpixel_bits | (f.y.start & fraction);
+}
+
+// The rectangle in its frame: corners top, left, right, bottom.
+struct aa_shape {
+  // The edges top-left, left-bottom, top-right, right-bottom: each from (x, y) down to y_end, x_per_row aside.
+  double x[4] = {}, y[4] = {}, y_end[4] = {}, x_per_row[4] = {};
+  double slant = 0, across = 0;  // of the long edges: x per row, and how far apart they are along a row
+  std::int64_t reach = 0;  // both of them together, in 2^-40 pixel: how long the runs between the caps are
+  double slope = 0, width = 0;  // along the longer axis, and what it is wide along the shorter one
+  bool thin = false;  // fit for aa_thin_row
+  int first = 0, last = 0;  // the rows it touches, half-open
+  int band_first = 0, band_last = 0;  // those that both long edges cross whole
+  bool near = false;  // all coordinates are below 256: floats hold them to 2^-17
+  int turned_x = 0, turned_y = 0;  // the half turn takes column k to turned_x - k and row r to turned_y - r
+};
+
+// needs  dx > 0 and dy > 0
+constexpr aa_shape aa_shape_of(const aa_frame& f, std::int32_t dx, std::int32_t dy, std::int32_t width,
+                               line_aa_caps caps) noexcept {
+  const std::int64_t square = std::int64_t{dx} * dx + std::int64_t{dy} * dy;
+  const double unit = 1.0 / one_pixel, inverse = 1.0 / irg::sqrt(static_cast<double>(square));
+  const double half = width * (0.5 * unit), ux = product(dx * inverse, half), uy = product(dy * inverse, half);
+  const double ex = caps == line_aa_caps::square ? ux : 0.0, ey = caps == line_aa_caps::square ? uy : 0.0;
+  const double x = (f.x.start - f.x.base * one_pixel) * unit, y = (f.y.start - f.y.base * one_pixel) * unit;
+  const double x0 = x - ex, y0 = y - ey, x1 = (x + dx * unit) + ex, y1 = (y + dy * unit) + ey;
+  const double top = y0 - ux, left = y0 + ux, right = y1 - ux, bottom = y1 + ux;
+  aa_shape s;
+  s.slant = static_cast<double>(dx) / dy;
+  const double back = -(static_cast<double>(dy) / dx);
+  s.x[0] = s.x[2] = x0 + uy, s.x[1] = x0 - uy, s.x[3] = x1 + uy;
+  s.y[0] = s.y[2] = top, s.y[1] = left, s.y[3] = right;
+  s.y_end[0] = left, s.y_end[1] = s.y_end[3] = bottom, s.y_end[2] = right;
+  s.x_per_row[0] = s.x_per_row[3] = back, s.x_per_row[1] = s.x_per_row[2] = s.slant;
+  s.across = 2.0 * (uy + product(ux, s.slant));
+  s.band_first = static_cast<int>(left) + 1, s.band_last = static_cast<int>(right);
+  if (s.band_last < s.band_first) s.band_first = s.band_last = s.last;
+  s.reach = s.band_first < s.band_last ? static_cast<std::int64_t>((s.slant + s.across) * 0x1p40) : 0;
+  const double slope = dx <= dy ? s.slant : -back;
+  s.slope = greater(slope, static_cast<double>(aa_least_slant));
+  s.width = dx <= dy ? s.across : 2.0 * (ux + product(uy, slope));
+  s.thin = s.width <= 1.0 + s.slope && s.width >= 1.0 - s.slope;
+  s.first = static_cast<int>(top), s.last = static_cast<int>(bottom) + 1;  // all coordinates are positive
+  s.near = x1 + uy < 256.0 && bottom < 256.0;
+  s.turned_x = ((2 * (f.x.start - f.x.base * one_pixel) + dx) >> subpixel_bits) - 1;
+  s.turned_y = ((2 * (f.y.start - f.y.base * one_pixel) + dy) >> subpixel_bits) - 1;
+  return s;
+}
+
+struct aa_columns {
+  int first, last;
+};
+
+// The left end of the run of a row between the caps, from row to row, in 2^-40 pixel: exact sums of a slope rounded
+// once, so 4 million rows are less than 2^-18 pixel off.
+struct aa_walk {
+  static constexpr int bits = 40;
+  std::int64_t x, step;
+  IRG_INLINE constexpr int column() const noexcept { return static_cast<int>(x >> bits); }
+  // One past the last column of a run that is `reach` long.
+  IRG_INLINE constexpr int end_column(std::int64_t reach) const noexcept {
+    return static_cast<int>((x + reach) >> bits) + 1;
+  }
+  IRG_INLINE constexpr std::int32_t fraction() const noexcept {
+    return static_cast<std::int32_t>(x >> (bits - 24)) & 0xffffff;
+  }
+};
+
+// needs   band_first <= r <= band_last
+IRG_INLINE constexpr aa_walk aa_walk_at(const aa_shape& s, int r) noexcept {
+  const double x = s.x[1] + product(s.band_first - s.y[1], s.slant);
+  const auto step = static_cast<std::int64_t>(s.slant * 0x1p40);
+  return {static_cast<std::int64_t>(x * 0x1p40) + step * (r - s.band_first), step};
+}
+
+// An edge's part in a row, in T: one number or several edges at once.
+template <class T>
+struct aa_edge_in_row {
+  T low, high, height;
+};
+
+template <class T>
+IRG_INLINE constexpr aa_edge_in_row<T> aa_cut(T x, T y, T y_end, T x_per_row, T top, T below, T zero) noexcept {
+  const T from = aa_max(y, top), to = aa_min(y_end, below);
+  const T a = x + product(from - y, x_per_row), b = x + product(to - y, x_per_row);
+  return {aa_min(a, b), aa_max(a, b), aa_max(to - from, zero)};
+}
+
+inline constexpr float aa_sides[4] = {aa_full, aa_full, -aa_full, -aa_full};
+
+// The row's factors for edges e and following.
+template <class F>
+IRG_INLINE constexpr void aa_set(aa_cap_row<F>& row, unsigned e, F slant, F height) noexcept {
+  const F one = lanes<F>::broadcast(1.0f), s = aa_max(slant, lanes<F>::broadcast(aa_least_slant)), inverse = one / s,
+          weight = product(height, lanes<F>::load(aa_sides + e));
+  row.lo[e] = aa_min(s, one), row.hi[e] = aa_max(s, one), row.both[e] = s + one;
+  row.linear[e] = product(weight, aa_min(inverse, one));
+  row.square[e] = product(product(weight, lanes<F>::broadcast(0.5f)), inverse);
+}
+
+// The columns from the least of two lows to the greatest of two highs, as numbers of the first and one past the last.
+template <class T>
+IRG_INLINE constexpr aa_columns aa_between(T l0, T l1, T h2, T h3) noexcept {
+  const T least = l0 < l1 ? l0 : l1, greatest = h2 < h3 ? h3 : h2;
+  if (!(least < greatest)) return {0, 0};
+  return {static_cast<int>(least), static_cast<int>(greatest) + 1};
+}
+
+inline constexpr float aa_nowhere = 0x1p30f;  // to the right of everything
+
+// The edges as floats, for shapes near the frame's origin. F is float, or four lanes.
+template <class F>
+struct aa_near_edges {
+  static constexpr unsigned parts = aa_cap_row<F>::parts;
+  F x[parts], y[parts], y_end[parts], x_per_row[parts];
+
+  IRG_INLINE constexpr explicit aa_near_edges(const aa_shape& s) noexcept : x(), y(), y_end(), x_per_row() {
+    for (unsigned e = 0; e < parts; ++e)
+      x[e] = narrowed(s.x + e), y[e] = narrowed(s.y + e), y_end[e] = narrowed(s.y_end + e),
+      x_per_row[e] = narrowed(s.x_per_row + e);
+  }
+  IRG_INLINE static constexpr F narrowed(const double* p) noexcept {
+    if constexpr (parts == 4)
+      return static_cast<float>(*p);
+    else
+      return {typename F::storage{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]),
+                                  static_cast<float>(p[3])}};
+  }
+
+  // Row r, its factors and its columns.
+  IRG_INLINE constexpr aa_columns enter(aa_cap_row<F>& row, int r) const noexcept {
+    const F top = lanes<F>::broadcast(static_cast<float>(r)), below = lanes<F>::broadcast(static_cast<float>(r + 1)),
+            zero = lanes<F>::broadcast(0.0f);
+    aa_edge_in_row<F> c[parts] = {};
+    float low[4] = {}, high[4] = {};
+    for (unsigned e = 0; e < parts; ++e) {
+      c[e] = aa_cut(x[e], y[e], y_end[e], x_per_row[e], top, below, zero);
+      aa_set(row, e, c[e].high - c[e].low, c[e].height);
+      lanes<F>::store(low + e, select(zero < c[e].height, c[e].low, lanes<F>::broadcast(aa_nowhere)));
+      lanes<F>::store(high + e, select(zero < c[e].height, c[e].high, zero));
+    }
+    const aa_columns columns = aa_between(low[0], low[1], high[2], high[3]);
+    const F left = lanes<F>::broadcast(static_cast<float>(columns.first + 1));
+    for (unsigned e = 0; e < parts; ++e) row.t[e] = left - c[e].low;
+    return columns;
+  }
+};
+
+// Row r of any shape.
+template <class F>
+constexpr aa_columns aa_enter_far(aa_cap_row<F>& row, const aa_shape& s, int r) noexcept {
+  double low[4] = {}, high[4] = {};
+  float slant[4] = {}, height[4] = {}, t[4] = {};
+  aa_edge_in_row<double> c[4] = {};
+  for (int e = 0; e < 4; ++e) {
+    c[e] = aa_cut<double>(s.x[e], s.y[e], s.y_end[e], s.x_per_row[e], r, r + 1, 0.0);
+    low[e] = c[e].height > 0.0 ? c[e].low : static_cast<double>(aa_nowhere),
+    high[e] = c[e].height > 0.0 ? c[e].high : 0.0;
+    slant[e] = static_cast<float>(c[e].high - c[e].low), height[e] = static_cast<float>(c[e].height);
+  }
+  const aa_columns columns = aa_between(low[0], low[1], high[2], high[3]);
+  for (int e = 0; e < 4; ++e) t[e] = static_cast<float>((columns.first + 1) - c[e].low);
+  for (unsigned e = 0; e < aa_cap_row<F>::parts; ++e) {
+    aa_set(row, e, lanes<F>::load(slant + e), lanes<F>::load(height + e));
+    row.t[e] = lanes<F>::load(t + e);
+  }
+  return columns;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

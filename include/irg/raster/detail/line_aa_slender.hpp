@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+// Antialiased lines about one pixel wide and not too long, seen along their longer axis: of each step along it, such a
+// line touches four pixels aside at most.
+//
+// Steps between the caps take the even function of aa_thin_row, its distances measured from the line's middle: a half
+// turn about it only changes signs. The two steps at either cap come from the cap's own corner, both caps at once, in
+// frames that a half turn exchanges. So no end is the first one, a to b has the pixels of b to a, and so have lines that
+// are their own half turn; x and y may be exchanged, too.
+//
+// At a cap, let C(j) be the area of the step's part below j. With L and R the sides of the rectangle below and above,
+//     C(j) = the mean over the step of max(j - L, 0) - max(j - R, 0)
+// and a pixel's area is C(j + 1) - C(j). L consists of the cap and a long edge, R is the other long edge.
+#pragma once
+
+#include <irg/raster/detail/line_aa_shape.hpp>
+#include <irg/raster/window.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// Towards zero.
+IRG_INLINE constexpr std::int32_t aa_truncate(float x) noexcept { return static_cast<std::int32_t>(x); }
+#ifdef IRG_LANES_VECTOR
+template <int N>
+IRG_INLINE pack<std::int32_t, N> aa_truncate(const pack<float, N>& x) noexcept {
+  return {__builtin_convertvector(x.v, typename pack<std::int32_t, N>::storage)};
+}
+#endif
+
+// Four bytes in one word, a the lowest.
+IRG_INLINE constexpr std::int32_t aa_word(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) noexcept {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a | b << 8 | c << 16) | static_cast<std::uint32_t>(d)
+                                                                                          << 24);
+}
+#ifdef IRG_LANES_VECTOR
+template <int N>
+IRG_INLINE pack<std::int32_t, N> aa_word(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b,
+                                         const pack<std::int32_t, N>& c, const pack<std::int32_t, N>& d) noexcept {
+  return {(a.v | b.v << 8) | (c.v << 16 | d.v << 24)};
+}
+#endif
+
+// Bit by bit, and the pixel that a coordinate lies in.
+IRG_INLINE constexpr std::int32_t aa_and(std::int32_t a, std::int32_t b) noexcept { return a & b; }
+IRG_INLINE constexpr std::int32_t aa_xor(std::int32_t a, std::int32_t b) noexcept { return a ^ b; }
+IRG_INLINE constexpr std::int32_t aa_pick(std::int32_t mask, std::int32_t a, std::int32_t b) noexcept {
+  return (mask & a) | (~mask & b);
+}
+IRG_INLINE constexpr std::int32_t aa_pixel(std::int32_t a) noexcept { return a >> subpixel_bits; }
+#ifdef IRG_LANES_VECTOR
+template <int N>
+IRG_INLINE pack<std::int32_t, N> aa_and(const pack<std::int32_t, N>& a, std::int32_t b) noexcept {
+  return {a.v & b};
+}
+template <int N>
+IRG_INLINE pack<std::int32_t, N> aa_xor(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
+  return {a.v ^ b.v};
+}
+template <int N>
+IRG_INLINE pack<std::int32_t, N> aa_pick(const pack<std::int32_t, N>& mask, const pack<std::int32_t, N>& a,
+                                         const pack<std::int32_t, N>& b) noexcept {
+  return {(mask.v & a.v) | (~mask.v & b.v)};
+}
+template <int N>
+IRG_INLINE pack<std::int32_t, N> aa_pixel(const pack<std::int32_t, N>& a) noexcept {
+  return {a.v >> subpixel_bits};
+}
+#endif
+
+// Four pixels aside: those from `aside` on at step `along`, with a coverage in each byte.
+struct aa_step {
+  int along, aside;
+  std::uint32_t coverage;
+};
+
+// Positions along a longer line would lose bits.
+inline constexpr int aa_slender_length = 512 * one_pixel;
+
+// F is float, or four lanes.
+template <class F>
+struct aa_slender {
+  static constexpr unsigned count = static_cast<unsigned>(lanes<F>::count), parts = 4 / count;
+  static constexpr int walk_bits = 20;
+
+  float slope, inverse, across, cap, before;  // cap: how many steps a cap takes; before: how far it lies before the end
+  // The steps at the ends: two at a, two at b. Their pixels are those from `aside` on at step `along`.
+  struct {
+    std::int32_t along[4] = {}, aside[4] = {}, coverage[4] = {};
+  } ends;
+  // The steps between.
+  int first = 0, steps = 0;  // steps < 0: the caps meet
+  bool fits = false;
+  int middle = 0;  // positions aside are relative to it
+  float aside[4] = {};  // of the pixels' centres, relative to the line's middle
+  float along = 0;  // of the first step, likewise
+  float change = 0;  // aside per step
+  std::int32_t walk = 0, walk_step = 0;  // to the four pixels, in 2^-20
+
+  // a and b: the ends along the longer axis and aside, with 0 < |b.y - a.y| <= |b.x - a.x| <= aa_slender_length.
+  IRG_INLINE constexpr aa_slender(const subpixel& a, const subpixel& b, std::int32_t width,
+                                  line_aa_caps caps) noexcept {
+    const std::int32_t du = b.x - a.x, dv = b.y - a.y, turn_u = du >> 31, turn_v = dv >> 31;
+    const float u = static_cast<float>((du ^ turn_u) - turn_u), v = static_cast<float>((dv ^ turn_v) - turn_v);
+    const std::int64_t square = std::int64_t{du} * du + std::int64_t{dv} * dv;
+    const float full = static_cast<float>(width) * (1.0f / one_pixel),
+                unit = full / irg::sqrt(static_cast<float>(square)), cu = u * unit, cv = v * unit;
+    slope = v / u, inverse = u / v;
+    across = cu + product(cv, slope), cap = cv;
+    before = 0.5f * (caps == line_aa_caps::square ? cv - cu : cv);
+    compute_ends(a, b, turn_u, turn_v);
+    fits = across <= 1.0f + slope && across >= 1.0f - slope && across + slope <= 3.0f && cap <= 1.0f && steps >= 0;
+    const std::int32_t twice_u = a.x + b.x, twice_v = a.y + b.y;
+    middle = twice_v >> (subpixel_bits + 1);
+    constexpr float per_unit = 1.0f / (2 * one_pixel);
+    const int from = half_pixel * 2 - (twice_v & (2 * one_pixel - 1));
+    for (int k = 0; k < 4; ++k)
+      aside[static_cast<unsigned>(k)] = static_cast<float>(from + 2 * one_pixel * k) * per_unit;
+    along = static_cast<float>(2 * one_pixel * first + 2 * half_pixel - twice_u) * per_unit;
+    change = turn_u == turn_v ? slope : -slope;
+    constexpr float one_walk = 1 << walk_bits;
+    const float start =
+        product(change, along) - 0.5f * (across + slope) + static_cast<float>(twice_v & (2 * one_pixel - 1)) * per_unit;
+    walk = static_cast<std::int32_t>((start + 512.0f) * one_walk) - (512 << walk_bits);
+    walk_step = static_cast<std::int32_t>(change * one_walk);
+  }
+
+  using integers = std::conditional_t<count == 1, std::int32_t, pack<std::int32_t, 4>>;
+
+  // From a the first two steps are seen, from b the others.
+  IRG_INLINE static constexpr integers seen_from(std::int32_t at_a, std::int32_t at_b, unsigned e) noexcept {
+    if constexpr (count == 1)
+      return e < 2 ? at_a : at_b;
+    else
+      return {typename integers::storage{at_a, at_a, at_b, at_b}};
+  }
+
+  IRG_INLINE constexpr void compute_ends(const subpixel& a, const subpixel& b, std::int32_t turn_u,
+                                         std::int32_t turn_v) noexcept {
+    // Where the line starts from either end, in frames in which it runs right and down.
+    const std::int32_t ua = (a.x ^ turn_u) - turn_u, ub = turn_u - (b.x ^ turn_u), va = (a.y ^ turn_v) - turn_v,
+                       vb = turn_v - (b.y ^ turn_v);
+    for (unsigned e = 0; e < parts; ++e)
+      compute_end(seen_from(ua, ub, e), seen_from(va, vb, e), seen_from(turn_u, ~turn_u, e),
+                  seen_from(turn_v, ~turn_v, e), e);
+    // Both ends' second steps lie beside the steps between.
+    const std::int32_t after_a = (ends.along[1] ^ turn_u) + 1, after_b = (ends.along[3] ^ ~turn_u) + 1;
+    steps = -after_a - after_b, first = turn_u != 0 ? after_b : after_a;
+  }
+
+  // One step at an end, or all four at once, from where the line starts there; turn says on which axes the frame is
+  // turned: all bits or none.
+  IRG_INLINE constexpr void compute_end(const integers& start_u, const integers& start_v, const integers& turn_u,
+                                        const integers& turn_v, unsigned e) noexcept {
+    const auto all = [](float x) { return lanes<F>::broadcast(x); };
+    const auto fraction = [](const integers& i) { return to_float(aa_and(i, one_pixel - 1)); };
+    constexpr float earlier[4] = {-1.0f, 0.0f, -1.0f, 0.0f};
+    const F zero = all(0.0f), one = all(1.0f), m = all(slope), per = all(inverse), unit = all(1.0f / one_pixel);
+    // 4 and 8 are added so that what is truncated is positive.
+    const F u = product(fraction(start_u), unit) + all(4.0f), v = product(fraction(start_v), unit) + all(8.0f);
+    // The cap ends and the lower long edge begins at `low`, the cap and the upper long edge begin at `high`.
+    const F end = u + all(before), top = to_float(aa_truncate(end)) + lanes<F>::load(earlier + e), low = end - top,
+            high = low - all(cap);
+    const F low_from = aa_min(low, one), high_from = aa_max(aa_min(high, one), zero);
+    const F low_part = one - low_from, high_part = one - high_from, cap_part = low_from - high_from;
+    const F edge = (v - all(0.5f * across)) + product(m, top - u);  // the lower edge, seen from the step's top
+    const F column = to_float(aa_truncate(edge)), x = edge - column;
+    const F low_x = x + product(m, low_from), high_x = (x + all(across)) + product(m, high_from),
+            cap_x = (x + product(m, low)) + product(low - low_from, per);
+    const F low_rise = product(m, low_part), high_rise = product(m, high_part), cap_rise = product(cap_part, per);
+    const F half_inverse = all(aa_full * 0.5f * inverse), half_slope = all(aa_full * 0.5f * slope);
+    const F low_full = product(low_part, all(aa_full)), high_full = product(high_part, all(aa_full)),
+            cap_full = product(cap_part, all(aa_full));
+    const auto below = [&](float boundary) {
+      const F j = all(boundary), dl = j - low_x, dh = j - high_x, dc = j - cap_x;
+      const F l = aa_min(aa_max(dl, zero), low_rise), h = aa_min(aa_max(dh, zero), high_rise), c0 = aa_max(dc, zero),
+              c1 = aa_max(dc - cap_rise, zero);
+      const F squares =
+          product(product(l, l) - product(h, h), half_inverse) + product(product(c0, c0) - product(c1, c1), half_slope);
+      return squares +
+             (product(low_full, aa_max(dl - low_rise, zero)) - product(high_full, aa_max(dh - high_rise, zero)));
+    };
+    const F half = all(0.5f), four = all(4.0f);
+    const F c1 = below(1.0f), c2 = below(2.0f), c3 = below(3.0f);
+    const F whole = (product(low_full, (four - low_x) - product(low_rise, half)) +
+                     product(cap_full, (four - cap_x) - product(cap_rise, half))) -
+                    product(high_full, (four - high_x) - product(high_rise, half));
+    const integers p0 = aa_truncate(c1 + half), p1 = aa_truncate((c2 - c1) + half), p2 = aa_truncate((c3 - c2) + half),
+                   p3 = aa_truncate((whole - c3) + half);
+    const integers i = aa_pixel(start_u) + aa_truncate(top - all(4.0f)),
+                   j = aa_pixel(start_v) + aa_truncate(column - all(8.0f));
+    lanes<integers>::store(ends.along + e, aa_xor(i, turn_u));
+    lanes<integers>::store(ends.aside + e, aa_xor(j, turn_v) - aa_and(turn_v, 3));
+    lanes<integers>::store(ends.coverage + e, aa_pick(turn_v, aa_word(p3, p2, p1, p0), aa_word(p0, p1, p2, p3)));
+  }
+};
+
+// The steps of a slender line between its caps. F may hold the pixels of two steps.
+template <class F>
+struct aa_slender_steps {
+  F b0, b1, b2, b3, m, inverse, change;
+
+  template <class S>
+  IRG_INLINE constexpr explicit aa_slender_steps(const S& s) noexcept {
+    const auto all = [](float x) { return lanes<F>::broadcast(x); };
+    const float outer = 0.5f * ((1.0f + s.slope) + s.across);
+    b0 = all(outer), b1 = all(outer - s.slope), b2 = all(outer - 1.0f), b3 = all(outer - s.across), m = all(s.slope);
+    inverse = all(aa_full * 0.5f * s.inverse), change = all(s.change);
+  }
+  // 1/2 + 255 * the area of pixels whose centres are aside + column from the line's middle, in steps `along` from it.
+  IRG_INLINE constexpr F operator()(const F& aside, const F& column, const F& along) const noexcept {
+    const F zero = lanes<F>::broadcast(0.0f), u = aa_size((aside + column) - product(change, along)),
+            v = aa_max(aa_min(b0 - u, m), zero), z2 = aa_max(b2 - u, zero), z3 = aa_max(b3 - u, zero);
+    return (product((product(v, v) - product(z2, z2)) - product(z3, z3), inverse) +
+            product(aa_max(b1 - u, zero), lanes<F>::broadcast(aa_full))) +
+           lanes<F>::broadcast(aa_half);
+  }
+};
+
+// Step k of the four at the ends.
+template <class F>
+constexpr aa_step aa_end_step(const aa_slender<F>& s, unsigned k) noexcept {
+  return {s.ends.along[k], s.ends.aside[k], static_cast<std::uint32_t>(s.ends.coverage[k])};
+}
+// Step i of those between.
+template <class F>
+constexpr aa_step aa_step_between(const aa_slender<F>& s, const aa_slender_steps<F>& steps, int i) noexcept {
+  constexpr unsigned count = aa_slender<F>::count;
+  const auto all = [](float x) { return lanes<F>::broadcast(x); };
+  const int column = (s.walk + s.walk_step * i) >> aa_slender<F>::walk_bits;
+  aa_step step{s.first + i, s.middle + column, 0};
+  for (unsigned e = 0; e < 4; e += count) {
+    const auto c = aa_truncate(
+        steps(lanes<F>::load(s.aside + e), all(static_cast<float>(column)), all(s.along + static_cast<float>(i))));
+    for (unsigned k = 0; k < count; ++k)
+      step.coverage |= static_cast<std::uint32_t>(lane(c, static_cast<int>(k))) << (8 * (e + k));
+  }
+  return step;
+}
+
+// Flat lines go this way up to here: then whole rows are faster than columns. The same on all targets: the two ways may
+// round a coverage differently.
+inline constexpr int aa_slender_flat = 32 * one_pixel;
+
+// The steps of a slender line row by row, as far as the window holds them.
+template <class Writer>
+constexpr void aa_draw_steps(const aa_slender<typename Writer::four>& s, bool steep, const cell_window& w,
+                             Writer& writer) {
+  if (w.empty()) return;
+  const aa_slender_steps<typename Writer::four> between(s);
+  const auto row = [&](int y, int first, int last, const std::uint8_t* coverage) {
+    const int from = greater(first, w.x_first), to = lesser(last, w.x_last);
+    if (y >= w.y_first && y < w.y_last && from < to) writer.bytes(y, from, to, coverage + (from - first));
+  };
+  const auto pixel = [](const aa_step& e, int k) { return static_cast<std::uint8_t>(e.coverage >> (8 * k) & 255u); };
+  if (steep) {
+    const auto step = [&](const aa_step& e) {
+      const std::uint8_t coverage[8] = {pixel(e, 0), pixel(e, 1), pixel(e, 2), pixel(e, 3)};
+      row(e.along, e.aside, e.aside + 4, coverage);
+    };
+    for (unsigned k = 0; k < 4; ++k) step(aa_end_step(s, k));
+    const int first = greater(w.y_first, s.first), last = lesser(w.y_last, s.first + s.steps);
+    for (int y = first; y < last; ++y) step(aa_step_between(s, between, y - s.first));
+    return;
+  }
+  constexpr int most = aa_slender_flat / one_pixel + 8;
+  aa_step steps[static_cast<unsigned>(most)] = {};
+  const int n = s.steps + 4, x = s.first - 2;
+  int y_first = s.ends.aside[0], y_last = y_first;
+  for (unsigned k = 0; k < 4; ++k) {
+    const aa_step e = aa_end_step(s, k);
+    steps[e.along - x] = e, y_first = lesser(y_first, e.aside), y_last = greater(y_last, e.aside + 4);
+  }
+  for (int i = 0; i < s.steps; ++i) steps[i + 2] = aa_step_between(s, between, i);
+  for (int y = greater(y_first, w.y_first); y < lesser(y_last, w.y_last); ++y) {
+    std::uint8_t coverage[static_cast<unsigned>(most)] = {};
+    int first = n, last = 0;
+    for (int i = 0; i < n; ++i) {
+      const int k = y - steps[i].aside;
+      if (k < 0 || k > 3) continue;
+      coverage[i] = pixel(steps[i], k), first = lesser(first, i), last = i + 1;
+    }
+    row(y, x + first, x + last, coverage + first);
+  }
+}
+
+// Draws the line if it is slender; false when it may not be.
+template <class Writer>
+IRG_INLINE constexpr bool aa_draw_slender(const subpixel& a, const subpixel& b, const line_aa_options& options,
+                                          const cell_window& w, Writer& writer) {
+  const std::int32_t left = lesser(a.x, b.x), right = greater(a.x, b.x), top = lesser(a.y, b.y),
+                     bottom = greater(a.y, b.y);
+  const std::int32_t dx = right - left, dy = bottom - top;
+  const bool steep = dx <= dy;
+  if (dx == 0 || dy == 0 || dy > aa_slender_length || (!steep && dx > aa_slender_flat) ||
+      options.width >= 2 * one_pixel)
+    return false;
+  constexpr int beyond = 5;  // pixels that are written aside of the ends
+  const int x_first = (left >> subpixel_bits) - beyond, x_last = (right >> subpixel_bits) + beyond,
+            y_first = (top >> subpixel_bits) - beyond, y_last = (bottom >> subpixel_bits) + beyond;
+  const bool inside = x_first >= w.x_first && x_last < w.x_last && y_first >= w.y_first && y_last < w.y_last;
+  if (!inside && (x_first >= w.x_last || x_last < w.x_first || y_first >= w.y_last || y_last < w.y_first)) return true;
+  const subpixel from = steep ? subpixel{a.y, a.x} : a, to = steep ? subpixel{b.y, b.x} : b;
+  const aa_slender<typename Writer::four> s(from, to, options.width, options.caps);
+  if (!s.fits) return false;
+  if constexpr (Writer::writes_slender) {
+    if (inside) {
+      if (steep)
+        writer.steep_inside(s);
+      else
+        writer.flat_inside(s);
+      return true;
+    }
+  }
+  aa_draw_steps(s, steep, w, writer);
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Where the rows of an antialiased line go: to a sink as runs of coverages, or mixed straight into a raster's row.
+// A writer runs over the raster's row y, columns [first, last); column x is pixel sign * (x - origin) of
+// `row`, which gives 1/2 + 255 * the covered area of a pixel or of several at once.
+#pragma once
+
+#include <irg/core/sinks.hpp>
+#include <irg/raster/detail/line_aa_slender.hpp>
+#include <irg/raster/detail/mix_kernel.hpp>
+#include <irg/raster/paint.hpp>
+#include <irg/raster/window.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// The pixels that one call of a row computes.
+#ifdef IRG_LANES_VECTOR
+using aa_lanes = pack<float, native_lanes<float>>;
+using aa_four = pack<float, 4>;
+#else
+using aa_lanes = float;
+using aa_four = float;
+#endif
+
+// The number of pixel x + i in lane i. Exact: no line has 2^24 pixels in a row.
+template <class F>
+IRG_INLINE constexpr F aa_indices(int x, int origin, int sign) noexcept {
+  const F i = lanes<F>::ramp(), k = lanes<F>::broadcast(static_cast<float>(sign * (x - origin)));
+  return sign > 0 ? k + i : k - i;
+}
+
+// Emits coverage spans of a few hundred pixels at most. F is float in constant evaluation.
+template <class F, class Sink>
+struct aa_span_writer {
+  using number = F;
+  using four = std::conditional_t<std::is_same_v<F, float>, float, aa_four>;
+  static constexpr bool writes_whole_chunks = false, writes_slender = false;
+  static constexpr int capacity = 256;
+  Sink& sink;
+  std::uint8_t coverage[capacity + lanes<F>::count] = {};
+
+  template <class G, class Row>
+  constexpr void run(int y, int first, int last, int origin, int sign, const Row& row) {
+    constexpr int count = lanes<G>::count;
+    for (int x = first; x < last; x += capacity) {
+      const int n = lesser(capacity, last - x);
+      for (int i = 0; i < n; i += count) {
+        const auto c = aa_truncate(row(aa_indices<G>(x + i, origin, sign)));
+        for (int lane_of_it = 0; lane_of_it < count; ++lane_of_it)
+          coverage[i + lane_of_it] = static_cast<std::uint8_t>(lane(c, lane_of_it));
+      }
+      sink(coverage_span{y, x, x + n, coverage});
+    }
+  }
+  constexpr void bytes(int y, int first, int last, const std::uint8_t* c) { sink(coverage_span{y, first, last, c}); }
+};
+
+#ifdef IRG_LANES_VECTOR
+
+// Mixes a colour into the pixels of a row, a register at a time. Pixels of the window next to the run's last are
+// written, too, with what they hold: their coverage is 0. No pixel outside the window is touched.
+template <class R>
+struct aa_mixing_writer {
+  using number = aa_lanes;
+  using four = aa_four;
+  static constexpr bool writes_whole_chunks = true;
+  using pixel = pixel_of<R>;
+  R& raster;
+  const pixel& value;
+  int x_last;  // of the window
+  mix_colour<lanes<number>::count> wide;
+  mix_colour<4> narrow;
+
+  IRG_INLINE aa_mixing_writer(R& r, const pixel& v, const cell_window& w) noexcept
+      : raster(r), value(v), x_last(w.x_last), wide(prepare_mix<lanes<number>::count>(v)), narrow(prepare_mix<4>(v)) {}
+
+  template <class F>
+  IRG_INLINE void mix_chunk(pixel* there, const F& coverage) const noexcept {
+    constexpr int count = lanes<F>::count;
+    const auto c = in_both_halves<count>(aa_truncate(coverage));
+    if constexpr (count == 4)
+      mix_all<count>(there, narrow, c);
+    else
+      mix_all<count>(there, wide, c);
+  }
+
+  template <class F, class Row>
+  IRG_INLINE void run(int y, int first, int last, int origin, int sign, const Row& row) const noexcept {
+    constexpr int count = lanes<F>::count;
+    pixel* const line = raster_traits<R>::row(raster, y);
+    int x = first;
+    for (; x < last && x_last - x >= count; x += count) mix_chunk<F>(line + x, row(aa_indices<F>(x, origin, sign)));
+    if (x >= last) return;
+    float rest[static_cast<unsigned>(count)];
+    lanes<F>::store(rest, row(aa_indices<F>(x, origin, sign)));
+    for (int i = 0; x < last; ++x, ++i) line[x] = mix(line[x], value, static_cast<std::uint8_t>(aa_truncate(rest[i])));
+  }
+
+  // A run of `length` pixels from column `origin` on in direction `sign`.
+  // needs   the window holds it and as many pixels behind it as fill the last chunk
+  template <class F, class Row>
+  IRG_INLINE void run_inside(int y, int length, int origin, int sign, const Row& row) const noexcept {
+    constexpr int count = lanes<F>::count;
+    pixel* there = raster_traits<R>::row(raster, y) + (sign > 0 ? origin : origin - (count - 1));
+    F k = aa_indices<F>(sign > 0 ? 0 : 1 - count, 0, sign);
+    for (int done = 0; done < length; done += count, there += sign * count) {
+      mix_chunk<F>(there, row(k));
+      k = k + lanes<F>::broadcast(static_cast<float>(count));
+    }
+  }
+
+  // `rows` rows from y on between the caps of a thin line.
+  // needs   as run_inside; runs of count pixels or less when Single
+  template <bool Single, class F>
+  IRG_INLINE void thin_rows_inside(int y, int sign_y, int rows, int base, int sign, aa_walk walk, std::int64_t reach,
+                                   aa_thin_row<F> row) const noexcept {
+    constexpr int count = lanes<F>::count;
+    const int aside = sign > 0 ? 0 : 1 - count;
+    const F fixed = row.before_shift(aa_indices<F>(aside, 0, sign));
+    for (; rows > 0; --rows, y += sign_y, walk.x += walk.step) {
+      row.enter(walk.fraction());
+      const int column = walk.column();
+      const int origin = base + (sign > 0 ? column : -column);
+      if constexpr (Single)
+        mix_chunk<F>(raster_traits<R>::row(raster, y) + origin + aside, row.shifted(fixed));
+      else
+        run_inside<F>(y, walk.end_column(reach) - column, origin, sign, row);
+    }
+  }
+};
+
+// Registers that hold eight pixels take two steps of a slender line at once.
+#if defined(__AVX2__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define IRG_AA_TWO_STEPS 1
+#endif
+#endif
+
+// Mixes a colour into the pixels of a slender line.
+template <class R>
+struct aa_slender_writer {
+  using four = aa_four;
+  static constexpr bool writes_slender = EvenRowRaster<R>;
+  using pixel = pixel_of<R>;
+  R& raster;
+  const pixel& value;
+  struct colours {
+    mix_colour<4> part;
+#ifdef IRG_AA_TWO_STEPS
+    mix_colour<8> whole;
+#endif
+  };
+  colours colour;
+
+  IRG_INLINE aa_slender_writer(R& r, const pixel& v) noexcept : raster(r), value(v), colour{prepared(v)} {}
+
+  IRG_INLINE static colours prepared(const pixel& v) noexcept {
+#ifdef IRG_AA_TWO_STEPS
+    return {prepare_mix<4>(v), prepare_mix<8>(v)};
+#else
+    return {prepare_mix<4>(v)};
+#endif
+  }
+
+  IRG_INLINE void bytes(int y, int first, int last, const std::uint8_t* coverage) const noexcept {
+    mix_run(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), coverage, value);
+  }
+  // Step i is row i, its pixels lie side by side.
+  // needs   the window holds all its fours
+  IRG_INLINE void steep_inside(const aa_slender<four>& s) const noexcept {
+    const std::ptrdiff_t pitch = bytes_per_row_of(raster);
+    draw(
+        s, pitch, sizeof(pixel),
+        [&](int k) { return bytes_of(raster_traits<R>::row(raster, s.ends.along[k]) + s.ends.aside[k]); },
+        bytes_of(raster_traits<R>::row(raster, s.first) + s.middle), beside{});
+  }
+  // Step i is column i, its pixels lie above each other.
+  IRG_INLINE void flat_inside(const aa_slender<four>& s) const noexcept {
+    const std::ptrdiff_t pitch = bytes_per_row_of(raster);
+    draw(
+        s, sizeof(pixel), pitch,
+        [&](int k) { return bytes_of(raster_traits<R>::row(raster, s.ends.aside[k]) + s.ends.along[k]); },
+        bytes_of(raster_traits<R>::row(raster, s.middle) + s.first), above{pitch});
+  }
+
+private:
+  using halves = typename mix_types<4>::halves;
+  using words = typename mix_types<4>::words;
+
+  IRG_INLINE static unsigned char* bytes_of(pixel* p) noexcept { return reinterpret_cast<unsigned char*>(p); }
+
+  // How four pixels are read and written that lie side by side, or above each other.
+  struct beside {
+    IRG_INLINE words read(const unsigned char* p) const noexcept {
+      words w;
+      std::memcpy(&w, p, sizeof w);
+      return w;
+    }
+    IRG_INLINE void write(unsigned char* p, const words& w) const noexcept { std::memcpy(p, &w, sizeof w); }
+  };
+  struct above {
+    std::ptrdiff_t pitch;
+    IRG_INLINE words read(const unsigned char* p) const noexcept {
+      const auto one = [&](int i) {
+        std::uint32_t word;
+        std::memcpy(&word, p + i * pitch, 4);
+        return word;
+      };
+      return words{one(0), one(1), one(2), one(3)};
+    }
+    IRG_INLINE void write(unsigned char* p, const words& w) const noexcept {
+      for (int i = 0; i < 4; ++i) {
+        const std::uint32_t word = w[i];
+        std::memcpy(p + i * pitch, &word, 4);
+      }
+    }
+  };
+
+  template <class End, class Fours>
+  IRG_INLINE void draw(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
+                       const End& end, unsigned char* there, const Fours& fours) const noexcept {
+    const auto mix_four = [&](unsigned char* p, const halves& coverage) {
+      fours.write(p, mix_words<4>(fours.read(p), colour.part, coverage));
+    };
+    constexpr int bits = aa_slender<four>::walk_bits;
+    std::int32_t walk = s.walk;
+    float along = s.along;
+    int n = s.steps;
+#ifdef IRG_AA_TWO_STEPS
+    using eight = pack<float, 8>;
+    const auto mix_two = [&](unsigned char* p, unsigned char* q, const typename mix_types<8>::halves& coverage) {
+      const words a = fours.read(p), b = fours.read(q);
+      const auto mixed = mix_words<8>(__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7), colour.whole, coverage);
+      fours.write(p, __builtin_shufflevector(mixed, mixed, 0, 1, 2, 3));
+      fours.write(q, __builtin_shufflevector(mixed, mixed, 4, 5, 6, 7));
+    };
+    for (int k = 0; k < 4; k += 2)
+      mix_two(end(k), end(k + 1), load_coverages<8>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
+    const aa_slender_steps<eight> two(s);
+    const auto a = lanes<four>::load(s.aside).v;
+    const eight aside{__builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3)};
+    for (; n >= 2; n -= 2, along += 2.0f, walk += 2 * s.walk_step, there += 2 * along_bytes) {
+      const int c0 = walk >> bits, c1 = (walk + s.walk_step) >> bits;
+      const float x0 = static_cast<float>(c0), x1 = static_cast<float>(c1), y1 = along + 1.0f;
+      const eight column{typename eight::storage{x0, x0, x0, x0, x1, x1, x1, x1}},
+          at{typename eight::storage{along, along, along, along, y1, y1, y1, y1}};
+      mix_two(there + c0 * aside_bytes, there + along_bytes + c1 * aside_bytes,
+              in_both_halves<8>(aa_truncate(two(aside, column, at))));
+    }
+#else
+    for (int k = 0; k < 4; ++k)
+      mix_four(end(k), load_coverages<4>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
+#endif
+    const aa_slender_steps<four> one(s);
+    const four aside_of_one = lanes<four>::load(s.aside);
+    for (; n > 0; --n, along += 1.0f, walk += s.walk_step, there += along_bytes) {
+      const int column = walk >> bits;
+      mix_four(there + column * aside_bytes,
+               in_both_halves<4>(aa_truncate(one(aside_of_one, lanes<four>::broadcast(static_cast<float>(column)),
+                                                 lanes<four>::broadcast(along)))));
+    }
+  }
+};
+
+#undef IRG_AA_TWO_STEPS
+#endif
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
