@@ -4,13 +4,16 @@
 //
 // Steps between the caps take the even function of aa_thin_row, its distances measured from the line's middle: a half
 // turn about it only changes signs. The two steps at either cap come from the cap's own corner, both caps at once, in
-// frames that a half turn exchanges. So no end is the first one, a to b has the pixels of b to a, and so have lines that
-// are their own half turn; x and y may be exchanged, too.
+// frames that a half turn exchanges. So neither end comes first, and a to b has the pixels of b to a; x and y may be
+// exchanged, too.
 //
 // At a cap, let C(j) be the area of the step's part below j. With L and R the sides of the rectangle below and above,
 //     C(j) = the mean over the step of max(j - L, 0) - max(j - R, 0)
 // and a pixel's area is C(j + 1) - C(j). L consists of the cap and a long edge, R is the other long edge.
 #pragma once
+
+#include <array>
+#include <bit>
 
 #include <irg/raster/detail/line_aa_shape.hpp>
 #include <irg/raster/window.hpp>
@@ -37,6 +40,22 @@ template <int N>
 IRG_INLINE pack<std::int32_t, N> aa_word(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b,
                                          const pack<std::int32_t, N>& c, const pack<std::int32_t, N>& d) noexcept {
   return {(a.v | b.v << 8) | (c.v << 16 | d.v << 24)};
+}
+#endif
+
+// Coverages 0 to 255 of pixels e and on as the bytes that they are in a word of four.
+IRG_INLINE constexpr std::uint32_t aa_bytes(std::int32_t c, unsigned e) noexcept {
+  return static_cast<std::uint32_t>(c) << (8 * e);
+}
+#ifdef IRG_LANES_VECTOR
+IRG_INLINE std::uint32_t aa_bytes(const pack<std::int32_t, 4>& c, unsigned) noexcept {
+#ifdef __SSE2__
+  const auto halves = __builtin_ia32_packssdw128(c.v, c.v);
+  const auto bytes = __builtin_ia32_packuswb128(halves, halves);
+  return static_cast<std::uint32_t>(reinterpret_cast<pack<std::int32_t, 4>::storage>(bytes)[0]);
+#else
+  return aa_bytes(c[0], 0) | aa_bytes(c[1], 1) | aa_bytes(c[2], 2) | aa_bytes(c[3], 3);
+#endif
 }
 #endif
 
@@ -229,10 +248,9 @@ constexpr aa_step aa_step_between(const aa_slender<F>& s, const aa_slender_steps
   const int column = (s.walk + s.walk_step * i) >> aa_slender<F>::walk_bits;
   aa_step step{s.first + i, s.middle + column, 0};
   for (unsigned e = 0; e < 4; e += count) {
-    const auto c = aa_truncate(
-        steps(lanes<F>::load(s.aside + e), all(static_cast<float>(column)), all(s.along + static_cast<float>(i))));
-    for (unsigned k = 0; k < count; ++k)
-      step.coverage |= static_cast<std::uint32_t>(lane(c, static_cast<int>(k))) << (8 * (e + k));
+    step.coverage |= aa_bytes(aa_truncate(steps(lanes<F>::load(s.aside + e), all(static_cast<float>(column)),
+                                                all(s.along + static_cast<float>(i)))),
+                              e);
   }
   return step;
 }
@@ -241,45 +259,62 @@ constexpr aa_step aa_step_between(const aa_slender<F>& s, const aa_slender_steps
 // round a coverage differently.
 inline constexpr int aa_slender_flat = 32 * one_pixel;
 
-// The steps of a slender line row by row, as far as the window holds them.
+// The bytes of a word, the lowest first, with as many zeros after them: all written at once.
+IRG_INLINE constexpr std::array<std::uint8_t, 8> aa_in_memory(std::uint32_t word) noexcept {
+  const std::uint64_t w = word;
+  if constexpr (std::endian::native == std::endian::little) return std::bit_cast<std::array<std::uint8_t, 8>>(w);
+  return std::bit_cast<std::array<std::uint8_t, 8>>(
+      static_cast<std::uint64_t>(aa_word(static_cast<int>(w >> 24), static_cast<int>(w >> 16 & 255),
+                                         static_cast<int>(w >> 8 & 255), static_cast<int>(w & 255)))
+      << 32);
+}
+
+// A row's pixels as far as the window holds them.
 template <class Writer>
-constexpr void aa_draw_steps(const aa_slender<typename Writer::four>& s, bool steep, const cell_window& w,
-                             Writer& writer) {
-  if (w.empty()) return;
+IRG_INLINE constexpr void aa_write_bytes(const cell_window& w, Writer& writer, int y, int first, int last,
+                                         const std::uint8_t* coverage) {
+  const int from = greater(first, w.x_first), to = lesser(last, w.x_last);
+  if (y >= w.y_first && y < w.y_last && from < to) writer.bytes(y, from, to, coverage + (from - first));
+}
+
+// The steps of a steep slender line: each a row.
+template <class Writer>
+constexpr void aa_write_steep(const aa_slender<typename Writer::four>& s, const cell_window& w, Writer& writer) {
   const aa_slender_steps<typename Writer::four> between(s);
-  const auto row = [&](int y, int first, int last, const std::uint8_t* coverage) {
-    const int from = greater(first, w.x_first), to = lesser(last, w.x_last);
-    if (y >= w.y_first && y < w.y_last && from < to) writer.bytes(y, from, to, coverage + (from - first));
+  const auto write = [&](const aa_step& e) {
+    aa_write_bytes(w, writer, e.along, e.aside, e.aside + 4, aa_in_memory(e.coverage).data());
   };
-  const auto pixel = [](const aa_step& e, int k) { return static_cast<std::uint8_t>(e.coverage >> (8 * k) & 255u); };
-  if (steep) {
-    const auto step = [&](const aa_step& e) {
-      const std::uint8_t coverage[8] = {pixel(e, 0), pixel(e, 1), pixel(e, 2), pixel(e, 3)};
-      row(e.along, e.aside, e.aside + 4, coverage);
-    };
-    for (unsigned k = 0; k < 4; ++k) step(aa_end_step(s, k));
-    const int first = greater(w.y_first, s.first), last = lesser(w.y_last, s.first + s.steps);
-    for (int y = first; y < last; ++y) step(aa_step_between(s, between, y - s.first));
-    return;
-  }
-  constexpr int most = aa_slender_flat / one_pixel + 8;
-  aa_step steps[static_cast<unsigned>(most)] = {};
-  const int n = s.steps + 4, x = s.first - 2;
-  int y_first = s.ends.aside[0], y_last = y_first;
-  for (unsigned k = 0; k < 4; ++k) {
-    const aa_step e = aa_end_step(s, k);
-    steps[e.along - x] = e, y_first = lesser(y_first, e.aside), y_last = greater(y_last, e.aside + 4);
-  }
-  for (int i = 0; i < s.steps; ++i) steps[i + 2] = aa_step_between(s, between, i);
-  for (int y = greater(y_first, w.y_first); y < lesser(y_last, w.y_last); ++y) {
-    std::uint8_t coverage[static_cast<unsigned>(most)] = {};
-    int first = n, last = 0;
-    for (int i = 0; i < n; ++i) {
-      const int k = y - steps[i].aside;
-      if (k < 0 || k > 3) continue;
-      coverage[i] = pixel(steps[i], k), first = lesser(first, i), last = i + 1;
+  for (unsigned k = 0; k < 4; ++k) write(aa_end_step(s, k));
+  const int first = greater(w.y_first, s.first), last = lesser(w.y_last, s.first + s.steps);
+  for (int y = first; y < last; ++y) write(aa_step_between(s, between, y - s.first));
+}
+
+// The steps of a flat one, each a column: gathered into rows.
+template <class Writer>
+constexpr void aa_write_flat(const aa_slender<typename Writer::four>& s, const cell_window& w, Writer& writer) {
+  constexpr unsigned most = aa_slender_flat / one_pixel + 12;  // at most 4 pixels beyond each end, 4 to a step
+  struct row {
+    int first = most, last = 0;
+    std::uint8_t coverage[most] = {};
+  };
+  const aa_slender_steps<typename Writer::four> between(s);
+  const int x = s.first - 2;
+  int y = s.ends.aside[0], y_last = y;
+  for (const int a : s.ends.aside) y = lesser(y, a), y_last = greater(y_last, a + 4);
+  row rows[most];
+  const auto gather = [&](const aa_step& e) {
+    const int column = e.along - x;
+    for (int k = 0; k < 4; ++k) {
+      row& r = rows[e.aside - y + k];
+      r.coverage[column] = static_cast<std::uint8_t>(e.coverage >> (8 * k) & 255u);
+      r.first = lesser(r.first, column), r.last = greater(r.last, column + 1);
     }
-    row(y, x + first, x + last, coverage + first);
+  };
+  for (unsigned k = 0; k < 4; ++k) gather(aa_end_step(s, k));
+  for (int i = 0; i < s.steps; ++i) gather(aa_step_between(s, between, i));
+  for (int i = 0; i < y_last - y; ++i) {
+    const row& r = rows[i];
+    aa_write_bytes(w, writer, y + i, x + r.first, x + r.last, r.coverage + r.first);
   }
 }
 
@@ -311,7 +346,11 @@ IRG_INLINE constexpr bool aa_draw_slender(const subpixel& a, const subpixel& b, 
       return true;
     }
   }
-  aa_draw_steps(s, steep, w, writer);
+  if (w.empty()) return true;
+  if (steep)
+    aa_write_steep(s, w, writer);
+  else
+    aa_write_flat(s, w, writer);
   return true;
 }
 
