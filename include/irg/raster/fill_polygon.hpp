@@ -53,8 +53,8 @@ constexpr bool walk_polygon(const P& polygon, fill_rule rule, const cell_window&
   if (reach == ring_reach::refused) return false;
   if (w.empty()) return true;
   if constexpr (FillableRing<P>)
-    if (reach == ring_reach::near && goes_down_and_up_once(polygon)) return walk_ring(polygon, w, emit);
-  if (reach == ring_reach::near)
+    if (reach == ring_reach::within_snap_limit && goes_down_and_up_once(polygon)) return walk_ring(polygon, w, emit);
+  if (reach == ring_reach::within_snap_limit)
     scan_polygon<std::int32_t>(polygon, rule, w, workspace.edges, workspace.turns, emit);
   else
     scan_polygon<std::int64_t>(polygon, rule, w, workspace.far_edges, workspace.turns, emit);

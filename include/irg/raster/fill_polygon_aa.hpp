@@ -87,10 +87,11 @@ template <FillablePolygon P, CoverageSink Sink>
 constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,
                                 coverage_workspace& workspace) {
   detail::area_memory& m = workspace.memory;
-  bool near = true;
-  detail::for_each_ring(polygon,
-                        [&](const auto& ring) { near = near && detail::reach_of(ring) == detail::ring_reach::near; });
-  if (!near) return false;
+  bool reached = true;
+  detail::for_each_ring(polygon, [&](const auto& ring) {
+    reached = reached && detail::reach_of(ring) == detail::ring_reach::within_snap_limit;
+  });
+  if (!reached) return false;
   if constexpr (FillableRing<P>)
     if (detail::is_convex_ring(polygon)) return convex_coverage(polygon, window, emit);
   m.lines.clear();
@@ -117,7 +118,7 @@ template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel
 constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
                                const cell_window& window, coverage_workspace& workspace) {
   if constexpr (FillableRing<P>)
-    if (detail::reach_of(polygon) == detail::ring_reach::near && detail::is_convex_ring(polygon))
+    if (detail::reach_of(polygon) == detail::ring_reach::within_snap_limit && detail::is_convex_ring(polygon))
       return fill_convex_aa(raster, polygon, paint, window);
   const auto blend = [&](const coverage_span& span) { blend_span(raster, span, paint); };
   return polygon_coverage(polygon, rule, intersect(window, window_of(raster)), blend, workspace);

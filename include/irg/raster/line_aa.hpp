@@ -45,7 +45,7 @@ struct aa_drawing {
   IRG_INLINE constexpr void cap_rows(int first, int last) const {
     if (first >= last) return;
     aa_cap_row<four> row;
-    if (s.near) {
+    if (s.small_numbers) {
       const aa_near_edges<four> edges(s);
       for (int r = first; r < last; ++r) write<four>(r, edges.enter(row, r), row);
     } else {
@@ -192,8 +192,8 @@ constexpr void aa_slanted(const subpixel& a, const subpixel& b, const line_aa_op
 template <class Writer>
 constexpr void aa_line(const subpixel& a, const subpixel& b, const line_aa_options& options, const cell_window& window,
                        Writer& writer) {
-  constexpr int far = 2 * snap_limit;  // no line gets there, and no number overflows on the way
-  const cell_window w = intersect(window, {-far, -far, far, far});
+  constexpr int reach = 2 * snap_limit;  // no line gets there, and no number overflows on the way
+  const cell_window w = intersect(window, {-reach, -reach, reach, reach});
   if (w.empty()) return;
   if (a.x != b.x && a.y != b.y) return aa_slanted(a, b, options, w, writer);
   const std::int32_t cap = options.caps == line_aa_caps::square ? options.width : 0;
@@ -276,8 +276,8 @@ constexpr bool draw_line_aa(R& raster, const subpixel& a, const subpixel& b, con
 template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_line_aa(R& raster, cell a, cell b, const Paint& paint, const cell_window& window,
                             const line_aa_options& options = {}) {
-  const auto near = [](int v) { return v >= -snap_limit && v < snap_limit; };
-  if (!near(a.x) || !near(a.y) || !near(b.x) || !near(b.y)) return false;
+  const auto in_reach = [](int v) { return v >= -snap_limit && v < snap_limit; };
+  if (!in_reach(a.x) || !in_reach(a.y) || !in_reach(b.x) || !in_reach(b.y)) return false;
   const auto centre = [](cell c) { return subpixel{c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel}; };
   return draw_line_aa(raster, centre(a), centre(b), paint, window, options);
 }

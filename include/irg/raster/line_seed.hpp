@@ -36,7 +36,7 @@ constexpr void seed_corrected_before_plotted(int along, int aside, const Plot& p
 }
 
 constexpr bool fits_int(std::int64_t v) noexcept {
-  return v >= std::numeric_limits<int>::min() && v <= std::numeric_limits<int>::max();
+  return v >= (std::numeric_limits<int>::min)() && v <= (std::numeric_limits<int>::max)();
 }
 
 }  // namespace IRG_ABI

@@ -67,7 +67,7 @@ public:
 private:
   // More words than a size_t of 32 bits can count become as many as no vector holds, so that it refuses them.
   static constexpr std::size_t countable(std::int64_t words) noexcept {
-    return static_cast<std::size_t>(lesser<std::int64_t>(words, std::numeric_limits<std::ptrdiff_t>::max()));
+    return static_cast<std::size_t>(lesser<std::int64_t>(words, (std::numeric_limits<std::ptrdiff_t>::max)()));
   }
 
   std::int64_t y_first_, words_per_row_;

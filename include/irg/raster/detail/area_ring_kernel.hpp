@@ -37,7 +37,7 @@ IRG_INLINE constexpr bool area_of_ring(const Ring& ring, const cell_window& w, T
   const std::size_t n = ring_size(ring);
   ring_extent<std::int32_t> extent;
   for (std::size_t i = 0; i < n; ++i) {
-    if (reach_of_vertex(ring, i) != ring_reach::near) return false;
+    if (reach_of_vertex(ring, i) != ring_reach::within_snap_limit) return false;
     const subpixel v = near_vertex(ring, i);
     if (i < kept) snapped[i] = v;
     extent.add(v, i);

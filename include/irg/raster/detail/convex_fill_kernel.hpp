@@ -221,7 +221,7 @@ IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Em
   ring_extent<std::int32_t> extent;
   for (std::size_t i = 0; i < n; ++i) {
     if constexpr (!is_snapped_ring<R>)
-      if (reach_of_vertex(ring, i) != ring_reach::near) return walk_far_ring(ring, window, emit);
+      if (reach_of_vertex(ring, i) != ring_reach::within_snap_limit) return walk_far_ring(ring, window, emit);
     const subpixel v = near_vertex(ring, i);
     if constexpr (!is_snapped_ring<R>) {
       if (i < kept) {

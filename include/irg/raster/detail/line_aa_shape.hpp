@@ -53,7 +53,7 @@ struct aa_shape {
   bool thin = false;  // fit for aa_thin_row
   int first = 0, last = 0;  // the rows it touches, half-open
   int band_first = 0, band_last = 0;  // those that both long edges cross whole
-  bool near = false;  // all coordinates are below 256: floats hold them to 2^-17
+  bool small_numbers = false;  // all coordinates are below 256: floats hold them to 2^-17
   int turned_x = 0, turned_y = 0;  // the half turn takes column k to turned_x - k and row r to turned_y - r
 };
 
@@ -83,7 +83,7 @@ constexpr aa_shape aa_shape_of(const aa_frame& f, std::int32_t dx, std::int32_t 
   s.width = dx <= dy ? s.across : 2.0 * (ux + product(uy, slope));
   s.thin = s.width <= 1.0 + s.slope && s.width >= 1.0 - s.slope;
   s.first = static_cast<int>(top), s.last = static_cast<int>(bottom) + 1;  // all coordinates are positive
-  s.near = x1 + uy < 256.0 && bottom < 256.0;
+  s.small_numbers = x1 + uy < 256.0 && bottom < 256.0;
   s.turned_x = ((2 * (f.x.start - f.x.base * one_pixel) + dx) >> subpixel_bits) - 1;
   s.turned_y = ((2 * (f.y.start - f.y.base * one_pixel) + dy) >> subpixel_bits) - 1;
   return s;

@@ -34,10 +34,10 @@ constexpr void for_each_ring(const P& polygon, F&& f) {
 // The reach of the ring that reaches farthest.
 template <FillablePolygon P>
 constexpr ring_reach reach_of_polygon(const P& polygon) {
-  ring_reach reach = ring_reach::near;
+  ring_reach reach = ring_reach::within_snap_limit;
   for_each_ring(polygon, [&](const auto& ring) {
     const ring_reach r = reach_of(ring);
-    if (reach == ring_reach::near || r == ring_reach::refused) reach = r;
+    if (reach == ring_reach::within_snap_limit || r == ring_reach::refused) reach = r;
   });
   return reach;
 }

@@ -17,8 +17,8 @@ inline namespace IRG_ABI {
 // What must be known of a ring before it is walked. The extent is in 1/256 pixel.
 template <class I>
 struct ring_extent {
-  I left = std::numeric_limits<I>::max(), top = std::numeric_limits<I>::max();
-  I right = std::numeric_limits<I>::min(), bottom = std::numeric_limits<I>::min();
+  I left = (std::numeric_limits<I>::max)(), top = (std::numeric_limits<I>::max)();
+  I right = (std::numeric_limits<I>::min)(), bottom = (std::numeric_limits<I>::min)();
   std::size_t topmost = 0, lowest = 0;  // the first of the uppermost vertices, and of the lowest ones
 
   template <class V>
@@ -82,32 +82,33 @@ constexpr far_subpixel far_vertex(const R& ring, std::size_t i) {
   }
 }
 
-// How far from the origin a ring's vertices are: near ones fit walk_edge(subpixel), far ones walk_edge(far_subpixel);
+// How far from the origin a ring's vertices are: the fast or the far walk_edge takes them;
 // refused is a vertex that is NaN, infinite or beyond far_limit.
-enum class ring_reach { near, far, refused };
+enum class ring_reach { within_snap_limit, within_far_limit, refused };
 
 template <FillableRing R>
 constexpr ring_reach reach_of_vertex(const R& ring, std::size_t i) {
   const auto& p = ring_traits<R>::vertex(ring, i);
   if constexpr (is_snapped_ring<R>) {
     constexpr std::int32_t limit = snap_limit * one_pixel;
-    return p.x >= -limit && p.x <= limit && p.y >= -limit && p.y <= limit ? ring_reach::near : ring_reach::far;
+    return p.x >= -limit && p.x <= limit && p.y >= -limit && p.y <= limit ? ring_reach::within_snap_limit
+                                                                          : ring_reach::within_far_limit;
   } else {
     const auto x = coordinate(p, 0), y = coordinate(p, 1);
-    if (can_snap(x) && can_snap(y)) return ring_reach::near;
-    return can_far_snap(x) && can_far_snap(y) ? ring_reach::far : ring_reach::refused;
+    if (can_snap(x) && can_snap(y)) return ring_reach::within_snap_limit;
+    return can_far_snap(x) && can_far_snap(y) ? ring_reach::within_far_limit : ring_reach::refused;
   }
 }
 
 // The reach of the vertex that reaches farthest.
 template <FillableRing R>
 constexpr ring_reach reach_of(const R& ring) {
-  ring_reach reach = ring_reach::near;
+  ring_reach reach = ring_reach::within_snap_limit;
   const std::size_t n = ring_size(ring);
   for (std::size_t i = 0; i < n; ++i) {
     const ring_reach r = reach_of_vertex(ring, i);
     if (r == ring_reach::refused) return r;
-    if (r == ring_reach::far) reach = r;
+    if (r == ring_reach::within_far_limit) reach = r;
   }
   return reach;
 }
