@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/raster/blend_span.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -125,6 +126,42 @@ void primitives_agree() {
       REQUIRE(got == expected);
     }
   }
+}
+
+// Runs long enough for aligned stores, at every distance of bytes from a cache line, between pixels that must stay.
+template <int N>
+void fills_at_every_alignment() {
+  test::random r(3);
+  constexpr std::size_t longest = 200, line = 64, size = 3 * line + longest * 4;
+  struct alignas(line) memory {
+    unsigned char byte[size];
+  } there, got, expected;
+  for (unsigned char& b : there.byte) b = random_byte(r);
+  const auto value = random_pixel<irg::rgba8>(r);
+  const auto colour = irg::detail::prepare_mix<N>(value);
+  const std::uint8_t coverage[16] = {7, 255, 0, 90, 128, 3, 254, 1, 33, 0, 255, 17, 200, 64, 99, 180};
+  const auto first = irg::detail::load_coverages<N>(coverage), second = irg::detail::load_coverages<N>(coverage + N);
+  for (std::size_t count = 2 * N; count <= longest; ++count)
+    for (std::size_t offset = line; offset < 2 * line; ++offset) {
+      got = expected = there;
+      const auto run = [&](memory& m) { return reinterpret_cast<irg::rgba8*>(m.byte + offset); };
+      irg::detail::fill_words<N>(run(got), static_cast<int>(count), colour, 4 * 200);
+      std::fill_n(run(expected), count, value);
+      REQUIRE(std::memcmp(got.byte, expected.byte, size) == 0);
+      got = there;
+      irg::detail::mix_ends<N>(run(got), static_cast<int>(count), colour, first, second, -4 * 200);
+      for (std::size_t i = 0; i < N; ++i) {
+        const std::size_t k = count - N + i;
+        run(expected)[i] = irg::mix(run(there)[i], value, coverage[i]);
+        run(expected)[k] = irg::mix(run(there)[k], value, coverage[N + i]);
+      }
+      REQUIRE(std::memcmp(got.byte, expected.byte, size) == 0);
+    }
+}
+
+TEST_CASE("mix kernel: long runs at every alignment") {
+  fills_at_every_alignment<4>();
+  if constexpr (irg::native_bytes == 32) fills_at_every_alignment<irg::detail::mix_lanes>();
 }
 
 TEST_CASE("mix kernel: whole packs, parts of packs and both ends of runs") {

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include <irg/colour/pixel.hpp>
@@ -37,14 +38,22 @@ TEST_CASE("fill_span: writes the span, cut to the raster") {
   CHECK_BOTH(sum(filled({most, least, most})) == 0);
 }
 
+// Runs at every distance of whole pixels from a cache line, between bytes that must stay; pixels that may stand at any
+// address, at every distance of bytes, too.
 template <class P>
 void same_bytes_as_a_loop(P value) {
-  for (std::size_t count = 0; count < 130; ++count)
-    for (std::size_t offset = 0; offset < 5; ++offset) {
-      std::vector<P> lanes(140), loop(140);
-      irg::fill_pixels(lanes.data() + offset, count, value);
-      for (std::size_t i = 0; i < count; ++i) loop[offset + i] = value;
-      REQUIRE(std::memcmp(lanes.data(), loop.data(), 140 * sizeof(P)) == 0);
+  constexpr std::size_t longest = 200, line = 64, size = 3 * line + longest * sizeof(P);
+  struct alignas(line) memory {
+    unsigned char byte[size];
+  };
+  const auto lanes = std::make_unique<memory>(), loop = std::make_unique<memory>();
+  for (std::size_t count = 0; count <= longest; ++count)
+    for (std::size_t offset = line; offset < 2 * line; offset += alignof(P)) {
+      std::memset(lanes->byte, 0x5a, size);
+      std::memset(loop->byte, 0x5a, size);
+      irg::fill_pixels(reinterpret_cast<P*>(lanes->byte + offset), count, value);
+      for (std::size_t i = 0; i < count; ++i) std::memcpy(loop->byte + offset + i * sizeof(P), &value, sizeof(P));
+      REQUIRE(std::memcmp(lanes->byte, loop->byte, size) == 0);
     }
 }
 

@@ -6,6 +6,8 @@
 // serves every ring that no level line crosses more than twice, convex or not; other rings are for fill_polygon.hpp.
 #pragma once
 
+#include <cstddef>
+
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/convex_fill_kernel.hpp>
 #include <irg/raster/fill_span.hpp>
@@ -31,8 +33,10 @@ constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& 
 template <WritableRaster R, FillableRing Ring, PaintFor<R> Paint = pixel_of<R>>
 constexpr bool fill_convex(R& raster, const Ring& ring, const Paint& paint, const cell_window& window) {
   decltype(auto) prepared = detail::prepared_paint<R>(paint);
-  return detail::walk_ring(ring, intersect(window, window_of(raster)),
-                           [&](int y, int first, int last) { detail::paint_run(raster, y, first, last, prepared); });
+  const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
+  return detail::walk_ring(ring, intersect(window, window_of(raster)), [&](int y, int first, int last) {
+    detail::paint_run(raster, y, first, last, prepared, ahead);
+  });
 }
 
 template <WritableRaster R, FillableRing Ring, PaintFor<R> Paint = pixel_of<R>>

@@ -4,6 +4,8 @@
 // have each of its pixels exactly once.
 #pragma once
 
+#include <cstddef>
+
 #include <irg/raster/detail/polygon_bands.hpp>
 #include <irg/raster/fill_span.hpp>
 
@@ -94,8 +96,10 @@ template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>
 constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint, const cell_window& window,
                             fill_workspace& workspace) {
   decltype(auto) prepared = detail::prepared_paint<R>(paint);
-  return detail::walk_polygon(polygon, rule, intersect(window, window_of(raster)), workspace,
-                              [&](int y, int first, int last) { detail::paint_run(raster, y, first, last, prepared); });
+  const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
+  return detail::walk_polygon(
+      polygon, rule, intersect(window, window_of(raster)), workspace,
+      [&](int y, int first, int last) { detail::paint_run(raster, y, first, last, prepared, ahead); });
 }
 
 template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>

@@ -8,6 +8,7 @@
 
 #include <irg/core/lanes.hpp>
 #include <irg/core/sinks.hpp>
+#include <irg/raster/detail/fill_kernel.hpp>
 #include <irg/raster/paint.hpp>
 #include <irg/raster/window.hpp>
 
@@ -20,12 +21,6 @@ template <class P>
 inline constexpr bool fills_in_lanes =
     std::is_trivially_copyable_v<P> && sizeof(P) <= 16 && (sizeof(P) & (sizeof(P) - 1)) == 0;
 
-// Copies the first N bytes of a pattern to p.
-template <std::size_t N, class Pattern>
-IRG_INLINE void store_front(char* p, const Pattern& pattern) noexcept {
-  std::memcpy(p, &pattern.v, N);
-}
-
 // Writes a pattern of pixels of Unit bytes over fewer bytes than a register has: two stores that overlap, or one that
 // leaves out what is beyond.
 template <std::size_t Unit, class Pattern>
@@ -36,11 +31,11 @@ IRG_INLINE void fill_part(char* p, std::size_t size, const Pattern& pattern) noe
     static constexpr int in_or_out[16] = {-1, -1, -1, -1, -1, -1, -1, -1};
     ints mask;
     std::memcpy(&mask, in_or_out + 8 - size / 4, sizeof mask);
-    __builtin_ia32_maskstored256(reinterpret_cast<ints*>(p), mask, reinterpret_cast<const ints&>(pattern.v));
+    __builtin_ia32_maskstored256(reinterpret_cast<ints*>(p), mask, reinterpret_cast<const ints&>(pattern));
     return;
   }
 #endif
-  if constexpr (sizeof pattern.v > 16) {
+  if constexpr (sizeof pattern > 16) {
     if (size >= 16) {
       store_front<16>(p, pattern);
       return store_front<16>(p + size - 16, pattern);
@@ -64,29 +59,28 @@ IRG_INLINE void fill_part(char* p, std::size_t size, const Pattern& pattern) noe
   }
 }
 
-// Writes count copies of value from first on, a register at a time; the last stores overlap the ones before.
+// Writes count copies of value from first on.
+// shape   ahead: as of fill_registers
 template <class P>
-IRG_INLINE void fill_lanes(P* first, std::size_t count, const P& value) noexcept {
+IRG_INLINE void fill_lanes(P* first, std::size_t count, const P& value, std::ptrdiff_t ahead) noexcept {
   using bytes = pack<std::uint8_t, native_bytes>;
   constexpr std::size_t step = static_cast<std::size_t>(native_bytes), unit = sizeof(P);
   bytes pattern;
   for (std::size_t i = 0; i < step; i += unit) std::memcpy(reinterpret_cast<char*>(&pattern.v) + i, &value, unit);
   const std::size_t size = count * unit;
   char* const p = reinterpret_cast<char*>(first);
-  if (size < step) return fill_part<unit>(p, size, pattern);
-  if (size > 2 * step) {
-    const std::size_t last = size - 2 * step;
-    std::size_t i = 0;
-    do {
-      store_front<step>(p + i, pattern);
-      store_front<step>(p + i + step, pattern);
-      i += 2 * step;
-    } while (i < last);
-    store_front<step>(p + last, pattern);
-  } else {
-    store_front<step>(p, pattern);
+  if (size < step) return fill_part<unit>(p, size, pattern.v);
+  fill_registers<unit>(p, size, pattern.v, ahead);
+}
+
+// The same in constant evaluation, too, and for every type of pixel.
+template <class P>
+IRG_INLINE constexpr void fill_run(P* first, std::size_t count, const P& value,
+                                   std::ptrdiff_t ahead) noexcept(std::is_nothrow_copy_assignable_v<P>) {
+  if constexpr (fills_in_lanes<P>) {
+    if (!std::is_constant_evaluated()) return fill_lanes(first, count, value, ahead);
   }
-  store_front<step>(p + size - step, pattern);
+  for (std::size_t i = 0; i < count; ++i) first[i] = value;
 }
 
 }  // namespace IRG_ABI
@@ -100,10 +94,7 @@ inline namespace IRG_ABI {
 template <class P>
 IRG_INLINE constexpr void fill_pixels(P* first, std::size_t count,
                                       const P& value) noexcept(std::is_nothrow_copy_assignable_v<P>) {
-  if constexpr (detail::fills_in_lanes<P>) {
-    if (!std::is_constant_evaluated()) return detail::fill_lanes(first, count, value);
-  }
-  for (std::size_t i = 0; i < count; ++i) first[i] = value;
+  detail::fill_run(first, count, value, 0);
 }
 
 }  // namespace IRG_ABI
@@ -121,11 +112,13 @@ IRG_INLINE constexpr decltype(auto) prepared_paint(const Paint& paint) {
 }
 
 // Paints the columns first to last - 1 of row y.
+// shape   ahead: as of fill_registers
 // needs   0 <= first < last <= width, 0 <= y < height
 template <WritableRaster R, PaintFor<R> Paint>
-IRG_INLINE constexpr void paint_run(R& raster, int y, int first, int last, const Paint& paint) {
+IRG_INLINE constexpr void paint_run(R& raster, int y, int first, int last, const Paint& paint,
+                                    std::ptrdiff_t ahead = 0) {
   if constexpr (RowRaster<R> && !BlendFunction<Paint, R>)
-    fill_pixels(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), paint);
+    fill_run(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), paint, ahead);
   else
     for (int x = first; x < last; ++x) paint_pixel(raster, x, y, paint);
 }

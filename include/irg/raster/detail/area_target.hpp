@@ -2,6 +2,7 @@
 // Where rows of coverages go: to a sink as spans, or straight into pixels of four 8-bit channels.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <irg/core/lanes.hpp>
@@ -74,9 +75,11 @@ struct area_mix_target {
   static constexpr bool takes_uncovered = true;  // they keep their value
   R& raster;
   mix_colour<mix_lanes> colour;
+  std::ptrdiff_t ahead;
   pixel_of<R>* row = nullptr;
 
-  IRG_INLINE area_mix_target(R& r, const pixel_of<R>& value) noexcept : raster(r), colour(prepare_mix(value)) {}
+  IRG_INLINE area_mix_target(R& r, const pixel_of<R>& value) noexcept
+      : raster(r), colour(prepare_mix(value)), ahead(bytes_to_row_below(r)) {}
   IRG_INLINE void begin(int y) { row = raster_traits<R>::row(raster, y); }
   IRG_INLINE void end() const noexcept {}
   template <int N>
@@ -89,14 +92,14 @@ struct area_mix_target {
   }
   template <int N>
   IRG_INLINE void mix_ends(int first, int last, const pack<std::int32_t, N>& c) const noexcept {
-    irg::detail::mix_ends<N>(row + first, last - first, colour, in_both_halves<N>(c));
+    irg::detail::mix_ends<N>(row + first, last - first, colour, in_both_halves<N>(c), ahead);
   }
   template <int N>
   IRG_INLINE void mix_ends(int first, int last, const pack<std::int32_t, N>& c,
                            const pack<std::int32_t, N>& d) const noexcept {
-    irg::detail::mix_ends<N>(row + first, last - first, colour, in_both_halves<N>(c), in_both_halves<N>(d));
+    irg::detail::mix_ends<N>(row + first, last - first, colour, in_both_halves<N>(c), in_both_halves<N>(d), ahead);
   }
-  IRG_INLINE void fill(int x, int n) const noexcept { fill_words<mix_lanes>(row + x, n, colour); }
+  IRG_INLINE void fill(int x, int n) const noexcept { fill_words<mix_lanes>(row + x, n, colour, ahead); }
 };
 
 }  // namespace IRG_ABI

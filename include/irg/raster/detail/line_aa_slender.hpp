@@ -318,22 +318,24 @@ constexpr void aa_write_flat(const aa_slender<typename Writer::four>& s, const c
   }
 }
 
-// Draws the line if it is slender; false when it may not be.
+// Draws the line if it is slender, and nothing at all if it lies beside the window; false when that is left to others.
 template <class Writer>
 IRG_INLINE constexpr bool aa_draw_slender(const subpixel& a, const subpixel& b, const line_aa_options& options,
                                           const cell_window& w, Writer& writer) {
   const std::int32_t left = lesser(a.x, b.x), right = greater(a.x, b.x), top = lesser(a.y, b.y),
                      bottom = greater(a.y, b.y);
+  // Pixels beyond the ends that may be written. The sides are counted, so that there is one branch for all of them.
+  const int beyond = 5 + (options.width >> subpixel_bits);
+  const int x_first = (left >> subpixel_bits) - beyond, x_last = (right >> subpixel_bits) + beyond,
+            y_first = (top >> subpixel_bits) - beyond, y_last = (bottom >> subpixel_bits) + beyond;
+  if (int{x_first >= w.x_last} + int{x_last < w.x_first} + int{y_first >= w.y_last} + int{y_last < w.y_first} != 0)
+    return true;
   const std::int32_t dx = right - left, dy = bottom - top;
   const bool steep = dx <= dy;
   if (dx == 0 || dy == 0 || dy > aa_slender_length || (!steep && dx > aa_slender_flat) ||
       options.width >= 2 * one_pixel)
     return false;
-  constexpr int beyond = 5;  // pixels that are written aside of the ends
-  const int x_first = (left >> subpixel_bits) - beyond, x_last = (right >> subpixel_bits) + beyond,
-            y_first = (top >> subpixel_bits) - beyond, y_last = (bottom >> subpixel_bits) + beyond;
   const bool inside = x_first >= w.x_first && x_last < w.x_last && y_first >= w.y_first && y_last < w.y_last;
-  if (!inside && (x_first >= w.x_last || x_last < w.x_first || y_first >= w.y_last || y_last < w.y_first)) return true;
   const subpixel from = steep ? subpixel{a.y, a.x} : a, to = steep ? subpixel{b.y, b.x} : b;
   const aa_slender<typename Writer::four> s(from, to, options.width, options.caps);
   if (!s.fits) return false;

@@ -144,23 +144,15 @@ struct aa_slender_writer {
   using pixel = pixel_of<R>;
   R& raster;
   const pixel& value;
-  struct colours {
-    mix_colour<4> part;
 #ifdef IRG_AA_TWO_STEPS
-    mix_colour<8> whole;
-#endif
-  };
-  colours colour;
-
-  IRG_INLINE aa_slender_writer(R& r, const pixel& v) noexcept : raster(r), value(v), colour{prepared(v)} {}
-
-  IRG_INLINE static colours prepared(const pixel& v) noexcept {
-#ifdef IRG_AA_TWO_STEPS
-    return {prepare_mix<4>(v), prepare_mix<8>(v)};
+  static constexpr int pixels_at_once = 8;
 #else
-    return {prepare_mix<4>(v)};
+  static constexpr int pixels_at_once = 4;
 #endif
-  }
+  mix_colour<pixels_at_once> colour;
+
+  IRG_INLINE aa_slender_writer(R& r, const pixel& v) noexcept
+      : raster(r), value(v), colour(prepare_mix<pixels_at_once>(v)) {}
 
   IRG_INLINE void bytes(int y, int first, int last, const std::uint8_t* coverage) const noexcept {
     mix_run(raster_traits<R>::row(raster, y) + first, static_cast<std::size_t>(last - first), coverage, value);
@@ -219,9 +211,6 @@ private:
   template <class End, class Fours>
   IRG_INLINE void draw(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
                        const End& end, unsigned char* there, const Fours& fours) const noexcept {
-    const auto mix_four = [&](unsigned char* p, const halves& coverage) {
-      fours.write(p, mix_words<4>(fours.read(p), colour.part, coverage));
-    };
     constexpr int bits = aa_slender<four>::walk_bits;
     std::int32_t walk = s.walk;
     float along = s.along;
@@ -230,7 +219,7 @@ private:
     using eight = pack<float, 8>;
     const auto mix_two = [&](unsigned char* p, unsigned char* q, const typename mix_types<8>::halves& coverage) {
       const words a = fours.read(p), b = fours.read(q);
-      const auto mixed = mix_words<8>(__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7), colour.whole, coverage);
+      const auto mixed = mix_words<8>(__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7), colour, coverage);
       fours.write(p, __builtin_shufflevector(mixed, mixed, 0, 1, 2, 3));
       fours.write(q, __builtin_shufflevector(mixed, mixed, 4, 5, 6, 7));
     };
@@ -239,18 +228,24 @@ private:
     const aa_slender_steps<eight> two(s);
     const auto a = lanes<four>::load(s.aside).v;
     const eight aside{__builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3)};
-    for (; n >= 2; n -= 2, along += 2.0f, walk += 2 * s.walk_step, there += 2 * along_bytes) {
+    // Of an odd number, the last is taken with a step behind it that gets coverage 0: a loop for it alone would cost
+    // more, being mistaken half the time.
+    const typename mix_types<8>::integers second{0, 0, 0, 0, 1, 1, 1, 1};
+    for (; n > 0; n -= 2, along += 2.0f, walk += 2 * s.walk_step, there += 2 * along_bytes) {
       const int c0 = walk >> bits, c1 = (walk + s.walk_step) >> bits;
       const float x0 = static_cast<float>(c0), x1 = static_cast<float>(c1), y1 = along + 1.0f;
       const eight column{typename eight::storage{x0, x0, x0, x0, x1, x1, x1, x1}},
           at{typename eight::storage{along, along, along, along, y1, y1, y1, y1}};
-      mix_two(there + c0 * aside_bytes, there + along_bytes + c1 * aside_bytes,
-              in_both_halves<8>(aa_truncate(two(aside, column, at))));
+      pack<std::int32_t, 8> coverage = aa_truncate(two(aside, column, at));
+      coverage.v &= second < n;
+      mix_two(there + c0 * aside_bytes, there + along_bytes + c1 * aside_bytes, in_both_halves<8>(coverage));
     }
 #else
+    const auto mix_four = [&](unsigned char* p, const halves& coverage) {
+      fours.write(p, mix_words<4>(fours.read(p), colour, coverage));
+    };
     for (int k = 0; k < 4; ++k)
       mix_four(end(k), load_coverages<4>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
-#endif
     const aa_slender_steps<four> one(s);
     const four aside_of_one = lanes<four>::load(s.aside);
     for (; n > 0; --n, along += 1.0f, walk += s.walk_step, there += along_bytes) {
@@ -259,6 +254,7 @@ private:
                in_both_halves<4>(aa_truncate(one(aside_of_one, lanes<four>::broadcast(static_cast<float>(column)),
                                                  lanes<four>::broadcast(along)))));
     }
+#endif
   }
 };
 

@@ -237,12 +237,14 @@ template <EvenRowRaster R, class Plot>
 IRG_INLINE void walk_line_in(R& raster, cell a, cell b, const cell_window& window, const line_options& options,
                              Plot plot) {
   const int left = lesser(a.x, b.x), right = greater(a.x, b.x), top = lesser(a.y, b.y), bottom = greater(a.y, b.y);
-  const bool inside =
-      (left >= window.x_first) & (right < window.x_last) & (top >= window.y_first) & (bottom < window.y_last);
-  if (!inside) {
-    const bool apart = (right < window.x_first) | (left >= window.x_last) | (bottom < window.y_first) |
-                       (top >= window.y_last) | window.empty();
-    if (!apart) walk_clipped_line(raster, a, b, window, options, plot);
+  // Counted, not joined by "and", so that there is one branch: of one for each side, those that a line far away takes
+  // could not be foretold.
+  const int held = int{left >= window.x_first} + int{right < window.x_last} + int{top >= window.y_first} +
+                   int{bottom < window.y_last};
+  if (held < 4) {
+    const int apart = int{right < window.x_first} + int{left >= window.x_last} + int{bottom < window.y_first} +
+                      int{top >= window.y_last};
+    if (apart == 0 && !window.empty()) walk_clipped_line(raster, a, b, window, options, plot);
     return;
   }
   const int width = right - left, height = bottom - top;  // no overflow: both are less than the window's

@@ -15,6 +15,7 @@
 
 #include <irg/colour/mix.hpp>
 #include <irg/core/lanes.hpp>
+#include <irg/raster/detail/fill_kernel.hpp>
 
 namespace irg {
 namespace detail {
@@ -151,31 +152,21 @@ IRG_INLINE void mix_some(P* first, int count, const mix_colour<N>& colour,
   }
 }
 
-// Writes the colour to count pixels from first on, a register at a time; the last stores overlap.
+// Writes the colour to count pixels from first on.
+// shape   ahead: as of fill_registers
 // needs   count >= N
 template <int N, class P>
-IRG_INLINE void fill_words(P* first, int count, const mix_colour<N>& colour) noexcept {
-  const auto put = [&](int i) { std::memcpy(static_cast<void*>(first + i), &colour.whole, sizeof colour.whole); };
-  const int last = count - N;
-  int i = 0;
-  for (; i < last - 3 * N; i += 4 * N) {
-    put(i);
-    put(i + N);
-    put(i + 2 * N);
-    put(i + 3 * N);
-  }
-  put(lesser(i, last));
-  put(lesser(i + N, last));
-  put(lesser(i + 2 * N, last));
-  put(last);
+IRG_INLINE void fill_words(P* first, int count, const mix_colour<N>& colour, std::ptrdiff_t ahead = 0) noexcept {
+  fill_registers<sizeof(P)>(reinterpret_cast<char*>(first), sizeof(P) * static_cast<std::size_t>(count), colour.whole,
+                            ahead);
 }
 
 // Mixes the first N / 2 of count pixels by the lower half of the coverages and the last N / 2 by the upper half; the
 // pixels between become the colour. The fill runs over the ends, too, before they are written: so it needs no pieces.
 // needs   count >= N
 template <int N, class P>
-IRG_INLINE void mix_ends(P* first, int count, const mix_colour<N>& colour,
-                         typename mix_types<N>::halves coverage) noexcept {
+IRG_INLINE void mix_ends(P* first, int count, const mix_colour<N>& colour, typename mix_types<N>::halves coverage,
+                         std::ptrdiff_t ahead = 0) noexcept {
   using half = typename pack<std::uint32_t, N / 2>::storage;
   constexpr int n = N / 2;
   half ends[2];
@@ -184,7 +175,7 @@ IRG_INLINE void mix_ends(P* first, int count, const mix_colour<N>& colour,
   typename mix_types<N>::words there;
   std::memcpy(&there, ends, sizeof there);
   there = mix_words<N>(there, colour, coverage);
-  fill_words<N>(first, count, colour);
+  fill_words<N>(first, count, colour, ahead);
   std::memcpy(ends, &there, sizeof there);
   std::memcpy(static_cast<void*>(first), &ends[0], sizeof(half));
   std::memcpy(static_cast<void*>(first + (count - n)), &ends[1], sizeof(half));
@@ -194,14 +185,14 @@ IRG_INLINE void mix_ends(P* first, int count, const mix_colour<N>& colour,
 // needs   count >= 2 * N
 template <int N, class P>
 IRG_INLINE void mix_ends(P* first, int count, const mix_colour<N>& colour, typename mix_types<N>::halves first_coverage,
-                         typename mix_types<N>::halves last_coverage) noexcept {
+                         typename mix_types<N>::halves last_coverage, std::ptrdiff_t ahead = 0) noexcept {
   using words = typename mix_types<N>::words;
   words a, b;
   std::memcpy(&a, first, sizeof a);
   std::memcpy(&b, first + (count - N), sizeof b);
   a = mix_words<N>(a, colour, first_coverage);
   b = mix_words<N>(b, colour, last_coverage);
-  fill_words<N>(first, count, colour);
+  fill_words<N>(first, count, colour, ahead);
   std::memcpy(static_cast<void*>(first), &a, sizeof a);
   std::memcpy(static_cast<void*>(first + (count - N)), &b, sizeof b);
 }
