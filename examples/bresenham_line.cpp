@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 // bresenham_line - the cells of a line by Bresenham's algorithm in four forms, beside a reference line.
 #include <algorithm>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <new>
 #include <numeric>
 #include <string>
 #include <vector>
 
-#include <irg/io/image_file.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_cells.hpp>
@@ -58,12 +55,9 @@ struct closed_window {
   bool holds(irg::cell c) const { return c.x >= x_first && c.x <= x_last && c.y >= y_first && c.y <= y_last; }
 };
 
-struct settings {
-  std::string input, out;
+struct settings : program::drawing_options {
   line_method method = line_method::integer;
   closed_window window;
-  program::picture_size size;
-  bool list = false;
 };
 
 struct problem {
@@ -82,25 +76,15 @@ settings read_settings(program::command_line& line) {
   settings s;
   while (!line.done()) {
     const std::string_view word = line.take();
-    if (word == "--input") {
-      s.input = line.value_of(word);
-      if (s.input.empty()) line.fail("option --input needs a file's name");
-    } else if (word == "-o") {
-      s.out = line.value_of(word);
-      if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + s.out);
-    } else if (word == "--method") {
+    if (word == "--method") {
       s.method = static_cast<line_method>(line.choice(word, {"integer", "symmetric", "textbook", "seed"}));
     } else if (word == "--window") {
       s.window = read_window(line);
-    } else if (word == "--list") {
-      s.list = true;
-    } else if (word == "--size") {
-      s.size = program::read_size(line);
     } else {
-      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
+      s.read(line, word);
     }
   }
-  if (program::one_file(s.out, s.input)) line.fail("the input would be overwritten: " + s.input);
+  s.finish(line);
   return s;
 }
 
@@ -293,9 +277,7 @@ void print_cells(const problem& p, const settings& s) {
 void run(program::command_line& line) {
   const settings s = read_settings(line);
   const problem p = read_problem(line, s);
-  if (!s.out.empty())
-    if (const auto error = irg::write_image(s.out, picture_of(p, s)))
-      line.fail(std::string(error->message) + ": " + s.out);
+  if (!s.out.empty()) program::write_picture(line, s.out, picture_of(p, s));
   if (s.list) {
     print_cells(p, s);
   } else {
@@ -309,13 +291,5 @@ void run(program::command_line& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::command_line line(argc, argv, "bresenham_line", help);
-#ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN);  // a full quota is a failed write, not the program's end
-#endif
-  try {
-    run(line);
-  } catch (const std::bad_alloc&) {
-    line.fail("there is not enough memory for this line and this size");
-  }
+  program::run_or_fail({argc, argv, "bresenham_line", help}, "this line and this size", run);
 }

@@ -2,14 +2,11 @@
 // convex_polygon - which way round a polygon runs, whether it is convex, its edges, where a point lies, and its pixels.
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <new>
 #include <string>
 #include <vector>
 
 #include <irg/geometry/polygon_convexity.hpp>
-#include <irg/io/image_file.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_textbook.hpp>
@@ -45,34 +42,21 @@ reach from -2097152 to 2097152; to be filled they are rounded to 1/256. y points
 
 enum class fill_choice { top_left, course, closed, rounded, half_open };
 
-struct settings {
-  std::string input, out;
+struct settings : program::drawing_options {
   fill_choice rule = fill_choice::top_left;
-  bool list = false;
-  program::picture_size size;
 };
 
 settings read_settings(program::command_line& line) {
   settings s;
   while (!line.done()) {
     const std::string_view word = line.take();
-    if (word == "--input") {
-      s.input = line.value_of(word);
-      if (s.input.empty()) line.fail("option --input needs a file's name");
-    } else if (word == "-o") {
-      s.out = line.value_of(word);
-      if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + s.out);
-    } else if (word == "--rule") {
+    if (word == "--rule") {
       s.rule = static_cast<fill_choice>(line.choice(word, {"top-left", "course", "closed", "rounded", "half-open"}));
-    } else if (word == "--list") {
-      s.list = true;
-    } else if (word == "--size") {
-      s.size = program::read_size(line);
     } else {
-      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
+      s.read(line, word);
     }
   }
-  if (program::one_file(s.out, s.input)) line.fail("the input would be overwritten: " + s.input);
+  s.finish(line);
   return s;
 }
 
@@ -272,9 +256,7 @@ void run(program::command_line& line) {
   const settings s = read_settings(line);
   const problem in = read_problem(line, s);
   const std::string report = s.list ? "" : report_of(in, s.rule);  // whole before anything is written: memory may end
-  if (!s.out.empty())
-    if (const auto error = irg::write_image(s.out, picture_of(in, s)))
-      line.fail(std::string(error->message) + ": " + s.out);
+  if (!s.out.empty()) program::write_picture(line, s.out, picture_of(in, s));
   if (s.list)
     filled_spans(in, s.rule, everything, [](const irg::span_of_cells& span) {
       std::printf("%d %d %d\n", span.y, span.x_first, span.x_last - 1);
@@ -287,13 +269,5 @@ void run(program::command_line& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  program::command_line line(argc, argv, "convex_polygon", help);
-#ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN);  // a full quota is a failed write, not the program's end
-#endif
-  try {
-    run(line);
-  } catch (const std::bad_alloc&) {
-    line.fail("there is not enough memory for this polygon and this size");
-  }
+  program::run_or_fail({argc, argv, "convex_polygon", help}, "this polygon and this size", run);
 }

@@ -174,4 +174,10 @@ inline int hold(const contest& c) {
   return broken;
 }
 
+/// The exit status of a program whose contests broke so many promises.
+inline int exit_status(int broken) {
+  if (broken) std::printf("%d promises broken\n", broken);
+  return broken != 0;
+}
+
 }  // namespace bench

@@ -5,35 +5,11 @@
 #include <irg/raster/fill_polygons.hpp>
 
 #include "raster/polygons.hpp"
-#ifdef IRG_HAVE_OPENCV_IMGPROC
-#include "raster/peer_opencv.hpp"
-#endif
-#ifdef IRG_HAVE_SDL2
-#include "raster/peer_sdl.hpp"
-#endif
-#ifdef IRG_HAVE_AGG
-#include "raster/peer_agg.hpp"
-#endif
-#ifdef IRG_HAVE_CAIRO
-#include "raster/peer_cairo.hpp"
-#endif
-#ifdef IRG_HAVE_PIXMAN
-#include "raster/peer_pixman.hpp"
-#endif
+#include "raster/peers.hpp"
 
 namespace {
 
 using namespace bench;
-
-// A contender of irg: draw(ring) for each polygon.
-template <class Draw>
-drawer own(std::string name, const polygon_set& set, Draw draw, std::string note = {}) {
-  return {std::move(name),
-          [&set, draw](int first, int last) mutable {
-            for (int k = first; k < last; ++k) draw(set.ring(k));
-          },
-          true, std::move(note), promise::nothing_wrong};
-}
 
 using ring = std::span<const irg::subpixel>;
 
@@ -112,30 +88,5 @@ int run(const canvas& c, const std::string& name, double diameter, const polygon
 
 int main() {
   bench::stay_on_this_processor();
-  const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
-  int broken = 0;
-  struct sizes {
-    double diameter;
-    int count;
-  };
-  struct shapes {
-    int corners;
-    const char* name;
-  };
-  const auto items = [](int n) { return smoke() ? n / 200 + 2 : n; };
-  for (const auto [diameter, count] : {sizes{8, 20000}, {32, 8000}, {128, 1500}, {512, 150}}) {
-    for (const auto [corners, name] :
-         {shapes{3, "triangle"}, {4, "4 vertices"}, {8, "8 vertices"}, {32, "32 vertices"}})
-      for (const canvas* c : {&large, &small})
-        broken += run(*c, name, diameter, round_polygons(*c, items(count), corners, diameter), true);
-    if (diameter >= 32)
-      broken += run(large, "star", diameter, round_polygons(large, items(count), 7, diameter, 3), false);
-  }
-  const auto placed = [&](const char* name, placing where) {
-    broken += run(large, name, 128, round_polygons(large, items(1500), 3, 128, 1, where), true);
-  };
-  placed("triangle clipped 90 %", placing::clipped);
-  placed("triangle outside", placing::outside);
-  if (broken) std::printf("%d promises broken\n", broken);
-  return broken != 0;
+  return exit_status(run_fills({20000, 8000, 1500, 150}, 32, run));
 }

@@ -5,15 +5,7 @@
 #include <irg/raster/line_wu.hpp>
 
 #include "raster/coverage.hpp"
-#ifdef IRG_HAVE_OPENCV_IMGPROC
-#include "raster/peer_opencv.hpp"
-#endif
-#ifdef IRG_HAVE_AGG
-#include "raster/peer_agg.hpp"
-#endif
-#ifdef IRG_HAVE_CAIRO
-#include "raster/peer_cairo.hpp"
-#endif
+#include "raster/peers.hpp"
 
 namespace {
 
@@ -22,38 +14,21 @@ using namespace bench;
 irg::subpixel centre(irg::cell c) { return {c.x * 256 + 128, c.y * 256 + 128}; }
 
 void add_own(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
-  drawer whole{"irg", {}};
-  whole.draw = [view = c.view(), &lines](int first, int last) mutable {
-    for (int k = first; k < last; ++k) {
-      const segment& s = lines[static_cast<std::size_t>(k)];
-      (void)irg::draw_line_aa(view, s.a, s.b, white_rgba);
-    }
-  };
-  whole.promised = promise::nothing_wrong;
-  d.push_back(whole);
-  drawer sink{"irg:span sink", {}};
-  sink.draw = [view = c.view(), &lines](int first, int last) mutable {
-    for (int k = first; k < last; ++k) {
-      const segment& s = lines[static_cast<std::size_t>(k)];
-      (void)irg::line_aa(centre(s.a), centre(s.b), irg::window_of(view),
-                         [&](const irg::coverage_span& span) { irg::blend_span(view, span, white_rgba); });
-    }
-  };
-  sink.promised = promise::nothing_wrong;
-  sink.note = "line_aa and blend_span";
-  d.push_back(sink);
-}
-
-drawer wu(const canvas& c, const std::vector<segment>& lines) {
-  drawer d{"irg:wu", {}};
-  d.draw = [view = c.view(), &lines](int first, int last) mutable {
-    for (int k = first; k < last; ++k) {
-      const segment& s = lines[static_cast<std::size_t>(k)];
-      irg::draw_line_wu(view, s.a, s.b, white_rgba);
-    }
-  };
-  d.note = "two cells per step whose coverages add up to 1";
-  return d;
+  d.push_back(own(
+      "irg", lines,
+      [view = c.view()](irg::cell a, irg::cell b) mutable { (void)irg::draw_line_aa(view, a, b, white_rgba); },
+      promise::nothing_wrong));
+  d.push_back(own(
+      "irg:span sink", lines,
+      [view = c.view()](irg::cell a, irg::cell b) mutable {
+        (void)irg::line_aa(centre(a), centre(b), irg::window_of(view),
+                           [&](const irg::coverage_span& span) { irg::blend_span(view, span, white_rgba); });
+      },
+      promise::nothing_wrong, "line_aa and blend_span"));
+  d.push_back(own(
+      "irg:wu", lines,
+      [view = c.view()](irg::cell a, irg::cell b) mutable { irg::draw_line_wu(view, a, b, white_rgba); }, promise::none,
+      "two cells per step whose coverages add up to 1"));
 }
 
 void add_peers(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
@@ -70,7 +45,7 @@ void add_peers(std::vector<drawer>& d, const canvas& c, const std::vector<segmen
   (void)c, (void)d, (void)lines;
 }
 
-int run(const canvas& c, const std::string& name, const std::vector<segment>& lines) {
+int run(const canvas& c, const std::string& name, const std::vector<segment>& lines, heading) {
   contest one{"line_aa", name + " " + c.name(), "line", static_cast<int>(lines.size())};
   if (!wanted(one.test_case)) return 0;
   for (const segment& s : lines) one.cells += visible_cells(c, s);
@@ -82,7 +57,6 @@ int run(const canvas& c, const std::string& name, const std::vector<segment>& li
   one.judge = [&](const drawer& d) { return judge_coverage(c, due, d); };
   one.error_unit = "1/256";
   add_own(one.drawers, c, lines);
-  one.drawers.push_back(wu(c, lines));
   add_peers(one.drawers, c, lines);
   if (one.cells > 0) {
     one.limit = "limit:coverage replay";
@@ -100,25 +74,5 @@ int run(const canvas& c, const std::string& name, const std::vector<segment>& li
 int main() {
   bench::stay_on_this_processor();
   const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
-  int broken = 0;
-  struct sizes {
-    int length, count;
-  };
-  const auto items = [](int n) { return smoke() ? n / 100 + 2 : n; };
-  for (const auto [length, count] : {sizes{8, 20000}, {32, 10000}, {128, 3000}, {512, 800}, {1500, 300}}) {
-    const std::string px = " " + std::to_string(length) + " px";
-    const auto on = [&](const canvas& c, const char* name, heading h) {
-      broken += run(c, name + px, lines_inside(c, items(count), length, h));
-    };
-    on(large, "random", heading::random);
-    if (length <= 512) on(small, "random", heading::random);
-    if (length != 128) continue;
-    on(large, "horizontal", heading::horizontal);
-    on(large, "vertical", heading::vertical);
-    on(large, "diagonal", heading::diagonal);
-  }
-  broken += run(large, "clipped 90 % 1280 px", lines_clipped(large, items(2000), 1280));
-  broken += run(large, "outside", lines_outside(large, items(10000), passing::far_away));
-  if (broken) std::printf("%d promises broken\n", broken);
-  return broken != 0;
+  return exit_status(run_lines(large, small, {{20000, 10000, 3000, 800, 300}, 2000, 10000, 128, 128}, run));
 }

@@ -9,33 +9,11 @@
 #include <irg/raster/line_textbook.hpp>
 
 #include "raster/lines.hpp"
-#ifdef IRG_HAVE_OPENCV_IMGPROC
-#include "raster/peer_opencv.hpp"
-#endif
-#ifdef IRG_HAVE_SDL2
-#include "raster/peer_sdl.hpp"
-#endif
-#ifdef IRG_HAVE_AGG
-#include "raster/peer_agg.hpp"
-#endif
-#ifdef IRG_HAVE_CAIRO
-#include "raster/peer_cairo.hpp"
-#endif
+#include "raster/peers.hpp"
 
 namespace {
 
 using namespace bench;
-
-// A contender of irg: draw(a, b) for each line.
-template <class Draw>
-drawer own(std::string name, const std::vector<segment>& lines, Draw draw, promise promised, std::string note = {}) {
-  return {std::move(name),
-          [&lines, draw](int first, int last) mutable {
-            for (int k = first; k < last; ++k)
-              draw(lines[static_cast<std::size_t>(k)].a, lines[static_cast<std::size_t>(k)].b);
-          },
-          true, std::move(note), promised};
-}
 
 // Cells given one by one to a function that writes them if they are on the canvas; for the algorithms without a window.
 auto plotter(const canvas& c) {
@@ -198,30 +176,12 @@ int run_batch(const canvas& c, const std::string& name, const std::vector<segmen
 int main() {
   bench::stay_on_this_processor();
   const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
-  int broken = 0;
-  struct sizes {
-    int length, count;
+  const line_cases cases{{50000, 30000, 10000, 4000, 2000}, 4000, 20000, 32, 512};
+  const auto both = [](const canvas& c, const std::string& name, const std::vector<segment>& lines, heading h) {
+    const int broken = run(c, name, lines);
+    return h == heading::random ? broken + run_batch(c, name, lines) : broken;
   };
-  const auto items = [](int n) { return smoke() ? n / 100 + 2 : n; };
-  for (const auto [length, count] : {sizes{8, 50000}, {32, 30000}, {128, 10000}, {512, 4000}, {1500, 2000}}) {
-    const std::string px = " " + std::to_string(length) + " px";
-    const auto on = [&](const canvas& c, const char* name, heading h) {
-      const std::vector<segment> lines = lines_inside(c, items(count), length, h);
-      broken += run(c, name + px, lines);
-      if (h == heading::random) broken += run_batch(c, name + px, lines);
-    };
-    on(large, "random", heading::random);
-    if (length <= 512) on(small, "random", heading::random);
-    if (length < 32 || length > 512) continue;
-    on(large, "horizontal", heading::horizontal);
-    on(large, "vertical", heading::vertical);
-    on(large, "diagonal", heading::diagonal);
-  }
-  const std::vector<segment> clipped = lines_clipped(large, items(4000), 1280);
-  const std::vector<segment> outside = lines_outside(large, items(20000), passing::far_away);
-  broken += run(large, "clipped 90 % 1280 px", clipped) + run_batch(large, "clipped 90 % 1280 px", clipped);
-  broken += run(large, "outside", outside) + run_batch(large, "outside", outside);
-  broken += run(large, "outside by a corner", lines_outside(large, items(20000), passing::by_a_corner));
-  if (broken) std::printf("%d promises broken\n", broken);
-  return broken != 0;
+  int broken = run_lines(large, small, cases, both);
+  broken += run(large, "outside by a corner", lines_outside(large, smoke() ? 202 : 20000, passing::by_a_corner));
+  return exit_status(broken);
 }

@@ -2,6 +2,7 @@
 // Lines to draw, the exact cells of a line, and how far a contender's cells are from the true line.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -107,6 +108,49 @@ inline std::vector<segment> lines_outside(const canvas& c, int count, passing wh
     if (where == passing::far_away ? box_misses : !box_misses && visible_cells(c, s) == 0) out.push_back(s);
   }
   return out;
+}
+
+/// How many lines of 8, 32, 128, 512 and 1500 pixels, of clipped ones and of ones outside; which lengths are drawn in
+/// fixed directions, too.
+struct line_cases {
+  std::array<int, 5> counts;
+  int clipped, outside;
+  int shortest, longest;
+};
+
+/// The cases of all contests of lines. run(canvas, name, lines, heading) holds one and gives how many promises were
+/// broken.
+template <class Run>
+int run_lines(const canvas& large, const canvas& small, const line_cases& cases, Run run) {
+  const auto items = [](int n) { return smoke() ? n / 100 + 2 : n; };
+  int broken = 0;
+  for (std::size_t i = 0; i < cases.counts.size(); ++i) {
+    const int length = std::array{8, 32, 128, 512, 1500}[i];
+    const auto on = [&](const canvas& c, const std::string& name, heading h) {
+      const std::vector<segment> lines = lines_inside(c, items(cases.counts[i]), length, h);
+      broken += run(c, name + " " + std::to_string(length) + " px", lines, h);
+    };
+    on(large, "random", heading::random);
+    if (length <= 512) on(small, "random", heading::random);
+    if (length < cases.shortest || length > cases.longest) continue;
+    on(large, "horizontal", heading::horizontal);
+    on(large, "vertical", heading::vertical);
+    on(large, "diagonal", heading::diagonal);
+  }
+  broken += run(large, "clipped 90 % 1280 px", lines_clipped(large, items(cases.clipped), 1280), heading::random);
+  broken += run(large, "outside", lines_outside(large, items(cases.outside), passing::far_away), heading::random);
+  return broken;
+}
+
+/// A contender of irg: draw(a, b) for each line.
+template <class Draw>
+drawer own(std::string name, const std::vector<segment>& lines, Draw draw, promise promised, std::string note = {}) {
+  return {std::move(name),
+          [&lines, draw](int first, int last) mutable {
+            for (int k = first; k < last; ++k)
+              draw(lines[static_cast<std::size_t>(k)].a, lines[static_cast<std::size_t>(k)].b);
+          },
+          true, std::move(note), promised};
 }
 
 /// Draws lines one by one and looks at the cells within 4 of the true line. Error: the distance of a cell from the line
@@ -238,12 +282,7 @@ inline drawer textbook_lines(const canvas& c, const std::vector<segment>& lines)
       }
     }
   };
-  drawer d{"irg:textbook loop", {}};
-  d.draw = [&lines, draw](int first, int last) {
-    for (int k = first; k < last; ++k) draw(lines[static_cast<std::size_t>(k)].a, lines[static_cast<std::size_t>(k)].b);
-  };
-  d.note = "a plain loop in the benchmark";
-  return d;
+  return own("irg:textbook loop", lines, draw, promise::none, "a plain loop in the benchmark");
 }
 
 }  // namespace bench

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -61,6 +62,45 @@ inline polygon_set round_polygons(const canvas& c, int count, int corners, doubl
     for (int i = 0; i < corners; ++i) set.vertices.push_back(ring[static_cast<std::size_t>(i * turns % corners)]);
   }
   return set;
+}
+
+/// The cases of all contests of fills: `counts` polygons of 8, 32, 128 and 512 pixels; those of up to `small_corners` on
+/// the small canvas, too. run(canvas, name, diameter, set, convex) holds one and gives how many promises were broken.
+template <class Run>
+int run_fills(const std::array<int, 4>& counts, int small_corners, Run run) {
+  const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
+  struct shape {
+    int corners;
+    const char* name;
+  };
+  int broken = 0;
+  const auto on = [&](const canvas& c, const char* name, double diameter, int n, int corners, int turns = 1,
+                      placing where = placing::inside) {
+    const int count = smoke() ? n / 200 + 2 : n;
+    broken += run(c, name, diameter, round_polygons(c, count, corners, diameter, turns, where), turns == 1);
+  };
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double diameter = std::array{8, 32, 128, 512}[i];
+    for (const auto [corners, name] :
+         {shape{3, "triangle"}, {4, "4 vertices"}, {8, "8 vertices"}, {32, "32 vertices"}}) {
+      on(large, name, diameter, counts[i], corners);
+      if (corners <= small_corners) on(small, name, diameter, counts[i], corners);
+    }
+    if (diameter >= 32) on(large, "star", diameter, counts[i], 7, 3);
+  }
+  on(large, "triangle clipped 90 %", 128, counts[2], 3, 1, placing::clipped);
+  on(large, "triangle outside", 128, counts[2], 3, 1, placing::outside);
+  return broken;
+}
+
+/// A contender of irg: draw(ring) for each polygon.
+template <class Draw>
+drawer own(std::string name, const polygon_set& set, Draw draw, std::string note = {}) {
+  return {std::move(name),
+          [&set, draw](int first, int last) mutable {
+            for (int k = first; k < last; ++k) draw(set.ring(k));
+          },
+          true, std::move(note), promise::nothing_wrong};
 }
 
 /// Calls emit(span) for the covered pixels of the ring by the definition: in row y each edge that passes the height of

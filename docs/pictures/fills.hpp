@@ -12,27 +12,25 @@
 #include <irg/raster/fill_polygons.hpp>
 #include <irg/raster/image.hpp>
 
+#include "enlarged.hpp"
+
 namespace fills {
 
-using picture = irg::image<irg::rgba8>;
+using namespace enlarging;
 using ring = std::vector<irg::subpixel>;
-constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, pale{222, 220, 214, 255},
-    blue{120, 166, 212, 255}, red{204, 96, 72, 255}, light_blue{196, 216, 236, 255};
+constexpr irg::rgba8 blue{120, 166, 212, 255}, red{204, 96, 72, 255}, light_blue{196, 216, 236, 255};
 constexpr int cell_size = 24;
 
-// Each pixel as a square with thin lines between them and a dot at its centre.
-inline picture enlarged(const picture& small) {
-  picture big(small.width() * cell_size + 1, small.height() * cell_size + 1, pale);
+// Each pixel as a square with a dot at its centre.
+inline picture with_centres(const picture& small) {
+  picture big = enlarged(small, cell_size);
   for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < small.width(); ++x) {
-      for (int row = 1; row < cell_size; ++row)
-        irg::fill_span(big, {y * cell_size + row, x * cell_size + 1, (x + 1) * cell_size}, small(x, y));
+    for (int x = 0; x < small.width(); ++x)
       for (int row = -1; row <= 1; ++row)
         irg::fill_span(
             big,
             {y * cell_size + cell_size / 2 + row, x * cell_size + cell_size / 2 - 1, x * cell_size + cell_size / 2 + 2},
             ink);
-    }
   return big;
 }
 
@@ -52,7 +50,7 @@ inline picture edge() {
     irg::fill_span(small, {y, e.column, 16}, light_blue);
     irg::fill_span(small, {y, e.column, e.column + 1}, blue);
   }
-  picture big = enlarged(small);
+  picture big = with_centres(small);
   irg::draw_line(big, place(upper), place(lower), red);
   return big;
 }
@@ -63,7 +61,7 @@ inline picture convex() {
       right{{2300, 900}, {4224, 300}, {4400, 2176}, {2176, 2176}};
   irg::fill_convex(small, left, blue);
   irg::fill_convex(small, right, {230, 178, 120, 255});
-  picture big = enlarged(small);
+  picture big = with_centres(small);
   outline(big, left);
   outline(big, right);
   return big;
@@ -78,7 +76,7 @@ inline picture rules() {
   for (const irg::fill_rule rule : {irg::fill_rule::even_odd, irg::fill_rule::non_zero}) {
     picture small(19, 18, paper);
     irg::fill_polygon(small, std::array<ring, 2>{star, square}, rule, blue);
-    picture big = enlarged(small);
+    picture big = with_centres(small);
     outline(big, star);
     outline(big, square);
     for (int y = 0; y < big.height(); ++y)

@@ -11,28 +11,14 @@
 
 namespace fills_aa {
 
-using fills::blue, fills::cell_size, fills::ink, fills::pale, fills::paper, fills::picture, fills::ring;
-
-// Each pixel as a square with thin lines between them.
-inline picture enlarged(const picture& small, int size = cell_size) {
-  picture big(small.width() * size + 1, small.height() * size + 1, pale);
-  for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < small.width(); ++x)
-      for (int row = 1; row < size; ++row)
-        irg::fill_span(big, {y * size + row, x * size + 1, (x + 1) * size}, small(x, y));
-  return big;
-}
-
-inline void put(picture& big, const picture& part, int left) {
-  for (int y = 0; y < part.height(); ++y)
-    for (int x = 0; x < part.width(); ++x) big(left + x, y) = part(x, y);
-}
+using namespace enlarging;
+using fills::blue, fills::cell_size, fills::ring;
 
 inline picture convex() {
   const ring polygon{{384, 384}, {2500, 128}, {4300, 1500}, {2176, 2676}, {300, 1500}};
   picture small(18, 11, paper);
   irg::fill_convex_aa(small, polygon, blue);
-  picture big = enlarged(small);
+  picture big = enlarged(small, cell_size);
   fills::outline(big, polygon);
   return big;
 }
@@ -47,7 +33,7 @@ inline picture rules() {
   for (const irg::fill_rule rule : {irg::fill_rule::even_odd, irg::fill_rule::non_zero}) {
     picture small(18, 17, paper);
     irg::fill_polygon_aa(small, std::array<ring, 2>{star, square}, rule, blue);
-    put(both, enlarged(small), left);
+    paste(both, enlarged(small, cell_size), left, 0);
     left += width + cell_size;
   }
   return both;
@@ -63,8 +49,8 @@ inline picture seam() {
     irg::fill_convex_aa(smooth, r, blue);
     irg::fill_convex(aliased, r, blue);
   }
-  put(both, enlarged(smooth), 0);
-  put(both, enlarged(aliased), width + cell_size);
+  paste(both, enlarged(smooth, cell_size), 0, 0);
+  paste(both, enlarged(aliased, cell_size), width + cell_size, 0);
   return both;
 }
 
@@ -75,7 +61,7 @@ inline picture run() {
   std::uint8_t coverage[18];
   for (int i = 0; i < 18; ++i) coverage[i] = static_cast<std::uint8_t>(i * 15);
   for (int y = 0; y < 2; ++y) irg::blend_span(small, {y, 0, 18, coverage}, blue);
-  return enlarged(small);
+  return enlarged(small, cell_size);
 }
 
 }  // namespace fills_aa

@@ -9,21 +9,12 @@
 #include <irg/raster/draw_polyline.hpp>
 #include <irg/raster/image.hpp>
 
+#include "enlarged.hpp"
+
 namespace line_kernels {
 
-using picture = irg::image<irg::rgba8>;
-constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, pale{222, 220, 214, 255}, blue{92, 142, 196, 255},
-    red{204, 96, 72, 255}, light{255, 255, 255, 255};
-
-// Each pixel as a square of `size` pixels, with thin lines between them.
-inline picture enlarged(const picture& small, int size) {
-  picture big(small.width() * size + 1, small.height() * size + 1, pale);
-  for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < small.width(); ++x)
-      for (int row = 1; row < size; ++row)
-        irg::fill_span(big, {y * size + row, x * size + 1, (x + 1) * size}, small(x, y));
-  return big;
-}
+using namespace enlarging;
+constexpr irg::rgba8 blue{92, 142, 196, 255}, red{204, 96, 72, 255}, light{255, 255, 255, 255};
 
 // Lines through a window: the cells reached by a step aside in red, the others in blue, the rest of the line pale.
 inline picture steps() {

@@ -13,12 +13,12 @@
 #include <irg/raster/line_run_slice.hpp>
 #include <irg/raster/line_seed.hpp>
 
+#include "enlarged.hpp"
+
 namespace line_teaching {
 
-using picture = irg::image<irg::rgba8>;
-
-inline constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, pale{222, 220, 214, 255},
-    blue{146, 184, 222, 255}, light_blue{200, 219, 238, 255}, red{224, 130, 108, 255};
+using namespace enlarging;
+inline constexpr irg::rgba8 blue{146, 184, 222, 255}, light_blue{200, 219, 238, 255}, red{224, 130, 108, 255};
 inline constexpr int size = 24;
 
 inline picture grid(int columns, int rows) {

@@ -14,21 +14,12 @@
 #include <irg/raster/line_subpixel.hpp>
 #include <irg/raster/line_thick.hpp>
 
+#include "enlarged.hpp"
+
 namespace line_variants {
 
-using picture = irg::image<irg::rgba8>;
-constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, pale{222, 220, 214, 255},
-    blue{120, 166, 212, 255}, red{216, 128, 106, 255}, light{236, 228, 208, 255};
-
-// Each pixel as a square of `size` pixels, with thin lines between them.
-inline picture enlarged(const picture& small, int size) {
-  picture big(small.width() * size + 1, small.height() * size + 1, pale);
-  for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < small.width(); ++x)
-      for (int row = 1; row < size; ++row)
-        irg::fill_span(big, {y * size + row, x * size + 1, (x + 1) * size}, small(x, y));
-  return big;
-}
+using namespace enlarging;
+constexpr irg::rgba8 blue{120, 166, 212, 255}, red{216, 128, 106, 255}, light{236, 228, 208, 255};
 
 inline irg::cell place(double x, double y, int size) {
   return {static_cast<int>(std::floor(x * size)), static_cast<int>(std::floor(y * size))};

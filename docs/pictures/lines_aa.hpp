@@ -8,20 +8,12 @@
 #include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/line_wu.hpp>
 
+#include "enlarged.hpp"
+
 namespace lines_aa {
 
-using picture = irg::image<irg::rgba8>;
-inline constexpr irg::rgba8 paper{250, 249, 246, 255}, grid{222, 220, 214, 255}, ink{32, 44, 66, 255},
-    blue{92, 142, 196, 255}, red{204, 96, 72, 255};
-
-inline picture enlarged(const picture& small, int size) {
-  picture big(small.width() * size + 1, small.height() * size + 1, grid);
-  for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < small.width(); ++x)
-      for (int row = 1; row < size; ++row)
-        irg::fill_span(big, {y * size + row, x * size + 1, (x + 1) * size}, small(x, y));
-  return big;
-}
+using namespace enlarging;
+inline constexpr irg::rgba8 blue{92, 142, 196, 255}, red{204, 96, 72, 255};
 
 // Wu's two cells per column, with the true line over them.
 inline picture wu() {

@@ -14,30 +14,12 @@
 #include <irg/raster/image.hpp>
 #include <irg/raster/seed_fill.hpp>
 
+#include "enlarged.hpp"
+
 namespace textbook_fill {
 
-using picture = irg::image<irg::rgba8>;
-constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, pale{222, 220, 214, 255},
-    blue{120, 166, 212, 255}, red{204, 96, 72, 255};
-
-// Each pixel as a square of `size` pixels, with thin lines between them, from column `left` on.
-inline void enlarge(picture& big, const picture& small, int size, int left) {
-  for (int y = 0; y < small.height(); ++y)
-    for (int row = 0; row <= size; ++row)
-      irg::fill_span(big, {y * size + row, left, left + small.width() * size + 1}, pale);
-  for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < small.width(); ++x)
-      for (int row = 1; row < size; ++row)
-        irg::fill_span(big, {y * size + row, left + x * size + 1, left + (x + 1) * size}, small(x, y));
-}
-
-inline void dot(picture& p, irg::cell centre, int radius, irg::rgba8 colour) {
-  for (int dy = -radius; dy <= radius; ++dy) {
-    int half = 0;
-    while ((half + 1) * (half + 1) + dy * dy <= radius * radius + radius) ++half;
-    irg::fill_span(p, {centre.y + dy, centre.x - half, centre.x + half + 1}, colour);
-  }
-}
+using namespace enlarging;
+constexpr irg::rgba8 blue{120, 166, 212, 255}, red{204, 96, 72, 255};
 
 // One polygon by the four rules; the samples are the dots, y points up.
 inline picture rules() {
@@ -53,7 +35,7 @@ inline picture rules() {
     irg::convex_spans_textbook(ring, rule, irg::window_of(small), [&](irg::span_of_cells s) {
       irg::fill_span(small, {rows - 1 - s.y, s.x_first, s.x_last}, blue);
     });
-    enlarge(big, small, size, left);
+    paste(big, enlarged(small, size), left, 0);
     const auto place = [&](irg::subpixel p) {
       return irg::cell{left + size / 2 + p.x * size / 256, (rows - 1) * size + size / 2 - p.y * size / 256};
     };
@@ -81,7 +63,7 @@ inline picture seeds() {
       for (int x = 0; x < columns; ++x)
         if (rows[y][static_cast<std::size_t>(x)] == '#') small(x, y) = ink;
     irg::flood_fill(small, {4, 3}, blue, next_to);
-    enlarge(big, small, size, left);
+    paste(big, enlarged(small, size), left, 0);
     dot(big, {left + 4 * size + size / 2, 3 * size + size / 2}, 3, red);
     left += columns * size + 1 + gap;
   }
@@ -100,7 +82,7 @@ inline picture tiling() {
   for (std::size_t i = 0; i < rim.size(); ++i)
     irg::fill_triangle(small, hub, rim[i], rim[(i + 1) % rim.size()], tints[i % 4]);
   picture big(small.width() * size + 1, small.height() * size + 1, paper);
-  enlarge(big, small, size, 0);
+  paste(big, enlarged(small, size), 0, 0);
   const auto place = [](irg::subpixel p) { return irg::cell{p.x * size / 256, p.y * size / 256}; };
   for (int y = 0; y < small.height(); ++y)
     for (int x = 0; x < small.width(); ++x) dot(big, {x * size + size / 2, y * size + size / 2}, 1, ink);

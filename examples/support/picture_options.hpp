@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What programs that write a picture share: its size, the guard against writing over what was read, and the end.
+// What programs that write a picture share: its name and size, the guard against writing over what was read, writing
+// it, and the end.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,9 @@
 #include <filesystem>
 #include <string>
 
+#include <irg/io/image_file.hpp>
 #include <irg/math/decimal.hpp>
+#include <irg/raster/image.hpp>
 
 #include "command_line.hpp"
 
@@ -42,6 +45,45 @@ inline bool one_file(const std::string& a, const std::string& b) {
   };
   return a == b || (resolved(a) == resolved(b) && !failed);
 }
+
+/// Refuses a picture's name whose ending names no kind of picture that can be written.
+inline void expect_picture_name(const command_line& line, const std::string& path) {
+  if (!irg::picture_format_of(path)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + path);
+}
+
+/// Writes a picture, or ends the program.
+inline void write_picture(const command_line& line, const std::string& path, const irg::image<irg::rgba8>& picture) {
+  if (const auto error = irg::write_image(path, picture)) line.fail(std::string(error->message) + ": " + path);
+}
+
+/// The options of programs that read numbers, print what they compute and draw it.
+struct drawing_options {
+  std::string input, out;
+  bool list = false;
+  picture_size size;
+
+  /// Reads the value of the option `word`, which has to be one of these.
+  void read(command_line& line, std::string_view word) {
+    if (word == "--input") {
+      input = line.value_of(word);
+      if (input.empty()) line.fail("option --input needs a file's name");
+    } else if (word == "-o") {
+      out = line.value_of(word);
+      expect_picture_name(line, out);
+    } else if (word == "--list") {
+      list = true;
+    } else if (word == "--size") {
+      size = read_size(line);
+    } else {
+      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
+    }
+  }
+
+  /// What can be judged only when all options are read.
+  void finish(const command_line& line) const {
+    if (one_file(out, input)) line.fail("the input would be overwritten: " + input);
+  }
+};
 
 /// Ends standard output. Where it cannot be written the program ends, and the picture, written by then, is removed.
 inline void finish_output(const command_line& line, const std::string& picture) {

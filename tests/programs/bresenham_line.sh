@@ -2,33 +2,9 @@
 # SPDX-License-Identifier: MIT
 # The contract of `bresenham_line`, seen from outside: cells, methods, windows, refusals, pictures.
 # usage: bresenham_line.sh FOLDER-WITH-THE-PROGRAMS
-set -u
-export LC_ALL=C
-[ -n "${1:-}" ] && [ -x "$1/bresenham_line" ] || { echo "usage: $0 FOLDER (that holds the program bresenham_line)"; exit 1; }
-program=$(cd "$1" && pwd)/bresenham_line
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-passed=0 failed=0
+# shellcheck source=tests/support/programs.sh
+. "$(dirname "$0")/../support/programs.sh" bresenham_line "$@"
 
-check() { # check "what" condition...
-  local what=$1
-  shift
-  if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $what"; fi
-}
-has() { case $1 in *"$2"*) true ;; *) false ;; esac; }
-is() { [ "$1" = "$2" ]; }
-is_not() { [ "$1" != "$2" ]; }
-
-# run "input" arguments...: leaves status, out and err.
-run() {
-  local input=$1
-  shift
-  printf '%b' "$input" | timeout 60 "$program" "$@" >.out 2>.err
-  status=$?
-  out=$(cat .out)
-  err=$(cat .err)
-}
 # answers "what" "expected lines" "input" arguments...
 answers() {
   local what=$1 expected
@@ -41,21 +17,13 @@ answers() {
 }
 # refused "what" "end of the message" "input" arguments...
 refused() {
-  local what=$1 part=$2 before after
+  local what=$1 part=$2
   shift 2
-  before=$(find . -type f | sort)
-  run "$@"
-  after=$(find . -type f | sort)
-  check "$what: exit 2, not $status" is "$status" 2
-  check "$what: one line on standard error, not: $err" is "$(wc -l <.err)" 1
-  check "$what: begins with the program's name: $err" is "${err#bresenham_line: }" "$(tail -c +17 .err)"
-  check "$what: ends with '$part': $err" is "${err%"$part"}$part" "$err"
-  check "$what: standard output is empty" is "$(wc -c <.out)" 0
-  check "$what: leaves no file" is "$before" "$after"
+  fails "$what" "$@"
+  check "$what: ends with '$part': $err" ends "$err" "$part"
 }
 
 # ---- help
-touch .out .err
 run "" --help
 check "--help: exit 0" is "$status" 0
 check "--help: nothing on standard error" is "$err" ""
@@ -162,8 +130,6 @@ answers "seed: 45 degrees" "cells: 3\ndiffering: 1" "0 0 3 3" --method seed
 answers "seed: level" "cells: 3\ndiffering: 1" "0 0 3 0" --method seed
 
 # ---- pictures
-pixels() { tail -c +$((1 + $(head -n 3 "$1" | wc -c))) "$1" | od -An -v -w3 -tu1; }
-count() { pixels "$1" | grep -c "^ *$2 *$3 *$4\$"; }
 run "$course" -o course.ppm --size 220x150
 check "picture: exit 0: $err" is "$status" 0
 check "picture: the answer is printed, too" is "$out" "$(printf 'cells: 191\ndiffering: 0')"
@@ -263,5 +229,4 @@ if [ -w /dev/full ]; then
   check "a full disk: leaves no picture" test ! -e full.png
 fi
 
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+conclude

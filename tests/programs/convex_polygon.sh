@@ -2,48 +2,17 @@
 # SPDX-License-Identifier: MIT
 # The contract of `convex_polygon`, seen from outside: the course's polygon, every rule, refusals, files left behind.
 # usage: convex_polygon.sh FOLDER-WITH-THE-PROGRAMS
-set -u
-export LC_ALL=C
-[ -n "${1:-}" ] && [ -x "$1/convex_polygon" ] || { echo "usage: $0 FOLDER (that holds the program convex_polygon)"; exit 1; }
-program=$(cd "$1" && pwd)/convex_polygon
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-passed=0 failed=0
+# shellcheck source=tests/support/programs.sh
+. "$(dirname "$0")/../support/programs.sh" convex_polygon "$@"
 
-check() { # check "what" condition...
-  local what=$1
-  shift
-  if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $what"; fi
-}
-has() { case $1 in *"$2"*) true ;; *) false ;; esac; }
-is() { [ "$1" = "$2" ]; }
-is_not() { [ "$1" != "$2" ]; }
+line() { sed -n "s/^$1: //p" .out; }
 
-# Runs the program on the numbers in the first argument; leaves status, out and err.
-run() {
-  local input=$1
-  shift
-  printf '%s' "$input" | timeout 60 "$program" "$@" >"$work/.out" 2>"$work/.err"
-  status=$?
-  out=$(cat "$work/.out")
-  err=$(cat "$work/.err")
-}
-line() { sed -n "s/^$1: //p" "$work/.out"; }
-
-# refused "what" "part of the message" numbers arguments...: exit 2, one line `convex_polygon: ...`, no output, no file.
+# refused "what" "part of the message" numbers arguments...
 refused() {
-  local what=$1 part=$2 before after
+  local what=$1 part=$2
   shift 2
-  before=$(find . -type f | sort)
-  run "$@"
-  after=$(find . -type f | sort)
-  check "$what: exit 2, not $status" is "$status" 2
-  check "$what: one line on standard error, not: $err" is "$(wc -l <.err)" 1
-  check "$what: begins with the program's name: $err" has "$err" "convex_polygon: "
+  fails "$what" "$@"
   check "$what: says '$part': $err" has "$err" "$part"
-  check "$what: standard output is empty" is "$(wc -c <.out)" 0
-  check "$what: leaves no file" is "$before" "$after"
 }
 
 course="4
@@ -235,7 +204,7 @@ run "$course" -o p.ppm --size 320x340 --rule course
 check "a picture: exit 0: $err" is "$status" 0
 check "a picture beside the results" is "$(line pixels)" 38874
 check "a picture's size" is "$(sed -n 2p p.ppm)" "320 340"
-blue=$(tail -c +$((1 + $(head -n 3 p.ppm | wc -c))) p.ppm | od -An -v -w3 -tu1 | grep -c '146 184 222')
+blue=$(count p.ppm 146 184 222)
 check "most of the polygon is seen, $blue pixels" test "$blue" -gt 37500 -a "$blue" -lt 38874
 run "$course" -o p.png --list
 check "a PNG" is "$(head -c 4 p.png | tail -c 3)" PNG
@@ -265,5 +234,4 @@ if [ -e /dev/full ]; then
 fi
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+conclude

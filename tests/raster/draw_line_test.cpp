@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include <irg/colour/srgb.hpp>
@@ -21,11 +20,9 @@ using irg::cell_window;
 using irg::line_ends;
 using irg::line_options;
 using irg::line_ties;
-constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
-constexpr line_options all_options[4] = {{line_ends::closed, line_ties::start_side},
-                                         {line_ends::closed, line_ties::symmetric},
-                                         {line_ends::half_open, line_ties::start_side},
-                                         {line_ends::half_open, line_ties::symmetric}};
+using test::all_line_options;
+using test::least;
+using test::most;
 
 template <class R>
 constexpr std::vector<cell> cells_in(const R& raster, cell a, cell b, cell_window w, line_options options) {
@@ -71,7 +68,7 @@ TEST_CASE("draw_line: L5, L6, L9, all ends on 8 x 8, all options, windows inside
   long drawn = 0;
   for (int p = 0; p < 100; ++p)
     for (int q = 0; q < 100; ++q)
-      for (const line_options& options : all_options)
+      for (const line_options& options : all_line_options)
         for (const cell_window w :
              {cell_window{-9, -9, 19, 19}, {0, 0, 8, 8}, {2, 1, 6, 5}, {3, 0, 4, 8}, {5, 5, 9, 9}}) {
           const cell a{p % 10 - 1, p / 10 - 1}, b{q % 10 - 1, q / 10 - 1};
@@ -159,7 +156,7 @@ TEST_CASE("draw_line: random lines over the whole int range") {
     }
     const auto side = [&](int low, int high) { return static_cast<int>(random.integer(low, high)); };
     const cell_window w{side(-3, 9), side(-3, 9), side(25, 43), side(18, 33)};
-    const line_options& options = all_options[random.integer(0, 3)];
+    const line_options& options = all_line_options[random.integer(0, 3)];
     crossing += cells_in(image, a, b, w, options).size() >= 2;
     REQUIRE(draws_the_cells(image, a, b, w, options));
   }
@@ -288,7 +285,7 @@ TEST_CASE("draw_line: lines longer than 32 bits of fraction serve, inside the ra
     const auto length = static_cast<int>(46338 + i % 8), from = static_cast<int>(random.integer(0, 50000));
     const auto row = [&] { return static_cast<int>(random.integer(0, 2)); };
     const cell a{i % 2 ? from : 99999, row()}, b{i % 2 ? from + length : from, row()};
-    const line_options& options = all_options[i % 4];
+    const line_options& options = all_line_options[i % 4];
     REQUIRE(draws_the_cells(wide, a, b, {0, 0, most, most}, options));
     REQUIRE(draws_the_cells(high, {a.y, a.x}, {b.y, b.x}, {0, 0, most, most}, options));
   }
@@ -303,7 +300,7 @@ TEST_CASE("draw_line: rasters larger than the caches, where steep lines are fetc
       return cell{x, static_cast<int>(random.integer(-100, 700))};
     };
     const cell a = end(), b = end();
-    const line_options& options = all_options[i % 4];
+    const line_options& options = all_line_options[i % 4];
     irg::draw_line(large, a, b, i, options);
     irg::line_bresenham(a, b, irg::window_of(large), [&](cell c) { reference(c.x, c.y) = i; }, options);
   }
@@ -327,7 +324,7 @@ TEST_CASE("draw_line: L13, views with any distance between rows, guard bytes unt
   for (const std::ptrdiff_t stride : {36, 40, 128, -36, -40, -128}) {
     std::vector<int> memory(2000, 0);
     irg::image_view<int> view(memory.data() + 1000, width, height, stride);
-    for (int i = 0; i < 500; ++i) REQUIRE(draws_the_cells(view, end(), end(), {0, 0, 99, 99}, all_options[i % 4]));
+    for (int i = 0; i < 500; ++i) REQUIRE(draws_the_cells(view, end(), end(), {0, 0, 99, 99}, all_line_options[i % 4]));
     irg::draw_line(view, {least, least}, {most, most}, 1);
     long sum = 0;
     for (const int v : memory) sum += v;
@@ -336,7 +333,7 @@ TEST_CASE("draw_line: L13, views with any distance between rows, guard bytes unt
   for (const std::ptrdiff_t stride : {27, 28, 31, -28, -29}) {  // no multiple of the pixel's three bytes
     std::vector<unsigned char> memory(2000, 0);
     irg::image_view<rgb8> view(reinterpret_cast<rgb8*>(memory.data() + 1000), width, height, stride);
-    for (int i = 0; i < 500; ++i) REQUIRE(draws_the_cells(view, end(), end(), {0, 0, 99, 99}, all_options[i % 4]));
+    for (int i = 0; i < 500; ++i) REQUIRE(draws_the_cells(view, end(), end(), {0, 0, 99, 99}, all_line_options[i % 4]));
     irg::draw_line(view, {0, -5}, {8, 13}, rgb8(1));
     long sum = 0;
     for (const unsigned char v : memory) sum += v;
@@ -391,7 +388,7 @@ TEST_CASE("draw_line: any raster and any pixel") {
       return cell{x, static_cast<int>(random.integer(-4, 12))};
     };
     const cell a = end(), b = end();
-    const line_options& options = all_options[i % 4];
+    const line_options& options = all_line_options[i % 4];
     REQUIRE(draws_the_cells(loose, a, b, {1, 1, 99, 8}, options));
     REQUIRE(draws_the_cells(few, a, b, {1, 1, 99, 8}, options));
     REQUIRE(draws_the_cells(real, a, b, {1, 1, 99, 8}, options));
@@ -424,7 +421,7 @@ TEST_CASE("draw_line: a function paint is called once per cell, in the order fro
       return cell{x, static_cast<int>(i % 3 == 0 ? 4 : random.integer(-3, 11))};
     };
     const cell a = end();
-    REQUIRE(in_order(a, end(), all_options[i % 4]));
+    REQUIRE(in_order(a, end(), all_line_options[i % 4]));
   }
 }
 
@@ -440,11 +437,11 @@ TEST_CASE("draw_line: L1 to L4, L7, L8, L10 to L12, hostile lines and windows") 
   constexpr cell_window all{least, least, most, most};
   CHECK_BOTH(count({least, least}, {most, most}, 64, 64, all) == 64);  // L1
   CHECK_BOTH(count({least, 5}, {most, 5}, 64, 64, all) == 64);  // L2
-  CHECK_BOTH(count({most, 5}, {least, 5}, 64, 64, all, all_options[2]) == 64);
+  CHECK_BOTH(count({most, 5}, {least, 5}, 64, 64, all, all_line_options[2]) == 64);
   CHECK_BOTH(count({5, most}, {5, least}, 64, 64, all) == 64);
   CHECK_BOTH(count({most, 0}, {most, 0}, 64, 64, all) == 0);
   CHECK_BOTH(count({3, 3}, {3, 3}, 4, 4, all) == 1);  // L4
-  CHECK_BOTH(count({3, 3}, {3, 3}, 4, 4, all, all_options[2]) == 0);
+  CHECK_BOTH(count({3, 3}, {3, 3}, 4, 4, all, all_line_options[2]) == 0);
   CHECK_BOTH(count({9, 9}, {9, 9}, 4, 4, all) == 0);
   CHECK_BOTH(count({-3, 2}, {2, -3}, 4, 4, all) == 0);  // L7
   CHECK_BOTH(count({-3, 3}, {3, -3}, 4, 4, all) == 1);  // L8
@@ -465,7 +462,7 @@ TEST_CASE("draw_line: L1 to L4, L7, L8, L10 to L12, hostile lines and windows") 
                           {{least, 0}, {most, 1}},
                           {{0, least}, {1, most}}};
   for (const auto& [a, b] : ends)
-    for (const line_options& options : all_options) {
+    for (const line_options& options : all_line_options) {
       REQUIRE(draws_the_cells(image, a, b, all, options));
       REQUIRE(draws_the_cells(image, b, a, all, options));
     }

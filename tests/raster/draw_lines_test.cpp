@@ -2,7 +2,6 @@
 #include <irg/raster/draw_lines.hpp>
 
 #include <cstdlib>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include <irg/raster/image.hpp>
 
 #include "support/check_both.hpp"
+#include "support/line_oracle.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -17,14 +17,10 @@ namespace {
 using irg::cell;
 using irg::cell_line;
 using irg::cell_window;
-using irg::line_ends;
 using irg::line_options;
-using irg::line_ties;
-constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
-constexpr line_options all_options[4] = {{line_ends::closed, line_ties::start_side},
-                                         {line_ends::closed, line_ties::symmetric},
-                                         {line_ends::half_open, line_ties::start_side},
-                                         {line_ends::half_open, line_ties::symmetric}};
+using test::all_line_options;
+using test::least;
+using test::most;
 
 // Lines in, across and outside a raster, level, upright and diagonal ones among them, each of another value.
 template <class P>
@@ -72,7 +68,7 @@ TEST_CASE("draw_lines: sorted by tile, the bytes are those of one by one, whatev
         round % 3 == 0 ? cell_window{0, 0, most, most}
                        : cell_window{static_cast<int>(random.integer(0, 90)), static_cast<int>(random.integer(0, 90)),
                                      width - static_cast<int>(random.integer(0, 90)), height};
-    const line_options& options = all_options[round % 4];
+    const line_options& options = all_line_options[round % 4];
     irg::detail::draw_lines_by_piece(sorted, lines, intersect(window, irg::window_of(sorted)), options, memory.pieces(),
                                      [&](std::size_t i) { return lines[i].paint; });
     one_by_one(reference, lines, window, options);
@@ -116,7 +112,7 @@ TEST_CASE("draw_lines: with enough long lines on a large raster it does sort, an
   CHECK(short_ones == short_reference);
 
   irg::line_batch memory;
-  for (const line_options& options : all_options) {  // the same memory again and again, a span, one paint
+  for (const line_options& options : all_line_options) {  // the same memory again and again, a span, one paint
     irg::image<std::uint32_t> plain(width, height);
     std::vector<cell_line> plain_lines;
     for (const auto& line : lines) plain_lines.push_back({line.from, line.to});

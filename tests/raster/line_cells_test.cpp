@@ -72,7 +72,7 @@ TEST_CASE("line_cells: every way to a cell leads to the same one") {
       return static_cast<int>(r.integer(-half, half - 1));
     };
     const int x = coordinate(), y = coordinate(), u = coordinate();
-    const line_cells line({x, y}, {u, coordinate()}, test::all_line_options[static_cast<std::size_t>(k % 4)]);
+    const line_cells line({x, y}, {u, coordinate()}, test::all_line_options[k % 4]);
     if (line.empty()) continue;
     const std::int64_t i = r.integer(0, line.size() - 1), j = r.integer(0, line.size() - 1);
     const auto at_i = line.begin() + i;

@@ -23,11 +23,10 @@ namespace test {
 
 constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
 
-inline constexpr std::array<irg::line_options, 4> all_line_options{
-    {{irg::line_ends::closed, irg::line_ties::start_side},
-     {irg::line_ends::closed, irg::line_ties::symmetric},
-     {irg::line_ends::half_open, irg::line_ties::start_side},
-     {irg::line_ends::half_open, irg::line_ties::symmetric}}};
+inline constexpr irg::line_options all_line_options[4] = {{irg::line_ends::closed, irg::line_ties::start_side},
+                                                          {irg::line_ends::closed, irg::line_ties::symmetric},
+                                                          {irg::line_ends::half_open, irg::line_ties::start_side},
+                                                          {irg::line_ends::half_open, irg::line_ties::symmetric}};
 
 constexpr std::int64_t magnitude(std::int64_t v) { return v < 0 ? -v : v; }
 
@@ -146,7 +145,7 @@ line_trial try_random_lines(const Draw& draw, std::int64_t lines, std::uint64_t 
   cells expected, drawn;
   for (std::int64_t i = 0; i < lines; ++i) {
     const irg::cell_window& window = twenty_windows[static_cast<std::size_t>(i % 20)];
-    const irg::line_options& options = all_line_options[static_cast<std::size_t>(i / 20 % 4)];
+    const irg::line_options& options = all_line_options[i / 20 % 4];
     const random_line line = random_line_at(r, window);
     oracle_line(line.a, line.b, window, options, expected);
     drawn.clear();

@@ -87,11 +87,7 @@ template <FillablePolygon P, CoverageSink Sink>
 constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,
                                 coverage_workspace& workspace) {
   detail::area_memory& m = workspace.memory;
-  bool reached = true;
-  detail::for_each_ring(polygon, [&](const auto& ring) {
-    reached = reached && detail::reach_of(ring) == detail::ring_reach::within_snap_limit;
-  });
-  if (!reached) return false;
+  if (detail::reach_of_polygon(polygon) != detail::ring_reach::within_snap_limit) return false;
   if constexpr (FillableRing<P>)
     if (detail::is_convex_ring(polygon)) return convex_coverage(polygon, window, emit);
   m.lines.clear();
