@@ -74,7 +74,7 @@ int main() {
   const auto mapping = irg::map_to_screen<float>(width, height);
   irg::render_stats stats;
 
-  const auto make_shader = [&](std::uint32_t i, const irg::triangle_shares&, irg::facing) {
+  const auto make_shader = [&](std::uint32_t i, irg::facing) {
     const auto [a, b, c] = p.body.triangles[i].v;
     return irg::vertex_colour_shader<irg::rgba8, irg::detail::encode_srgb>{
         p.colours[a], p.colours[b], p.colours[c], {}};
@@ -83,7 +83,7 @@ int main() {
     const auto vertices = irg::project_vertices<float>(p.body.positions, p.to_clip, mapping);
     stats = irg::draw_triangles<irg::nearer_is_greater, float>(
         picture, depth, vertices, p.body.triangles, mapping, make_shader,
-        irg::draw_settings<irg::rgba8>{culling, irg::skipping::on, irg::clearing::before_drawing, background});
+        irg::draw_settings<irg::rgba8>{culling, irg::skip_options{}, irg::clearing::before_drawing, background});
   };
   std::vector<bench::contender> racers;
   racers.push_back({"irg culled", [&] { draw(irg::face_culling::back); }});

@@ -12,7 +12,7 @@ TEST_CASE("render_options: a hidden-surface Gouraud picture, culled and skipping
   CHECK_BOTH(irg::render_options{}.style == irg::picture_style::gouraud);
   CHECK_BOTH(irg::render_options{}.hidden == irg::hidden_surface_method::zbuffer);
   CHECK_BOTH(irg::render_options{}.culling == irg::face_culling::back);
-  CHECK_BOTH(irg::render_options{}.skip == irg::skipping::on);
+  CHECK_BOTH(irg::render_options{}.skip == irg::skip_options{});
 }
 
 constexpr irg::skip_counts sum_of(irg::skip_counts a, const irg::skip_counts& b) { return a += b; }

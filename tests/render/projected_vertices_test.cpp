@@ -25,8 +25,8 @@ constexpr irg::projected_vertices<double> projected(const point& p, int width = 
 constexpr irg::screen_vertex on_screen(const point& p, int width = 64, int height = 32) {
   return projected(p, width, height).screen[0];
 }
-constexpr clip_planes cut(const point& p) { return projected(p).cut[0]; }
-constexpr clip_planes outside(const point& p) { return projected(p).outside[0]; }
+constexpr clip_planes cut(const point& p) { return projected(p).codes[0].cut_planes(); }
+constexpr clip_planes outside(const point& p) { return projected(p).codes[0].outside_planes(); }
 
 TEST_CASE("project_vertices: by hand") {
   // 90 degrees, at distance 2: the borders of the square view are at x, y = -2 and 2; the picture is stretched.
@@ -37,8 +37,13 @@ TEST_CASE("project_vertices: by hand") {
   CHECK_BOTH(on_screen({0, 0, -2}).depth == 0.5f);
   CHECK_BOTH(on_screen({0, 0, -2}).inverse_w == 0.5f);
   CHECK_BOTH(on_screen({0, 0, -8}).depth == 0.125f);
-  CHECK_BOTH(projected({3, 4, -5}).clip[0] == eye_at_origin * point{3, 4, -5});
-  CHECK_BOTH(projected({3, 4, -5}).clip[0].w == 5);
+  constexpr auto clip = [] {
+    const point positions[1] = {{3, 4, -5}};
+    return irg::clip_position(
+        irg::project_vertices<double>(positions, eye_at_origin, irg::map_to_screen<double>(64, 32)), 0);
+  };
+  CHECK_BOTH(clip() == eye_at_origin * point{3, 4, -5});
+  CHECK_BOTH(clip().w == 5);
 }
 
 TEST_CASE("project_vertices: beyond which planes") {
@@ -76,8 +81,8 @@ TEST_CASE("project_vertices: Z4, what is not finite is cut and outside") {
         point p{0.5, 0.25, -2};
         p[axis] = value;
         const auto v = projected(p, 64, 32, m);
-        CHECK(v.cut[0] != clip_planes::none);
-        CHECK(v.outside[0] != clip_planes::none);
+        CHECK(v.codes[0].cut != 0);
+        CHECK(v.codes[0].outside != 0);
       }
 }
 
@@ -92,11 +97,11 @@ TEST_CASE("map_to_screen: whatever is not cut can be snapped, in pictures up to 
         const double far = std::ldexp(1.0, static_cast<int>(r.integer(0, 17)));
         const point p{far * (2 * r.unit() - 1), far * (2 * r.unit() - 1), -1 - r.unit()};
         const auto v = projected(p, width, height);
-        if (v.cut[0] != clip_planes::none) continue;
+        if (v.codes[0].cut != 0) continue;
         const irg::subpixel s = v.screen[0].position;
         REQUIRE(std::abs(s.x) <= 65536 * 256);
         REQUIRE(std::abs(s.y) <= 65536 * 256);
-        if (v.outside[0] != clip_planes::none)
+        if (v.codes[0].outside != 0)
           REQUIRE((s.x <= 0 || s.y <= 0 || s.x >= width * 256 || s.y >= height * 256 || p.z > -1));
       }
     }
@@ -108,8 +113,8 @@ TEST_CASE("project_vertices: the nearest 1/256 pixel, against long double") {
   for (int i = 0; i < 5000; ++i) {
     const point p{r.unit() * 2 - 1, r.unit() * 2 - 1, r.unit() * 2 - 1};
     const auto v = projected(p, 640, 480, m);
-    REQUIRE(v.cut[0] == clip_planes::none);
-    const auto& c = v.clip[0];
+    REQUIRE(v.codes[0].cut == 0);
+    const auto c = m * p;
     const long double x = (static_cast<long double>(c.x) / static_cast<long double>(c.w) + 1) * 320 * 256;
     const long double y = (1 - static_cast<long double>(c.y) / static_cast<long double>(c.w)) * 240 * 256;
     REQUIRE(std::fabs(x - v.screen[0].position.x) <= 0.5000001L);
@@ -119,7 +124,7 @@ TEST_CASE("project_vertices: the nearest 1/256 pixel, against long double") {
 }
 
 TEST_CASE("project_vertices: no positions") {
-  CHECK(irg::project_vertices<double>({}, eye_at_origin, irg::map_to_screen<double>(8, 8)).clip.empty());
+  CHECK(irg::project_vertices<double>({}, eye_at_origin, irg::map_to_screen<double>(8, 8)).screen.empty());
 }
 
 }  // namespace

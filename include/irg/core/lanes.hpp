@@ -234,5 +234,78 @@ IRG_INLINE T lane(const pack<T, N>& x, int i) noexcept {
   return x[i];
 }
 
+#ifdef IRG_LANES_VECTOR
+
+/// N integers below 2^53, held exactly by doubles in two registers: for what leaves 32 bits. Nothing is rounded, so
+/// nothing has to be guarded against contraction.
+template <int N>
+struct wide_pack {
+  static constexpr int half_count = N / 2;
+  pack<double, N / 2> half[2];
+};
+
+template <int N>
+IRG_INLINE wide_pack<N> operator+(const wide_pack<N>& a, const wide_pack<N>& b) noexcept {
+  return {{{a.half[0].v + b.half[0].v}, {a.half[1].v + b.half[1].v}}};
+}
+template <int N>
+IRG_INLINE wide_pack<N> operator*(const wide_pack<N>& a, const wide_pack<N>& b) noexcept {
+  return {{{a.half[0].v * b.half[0].v}, {a.half[1].v * b.half[1].v}}};
+}
+template <int N>
+IRG_INLINE double lane(const wide_pack<N>& a, int i) noexcept {
+  return a.half[i / (N / 2)].v[i % (N / 2)];
+}
+
+// Two halves of a register, put together.
+template <class T, int N>
+IRG_INLINE pack<T, N> join_halves(const pack<T, N / 2>& low, const pack<T, N / 2>& high) noexcept {
+  pack<T, N> both_halves;
+  std::memcpy(&both_halves.v, &low.v, sizeof low.v);
+  std::memcpy(reinterpret_cast<char*>(&both_halves.v) + sizeof low.v, &high.v, sizeof high.v);
+  return both_halves;
+}
+
+template <int N>
+IRG_INLINE pack<float, N> to_float(const wide_pack<N>& a) noexcept {
+  using half = typename pack<float, N / 2>::storage;
+  return join_halves<float, N>({__builtin_convertvector(a.half[0].v, half)},
+                               {__builtin_convertvector(a.half[1].v, half)});
+}
+
+/// Where none of three numbers is negative.
+template <int N>
+IRG_INLINE pack<std::int32_t, N> none_negative(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b,
+                                               const pack<std::int32_t, N>& c) noexcept {
+  return {(a.v | b.v | c.v) >= 0};
+}
+template <int N>
+IRG_INLINE pack<std::int32_t, N> none_negative(const wide_pack<N>& a, const wide_pack<N>& b,
+                                               const wide_pack<N>& c) noexcept {
+  using half = typename pack<std::int32_t, N / 2>::storage;
+  const auto mask = [&](int i) {
+    return pack<std::int32_t, N / 2>{
+        __builtin_convertvector((a.half[i].v >= 0) & (b.half[i].v >= 0) & (c.half[i].v >= 0), half)};
+  };
+  return join_halves<std::int32_t, N>(mask(0), mask(1));
+}
+
+template <int N>
+struct lanes<wide_pack<N>> {
+  using scalar = double;
+  static constexpr int count = N;
+  IRG_INLINE static wide_pack<N> broadcast(double x) noexcept {
+    using half = typename pack<double, N / 2>::storage;
+    return {{{x - half{}}, {x - half{}}}};
+  }
+  IRG_INLINE static wide_pack<N> ramp() noexcept {
+    wide_pack<N> r{};
+    for (int i = 0; i < N; ++i) r.half[i / (N / 2)].v[i % (N / 2)] = i;
+    return r;
+  }
+};
+
+#endif
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -54,12 +54,15 @@ struct screen_weights {
   }
 };
 
-// Everything about a triangle that its pixels share. Vertices and edges keep the order the vertices were given in.
+// Everything about a triangle that its pixels share. Vertices and edges keep the order the vertices were given in. The
+// barycentric weight i of a pixel is F * scale + rest[i]; all weights and their summands are positive, so nothing
+// cancels.
 struct triangle_setup {
   triangle_edge edge[3];
-  float scale;      // 256 / double_area: weight i is F * scale + rest[i]
-  float rest[3];    // the edge's rest / double_area
-  float depth[3], inverse_w[3];
+  float scale;  // 256 / double_area
+  float rest[3];  // the edge's rest / double_area
+  float depth_gain[3], depth_rest;  // depth = the sum of F * depth_gain[i], and depth_rest
+  float inverse_w[3];
   float depth_low, depth_high;
 
   template <class F, class I>
@@ -68,19 +71,46 @@ struct triangle_setup {
   }
 };
 
+// The depth of a pixel from its three edge functions, limited to the range of the vertices' depths, which rounding
+// might leave. Turning a triangle round exchanges its second and third vertex, and changes no bit.
+template <class F, class I>
+IRG_INLINE constexpr F depth_at(const I& f0, const I& f1, const I& f2, const F& gain0, const F& gain1, const F& gain2,
+                                const F& rest, const F& low, const F& high) noexcept {
+  const F depth = (product(to_float(f0), gain0) + rest) + (product(to_float(f1), gain1) + product(to_float(f2), gain2));
+  const F not_below = select(depth < low, low, depth);
+  return select(high < not_below, high, not_below);
+}
+
 IRG_INLINE constexpr triangle_setup set_up(const triangle_coverage& t, const screen_vertex& v0, const screen_vertex& v1,
                                            const screen_vertex& v2) noexcept {
   const triangle_edge& edge1 = t.edge[t.flipped ? 2 : 1];
   const triangle_edge& edge2 = t.edge[t.flipped ? 1 : 2];
-  const double area = static_cast<double>(t.double_area);
-  return {{t.edge[0], edge1, edge2},
-          static_cast<float>(double{one_pixel} / area),
-          {static_cast<float>(t.edge[0].rest / area), static_cast<float>(edge1.rest / area),
-           static_cast<float>(edge2.rest / area)},
-          {v0.depth, v1.depth, v2.depth},
-          {v0.inverse_w, v1.inverse_w, v2.inverse_w},
-          lesser(lesser(v0.depth, v1.depth), v2.depth),
-          greater(greater(v0.depth, v1.depth), v2.depth)};
+  triangle_setup s{{t.edge[0], edge1, edge2},
+                   float{one_pixel} / to_float(t.double_area),
+                   {},
+                   {},
+                   {},
+                   {v0.inverse_w, v1.inverse_w, v2.inverse_w},
+                   lesser(lesser(v0.depth, v1.depth), v2.depth),
+                   greater(greater(v0.depth, v1.depth), v2.depth)};
+  const float depth[3] = {v0.depth, v1.depth, v2.depth}, unit = s.scale * (1.0f / one_pixel);
+  for (int i = 0; i < 3; ++i) {
+    s.rest[i] = product(to_float(s.edge[i].rest), unit);
+    s.depth_gain[i] = product(s.scale, depth[i]);
+  }
+  s.depth_rest = product(s.rest[0], depth[0]) + (product(s.rest[1], depth[1]) + product(s.rest[2], depth[2]));
+  return s;
+}
+
+// The perspective-correct weights of a pixel from its barycentric ones.
+template <class F>
+IRG_INLINE constexpr fragment<F> perspective_weights(const triangle_setup& s, const F& b0, const F& b1, const F& b2,
+                                                     const F& depth) noexcept {
+  using f = lanes<F>;
+  const screen_weights<F> weights{b0, b1, b2};
+  const F inverse = f::broadcast(1.0f) / weights(s.inverse_w[0], s.inverse_w[1], s.inverse_w[2]);
+  return {product(product(b1, f::broadcast(s.inverse_w[1])), inverse),
+          product(product(b2, f::broadcast(s.inverse_w[2])), inverse), depth};
 }
 
 // Whether F, at every pixel of the window widened by `margin` columns, fits in 32 bits with a bit to spare.
@@ -153,13 +183,9 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y,
   if (mask_bits(covered) == 0) return;
   count_up(tested, covered);
 
-  const screen_weights<F> weights{s.weight<F>(0, f0), s.weight<F>(1, f1), s.weight<F>(2, f2)};
-  // The weights add up to 1 only within rounding; no depth leaves the range of the vertices' depths.
-  const F low = lanes<F>::broadcast(s.depth_low), high = lanes<F>::broadcast(s.depth_high);
-  F depth = weights(s.depth[0], s.depth[1], s.depth[2]);
-  depth = select(depth < low, low, depth);
-  depth = select(high < depth, high, depth);
-
+  const auto all = [](float v) { return lanes<F>::broadcast(v); };
+  const F depth = depth_at<F>(f0, f1, f2, all(s.depth_gain[0]), all(s.depth_gain[1]), all(s.depth_gain[2]),
+                              all(s.depth_rest), all(s.depth_low), all(s.depth_high));
   auto visible = covered;
   if (depth_row != nullptr) {
     const F stored = lanes<F>::load(depth_row + x);
@@ -170,9 +196,7 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y,
   }
   count_up(shaded, visible);
 
-  const F inverse = lanes<F>::broadcast(1.0f) / weights(s.inverse_w[0], s.inverse_w[1], s.inverse_w[2]);
-  const fragment<F> where{product(product(weights.b1, lanes<F>::broadcast(s.inverse_w[1])), inverse),
-                          product(product(weights.b2, lanes<F>::broadcast(s.inverse_w[2])), inverse), depth};
+  const fragment<F> where = perspective_weights(s, s.weight<F>(0, f0), s.weight<F>(1, f1), s.weight<F>(2, f2), depth);
   shade_pixels(colour_row + x, mask_bits(visible), where, shader);
 }
 

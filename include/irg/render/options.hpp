@@ -20,11 +20,22 @@ enum class face_culling { back, none };
 /// Whether work that cannot change the picture is left out. `off` is for measuring and for tests: the bytes are equal.
 enum class skipping { on, off };
 
+/// The skips, each with a switch of its own.
+struct skip_options {
+  skipping frustum = skipping::on;   // triangles beyond a border of the picture or of the depth range
+  skipping tiny = skipping::on;      // triangles that hold no pixel centre
+  skipping occluded = skipping::on;  // triangles, and parts of them, behind what is drawn already
+  constexpr bool operator==(const skip_options&) const = default;
+};
+
+/// Nothing is skipped but what face culling leaves out.
+inline constexpr skip_options skip_nothing{skipping::off, skipping::off, skipping::off};
+
 struct render_options {
   picture_style style = picture_style::gouraud;
   hidden_surface_method hidden = hidden_surface_method::zbuffer;
   face_culling culling = face_culling::back;
-  skipping skip = skipping::on;
+  skip_options skip{};
 };
 
 /// Triangles that were not rasterized, by reason.

@@ -3,72 +3,65 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include <irg/geometry/clip_homogeneous.hpp>
-#include <irg/math/mat.hpp>
-#include <irg/raster/draw_triangle.hpp>
-#include <irg/view/viewport.hpp>
+#include <irg/core/executor.hpp>
+#include <irg/render/screen_mapping.hpp>
+
+#include <irg/render/detail/vertex_kernel.hpp>
 
 namespace irg {
 
-/// Vertices on their way to the screen. Three arrays of one length.
+/// Vertices on their way to the screen. Arrays parallel to the positions; kept from picture to picture, they spare the
+/// next one the allocation.
 template <Floating T>
 struct projected_vertices {
-  std::vector<hpoint<T, 3>> clip;
-  std::vector<screen_vertex> screen;     // valid where `cut` is none
-  std::vector<clip_planes> outside;      // the picture's borders and depth planes that the vertex is beyond
-  std::vector<clip_planes> cut;          // the planes, sides widened to the guard band, that it is beyond
-};
-
-/// From clip space to the screen: the picture's place and how far beyond it the rasterizer's numbers reach.
-template <Floating T>
-struct screen_mapping {
-  T half_width, half_height, centre_x, centre_y;
-  clip_volume<T> picture, guard;
+  std::span<const point<T, 3>> positions;  // where they come from; must outlive this
+  mat<T, 4, 4> to_clip{};
+  std::vector<screen_vertex> screen;  // valid where `cut` is none
+  std::vector<clip_code_pair> codes;  // the planes that each vertex is beyond
+  clip_code_pair any;  // the planes that some vertex is beyond
 };
 
 inline namespace IRG_ABI {
 
-/// The mapping of clip space onto a picture of width x height pixels whose first pixel is (0, 0).
-/// needs   1 <= width, height <= 65536
+/// Vertex i in clip space.
 template <Floating T>
-constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
-  // Up to 2^15 pixels from the picture's centre: coverage of small triangles then fits in 32 bits, and all in 64.
-  const T half_width = static_cast<T>(width) / T(2), half_height = static_cast<T>(height) / T(2), reach = T(1 << 15);
-  return {half_width,  half_height, half_width,
-          half_height, {},          {clip_planes::all, reach / half_width, reach / half_height}};
+constexpr hpoint<T, 3> clip_position(const projected_vertices<T>& v, std::size_t i) noexcept {
+  return v.to_clip * v.positions[i];
 }
 
-/// Where a clip-space position stands on the screen.
-/// needs   a position inside the guard band, w > 0
-/// exact   each product, sum and quotient rounded once in T, then snapped; depth and 1/w rounded to float
-template <Floating T>
-IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
-  const T inverse = T(1) / p.w;
-  const T x = product(product(p.x, inverse), m.half_width) + m.centre_x;
-  const T y = m.centre_y - product(product(p.y, inverse), m.half_height);
-  return {{snap(x), snap(y)}, static_cast<float>(product(p.z, inverse)), static_cast<float>(inverse)};
-}
-
-/// All positions in clip space, classified, and on the screen where they are inside the guard band.
+/// Projects all positions into `out`: classified, and on the screen where they are inside the guard band.
+/// needs   positions that outlive `out`
 /// exact   as to_screen; positions that are not finite are outside of every plane
-/// cost    linear; allocates the result
-template <Floating T>
-constexpr projected_vertices<T> project_vertices(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
-                                                 const screen_mapping<T>& mapping) {
+/// cost    linear, in lanes for floats; allocates what `out` lacks
+template <Floating T, Executor E = sequential>
+constexpr void project_vertices(projected_vertices<T>& out, std::span<const point<T, 3>> positions,
+                                const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping, const E& executor = {}) {
+  constexpr std::size_t portion = 8192;
   const std::size_t n = positions.size();
-  projected_vertices<T> v{std::vector<hpoint<T, 3>>(n, hpoint<T, 3>{}), std::vector<screen_vertex>(n, screen_vertex{}),
-                          std::vector<clip_planes>(n, clip_planes::none),
-                          std::vector<clip_planes>(n, clip_planes::none)};
-  for (std::size_t i = 0; i < n; ++i) {
-    const hpoint<T, 3> p = to_clip * positions[i];
-    v.clip[i] = p;
-    v.outside[i] = clip_code(p, mapping.picture);
-    v.cut[i] = clip_code(p, mapping.guard);
-    if (v.cut[i] == clip_planes::none) v.screen[i] = to_screen(p, mapping);
-  }
+  out.positions = positions;
+  out.to_clip = to_clip;
+  out.screen.resize(n, screen_vertex{});
+  out.codes.resize(n, clip_code_pair{});
+  std::vector<clip_code_pair> any((n + portion - 1) / portion, clip_code_pair{});
+  executor(any.size(), [&](std::size_t i) {
+    const std::size_t first = i * portion, last = lesser(first + portion, n);
+    any[i] =
+        detail::project_range(out.screen.data(), out.codes.data(), positions.data(), first, last, to_clip, mapping);
+  });
+  out.any = {};
+  for (const clip_code_pair& a : any) out.any = out.any | a;
+}
+
+/// All positions, projected.
+template <Floating T, Executor E = sequential>
+constexpr projected_vertices<T> project_vertices(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
+                                                 const screen_mapping<T>& mapping, const E& executor = {}) {
+  projected_vertices<T> v;
+  project_vertices(v, positions, to_clip, mapping, executor);
   return v;
 }
 

@@ -42,27 +42,40 @@ constexpr render_stats draw_object_wire(const mesh<T>& shape, Colour& colour, co
   return stats;
 }
 
-// The faces of one object, in the style that the options name.
+// The faces of all objects, in the style that the options name.
 template <class Order, class T, class Colour, class Depth, class E, class Observer>
-constexpr render_stats draw_object_filled(const scene<T>& world, const mesh<T>& shape, const material<T>& surface,
-                                          Colour& colour, Depth& depth, const mat<T, 4, 4>& to_clip,
-                                          const screen_mapping<T>& mapping, picture_style style,
-                                          const draw_settings<rgba8>& settings, const E& executor, Observer& observer) {
-  const drawable<T> body = make_drawable(shape);
-  observer(render_stage::prepare);
+constexpr render_stats draw_filled(const scene<T>& world, Colour& colour, Depth& depth, const mat<T, 4, 4>& to_clip,
+                                   const screen_mapping<T>& mapping, const render_options& options,
+                                   const rgba8& background, const E& executor, Observer& observer) {
   const lighting<T> light{world.ambient, world.lights};
-  const point<T, 3>& eye = world.view.eye;
-  object_shading<T> shading{body, shape, {surface, light, eye}, {surface, light, eye}, {surface, light, eye}, {}};
-  shading.prepare(style);
-  observer(render_stage::shade);
-  const auto vertices = project_vertices<T>(body.positions, to_clip, mapping);
-  observer(render_stage::project);
-  const auto draw = [&](const auto& make_shader) {
-    return draw_triangles<Order, T>(colour, depth, vertices, body.triangles, mapping, make_shader, settings, executor);
+  const point<T, 3> eye = viewpoint(world.view);
+  std::vector<object_shading<T>> objects;
+  std::vector<projected_vertices<T>> vertices(world.objects.size(), projected_vertices<T>{});
+  std::vector<triangle_batch<T>> batches;
+  objects.reserve(world.objects.size());
+  batches.reserve(world.objects.size());
+  std::uint32_t number = 0;
+  for (const object<T>& o : world.objects) {
+    object_shading<T>& shading =
+        objects.emplace_back(transform_mesh(o.shape, o.placement), o.surface, light, eye);
+    observer(render_stage::prepare);
+    shading.prepare(options.style, options.culling, executor);
+    observer(render_stage::shade);
+    const std::size_t i = batches.size();
+    project_vertices<T>(vertices[i], shading.body.positions, to_clip, mapping, executor);
+    batches.push_back({&vertices[i], shading.body.triangles, number, static_cast<std::uint32_t>(i)});
+    number += static_cast<std::uint32_t>(shading.body.triangles.size());
+    observer(render_stage::project);
+  }
+  const draw_settings<rgba8> settings{options.culling, options.skip, clearing::before_drawing, background};
+  draw_workspace workspace;
+  const auto draw = [&](const auto& shading) {
+    return draw_batches<Order, T>(colour, depth, batches, mapping, shading, settings, workspace, executor);
   };
-  const render_stats stats = style == picture_style::flat      ? draw(shading.flat_pixels())
-                             : style == picture_style::gouraud ? draw(shading.gouraud_pixels())
-                                                               : draw(shading.phong_pixels());
+  const std::span<const object_shading<T>> all(objects);
+  const render_stats stats = options.style == picture_style::flat      ? draw(flat_pixels<T>{all})
+                             : options.style == picture_style::gouraud ? draw(gouraud_pixels<T>{all})
+                                                                       : draw(phong_pixels<T>{all});
   observer(render_stage::draw);
   return stats;
 }
@@ -82,19 +95,20 @@ constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Dep
   const int width = width_of(colour), height = height_of(colour);
   render_stats stats;
   if (width == 0 || height == 0) return stats;
-  const bool wire = options.style == picture_style::wire;
   const screen_mapping<T> mapping = map_to_screen<T>(width, height);
   const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(width) / static_cast<T>(height));
-  draw_settings<rgba8> settings{options.culling, options.skip, clearing::before_drawing, colours.background};
-  if (wire || world.objects.empty()) clear(colour, colours.background), clear(depth, Order::farthest);
-  for (const object<T>& o : world.objects) {
-    const mesh<T> shape = transform_mesh(o.shape, o.placement);
-    stats += wire ? draw_object_wire(shape, colour, to_clip, mapping, options, colours, executor, observer)
-                  : draw_object_filled<Order>(world, shape, o.surface, colour, depth, to_clip, mapping, options.style,
-                                              settings, executor, observer);
-    settings.clear = clearing::none;
+  if (options.style != picture_style::wire) {
+    stats = draw_filled<Order>(world, colour, depth, to_clip, mapping, options, colours.background, executor, observer);
+    stats.drawn = stats.pixels.shaded;
+    if (std::is_constant_evaluated()) stats.drawn = count_other_than(depth, Order::farthest);
+    return stats;
   }
-  stats.drawn = wire ? count_other_than(colour, colours.background) : count_other_than(depth, Order::farthest);
+  clear(colour, colours.background);
+  clear(depth, Order::farthest);
+  for (const object<T>& o : world.objects)
+    stats += draw_object_wire(transform_mesh(o.shape, o.placement), colour, to_clip, mapping, options, colours,
+                              executor, observer);
+  stats.drawn = count_other_than(colour, colours.background);
   return stats;
 }
 

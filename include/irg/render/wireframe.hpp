@@ -37,7 +37,7 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
   std::int64_t area = 0;
   const std::size_t n = m.face_size(f);
   for (std::size_t k = 0; k < n; ++k)
-    if (v.cut[m.corner(f, k).position] != clip_planes::none) return false;
+    if (v.codes[m.corner(f, k).position].cut != 0) return false;
   const subpixel origin = v.screen[m.corner(f, 0).position].position;
   for (std::size_t k = 1; k + 1 < n; ++k)
     area += signed_double_area(origin, v.screen[m.corner(f, k).position].position,
@@ -49,10 +49,10 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
 template <class T>
 constexpr std::optional<std::pair<cell, cell>> line_of(const projected_vertices<T>& v, const mesh_edge& e,
                                                        const screen_mapping<T>& mapping) noexcept {
-  const clip_planes cut = v.cut[e.a] | v.cut[e.b];
+  const clip_planes cut = (v.codes[e.a] | v.codes[e.b]).cut_planes();
   if (cut == clip_planes::none) return std::pair{cell_of(v.screen[e.a].position), cell_of(v.screen[e.b].position)};
-  const auto left =
-      clip_segment_homogeneous(clip_vertex<T, 0>{v.clip[e.a]}, clip_vertex<T, 0>{v.clip[e.b]}, mapping.guard);
+  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{clip_position(v, e.a)},
+                                             clip_vertex<T, 0>{clip_position(v, e.b)}, mapping.guard);
   if (!left) return std::nullopt;
   return std::pair{cell_of(to_screen(left->first.position, mapping).position),
                    cell_of(to_screen(left->second.position, mapping).position)};

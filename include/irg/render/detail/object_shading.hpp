@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The pixel shaders of one object, in each style of picture.
+// The pixel shaders of the objects of a picture, in each of its styles.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <irg/colour/srgb.hpp>
+#include <irg/colour/srgb_lanes.hpp>
 #include <irg/render/draw_triangles.hpp>
 #include <irg/render/drawable.hpp>
 #include <irg/shade/shading.hpp>
@@ -13,23 +17,15 @@
 namespace irg {
 namespace detail {
 
-// Light to an 8-bit sRGB pixel.
-struct encode_srgb {
-  IRG_INLINE constexpr rgba8 operator()(const rgb<float>& light) const noexcept { return encode(light); }
-};
-
-// Phong shading of one triangle: positions and normals of its source, weighed at the piece's corners.
+// Phong shading of one triangle.
 template <Floating T>
 struct phong_pixel_shader {
   const phong_shader<T>& shader;
   point<T, 3> position[3];
   vec<T, 3> normal[3];
-  triangle_shares shares;
 
   IRG_INLINE constexpr rgba8 operator()(const fragment<float>& at) const {
-    // The weights of the source's second and third vertex at this pixel of the piece.
-    const T s = T(at.interpolate(shares.corner[0].weight1, shares.corner[1].weight1, shares.corner[2].weight1));
-    const T t = T(at.interpolate(shares.corner[0].weight2, shares.corner[1].weight2, shares.corner[2].weight2));
+    const T s = T(at.weight1), t = T(at.weight2);
     const point<T, 3> p = position[0] + ((position[1] - position[0]) * s + (position[2] - position[0]) * t);
     const vec<T, 3> n = normal[0] + ((normal[1] - normal[0]) * s + (normal[2] - normal[0]) * t);
     const rgb<T> light = shader(p, n);
@@ -44,22 +40,23 @@ IRG_INLINE constexpr rgb<float> to_float_colour(const rgb<T>& c) noexcept {
   return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 
-// The pixel shaders of one object's triangles, in each style.
+// One object of a picture: its triangles, its colours or what they come from.
 template <class T>
 struct object_shading {
-  const drawable<T>& body;
-  const mesh<T>& shape;
+  mesh<T> shape;  // in the world
+  drawable<T> body;
   flat_shader<T> flat;
   gouraud_shader<T> gouraud;
   phong_shader<T> phong;
-  std::vector<rgb<float>> colours;  // of the faces when flat, of the vertices in Gouraud's style
+  std::vector<rgb<float>> face_colours;  // of the fronts
+  std::vector<std::array<float, 3>> vertex_colours[2];  // of the fronts, and if need be of the backs
+
+  constexpr object_shading(mesh<T> in_the_world, const material<T>& surface, const lighting<T>& light,
+                           const point<T, 3>& eye)
+      : shape(std::move(in_the_world)), body(make_drawable(shape)), flat{surface, light, eye},
+        gouraud{surface, light, eye}, phong{surface, light, eye} {}
 
   // What a triangle's back shows has its normal turned towards the eye.
-  IRG_INLINE constexpr rgb<float> vertex_colour(std::uint32_t v, facing side) const noexcept {
-    if (side == facing::front) return colours[v];
-    return to_float_colour(gouraud(body.positions[v], -body.normals[v]));
-  }
-
   constexpr rgb<float> face_colour(std::size_t f, facing side) const noexcept {
     const vec<T, 3> normal = face_normal(shape, f).value_or(vec<T, 3>{});
     vec<T, 3> sum{};  // about the first vertex: the mean of the differences
@@ -70,38 +67,83 @@ struct object_shading {
   }
 
   // Works out the colours that the style keeps.
-  constexpr void prepare(picture_style style) {
-    if (style == picture_style::flat)
-      for (std::size_t f = 0; f < shape.face_count(); ++f) colours.push_back(face_colour(f, facing::front));
-    if (style == picture_style::gouraud)
-      for (std::size_t v = 0; v < body.positions.size(); ++v)
-        colours.push_back(to_float_colour(gouraud(body.positions[v], body.normals[v])));
+  template <class E>
+  constexpr void prepare(picture_style style, face_culling culling, const E& executor) {
+    if (style == picture_style::flat) {
+      face_colours.resize(shape.face_count(), rgb<float>{});
+      for_portions(executor, shape.face_count(),
+                   [&](std::size_t f) { face_colours[f] = face_colour(f, facing::front); });
+    }
+    if (style != picture_style::gouraud) return;
+    for (const facing side : {facing::front, facing::back}) {
+      if (side == facing::back && culling == face_culling::back) continue;
+      auto& colours = vertex_colours[static_cast<int>(side)];
+      colours.resize(body.positions.size(), std::array<float, 3>{});
+      for_portions(executor, colours.size(), [&](std::size_t v) {
+        const vec<T, 3>& n = body.normals[v];
+        const auto [r, g, b] = to_float_colour(gouraud(body.positions[v], side == facing::front ? n : -n));
+        colours[v] = {r, g, b};
+      });
+    }
   }
 
-  constexpr auto flat_pixels() const {
-    return [this](std::uint32_t triangle, const triangle_shares&, facing side) {
-      const std::uint32_t f = body.face_of[triangle];
-      return solid_shader<rgba8>{encode(side == facing::front ? colours[f] : face_colour(f, side))};
-    };
+private:
+  // Calls f(i) for i < count, a thousand of them in a task.
+  template <class E, class F>
+  static constexpr void for_portions(const E& executor, std::size_t count, const F& f) {
+    constexpr std::size_t portion = 1024;
+    executor((count + portion - 1) / portion, [&](std::size_t k) {
+      for (std::size_t i = k * portion; i < lesser((k + 1) * portion, count); ++i) f(i);
+    });
   }
-  constexpr auto gouraud_pixels() const {
-    return [this](std::uint32_t triangle, const triangle_shares& shares, facing side) {
-      const auto [a, b, c] = body.triangles[triangle].v;
-      const rgb<float> at0 = vertex_colour(a, side), at1 = vertex_colour(b, side), at2 = vertex_colour(c, side);
-      const auto corner = [&](int k) {
-        return rgb<float>{shares(k, at0.r, at1.r, at2.r), shares(k, at0.g, at1.g, at2.g),
-                          shares(k, at0.b, at1.b, at2.b)};
-      };
-      return vertex_colour_shader<rgba8, encode_srgb>{corner(0), corner(1), corner(2), {}};
-    };
+};
+
+// Makes the pixel shaders of flat faces.
+template <class T>
+struct flat_pixels {
+  std::span<const object_shading<T>> objects;
+
+  IRG_INLINE constexpr solid_shader<rgba8> operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
+                                                      facing side) const noexcept {
+    const object_shading<T>& o = objects[batch.object];
+    const std::uint32_t f = o.body.face_of[triangle];
+    return {encode(side == facing::front ? o.face_colours[f] : o.face_colour(f, side))};
   }
-  constexpr auto phong_pixels() const {
-    return [this](std::uint32_t triangle, const triangle_shares& shares, facing side) {
-      const auto [a, b, c] = body.triangles[triangle].v;
-      const auto normal = [&](std::uint32_t v) { return side == facing::front ? body.normals[v] : -body.normals[v]; };
-      return phong_pixel_shader<T>{
-          phong, {body.positions[a], body.positions[b], body.positions[c]}, {normal(a), normal(b), normal(c)}, shares};
-    };
+};
+
+// Colours between the vertices.
+template <class T>
+struct gouraud_pixels {
+  static constexpr int attribute_count = 3;
+  std::span<const object_shading<T>> objects;
+
+  IRG_INLINE constexpr const float* attributes(const triangle_batch<T>& batch, std::uint32_t vertex,
+                                               facing side) const noexcept {
+    return objects[batch.object].vertex_colours[static_cast<int>(side)][vertex].data();
+  }
+  IRG_INLINE constexpr rgba8 pixel(const std::array<float, 3>& light) const noexcept {
+    return encode({light[0], light[1], light[2]});
+  }
+#ifdef IRG_LANES_VECTOR
+  template <int N>
+  IRG_INLINE pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 3>& light) const noexcept {
+    return encode_lanes(light[0], light[1], light[2]);
+  }
+#endif
+};
+
+// Makes the pixel shaders of Phong's style.
+template <class T>
+struct phong_pixels {
+  std::span<const object_shading<T>> objects;
+
+  IRG_INLINE constexpr phong_pixel_shader<T> operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
+                                                        facing side) const noexcept {
+    const object_shading<T>& o = objects[batch.object];
+    const auto [a, b, c] = o.body.triangles[triangle].v;
+    const auto normal = [&](std::uint32_t v) { return side == facing::front ? o.body.normals[v] : -o.body.normals[v]; };
+    return {
+        o.phong, {o.body.positions[a], o.body.positions[b], o.body.positions[c]}, {normal(a), normal(b), normal(c)}};
   }
 };
 

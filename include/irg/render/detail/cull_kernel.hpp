@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Which of N triangles are to be drawn, and their boxes of pixels: a register of triangles at a time.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <irg/core/lanes.hpp>
+#include <irg/render/options.hpp>
+#include <irg/render/triangle_batch.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+#ifdef IRG_LANES_VECTOR
+
+// The lesser and the greater of integers, lane by lane.
+template <int N>
+IRG_INLINE pack<std::int32_t, N> low_of(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
+  return select(a < b, a, b);
+}
+template <int N>
+IRG_INLINE pack<std::int32_t, N> high_of(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
+  return select(b < a, a, b);
+}
+
+// What became of N triangles: one bit per lane.
+template <int N>
+struct culled_group {
+  unsigned listed = 0;  // to be drawn: box(k) is not empty
+  unsigned special = 0;  // too large for 32 bits, or to be clipped: not decided here
+  skip_counts skipped;
+  static constexpr unsigned count = N;
+  std::int32_t x_first[count], y_first[count], x_last[count], y_last[count];
+
+  IRG_INLINE cell_window box(std::uint32_t k) const noexcept { return {x_first[k], y_first[k], x_last[k], y_last[k]}; }
+};
+
+template <int N>
+struct cull_kernel {
+  using integers = pack<std::int32_t, N>;
+  const screen_vertex* screen;
+  const clip_code_pair* codes;
+  clip_code_pair any;
+  cell_window picture;
+  face_culling culling;
+
+  IRG_INLINE culled_group<N> operator()(const triangle_indices* t, const skip_options& skip) const noexcept {
+    using I = lanes<integers>;
+    culled_group<N> group;
+    integers x[3], y[3];
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < N; ++i) {
+        const subpixel& at = screen[t[i].v[k]].position;
+        x[k].v[i] = at.x;
+        y[k].v[i] = at.y;
+      }
+    constexpr unsigned everyone = (1u << N) - 1;
+    unsigned alive = everyone;
+    if (any.outside != 0 || any.cut != 0) {
+      unsigned cut = 0, outside = 0;
+      for (int i = 0; i < N; ++i) {
+        const clip_code_pair a = codes[t[i].v[0]], b = codes[t[i].v[1]], c = codes[t[i].v[2]];
+        if ((a | b | c).cut != 0) cut |= 1u << i;
+        if ((a & b & c).outside != 0) outside |= 1u << i;
+      }
+      group.special = cut;
+      alive &= ~cut;
+      if (skip.frustum == skipping::on) {
+        group.skipped.frustum += std::popcount(alive & outside);
+        alive &= ~outside;
+      }
+    }
+
+    // Sides below 2^15 leave the area within 31 bits and a sign.
+    const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
+    const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
+    const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0);
+    const unsigned small = mask_bits(both(right - left < limit, bottom - top < limit));
+    group.special |= alive & ~small;
+    alive &= small;
+
+    const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+    if (culling == face_culling::back) {
+      const unsigned back = mask_bits(zero < area) & alive;
+      group.skipped.backface += std::popcount(back);
+      alive &= ~back;
+    }
+    // The centres within the box, then those within the picture (triangle_coverage.hpp: first_centre, last_centre).
+    const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
+    const integers x_first{(left + before).v >> subpixel_bits}, x_last{(right + behind).v >> subpixel_bits};
+    const integers y_first{(top + before).v >> subpixel_bits}, y_last{(bottom + behind).v >> subpixel_bits};
+    const unsigned tiny =
+        alive & (mask_bits(area == zero) | mask_bits(x_first >= x_last) | mask_bits(y_first >= y_last));
+    const integers seen_x_first = high_of(x_first, I::broadcast(picture.x_first)),
+                   seen_x_last = low_of(x_last, I::broadcast(picture.x_last)),
+                   seen_y_first = high_of(y_first, I::broadcast(picture.y_first)),
+                   seen_y_last = low_of(y_last, I::broadcast(picture.y_last));
+    const unsigned unseen =
+        alive & ~tiny & (mask_bits(seen_x_first >= seen_x_last) | mask_bits(seen_y_first >= seen_y_last));
+    if (skip.tiny == skipping::on)
+      group.skipped.tiny += std::popcount(tiny);
+    else
+      group.special |= tiny;
+    if (skip.frustum == skipping::on) group.skipped.frustum += std::popcount(unseen);
+    group.listed = alive & ~tiny & ~unseen;
+    I::store(group.x_first, seen_x_first);
+    I::store(group.x_last, seen_x_last);
+    I::store(group.y_first, seen_y_first);
+    I::store(group.y_last, seen_y_last);
+    return group;
+  }
+};
+
+#endif
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

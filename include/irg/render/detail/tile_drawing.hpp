@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// The list of a tile, drawn: groups of triangles are made ready together and drawn one after the other. Where so much is
+// drawn on top of each other that it pays, nearer triangles come first, and what lies behind them is passed over.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/raster/detail/tile_kernel.hpp>
+#include <irg/render/detail/triangle_bins.hpp>
+
+namespace irg {
+namespace detail {
+
+// The three vertices of what a number names.
+struct triangle_corners {
+  const screen_vertex* v[3];
+};
+
+// Finds triangles and pieces by their numbers.
+template <class T>
+struct triangle_finder {
+  std::span<const triangle_batch<T>> batches;
+  const triangle_bins* bins;
+
+  IRG_INLINE constexpr const triangle_batch<T>& batch_of(std::uint32_t number) const noexcept {
+    std::size_t b = 0;
+    for (std::size_t size = batches.size(); size > 1;) {
+      const std::size_t half = size / 2;
+      if (batches[b + half].first_number <= number) b += half;
+      size -= half;
+    }
+    return batches[b];
+  }
+  IRG_INLINE constexpr bool is_piece(std::uint32_t number) const noexcept { return number >= bins->triangle_count; }
+  IRG_INLINE constexpr const clipped_piece& piece(std::uint32_t number) const noexcept {
+    return bins->pieces[number - bins->triangle_count];
+  }
+  // The source triangle: the number by which ties are decided.
+  IRG_INLINE constexpr std::uint32_t source(std::uint32_t number) const noexcept {
+    return is_piece(number) ? piece(number).source : number;
+  }
+  IRG_INLINE constexpr triangle_corners corners(std::uint32_t number) const noexcept {
+    if (is_piece(number)) {
+      const clipped_piece& p = piece(number);
+      return {{&p.v[0], &p.v[1], &p.v[2]}};
+    }
+    const triangle_batch<T>& b = batch_of(number);
+    const auto& [v] = b.triangles[number - b.first_number];
+    const screen_vertex* screen = b.vertices->screen.data();
+    return {{screen + v[0], screen + v[1], screen + v[2]}};
+  }
+};
+
+inline namespace IRG_ABI {
+
+#ifdef IRG_LANES_VECTOR
+
+// How a tile's list is drawn.
+struct tile_order {
+  float sign;  // of keys
+  bool front_to_back;  // nearer ones first, and with rejection by depth
+};
+
+template <class T>
+struct tile_painter {
+  static constexpr int count = tile_triangles::most;
+  using integers = pack<std::int32_t, count>;
+  using floats = pack<float, count>;
+
+  triangle_finder<T> find;
+  cell_window window;
+  tile_order order;
+  tile& out;
+  std::uint8_t* seen;  // by source triangle: whether any part of it was gone into
+  tile_counts counts{lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
+  std::int64_t tested = 0, ties = 0;
+
+  IRG_INLINE void note_seen(std::uint32_t number) const noexcept {
+    std::atomic_ref<std::uint8_t>(seen[find.source(number)]).store(1, std::memory_order_relaxed);
+  }
+
+  // Sets up `used` triangles. Those whose sides are too long for 32-bit lanes are left to the caller, a bit each.
+  IRG_INLINE unsigned set_up_group(tile_triangles& g, const std::uint32_t* numbers, int used) const noexcept {
+    using I = lanes<integers>;
+    using F = lanes<floats>;
+    integers x[3], y[3];
+    floats depth[3];
+    for (int i = 0; i < count; ++i) {
+      const std::uint32_t number = numbers[i < used ? i : 0];
+      const triangle_corners c = find.corners(number);
+      for (int k = 0; k < 3; ++k) {
+        x[k].v[i] = c.v[k]->position.x;
+        y[k].v[i] = c.v[k]->position.y;
+        depth[k].v[i] = c.v[k]->depth;
+      }
+      g.number[i] = number;
+    }
+    const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
+    const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
+    const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0), one = I::broadcast(1);
+    const unsigned large = ~mask_bits(both(right - left < limit, bottom - top < limit)) & ((1u << used) - 1);
+
+    const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
+    const auto within = [&](const integers& v, int first, int last) {
+      return low_of(high_of(v, I::broadcast(first)), I::broadcast(last));
+    };
+    const integers x_first = within({(left + before).v >> subpixel_bits}, window.x_first, window.x_last),
+                   x_last = within({(right + behind).v >> subpixel_bits}, window.x_first, window.x_last),
+                   y_first = within({(top + before).v >> subpixel_bits}, window.y_first, window.y_last),
+                   y_last = within({(bottom + behind).v >> subpixel_bits}, window.y_first, window.y_last);
+    I::store(g.x_first, x_first - I::broadcast(window.x_first));
+    I::store(g.x_last, x_last - I::broadcast(window.x_first));
+    I::store(g.y_first, y_first - I::broadcast(window.y_first));
+    I::store(g.y_last, y_last - I::broadcast(window.y_first));
+
+    const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+    const integers flip = area < zero;
+    const auto turned = [&](const integers& v) { return integers{(v.v ^ flip.v) - flip.v}; };
+    const floats scale = F::broadcast(one_pixel) / to_float(turned(area)),
+                 unit = scale * F::broadcast(1.0f / one_pixel);
+    const integers centre_x = x_first * I::broadcast(one_pixel) + I::broadcast(half_pixel),
+                   centre_y = y_first * I::broadcast(one_pixel) + I::broadcast(half_pixel);
+    floats part[3];
+    for (int k = 0; k < 3; ++k) {
+      const int p = (k + 1) % 3, q = (k + 2) % 3;
+      const integers dx = turned(x[q] - x[p]), dy = turned(y[q] - y[p]);
+      const integers e = dx * (centre_y - y[p]) - dy * (centre_x - x[p]);
+      const integers owns = (dy < zero) | both(dy == zero, zero < dx);
+      const integers f{((e - one) - owns).v >> subpixel_bits};
+      I::store(g.f[k], f);
+      I::store(g.right[k], zero - dy);
+      I::store(g.down[k], dx);
+      part[k] = (to_float(e - f * I::broadcast(one_pixel)) * unit) * depth[k];
+      F::store(g.gain[k], (scale * depth[k]) * F::broadcast(order.sign));
+    }
+    F::store(g.rest, (part[0] + (part[1] + part[2])) * F::broadcast(order.sign));
+    const floats key0 = depth[0] * F::broadcast(order.sign), key1 = depth[1] * F::broadcast(order.sign),
+                 key2 = depth[2] * F::broadcast(order.sign);
+    F::store(g.low, low_of(low_of(key0, key1), key2));
+    F::store(g.high, high_of(high_of(key0, key1), key2));
+    for (int i = 0; i < used; ++i)
+      if (area.v[i] == 0) g.x_last[i] = g.x_first[i];  // nothing to cover
+    return large;
+  }
+
+  // Draws a triangle that is ready: its box row by row when it is small, else block by block.
+  template <tile_test Test, class I>
+  IRG_INLINE void draw_ready(const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last) noexcept {
+    constexpr int small = 2 * block_size;
+    const auto before = [this](std::uint32_t a, std::uint32_t b) { return find.source(a) < find.source(b); };
+    if (x_last - x_first > small || y_last - y_first > small) {
+      if (tile_blocks<Test>(out, t, x_first, y_first, x_last, y_last, order.front_to_back, counts, before))
+        note_seen(t.number);
+      return;
+    }
+    if (order.front_to_back) {
+      float far = beyond_everything;
+      std::uint64_t touched = 0;
+      for (int by = y_first / block_size; by * block_size < y_last; ++by)
+        for (int bx = x_first / block_size; bx * block_size < x_last; ++bx) {
+          far = lesser(far, out.far[by * blocks_across + bx]);
+          touched |= std::uint64_t{1} << (by * blocks_across + bx);
+        }
+      if (t.high.v[0] < far) return;
+      out.stale |= touched;
+    }
+    note_seen(t.number);
+    tile_rows<Test>(out, t, x_first, y_first, x_last, y_last, counts, before);
+  }
+
+  template <class I>
+  IRG_INLINE static void broadcast_depths(tile_triangle<I>& t, const tile_triangles& g, int i) noexcept {
+    using F = lanes<floats>;
+    for (int k = 0; k < 3; ++k) t.gain[k] = F::broadcast(g.gain[k][i]);
+    t.rest = F::broadcast(g.rest[i]);
+    t.low = F::broadcast(g.low[i]);
+    t.high = F::broadcast(g.high[i]);
+    t.number = g.number[i];
+  }
+
+  // Triangle i of a group.
+  template <tile_test Test>
+  IRG_INLINE void draw_small(const tile_triangles& g, int i) noexcept {
+    using I = lanes<integers>;
+    if (g.x_first[i] >= g.x_last[i] || g.y_first[i] >= g.y_last[i]) return;
+    if (order.front_to_back && g.high[i] < out.farthest) return;
+    tile_triangle<integers> t;
+    for (int k = 0; k < 3; ++k) {
+      t.f[k] = g.f[k][i];
+      t.right[k] = g.right[k][i];
+      t.down[k] = g.down[k][i];
+      t.ramp[k] = I::ramp() * I::broadcast(g.right[k][i]);
+    }
+    broadcast_depths(t, g, i);
+    draw_ready<Test>(t, g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]);
+  }
+
+  // A triangle with long sides: 32-bit lanes where F fits them all over the tile, else doubles, which hold it exactly.
+  template <tile_test Test>
+  IRG_NOINLINE void draw_large(const tile_triangles& g, int i) noexcept {
+    if (order.front_to_back && g.high[i] < out.farthest) return;
+    const triangle_corners c = find.corners(g.number[i]);
+    const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
+    const cell_window w = intersect(coverage.bounds, window);
+    if (coverage.double_area == 0 || w.empty()) return;
+    triangle_setup s = set_up(coverage, *c.v[0], *c.v[1], *c.v[2]);
+    tile_triangles one = g;
+    for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth_gain[k], order.sign);
+    one.rest[i] = product(s.depth_rest, order.sign);
+    const int x = w.x_first - window.x_first, y = w.y_first - window.y_first;
+    const auto draw = [&]<class I>(I) {
+      tile_triangle<I> t;
+      using integer = typename tile_triangle<I>::integer;
+      for (int k = 0; k < 3; ++k) {
+        t.f[k] = static_cast<integer>(s.edge[k](w.x_first, w.y_first));
+        t.right[k] = static_cast<integer>(s.edge[k].right);
+        t.down[k] = static_cast<integer>(s.edge[k].down);
+        t.ramp[k] = lanes<I>::ramp() * lanes<I>::broadcast(t.right[k]);
+      }
+      broadcast_depths(t, one, i);
+      draw_ready<Test>(t, x, y, w.x_last - window.x_first, w.y_last - window.y_first);
+    };
+    const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
+    if (fits_32_bits(coverage, whole, block_size))
+      draw(integers{});
+    else
+      draw(wide_pack<count>{});
+  }
+
+  template <tile_test Test>
+  IRG_INLINE void draw_list(std::span<const std::uint32_t> numbers) noexcept {
+    constexpr std::size_t refresh = 8 * count;
+    tile_triangles g;
+    for (std::size_t first = 0; first < numbers.size(); first += count) {
+      const int used = static_cast<int>(lesser(numbers.size() - first, std::size_t{count}));
+      const unsigned large = set_up_group(g, numbers.data() + first, used);
+      for (int i = 0; i < used; ++i)
+        if ((large >> i & 1) != 0)
+          draw_large<Test>(g, i);
+        else
+          draw_small<Test>(g, i);
+      if (order.front_to_back) {
+        if (first % refresh == 0)
+          refresh_far(out);
+        else
+          refresh_farthest(out);
+      }
+      tested += total(counts.tested);
+      ties += total(counts.ties);
+      counts = {lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
+    }
+  }
+};
+
+// The numbers of a list, roughly from the nearest triangle to the farthest: sorted by 8 bits of the greatest key.
+template <class T>
+std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers, const triangle_finder<T>& find,
+                                         float sign) {
+  std::vector<float> key(numbers.size());
+  float least = beyond_everything, greatest = -beyond_everything;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const triangle_corners c = find.corners(numbers[i]);
+    key[i] = greater(greater(product(c.v[0]->depth, sign), product(c.v[1]->depth, sign)), product(c.v[2]->depth, sign));
+    least = lesser(key[i], least);
+    greatest = greater(key[i], greatest);
+  }
+  const float scale = least < greatest ? 255.0f / (greatest - least) : 0.0f;
+  const auto bucket = [&](float k) { return static_cast<std::size_t>(clamp((greatest - k) * scale, 0.0f, 255.0f)); };
+  std::uint32_t start[257] = {};
+  for (const float k : key) ++start[bucket(k) + 1];
+  for (int b = 0; b < 256; ++b) start[b + 1] += start[b];
+  std::vector<std::uint32_t> sorted(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) sorted[start[bucket(key[i])]++] = numbers[i];
+  return sorted;
+}
+
+#endif
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

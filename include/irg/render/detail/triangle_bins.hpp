@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+// Which triangles each tile of the picture has to draw. A triangle is culled, clipped if need be, and put on the list
+// of every tile that its box touches, in the order the triangles were given in.
+//
+// Triangles are taken in portions, each with lists of its own, so that threads never meet; a counting sort then lays
+// the lists of all portions one after the other, tile by tile. The result does not depend on the number of threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/core/executor.hpp>
+#include <irg/raster/detail/tile.hpp>
+#include <irg/render/detail/cull_kernel.hpp>
+#include <irg/render/options.hpp>
+#include <irg/render/triangle_batch.hpp>
+
+namespace irg {
+namespace detail {
+
+// A part of a source triangle that a clip plane left over.
+struct clipped_piece {
+  screen_vertex v[3];
+  piece_weights weights;
+  std::uint32_t source;  // its triangle, counted over all batches
+};
+
+// The triangles [first, last) of one batch, and what became of them.
+struct bin_portion {
+  std::size_t batch = 0;
+  std::uint32_t first = 0, last = 0;  // within the batch
+  std::vector<std::uint64_t> entries;  // tile and number: see entry_of
+  std::vector<std::uint32_t> tile_count;
+  std::vector<float> tile_area;  // the pixels of all boxes, as far as they lie in the tile
+  std::vector<clipped_piece> pieces;
+  skip_counts skipped;
+  std::int64_t listed = 0;  // triangles of which some part is on a list
+  std::uint32_t first_piece = 0;  // the number of its first piece among all pieces
+};
+
+// The lists of all tiles, one after the other. Numbers below triangle_count name whole triangles, the rest pieces.
+struct triangle_bins {
+  std::vector<bin_portion> portions;
+  std::vector<std::uint32_t> tile_first;  // where each tile's list starts; one more for the end
+  std::vector<std::uint32_t> numbers;
+  std::vector<float> tile_area;
+  std::vector<clipped_piece> pieces;
+  std::uint32_t triangle_count = 0;
+  skip_counts skipped;
+  std::int64_t listed = 0;
+};
+
+// How the picture is cut into tiles.
+struct tile_grid {
+  int width, height;  // of the picture
+  int across, down;
+
+  IRG_INLINE constexpr tile_grid(int w, int h) noexcept
+      : width(w), height(h), across((w + tile_size - 1) / tile_size), down((h + tile_size - 1) / tile_size) {}
+  IRG_INLINE constexpr std::size_t count() const noexcept {
+    return static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+  }
+  IRG_INLINE constexpr cell_window window(std::size_t tile) const noexcept {
+    const int x = static_cast<int>(tile) % across * tile_size, y = static_cast<int>(tile) / across * tile_size;
+    return {x, y, lesser(x + tile_size, width), lesser(y + tile_size, height)};
+  }
+};
+
+inline namespace IRG_ABI {
+
+// Where the pieces of a portion are numbered from until the portions before it are known.
+inline constexpr std::uint32_t piece_bit = 0x80000000;
+
+IRG_INLINE constexpr std::uint64_t entry_of(std::size_t tile, std::uint32_t number) noexcept {
+  return static_cast<std::uint64_t>(tile) << 32 | number;
+}
+
+// Puts a number on the lists of the tiles that a box of pixels touches.
+// needs   a box that is not empty and lies in the picture
+IRG_INLINE constexpr void list_box(bin_portion& p, std::uint32_t number, const cell_window& box,
+                                   const tile_grid& grid) {
+  const int x_first = box.x_first / tile_size, x_last = (box.x_last - 1) / tile_size;
+  const int y_first = box.y_first / tile_size, y_last = (box.y_last - 1) / tile_size;
+  for (int y = y_first; y <= y_last; ++y)
+    for (int x = x_first; x <= x_last; ++x) {
+      const std::size_t tile =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.across) + static_cast<std::size_t>(x);
+      const int w = lesser(box.x_last, (x + 1) * tile_size) - greater(box.x_first, x * tile_size);
+      const int h = lesser(box.y_last, (y + 1) * tile_size) - greater(box.y_first, y * tile_size);
+      p.entries.push_back(entry_of(tile, number));
+      ++p.tile_count[tile];
+      p.tile_area[tile] += static_cast<float>(w * h);
+    }
+}
+
+// What becomes of a triangle on the screen: of several pieces' fates the greatest counts.
+enum class listing { tiny, out_of_sight, listed };
+
+// The pixels that the box of three vertices touches, be it with their centres or not.
+IRG_INLINE constexpr cell_window pixels_touched(const subpixel& a, const subpixel& b, const subpixel& c) noexcept {
+  return {lesser(lesser(a.x, b.x), c.x) >> subpixel_bits, lesser(lesser(a.y, b.y), c.y) >> subpixel_bits,
+          (greater(greater(a.x, b.x), c.x) >> subpixel_bits) + 1,
+          (greater(greater(a.y, b.y), c.y) >> subpixel_bits) + 1};
+}
+
+// Lists one triangle, or says why not. Where tiny triangles are not skipped, they go through coverage to no effect.
+constexpr listing list_triangle(bin_portion& p, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
+                                const screen_vertex& c, std::int64_t area, const tile_grid& grid, skipping skip_tiny) {
+  cell_window box = centres_within(a.position, b.position, c.position);
+  if (area == 0 || box.empty()) {
+    if (skip_tiny == skipping::on) return listing::tiny;
+    box = pixels_touched(a.position, b.position, c.position);
+  }
+  const cell_window seen = intersect(box, {0, 0, grid.width, grid.height});
+  if (seen.empty()) return listing::out_of_sight;
+  list_box(p, number, seen, grid);
+  return listing::listed;
+}
+
+IRG_INLINE constexpr void count_listing(bin_portion& p, listing fate, const skip_options& skip) noexcept {
+  if (fate == listing::listed) ++p.listed;
+  if (fate == listing::tiny && skip.tiny == skipping::on) ++p.skipped.tiny;
+  if (fate == listing::out_of_sight && skip.frustum == skipping::on) ++p.skipped.frustum;
+}
+
+// Clips a triangle, and lists what is left of it as a fan of pieces. It faces one way, and is one skip at most, however
+// many pieces it comes to.
+template <class T>
+constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T, 3> (&corner)[3],
+                            const screen_mapping<T>& mapping, const tile_grid& grid, face_culling culling,
+                            const skip_options& skip) {
+  const clip_vertex<T, 2> polygon[3] = {
+      {corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
+  const auto left = clip_homogeneous(polygon, mapping.guard);
+  if (left.count < 3) return count_listing(p, listing::out_of_sight, skip);
+
+  screen_vertex on_screen[9];
+  source_weights share[9];
+  for (int k = 0; k < left.count; ++k) {
+    on_screen[k] = to_screen(left.vertices[k].position, mapping);
+    share[k] = {static_cast<float>(left.vertices[k].attributes[0]), static_cast<float>(left.vertices[k].attributes[1])};
+  }
+  const auto area_of = [&](int k) {
+    return signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
+  };
+  std::int64_t area = 0;
+  for (int k = 1; k + 1 < left.count; ++k) area += area_of(k);
+  if (area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
+  listing result = listing::tiny;
+  for (int k = 1; k + 1 < left.count && area != 0; ++k) {
+    // Snapping may turn round a piece thinner than 1/256 pixel; the pieces beside it cover its place.
+    if (area_of(k) != 0 && (area_of(k) > 0) != (area > 0)) continue;
+    const clipped_piece piece{
+        {on_screen[0], on_screen[k], on_screen[k + 1]}, {{share[0], share[k], share[k + 1]}}, source};
+    const auto number = piece_bit | static_cast<std::uint32_t>(p.pieces.size());
+    const listing l = list_triangle(p, number, piece.v[0], piece.v[1], piece.v[2], area_of(k), grid, skip.tiny);
+    if (l == listing::listed) p.pieces.push_back(piece);
+    result = greater(result, l);
+  }
+  count_listing(p, result, skip);
+}
+
+// One triangle of a portion.
+template <class T>
+constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uint32_t i, std::uint32_t number,
+                        const screen_mapping<T>& mapping, const tile_grid& grid, face_culling culling,
+                        const skip_options& skip) {
+  const auto [a, b, c] = batch.triangles[i].v;
+  const projected_vertices<T>& v = *batch.vertices;
+  const clip_code_pair any = v.codes[a] | v.codes[b] | v.codes[c], all = v.codes[a] & v.codes[b] & v.codes[c];
+  // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle
+  // lands, and only the depth planes, by which it decides itself, are sure to change nothing.
+  const clip_planes sure = any.cut == 0 ? clip_planes::all : clip_planes::depth;
+  if (skip.frustum == skipping::on && overlap(all.outside_planes(), sure))
+    return static_cast<void>(++p.skipped.frustum);
+  if (any.cut != 0)
+    return list_clipped<T>(p, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, mapping, grid,
+                           culling, skip);
+  const screen_vertex &va = v.screen[a], &vb = v.screen[b], &vc = v.screen[c];
+  const std::int64_t area = signed_double_area(va.position, vb.position, vc.position);
+  if (area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
+  count_listing(p, list_triangle(p, number, va, vb, vc, area, grid, skip.tiny), skip);
+}
+
+// All triangles of a portion; in lanes where they can be.
+template <class T>
+constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
+                            const tile_grid& grid, face_culling culling, const skip_options& skip) {
+  p.tile_count.assign(grid.count(), 0);
+  p.tile_area.assign(grid.count(), 0.0f);
+  p.entries.clear();
+  p.pieces.clear();
+  std::uint32_t i = p.first;
+#ifdef IRG_LANES_VECTOR
+  if (!std::is_constant_evaluated()) {
+    constexpr std::uint32_t count = native_lanes<std::int32_t>;
+    const cull_kernel<static_cast<int>(count)> kernel{batch.vertices->screen.data(),
+                                                      batch.vertices->codes.data(),
+                                                      batch.vertices->any,
+                                                      {0, 0, grid.width, grid.height},
+                                                      culling};
+    for (; i + count <= p.last; i += count) {
+      const auto group = kernel(batch.triangles.data() + i, skip);
+      p.skipped += group.skipped;
+      p.listed += std::popcount(group.listed);
+      for (unsigned bits = group.listed | group.special; bits != 0; bits &= bits - 1) {
+        const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
+        if (group.special >> k & 1)
+          list_one(p, batch, i + k, batch.first_number + i + k, mapping, grid, culling, skip);
+        else
+          list_box(p, batch.first_number + i + k, group.box(k), grid);
+      }
+    }
+  }
+#endif
+  for (; i < p.last; ++i) list_one(p, batch, i, batch.first_number + i, mapping, grid, culling, skip);
+}
+
+// Lays the lists of all portions one after the other.
+template <class E>
+constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& executor) {
+  bins.tile_first.assign(tiles + 1, 0);
+  bins.tile_area.assign(tiles, 0.0f);
+  bins.skipped = {};
+  bins.listed = 0;
+  bins.pieces.clear();
+  for (bin_portion& p : bins.portions) {
+    p.first_piece = bins.triangle_count + static_cast<std::uint32_t>(bins.pieces.size());
+    bins.pieces.insert(bins.pieces.end(), p.pieces.begin(), p.pieces.end());
+    bins.skipped += p.skipped;
+    bins.listed += p.listed;
+  }
+  std::uint32_t start = 0;
+  for (std::size_t t = 0; t < tiles; ++t) {
+    bins.tile_first[t] = start;
+    for (bin_portion& p : bins.portions) {
+      const std::uint32_t count = p.tile_count[t];
+      p.tile_count[t] = start;  // from here on: where the portion's next entry for the tile goes
+      start += count;
+      bins.tile_area[t] += p.tile_area[t];
+    }
+  }
+  bins.tile_first[tiles] = start;
+  bins.numbers.resize(start, 0);
+  executor(bins.portions.size(), [&](std::size_t i) {
+    bin_portion& p = bins.portions[i];
+    for (const std::uint64_t entry : p.entries) {
+      const auto number = static_cast<std::uint32_t>(entry & 0xffffffff);
+      bins.numbers[p.tile_count[static_cast<std::size_t>(entry >> 32)]++] =
+          (number & piece_bit) != 0 ? p.first_piece + (number ^ piece_bit) : number;
+    }
+  });
+}
+
+// Makes the lists of all tiles for the triangles of all batches.
+template <class T, class E>
+constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
+                             const screen_mapping<T>& mapping, const tile_grid& grid, face_culling culling,
+                             const skip_options& skip, const E& executor) {
+  constexpr std::uint32_t portion = 1 << 15;
+  std::size_t used = 0;
+  bins.triangle_count = 0;
+  for (std::size_t b = 0; b < batches.size(); ++b) {
+    const auto count = static_cast<std::uint32_t>(batches[b].triangles.size());
+    for (std::uint32_t first = 0; first < count; first += portion, ++used) {
+      if (used == bins.portions.size()) bins.portions.emplace_back();
+      bin_portion& p = bins.portions[used];
+      p.batch = b;
+      p.first = first;
+      p.last = lesser(first + portion, count);
+      p.skipped = {};
+      p.listed = 0;
+    }
+    bins.triangle_count += count;
+  }
+  bins.portions.resize(used);
+  executor(used, [&](std::size_t i) {
+    bin_portion& p = bins.portions[i];
+    fill_portion(p, batches[p.batch], mapping, grid, culling, skip);
+  });
+  join_portions(bins, grid.count(), executor);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A range of vertices from the world to the screen, a register of them at a time. Bit for bit what to_screen and
+// classify give one by one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <irg/core/lanes.hpp>
+#include <irg/raster/detail/area_kernel.hpp>
+#include <irg/render/screen_mapping.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+template <class T>
+IRG_INLINE constexpr clip_code_pair project_one(screen_vertex& screen, clip_code_pair& codes, const point<T, 3>& p,
+                                                const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) {
+  const hpoint<T, 3> clip = to_clip * p;
+  codes = classify(clip, mapping);
+  screen = codes.cut == 0 ? to_screen(clip, mapping) : screen_vertex{};
+  return codes;
+}
+
+#ifdef IRG_LANES_VECTOR
+
+// snap() of a number that can be snapped, in every lane; whatever it gives for others is not used.
+template <int N>
+IRG_INLINE pack<std::int32_t, N> snap_lanes(const pack<float, N>& pixels) noexcept {
+  using F = lanes<pack<float, N>>;
+  const auto scaled = pixels * F::broadcast(one_pixel);
+  // Out of range the conversion is undefined in the language, though not on any machine: keep it in.
+  const auto limit = F::broadcast(static_cast<float>(snap_limit) * one_pixel / 2);
+  const auto sane = low_of(high_of(scaled, F::broadcast(0) - limit), limit);
+  const pack<std::int32_t, N> toward_zero{__builtin_convertvector(sane.v, typename pack<std::int32_t, N>::storage)};
+  const auto rest = sane - to_float(toward_zero);
+  return toward_zero - (rest >= F::broadcast(0.5f)) + (rest < F::broadcast(-0.5f));
+}
+
+// N vertices. The matrix' entries stand broadcast in m, row by row.
+template <int N>
+IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* codes, const point<float, 3>* p,
+                                        const pack<float, N> (&m)[16], const screen_mapping<float>& mapping) noexcept {
+  using pack_f = pack<float, N>;
+  using pack_i = pack<std::int32_t, N>;
+  using F = lanes<pack_f>;
+  using I = lanes<pack_i>;
+  pack_f x, y, z;
+  for (int i = 0; i < N; ++i) {
+    x.v[i] = p[i].x;
+    y.v[i] = p[i].y;
+    z.v[i] = p[i].z;
+  }
+  const auto row = [&](int r) { return ((m[r] * x + m[r + 1] * y) + m[r + 2] * z) + m[r + 3]; };
+  const pack_f cx = row(0), cy = row(4), cz = row(8), cw = row(12), zero = F::broadcast(0);
+
+  const auto beyond = [&](const pack_f& distance, clip_planes plane) {
+    const auto bit = I::broadcast(static_cast<std::int32_t>(plane));
+    return bit - both(bit, distance >= zero);  // the bit where the distance is negative or NaN
+  };
+  const auto sides = [&](const pack_f& across, const pack_f& up) {
+    return (beyond(across + cx, clip_planes::left) | beyond(across - cx, clip_planes::right)) |
+           (beyond(up + cy, clip_planes::bottom) | beyond(up - cy, clip_planes::top));
+  };
+  const pack_i depth = beyond(cw - cz, clip_planes::z_near) | beyond(cz, clip_planes::z_far);
+  const pack_i outside =
+      depth | sides(F::broadcast(mapping.picture.guard_x) * cw, F::broadcast(mapping.picture.guard_y) * cw);
+  const pack_i cut = depth | sides(F::broadcast(mapping.guard.guard_x) * cw, F::broadcast(mapping.guard.guard_y) * cw);
+
+  const pack_f inverse = F::broadcast(1) / cw;
+  const pack_f sx = (cx * inverse) * F::broadcast(mapping.half_width) + F::broadcast(mapping.centre_x);
+  const pack_f sy = F::broadcast(mapping.centre_y) - (cy * inverse) * F::broadcast(mapping.half_height);
+  const auto kept = cut == I::broadcast(0);
+  const pack_i snapped_x = both(snap_lanes(sx), kept), snapped_y = both(snap_lanes(sy), kept);
+  const pack_f z_screen = select(kept, cz * inverse, zero), w_screen = select(kept, inverse, F::broadcast(1));
+  clip_code_pair any;
+  for (int i = 0; i < N; ++i) {
+    screen[i] = {{snapped_x.v[i], snapped_y.v[i]}, z_screen.v[i], w_screen.v[i]};
+    codes[i] = {static_cast<std::uint8_t>(outside.v[i]), static_cast<std::uint8_t>(cut.v[i])};
+    any = any | codes[i];
+  }
+  return any;
+}
+
+#endif
+
+// The vertices [first, last), and the planes that some of them are beyond.
+template <class T>
+constexpr clip_code_pair project_range(screen_vertex* screen, clip_code_pair* codes, const point<T, 3>* positions,
+                                       std::size_t first, std::size_t last, const mat<T, 4, 4>& to_clip,
+                                       const screen_mapping<T>& mapping) noexcept {
+  clip_code_pair any;
+  std::size_t i = first;
+#ifdef IRG_LANES_VECTOR
+  if constexpr (std::same_as<T, float>) {
+    if (!std::is_constant_evaluated()) {
+      constexpr int count = native_lanes<float>;
+      pack<float, count> m[16];
+      for (int k = 0; k < 16; ++k) m[k] = lanes<pack<float, count>>::broadcast(to_clip(k / 4, k % 4));
+      for (; i + static_cast<std::size_t>(count) <= last; i += static_cast<std::size_t>(count))
+        any = any | project_lanes<count>(screen + i, codes + i, positions + i, m, mapping);
+    }
+  }
+#endif
+  for (; i < last; ++i) any = any | project_one(screen[i], codes[i], positions[i], to_clip, mapping);
+  return any;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// From clip space to the screen: the division by w, the picture's place, and snapping to 1/256 pixel, once per vertex.
+#pragma once
+
+#include <cstdint>
+
+#include <irg/geometry/clip_homogeneous.hpp>
+#include <irg/math/mat.hpp>
+#include <irg/raster/draw_triangle.hpp>
+#include <irg/view/viewport.hpp>
+
+namespace irg {
+
+/// From clip space to the screen: the picture's place and how far beyond it the rasterizer's numbers reach.
+template <Floating T>
+struct screen_mapping {
+  T half_width, half_height, centre_x, centre_y;
+  clip_volume<T> picture, guard;
+};
+
+/// The planes that a vertex is beyond: the picture's borders with the depth planes, and the same with the sides widened
+/// to the guard band. A triangle is cut when one of its vertices is beyond a plane of the second kind.
+struct clip_code_pair {
+  std::uint8_t outside = 0, cut = 0;
+
+  IRG_INLINE constexpr clip_planes outside_planes() const noexcept { return static_cast<clip_planes>(outside); }
+  IRG_INLINE constexpr clip_planes cut_planes() const noexcept { return static_cast<clip_planes>(cut); }
+  constexpr bool operator==(const clip_code_pair&) const = default;
+};
+
+inline namespace IRG_ABI {
+
+/// The planes that one of two vertices is beyond; the planes that both are.
+IRG_INLINE constexpr clip_code_pair operator|(clip_code_pair a, clip_code_pair b) noexcept {
+  return {static_cast<std::uint8_t>(a.outside | b.outside), static_cast<std::uint8_t>(a.cut | b.cut)};
+}
+IRG_INLINE constexpr clip_code_pair operator&(clip_code_pair a, clip_code_pair b) noexcept {
+  return {static_cast<std::uint8_t>(a.outside & b.outside), static_cast<std::uint8_t>(a.cut & b.cut)};
+}
+
+/// The mapping of clip space onto a picture of width x height pixels whose first pixel is (0, 0).
+/// needs   1 <= width, height <= 65536
+template <Floating T>
+constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
+  // Up to 2^15 pixels from the picture's centre: coverage of small triangles then fits in 32 bits, and all in 64.
+  const T half_width = static_cast<T>(width) / T(2), half_height = static_cast<T>(height) / T(2), reach = T(1 << 15);
+  return {half_width,  half_height, half_width,
+          half_height, {},          {clip_planes::all, reach / half_width, reach / half_height}};
+}
+
+/// Where a clip-space position stands on the screen.
+/// needs   a position inside the guard band, w > 0
+/// exact   each product, sum and quotient rounded once in T, then snapped; depth and 1/w rounded to float
+template <Floating T>
+IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
+  const T inverse = T(1) / p.w;
+  const T x = product(product(p.x, inverse), m.half_width) + m.centre_x;
+  const T y = m.centre_y - product(product(p.y, inverse), m.half_height);
+  return {{snap(x), snap(y)}, static_cast<float>(product(p.z, inverse)), static_cast<float>(inverse)};
+}
+
+/// The planes that a clip-space position is beyond.
+template <Floating T>
+IRG_INLINE constexpr clip_code_pair classify(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
+  return {static_cast<std::uint8_t>(clip_code(p, m.picture)), static_cast<std::uint8_t>(clip_code(p, m.guard))};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What the triangle stage draws: triangles over projected vertices, one batch per object.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <irg/render/projected_vertices.hpp>
+
+namespace irg {
+
+/// Three indices of vertices, counter-clockwise seen from outside.
+struct triangle_indices {
+  std::uint32_t v[3];
+  constexpr bool operator==(const triangle_indices&) const = default;
+};
+
+/// Which way a triangle shows itself.
+enum class facing { front, back };
+
+/// Triangles over the vertices of one object. Triangle i has the number first_number + i in the picture.
+template <Floating T>
+struct triangle_batch {
+  const projected_vertices<T>* vertices = nullptr;
+  std::span<const triangle_indices> triangles;
+  std::uint32_t first_number = 0;
+  std::uint32_t object = 0;  // by which a shading knows it
+};
+
+/// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
+struct source_weights {
+  float second = 0, third = 0;
+};
+
+/// Where the corners of a piece lie in its source triangle.
+struct piece_weights {
+  source_weights corner[3] = {{0, 0}, {1, 0}, {0, 1}};
+};
+
+}  // namespace irg
