@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: MIT
 // render - a model file becomes a picture.
 #include <chrono>
-#include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <filesystem>
-#include <new>
 #include <string>
 
 #include <irg/core/threads.hpp>
 #include <irg/io/file.hpp>
-#include <irg/io/image_file.hpp>
 #include <irg/io/obj.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/render/render.hpp>
+#include <irg/view/axonometry.hpp>
 
 #include "support/command_line.hpp"
+#include "support/picture_options.hpp"
 
 namespace {
 
@@ -32,7 +29,9 @@ constexpr std::string_view help =
   --target x,y,z       what it looks at (the centre of the model)
   --up x,y,z           what is up (0,1,0)
   --fov DEG            vertical angle of view (40)
-  --project KIND       perspective, orthographic
+  --project KIND       perspective, orthographic, isometric, dimetric, trimetric, oblique (seen from the
+                       front, depth at half its length); the last four fix the direction of the view, and
+                       --eye sets with --target how far away the eye is
   --hidden METHOD      zbuffer, none
   --style STYLE        gouraud, wire, flat, phong
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
@@ -41,45 +40,19 @@ constexpr std::string_view help =
   --threads N          1 to 256 (1)
 )";
 
+enum class view_kind { perspective, orthographic, isometric, dimetric, trimetric, oblique };
+
 struct settings {
   std::string model, out, stats;
-  int width = 1280, height = 720, threads = 1;
+  program::picture_size size{1280, 720};
+  int threads = 1;
   std::optional<irg::point<double, 3>> eye, target;
   irg::vec<double, 3> up{0, 1, 0};
   double angle = 40;
-  irg::projection_kind projection = irg::projection_kind::perspective;
+  view_kind project = view_kind::perspective;
   std::vector<irg::light<double>> lights;
   irg::render_options options;
 };
-
-constexpr int longest_side = 65535;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
-
-void read_size(program::command_line& line, settings& s) {
-  const std::string_view text = line.value_of("--size");
-  const char* end = text.data() + text.size();
-  const bool plain = text.find_first_not_of("0123456789x") == text.npos;
-  const auto width = irg::parse_decimal<double>(text.data(), end);
-  const bool cross = width.end != end && *width.end == 'x';
-  const auto height = irg::parse_decimal<double>(cross ? width.end + 1 : end, end);
-  const auto side = [](double v) { return v >= 1 && v <= longest_side && v == std::floor(v); };
-  if (!plain || !cross || height.end != end || !side(width.value) || !side(height.value) ||
-      width.value * height.value > double{most_pixels})
-    line.fail("option --size needs WxH with sides from 1 to 65535 and at most 134217728 pixels, not '" +
-              std::string(text) + "'");
-  s.width = static_cast<int>(width.value);
-  s.height = static_cast<int>(height.value);
-}
-
-// Whether two paths lead to the same file, whatever they look like.
-bool one_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  std::error_code failed;
-  const auto resolved = [&](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, failed), failed);
-  };
-  return a == b || (resolved(a) == resolved(b) && !failed);
-}
 
 settings read_settings(program::command_line& line) {
   settings s;
@@ -94,7 +67,7 @@ settings read_settings(program::command_line& line) {
     else if (word == "--stats")
       s.stats = line.value_of(word);
     else if (word == "--size")
-      read_size(line, s);
+      s.size = program::read_size(line);
     else if (word == "--eye")
       s.eye = triple(word);
     else if (word == "--target")
@@ -106,8 +79,8 @@ settings read_settings(program::command_line& line) {
       if (!(s.angle >= 1e-6 && s.angle < 180))
         line.fail("option --fov needs an angle from 0.000001 to less than 180 degrees");
     } else if (word == "--project")
-      s.projection = std::array{irg::projection_kind::perspective,
-                                irg::projection_kind::orthographic}[line.choice(word, {"perspective", "orthographic"})];
+      s.project = static_cast<view_kind>(
+          line.choice(word, {"perspective", "orthographic", "isometric", "dimetric", "trimetric", "oblique"}));
     else if (word == "--hidden")
       s.options.hidden = std::array{irg::hidden_surface_method::zbuffer,
                                     irg::hidden_surface_method::none}[line.choice(word, {"zbuffer", "none"})];
@@ -121,7 +94,7 @@ settings read_settings(program::command_line& line) {
       s.options.culling =
           std::array{irg::face_culling::back, irg::face_culling::none}[line.choice(word, {"back", "none"})];
     else if (word == "--skip")
-      s.options.skip = std::array{irg::skipping::on, irg::skipping::off}[line.choice(word, {"on", "off"})];
+      s.options.skip = std::array{irg::skip_options{}, irg::skip_nothing}[line.choice(word, {"on", "off"})];
     else if (word == "--threads")
       s.threads = line.integer(word, 1, 256);
     else if (word.size() > 1 && word[0] == '-')
@@ -133,8 +106,9 @@ settings read_settings(program::command_line& line) {
   }
   if (s.model.empty()) line.fail("no model given; --help tells how");
   if (s.out.empty()) line.fail("no picture given; -o OUT.png names it");
-  if (one_file(s.out, s.stats)) line.fail("the picture and the statistics need two files, not both: " + s.out);
-  if (one_file(s.out, s.model) || one_file(s.stats, s.model)) line.fail("the model would be overwritten: " + s.model);
+  if (program::one_file(s.out, s.stats)) line.fail("the picture and the statistics need two files, not both: " + s.out);
+  if (program::one_file(s.out, s.model) || program::one_file(s.stats, s.model))
+    line.fail("the model would be overwritten: " + s.model);
   return s;
 }
 
@@ -151,14 +125,39 @@ irg::mesh<double> load(const program::command_line& line, const std::string& mod
   return *std::move(mesh);
 }
 
+using vec3 = irg::vec<double, 3>;
+
+bool fixes_direction(view_kind k) { return k != view_kind::perspective && k != view_kind::orthographic; }
+
+// From the target towards the eye, of length 1 where the kind of view fixes it.
+vec3 direction_of(const settings& s) {
+  switch (s.project) {
+    case view_kind::isometric: return irg::with_axis_up(irg::isometric<double>().to_viewer, s.up);
+    case view_kind::dimetric: return irg::with_axis_up(irg::dimetric<double>().to_viewer, s.up);
+    case view_kind::trimetric: return irg::with_axis_up(irg::trimetric<double>().to_viewer, s.up);
+    case view_kind::oblique: return irg::with_axis_up(vec3{0, 0, 1}, s.up);
+    default: return {1, 0.8, 1.6};
+  }
+}
+
 irg::camera<double> camera_of(const program::command_line& line, const settings& s, const irg::mesh<double>& shape) {
   const auto ball = irg::sphere_around(shape);
-  const double angle = irg::radians(s.angle), aspect = static_cast<double>(s.width) / s.height;
-  irg::camera<double> c =
-      irg::camera_around(ball.centre, ball.radius, irg::vec<double, 3>{1, 0.8, 1.6}, angle, aspect, s.projection);
-  if (s.eye) c.eye = *s.eye;
-  if (s.target) c.target = *s.target;
+  const double angle = irg::radians(s.angle), aspect = static_cast<double>(s.size.width) / s.size.height;
+  irg::camera<double> c;
   c.up = s.up;
+  c.vertical_angle = angle;
+  c.projection = s.project == view_kind::perspective ? irg::projection_kind::perspective
+                 : s.project == view_kind::oblique   ? irg::projection_kind::oblique
+                                                     : irg::projection_kind::orthographic;
+  const vec3 direction = direction_of(s);
+  c = irg::camera_around(c, ball.centre, ball.radius, direction, aspect);
+  if (s.target) c.target = *s.target;
+  if (s.eye) c.eye = *s.eye;
+  // Technical drawings look along their own direction, whatever eye and target are given.
+  if (fixes_direction(s.project) && (s.eye || s.target)) {
+    const double away = irg::length(c.eye - c.target);
+    c.eye = c.target + direction * (away > 0 ? away : 1);
+  }
   c = irg::with_depth_range(c, ball.centre, ball.radius);
   const double reach = irg::length(c.eye - ball.centre) + ball.radius + irg::length(c.target - ball.centre);
   if (ball.radius > 0 && ball.radius < 1e-150) line.fail("the model is too small; scale it to more than 1e-150");
@@ -223,7 +222,7 @@ std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint6
 
 void run(program::command_line& line) {
   settings s = read_settings(line);
-  if (!irg::picture_format_of(s.out)) line.fail("the picture's name must end in .png, .ppm or .svg, not: " + s.out);
+  program::expect_picture_name(line, s.out);
   timings ms;
   stopwatch watch;
 
@@ -235,15 +234,15 @@ void run(program::command_line& line) {
   world.ambient = {0.12, 0.12, 0.14};
   ms.load = watch.lap();
 
-  irg::image<irg::rgba8> picture(s.width, s.height);
-  irg::image<float> depth(s.width, s.height);
+  irg::image<irg::rgba8> picture(s.size.width, s.size.height);
+  irg::image<float> depth(s.size.width, s.size.height);
   watch.lap();
   const irg::render_stats stats =
       irg::render(world, picture, depth, s.options, {}, irg::parallel{s.threads},
                   [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
   const auto old_picture = irg::read_file(s.stats.empty() ? std::string() : s.out);
   watch.lap();
-  if (const auto error = irg::write_image(s.out, picture)) line.fail(std::string(error->message) + ": " + s.out);
+  program::write_picture(line, s.out, picture);
   ms.write = watch.lap();
   if (!s.stats.empty()) {
     const std::string json = stats_json(stats, ms, hash_of(picture));
@@ -256,14 +255,4 @@ void run(program::command_line& line) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  program::command_line line(argc, argv, "render", help);
-#ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN);  // a full quota is a failed write, which is cleaned up after, not the program's end
-#endif
-  try {
-    run(line);
-  } catch (const std::bad_alloc&) {
-    line.fail("there is not enough memory for this model and this size");
-  }
-}
+int main(int argc, char** argv) { program::run_or_fail({argc, argv, "render", help}, "this model and this size", run); }

@@ -20,21 +20,25 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
+#include "depths.hpp"
+#include "enlarged.hpp"
 #include "fills.hpp"
 #include "fills_aa.hpp"
 #include "line_kernels.hpp"
 #include "line_teaching.hpp"
 #include "line_variants.hpp"
+#include "projections.hpp"
 #include "textbook_fill.hpp"
+#include "viewing.hpp"
 #include "lines_aa.hpp"
 
 namespace {
 
-using picture = irg::image<irg::rgba8>;
+using namespace enlarging;
 using vec3 = irg::vec<double, 3>;
 
-constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, pale{222, 220, 214, 255}, blue{92, 142, 196, 255},
-    red{204, 96, 72, 255}, dark_blue{48, 90, 140, 255}, dark_red{150, 60, 40, 255};
+constexpr irg::rgba8 blue{92, 142, 196, 255}, red{204, 96, 72, 255}, dark_blue{48, 90, 140, 255},
+    dark_red{150, 60, 40, 255};
 
 std::string folder = ".";
 int failures = 0;
@@ -44,29 +48,6 @@ void save(const std::string& name, const picture& p) {
     std::fprintf(stderr, "pictures: %s: %s\n", error->message, name.c_str());
     ++failures;
   }
-}
-
-// Each pixel as a square of `size` pixels, with thin lines between them.
-picture enlarged(const picture& small, int size) {
-  picture big(small.width() * size + 1, small.height() * size + 1, pale);
-  for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < small.width(); ++x)
-      for (int row = 1; row < size; ++row)
-        irg::fill_span(big, {y * size + row, x * size + 1, (x + 1) * size}, small(x, y));
-  return big;
-}
-
-void dot(picture& p, irg::cell centre, int radius, irg::rgba8 colour) {
-  for (int dy = -radius; dy <= radius; ++dy) {
-    int half = 0;
-    while ((half + 1) * (half + 1) + dy * dy <= radius * radius + radius) ++half;
-    irg::fill_span(p, {centre.y + dy, centre.x - half, centre.x + half + 1}, colour);
-  }
-}
-
-void paste(picture& onto, const picture& p, int left, int top) {
-  for (int y = 0; y < p.height(); ++y)
-    for (int x = 0; x < p.width(); ++x) onto(left + x, top + y) = p(x, y);
 }
 
 void shared_edge() {
@@ -302,5 +283,13 @@ int main(int argc, char** argv) {
   save("fill_polygon_aa", fills_aa::rules());
   save("fill_seam", fills_aa::seam());
   save("blend_span", fills_aa::run());
+  save("zbuffer_textbook", depths::forms());
+  failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
+  save("view_transform_textbook", viewing::steps());
+  save("polar_camera", viewing::orbit());
+  save("cube_projections", projection_pictures::every_projection());
+  save("plane_projection", projection_pictures::shadows());
+  save("frustum", projection_pictures::boxes());
+  save("window_to_viewport", projection_pictures::fits());
   return failures == 0 ? 0 : 1;
 }

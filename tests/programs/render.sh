@@ -2,47 +2,18 @@
 # SPDX-License-Identifier: MIT
 # The contract of `render`, seen from outside: options, refusals, files left behind, hashes.
 # usage: render.sh FOLDER-WITH-THE-PROGRAMS
-set -u
-export LC_ALL=C
-[ -n "${1:-}" ] && [ -x "$1/render" ] || { echo "usage: $0 FOLDER (that holds the program render)"; exit 1; }
-program=$(cd "$1" && pwd)/render
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-passed=0 failed=0
-
-check() { # check "what" condition...
-  local what=$1
-  shift
-  if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $what"; fi
-}
-has() { case $1 in *"$2"*) true ;; *) false ;; esac; }
-is() { [ "$1" = "$2" ]; }
-is_not() { [ "$1" != "$2" ]; }
+# shellcheck disable=SC2086,SC2207,SC2258 # $small and some options are several words, and ,,, is a value
+# shellcheck source=tests/support/programs.sh
+. "$(dirname "$0")/../support/programs.sh" render "$@"
 number() { sed -n "s/.*\"$1\": \([0-9][0-9.]*\).*/\1/p" "$2"; }
 hash_in() { sed -n 's/^  "hash": "\([0-9a-f]\{16\}\)"$/\1/p' "$1"; }
 
-# Runs the program; leaves status, out and err.
-run() {
-  timeout 120 "$program" "$@" >"$work/.out" 2>"$work/.err"
-  status=$?
-  err=$(cat "$work/.err")
-}
-
-# refused "what" "part of the message" arguments...: exit 2, one line `render: ...`, nothing on standard output and no
-# file that was not there before.
+# refused "what" "part of the message" arguments...
 refused() {
-  local what=$1 part=$2 before after
+  local what=$1 part=$2
   shift 2
-  before=$(find . -type f -o -type l | sort)
-  run "$@"
-  after=$(find . -type f -o -type l | sort)
-  check "$what: exit 2, not $status" is "$status" 2
-  check "$what: one line on standard error, not: $err" is "$(wc -l <.err)" 1
-  check "$what: begins with the program's name: $err" is "${err#render: }" "$(printf %s "$err" | tail -c +9)"
+  fails "$what" "" "$@"
   check "$what: says '$part': $err" has "$err" "$part"
-  check "$what: standard output is empty" is "$(wc -c <.out)" 0
-  check "$what: leaves no file" is "$before" "$after"
   check "$what: no full stop or trace" is "${err%.}" "$err"
 }
 
@@ -51,7 +22,7 @@ drawn() {
   local what=$1
   shift
   rm -f p.ppm s.json
-  run "$@" -o p.ppm --stats s.json
+  run "" "$@" -o p.ppm --stats s.json
   check "$what: exit 0, not $status: $err" is "$status" 0
   check "$what: silent" is "$(cat .out .err | wc -c)" 0
   check "$what: a picture" test -s p.ppm
@@ -98,26 +69,26 @@ printf 'v 1e200 0 0\nv -1e200 0 0\nv 0 1e200 0\nf 1 2 3\n' >huge.obj
 mkdir folder
 
 # ---- help and defaults
-run --help
+run "" --help
 check "--help: exit 0" is "$status" 0
 check "--help: silent on standard error" is "$err" ""
 for word in MODEL -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip --threads \
-  teapot cube sphere torus 1280x720 gouraud zbuffer perspective; do
+  teapot cube sphere torus 1280x720 gouraud zbuffer perspective orthographic isometric dimetric trimetric oblique; do
   check "--help names $word" has "$(cat .out)" "$word"
 done
-run cube --help
+run "" cube --help
 check "--help after a model: exit 0" is "$status" 0
 
-run cube -o default.ppm --stats default.json
+run "" cube -o default.ppm --stats default.json
 check "defaults: exit 0: $err" is "$status" 0
 check "defaults: 1280 x 720" is "$(sed -n 2p default.ppm)" "1280 720"
-run cube -o same.ppm --stats same.json --size 1280x720 --up 0,1,0 --fov 40 --project perspective --hidden zbuffer \
+run "" cube -o same.ppm --stats same.json --size 1280x720 --up 0,1,0 --fov 40 --project perspective --hidden zbuffer \
   --style gouraud --cull back --skip on --threads 1
 check "the defaults, spelled out, are the defaults" is "$(hash_in same.json)" "$(hash_in default.json)"
 check "the same bytes" cmp -s default.ppm same.ppm
 
 for model in teapot cube sphere torus square.obj; do drawn "$model" $model $small; done
-run cube $small -o picture.png
+run "" cube $small -o picture.png
 check "a .png picture: exit 0" is "$status" 0
 check "PNG begins as it must" is "$(head -c 8 picture.png | od -An -tx1 | tr -d ' \n')" 89504e470d0a1a0a
 
@@ -134,7 +105,7 @@ check "one object" is "$(head -c 1 s.json)$(tail -n 1 s.json)" "{}"
 check "no comma before a brace" is "$(tr -d ' \n' <s.json | grep -c ',}')" 0
 check "an even number of quotes" is $(($(tr -cd '"' <s.json | wc -c) % 2)) 0
 check "as many pixels drawn as are not background" is "$(number pixels_drawn s.json)" \
-  "$(tail -c +$((1 + $(head -n 3 p.ppm | wc -c))) p.ppm | od -An -v -w3 -tu1 | grep -vc '^ *250 249 246$')"
+  $((48 * 36 - $(count p.ppm 250 249 246)))
 check "no more shaded than tested" test "$(number pixels_shaded s.json)" -le "$(number pixels_tested s.json)"
 check "no more drawn than shaded" test "$(number pixels_drawn s.json)" -le "$(number pixels_shaded s.json)"
 drawn "a cube's statistics" cube $small
@@ -178,7 +149,8 @@ done
 hash_with() { drawn "$*" "$@" && hash_in s.json; }
 plain=$(hash_with cube $small)
 for option in "--style wire" "--style flat" "--style phong" "--fov 60" "--up 1,0,0" "--up -1,0.5,0" "--light -3,2,-4" \
-  "--project orthographic" "--eye 3,2,5" "--eye -3,2,-5" "--target 0.5,0.75,0.5" "--size 36x48"; do
+  "--project orthographic" "--project isometric" "--project dimetric" "--project trimetric" "--project oblique" \
+  "--eye 3,2,5" "--eye -3,2,-5" "--target 0.5,0.75,0.5" "--size 36x48"; do
   check "$option changes the picture" is_not "$(hash_with cube $small $option)" "$plain"
 done
 check "two lights are not one" is_not "$(hash_with cube $small --light 3,4,5 --light -3,0,5)" "$(hash_with cube $small --light 3,4,5)"
@@ -188,12 +160,42 @@ check "an eye without a target looks at the centre" is "$(hash_with cube $small 
 check "the last of two wins" is "$(hash_with cube --size 9x9 $small)" "$plain"
 
 # The sphere around a model touches the picture: a square picture of a sphere is filled from border to border.
-for project in perspective orthographic; do
+for project in perspective orthographic isometric dimetric trimetric oblique; do
   drawn "the sphere fits, $project" sphere --size 101x101 --style flat --project $project
-  rows=$(tail -c +$((1 + $(head -n 3 p.ppm | wc -c))) p.ppm | od -An -v -w303 -tu1 |
+  rows=$(pixels p.ppm 101 |
     awk '{ for (i = 1; i <= 303; i += 3) if ($i != 250 || $(i + 1) != 249 || $(i + 2) != 246) { print NR - 1; next } }')
   check "the sphere reaches the upper border, $project" test "$(echo "$rows" | head -n 1)" -le 2
   check "the sphere reaches the lower border, $project" test "$(echo "$rows" | tail -n 1)" -ge 98
+done
+
+# Every projection gives a picture of its own.
+hashes=$(for project in perspective orthographic isometric dimetric trimetric oblique; do
+  hash_with cube $small --project $project
+done)
+check "six projections, six pictures" is "$(echo "$hashes" | sort -u | wc -l)" 6
+# Isometric: the three faces of a cube that are seen have equal areas. A lamp far away gives each one colour.
+drawn "an isometric cube" cube --size 301x301 --project isometric --style flat --light 3e6,2e6,1e6
+areas=$(pixels p.ppm | grep -v "^ *250 *249 *246\$" | sort | uniq -c | awk '{ print $1 }' | sort -n)
+check "an isometric cube shows three faces" is "$(echo "$areas" | wc -l)" 3
+check "the faces of an isometric cube are equally large" test \
+  $(($(echo "$areas" | tail -n 1) - $(echo "$areas" | head -n 1))) -le 300
+# Oblique: the front face keeps its true shape, half of the depth is drawn.
+drawn "an oblique cube" cube --size 301x301 --project oblique --style flat --light 3e6,2e6,1e6
+areas=$(pixels p.ppm | grep -v "^ *250 *249 *246\$" | sort | uniq -c | awk '{ print $1 }' | sort -n)
+front=$(echo "$areas" | tail -n 1)
+check "an oblique cube shows three faces" is "$(echo "$areas" | wc -l)" 3
+check "top and side have sin(45)/2 of the front's area" test \
+  $(($(echo "$areas" | head -n 1) * 1000 / front)) -ge 345 -a $(($(echo "$areas" | sed -n 2p) * 1000 / front)) -le 362
+# The direction of technical drawings is their own: the eye says how far away it is.
+for project in isometric dimetric trimetric oblique; do
+  check "$project: of an eye only its distance counts" is "$(hash_with cube $small --project $project --eye 3.5,0.5,0.5)" \
+    "$(hash_with cube $small --project $project --eye 0.5,3.5,0.5)"
+  check "$project: a nearer eye shows less" is_not "$(hash_with cube $small --project $project --eye 3.5,0.5,0.5)" \
+    "$(hash_with cube $small --project $project --eye 2.5,0.5,0.5)"
+  check "$project: another target" is_not "$(hash_with cube $small --project $project --target 0,0,0)" \
+    "$(hash_with cube $small --project $project)"
+  check "$project: up along z" is_not "$(hash_with cube $small --project $project --up 0,0,1 --style wire --target 0,0,0)" \
+    "$(hash_with cube $small --project $project --style wire --target 0,0,0)"
 done
 
 # ---- pictures of awkward scenes
@@ -201,6 +203,15 @@ drawn "the eye inside the model" cube $small --eye 0.5,0.4,0.6 --target 0.1,0.2,
 check "the eye inside the model: backs are culled" is "$(number pixels_drawn s.json)" 0
 drawn "the eye inside the model without culling" cube $small --eye 0.5,0.4,0.6 --target 0.1,0.2,0.3 --cull none
 check "the eye inside the model without culling: all pixels" is "$(number pixels_drawn s.json)" $((48 * 36))
+for project in isometric dimetric trimetric oblique; do
+  drawn "the eye at the target, $project" cube $small --eye 0.5,0.5,0.5 --target 0.5,0.5,0.5 --project $project
+  check "the eye at the target is drawn from distance 1, $project" is "$(hash_in s.json)" \
+    "$(hash_with cube $small --eye 0.5,0.5,1.5 --target 0.5,0.5,0.5 --project $project)"
+  drawn "up parallel to the view, $project" cube $small --up 1,1,1 --project $project
+  drawn "no up, $project" cube $small --up 0,0,0 --project $project
+  drawn "a model of no size, $project" dot.obj $small --project $project
+  check "a model of no size: the background, $project" is "$(number pixels_drawn s.json)" 0
+done
 for project in perspective orthographic; do
   drawn "the eye at the target, $project" cube $small --eye 0.5,0.5,3 --target 0.5,0.5,3 --project $project
   check "the eye at the target looks along -z, $project" test "$(number pixels_drawn s.json)" -gt 0
@@ -261,16 +272,15 @@ refused_choice() { # option value supported...
   for word in "$@"; do refused "$option '$value' names $word" "$word" cube -o x.png --stats x.json "$option" "$value"; done
 }
 for value in nothing "" Wire; do
-  refused_choice --project "$value" perspective orthographic
+  refused_choice --project "$value" perspective orthographic isometric dimetric trimetric oblique
   refused_choice --hidden "$value" zbuffer none
   refused_choice --style "$value" gouraud wire flat phong
   refused_choice --cull "$value" back none
   refused_choice --skip "$value" on off
 done
 # What is promised for later works or is refused with the list; never anything else.
-for pair in "--project isometric" "--project dimetric" "--project trimetric" "--project oblique" "--hidden painter" \
-  "--hidden warnock" "--hidden bsp" "--hidden raytrace" "--style hidden-line"; do
-  run cube $small -o later.ppm $pair
+for pair in "--hidden painter" "--hidden warnock" "--hidden bsp" "--hidden raytrace" "--style hidden-line"; do
+  run "" cube $small -o later.ppm $pair
   if [ "$status" = 0 ]; then
     check "$pair: a picture" test -s later.ppm
   else
@@ -306,12 +316,11 @@ refused "a size that is no plain number" "--size" cube -o x.png --size 1e2x50
 refused "a folder that does not exist" "folder" cube -o nowhere/x.png
 # Where the system grants no threads, the calling one does the work. (Sanitizers need more room than that.)
 if (ulimit -v 400000 && "$program" --help) >/dev/null 2>&1; then
-  run cube $small --threads 200 -o many.ppm
+  run "" cube $small --threads 200 -o many.ppm
   few=$( (ulimit -v 400000; "$program" cube $small --threads 200 -o few.ppm 2>&1); echo $?)
   check "few threads for many: exit 0" is "$few" 0
   check "few threads for many: the same picture" cmp -s many.ppm few.ppm
 fi
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+conclude

@@ -240,6 +240,66 @@ TEST_CASE("with_depth_range: a point at the eye still has a range") {
               irg::detail::all_finite(irg::view_projection(p, 0.25))));
 }
 
+TEST_CASE("camera_around: obliquely, the sphere's image touches the border too, and the target's depth stays") {
+  test::random r(31);
+  for (int i = 0; i < 200; ++i) {
+    camera like;
+    like.projection = irg::projection_kind::oblique;
+    like.vertical_angle = irg::radians(1 + 150 * r.unit());
+    like.receding = {6 * r.unit(), 2 * r.unit()};
+    const double aspect = 0.2 + 4 * r.unit(), radius = std::pow(10.0, 6 * r.unit() - 3);
+    const point centre{radius * r.unit(), 1, -radius};
+    const camera c = irg::camera_around(like, centre, radius, vec{0.3, 0.2, 1}, aspect);
+    const auto m = irg::view_projection(c, aspect);
+    double x = 0, y = 0;
+    bool in_depth = true;
+    for (int a = 0; a < 180; ++a)
+      for (int b = -90; b <= 90; ++b) {
+        const double u = a * irg::pi<double> / 90, v = b * irg::pi<double> / 180;
+        const auto p = m * (centre + vec{std::cos(u) * std::cos(v), std::sin(v), std::sin(u) * std::cos(v)} * radius);
+        x = std::fmax(x, std::fabs(p.x)), y = std::fmax(y, std::fabs(p.y));
+        in_depth = in_depth && p.w == 1 && p.z >= 0 && p.z <= 1;
+      }
+    CHECK((x <= 1 + 1e-9 && y <= 1 + 1e-9));
+    CHECK(std::fmax(x, y) >= 1 - 1e-3);
+    CHECK(in_depth);
+    CHECK((near(seen(c, aspect, centre).x, 0) && near(seen(c, aspect, centre).y, 0)));
+  }
+}
+
+TEST_CASE("view_projection: oblique by hand, depth to the right at half its length") {
+  constexpr camera c{{0, 0, 2},           {0, 0, 0}, {0, 1, 0}, irg::projection_kind::oblique,
+                     irg::pi<double> / 2, -10,       10,        {0.0, 0.5}};
+  CHECK_BOTH((near(seen(c, 1, {0, 2, 0}).y, 1) && near(seen(c, 1, {2, 0, 0}).x, 1)));
+  CHECK_BOTH((near(seen(c, 1, {0, 0, -2}).x, 0.5) && near(seen(c, 1, {0, 0, 2}).x, -0.5)));
+  CHECK_BOTH(near(seen(c, 1, {0, 1, -2}).y, 0.5));
+}
+
+TEST_CASE("viewpoint: the eye in perspective; far out along the rays in parallel projection") {
+  constexpr camera c{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}};
+  CHECK_BOTH(irg::viewpoint(c) == point{1, 2, 3});
+  test::random r(32);
+  for (int i = 0; i < 500; ++i) {
+    camera o = in_parallel({{r.unit(), 2 * r.unit() + 1, 3}, {r.unit(), 0, 0}, {0, 1, 0}});
+    if (i % 2) o.projection = irg::projection_kind::oblique, o.receding = {6 * r.unit(), r.unit()};
+    o = irg::with_depth_range(o, {0, 0, 0}, 5);
+    const point viewer = irg::viewpoint(o);
+    // Positions on the way to the viewer have one picture, and come nearer.
+    const auto m = irg::view_projection(o, 1.5);
+    const point p{r.unit(), r.unit(), r.unit()}, q = p + irg::normalized(viewer - p) * 2.0;
+    const auto first = m * p, second = m * q;
+    CHECK((std::fabs(first.x - second.x) <= 1e-8 && std::fabs(first.y - second.y) <= 1e-8 && first.z < second.z));
+    // From anywhere in the scene the direction is the same.
+    const vec a = irg::normalized(viewer - point{-5, -5, -5}), b = irg::normalized(viewer - point{5, 5, 5});
+    CHECK(irg::length(a - b) <= 0x1p-28);
+  }
+  const point far_out = irg::viewpoint(in_parallel({{1e308, 0, 0}, {0, 0, 0}, {0, 1, 0}, {}, 0.7, -1e308, 1e308}));
+  CHECK((std::isfinite(far_out.x) && std::isfinite(far_out.y) && std::isfinite(far_out.z)));
+  const auto small =
+      irg::viewpoint(irg::camera<float>{{0, 0, 1e37f}, {0, 0, 0}, {0, 1, 0}, irg::projection_kind::oblique});
+  CHECK((std::isfinite(small.x) && std::isfinite(small.z)));
+}
+
 TEST_CASE("camera: constant evaluation gives the bits of run time") {
   constexpr auto at_compile_time =
       irg::view_projection(irg::camera_around(point{0.1, 0.2, 0.3}, 1.7, vec{1, 0.8, 1.6}, 0.69, 16.0 / 9), 16.0 / 9);

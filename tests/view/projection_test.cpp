@@ -113,6 +113,74 @@ TEST_CASE("orthographic: by hand, in every life") {
   CHECK(orthographic<float>(left, 1.5f, -0.3f, 0.9f, 0.1f, 100.0f) == any);
 }
 
+TEST_CASE("perspective of a window: by hand, off centre, mirrored, in every life") {
+  using irg::view_window;
+  constexpr auto m = perspective(view_window<double>{-1, 3, 0, 2}, 2, 1, 5);
+  CHECK_BOTH((m * P{-1, 0, -2}) == hpoint<double, 3>{-2, -2, 0.75, 2});
+  CHECK_BOTH((m * P{3, 2, -2}) == hpoint<double, 3>{2, 2, 0.75, 2});
+  CHECK_BOTH((m * P{1, 1, -2}) == hpoint<double, 3>{0, 0, 0.75, 2});
+  CHECK_BOTH((m * P{-0.5, 0, -1}) == hpoint<double, 3>{-1, -1, 1, 1});
+  CHECK_BOTH((perspective(view_window<double>{3, -1, 0, 2}, 2, 1, 5) * P{3, 2, -2}) ==
+             hpoint<double, 3>{-2, 2, 0.75, 2});
+  // Centred, it is the projection by angle.
+  CHECK_BOTH((perspective(irg::centred_window(4.0, 2), 1, 1, inf) * P{0, 0, -4}) == hpoint<double, 3>{0, 0, 1, 4});
+  CHECK((perspective(irg::centred_window(4.0, 2), 1, 1, 5)(0, 0) == 0.5));
+  // glFrustum's window: on the near plane.
+  constexpr auto gl = perspective(view_window<double>{-2, 1, -1, 3}, 0.5, 0.5, 10, depth_range::standard);
+  CHECK((near(projected(gl, P{-2, -1, -0.5}), P{-1, -1, 0}, 1e-15) &&
+         near(projected(gl, P{20, 60, -10}), P{1, 1, 1}, 1e-15)));
+  constexpr auto any = perspective(view_window<float>{-0.1f, 0.3f, -0.2f, 0.9f}, 0.7f, 0.1f, 100.0f);
+  volatile float left = -0.1f;
+  CHECK(perspective(view_window<float>{left, 0.3f, -0.2f, 0.9f}, 0.7f, 0.1f, 100.0f) == any);
+}
+
+TEST_CASE("perspective of a window: similar triangles, and two tiles join to the whole") {
+  test::random r(21);
+  for (int i = 0; i < 2000; ++i) {
+    const double l = -2 * r.unit(), w = 0.1 + 2 * r.unit(), b = -2 * r.unit(), h = 0.1 + 2 * r.unit(),
+                 d = 0.1 + r.unit();
+    const auto m = perspective(irg::view_window<double>{l, l + w, b, b + h}, d, 0.1, 100);
+    const P p{4 * r.unit() - 2, 4 * r.unit() - 2, -0.1 - 20 * r.unit()};
+    // Where the ray meets the plane of the window, in shares of the window.
+    const long double t = static_cast<long double>(d) / static_cast<long double>(-p.z);
+    const auto share = [&](double x, double low, double size) {
+      return static_cast<double>(
+          2 * (static_cast<long double>(x) * t - static_cast<long double>(low)) / static_cast<long double>(size) - 1);
+    };
+    const P q = projected(m, p);
+    const double bound =
+        1e-14 * (1 + std::abs(q.x) + std::abs(q.y)) * (1 + (std::abs(l) + w) / w + (std::abs(b) + h) / h);
+    CHECK(std::abs(q.x - share(p.x, l, w)) <= bound);
+    CHECK(std::abs(q.y - share(p.y, b, h)) <= bound);
+    // The left half of the window shows the left half of the picture, twice as wide.
+    const P half = projected(perspective(irg::view_window<double>{l, l + w / 2, b, b + h}, d, 0.1, 100), p);
+    CHECK(std::abs(half.x - (2 * q.x + 1)) <= 4 * bound);
+    CHECK((half.y == q.y && half.z == q.z));
+  }
+}
+
+TEST_CASE("perspective of a window: what is refused (Z10)") {
+  using enum projection_status;
+  const auto status = [](irg::view_window<double> w, double d, double n, double f) {
+    const auto p = perspective_checked(w, d, n, f);
+    CHECK((p.status == ordinary || p.matrix == identity<double, 4>()));
+    return p.status;
+  };
+  constexpr irg::view_window<double> w{-1, 1, -1, 1};
+  for (const double bad : {0.0, -1.0, inf, -inf, not_a_number}) CHECK(status(w, bad, 1, 2) == bad_distance);
+  for (const double bad : {inf, -inf, not_a_number, 1.0}) {
+    CHECK(status({bad, 1, -1, 1}, 1, 1, 2) == bad_window);
+    CHECK(status({-1, 1, bad, 1}, 1, 1, 2) == bad_window);
+  }
+  for (const double bad : {0.0, -1.0, 2.0, 3.0, inf, not_a_number}) CHECK(status(w, 1, bad, 2) == bad_depth);
+  CHECK(status(w, 1, 1, not_a_number) == bad_depth);
+  CHECK(status(w, 1, 1, inf) == ordinary);
+  CHECK(status(w, 1, 1e-3, 1e9) == ordinary);
+  CHECK(status({-1e307, 1e307, -1, 1}, 1, 1, 2) == ordinary);
+  CHECK(status({-1e-320, 1e-320, -1, 1}, 1, 1, 2) == not_representable);
+  static_assert(perspective_checked(w, -1, 1, 2).status == bad_distance);
+}
+
 TEST_CASE("perspective: GOLDEN 12, central projection") {
   // Camera point (3,-2,6) on the plane d = 2 of a left-handed camera: (1, -2/3). Here z = -6 and the half height is 2.
   const auto m = perspective(pi<double> / 2, 1, 1, 10);

@@ -9,12 +9,14 @@
 #include <irg/math/length.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/view/look_at.hpp>
+#include <irg/view/oblique.hpp>
 #include <irg/view/projection.hpp>
 
 namespace irg {
 
-/// How space is brought onto the picture plane.
-enum class projection_kind { perspective, orthographic };
+/// How space is brought onto the picture plane. Axonometries are orthographic, seen from their own directions
+/// (view/axonometry.hpp).
+enum class projection_kind { perspective, orthographic, oblique };
 
 /// An eye, what it looks at, and how wide it looks.
 /// needs   0 < vertical_angle < pi, 0 < near_distance < far_distance (which may be infinite) for perspective
@@ -24,9 +26,10 @@ struct camera {
   point<T, 3> target{};
   vec<T, 3> up{T(0), T(1), T(0)};
   projection_kind projection = projection_kind::perspective;
-  T vertical_angle = T(40) * pi<T> / T(180);  // orthographic pictures show as much as this angle does at the target
+  T vertical_angle = T(40) * pi<T> / T(180);  // parallel projections show as much as this angle does at the target
   T near_distance = T(0.001);
   T far_distance = std::numeric_limits<T>::infinity();
+  oblique_depth<T> receding{};  // in oblique projection: what is at the target's depth stays where it is
 };
 
 namespace detail {
@@ -61,7 +64,27 @@ constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<
   const T away = length(c.target - c.eye), least = (std::numeric_limits<T>::min)();
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
   const T width = greater(height * aspect, least);
+  if (c.projection == projection_kind::oblique)
+    return oblique(c.receding, view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance, -away) *
+           view;
   return orthographic(-width, width, -height, height, c.near_distance, c.far_distance) * view;
+}
+
+/// Where the viewer is, as shading needs to know it: the eye. In parallel projection the viewer is infinitely far away;
+/// then a position so far out in that direction that no view vector of the scene is off by more than 2^-28 rad.
+/// needs   a camera in its domain
+/// gives   for a scene near the end of T's range the farthest position that T has room for
+template <Floating T>
+constexpr point<T, 3> viewpoint(const camera<T>& c) noexcept {
+  if (c.projection == projection_kind::perspective) return c.eye;
+  const mat<T, 4, 4> view = look_at(c.eye, c.target, c.up);
+  const vec<T, 3> seen =
+      c.projection == projection_kind::oblique ? direction_to_viewer(c.receding) : vec<T, 3>{T(0), T(0), T(1)};
+  const vec<T, 3> to_viewer = transpose(submatrix(view, 3, 3)) * seen;
+  constexpr T room = (std::numeric_limits<T>::max)() / T(0x1p33);
+  const auto size = [](T x) { return lesser(detail::magnitude(x), room); };
+  const T reach = size(length(c.target - c.eye)) + size(c.near_distance) + size(c.far_distance);
+  return c.eye + to_viewer * (reach * T(0x1p30));
 }
 
 /// The camera `c` with its depth range laid around a sphere, so that nothing of the sphere in front of the eye is cut
@@ -79,6 +102,32 @@ constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre, std
   return c;
 }
 
+/// The camera `like`, looking at the centre of a sphere from `direction`, so far away that the sphere touches the
+/// picture. In oblique projection it is the sphere's image, an ellipse, that does.
+/// gives   distance 1 for a sphere of radius 0
+/// needs   a camera in its domain, aspect > 0
+template <Floating T>
+constexpr camera<T> camera_around(camera<T> like, const point<T, 3>& centre, std::type_identity_t<T> radius,
+                                  const vec<T, 3>& direction, std::type_identity_t<T> aspect) noexcept {
+  const T half_height = like.vertical_angle / T(2);
+  T distance = T(1);
+  if (like.projection == projection_kind::oblique) {
+    const T x = product(like.receding.factor, cos(like.receding.angle));
+    const T y = product(like.receding.factor, sin(like.receding.angle));
+    const T high = product(radius, hypot(T(1), y)), wide = product(radius, hypot(T(1), x)) / aspect;
+    if (T(0) < radius) distance = greater(high, wide) / tan(half_height);
+  } else {
+    // The narrower of the two half angles decides.
+    const T half_width = atan(tan(half_height) * aspect);
+    const T narrow = lesser(half_width, half_height);
+    const T share = like.projection == projection_kind::perspective ? sin(narrow) : tan(narrow);  // of the distance
+    if (T(0) < radius) distance = radius / share;
+  }
+  like.target = centre;
+  like.eye = centre + normalized(direction) * distance;
+  return with_depth_range(like, centre, radius);
+}
+
 /// A camera that looks at the centre of a sphere from `direction`, so far away that the sphere touches the picture.
 /// gives   distance 1 for a sphere of radius 0
 /// needs   0 < angle < pi, aspect > 0
@@ -87,16 +136,9 @@ constexpr camera<T> camera_around(const point<T, 3>& centre, std::type_identity_
                                   std::type_identity_t<T> vertical_angle, std::type_identity_t<T> aspect,
                                   projection_kind projection = projection_kind::perspective) noexcept {
   camera<T> c;
-  c.target = centre;
   c.projection = projection;
   c.vertical_angle = vertical_angle;
-  // The narrower of the two half angles decides.
-  const T half_width = atan(tan(vertical_angle / T(2)) * aspect), half_height = vertical_angle / T(2);
-  const T narrow = lesser(half_width, half_height);
-  const T share = projection == projection_kind::perspective ? sin(narrow) : tan(narrow);  // of the distance
-  const T distance = T(0) < radius ? radius / share : T(1);
-  c.eye = centre + normalized(direction) * distance;
-  return with_depth_range(c, centre, radius);
+  return camera_around(c, centre, radius, direction, aspect);
 }
 
 }  // namespace IRG_ABI

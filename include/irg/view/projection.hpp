@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Projections from camera space (right-handed, the view along -z) into clip space: after the division by w, x and y lie
-// in [-1, 1] with y up, and z in [0, 1]. Depth is reversed unless asked otherwise.
+// in [-1, 1] with y up, and z in [0, 1]. Depth is reversed unless asked otherwise. from_other_handedness
+// (handedness.hpp) makes of each one the form for left-handed camera space, the view along +z.
 #pragma once
 
 #include <limits>
@@ -8,6 +9,7 @@
 #include <irg/math/constants.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/trigonometry.hpp>
+#include <irg/view/view_window.hpp>
 
 namespace irg {
 
@@ -21,15 +23,17 @@ enum class depth_range {
 /// What the arguments of a projection amount to.
 enum class projection_status {
   ordinary,
-  bad_angle,  // not between 0 and pi
+  bad_angle,  // not between 0 and pi; oblique: not finite
   bad_aspect,  // not positive and finite
   bad_window,  // without width or height, or not finite
+  bad_distance,  // of the picture plane from the eye: not positive and finite
+  bad_factor,  // of an oblique projection: not finite
   bad_depth,  // near not in front of far; perspective: near not in front of the eye
   not_representable  // an entry of the matrix would overflow
 };
 
 /// A projection matrix, the identity unless the status is ordinary.
-template <Floating T>
+template <Real T>
 struct projection_result {
   mat<T, 4, 4> matrix;
   projection_status status = projection_status::ordinary;
@@ -57,6 +61,31 @@ constexpr projection_result<T> unless_infinite(const mat<T, 4, 4>& m) noexcept {
   return {m, projection_status::ordinary};
 }
 
+// Two different numbers whose sum and difference are finite.
+template <class T>
+constexpr bool make_extent(T a, T b) noexcept {
+  constexpr T limit = (std::numeric_limits<T>::max)() / 2;
+  return magnitude(a) <= limit && magnitude(b) <= limit && a != b;
+}
+
+// The third row of a central projection: depth = (scale * z + offset) / -z. The offset may be infinite.
+template <class T>
+struct perspective_depth {
+  T scale, offset;
+};
+
+template <class T>
+constexpr perspective_depth<T> depth_of_perspective(T z_near, T z_far, depth_range depth) noexcept {
+  constexpr T largest = (std::numeric_limits<T>::max)();
+  // far/(far - near) and near/(far - near); their difference is 1.
+  const bool endless = z_far > largest;
+  const T far_share = endless ? T(1) : z_far / (z_far - z_near);
+  const T near_share = endless ? T(0) : z_near / (z_far - z_near);
+  const T offset = z_near <= largest / far_share ? z_near * far_share : infinity<T>;
+  if (depth == depth_range::reversed) return {near_share, offset};
+  return {-far_share, -offset};
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -79,16 +108,9 @@ constexpr projection_result<T> perspective_checked(T vertical_angle, std::type_i
 
   const T y_scale = detail::quotient(T(1), tan(vertical_angle * T(0.5)));
   const T x_scale = y_scale <= largest ? detail::quotient(y_scale, aspect) : y_scale;
-  // far/(far - near) and near/(far - near); their difference is 1.
-  const bool endless = z_far > largest;
-  const T far_share = endless ? T(1) : z_far / (z_far - z_near);
-  const T near_share = endless ? T(0) : z_near / (z_far - z_near);
-  const T offset = z_near <= largest / far_share ? z_near * far_share : detail::infinity<T>;
-  const bool reversed = depth == depth_range::reversed;
-  return detail::unless_infinite(mat<T, 4, 4>{{{x_scale, 0, 0, 0},
-                                               {0, y_scale, 0, 0},
-                                               {0, 0, reversed ? near_share : -far_share, reversed ? offset : -offset},
-                                               {0, 0, -1, 0}}});
+  const auto z = detail::depth_of_perspective(z_near, z_far, depth);
+  return detail::unless_infinite(
+      mat<T, 4, 4>{{{x_scale, 0, 0, 0}, {0, y_scale, 0, 0}, {0, 0, z.scale, z.offset}, {0, 0, -1, 0}}});
 }
 
 /// The central projection with a vertical angle of view; see perspective_checked.
@@ -98,6 +120,45 @@ template <Floating T>
 constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> aspect, std::type_identity_t<T> z_near,
                                    std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
   const projection_result<T> p = perspective_checked(vertical_angle, aspect, z_near, z_far, depth);
+  IRG_EXPECTS(p.status == projection_status::ordinary);
+  return p.matrix;
+}
+
+/// The central projection whose picture is a window of the plane `distance` in front of the eye, or why there is none.
+/// The window need not be centred: that makes the halves of a stereo pair and the tiles of a large picture.
+/// shape   camera space to clip space with w = -z: the distance in front of the eye
+/// units   z_near and z_far are distances in front of the eye, z_far may be infinity; with distance = z_near the window
+///         is the one that glFrustum takes
+/// gives   bad_window (left == right, bottom == top, not finite), bad_distance, bad_depth (z_near <= 0,
+///         z_near >= z_far, NaN), not_representable
+/// exact   entries within 2 ulp of the true ones; those of a window off centre within u times
+///         (|left| + |right|) / |right - left| more
+template <Floating T>
+constexpr projection_result<T> perspective_checked(const view_window<T>& window, std::type_identity_t<T> distance,
+                                                   std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                                                   depth_range depth = depth_range::reversed) noexcept {
+  constexpr T largest = (std::numeric_limits<T>::max)();
+  if (!detail::make_extent(window.left, window.right) || !detail::make_extent(window.bottom, window.top))
+    return detail::refused<T>(projection_status::bad_window);
+  if (!(T(0) < distance && distance <= largest)) return detail::refused<T>(projection_status::bad_distance);
+  if (!(T(0) < z_near && z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
+  const T half_width = (window.right - window.left) / T(2), half_height = (window.top - window.bottom) / T(2);
+  const auto z = detail::depth_of_perspective(z_near, z_far, depth);
+  return detail::unless_infinite(mat<T, 4, 4>{{{detail::quotient(distance, half_width), 0,
+                                                detail::quotient((window.left + window.right) / T(2), half_width), 0},
+                                               {0, detail::quotient(distance, half_height),
+                                                detail::quotient((window.bottom + window.top) / T(2), half_height), 0},
+                                               {0, 0, z.scale, z.offset},
+                                               {0, 0, -1, 0}}});
+}
+
+/// The central projection of a window; see perspective_checked.
+/// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
+template <Floating T>
+constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_identity_t<T> distance,
+                                   std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                                   depth_range depth = depth_range::reversed) noexcept {
+  const projection_result<T> p = perspective_checked(window, distance, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.matrix;
 }
@@ -113,12 +174,9 @@ constexpr projection_result<T> orthographic_checked(T left, std::type_identity_t
                                                     std::type_identity_t<T> bottom, std::type_identity_t<T> top,
                                                     std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                                     depth_range depth = depth_range::reversed) noexcept {
-  const auto usable = [](T a, T b) {
-    constexpr T limit = (std::numeric_limits<T>::max)() / 2;
-    return detail::magnitude(a) <= limit && detail::magnitude(b) <= limit && a != b;
-  };
-  if (!usable(left, right) || !usable(bottom, top)) return detail::refused<T>(projection_status::bad_window);
-  if (!usable(z_near, z_far) || !(z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
+  if (!detail::make_extent(left, right) || !detail::make_extent(bottom, top))
+    return detail::refused<T>(projection_status::bad_window);
+  if (!detail::make_extent(z_near, z_far) || !(z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
   const T width = right - left, height = top - bottom, length = z_far - z_near;
   const bool reversed = depth == depth_range::reversed;
   const T z_scale = detail::quotient(T(1), length);

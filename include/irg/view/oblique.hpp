@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Oblique parallel projection: what is parallel to the picture plane keeps its true shape, and depth runs off at an
+// angle, shortened by a factor. Cavalier: factor 1; cabinet: factor 1/2.
+#pragma once
+
+#include <irg/math/length.hpp>
+#include <irg/view/projection.hpp>
+
+namespace irg {
+
+/// How much of a length at right angles to the picture plane is drawn.
+template <Floating T>
+inline constexpr T cavalier_factor = T(1);
+template <Floating T>
+inline constexpr T cabinet_factor = T(0.5);
+
+/// How depth is drawn: what lies deeper is moved by factor times its depth, at `angle` from the right,
+/// counter-clockwise.
+/// units   radians
+template <Floating T>
+struct oblique_depth {
+  T angle = T(45) * pi<T> / T(180);
+  T factor = cabinet_factor<T>;
+  constexpr bool operator==(const oblique_depth&) const = default;
+};
+
+inline namespace IRG_ABI {
+
+/// The affine matrix of camera space (right-handed, the view along -z) that moves everything sideways so that a
+/// projection along z then shows it obliquely; or why there is none. Depth z stays.
+/// shape   the plane z = plane_z stays where it is; factor 0 moves nothing, a negative one moves the other way
+/// gives   bad_angle, bad_factor, bad_depth (plane_z) for numbers that are not finite, not_representable
+/// exact   entries within 2 ulp, the last column's within 3
+template <Floating T>
+constexpr projection_result<T> oblique_shear_checked(const oblique_depth<T>& how,
+                                                     std::type_identity_t<T> plane_z = T(0)) noexcept {
+  constexpr T largest = (std::numeric_limits<T>::max)();
+  if (!detail::is_finite(how.angle)) return detail::refused<T>(projection_status::bad_angle);
+  if (!detail::is_finite(how.factor)) return detail::refused<T>(projection_status::bad_factor);
+  if (!detail::is_finite(plane_z)) return detail::refused<T>(projection_status::bad_depth);
+  const T x = product(how.factor, cos(how.angle)), y = product(how.factor, sin(how.angle));
+  if (T(1) < detail::magnitude(plane_z) && largest / detail::magnitude(plane_z) < detail::magnitude(how.factor))
+    return detail::refused<T>(projection_status::not_representable);
+  auto m = identity<T, 4>();
+  m(0, 2) = T(0) - x;
+  m(1, 2) = T(0) - y;
+  m(0, 3) = product(x, plane_z);
+  m(1, 3) = product(y, plane_z);
+  return {m, projection_status::ordinary};
+}
+
+/// The oblique projection of a box, or why there is none.
+/// shape   camera space to clip space with w = 1; the window lies in the plane z = plane_z, whose points come out as
+///         orthographic_checked has them
+/// gives   as oblique_shear_checked and orthographic_checked
+/// exact   entries within 4 ulp of the true ones, but for cancellation between window and shear in the last column
+template <Floating T>
+constexpr projection_result<T> oblique_checked(const oblique_depth<T>& how, const view_window<T>& window,
+                                               std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                                               std::type_identity_t<T> plane_z = T(0),
+                                               depth_range depth = depth_range::reversed) noexcept {
+  const projection_result<T> straight =
+      orthographic_checked(window.left, window.right, window.bottom, window.top, z_near, z_far, depth);
+  if (straight.status != projection_status::ordinary) return straight;
+  const projection_result<T> shear = oblique_shear_checked(how, plane_z);
+  if (shear.status != projection_status::ordinary) return shear;
+  mat<T, 4, 4> m = straight.matrix;
+  constexpr T largest = (std::numeric_limits<T>::max)();
+  for (int row = 0; row < 2; ++row) {
+    const T scale = m(row, row), slope = shear.matrix(row, 2), shift = shear.matrix(row, 3);
+    // Half of the largest number is left for the window's own offset.
+    if (T(1) < detail::magnitude(scale) &&
+        largest / T(2) / detail::magnitude(scale) < greater(detail::magnitude(slope), detail::magnitude(shift)))
+      return detail::refused<T>(projection_status::not_representable);
+    m(row, 2) = product(scale, slope);
+    m(row, 3) = product(scale, shift) + m(row, 3);
+  }
+  return detail::unless_infinite(m);
+}
+
+/// The oblique projection of a box; see oblique_checked.
+/// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
+template <Floating T>
+constexpr mat<T, 4, 4> oblique(const oblique_depth<T>& how, const view_window<T>& window,
+                               std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                               std::type_identity_t<T> plane_z = T(0),
+                               depth_range depth = depth_range::reversed) noexcept {
+  const projection_result<T> p = oblique_checked(how, window, z_near, z_far, plane_z, depth);
+  IRG_EXPECTS(p.status == projection_status::ordinary);
+  return p.matrix;
+}
+
+/// The unit vector in camera space from any point towards the viewer, along the rays of an oblique projection.
+/// gives   0, 0, 1 where angle or factor is not finite
+template <Floating T>
+constexpr vec<T, 3> direction_to_viewer(const oblique_depth<T>& how) noexcept {
+  if (!detail::is_finite(how.angle) || !detail::is_finite(how.factor)) return {T(0), T(0), T(1)};
+  return normalized(vec<T, 3>{product(how.factor, cos(how.angle)), product(how.factor, sin(how.angle)), T(1)});
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

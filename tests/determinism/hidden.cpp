@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <irg/hidden/zbuffer_textbook.hpp>
+#include <irg/raster/image.hpp>
+
+#include <array>
+
+#include "hashes.hpp"
+
+namespace {
+
+// Polygons in parallel projection and in perspective, depths by the plane and by steps, in floats and doubles.
+template <class T>
+constexpr std::uint64_t textbook_buffers(int rounds) {
+  using P = irg::point<T, 3>;
+  test::random r(31);
+  determinism::hasher h;
+  const int size = rounds < 10 ? 7 : 60;
+  irg::image<int> ids(size, size);
+  irg::image<T> depth(size, size);
+  const irg::zbuffer_textbook buffers{irg::nearer_is_greater{}, ids, depth};
+  for (int i = 0; i < rounds; ++i) {
+    const auto any = [&](double low, double high) { return static_cast<T>(low + irg::product(high - low, r.unit())); };
+    const auto corner = [&] {
+      const T x = any(-5, size + 5), y = any(-5, size + 5);
+      return P{x, y, any(-40, 15)};
+    };
+    if (i % 4 == 0) buffers.clear(-1, T(-1000));
+    const P a = corner(), b = corner(), c = corner();
+    const auto how = i % 2 ? irg::depth_evaluation::steps : irg::depth_evaluation::plane;
+    if (i % 4 < 2)
+      irg::zbuffer_polygon(buffers, std::array{a, b, c}, i, how);
+    else
+      irg::zbuffer_polygon_perspective(buffers, std::array{a, b, c}, T(20), i, how);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        h.add(ids(x, y));
+        h.add(depth(x, y));
+      }
+  }
+  return h.value();
+}
+constexpr std::uint64_t hidden_zbuffer_float(int rounds) { return textbook_buffers<float>(rounds); }
+constexpr std::uint64_t hidden_zbuffer_double(int rounds) { return textbook_buffers<double>(rounds); }
+HASHED(hidden_zbuffer_float, 8, 400);
+HASHED(hidden_zbuffer_double, 8, 400);
+
+}  // namespace
