@@ -60,17 +60,16 @@ public:
 
   void load(const std::vector<irg::point<float, 3>>& positions, const std::vector<irg::rgb<float>>& colours,
             const std::vector<irg::triangle_indices>& triangles, const irg::mat<float, 4, 4>& to_clip) {
-    GLuint buffers[3];
-    glGenBuffers(3, buffers);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+    if (buffers_[0] == 0) glGenBuffers(3, buffers_);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(positions.size() * sizeof positions[0]), positions.data(),
                  GL_STATIC_DRAW);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[1]);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours.size() * sizeof colours[0]), colours.data(),
                  GL_STATIC_DRAW);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[2]);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[2]);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof triangles[0]),
                  triangles.data(), GL_STATIC_DRAW);
     glEnableVertexAttribArray(0);
@@ -85,6 +84,7 @@ public:
 
   /// Clear, draw, finish.
   void draw(bool cull, irg::rgb<float> background) {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (cull)
@@ -95,10 +95,41 @@ public:
     glFinish();
   }
 
+  /// Clear the depth, draw the depth alone, finish.
+  void draw_depth(bool cull) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    if (cull)
+      glEnable(GL_CULL_FACE);
+    else
+      glDisable(GL_CULL_FACE);
+    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+    glFinish();
+  }
+
+  /// Clear colour and depth, finish.
+  void clear(irg::rgb<float> background) {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(background.r, background.g, background.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glFinish();
+  }
+
+  /// The depths as irg has them, 1 near and 0 far, the upper row first.
+  void read_depth(float* to) const {
+    const int width = picture_.width(), height = picture_.height();
+    for (int y = 0; y < height; ++y) {
+      float* row = to + std::ptrdiff_t{y} * width;
+      glReadPixels(0, height - 1 - y, width, 1, GL_DEPTH_COMPONENT, GL_FLOAT, row);
+      for (int x = 0; x < width; ++x) row[x] = 1 - row[x];
+    }
+  }
+
 private:
   irg::image<irg::rgba8> picture_;
   OSMesaContext context_ = nullptr;
   GLuint program_ = 0;
+  GLuint buffers_[3]{};
   GLsizei count_ = 0;
   bool ok_ = false;
 };

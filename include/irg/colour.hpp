@@ -7,3 +7,4 @@
 #include <irg/colour/pixel.hpp>
 #include <irg/colour/pixel_layout.hpp>
 #include <irg/colour/srgb.hpp>
+#include <irg/colour/srgb_lanes.hpp>

@@ -4,5 +4,6 @@
 
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
+#include <irg/geometry/depth_sign.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/geometry/polygon_convexity.hpp>

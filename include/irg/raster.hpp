@@ -5,6 +5,8 @@
 #include <irg/raster/blend_span.hpp>
 #include <irg/raster/circle_midpoint.hpp>
 #include <irg/raster/depth.hpp>
+#include <irg/raster/depth_format.hpp>
+#include <irg/raster/depth_options.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/draw_lines.hpp>
 #include <irg/raster/draw_polyline.hpp>

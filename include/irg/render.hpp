@@ -2,9 +2,12 @@
 // render: scene to picture: the pipeline with its skip counters.
 #pragma once
 
+#include <irg/render/attribute_shading.hpp>
 #include <irg/render/draw_triangles.hpp>
 #include <irg/render/drawable.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/projected_vertices.hpp>
 #include <irg/render/render.hpp>
+#include <irg/render/screen_mapping.hpp>
+#include <irg/render/triangle_batch.hpp>
 #include <irg/render/wireframe.hpp>

@@ -4,6 +4,7 @@
 
 #include <irg/shade/intensity_range.hpp>
 #include <irg/shade/light.hpp>
+#include <irg/shade/light_placement.hpp>
 #include <irg/shade/material.hpp>
 #include <irg/shade/phong_model.hpp>
 #include <irg/shade/shading.hpp>

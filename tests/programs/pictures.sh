@@ -7,7 +7,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 "$1/../docs/pictures" "$scratch"
 passed=0 failed=0
-for picture in docs/pictures/*.png; do
+for picture in docs/pictures/*.png docs/pictures/*.svg; do
   name=$(basename "$picture")
   if cmp -s "$picture" "$scratch/$name"; then
     passed=$((passed + 1))
@@ -17,7 +17,7 @@ for picture in docs/pictures/*.png; do
   fi
   rm -f "$scratch/$name"
 done
-for picture in "$scratch"/*.png; do
+for picture in "$scratch"/*.png "$scratch"/*.svg; do
   [ -e "$picture" ] || continue
   echo "$(basename "$picture") is drawn but not in docs/pictures"
   failed=$((failed + 1))

@@ -131,7 +131,8 @@ TEST_CASE("camera_frame: orthonormal repair of drifted frames") {
   test::random r(2);
   double worst = 0, single = 0, moved = 0;
   for (int i = 0; i < 20000; ++i) {
-    frame f = look_at_frame(to_point(random_vector(r)), to_point(random_vector(r)), random_vector(r));
+    const P eye = to_point(random_vector(r)), target = to_point(random_vector(r));
+    frame f = look_at_frame(eye, target, random_vector(r));
     const frame clean = f;
     const double drift = std::ldexp(1.0, static_cast<int>(r.integer(-50, -2)));
     for (V* axis : {&f.right, &f.up, &f.forward})
@@ -184,6 +185,14 @@ TEST_CASE("camera_frame: repair of frames with an axis missing") {
   CHECK(repaired(z, z, -z) == result{frame{{}, -y, x, -z}, up});
   CHECK(repaired(y, y, zero) == result{frame{}, forward});
   test::random r(3);
+  for (int i = 0; i < 5000; ++i) {  // up along the view but for rounding
+    V d;
+    for (int k = 0; k < 3; ++k) d[k] = static_cast<double>(r.integer(-100, 100)) / 7;
+    if (d == zero) continue;
+    const auto fixed = repaired(zero, d * (r.unit() + 0.5), d);
+    CHECK(fixed.status == up);
+    CHECK(fixed == repaired(zero, zero, d));
+  }
   for (int i = 0; i < 20000; ++i) {
     frame f;
     for (V* axis : {&f.right, &f.up, &f.forward})

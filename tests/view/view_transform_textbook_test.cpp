@@ -259,6 +259,8 @@ TEST_CASE("project_perspective_textbook: what cannot be seen, and the ends of th
   CHECK_BOTH(project_perspective_textbook(P{3, -2, 3}, 2) == point<double, 2>{2, -4.0 / 3});
   CHECK_BOTH(project_perspective_textbook(P{3, -2, 0}, 2) == opt{});
   CHECK_BOTH(project_perspective_textbook(P{3, -2, -0.0}, 2) == opt{});
+  CHECK_BOTH(project_perspective_textbook(P{0, 0, 0}, 2) == opt{});
+  CHECK_BOTH(project_perspective_textbook(P{1e-300, 0, 0}, 2) == opt{});
   CHECK_BOTH(project_perspective_textbook(P{3, -2, -3}, 2) == opt{});
   CHECK_BOTH(project_perspective_textbook(P{3, -2, 3}, 0) == opt{});
   CHECK_BOTH(project_perspective_textbook(P{3, -2, 3}, -2) == opt{});
@@ -287,7 +289,10 @@ TEST_CASE("project_perspective_textbook: within 0.51 ulp of the quotient in exte
   double worst = 0;
   for (int i = 0; i < 100000; ++i) {
     const int range = i % 2 ? 30 : 1020;
-    const auto number = [&] { return std::ldexp(1 + r.unit(), static_cast<int>(r.integer(-range, range))); };
+    const auto number = [&] {
+      const double significand = 1 + r.unit();
+      return std::ldexp(significand, static_cast<int>(r.integer(-range, range)));
+    };
     const double x = number(), h = number(), z = number();
     CHECK(project_perspective_textbook(P{x, 0, h}, h) == point<double, 2>{x, 0});
     const long double expected = static_cast<long double>(x) * static_cast<long double>(h) /

@@ -162,7 +162,7 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
                                     const screen_mapping<T>& mapping, const MakeShader& make_shader,
                                     const draw_settings<pixel_of<Colour>>& settings, draw_workspace& workspace,
                                     const E& executor = {}) {
-  const detail::tile_grid grid(width_of(colour), height_of(colour));
+  const detail::picture_tiles grid(width_of(colour), height_of(colour));
   detail::triangle_bins& bins = workspace.bins;
   detail::bin_triangles(bins, batches, mapping, grid, settings.culling, settings.skip, executor);
   workspace.seen.assign(bins.triangle_count, 0);

@@ -79,7 +79,7 @@ inline namespace IRG_ABI {
 /// R (cos b sin a, sin b, cos b cos a).
 /// units   radians
 /// gives   coordinates that are NaN or infinite where the angles or the distance are
-/// exact   each coordinate within 3 ulp
+/// exact   each coordinate within 4.5 ulp
 template <Floating T>
 constexpr vec<T, 3> polar_to_cartesian(const polar_coordinates<T>& p, polar_axis axis = polar_axis::y_up) noexcept {
   return detail::from_y_up(detail::polar_direction(sin_cos(p.azimuth), sin_cos(p.elevation)) * p.distance, axis);

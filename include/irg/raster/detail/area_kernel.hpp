@@ -55,30 +55,6 @@ IRG_INLINE constexpr int area_column_up(std::int64_t position) noexcept {
   return area_column(position + (area_one - 1));
 }
 
-// The lesser and the greater lane by lane, in one instruction where there is one; g++ does not find the second.
-IRG_INLINE constexpr float low_of(float a, float b) noexcept { return a < b ? a : b; }
-IRG_INLINE constexpr float high_of(float a, float b) noexcept { return b < a ? a : b; }
-template <int N>
-IRG_INLINE pack<float, N> low_of(const pack<float, N>& a, const pack<float, N>& b) noexcept {
-#if defined(IRG_LANES_VECTOR) && defined(__SSE__)
-  if constexpr (N == 4) return {__builtin_ia32_minps(a.v, b.v)};
-#ifdef __AVX__
-  if constexpr (N == 8) return {__builtin_ia32_minps256(a.v, b.v)};
-#endif
-#endif
-  return select(a < b, a, b);
-}
-template <int N>
-IRG_INLINE pack<float, N> high_of(const pack<float, N>& a, const pack<float, N>& b) noexcept {
-#if defined(IRG_LANES_VECTOR) && defined(__SSE__)
-  if constexpr (N == 4) return {__builtin_ia32_maxps(a.v, b.v)};
-#ifdef __AVX__
-  if constexpr (N == 8) return {__builtin_ia32_maxps256(a.v, b.v)};
-#endif
-#endif
-  return select(b < a, a, b);
-}
-
 // What an edge that reaches from `rest` to `rest + width`, seen from column 0, leaves uncovered in the columns given.
 // With t(x) the part of its reach that lies right of x, that is scale * (t(x)^2 - t(x + 1)^2), and in columns left of
 // its reach the height. From the column `span` on it is 0 without any rounding; where columns and width are below 8

@@ -15,16 +15,6 @@ inline namespace IRG_ABI {
 
 #ifdef IRG_LANES_VECTOR
 
-// The lesser and the greater of integers, lane by lane.
-template <int N>
-IRG_INLINE pack<std::int32_t, N> low_of(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
-  return select(a < b, a, b);
-}
-template <int N>
-IRG_INLINE pack<std::int32_t, N> high_of(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
-  return select(b < a, a, b);
-}
-
 // What became of N triangles: one bit per lane.
 template <int N>
 struct culled_group {

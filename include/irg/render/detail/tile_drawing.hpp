@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/raster/detail/tile_kernel.hpp>
+#include <irg/render/detail/tile_kernel.hpp>
 #include <irg/render/detail/triangle_bins.hpp>
 
 namespace irg {

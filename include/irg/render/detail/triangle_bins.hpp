@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <irg/core/executor.hpp>
-#include <irg/raster/detail/tile.hpp>
+#include <irg/render/detail/tile.hpp>
 #include <irg/render/detail/cull_kernel.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/triangle_batch.hpp>
@@ -53,11 +53,11 @@ struct triangle_bins {
 };
 
 // How the picture is cut into tiles.
-struct tile_grid {
+struct picture_tiles {
   int width, height;  // of the picture
   int across, down;
 
-  IRG_INLINE constexpr tile_grid(int w, int h) noexcept
+  IRG_INLINE constexpr picture_tiles(int w, int h) noexcept
       : width(w), height(h), across((w + tile_size - 1) / tile_size), down((h + tile_size - 1) / tile_size) {}
   IRG_INLINE constexpr std::size_t count() const noexcept {
     return static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
@@ -80,7 +80,7 @@ IRG_INLINE constexpr std::uint64_t entry_of(std::size_t tile, std::uint32_t numb
 // Puts a number on the lists of the tiles that a box of pixels touches.
 // needs   a box that is not empty and lies in the picture
 IRG_INLINE constexpr void list_box(bin_portion& p, std::uint32_t number, const cell_window& box,
-                                   const tile_grid& grid) {
+                                   const picture_tiles& grid) {
   const int x_first = box.x_first / tile_size, x_last = (box.x_last - 1) / tile_size;
   const int y_first = box.y_first / tile_size, y_last = (box.y_last - 1) / tile_size;
   for (int y = y_first; y <= y_last; ++y)
@@ -107,7 +107,8 @@ IRG_INLINE constexpr cell_window pixels_touched(const subpixel& a, const subpixe
 
 // Lists one triangle, or says why not. Where tiny triangles are not skipped, they go through coverage to no effect.
 constexpr listing list_triangle(bin_portion& p, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
-                                const screen_vertex& c, std::int64_t area, const tile_grid& grid, skipping skip_tiny) {
+                                const screen_vertex& c, std::int64_t area, const picture_tiles& grid,
+                                skipping skip_tiny) {
   cell_window box = centres_within(a.position, b.position, c.position);
   if (area == 0 || box.empty()) {
     if (skip_tiny == skipping::on) return listing::tiny;
@@ -129,7 +130,7 @@ IRG_INLINE constexpr void count_listing(bin_portion& p, listing fate, const skip
 // many pieces it comes to.
 template <class T>
 constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T, 3> (&corner)[3],
-                            const screen_mapping<T>& mapping, const tile_grid& grid, face_culling culling,
+                            const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
                             const skip_options& skip) {
   const clip_vertex<T, 2> polygon[3] = {
       {corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
@@ -165,7 +166,7 @@ constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T
 // One triangle of a portion.
 template <class T>
 constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uint32_t i, std::uint32_t number,
-                        const screen_mapping<T>& mapping, const tile_grid& grid, face_culling culling,
+                        const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
                         const skip_options& skip) {
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
@@ -187,7 +188,7 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
 // All triangles of a portion; in lanes where they can be.
 template <class T>
 constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
-                            const tile_grid& grid, face_culling culling, const skip_options& skip) {
+                            const picture_tiles& grid, face_culling culling, const skip_options& skip) {
   p.tile_count.assign(grid.count(), 0);
   p.tile_area.assign(grid.count(), 0.0f);
   p.entries.clear();
@@ -257,7 +258,7 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
 // Makes the lists of all tiles for the triangles of all batches.
 template <class T, class E>
 constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                             const screen_mapping<T>& mapping, const tile_grid& grid, face_culling culling,
+                             const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
                              const skip_options& skip, const E& executor) {
   constexpr std::uint32_t portion = 1 << 15;
   std::size_t used = 0;

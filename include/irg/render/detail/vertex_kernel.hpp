@@ -8,7 +8,6 @@
 #include <cstring>
 
 #include <irg/core/lanes.hpp>
-#include <irg/raster/detail/area_kernel.hpp>
 #include <irg/render/screen_mapping.hpp>
 
 namespace irg {

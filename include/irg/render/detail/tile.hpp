@@ -15,7 +15,6 @@
 
 #include <irg/core/lanes.hpp>
 #include <irg/raster/depth.hpp>
-#include <irg/raster/detail/area_kernel.hpp>
 #include <irg/raster/window.hpp>
 
 namespace irg {

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include <irg/raster/detail/tile.hpp>
+#include <irg/render/detail/tile.hpp>
 #include <irg/raster/draw_triangle.hpp>
 
 namespace irg {

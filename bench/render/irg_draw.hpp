@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// irg as the pipeline's benchmarks call it: everything that depends on its interface stands here.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/raster/image.hpp>
+#include <irg/render/render.hpp>
+
+#include "render/scenes.hpp"
+
+namespace bench::own {
+
+// Light to bytes as the peers do it: linear, rounded to the nearest.
+struct linear_bytes {
+  static std::uint8_t byte(float v) { return static_cast<std::uint8_t>(irg::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
+  irg::rgba8 operator()(const irg::rgb<float>& light) const {
+    return {byte(light.r), byte(light.g), byte(light.b), 255};
+  }
+};
+
+/// A scene ready to be drawn by irg, one batch per object. What is allocated is kept from frame to frame.
+class renderer {
+public:
+  explicit renderer(const scene& s)
+      : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), vertices_(s.objects.size()) {
+    triangles_.reserve(s.triangles.size());
+    for (const scene_object& o : s.objects)
+      for (std::uint32_t i = 0; i < o.triangles; ++i) {
+        const auto [a, b, c] = s.triangles[o.first_triangle + i].v;
+        triangles_.push_back({{a - o.first_vertex, b - o.first_vertex, c - o.first_vertex}});
+      }
+  }
+
+  /// Clears to black, draws the scene with the colours of its vertices.
+  template <class E = irg::sequential>
+  irg::render_stats draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth, const irg::skip_options& skip = {},
+                         const E& executor = {}) {
+    const auto make_shader = [this](const irg::triangle_batch<float>& batch, std::uint32_t i, irg::facing) {
+      const auto [a, b, c] = scene_.triangles[batch.first_number + i].v;
+      return irg::vertex_colour_shader<irg::rgba8, linear_bytes>{
+          scene_.colours[a], scene_.colours[b], scene_.colours[c], {}};
+    };
+    return draw_with(picture, depth, make_shader, skip, executor);
+  }
+
+  /// Draws the number of the visible triangle, plus 1, into each pixel.
+  void draw_ids(irg::image<std::uint32_t>& ids, irg::image<float>& depth) {
+    const auto make_shader = [](const irg::triangle_batch<float>& batch, std::uint32_t i, irg::facing) {
+      return irg::solid_shader<std::uint32_t>{batch.first_number + i + 1};
+    };
+    draw_with(ids, depth, make_shader, {}, irg::sequential{});
+  }
+
+  /// Draws the depth alone.
+  template <class E = irg::sequential>
+  irg::render_stats draw_depth(irg::image<float>& depth, irg::image<std::uint32_t>& scratch, const E& executor = {}) {
+    const auto make_shader = [](const irg::triangle_batch<float>&, std::uint32_t, irg::facing) {
+      return irg::solid_shader<std::uint32_t>{1};
+    };
+    return draw_with(scratch, depth, make_shader, {}, executor);
+  }
+
+  /// Where the vertices were snapped to; anything for those that have to be clipped.
+  std::vector<irg::subpixel> snapped() {
+    project(irg::sequential{});
+    std::vector<irg::subpixel> places;
+    for (const auto& of_object : vertices_)
+      for (const irg::screen_vertex& v : of_object.screen) places.push_back(v.position);
+    return places;
+  }
+
+private:
+  template <class E>
+  void project(const E& executor) {
+    for (std::size_t k = 0; k < vertices_.size(); ++k) {
+      const scene_object& o = scene_.objects[k];
+      const std::span<const irg::point<float, 3>> positions(scene_.positions.data() + o.first_vertex, o.vertices);
+      irg::project_vertices<float>(vertices_[k], positions, scene_.to_clip, mapping_, executor);
+    }
+  }
+
+  template <class Picture, class MakeShader, class E>
+  irg::render_stats draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
+                              const irg::skip_options& skip, const E& executor) {
+    project(executor);
+    batches_.clear();
+    for (std::size_t k = 0; k < vertices_.size(); ++k) {
+      const scene_object& o = scene_.objects[k];
+      batches_.push_back({&vertices_[k], {triangles_.data() + o.first_triangle, o.triangles}, o.first_triangle});
+    }
+    return irg::draw_batches<irg::nearer_is_greater, float>(
+        picture, depth, batches_, mapping_, make_shader,
+        irg::draw_settings<irg::pixel_of<Picture>>{scene_.culling, skip, irg::clearing::before_drawing, {}}, workspace_,
+        executor);
+  }
+
+  const scene& scene_;
+  irg::screen_mapping<float> mapping_;
+  std::vector<irg::triangle_indices> triangles_{};  // indices into the vertices of their object
+  std::vector<irg::projected_vertices<float>> vertices_;
+  std::vector<irg::triangle_batch<float>> batches_{};
+  irg::draw_workspace workspace_{};
+};
+
+/// Which share of the triangles was skipped, and why.
+inline void print_skips(const irg::render_stats& s) {
+  const auto share = [&s](std::int64_t n) { return 100 * static_cast<double>(n) / static_cast<double>(s.triangles); };
+  std::printf(
+      "  irg skipped: outside %.1f %%, back faces %.1f %%, without a centre %.1f %%, occluded %.1f %%; "
+      "%lld pixels tested, %lld shaded\n",
+      share(s.skipped.frustum), share(s.skipped.backface), share(s.skipped.tiny), share(s.skipped.occluded),
+      static_cast<long long>(s.pixels.tested), static_cast<long long>(s.pixels.shaded));
+}
+
+}  // namespace bench::own

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// view_projection - the course's view transform and perspective projection of points or of a model's vertices.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <irg/geometry/depth_sign.hpp>
+#include <irg/io/file.hpp>
+#include <irg/io/obj.hpp>
+#include <irg/math/error_free.hpp>
+#include <irg/mesh/shapes.hpp>
+#include <irg/mesh/teapot.hpp>
+#include <irg/raster/draw_line.hpp>
+#include <irg/raster/fill_span.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/view/view_transform_textbook.hpp>
+
+#include "support/command_line.hpp"
+#include "support/number_input.hpp"
+#include "support/number_output.hpp"
+#include "support/picture_options.hpp"
+
+namespace {
+
+constexpr std::string_view help =
+    R"(view_projection [MODEL] - points in the eye's system and in the picture plane
+
+Reads the eye x y z and the target x y z, then n and x y z of each of the n points, from standard input; with MODEL only
+the eye and the target, the points are the model's vertices. z is up in the scene. The picture plane passes through the
+target. Prints the view transform T and the projection P, 16 numbers by rows, for row vectors; H, the distance from eye
+to target; then for every point its place in the eye's system (x right, y up, z ahead) and in the picture plane, or none
+at and behind the eye and where a coordinate is beyond the largest number.
+
+  MODEL                a Wavefront OBJ file, or one of teapot, cube, sphere, torus
+  --input FILE         read the numbers from FILE
+  --list               print the places in the picture plane instead: x y, or none
+  -o OUT               draw the points, joined in their order, or the model's wire frame: .png, .ppm or .svg
+  --size WxH           pixels of the picture (640x480)
+)";
+
+using point = irg::point<double, 3>;
+using place = std::optional<irg::point<double, 2>>;
+
+struct settings : program::drawing_options {
+  std::string model;
+};
+
+settings read_settings(program::command_line& line) {
+  settings s;
+  while (!line.done()) {
+    const std::string_view word = line.take();
+    if (word.empty())
+      line.fail("a model's name is empty");
+    else if (word[0] == '-')
+      s.read(line, word);
+    else if (s.model.empty())
+      s.model = word;
+    else
+      line.fail("one model at a time, not also '" + std::string(word) + "'");
+  }
+  s.finish(line);
+  if (program::one_file(s.out, s.model)) line.fail("the model would be overwritten: " + s.model);
+  return s;
+}
+
+irg::mesh<double> load(const program::command_line& line, const std::string& model) {
+  if (model == "teapot") return irg::shape_teapot<double>();
+  if (model == "cube") return irg::shape_cube<double>();
+  if (model == "sphere") return irg::shape_sphere<double>();
+  if (model == "torus") return irg::shape_torus<double>();
+  const auto text = irg::read_file(model);
+  if (!text) line.fail(program::with_place(text.error(), model));
+  auto mesh = irg::read_obj<double>({text->data(), text->size()});
+  if (!mesh) line.fail(program::with_place(mesh.error(), model));
+  if (mesh->positions.empty()) line.fail("the model has no vertices: " + model);
+  return *std::move(mesh);
+}
+
+using edge = std::pair<std::uint32_t, std::uint32_t>;
+
+struct problem {
+  point from, at;  // the eye and the target
+  irg::mat<double, 4, 4> t, p;
+  double h = 0;
+  std::vector<point> eye;     // the points in the eye's system
+  std::vector<place> screen;  // and in the picture plane
+  std::vector<edge> edges;
+};
+
+point read_point(program::number_input& in, const std::string& of) {
+  point p;
+  for (int i = 0; i < 3; ++i) p[i] = in.number(std::string(1, "xyz"[i]) + " of " + of);
+  return p;
+}
+
+// (p - eye) . (target - eye) / H with twice the digits of the sum.
+double careful_depth(const problem& p, const point& scene) {
+  double sum = 0, error = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto term = irg::two_product(scene[i] - p.from[i], p.at[i] - p.from[i]);
+    const auto next = irg::two_sum(sum, term.value);
+    sum = next.value;
+    error += next.error + term.error;
+  }
+  return (sum + error) / p.h;
+}
+
+// Where the eye has a point. Rounding leaves the depth of a point beside the eye open; its sign is found exactly.
+point seen_by_eye(const problem& p, const point& scene) {
+  point seen = irg::transform_row(scene, p.t);
+  double size = 0;
+  for (int i = 0; i < 3; ++i) size += std::abs(scene[i]) / 8 + std::abs(p.from[i]) / 8;
+  if (!(std::abs(seen.z) <= size * 0x1p-44)) return seen;
+  const double careful = careful_depth(p, scene);
+  if (std::isfinite(careful)) seen.z = careful;
+  const int sign = irg::depth_sign(p.from, p.at, scene);
+  if (sign == 0)
+    seen.z = 0;
+  else if (!(sign * seen.z > 0))  // too small for all that
+    seen.z = sign * std::max(size * 0x1p-60, std::numeric_limits<double>::denorm_min());
+  return seen;
+}
+
+// Adds a point; false when it leaves the range of numbers in the eye's system.
+bool add(problem& p, const point& scene) {
+  const point seen = seen_by_eye(p, scene);
+  for (int i = 0; i < 3; ++i)
+    if (!std::isfinite(seen[i])) return false;
+  p.eye.push_back(seen);
+  p.screen.push_back(irg::project_perspective_textbook(seen, p.h));
+  return true;
+}
+
+void set_view(problem& p, const program::number_input& in, const point& eye, const point& target) {
+  const auto steps = irg::view_transform_steps_textbook(eye, target);
+  if (steps.status == irg::view_textbook_status::not_finite)
+    in.fail_at_word("the eye or the target is too far out; coordinates may go up to a quarter of the largest number");
+  if (steps.status == irg::view_textbook_status::eye_at_view_point)
+    in.fail_at_word("the eye is at the target, so that there is no direction to look in");
+  const auto projection = irg::perspective_matrix_textbook(steps.h);
+  if (!projection) in.fail_at_word("the eye is too near the target, 1/H is beyond the largest number");
+  p.from = eye;
+  p.at = target;
+  p.t = irg::view_transform_textbook(eye, target);
+  p.p = *projection;
+  p.h = steps.h;
+}
+
+// The edges of the faces, each once.
+std::vector<edge> edges_of(const irg::mesh<double>& m) {
+  std::vector<edge> edges;
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    for (std::size_t k = 0, n = m.face_size(f); k < n; ++k)
+      edges.push_back(std::minmax({m.corner(f, k).position, m.corner(f, k + 1 < n ? k + 1 : 0).position}));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+problem read_problem(program::command_line& line, const settings& s) {
+  using program::number_input;
+  problem p;
+  const irg::mesh<double> model = s.model.empty() ? irg::mesh<double>{} : load(line, s.model);
+  number_input::prompt_if_terminal("x y z of the eye: ", s.input);
+  number_input in(line, s.input);
+  const point eye = read_point(in, "the eye");
+  number_input::prompt_if_terminal("x y z of the target: ", s.input);
+  const point target = read_point(in, "the target");
+  set_view(p, in, eye, target);
+  if (!s.model.empty()) {
+    in.expect_end();
+    for (const point& v : model.positions)
+      if (!add(p, v))
+        line.fail("vertex " + std::to_string(p.eye.size() + 1) + " is too far out to be seen: " + s.model);
+    if (!s.out.empty()) p.edges = edges_of(model);
+    return p;
+  }
+  number_input::prompt_if_terminal("number of points: ", s.input);
+  const int n = in.integer("n", 0);
+  number_input::prompt_if_terminal("x y z of each point: ", s.input);
+  for (int i = 0; i < n; ++i) {
+    const std::string name = "point " + std::to_string(i + 1);
+    if (!add(p, read_point(in, name))) in.fail_at_word(name + " is too far out to be seen");
+  }
+  in.expect_end();
+  const auto count = static_cast<std::uint32_t>(n);
+  for (std::uint32_t i = 0; i + 1 < count || (i < count && count > 2); ++i) p.edges.push_back({i, (i + 1) % count});
+  return p;
+}
+
+// Where the picture shows a place of the picture plane: the places that there are fill it, but for a margin. Points next
+// to the eye are seen far aside; where there are others, within 2 H of the target, the picture is theirs.
+class canvas {
+public:
+  canvas(const problem& p, const program::picture_size& size) : size_(size) {
+    const bool bounded = std::any_of(p.screen.begin(), p.screen.end(), [&](const place& q) { return is_near(q, p.h); });
+    bool any = false;
+    double low[2] = {}, high[2] = {};
+    for (const place& q : p.screen) {
+      if (!q || (bounded && !is_near(q, p.h))) continue;
+      for (int i = 0; i < 2; ++i) {
+        low[i] = any ? std::min(low[i], (*q)[i]) : (*q)[i];
+        high[i] = any ? std::max(high[i], (*q)[i]) : (*q)[i];
+      }
+      any = true;
+    }
+    const double room[2] = {0.45 * size.width, 0.45 * size.height};
+    for (int i = 0; i < 2; ++i) {
+      middle_[i] = low[i] / 2 + high[i] / 2;
+      half_ = std::max(half_, (high[i] / 2 - low[i] / 2) / room[i]);
+    }
+    if (!(half_ > 0)) half_ = 1;
+  }
+
+  // The pixel of a place; nothing when it is out of reach.
+  std::optional<irg::cell> pixel(const place& q) const {
+    if (!q) return std::nullopt;
+    const double x = size_.width / 2.0 + (q->x - middle_[0]) / half_;
+    const double y = size_.height / 2.0 - (q->y - middle_[1]) / half_;
+    if (!(std::abs(x) <= 1e9) || !(std::abs(y) <= 1e9)) return std::nullopt;
+    return irg::cell{static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))};
+  }
+
+private:
+  static bool is_near(const place& q, double h) { return q && std::abs(q->x) / 2 <= h && std::abs(q->y) / 2 <= h; }
+
+  program::picture_size size_;
+  double middle_[2] = {}, half_ = 0;  // units of the picture plane a pixel
+};
+
+irg::image<irg::rgba8> picture_of(const problem& p, const program::picture_size& size, bool is_model) {
+  constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255}, red{204, 96, 72, 255};
+  irg::image<irg::rgba8> out(size.width, size.height, paper);
+  const canvas view(p, size);
+  // Edges that pass the eye are cut a little nearer than the nearest point that is seen.
+  double nearest = 0;
+  for (std::size_t i = 0; i < p.eye.size(); ++i)
+    if (p.screen[i]) nearest = nearest > 0 ? std::min(nearest, p.eye[i].z) : p.eye[i].z;
+  const double cut = nearest / 2;
+  const auto end_of = [&](std::uint32_t seen, std::uint32_t other) {
+    const point &a = p.eye[seen], &b = p.eye[other];
+    if (p.screen[seen] && a.z >= cut) return view.pixel(p.screen[seen]);
+    const double s = (cut / 2 - b.z / 2) / (a.z / 2 - b.z / 2);  // from b, where it is seen
+    const point on{b.x + s * (a.x - b.x), b.y + s * (a.y - b.y), cut};
+    return view.pixel(irg::project_perspective_textbook(on, p.h));
+  };
+  for (const auto& [a, b] : p.edges) {
+    if (!p.screen[a] && !p.screen[b]) continue;
+    const auto from = end_of(a, b), to = end_of(b, a);
+    if (from && to) irg::draw_line(out, *from, *to, ink);
+  }
+  const int reach = is_model ? 0 : 3;
+  for (const place& q : p.screen)
+    if (const auto c = view.pixel(q))
+      for (int y = c->y - reach; y <= c->y + reach; ++y)
+        irg::fill_span(out, {y, c->x - reach, c->x + reach + 1}, is_model ? ink : red);
+  return out;
+}
+
+void append(std::string& text, const char* name, std::initializer_list<double> numbers) {
+  text += name;
+  for (const double v : numbers) text += " " + program::shortest(v);
+  text += "\n";
+}
+
+std::string report_of(const problem& p, bool list) {
+  std::string text;
+  const auto by_rows = [&](const char* name, const irg::mat<double, 4, 4>& m) {
+    text += name;
+    for (const auto& row : m.m)
+      for (const double v : row) text += " " + program::shortest(v);
+    text += "\n";
+  };
+  if (!list) {
+    by_rows("T:", p.t);
+    by_rows("P:", p.p);
+    append(text, "H:", {p.h});
+  }
+  for (std::size_t i = 0; i < p.eye.size(); ++i) {
+    const place& q = p.screen[i];
+    if (list) {
+      text += q ? program::shortest(q->x) + " " + program::shortest(q->y) + "\n" : "none\n";
+      continue;
+    }
+    append(text, "eye:", {p.eye[i].x, p.eye[i].y, p.eye[i].z});
+    if (q)
+      append(text, "screen:", {q->x, q->y});
+    else
+      text += "screen: none\n";
+  }
+  return text;
+}
+
+void run(program::command_line& line) {
+  const settings s = read_settings(line);
+  const problem p = read_problem(line, s);
+  const std::string report = report_of(p, s.list);  // whole before anything is written: memory may end
+  if (!s.out.empty()) program::write_picture(line, s.out, picture_of(p, s.size, !s.model.empty()));
+  std::fwrite(report.data(), 1, report.size(), stdout);
+  program::finish_output(line, s.out);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  program::run_or_fail({argc, argv, "view_projection", help}, "these points and this size", run);
+}

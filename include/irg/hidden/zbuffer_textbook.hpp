@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// The z-buffer as textbooks have it: a screen buffer, a depth buffer cleared to the back plane, and a SetPixel that
+// draws what is strictly nearer than what is there. Which depth is nearer is named in the type.
+//
+// It is meant for reading and for comparison, and takes any raster and any number; draw_triangle and render are the
+// ones for speed.
+#pragma once
+
+#include <irg/hidden/detail/zbuffer_row.hpp>
+#include <irg/raster/depth.hpp>
+
+namespace irg {
+
+/// Stands for the buffer of object references where none is wanted.
+struct no_references {};
+
+/// What a polygon puts into its pixels where a buffer of object references is kept: value goes to the screen, reference
+/// to that buffer.
+template <class Value, class Reference>
+struct object_value {
+  Value value;
+  Reference reference;
+};
+template <class Value, class Reference>
+object_value(Value, Reference) -> object_value<Value, Reference>;
+
+/// How depths are got along a polygon's rows.
+enum class depth_evaluation {
+  plane,  // from the plane's equation at each pixel
+  steps  // by adding: z in parallel projection, 1/(d - z) in perspective
+};
+
+namespace detail {
+
+template <class V>
+inline constexpr bool is_object_value = false;
+template <class V, class R>
+inline constexpr bool is_object_value<object_value<V, R>> = true;
+
+// A value for all pixels, or f(x, y, z) for each.
+template <class V, class R, class Z>
+concept PixelValue = std::convertible_to<const V&, pixel_of<R>> || requires(const V& f, const Z& z) {
+  { f(0, 0, z) } -> std::convertible_to<pixel_of<R>>;
+};
+
+template <class R>
+struct reference_of {
+  using type = no_references;
+};
+template <WritableRaster R>
+struct reference_of<R> {
+  using type = pixel_of<R>;
+};
+
+inline namespace IRG_ABI {
+
+template <WritableRaster R, class Z, PixelValue<R, Z> V>
+IRG_INLINE constexpr void put_value(R& raster, int x, int y, const Z& z, const V& value) {
+  if constexpr (std::convertible_to<const V&, pixel_of<R>>)
+    set_pixel(raster, x, y, static_cast<pixel_of<R>>(value));
+  else
+    set_pixel(raster, x, y, static_cast<pixel_of<R>>(value(x, y, z)));
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+/// What is drawn into one pixel: a pixel of the screen, with a reference where there is a buffer of them.
+template <WritableRaster Screen, class References>
+using zbuffer_value =
+    std::conditional_t<std::same_as<References, no_references>, pixel_of<Screen>,
+                       object_value<pixel_of<Screen>, typename detail::reference_of<References>::type>>;
+
+/// Screen buffer, depth buffer and, where given, a buffer of object references, for drawing in one depth order. It
+/// holds on to the rasters, it does not own them; where they differ in size, the pixels that all have count.
+/// shape   zbuffer_textbook buffers{nearer_is_greater{}, screen, depth}; z towards the viewer with nearer_is_greater,
+///         distance with nearer_is_less
+template <DepthOrder Order, WritableRaster Screen, DepthRaster Depth, class References = no_references>
+  requires std::same_as<References, no_references> || WritableRaster<References>
+class zbuffer_textbook {
+public:
+  using order = Order;
+  using depth_type = pixel_of<Depth>;
+  using reference_type = typename detail::reference_of<References>::type;
+  static constexpr bool has_references = !std::same_as<References, no_references>;
+  using value_type = zbuffer_value<Screen, References>;
+
+  IRG_INLINE constexpr zbuffer_textbook(Order, Screen& screen, Depth& depth) noexcept
+    requires(!has_references)
+      : screen_(&screen), depth_(&depth) {}
+  IRG_INLINE constexpr zbuffer_textbook(Order, Screen& screen, Depth& depth, References& references) noexcept
+    requires has_references
+      : screen_(&screen), depth_(&depth), references_(&references) {}
+
+  /// The pixels that all buffers have.
+  IRG_INLINE constexpr cell_window window() const {
+    const cell_window both = intersect(window_of(*screen_), window_of(*depth_));
+    if constexpr (has_references)
+      return intersect(both, window_of(*references_));
+    else
+      return both;
+  }
+
+  /// Every pixel of the screen becomes the background, every depth that of the back plane: Zmin where nearer is
+  /// greater.
+  IRG_INLINE constexpr void clear(const pixel_of<Screen>& background,
+                                  const depth_type& back_plane = static_cast<depth_type>(Order::farthest)) const
+    requires(!has_references)
+  {
+    irg::clear(*screen_, background);
+    irg::clear(*depth_, back_plane);
+  }
+  IRG_INLINE constexpr void clear(const pixel_of<Screen>& background, const depth_type& back_plane,
+                                  const reference_type& nothing) const
+    requires has_references
+  {
+    irg::clear(*screen_, background);
+    irg::clear(*depth_, back_plane);
+    irg::clear(*references_, nothing);
+  }
+
+  /// Draws v at (x, y) if z is nearer than the depth there, and says whether it did. v is a pixel or a function
+  /// f(x, y, z) of one; with references it is an object_value.
+  /// gives   false for pixels outside of the buffers, for equal depths and for NaN
+  template <class V = value_type>
+  IRG_INLINE constexpr bool set_pixel(int x, int y, const depth_type& z, const V& v) const {
+    const cell_window w = window();
+    if (x < w.x_first || x >= w.x_last || y < w.y_first || y >= w.y_last) return false;
+    return set_pixel_within(x, y, z, v);
+  }
+
+  /// The same, unasked whether the pixel exists.
+  /// needs   (x, y) in window()
+  template <class V = value_type>
+  IRG_INLINE constexpr bool set_pixel_within(int x, int y, const depth_type& z, const V& v) const {
+    static_assert(detail::is_object_value<V> == has_references, "an object_value goes with a buffer of references");
+    if (!Order::nearer(z, get_pixel(*depth_, x, y))) return false;
+    irg::set_pixel(*depth_, x, y, z);
+    if constexpr (has_references) {
+      detail::put_value(*screen_, x, y, z, v.value);
+      irg::set_pixel(*references_, x, y, static_cast<reference_type>(v.reference));
+    } else {
+      detail::put_value(*screen_, x, y, z, v);
+    }
+    return true;
+  }
+
+private:
+  Screen* screen_;
+  Depth* depth_;
+  References* references_ = nullptr;
+};
+
+/// A convex polygon in space.
+template <class R>
+concept SpaceRing =
+    PolygonRing<R> && Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Floating<scalar_of<ring_point<R>>>;
+
+inline namespace IRG_ABI {
+
+/// Draws a run of pixels, the depths taken from a walk, each by set_pixel. For coverage of any kind: every SpanSink can
+/// call it.
+/// gives   what lies outside of the buffers is left out
+template <class Order, class Screen, class Depth, class References, DepthWalk Walk,
+          class V = zbuffer_value<Screen, References>>
+constexpr void zbuffer_span(const zbuffer_textbook<Order, Screen, Depth, References>& buffers, const span_of_cells& s,
+                            Walk& walk, const V& value) {
+  const cell_window w = buffers.window();
+  const int first = greater(s.x_first, w.x_first), last = lesser(s.x_last, w.x_last);
+  if (s.y < w.y_first || s.y >= w.y_last || first >= last) return;
+  walk.start(first, s.y);
+  for (int x = first; x < last; ++x, walk.next())
+    buffers.set_pixel_within(x, s.y, static_cast<pixel_of<Depth>>(walk.value()), value);
+}
+
+/// Draws a convex polygon in parallel projection: the pixels that fill_convex covers, with the depth of its plane.
+/// shape   corners (x, y, z); x and y as on the picture plane, pixels unless `grid` says otherwise
+/// gives   false, and nothing drawn, when a coordinate is NaN, infinite or beyond 2^30; true and nothing drawn for
+///         fewer than three corners, no area, and a polygon seen edge on (C = 0)
+/// exact   coverage as fill_convex; depths within the bound of plane_depth, or depth_walk for `steps`, of the plane
+///         through the corners, and never outside the range of the corners' depths
+/// cost    one division and some products per pixel, or one addition (`steps`)
+/// source  S1, S2 2.2
+template <class Order, class Screen, class Depth, class References, SpaceRing R,
+          class V = zbuffer_value<Screen, References>>
+constexpr bool zbuffer_polygon(const zbuffer_textbook<Order, Screen, Depth, References>& buffers, const R& ring,
+                               const V& value, depth_evaluation how, const picture_grid<scalar_of<ring_point<R>>>& grid,
+                               const cell_window& window) {
+  using T = scalar_of<ring_point<R>>;
+  if (!detail::corners_within_reach(ring)) return false;
+  const auto p = detail::polygon_plane(ring);
+  const auto steps = p ? plane_depth_steps(*p, grid) : std::nullopt;
+  if (!steps) return true;
+  const auto b = detail::bounds_over<T>(ring, [](const auto& v) { return coordinate(v, 2); });
+  const auto project = [&](const auto& v) { return detail::on_grid(grid, coordinate(v, 0), coordinate(v, 1)); };
+  return how == depth_evaluation::steps
+             ? detail::draw_polygon(buffers, ring, project, depth_walk<T>(*steps), b, value, window)
+             : detail::draw_polygon(buffers, ring, project, plane_walk<T>(*p, grid, b.low), b, value, window);
+}
+
+template <class Order, class Screen, class Depth, class References, SpaceRing R,
+          class V = zbuffer_value<Screen, References>>
+constexpr bool zbuffer_polygon(const zbuffer_textbook<Order, Screen, Depth, References>& buffers, const R& ring,
+                               const V& value, depth_evaluation how = depth_evaluation::plane,
+                               const picture_grid<scalar_of<ring_point<R>>>& grid = {}) {
+  return zbuffer_polygon(buffers, ring, value, how, grid, buffers.window());
+}
+
+/// Draws a convex polygon as seen from (0, 0, d) on the picture plane z = 0: what zbuffer_polygon does with x' and y'.
+/// The depth kept is z (`plane`) or 1/(d - z) (`steps`); clear the depth buffer to the same quantity of the back plane.
+/// needs   nearer_is_greater with d > 0, nearer_is_less with d < 0
+/// gives   false, and nothing drawn, when a coordinate or d is NaN, infinite or beyond 2^30, d is 0, or a corner is not
+///         in front of the eye: clip first; true and nothing drawn as zbuffer_polygon, and when the plane holds the eye
+/// exact   coverage: corners are projected in T, then as fill_convex; depths as there
+template <class Order, class Screen, class Depth, class References, SpaceRing R,
+          class V = zbuffer_value<Screen, References>>
+constexpr bool zbuffer_polygon_perspective(const zbuffer_textbook<Order, Screen, Depth, References>& buffers,
+                                           const R& ring, const scalar_of<ring_point<R>>& d, const V& value,
+                                           depth_evaluation how, const picture_grid<scalar_of<ring_point<R>>>& grid,
+                                           const cell_window& window) {
+  using T = scalar_of<ring_point<R>>;
+  constexpr T reach = static_cast<T>(detail::textbook_reach);
+  if (!(T(0) < d ? d <= reach : d < T(0) && -reach <= d) || !detail::corners_within_reach(ring)) return false;
+  for (std::size_t i = 0; i < ring_size(ring); ++i) {
+    const T z = coordinate(ring_traits<R>::vertex(ring, i), 2);
+    if (!(T(0) < d ? z < d : d < z)) return false;
+  }
+  const auto p = detail::polygon_plane(ring);
+  const auto steps = p ? inverse_depth_steps(*p, d, grid) : std::nullopt;
+  if (!steps) return true;
+  const auto project = [&](const auto& v) {
+    const T scale = d / (d - coordinate(v, 2));
+    return detail::on_grid(grid, product(coordinate(v, 0), scale), product(coordinate(v, 1), scale));
+  };
+  if (how == depth_evaluation::steps) {
+    const auto b = detail::bounds_over<T>(ring, [&](const auto& v) { return T(1) / (d - coordinate(v, 2)); });
+    return detail::draw_polygon(buffers, ring, project, depth_walk<T>(*steps), b, value, window);
+  }
+  const auto b = detail::bounds_over<T>(ring, [](const auto& v) { return coordinate(v, 2); });
+  const T back = Order::nearer(1.0f, 0.0f) ? b.low : b.high;
+  return detail::draw_polygon(buffers, ring, project, plane_walk<T>(*p, d, grid, back), b, value, window);
+}
+
+template <class Order, class Screen, class Depth, class References, SpaceRing R,
+          class V = zbuffer_value<Screen, References>>
+constexpr bool zbuffer_polygon_perspective(const zbuffer_textbook<Order, Screen, Depth, References>& buffers,
+                                           const R& ring, const scalar_of<ring_point<R>>& d, const V& value,
+                                           depth_evaluation how = depth_evaluation::plane,
+                                           const picture_grid<scalar_of<ring_point<R>>>& grid = {}) {
+  return zbuffer_polygon_perspective(buffers, ring, d, value, how, grid, buffers.window());
+}
+
+/// Fills in the screen from a buffer of object references: colour_of(reference) wherever a reference is not `nothing`.
+/// For drawing references first and looking colours up once per pixel, at the end.
+/// gives   pixels that one of the two rasters lacks are left alone
+/// source  S3 4.2.1.1
+template <WritableRaster Screen, ReadableRaster References, class ColourOf>
+constexpr void resolve_references(Screen& screen, const References& references, const pixel_of<References>& nothing,
+                                  const ColourOf& colour_of) {
+  const cell_window w = intersect(window_of(screen), window_of(references));
+  for (int y = w.y_first; y < w.y_last; ++y)
+    for (int x = w.x_first; x < w.x_last; ++x) {
+      const pixel_of<References> r = get_pixel(references, x, y);
+      if (!(r == nothing)) set_pixel(screen, x, y, static_cast<pixel_of<Screen>>(colour_of(r)));
+    }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
