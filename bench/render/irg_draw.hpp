@@ -2,6 +2,7 @@
 // irg as the pipeline's benchmarks call it: everything that depends on its interface stands here.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,12 +14,33 @@
 
 namespace bench::own {
 
-// Light to bytes as the peers do it: linear, rounded to the nearest.
-struct linear_bytes {
-  static std::uint8_t byte(float v) { return static_cast<std::uint8_t>(irg::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
-  irg::rgba8 operator()(const irg::rgb<float>& light) const {
-    return {byte(light.r), byte(light.g), byte(light.b), 255};
+// The colours of the vertices, to bytes as the peers do it: linear, rounded to the nearest.
+struct vertex_colours {
+  static constexpr int attribute_count = 3;
+  const scene& of;
+
+  const float* attributes(const irg::triangle_batch<float>& batch, std::uint32_t vertex, irg::facing) const {
+    return &of.colours[of.objects[batch.object].first_vertex + vertex].r;
   }
+  static std::uint8_t byte(float v) { return static_cast<std::uint8_t>(irg::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); }
+  irg::rgba8 pixel(const std::array<float, 3>& light) const {
+    return {byte(light[0]), byte(light[1]), byte(light[2]), 255};
+  }
+#ifdef IRG_LANES_VECTOR
+  // The same in lanes; byte 0 of a word is red, as on every processor that irg has lanes for.
+  template <int N>
+  IRG_INLINE irg::pack<std::uint32_t, N> pixels(const std::array<irg::pack<float, N>, 3>& light) const {
+    using floats = irg::pack<float, N>;
+    const floats zero = irg::lanes<floats>::broadcast(0), one = irg::lanes<floats>::broadcast(1);
+    const auto bytes = [&](const floats& v) {
+      const floats inside = irg::select(one < v, one, irg::select(v < zero, zero, v));
+      return __builtin_convertvector(inside.v * 255.0f + 0.5f, typename irg::pack<std::int32_t, N>::storage);
+    };
+    const auto word = bytes(light[0]) | bytes(light[1]) << 8 | bytes(light[2]) << 16;
+    using words = typename irg::pack<std::uint32_t, N>::storage;
+    return {__builtin_convertvector(word, words) | 0xff000000u};
+  }
+#endif
 };
 
 /// A scene ready to be drawn by irg, one batch per object. What is allocated is kept from frame to frame.
@@ -38,12 +60,7 @@ public:
   template <class E = irg::sequential>
   irg::render_stats draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth, const irg::skip_options& skip = {},
                          const E& executor = {}) {
-    const auto make_shader = [this](const irg::triangle_batch<float>& batch, std::uint32_t i, irg::facing) {
-      const auto [a, b, c] = scene_.triangles[batch.first_number + i].v;
-      return irg::vertex_colour_shader<irg::rgba8, linear_bytes>{
-          scene_.colours[a], scene_.colours[b], scene_.colours[c], {}};
-    };
-    return draw_with(picture, depth, make_shader, skip, executor);
+    return draw_with(picture, depth, vertex_colours{scene_}, skip, executor);
   }
 
   /// Draws the number of the visible triangle, plus 1, into each pixel.
@@ -89,7 +106,10 @@ private:
     batches_.clear();
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
       const scene_object& o = scene_.objects[k];
-      batches_.push_back({&vertices_[k], {triangles_.data() + o.first_triangle, o.triangles}, o.first_triangle});
+      batches_.push_back({&vertices_[k],
+                          {triangles_.data() + o.first_triangle, o.triangles},
+                          o.first_triangle,
+                          static_cast<std::uint32_t>(k)});
     }
     return irg::draw_batches<irg::nearer_is_greater, float>(
         picture, depth, batches_, mapping_, make_shader,

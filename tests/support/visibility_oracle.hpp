@@ -157,8 +157,11 @@ public:
             c.second.id == 0 ? 0 : exact_depth::ulps_between(c.nearest.depth, c.second.depth)};
   }
 
-  /// How far behind the nearest a triangle lies, in ulp; infinite where it does not cover the pixel at all.
+  /// How far behind the nearest a triangle lies, in ulp; infinite where it does not cover the pixel at all. 0 stands for
+  /// the cleared buffer: what is seen just before the far plane may be rounded to it, and not be drawn.
   double ulps_behind(std::uint32_t id, int x, int y) const {
+    if (pixels_[index(x, y)].nearest.id == 0) return std::numeric_limits<double>::infinity();
+    if (id == 0) return exact_depth::ulps_between(exact_depth(Order::farthest), pixels_[index(x, y)].nearest.depth);
     double least = std::numeric_limits<double>::infinity();
     std::int64_t weight[3];
     for (const snapped_triangle& t : triangles_)

@@ -47,6 +47,20 @@ IRG_INLINE constexpr void clear_window(Colour& colour, Depth& depth, const cell_
   }
 }
 
+template <class R>
+constexpr std::int64_t count_other_than(const R& raster, const cell_window& w, const pixel_of<R>& background) {
+  std::int64_t count = 0;
+  for (int y = w.y_first; y < w.y_last; ++y)
+    for (int x = w.x_first; x < w.x_last; ++x) count += get_pixel(raster, x, y) == background ? 0 : 1;
+  return count;
+}
+
+// What drawing a tile did.
+struct tile_result {
+  draw_counts pixels;
+  std::int64_t drawn = 0;
+};
+
 // A tile, pixel by pixel and triangle by triangle: what the fast way has to equal. Serves constant evaluation, orders
 // of depth that are not irg's, and compilers without vector registers.
 template <class Order, class T, class Colour, class Depth, class MakeShader>
@@ -167,7 +181,7 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
   detail::bin_triangles(bins, batches, mapping, grid, settings.culling, settings.skip, executor);
   workspace.seen.assign(bins.triangle_count, 0);
   const detail::triangle_finder<T> find{batches, &bins};
-  std::vector<draw_counts> done(grid.count(), draw_counts{});
+  std::vector<detail::tile_result> done(grid.count(), detail::tile_result{});
   executor(grid.count(), [&](std::size_t i) {
     const cell_window window = grid.window(i);
     const std::span<const std::uint32_t> numbers(bins.numbers.data() + bins.tile_first[i],
@@ -175,18 +189,23 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
 #ifdef IRG_LANES_VECTOR
     if constexpr (detail::key_sign<Order> != 0) {
       if (!std::is_constant_evaluated()) {
-        done[i] = detail::draw_tile_fast<Order>(colour, depth, numbers, bins.tile_area[i], find, window, make_shader,
-                                                settings, workspace.seen.data());
+        done[i].pixels = detail::draw_tile_fast<Order>(colour, depth, numbers, bins.tile_area[i], find, window,
+                                                       make_shader, settings, workspace.seen.data());
+        done[i].drawn = done[i].pixels.shaded;
         return;
       }
     }
 #endif
     if (settings.clear == clearing::before_drawing)
       detail::clear_window<Order>(colour, depth, window, settings.background);
-    done[i] = detail::draw_tile_plainly<Order>(colour, depth, numbers, find, window, make_shader);
+    done[i].pixels = detail::draw_tile_plainly<Order>(colour, depth, numbers, find, window, make_shader);
+    done[i].drawn = detail::count_other_than(depth, window, Order::farthest);
   });
   render_stats stats;
-  for (const draw_counts& c : done) stats.pixels += c;
+  for (const detail::tile_result& r : done) {
+    stats.pixels += r.pixels;
+    stats.drawn += r.drawn;
+  }
   stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
   stats.skipped = bins.skipped;
   if (settings.skip.occluded == skipping::on && !std::is_constant_evaluated()) {

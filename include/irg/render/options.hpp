@@ -60,7 +60,7 @@ struct render_stats {
   std::int64_t triangles = 0;  // after faces of more corners were cut
   skip_counts skipped;
   draw_counts pixels;
-  std::int64_t drawn = 0;  // pixels that are not background; set by render, which sees the whole picture
+  std::int64_t drawn = 0;  // pixels that show a triangle, or a line of one
 
   IRG_INLINE constexpr render_stats& operator+=(const render_stats& o) noexcept {
     triangles += o.triangles;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/render/detail/object_culling.hpp>
 #include <irg/render/detail/object_shading.hpp>
 #include <irg/render/wireframe.hpp>
 #include <irg/scene/scene.hpp>
@@ -54,10 +55,16 @@ constexpr render_stats draw_filled(const scene<T>& world, Colour& colour, Depth&
   std::vector<triangle_batch<T>> batches;
   objects.reserve(world.objects.size());
   batches.reserve(world.objects.size());
+  const object_culling<T> culling(to_clip, mapping);
+  std::int64_t beyond = 0;  // triangles of objects that were left out whole
   std::uint32_t number = 0;
   for (const object<T>& o : world.objects) {
-    object_shading<T>& shading =
-        objects.emplace_back(transform_mesh(o.shape, o.placement), o.surface, light, eye);
+    mesh<T> shape = transform_mesh(o.shape, o.placement);
+    if (options.skip.frustum == skipping::on && culling.unseen(enclosing_box(shape))) {
+      for (std::size_t f = 0; f < shape.face_count(); ++f) beyond += static_cast<std::int64_t>(shape.face_size(f)) - 2;
+      continue;
+    }
+    object_shading<T>& shading = objects.emplace_back(std::move(shape), o.surface, light, eye);
     observer(render_stage::prepare);
     shading.prepare(options.style, options.culling, executor);
     observer(render_stage::shade);
@@ -73,19 +80,13 @@ constexpr render_stats draw_filled(const scene<T>& world, Colour& colour, Depth&
     return draw_batches<Order, T>(colour, depth, batches, mapping, shading, settings, workspace, executor);
   };
   const std::span<const object_shading<T>> all(objects);
-  const render_stats stats = options.style == picture_style::flat      ? draw(flat_pixels<T>{all})
-                             : options.style == picture_style::gouraud ? draw(gouraud_pixels<T>{all})
-                                                                       : draw(phong_pixels<T>{all});
+  render_stats stats = options.style == picture_style::flat      ? draw(flat_pixels<T>{all})
+                       : options.style == picture_style::gouraud ? draw(gouraud_pixels<T>{all})
+                                                                 : draw(phong_pixels<T>{all});
+  stats.triangles += beyond;
+  stats.skipped.frustum += beyond;
   observer(render_stage::draw);
   return stats;
-}
-
-template <class R, class P>
-constexpr std::int64_t count_other_than(const R& raster, const P& background) {
-  std::int64_t count = 0;
-  for (int y = 0; y < height_of(raster); ++y)
-    for (int x = 0; x < width_of(raster); ++x) count += get_pixel(raster, x, y) == background ? 0 : 1;
-  return count;
 }
 
 template <class Order, class T, class Colour, class Depth, class E, class Observer>
@@ -97,18 +98,14 @@ constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Dep
   if (width == 0 || height == 0) return stats;
   const screen_mapping<T> mapping = map_to_screen<T>(width, height);
   const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(width) / static_cast<T>(height));
-  if (options.style != picture_style::wire) {
-    stats = draw_filled<Order>(world, colour, depth, to_clip, mapping, options, colours.background, executor, observer);
-    stats.drawn = stats.pixels.shaded;
-    if (std::is_constant_evaluated()) stats.drawn = count_other_than(depth, Order::farthest);
-    return stats;
-  }
+  if (options.style != picture_style::wire)
+    return draw_filled<Order>(world, colour, depth, to_clip, mapping, options, colours.background, executor, observer);
   clear(colour, colours.background);
   clear(depth, Order::farthest);
   for (const object<T>& o : world.objects)
     stats += draw_object_wire(transform_mesh(o.shape, o.placement), colour, to_clip, mapping, options, colours,
                               executor, observer);
-  stats.drawn = count_other_than(colour, colours.background);
+  stats.drawn = count_other_than(colour, {0, 0, width, height}, colours.background);
   return stats;
 }
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include <irg/math/constants.hpp>
-#include <irg/math/detail/float_bits.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/view/camera_frame.hpp>

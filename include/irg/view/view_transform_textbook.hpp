@@ -8,7 +8,6 @@
 #include <limits>
 #include <optional>
 
-#include <irg/math/detail/float_bits.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/length.hpp>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <irg/render/detail/tile_kernel.hpp>
-#include <irg/render/detail/triangle_bins.hpp>
+#include <irg/render/detail/bin_kernel.hpp>
 
 namespace irg {
 namespace detail {
