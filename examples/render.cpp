@@ -1,258 +1,38 @@
 // SPDX-License-Identifier: MIT
 // render - a model file becomes a picture.
-#include <chrono>
-#include <cstdio>
 #include <string>
 
-#include <irg/core/threads.hpp>
-#include <irg/io/file.hpp>
-#include <irg/io/obj.hpp>
-#include <irg/mesh/shapes.hpp>
-#include <irg/mesh/teapot.hpp>
-#include <irg/raster/image.hpp>
-#include <irg/render/render.hpp>
-#include <irg/view/axonometry.hpp>
-
 #include "support/command_line.hpp"
-#include "support/picture_options.hpp"
+#include "support/rendering.hpp"
 
 namespace {
 
-constexpr std::string_view help =
-    R"(render MODEL -o OUT - draws a model into a picture
+const std::string help = R"(render MODEL -o OUT - draws a model into a picture
 
   MODEL                a Wavefront OBJ file, or one of teapot, cube, sphere, torus
   -o OUT               the picture: .png, .ppm or .svg
-  --stats FILE.json    what was drawn and skipped, milliseconds per stage, a hash of the picture
-  --size WxH           pixels (1280x720)
-  --eye x,y,z          where the eye stands (so far from the centre that the whole model is seen)
-  --target x,y,z       what it looks at (the centre of the model)
-  --up x,y,z           what is up (0,1,0)
-  --fov DEG            vertical angle of view (40)
-  --project KIND       perspective, orthographic, isometric, dimetric, trimetric, oblique (seen from the
-                       front, depth at half its length); the last four fix the direction of the view, and
-                       --eye sets with --target how far away the eye is
-  --hidden METHOD      zbuffer, none
-  --style STYLE        gouraud, wire, flat, phong
-  --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
-  --cull WHAT          back, none
-  --skip SWITCH        on, off: leave out work that cannot change the picture
-  --threads N          1 to 256 (1)
-)";
-
-enum class view_kind { perspective, orthographic, isometric, dimetric, trimetric, oblique };
-
-struct settings {
-  std::string model, out, stats;
-  program::picture_size size{1280, 720};
-  int threads = 1;
-  std::optional<irg::point<double, 3>> eye, target;
-  irg::vec<double, 3> up{0, 1, 0};
-  double angle = 40;
-  view_kind project = view_kind::perspective;
-  std::vector<irg::light<double>> lights;
-  irg::render_options options;
-};
-
-settings read_settings(program::command_line& line) {
-  settings s;
-  const auto triple = [&](std::string_view option) {
-    const auto n = line.numbers(option, 3);
-    return irg::point<double, 3>{n[0], n[1], n[2]};
-  };
-  while (!line.done()) {
-    const std::string_view word = line.take();
-    if (word == "-o")
-      s.out = line.value_of(word);
-    else if (word == "--stats")
-      s.stats = line.value_of(word);
-    else if (word == "--size")
-      s.size = program::read_size(line);
-    else if (word == "--eye")
-      s.eye = triple(word);
-    else if (word == "--target")
-      s.target = triple(word);
-    else if (word == "--up")
-      s.up = irg::to_vec(triple(word));
-    else if (word == "--fov") {
-      s.angle = line.numbers(word, 1)[0];
-      if (!(s.angle >= 1e-6 && s.angle < 180))
-        line.fail("option --fov needs an angle from 0.000001 to less than 180 degrees");
-    } else if (word == "--project")
-      s.project = static_cast<view_kind>(
-          line.choice(word, {"perspective", "orthographic", "isometric", "dimetric", "trimetric", "oblique"}));
-    else if (word == "--hidden")
-      s.options.hidden = std::array{irg::hidden_surface_method::zbuffer,
-                                    irg::hidden_surface_method::none}[line.choice(word, {"zbuffer", "none"})];
-    else if (word == "--style")
-      s.options.style = std::array{irg::picture_style::gouraud, irg::picture_style::wire, irg::picture_style::flat,
-                                   irg::picture_style::phong}[line.choice(word, {"gouraud", "wire", "flat", "phong"})];
-    else if (word == "--light") {
-      const auto p = triple(word);
-      s.lights.push_back({irg::to_homogeneous(p), {1, 1, 1}});
-    } else if (word == "--cull")
-      s.options.culling =
-          std::array{irg::face_culling::back, irg::face_culling::none}[line.choice(word, {"back", "none"})];
-    else if (word == "--skip")
-      s.options.skip = std::array{irg::skip_options{}, irg::skip_nothing}[line.choice(word, {"on", "off"})];
-    else if (word == "--threads")
-      s.threads = line.integer(word, 1, 256);
-    else if (word.size() > 1 && word[0] == '-')
-      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
-    else if (s.model.empty())
-      s.model = word;
-    else
-      line.fail("one model at a time, not also '" + std::string(word) + "'");
-  }
-  if (s.model.empty()) line.fail("no model given; --help tells how");
-  if (s.out.empty()) line.fail("no picture given; -o OUT.png names it");
-  if (program::one_file(s.out, s.stats)) line.fail("the picture and the statistics need two files, not both: " + s.out);
-  if (program::one_file(s.out, s.model) || program::one_file(s.stats, s.model))
-    line.fail("the model would be overwritten: " + s.model);
-  return s;
-}
-
-irg::mesh<double> load(const program::command_line& line, const std::string& model) {
-  if (model == "teapot") return irg::shape_teapot<double>();
-  if (model == "cube") return irg::shape_cube<double>();
-  if (model == "sphere") return irg::shape_sphere<double>();
-  if (model == "torus") return irg::shape_torus<double>();
-  const auto text = irg::read_file(model);
-  if (!text) line.fail(program::with_place(text.error(), model));
-  auto mesh = irg::read_obj<double>({text->data(), text->size()});
-  if (!mesh) line.fail(program::with_place(mesh.error(), model));
-  if (mesh->face_count() == 0) line.fail("the model has no faces: " + model);
-  return *std::move(mesh);
-}
-
-using vec3 = irg::vec<double, 3>;
-
-bool fixes_direction(view_kind k) { return k != view_kind::perspective && k != view_kind::orthographic; }
-
-// From the target towards the eye, of length 1 where the kind of view fixes it.
-vec3 direction_of(const settings& s) {
-  switch (s.project) {
-    case view_kind::isometric: return irg::with_axis_up(irg::isometric<double>().to_viewer, s.up);
-    case view_kind::dimetric: return irg::with_axis_up(irg::dimetric<double>().to_viewer, s.up);
-    case view_kind::trimetric: return irg::with_axis_up(irg::trimetric<double>().to_viewer, s.up);
-    case view_kind::oblique: return irg::with_axis_up(vec3{0, 0, 1}, s.up);
-    default: return {1, 0.8, 1.6};
-  }
-}
-
-irg::camera<double> camera_of(const program::command_line& line, const settings& s, const irg::mesh<double>& shape) {
-  const auto ball = irg::sphere_around(shape);
-  const double angle = irg::radians(s.angle), aspect = static_cast<double>(s.size.width) / s.size.height;
-  irg::camera<double> c;
-  c.up = s.up;
-  c.vertical_angle = angle;
-  c.projection = s.project == view_kind::perspective ? irg::projection_kind::perspective
-                 : s.project == view_kind::oblique   ? irg::projection_kind::oblique
-                                                     : irg::projection_kind::orthographic;
-  const vec3 direction = direction_of(s);
-  c = irg::camera_around(c, ball.centre, ball.radius, direction, aspect);
-  if (s.target) c.target = *s.target;
-  if (s.eye) c.eye = *s.eye;
-  // Technical drawings look along their own direction, whatever eye and target are given.
-  if (fixes_direction(s.project) && (s.eye || s.target)) {
-    const double away = irg::length(c.eye - c.target);
-    c.eye = c.target + direction * (away > 0 ? away : 1);
-  }
-  c = irg::with_depth_range(c, ball.centre, ball.radius);
-  const double reach = irg::length(c.eye - ball.centre) + ball.radius + irg::length(c.target - ball.centre);
-  if (ball.radius > 0 && ball.radius < 1e-150) line.fail("the model is too small; scale it to more than 1e-150");
-  if (!(reach < 1e150)) line.fail("the model and the eye reach too far for a picture; coordinates may go up to 1e150");
-  return c;
-}
-
-// Over the eye's left shoulder, at infinity.
-irg::light<double> shoulder_light(const irg::camera<double>& c) {
-  const auto view = irg::look_at(c.eye, c.target, c.up);
-  const auto axis = [&](int row) { return irg::vec<double, 3>{view(row, 0), view(row, 1), view(row, 2)}; };
-  const auto d = axis(2) + axis(1) * 0.7 - axis(0) * 0.7;
-  return {{d.x, d.y, d.z, 0.0}, {1, 1, 1}};
-}
-
-std::uint64_t hash_of(const irg::image<irg::rgba8>& picture) {
-  std::uint64_t h = 14695981039346656037u;
-  const auto byte = [&](unsigned b) { h = (h ^ (b & 255u)) * 1099511628211u; };
-  for (const int n : {picture.width(), picture.height()})
-    for (int shift = 0; shift < 32; shift += 8) byte(static_cast<unsigned>(n) >> shift);
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) {
-      const irg::rgba8 p = picture(x, y);
-      for (const unsigned channel : {p.r, p.g, p.b, p.a}) byte(channel);
-    }
-  return h;
-}
-
-class stopwatch {
-public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-    return ms;
-  }
-
-private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-struct timings {
-  double load = 0, stage[4] = {}, write = 0;
-};
-
-std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint64_t hash) {
-  char text[1200];
-  const auto n = [](std::int64_t v) { return static_cast<long long>(v); };
-  const int length = std::snprintf(
-      text, sizeof text,
-      "{\n  \"triangles\": %lld,\n"
-      "  \"skipped\": {\"frustum\": %lld, \"backface\": %lld, \"small\": %lld, \"occluded\": %lld},\n"
-      "  \"pixels_tested\": %lld,\n  \"pixels_shaded\": %lld,\n  \"pixels_drawn\": %lld,\n  \"depth_ties\": %lld,\n"
-      "  \"ms\": {\"load\": %.3f, \"prepare\": %.3f, \"shade\": %.3f, \"project\": %.3f, \"draw\": %.3f, \"write\": "
-      "%.3f},\n"
-      "  \"hash\": \"%016llx\"\n}\n",
-      n(s.triangles), n(s.skipped.frustum), n(s.skipped.backface), n(s.skipped.tiny), n(s.skipped.occluded),
-      n(s.pixels.tested), n(s.pixels.shaded), n(s.drawn), n(s.pixels.ties), ms.load, ms.stage[0], ms.stage[1],
-      ms.stage[2], ms.stage[3], ms.write, static_cast<unsigned long long>(hash));
-  return {text, static_cast<std::size_t>(length)};
-}
+)" + std::string(program::render_options_help);
 
 void run(program::command_line& line) {
-  settings s = read_settings(line);
+  program::render_settings s;
+  while (!line.done()) s.read(line, line.take());
+  if (s.model.empty()) line.fail("no model given; --help tells how");
+  if (s.out.empty()) line.fail("no picture given; -o OUT.png names it");
+  s.finish(line);
   program::expect_picture_name(line, s.out);
-  timings ms;
-  stopwatch watch;
+  program::timings ms;
+  program::stopwatch watch;
 
   irg::scene<double> world;
-  world.objects.push_back({load(line, s.model)});
+  world.objects.push_back({program::load_model(line, s.model)});
   world.objects[0].surface = {{0.75, 0.42, 0.20}, {0.75, 0.42, 0.20}, {0.30, 0.30, 0.30}, 40};
-  world.view = camera_of(line, s, world.objects[0].shape);
-  world.lights = s.lights.empty() ? std::vector{shoulder_light(world.view)} : s.lights;
+  world.view = program::camera_of(line, s, world.objects[0].shape);
+  world.lights = s.lights.empty() ? std::vector{program::shoulder_light(world.view)} : s.lights;
   world.ambient = {0.12, 0.12, 0.14};
   ms.load = watch.lap();
-
-  irg::image<irg::rgba8> picture(s.size.width, s.size.height);
-  irg::image<float> depth(s.size.width, s.size.height);
-  watch.lap();
-  const irg::render_stats stats =
-      irg::render(world, picture, depth, s.options, {}, irg::parallel{s.threads},
-                  [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
-  const auto old_picture = irg::read_file(s.stats.empty() ? std::string() : s.out);
-  watch.lap();
-  program::write_picture(line, s.out, picture);
-  ms.write = watch.lap();
-  if (!s.stats.empty()) {
-    const std::string json = stats_json(stats, ms, hash_of(picture));
-    if (const auto error = irg::write_file_atomically(s.stats, json)) {
-      if (!old_picture || irg::write_file_atomically(s.out, *old_picture)) std::remove(s.out.c_str());
-      line.fail(std::string(error->message) + ": " + s.stats);
-    }
-  }
+  program::draw_scene(line, s, world, ms);
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv) { program::run_or_fail({argc, argv, "render", help}, "this model and this size", run); }

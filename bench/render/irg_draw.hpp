@@ -65,8 +65,8 @@ public:
 
   /// Draws the number of the visible triangle, plus 1, into each pixel.
   void draw_ids(irg::image<std::uint32_t>& ids, irg::image<float>& depth) {
-    const auto make_shader = [](const irg::triangle_batch<float>& batch, std::uint32_t i, irg::facing) {
-      return irg::solid_shader<std::uint32_t>{batch.first_number + i + 1};
+    const auto make_shader = [this](const irg::triangle_batch<float>& batch, std::uint32_t i, irg::facing) {
+      return irg::solid_shader<std::uint32_t>{scene_.objects[batch.object].first_triangle + i + 1};
     };
     draw_with(ids, depth, make_shader, {}, irg::sequential{});
   }
@@ -82,7 +82,7 @@ public:
 
   /// Where the vertices were snapped to; anything for those that have to be clipped.
   std::vector<irg::subpixel> snapped() {
-    project(irg::sequential{});
+    for (std::size_t k = 0; k < vertices_.size(); ++k) project(k, irg::sequential{});
     std::vector<irg::subpixel> places;
     for (const auto& of_object : vertices_)
       for (const irg::screen_vertex& v : of_object.screen) places.push_back(v.position);
@@ -91,30 +91,37 @@ public:
 
 private:
   template <class E>
-  void project(const E& executor) {
-    for (std::size_t k = 0; k < vertices_.size(); ++k) {
-      const scene_object& o = scene_.objects[k];
-      const std::span<const irg::point<float, 3>> positions(scene_.positions.data() + o.first_vertex, o.vertices);
-      irg::project_vertices<float>(vertices_[k], positions, scene_.to_clip, mapping_, executor);
-    }
+  void project(std::size_t object, const E& executor) {
+    const scene_object& o = scene_.objects[object];
+    const std::span<const irg::point<float, 3>> positions(scene_.positions.data() + o.first_vertex, o.vertices);
+    irg::project_vertices<float>(vertices_[object], positions, scene_.to_clip, mapping_, executor);
   }
 
   template <class Picture, class MakeShader, class E>
   irg::render_stats draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
                               const irg::skip_options& skip, const E& executor) {
-    project(executor);
+    const irg::detail::object_culling<float> culling(scene_.to_clip, mapping_);
+    std::uint32_t beyond = 0;  // triangles of objects that are left out whole
     batches_.clear();
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
       const scene_object& o = scene_.objects[k];
+      if (skip.frustum == irg::skipping::on && culling.unseen(o.bounds)) {
+        beyond += o.triangles;
+        continue;
+      }
+      project(k, executor);
       batches_.push_back({&vertices_[k],
                           {triangles_.data() + o.first_triangle, o.triangles},
-                          o.first_triangle,
+                          o.first_triangle - beyond,
                           static_cast<std::uint32_t>(k)});
     }
-    return irg::draw_batches<irg::nearer_is_greater, float>(
+    irg::render_stats stats = irg::draw_batches<irg::nearer_is_greater, float>(
         picture, depth, batches_, mapping_, make_shader,
         irg::draw_settings<irg::pixel_of<Picture>>{scene_.culling, skip, irg::clearing::before_drawing, {}}, workspace_,
         executor);
+    stats.triangles += beyond;
+    stats.skipped.frustum += beyond;
+    return stats;
   }
 
   const scene& scene_;

@@ -28,6 +28,7 @@
 #include "line_teaching.hpp"
 #include "line_variants.hpp"
 #include "projections.hpp"
+#include "stages.hpp"
 #include "textbook_fill.hpp"
 #include "viewing.hpp"
 #include "lines_aa.hpp"
@@ -291,5 +292,6 @@ int main(int argc, char** argv) {
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());
   save("window_to_viewport", projection_pictures::fits());
+  for (const auto& [name, p] : stages::all()) save(name, p);
   return failures == 0 ? 0 : 1;
 }

@@ -3,11 +3,16 @@
 #pragma once
 
 #include <irg/render/attribute_shading.hpp>
+#include <irg/render/draw_depth.hpp>
+#include <irg/render/draw_transparent.hpp>
 #include <irg/render/draw_triangles.hpp>
 #include <irg/render/drawable.hpp>
+#include <irg/render/occlusion_mask.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/projected_vertices.hpp>
 #include <irg/render/render.hpp>
 #include <irg/render/screen_mapping.hpp>
+#include <irg/render/textured_shading.hpp>
 #include <irg/render/triangle_batch.hpp>
+#include <irg/render/visibility_buffer.hpp>
 #include <irg/render/wireframe.hpp>

@@ -15,21 +15,6 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// table[index] for each lane.
-template <int N>
-IRG_INLINE pack<std::int32_t, N> gather(const std::uint32_t* table, const pack<std::int32_t, N>& index) noexcept {
-#ifdef __AVX2__
-  if constexpr (N == 8) {
-    typedef int ints __attribute__((vector_size(32)));
-    const ints everywhere = ints{} - 1;
-    return {__builtin_ia32_gathersiv8si(ints{}, reinterpret_cast<const int*>(table), index.v, everywhere, 4)};
-  }
-#endif
-  pack<std::int32_t, N> r;
-  for (int i = 0; i < N; ++i) r.v[i] = static_cast<std::int32_t>(table[index.v[i]]);
-  return r;
-}
-
 // linear_to_srgb8 for each lane.
 template <int N>
 IRG_INLINE pack<std::int32_t, N> srgb_codes_of(const pack<float, N>& light) noexcept {
@@ -40,7 +25,7 @@ IRG_INLINE pack<std::int32_t, N> srgb_codes_of(const pack<float, N>& light) noex
   pack<std::int32_t, N> bits;
   std::memcpy(&bits.v, &limited.v, sizeof bits.v);
   const auto entry =
-      gather(srgb_code_table.entry, pack<std::int32_t, N>{(bits.v - static_cast<std::int32_t>(srgb_first_bits)) >> 16});
+      gather<std::int32_t>(srgb_code_table.entry, pack<std::int32_t, N>{(bits.v - static_cast<std::int32_t>(srgb_first_bits)) >> 16});
   return {(entry.v + (bits.v & 0xffff)) >> 16};
 }
 

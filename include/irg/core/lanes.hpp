@@ -164,6 +164,35 @@ struct lanes<pack<T, N>> {
   IRG_INLINE static void store(T* p, const pack<T, N>& f) noexcept { std::memcpy(p, &f.v, sizeof f.v); }
 };
 
+/// The T that stands index[i] * 4 bytes behind base, in lane i.
+/// needs   a T of four bytes
+template <class T, int N>
+IRG_INLINE pack<T, N> gather(const void* base, const pack<std::int32_t, N>& index) noexcept {
+  static_assert(sizeof(T) == 4);
+#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
+  if constexpr (N == 8) {
+    typedef int ints __attribute__((vector_size(32)));
+#ifdef __clang__
+    const ints words = __builtin_ia32_gatherd_d256(ints{}, static_cast<const int*>(base), index.v, ints{} - 1, 4);
+#else
+    const ints words = __builtin_ia32_gathersiv8si(ints{}, static_cast<const int*>(base), index.v, ints{} - 1, 4);
+#endif
+    return {reinterpret_cast<typename pack<T, N>::storage>(words)};
+  }
+#endif
+  const auto at = [&](int i) {
+    T value;
+    std::memcpy(&value, static_cast<const char*>(base) + std::int64_t{index.v[i]} * 4, 4);
+    return value;
+  };
+#ifdef IRG_LANES_VECTOR
+  if constexpr (N == 4) return {typename pack<T, N>::storage{at(0), at(1), at(2), at(3)}};  // no way through memory
+#endif
+  pack<T, N> r{};
+  for (int i = 0; i < N; ++i) r.v[i] = at(i);
+  return r;
+}
+
 /// a where the mask holds, b elsewhere.
 template <class T>
 IRG_INLINE constexpr T select(bool mask, T a, T b) noexcept {

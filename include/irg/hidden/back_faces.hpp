@@ -91,8 +91,8 @@ constexpr face_side side_by_order(const R& projected, vertex_order order = verte
 /// needs   a convex polygon: of a concave one every edge may lie within the hull, and its back goes unnoticed
 /// exact   the sign of the edge (y1 - y2, x2 - x1, x1 y2 - x2 y1) at each vertex, in integers and rationals
 /// cost    n^2 values
-/// source  S0 7.3, for clockwise vertices; for counter-clockwise ones, as the same course lists them elsewhere, with the
-///         inequality reversed
+/// source  S0 7.3, for clockwise vertices; for counter-clockwise ones, as the same course lists them elsewhere, with
+///         the inequality reversed
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 2)
 constexpr bool is_back_by_edges_textbook(const R& projected, vertex_order order = vertex_order::clockwise) noexcept {

@@ -17,7 +17,8 @@ namespace irg {
 
 /// How pixels are made from the attributes of vertices.
 ///   attribute_count                       how many numbers a vertex has
-///   attributes(batch, vertex, side)       pointer to them, for a triangle that shows this side
+///   attributes(batch, vertex, side)       pointer to them, for a triangle that shows this side; the numbers of all
+///                                         vertices of a batch stand one after the other
 ///   pixel(array of attribute_count floats)                 the pixel
 ///   pixels(array of attribute_count packs), if it exists   the same for a register of pixels: their bits in 32 each
 template <class S, class Batch>

@@ -130,26 +130,22 @@ draw_counts draw_tile_fast(Colour& colour, Depth& depth, std::span<const std::ui
   // Where pixels are covered more than twice, order and rejection pay. A triangle covers half of its box.
   const bool sorted = by_depth && settings.skip.occluded == skipping::on &&
                       area > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
-  tile_painter<T> painter{find, w, {sign, sorted}, t, seen};
-  if constexpr (by_depth) {
-    std::vector<std::uint32_t> order;
-    if (sorted) {
-      order = front_to_back(numbers, find, sign);
-      numbers = order;
-    }
-    painter.template draw_list<tile_test::nearer>(numbers);
-  } else {
-    painter.template draw_list<tile_test::always>(numbers);
+  std::vector<std::uint32_t> nearer_first;
+  if (sorted) {
+    nearer_first = front_to_back(numbers, find, sign);
+    numbers = nearer_first;
   }
+  tile_painter<T> painter{find, numbers, w, {sign, sorted}, t, seen};
+  painter.template draw_list<by_depth ? tile_test::nearer : tile_test::always>();
   store_depths(t, depth, w, sign);
   std::int64_t shaded = 0;
   if constexpr (AttributeShading<MakeShader, triangle_batch<T>>) {
-    shaded = attribute_kernel<T, MakeShader, Colour>{t,      find,        w,
-                                                     colour, make_shader, clear ? &settings.background : nullptr}();
+    shaded = attribute_kernel<T, MakeShader, Colour>{
+        t, find, numbers, w, colour, make_shader, clear ? &settings.background : nullptr}();
   } else {
     if (clear)
       for (int y = w.y_first; y < w.y_last; ++y) fill_span(colour, {y, w.x_first, w.x_last}, settings.background);
-    shaded = shade_by_triangle(t, find, w, sign, colour, make_shader);
+    shaded = shade_by_triangle(t, find, numbers, w, sign, colour, make_shader);
   }
   return {painter.tested, shaded, painter.ties};
 }

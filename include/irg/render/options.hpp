@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <irg/raster/draw_triangle.hpp>
+#include <irg/shade/intensity_range.hpp>
 
 namespace irg {
 
@@ -36,6 +37,7 @@ struct render_options {
   hidden_surface_method hidden = hidden_surface_method::zbuffer;
   face_culling culling = face_culling::back;
   skip_options skip{};
+  intensity_range intensities = intensity_range::clamp;  // rescale: by the brightest channel of a pixel that is seen
 };
 
 /// Triangles that were not rasterized, by reason.

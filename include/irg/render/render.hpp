@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <irg/render/detail/object_culling.hpp>
-#include <irg/render/detail/object_shading.hpp>
+#include <irg/render/detail/styled_drawing.hpp>
 #include <irg/render/wireframe.hpp>
 #include <irg/scene/scene.hpp>
 #include <irg/view/affine.hpp>
@@ -74,15 +74,10 @@ constexpr render_stats draw_filled(const scene<T>& world, Colour& colour, Depth&
     number += static_cast<std::uint32_t>(shading.body.triangles.size());
     observer(render_stage::project);
   }
-  const draw_settings<rgba8> settings{options.culling, options.skip, clearing::before_drawing, background};
-  draw_workspace workspace;
-  const auto draw = [&](const auto& shading) {
-    return draw_batches<Order, T>(colour, depth, batches, mapping, shading, settings, workspace, executor);
-  };
-  const std::span<const object_shading<T>> all(objects);
-  render_stats stats = options.style == picture_style::flat      ? draw(flat_pixels<T>{all})
-                       : options.style == picture_style::gouraud ? draw(gouraud_pixels<T>{all})
-                                                                 : draw(phong_pixels<T>{all});
+  const styled_objects<T> styled{objects, batches, mapping, options};
+  render_stats stats = options.intensities == intensity_range::rescale
+                           ? draw_rescaled<Order>(styled, colour, depth, background, executor)
+                           : draw_styled<Order, encoded_light>(styled, colour, depth, background, executor);
   stats.triangles += beyond;
   stats.skipped.frustum += beyond;
   observer(render_stage::draw);

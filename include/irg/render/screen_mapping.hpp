@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/math/mat.hpp>
@@ -50,19 +51,26 @@ constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
 
 /// Where a clip-space position stands on the screen.
 /// needs   a position inside the guard band, w > 0
+/// gives   at most 2^126 for 1/w
 /// exact   each product, sum and quotient rounded once in T, then snapped; depth and 1/w rounded to float
 template <Floating T>
 IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
-  const T inverse = T(1) / p.w;
-  const T x = product(product(p.x, inverse), m.half_width) + m.centre_x;
-  const T y = m.centre_y - product(product(p.y, inverse), m.half_height);
-  return {{snap(x), snap(y)}, static_cast<float>(product(p.z, inverse)), static_cast<float>(inverse)};
+  // 1/w overflows for most subnormal w; a power of two brings all coordinates out of there.
+  const T up = p.w < (std::numeric_limits<T>::min)() ? T(std::int64_t{1} << 60) : T(1);
+  const T inverse = T(1) / (p.w * up);
+  const T x = product(product(p.x * up, inverse), m.half_width) + m.centre_x;
+  const T y = m.centre_y - product(product(p.y * up, inverse), m.half_height);
+  const T most = T(0x1p126) / up;
+  return {{snap(x), snap(y)},
+          static_cast<float>(product(p.z * up, inverse)),
+          static_cast<float>(lesser(inverse, most) * up)};
 }
 
-/// The planes that a clip-space position is beyond.
+/// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.
 template <Floating T>
 IRG_INLINE constexpr clip_code_pair classify(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
-  return {static_cast<std::uint8_t>(clip_code(p, m.picture)), static_cast<std::uint8_t>(clip_code(p, m.guard))};
+  const clip_planes eye = T(0) < p.w ? clip_planes::none : clip_planes::z_near;
+  return {static_cast<std::uint8_t>(clip_code(p, m.picture)), static_cast<std::uint8_t>(clip_code(p, m.guard) | eye)};
 }
 
 }  // namespace IRG_ABI

@@ -33,6 +33,7 @@ struct attribute_kernel {
 
   const tile& t;
   triangle_finder<T> find;
+  std::span<const std::uint32_t> numbers;  // the tile's list
   cell_window window;
   Colour& colour;
   const Shading& shading;
@@ -40,34 +41,54 @@ struct attribute_kernel {
 
   // What the pixels of one triangle share.
   struct uniform {
-    std::uint32_t number = no_triangle;
+    std::uint32_t place;
     triangle_setup s;
-    bool narrow;
+    bool narrow;  // F fits 32 bits all over the tile
     const piece_weights* piece;
-    attribute_pixel_shader<Shading> of;
+    float at0[K], change1[K], change2[K];  // of the attributes, from the first vertex to the others
   };
-  static constexpr std::uint32_t kept = 16;
-  std::optional<uniform> cache[kept]{};
+  std::vector<std::uint32_t> kept_at{};  // by place: where in `kept`, counted from 1
+  std::vector<uniform> kept{};
 
-  IRG_INLINE const uniform& prepared(std::uint32_t number) noexcept {
-    std::optional<uniform>& place = cache[number % kept];
-    if (place && place->number == number) return *place;
+  // Each triangle that is still seen is made ready once.
+  IRG_INLINE const uniform& prepared(std::uint32_t place) {
+    if (kept_at[place] == 0) prepare(place);
+    return kept[kept_at[place] - 1];
+  }
+  IRG_NOINLINE void prepare(std::uint32_t place) {
+    const std::uint32_t number = numbers[place];
     const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
     const triangle_corners c = find.corners(number);
     const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
     const std::uint32_t source = find.source(number);
     const triangle_batch<T>& batch = find.batch_of(source);
-    place.emplace(uniform{
-        number, set_up(coverage, *c.v[0], *c.v[1], *c.v[2]), fits_32_bits(coverage, whole, block_size),
-        find.is_piece(number) ? &find.piece(number).weights : nullptr,
-        pixel_shader_of(shading, batch, source - batch.first_number, coverage.flipped ? facing::front : facing::back)});
-    return *place;
+    const auto of =
+        pixel_shader_of(shading, batch, source - batch.first_number, coverage.flipped ? facing::front : facing::back);
+    kept.push_back({place,
+                    set_up(coverage, *c.v[0], *c.v[1], *c.v[2]),
+                    fits_32_bits(coverage, whole, block_size),
+                    find.is_piece(number) ? &find.piece(number).weights : nullptr,
+                    {},
+                    {},
+                    {}});
+    uniform& u = kept.back();
+    for (std::size_t j = 0; j < K; ++j) {
+      u.at0[j] = of.a[j];
+      u.change1[j] = of.b[j] - of.a[j];
+      u.change2[j] = of.c[j] - of.a[j];
+    }
+    kept_at[place] = static_cast<std::uint32_t>(kept.size());
   }
 
-  // The attributes of N pixels in a row that show one triangle.
+  // The attributes of N pixels in a row that show one triangle: fragment::interpolate with the differences kept.
   IRG_INLINE static values of_one(const uniform& u, fragment<floats> at) noexcept {
+    using F = lanes<floats>;
     if (u.piece != nullptr) at = in_source(at, *u.piece);
-    return interpolate_attributes<Shading::attribute_count>(at, u.of.a, u.of.b, u.of.c);
+    values v;
+    for (std::size_t j = 0; j < K; ++j)
+      v[j] =
+          F::broadcast(u.at0[j]) + (at.weight1 * F::broadcast(u.change1[j]) + at.weight2 * F::broadcast(u.change2[j]));
+    return v;
   }
 
   IRG_INLINE integers ids_at(int x, int y) const noexcept {
@@ -77,11 +98,11 @@ struct attribute_kernel {
   }
 
   // A run of registers whose pixels all show one triangle; returns where it ends.
-  IRG_INLINE int shade_run(const uniform& u, int x, int y) noexcept {
+  IRG_INLINE int shade_run(const uniform& u, int x, int y) {
     using I = lanes<integers>;
     using F = lanes<floats>;
     pixel* const row = raster_traits<Colour>::row(colour, y);
-    const integers same = I::broadcast(static_cast<std::int32_t>(u.number));
+    const integers same = I::broadcast(static_cast<std::int32_t>(u.place));
     integers f[3];
     for (int i = 0; i < 3; ++i)
       f[i] = integers{I::broadcast(static_cast<std::int32_t>(u.s.edge[i](x, y))).v +
@@ -90,7 +111,7 @@ struct attribute_kernel {
       const auto at =
           perspective_weights(u.s, u.s.template weight<floats>(0, f[0]), u.s.template weight<floats>(1, f[1]),
                               u.s.template weight<floats>(2, f[2]), F::broadcast(0));
-      write(row + x, of_one(u, at), everyone, everyone);
+      write(row + x, of_one(u, at), I::broadcast(0), everyone);
       for (int i = 0; i < 3; ++i) f[i] = f[i] + I::broadcast(u.s.edge[i].right * N);
       x += N;
     } while (x + N <= window.x_last && mask_bits(ids_at(x, y) == same) == everyone);
@@ -98,28 +119,17 @@ struct attribute_kernel {
   }
 
   // The attributes of N pixels in a row, each of a triangle of its own; `shown` has a bit for each pixel that shows one.
-  // gives   false when a triangle is too large for this, or a piece
+  // gives   false when they are not all small triangles of one batch that show the same side
   IRG_INLINE bool of_many(const integers& ids, unsigned shown, int x_first, int y, values& out) const noexcept {
     using I = lanes<integers>;
     using F = lanes<floats>;
-    integers x[3], y_of[3];
-    floats inverse_w[3];
-    const std::uint32_t* vertex[N];
-    const triangle_batch<T>* batch[N];
-    const int some = std::countr_zero(shown);
-    for (int i = 0; i < N; ++i) {
-      const auto number = static_cast<std::uint32_t>(ids.v[(shown >> i & 1) != 0 ? i : some]);
-      if (find.is_piece(number)) return false;
-      batch[i] = &find.batch_of(number);
-      vertex[i] = batch[i]->triangles[number - batch[i]->first_number].v;
-      const screen_vertex* screen = batch[i]->vertices->screen.data();
-      for (int k = 0; k < 3; ++k) {
-        const screen_vertex& v = screen[vertex[i][k]];
-        x[k].v[i] = v.position.x;
-        y_of[k].v[i] = v.position.y;
-        inverse_w[k].v[i] = v.inverse_w;
-      }
-    }
+    const integers some = I::broadcast(ids.v[std::countr_zero(shown)]);
+    const integers number = gather<std::int32_t>(numbers.data(), select(ids == I::broadcast(-1), some, ids));
+    corner_lanes<N> c;
+    const triangle_batch<T>* const batch = c.collect(find, number);
+    if (batch == nullptr) return false;
+    const auto &x = c.x, &y_of = c.y;
+    const auto& inverse_w = c.inverse_w;
     const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
     const integers top = low_of(low_of(y_of[0], y_of[1]), y_of[2]),
                    bottom = high_of(high_of(y_of[0], y_of[1]), y_of[2]);
@@ -145,36 +155,34 @@ struct attribute_kernel {
     }
     const floats inverse = F::broadcast(1) / (b[0] * inverse_w[0] + (b[1] * inverse_w[1] + b[2] * inverse_w[2]));
     const floats w1 = (b[1] * inverse_w[1]) * inverse, w2 = (b[2] * inverse_w[2]) * inverse;
-    std::array<floats, K> at[3];
-    for (int i = 0; i < N; ++i) {
-      const facing side = flip.v[i] != 0 ? facing::front : facing::back;
-      for (int k = 0; k < 3; ++k) {
-        const float* a = shading.attributes(*batch[i], vertex[i][k], side);
-        for (std::size_t j = 0; j < K; ++j) at[k][j].v[i] = a[j];
-      }
+    const unsigned flipped = mask_bits(flip);
+    if (flipped != 0 && flipped != everyone) return false;  // of both sides
+    const float* const base = shading.attributes(*batch, 0, flipped != 0 ? facing::front : facing::back);
+    for (std::size_t j = 0; j < K; ++j) {
+      floats at[3];
+      for (int k = 0; k < 3; ++k)
+        at[k] = gather<float>(base, integers{c.vertex[k].v * Shading::attribute_count + static_cast<int>(j)});
+      out[j] = at[0] + (w1 * (at[1] - at[0]) + w2 * (at[2] - at[0]));
     }
-    for (std::size_t j = 0; j < K; ++j) out[j] = at[0][j] + (w1 * (at[1][j] - at[0][j]) + w2 * (at[2][j] - at[0][j]));
     return true;
   }
 
-  // Writes the pixels of the lanes in `shown`.
-  IRG_INLINE void write(pixel* to, const values& v, unsigned shown, unsigned inside) const noexcept {
+  // Writes the pixels that show a triangle, and the background, if there is one, to the others that lie in the picture.
+  IRG_INLINE void write(pixel* to, const values& v, const integers& nothing, unsigned inside) const noexcept {
+    const unsigned shown = ~mask_bits(nothing) & everyone;
     if constexpr (LaneAttributeShading<Shading, N> && sizeof(pixel) == 4) {
-      pack<std::uint32_t, N> words = shading.pixels(v);
-      if (shown == everyone) {
-        std::memcpy(static_cast<void*>(to), &words.v, sizeof words.v);
+      using words = pack<std::uint32_t, N>;
+      words w = shading.pixels(v);
+      if (background != nullptr)
+        w = select(nothing, lanes<words>::broadcast(std::bit_cast<std::uint32_t>(*background)), w);
+      if (inside == everyone && (background != nullptr || shown == everyone)) {
+        std::memcpy(static_cast<void*>(to), &w.v, sizeof w.v);
         return;
       }
-      if (background != nullptr && inside == everyone) {
-        for (int i = 0; i < N; ++i)
-          if ((shown >> i & 1) == 0) words.v[i] = std::bit_cast<std::uint32_t>(*background);
-        std::memcpy(static_cast<void*>(to), &words.v, sizeof words.v);
-        return;
-      }
-      for (unsigned bits = shown; bits != 0; bits &= bits - 1) {
-        const std::uint32_t word = words.v[std::countr_zero(bits)];
-        std::memcpy(static_cast<void*>(to + std::countr_zero(bits)), &word, sizeof word);
-      }
+      std::uint32_t word[N];
+      std::memcpy(word, &w.v, sizeof word);
+      for (unsigned bits = background != nullptr ? inside : shown; bits != 0; bits &= bits - 1)
+        std::memcpy(static_cast<void*>(to + std::countr_zero(bits)), word + std::countr_zero(bits), sizeof *word);
     } else {
       for (unsigned bits = shown; bits != 0; bits &= bits - 1) {
         const int i = std::countr_zero(bits);
@@ -182,23 +190,25 @@ struct attribute_kernel {
         for (std::size_t j = 0; j < K; ++j) one[j] = v[j].v[i];
         to[i] = shading.pixel(one);
       }
+      if (background != nullptr)
+        for (unsigned bits = inside & ~shown; bits != 0; bits &= bits - 1) to[std::countr_zero(bits)] = *background;
     }
-    if (background != nullptr)
-      for (unsigned bits = inside & ~shown; bits != 0; bits &= bits - 1) to[std::countr_zero(bits)] = *background;
   }
 
   // Registers of pixels from x on, up to where it returns; adds to `shaded` how many pixels show a triangle.
-  IRG_INLINE int shade(int x, int y, std::int64_t& shaded) noexcept {
+  IRG_INLINE int shade(int x, int y, std::int64_t& shaded) {
     const unsigned inside = (1u << lesser(window.x_last - x, N)) - 1;
     const integers ids = ids_at(x, y);
-    const unsigned shown = ~mask_bits(ids == lanes<integers>::broadcast(-1)) & everyone;
+    const integers nothing = ids == lanes<integers>::broadcast(-1);
+    const unsigned shown = ~mask_bits(nothing) & everyone;
     pixel* const to = raster_traits<Colour>::row(colour, y) + x;
     if (shown == 0) {
       if (background != nullptr) fill_pixels(to, static_cast<std::size_t>(std::popcount(inside)), *background);
       return x + N;
     }
-    const unsigned like_first = mask_bits(ids == lanes<integers>::broadcast(ids.v[std::countr_zero(shown)])) & shown;
-    if (like_first == everyone)
+    const auto like = [&](int i) { return mask_bits(ids == lanes<integers>::broadcast(ids.v[i])) & shown; };
+    const unsigned one = like(std::countr_zero(shown)), others = shown & ~one;
+    if (one == everyone)
       if (const uniform& u = prepared(static_cast<std::uint32_t>(ids.v[0])); u.narrow) {
         const int end = shade_run(u, x, y);
         shaded += end - x;
@@ -206,23 +216,25 @@ struct attribute_kernel {
       }
     shaded += std::popcount(shown);
     values v;
-    if (like_first != shown && of_many(ids, shown, x, y, v)) {
-      write(to, v, shown, inside);
-      return x + N;
+    // Of three triangles and more, each pixel for itself.
+    if (others == 0 || like(std::countr_zero(others)) == others || !of_many(ids, shown, x, y, v)) {
+      unsigned pending = shown;
+      do {
+        const integers id = lanes<integers>::broadcast(ids.v[std::countr_zero(pending)]), same = ids == id;
+        const uniform& u = prepared(static_cast<std::uint32_t>(id.v[0]));
+        const values of_this = of_one(u, weights_at<N>(u.s, u.narrow, x, y, lanes<floats>::broadcast(0)));
+        const bool first = pending == shown;
+        for (std::size_t j = 0; j < K; ++j) v[j] = first ? of_this[j] : select(same, of_this[j], v[j]);
+        pending &= ~mask_bits(same);
+      } while (pending != 0);
     }
-    for (unsigned pending = shown; pending != 0;) {
-      const std::int32_t id = ids.v[std::countr_zero(pending)];
-      const unsigned same = mask_bits(ids == lanes<integers>::broadcast(id)) & pending;
-      const uniform& u = prepared(static_cast<std::uint32_t>(id));
-      v = of_one(u, weights_at<N>(u.s, u.narrow, x, y, lanes<floats>::broadcast(0)));
-      pending &= ~same;
-      write(to, v, same, pending == 0 ? same | (inside & ~shown) : same);
-    }
+    write(to, v, nothing, inside);
     return x + N;
   }
 
   // The whole tile; returns the number of pixels that show a triangle.
-  IRG_NOINLINE std::int64_t operator()() noexcept {
+  IRG_NOINLINE std::int64_t operator()() {
+    kept_at.assign(numbers.size(), 0);
     std::int64_t shaded = 0;
     for (int y = window.y_first; y < window.y_last; ++y)
       for (int x = window.x_first; x < window.x_last;) x = shade(x, y, shaded);

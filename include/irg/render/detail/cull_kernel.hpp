@@ -15,6 +15,10 @@ inline namespace IRG_ABI {
 
 #ifdef IRG_LANES_VECTOR
 
+// A vertex on the screen, in words of four bytes: x, y, depth, 1/w.
+inline constexpr int words_of_vertex = 4;
+static_assert(sizeof(screen_vertex) == 16 && sizeof(triangle_indices) == 12);
+
 // What became of N triangles: one bit per lane.
 template <int N>
 struct culled_group {
@@ -39,13 +43,12 @@ struct cull_kernel {
   IRG_INLINE culled_group<N> operator()(const triangle_indices* t, const skip_options& skip) const noexcept {
     using I = lanes<integers>;
     culled_group<N> group;
-    integers x[3], y[3];
-    for (int k = 0; k < 3; ++k)
-      for (int i = 0; i < N; ++i) {
-        const subpixel& at = screen[t[i].v[k]].position;
-        x[k].v[i] = at.x;
-        y[k].v[i] = at.y;
-      }
+    integers x[3]{}, y[3]{};
+    for (int k = 0; k < 3; ++k) {
+      const integers vertex = gather<std::int32_t>(t, I::ramp() * I::broadcast(3) + I::broadcast(k));
+      x[k] = gather<std::int32_t>(screen, integers{vertex.v * words_of_vertex});
+      y[k] = gather<std::int32_t>(screen, integers{vertex.v * words_of_vertex + 1});
+    }
     constexpr unsigned everyone = (1u << N) - 1;
     unsigned alive = everyone;
     if (any.outside != 0 || any.cut != 0) {

@@ -17,19 +17,27 @@
 namespace irg {
 namespace detail {
 
+// What light becomes in the picture: its pixel; or it stays as it is until the range of all of it is known.
+struct encoded_light {
+  IRG_INLINE constexpr rgba8 operator()(const rgb<float>& light) const noexcept { return encode(light); }
+};
+struct light_itself {
+  IRG_INLINE constexpr rgb<float> operator()(const rgb<float>& light) const noexcept { return light; }
+};
+
 // Phong shading of one triangle.
-template <Floating T>
+template <Floating T, class Output>
 struct phong_pixel_shader {
   const phong_shader<T>& shader;
   point<T, 3> position[3];
   vec<T, 3> normal[3];
 
-  IRG_INLINE constexpr rgba8 operator()(const fragment<float>& at) const {
+  IRG_INLINE constexpr auto operator()(const fragment<float>& at) const {
     const T s = T(at.weight1), t = T(at.weight2);
     const point<T, 3> p = position[0] + ((position[1] - position[0]) * s + (position[2] - position[0]) * t);
     const vec<T, 3> n = normal[0] + ((normal[1] - normal[0]) * s + (normal[2] - normal[0]) * t);
     const rgb<T> light = shader(p, n);
-    return encode({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});
+    return Output{}({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});
   }
 };
 
@@ -99,20 +107,21 @@ private:
 };
 
 // Makes the pixel shaders of flat faces.
-template <class T>
+template <class Output, class T>
 struct flat_pixels {
   std::span<const object_shading<T>> objects;
 
-  IRG_INLINE constexpr solid_shader<rgba8> operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
-                                                      facing side) const noexcept {
+  IRG_INLINE constexpr auto operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
+                                       facing side) const noexcept {
     const object_shading<T>& o = objects[batch.object];
     const std::uint32_t f = o.body.face_of[triangle];
-    return {encode(side == facing::front ? o.face_colours[f] : o.face_colour(f, side))};
+    return solid_shader<decltype(Output{}({}))>{
+        Output{}(side == facing::front ? o.face_colours[f] : o.face_colour(f, side))};
   }
 };
 
 // Colours between the vertices.
-template <class T>
+template <class Output, class T>
 struct gouraud_pixels {
   static constexpr int attribute_count = 3;
   std::span<const object_shading<T>> objects;
@@ -121,11 +130,12 @@ struct gouraud_pixels {
                                                facing side) const noexcept {
     return objects[batch.object].vertex_colours[static_cast<int>(side)][vertex].data();
   }
-  IRG_INLINE constexpr rgba8 pixel(const std::array<float, 3>& light) const noexcept {
-    return encode({light[0], light[1], light[2]});
+  IRG_INLINE constexpr auto pixel(const std::array<float, 3>& light) const noexcept {
+    return Output{}({light[0], light[1], light[2]});
   }
 #ifdef IRG_LANES_VECTOR
   template <int N>
+    requires std::same_as<Output, encoded_light>
   IRG_INLINE pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 3>& light) const noexcept {
     return encode_lanes(light[0], light[1], light[2]);
   }
@@ -133,12 +143,12 @@ struct gouraud_pixels {
 };
 
 // Makes the pixel shaders of Phong's style.
-template <class T>
+template <class Output, class T>
 struct phong_pixels {
   std::span<const object_shading<T>> objects;
 
-  IRG_INLINE constexpr phong_pixel_shader<T> operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
-                                                        facing side) const noexcept {
+  IRG_INLINE constexpr phong_pixel_shader<T, Output> operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
+                                                                facing side) const noexcept {
     const object_shading<T>& o = objects[batch.object];
     const auto [a, b, c] = o.body.triangles[triangle].v;
     const auto normal = [&](std::uint32_t v) { return side == facing::front ? o.body.normals[v] : -o.body.normals[v]; };

@@ -58,6 +58,68 @@ inline namespace IRG_ABI {
 
 #ifdef IRG_LANES_VECTOR
 
+// The corners of N triangles or pieces, a lane each.
+template <int N>
+struct corner_lanes {
+  using integers = pack<std::int32_t, N>;
+  integers x[3], y[3], vertex[3];
+  pack<float, N> depth[3], inverse_w[3];
+
+  // The first `used` of a list; lanes beyond repeat the last.
+  template <class T>
+  IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const std::uint32_t* numbers,
+                                              int used) noexcept {
+    if (used == N) {
+      integers all;
+      std::memcpy(&all.v, numbers, sizeof all.v);
+      return collect(find, all);
+    }
+    return collect(
+        find, gather<std::int32_t>(numbers, low_of(lanes<integers>::ramp(), lanes<integers>::broadcast(used - 1))));
+  }
+
+  // gives   the batch that all are of, with their indices of vertices; null when there is a piece or more than one batch
+  template <class T>
+  IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const integers& number) noexcept {
+    using I = lanes<integers>;
+    const auto first = static_cast<std::uint32_t>(number.v[0]);
+    if (!find.is_piece(first)) {
+      const triangle_batch<T>& batch = find.batch_of(first);
+      const auto base = static_cast<std::int32_t>(batch.first_number);
+      const integers i{number.v - base};
+      if (mask_bits(both(i >= I::broadcast(0), i < I::broadcast(static_cast<std::int32_t>(batch.triangles.size())))) ==
+          (1u << N) - 1) {
+        collect_indexed(batch, i);
+        return &batch;
+      }
+    }
+    for (int i = 0; i < N; ++i) {
+      const triangle_corners c = find.corners(static_cast<std::uint32_t>(number.v[i]));
+      for (int k = 0; k < 3; ++k) {
+        x[k].v[i] = c.v[k]->position.x;
+        y[k].v[i] = c.v[k]->position.y;
+        depth[k].v[i] = c.v[k]->depth;
+        inverse_w[k].v[i] = c.v[k]->inverse_w;
+      }
+    }
+    return nullptr;
+  }
+
+private:
+  template <class T>
+  IRG_INLINE void collect_indexed(const triangle_batch<T>& batch, const integers& triangle) noexcept {
+    const screen_vertex* const screen = batch.vertices->screen.data();
+    for (int k = 0; k < 3; ++k) {
+      vertex[k] = gather<std::int32_t>(batch.triangles.data(), integers{triangle.v * 3 + k});
+      const integers word{vertex[k].v * words_of_vertex};
+      x[k] = gather<std::int32_t>(screen, word);
+      y[k] = gather<std::int32_t>(screen, integers{word.v + 1});
+      depth[k] = gather<float>(screen, integers{word.v + 2});
+      inverse_w[k] = gather<float>(screen, integers{word.v + 3});
+    }
+  }
+};
+
 // How a tile's list is drawn.
 struct tile_order {
   float sign;  // of keys
@@ -71,6 +133,7 @@ struct tile_painter {
   using floats = pack<float, count>;
 
   triangle_finder<T> find;
+  std::span<const std::uint32_t> numbers;  // what the tile has to draw; its pixels hold places in this list
   cell_window window;
   tile_order order;
   tile& out;
@@ -78,34 +141,27 @@ struct tile_painter {
   tile_counts counts{lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
   std::int64_t tested = 0, ties = 0;
 
-  IRG_INLINE void note_seen(std::uint32_t number) const noexcept {
-    std::atomic_ref<std::uint8_t>(seen[find.source(number)]).store(1, std::memory_order_relaxed);
+  IRG_INLINE void note_seen(std::uint32_t place) const noexcept {
+    std::atomic_ref<std::uint8_t>(seen[find.source(numbers[place])]).store(1, std::memory_order_relaxed);
   }
 
   // Sets up `used` triangles. Those whose sides are too long for 32-bit lanes are left to the caller, a bit each.
-  IRG_INLINE unsigned set_up_group(tile_triangles& g, const std::uint32_t* numbers, int used) const noexcept {
+  IRG_INLINE unsigned set_up_group(tile_triangles& g, std::size_t first, int used) const noexcept {
     using I = lanes<integers>;
     using F = lanes<floats>;
-    integers x[3], y[3];
-    floats depth[3];
-    for (int i = 0; i < count; ++i) {
-      const std::uint32_t number = numbers[i < used ? i : 0];
-      const triangle_corners c = find.corners(number);
-      for (int k = 0; k < 3; ++k) {
-        x[k].v[i] = c.v[k]->position.x;
-        y[k].v[i] = c.v[k]->position.y;
-        depth[k].v[i] = c.v[k]->depth;
-      }
-      g.number[i] = number;
-    }
+    corner_lanes<count> c;
+    c.collect(find, numbers.data() + first, used);
+    const auto &x = c.x, &y = c.y;
+    const auto& depth = c.depth;
+    for (int i = 0; i < count; ++i) g.place[i] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i);
     const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
     const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
     const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0), one = I::broadcast(1);
     const unsigned large = ~mask_bits(both(right - left < limit, bottom - top < limit)) & ((1u << used) - 1);
 
     const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
-    const auto within = [&](const integers& v, int first, int last) {
-      return low_of(high_of(v, I::broadcast(first)), I::broadcast(last));
+    const auto within = [&](const integers& v, int least, int end) {
+      return low_of(high_of(v, I::broadcast(least)), I::broadcast(end));
     };
     const integers x_first = within({(left + before).v >> subpixel_bits}, window.x_first, window.x_last),
                    x_last = within({(right + behind).v >> subpixel_bits}, window.x_first, window.x_last),
@@ -150,10 +206,12 @@ struct tile_painter {
   template <tile_test Test, class I>
   IRG_INLINE void draw_ready(const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last) noexcept {
     constexpr int small = 2 * block_size;
-    const auto before = [this](std::uint32_t a, std::uint32_t b) { return find.source(a) < find.source(b); };
+    const auto before = [this](std::uint32_t a, std::uint32_t b) {
+      return find.source(numbers[a]) < find.source(numbers[b]);
+    };
     if (x_last - x_first > small || y_last - y_first > small) {
       if (tile_blocks<Test>(out, t, x_first, y_first, x_last, y_last, order.front_to_back, counts, before))
-        note_seen(t.number);
+        note_seen(t.place);
       return;
     }
     if (order.front_to_back) {
@@ -167,7 +225,7 @@ struct tile_painter {
       if (t.high.v[0] < far) return;
       out.stale |= touched;
     }
-    note_seen(t.number);
+    note_seen(t.place);
     tile_rows<Test>(out, t, x_first, y_first, x_last, y_last, counts, before);
   }
 
@@ -178,7 +236,7 @@ struct tile_painter {
     t.rest = F::broadcast(g.rest[i]);
     t.low = F::broadcast(g.low[i]);
     t.high = F::broadcast(g.high[i]);
-    t.number = g.number[i];
+    t.place = g.place[i];
   }
 
   // Triangle i of a group.
@@ -202,7 +260,7 @@ struct tile_painter {
   template <tile_test Test>
   IRG_NOINLINE void draw_large(const tile_triangles& g, int i) noexcept {
     if (order.front_to_back && g.high[i] < out.farthest) return;
-    const triangle_corners c = find.corners(g.number[i]);
+    const triangle_corners c = find.corners(numbers[g.place[i]]);
     const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
     const cell_window w = intersect(coverage.bounds, window);
     if (coverage.double_area == 0 || w.empty()) return;
@@ -231,12 +289,12 @@ struct tile_painter {
   }
 
   template <tile_test Test>
-  IRG_INLINE void draw_list(std::span<const std::uint32_t> numbers) noexcept {
+  IRG_INLINE void draw_list() noexcept {
     constexpr std::size_t refresh = 8 * count;
     tile_triangles g;
     for (std::size_t first = 0; first < numbers.size(); first += count) {
       const int used = static_cast<int>(lesser(numbers.size() - first, std::size_t{count}));
-      const unsigned large = set_up_group(g, numbers.data() + first, used);
+      const unsigned large = set_up_group(g, first, used);
       for (int i = 0; i < used; ++i)
         if ((large >> i & 1) != 0)
           draw_large<Test>(g, i);

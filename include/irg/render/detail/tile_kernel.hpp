@@ -26,7 +26,7 @@ struct tile_triangles {
   std::int32_t f[3][most], right[3][most], down[3][most];
   float gain[3][most], rest[most], low[most], high[most];
   std::int32_t x_first[most], y_first[most], x_last[most], y_last[most];  // within the tile
-  std::uint32_t number[most];
+  std::uint32_t place[most];  // in the tile's list
 };
 
 // What the pixels of one triangle share, broadcast.
@@ -38,7 +38,7 @@ struct tile_triangle {
   I ramp[3];  // 0, right, 2 * right, ...
   integer f[3], right[3], down[3];
   floats gain[3], rest, low, high;
-  std::uint32_t number;
+  std::uint32_t place;  // in the tile's list
 };
 
 // Counts of pixels, lane by lane.
@@ -46,8 +46,8 @@ struct tile_counts {
   pack<std::int32_t, native_lanes<std::int32_t>> tested, ties;
 };
 
-// How pixels are decided in a tile: by depth, or always for the later triangle.
-enum class tile_test { nearer, always };
+// How pixels are decided in a tile: by depth, always for the later triangle, or by depth where nobody asks whose it is.
+enum class tile_test { nearer, always, depth_only };
 
 // One register of pixels: those covered and nearer than what is there become the triangle's; before(a, b) tells of two
 // equally near triangles whether a comes first.
@@ -65,19 +65,24 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
   const mask covered = both(inside, stored < F::broadcast(beyond_everything));
   mask drawn = covered;
   counts.tested = counts.tested - covered;
+  if constexpr (Test == tile_test::depth_only) {
+    const auto nearest = select(covered, high_of(key, stored), stored);
+    F::store(key_at, nearest);
+    return nearest;
+  }
   if constexpr (Test == tile_test::nearer) {
     const mask tie = both(covered, key == stored);
     counts.ties = counts.ties - tie;
     drawn = both(covered, stored < key);
     if (mask_bits(tie) != 0) [[unlikely]]
       for (int i = 0; i < N; ++i)
-        if (tie.v[i] != 0 && id_at[i] != no_triangle && before(t.number, id_at[i])) drawn.v[i] = -1;
+        if (tie.v[i] != 0 && id_at[i] != no_triangle && before(t.place, id_at[i])) drawn.v[i] = -1;
   }
   const auto now = select(drawn, key, stored);
   F::store(key_at, now);
   mask id;
   std::memcpy(&id.v, id_at, sizeof id.v);
-  id = select(drawn, lanes<mask>::broadcast(static_cast<std::int32_t>(t.number)), id);
+  id = select(drawn, lanes<mask>::broadcast(static_cast<std::int32_t>(t.place)), id);
   std::memcpy(id_at, &id.v, sizeof id.v);
   return now;
 }

@@ -64,8 +64,9 @@ IRG_INLINE fragment<pack<float, N>> weights_at(const triangle_setup& s, bool nar
 
 // Shades the visible pixels of a tile with one shader per triangle, and returns how many they are.
 template <class Colour, class T, class MakeShader>
-IRG_INLINE std::int64_t shade_by_triangle(const tile& t, const triangle_finder<T>& find, const cell_window& window,
-                                          float sign, Colour& colour, const MakeShader& make_shader) {
+IRG_INLINE std::int64_t shade_by_triangle(const tile& t, const triangle_finder<T>& find,
+                                          std::span<const std::uint32_t> numbers, const cell_window& window, float sign,
+                                          Colour& colour, const MakeShader& make_shader) {
   constexpr int N = tile_lanes;
   using floats = pack<float, N>;
   using F = lanes<floats>;
@@ -93,13 +94,13 @@ IRG_INLINE std::int64_t shade_by_triangle(const tile& t, const triangle_finder<T
         shaded += std::popcount(pending);
         const floats depth = F::load(t.key + at) * F::broadcast(sign);
         while (pending != 0) {
-          const auto number = static_cast<std::uint32_t>(ids.v[std::countr_zero(pending)]);
-          if (number != current) {
-            setup.emplace(prepare(number));
-            current = number;
+          const auto place = static_cast<std::uint32_t>(ids.v[std::countr_zero(pending)]);
+          if (place != current) {
+            setup.emplace(prepare(numbers[place]));
+            current = place;
           }
           const unsigned same =
-              mask_bits(ids == lanes<pack<std::int32_t, N>>::broadcast(static_cast<std::int32_t>(number))) & pending;
+              mask_bits(ids == lanes<pack<std::int32_t, N>>::broadcast(static_cast<std::int32_t>(place))) & pending;
           fragment<floats> where = weights_at<N>(setup->s, setup->narrow, x, y, depth);
           if (setup->piece != nullptr) where = in_source(where, *setup->piece);
           shade_pixels(raster_traits<Colour>::row(colour, y) + x, same, where, setup->shader);

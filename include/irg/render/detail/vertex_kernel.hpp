@@ -41,7 +41,8 @@ IRG_INLINE pack<std::int32_t, N> snap_lanes(const pack<float, N>& pixels) noexce
 // N vertices. The matrix' entries stand broadcast in m, row by row.
 template <int N>
 IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* codes, const point<float, 3>* p,
-                                        const pack<float, N> (&m)[16], const screen_mapping<float>& mapping) noexcept {
+                                        const pack<float, N> (&m)[16], const mat<float, 4, 4>& to_clip,
+                                        const screen_mapping<float>& mapping) noexcept {
   using pack_f = pack<float, N>;
   using pack_i = pack<std::int32_t, N>;
   using F = lanes<pack_f>;
@@ -68,6 +69,13 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
       depth | sides(F::broadcast(mapping.picture.guard_x) * cw, F::broadcast(mapping.picture.guard_y) * cw);
   const pack_i cut = depth | sides(F::broadcast(mapping.guard.guard_x) * cw, F::broadcast(mapping.guard.guard_y) * cw);
 
+  // Where 1/w would overflow, one by one.
+  const auto subnormal = cw < F::broadcast((std::numeric_limits<float>::min)());
+  if (mask_bits(both(subnormal, cut == I::broadcast(0))) != 0) [[unlikely]] {
+    clip_code_pair any;
+    for (int i = 0; i < N; ++i) any = any | project_one(screen[i], codes[i], p[i], to_clip, mapping);
+    return any;
+  }
   const pack_f inverse = F::broadcast(1) / cw;
   const pack_f sx = (cx * inverse) * F::broadcast(mapping.half_width) + F::broadcast(mapping.centre_x);
   const pack_f sy = F::broadcast(mapping.centre_y) - (cy * inverse) * F::broadcast(mapping.half_height);
@@ -99,7 +107,7 @@ constexpr clip_code_pair project_range(screen_vertex* screen, clip_code_pair* co
       pack<float, count> m[16];
       for (int k = 0; k < 16; ++k) m[k] = lanes<pack<float, count>>::broadcast(to_clip(k / 4, k % 4));
       for (; i + static_cast<std::size_t>(count) <= last; i += static_cast<std::size_t>(count))
-        any = any | project_lanes<count>(screen + i, codes + i, positions + i, m, mapping);
+        any = any | project_lanes<count>(screen + i, codes + i, positions + i, m, to_clip, mapping);
     }
   }
 #endif

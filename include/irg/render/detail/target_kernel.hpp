@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Batches of triangles drawn for their depths, or their depths and numbers, without colours: the same tiles, and the
+// same kernel, as draw_batches.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include <irg/render/draw_triangles.hpp>
+
+namespace irg {
+namespace detail {
+
+// Stands in for a raster of numbers where none is wanted.
+struct no_numbers {};
+
+inline namespace IRG_ABI {
+
+// Covered pixels of a tile, one by one: those nearer than `depth` are written there, and told to write(x, y).
+template <class Order, class Depth, class Write>
+constexpr std::int64_t draw_depths_plainly(Depth& depth, const triangle_corners& c, const cell_window& window,
+                                           const Write& write) {
+  const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
+  if (coverage.double_area == 0) return 0;
+  const triangle_setup s = set_up(coverage, *c.v[0], *c.v[1], *c.v[2]);
+  std::int64_t tested = 0;
+  covered_spans(coverage, window, [&](const span_of_cells& span) {
+    float* row = raster_traits<Depth>::row(depth, span.y);
+    tested += span.x_last - span.x_first;
+    for (int x = span.x_first; x < span.x_last; ++x) {
+      const float here =
+          depth_at<float>(s.edge[0](x, span.y), s.edge[1](x, span.y), s.edge[2](x, span.y), s.depth_gain[0],
+                          s.depth_gain[1], s.depth_gain[2], s.depth_rest, s.depth_low, s.depth_high);
+      if (!Order::nearer(here, row[x])) continue;
+      row[x] = here;
+      write(x, span.y);
+    }
+  });
+  return tested;
+}
+
+template <class Order, class T, class Ids, class Depth>
+constexpr draw_counts draw_target_plainly(Ids& ids, Depth& depth, std::span<const std::uint32_t> numbers,
+                                          const triangle_finder<T>& find, const cell_window& window) {
+  draw_counts counts;
+  for (const std::uint32_t number : numbers)
+    counts.tested += draw_depths_plainly<Order>(depth, find.corners(number), window, [&](int x, int y) {
+      if constexpr (!std::same_as<Ids, const no_numbers>) set_pixel(ids, x, y, find.source(number));
+    });
+  return counts;
+}
+
+template <class Order, class Ids, class Depth>
+IRG_INLINE constexpr void clear_target(Ids& ids, Depth& depth, const cell_window& w) {
+  for (int y = w.y_first; y < w.y_last; ++y) {
+    fill_span(depth, {y, w.x_first, w.x_last}, Order::farthest);
+    if constexpr (!std::same_as<Ids, const no_numbers>) fill_span(ids, {y, w.x_first, w.x_last}, no_triangle);
+  }
+}
+
+#ifdef IRG_LANES_VECTOR
+
+// A zero's sign would tell which of equally near triangles came last.
+template <class Depth>
+IRG_INLINE void store_unsigned_depths(const tile& t, Depth& depth, const cell_window& w, float sign) {
+  for (int y = w.y_first; y < w.y_last; ++y) {
+    float* row = raster_traits<Depth>::row(depth, y);
+    const float* key = t.key + (y - w.y_first) * tile_stride;
+    for (int x = w.x_first; x < w.x_last; ++x) row[x] = key[x - w.x_first] * sign + 0.0f;
+  }
+}
+
+// The source triangles of what a tile holds; where nothing was drawn, the raster keeps what it has.
+template <class T, class Ids>
+IRG_INLINE void store_numbers(const tile& t, Ids& ids, std::span<const std::uint32_t> numbers,
+                              const triangle_finder<T>& find, const cell_window& w) {
+  for (int y = w.y_first; y < w.y_last; ++y) {
+    std::uint32_t* row = raster_traits<Ids>::row(ids, y);
+    const std::uint32_t* id = t.id + (y - w.y_first) * tile_stride;
+    for (int x = w.x_first; x < w.x_last; ++x, ++id)
+      if (*id != no_triangle) row[x] = find.source(numbers[*id]);
+  }
+}
+
+template <class Order, class T, class Ids, class Depth>
+draw_counts draw_target_fast(Ids& ids, Depth& depth, std::span<const std::uint32_t> numbers, float area,
+                             const triangle_finder<T>& find, const cell_window& w, const skip_options& skip,
+                             clearing clear, std::uint8_t* seen) {
+  constexpr float sign = key_sign<Order>;
+  constexpr bool numbered = !std::same_as<Ids, const no_numbers>;
+  constexpr tile_test test = numbered ? tile_test::nearer : tile_test::depth_only;
+  if (numbers.empty()) {
+    if (clear == clearing::before_drawing) clear_target<Order>(ids, depth, w);
+    return {};
+  }
+  tile t;
+  clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
+  if (clear == clearing::none) load_depths(t, depth, w, sign);
+  const bool sorted = skip.occluded == skipping::on &&
+                      area > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
+  std::vector<std::uint32_t> nearer_first;
+  if (sorted) {
+    nearer_first = front_to_back(numbers, find, sign);
+    numbers = nearer_first;
+  }
+  tile_painter<T> painter{find, numbers, w, {sign, sorted}, t, seen};
+  painter.template draw_list<test>();
+  if constexpr (numbered) {
+    store_depths(t, depth, w, sign);
+    if (clear == clearing::before_drawing)
+      for (int y = w.y_first; y < w.y_last; ++y) fill_span(ids, {y, w.x_first, w.x_last}, no_triangle);
+    store_numbers(t, ids, numbers, find, w);
+  } else {
+    store_unsigned_depths(t, depth, w, sign);
+  }
+  return {painter.tested, 0, painter.ties};
+}
+
+#endif
+
+// One tile.
+template <class Order, class T, class Ids, class Depth>
+constexpr draw_counts draw_target_tile(Ids& ids, Depth& depth, std::span<const std::uint32_t> numbers, float area,
+                                       const triangle_finder<T>& find, const cell_window& w, const skip_options& skip,
+                                       clearing clear, std::uint8_t* seen) {
+#ifdef IRG_LANES_VECTOR
+  if constexpr (key_sign<Order> != 0)
+    if (!std::is_constant_evaluated())
+      return draw_target_fast<Order>(ids, depth, numbers, area, find, w, skip, clear, seen);
+#endif
+  if (clear == clearing::before_drawing) clear_target<Order>(ids, depth, w);
+  return draw_target_plainly<Order>(ids, depth, numbers, find, w);
+}
+
+// All tiles.
+template <class Order, class T, class Ids, class Depth, class E>
+constexpr render_stats draw_target(Ids& ids, Depth& depth, std::span<const triangle_batch<T>> batches,
+                                   const screen_mapping<T>& mapping, face_culling culling, const skip_options& skip,
+                                   clearing clear, draw_workspace& workspace, const E& executor) {
+  const picture_tiles grid(width_of(depth), height_of(depth));
+  triangle_bins& bins = workspace.bins;
+  bin_triangles(bins, batches, mapping, grid, culling, skip, executor);
+  workspace.seen.assign(bins.triangle_count, 0);
+  const triangle_finder<T> find{batches, &bins};
+  std::vector<draw_counts> done(grid.count(), draw_counts{});
+  executor(grid.count(), [&](std::size_t i) {
+    const std::span<const std::uint32_t> numbers(bins.numbers.data() + bins.tile_first[i],
+                                                 bins.tile_first[i + 1] - bins.tile_first[i]);
+    done[i] = draw_target_tile<Order>(ids, depth, numbers, bins.tile_area[i], find, grid.window(i), skip, clear,
+                                      workspace.seen.data());
+  });
+  render_stats stats;
+  for (const draw_counts& c : done) stats.pixels += c;
+  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
+  stats.skipped = bins.skipped;
+  if (skip.occluded == skipping::on && !std::is_constant_evaluated()) {
+    std::int64_t seen = 0;
+    for (const std::uint8_t s : workspace.seen) seen += s;
+    stats.skipped.occluded = bins.listed - seen;
+  }
+  return stats;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

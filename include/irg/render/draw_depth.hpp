@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// draw_depth: triangles drawn for their depths alone, as shadows and occlusion want them. The depths are those that
+// draw_batches leaves, bit for bit; no colour is touched, and nobody keeps account of which triangle is seen.
+#pragma once
+
+#include <span>
+
+#include <irg/render/detail/target_kernel.hpp>
+
+namespace irg {
+
+/// How depths are drawn without colours: what is left out, and whether the target is cleared first.
+struct depth_settings {
+  face_culling culling = face_culling::back;
+  skip_options skip{};
+  clearing clear = clearing::none;
+};
+
+inline namespace IRG_ABI {
+
+/// Draws the depths of batches of triangles, and returns what that took; nothing is shaded, and ties are not counted.
+/// shape   first_number of the batches counts their triangles through
+/// needs   indices in range, at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
+/// gives   triangles with a corner that is not finite are left out
+/// exact   each depth equal to what draw_batches leaves, for every executor and with all skips on and off
+/// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
+template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Depth, Executor E = sequential>
+  requires std::same_as<pixel_of<Depth>, float>
+constexpr render_stats draw_depth(Depth& depth, std::type_identity_t<std::span<const triangle_batch<T>>> batches,
+                                  const screen_mapping<T>& mapping, const depth_settings& settings,
+                                  draw_workspace& workspace, const E& executor = {}) {
+  const detail::no_numbers none{};
+  return detail::draw_target<Order, T>(none, depth, batches, mapping, settings.culling, settings.skip, settings.clear,
+                                       workspace, executor);
+}
+
+/// As above, for the triangles of one object.
+template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Depth, Executor E = sequential>
+  requires std::same_as<pixel_of<Depth>, float>
+constexpr render_stats draw_depth(Depth& depth, const projected_vertices<T>& vertices,
+                                  std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
+                                  const depth_settings& settings = {}, const E& executor = {}) {
+  const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
+  draw_workspace workspace;
+  return draw_depth<Order, T>(depth, batch, mapping, settings, workspace, executor);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Transparent faces: after the opaque ones are drawn, triangles that let light through are sorted from the farthest to
+// the nearest, tested against the opaque depths without leaving theirs, and blended over the colours one by one.
+//
+// The order is one of whole triangles, by the depth of their centroids. It is the true order wherever a plane parallel
+// to the picture separates two triangles; where they pass through each other no order is right, and where a large one
+// reaches both before and behind a small one this one may be wrong. Cut such triangles into smaller ones.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/colour/over.hpp>
+#include <irg/render/detail/transparent_kernel.hpp>
+#include <irg/render/draw_triangles.hpp>
+
+namespace irg {
+
+/// How transparent faces are drawn. Both sides of glass are seen, so backs are drawn too unless told otherwise.
+struct transparent_settings {
+  face_culling culling = face_culling::none;
+  skip_options skip{};
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The depth of a triangle's centroid: z / w of the sum of its corners in clip space. Not in front of the eye counts as
+// nearest of all.
+template <class T>
+struct centroid_depth {
+  T depth = T(0);
+  bool behind_eye = false;
+  std::uint32_t number = 0;
+};
+
+template <class T>
+constexpr centroid_depth<T> centroid_depth_of(const triangle_batch<T>& batch, std::uint32_t i) noexcept {
+  const auto& [v] = batch.triangles[i];
+  const std::uint32_t number = batch.first_number + i;
+  const hpoint<T, 3> a = clip_position(*batch.vertices, v[0]), b = clip_position(*batch.vertices, v[1]),
+                     c = clip_position(*batch.vertices, v[2]);
+  const T z = a.z + (b.z + c.z), w = a.w + (b.w + c.w);
+  if (!(T(0) < w)) return {T(0), true, number};
+  const T depth = z / w;
+  return {depth == depth ? depth : T(0), false, number};
+}
+
+// The place of every triangle in the order from the farthest to the nearest; of equal ones the first given first.
+template <class Order, class T>
+constexpr std::vector<std::uint32_t> back_to_front(std::span<const triangle_batch<T>> batches, std::uint32_t count) {
+  std::vector<std::uint32_t> place(count, 0);
+  for (std::uint32_t i = 0; i < count; ++i) place[i] = i;
+  if constexpr (!std::same_as<Order, drawing_order>) {
+    std::vector<centroid_depth<T>> all;
+    all.reserve(count);
+    for (const triangle_batch<T>& b : batches)
+      for (std::uint32_t i = 0; i < b.triangles.size(); ++i) all.push_back(centroid_depth_of(b, i));
+    std::sort(all.begin(), all.end(), [](const centroid_depth<T>& a, const centroid_depth<T>& b) {
+      if (a.behind_eye != b.behind_eye) return b.behind_eye;
+      if (a.depth == b.depth) return a.number < b.number;
+      return static_cast<bool>(Order::nearer(b.depth, a.depth));
+    });
+    for (std::uint32_t i = 0; i < count; ++i) place[all[i].number] = i;
+  }
+  return place;
+}
+
+// The lists of all tiles, each put in the order of places. Two counting sorts: by place, then by tile.
+template <class T>
+constexpr std::vector<std::uint32_t> sorted_lists(const triangle_bins& bins, const triangle_finder<T>& find,
+                                                  const std::vector<std::uint32_t>& place, std::size_t tiles) {
+  struct entry {
+    std::uint32_t tile = 0, number = 0;
+  };
+  std::vector<std::uint32_t> start(place.size() + 1, 0), next(bins.tile_first.begin(), bins.tile_first.end());
+  for (const std::uint32_t number : bins.numbers) ++start[place[find.source(number)] + 1];
+  for (std::size_t i = 0; i < place.size(); ++i) start[i + 1] += start[i];
+  std::vector<entry> by_place(bins.numbers.size(), entry{});
+  for (std::size_t t = 0; t < tiles; ++t)
+    for (std::uint32_t i = bins.tile_first[t]; i < bins.tile_first[t + 1]; ++i)
+      by_place[start[place[find.source(bins.numbers[i])]]++] = {static_cast<std::uint32_t>(t), bins.numbers[i]};
+  std::vector<std::uint32_t> numbers(bins.numbers.size(), 0);
+  for (const entry& e : by_place) numbers[next[e.tile]++] = e.number;
+  return numbers;
+}
+
+// A tile's list, blended in its order; seen[i] is set for each source triangle i that was not passed over.
+template <depth_test Test, class Order, class T, class Colour, class Depth, class MakeShader, class Blend>
+constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::span<const std::uint32_t> numbers,
+                                            const triangle_finder<T>& find, const cell_window& window,
+                                            const MakeShader& make_shader, const Blend& blend, skipping occluded,
+                                            std::vector<std::uint8_t>& seen) {
+  constexpr bool by_depth = !std::same_as<Order, drawing_order>;
+  constexpr bool can_hide = by_depth && (Test == depth_test::nearer || Test == depth_test::nearer_or_equal);
+  farthest_depths<Order, Depth> far{depth, window};
+  draw_counts counts;
+  for (const std::uint32_t number : numbers) {
+    const triangle_corners c = find.corners(number);
+    const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
+    const cell_window w = intersect(coverage.bounds, window);
+    if (coverage.double_area == 0 || w.empty()) continue;
+    const triangle_setup s = set_up(coverage, *c.v[0], *c.v[1], *c.v[2]);
+    if constexpr (can_hide) {
+      const float nearest = Order::nearer(s.depth_low, s.depth_high) ? s.depth_low : s.depth_high;
+      if (occluded == skipping::on && far.template hides<Test>(nearest, w)) continue;
+    }
+    const std::uint32_t source = find.source(number);
+    mark_seen(seen[source]);
+    const triangle_batch<T>& batch = find.batch_of(source);
+    const facing side = coverage.flipped ? facing::front : facing::back;
+    const auto shader = [&] {
+      if constexpr (AttributeShading<MakeShader, triangle_batch<T>>)
+        return pixel_shader_of(make_shader, batch, source - batch.first_number, side);
+      else
+        return make_shader(batch, source - batch.first_number, side);
+    }();
+    if (find.is_piece(number))
+      counts += blend_triangle<Test, Order>(colour, depth, coverage, s,
+                                            piece_shader<decltype(shader)>{shader, find.piece(number).weights}, blend,
+                                            window);
+    else
+      counts += blend_triangle<Test, Order>(colour, depth, coverage, s, shader, blend, window);
+  }
+  return counts;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Draws transparent triangles into a picture whose opaque part, with its depths, is finished; returns what it did.
+/// shape   as draw_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
+///         rgba8 whose `a` is the opacity, the colour not multiplied by it, and mixes light. An AttributeShading with
+///         opacity among its attributes gives every vertex an opacity of its own
+/// needs   `depth` of the same order and size, no part of it NaN where something is to be seen; indices in range
+/// gives   from the farthest to the nearest, by the depth z/w of the triangles' centroids in clip space, each over what
+///         was there; of equal ones the first given first; those whose centroid is not in front of the eye last. With
+///         drawing_order, in the order given. Test says which depths are seen: by default those nearer than the opaque
+///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that is
+///         not finite are left out
+/// exact   the same bytes for every executor, all skips on and off; depths by draw_triangle's arithmetic; centroids
+///         rounded in T
+/// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates
+/// source  Newell, Newell and Sancha 1972 for the order, Porter and Duff 1984 for "over"
+template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::nearer, Floating T, RowRaster Colour,
+          RowRaster Depth, class MakeShader, class Blend = over_in_light, Executor E = sequential>
+  requires std::same_as<pixel_of<Depth>, float>
+constexpr render_stats draw_transparent(Colour& colour, Depth& depth,
+                                        std::type_identity_t<std::span<const triangle_batch<T>>> batches,
+                                        const screen_mapping<T>& mapping, const MakeShader& make_shader,
+                                        const transparent_settings& settings = {}, const Blend& blend = {},
+                                        const E& executor = {}) {
+  const detail::picture_tiles grid(width_of(colour), height_of(colour));
+  detail::triangle_bins bins;
+  detail::bin_triangles(bins, batches, mapping, grid, settings.culling, settings.skip, executor);
+  const detail::triangle_finder<T> find{batches, &bins};
+  const std::vector<std::uint32_t> numbers =
+      detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());
+  std::vector<std::uint8_t> seen(bins.triangle_count, 0);
+  std::vector<draw_counts> done(grid.count(), draw_counts{});
+  executor(grid.count(), [&](std::size_t i) {
+    const std::span<const std::uint32_t> list(numbers.data() + bins.tile_first[i],
+                                              bins.tile_first[i + 1] - bins.tile_first[i]);
+    done[i] = detail::draw_transparent_tile<Test, Order>(colour, depth, list, find, grid.window(i), make_shader, blend,
+                                                         settings.skip.occluded, seen);
+  });
+  render_stats stats;
+  for (const draw_counts& c : done) stats.pixels += c;
+  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
+  stats.skipped = bins.skipped;
+  if (settings.skip.occluded == skipping::on) {
+    stats.skipped.occluded = bins.listed;
+    for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
+  }
+  return stats;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

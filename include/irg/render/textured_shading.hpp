@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Textured surfaces: texture coordinates and light given at the vertices, linear in between and corrected for
+// perspective; a pixel is the light times what the texture holds there.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include <irg/colour/srgb_lanes.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/render/attribute_shading.hpp>
+#include <irg/shade/texture.hpp>
+
+namespace irg {
+
+/// A picture as a texture, and how it is sampled; a border is black.
+struct texture_image {
+  image_view<const rgba8> texels;
+  texture_sampler sampler{};
+};
+
+/// What a vertex of a textured surface has: u, v, the light that meets it (red, green, blue), and the number of its
+/// texture, the same at the three vertices of a triangle.
+using textured_vertex = std::array<float, 6>;
+
+inline namespace IRG_ABI {
+
+/// A vertex with texture coordinates and light.
+IRG_INLINE constexpr textured_vertex make_textured_vertex(float u, float v, const rgb<float>& light = {1, 1, 1},
+                                                          int texture = 0) noexcept {
+  return {u, v, light.r, light.g, light.b, static_cast<float>(texture)};
+}
+
+}  // namespace IRG_ABI
+
+/// The vertices of one object, lit from outside and, where backs are shown, from inside; the same where `back` is empty.
+struct textured_vertices {
+  std::span<const textured_vertex> front, back{};
+};
+
+/// Textured surfaces as an AttributeShading.
+/// shape   objects[batch.object] belongs to a batch, its vertices to the batch's; textures are numbered from 0
+/// needs   all that it names to outlive it
+/// gives   the light alone where there is no texture; the first texture for a number that is NaN or negative, the last
+///         one for a number too large; a texture without texels is black
+/// exact   the value of sample_texture, times the light, each channel rounded once, then encode(); in lanes the same bits
+struct textured_shading {
+  static constexpr int attribute_count = 6;
+  std::span<const textured_vertices> objects;
+  std::span<const texture_image> textures;
+
+  template <class Batch>
+  IRG_INLINE constexpr const float* attributes(const Batch& batch, std::uint32_t vertex, facing side) const noexcept {
+    const textured_vertices& v = objects[batch.object];
+    return (side == facing::back && !v.back.empty() ? v.back : v.front)[vertex].data();
+  }
+
+  IRG_INLINE constexpr rgba8 pixel(const textured_vertex& at) const noexcept {
+    const auto [u, v, r, g, b, number] = at;
+    if (textures.empty()) return encode({r, g, b});
+    const texture_image& t = textures[index_of(number)];
+    const rgb<float> texel = sample_texture(t.texels, u, v, t.sampler);
+    return encode({product(texel.r, r), product(texel.g, g), product(texel.b, b)});
+  }
+
+#ifdef IRG_LANES_VECTOR
+  template <int N>
+  IRG_INLINE pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 6>& at) const noexcept {
+    const float number = at[5][0];
+    if (textures.empty()) return encode_lanes(at[2], at[3], at[4]);
+    const texture_image& t = textures[index_of(number)];
+    const bool of_one = mask_bits(at[5] == lanes<pack<float, N>>::broadcast(number)) == (1u << N) - 1;
+    const bool border = t.sampler.wrap_u == texture_wrap::border || t.sampler.wrap_v == texture_wrap::border;
+    if (of_one && !border && t.sampler.filter == texture_filter::bilinear && t.texels.width() > 0 &&
+        t.texels.height() > 0)
+      return bilinear(t, at);
+    pack<std::uint32_t, N> words;
+    for (int i = 0; i < N; ++i)
+      words.v[i] = std::bit_cast<std::uint32_t>(
+          pixel({at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i]}));
+    return words;
+  }
+#endif
+
+private:
+  IRG_INLINE constexpr std::size_t index_of(float number) const noexcept {
+    return static_cast<std::size_t>(clamp(number, 0.0f, static_cast<float>(textures.size() - 1)));
+  }
+
+#ifdef IRG_LANES_VECTOR
+  template <int N>
+  IRG_INLINE static pack<std::uint32_t, N> bilinear(const texture_image& t,
+                                                    const std::array<pack<float, N>, 6>& at) noexcept {
+    using floats = pack<float, N>;
+    const auto x = detail::neighbouring_texels(at[0], t.texels.width(), t.sampler.wrap_u),
+               y = detail::neighbouring_texels(at[1], t.texels.height(), t.sampler.wrap_v);
+    rgb<floats> four[4];
+    for (int i = 0; i < N; ++i) {
+      const rgba8 *const upper = t.texels.row(y.first[i]), *const lower = t.texels.row(y.second[i]);
+      const rgba8 texel[4] = {upper[x.first[i]], upper[x.second[i]], lower[x.first[i]], lower[x.second[i]]};
+      for (int k = 0; k < 4; ++k) {
+        four[k].r.v[i] = srgb_to_linear(texel[k].r);
+        four[k].g.v[i] = srgb_to_linear(texel[k].g);
+        four[k].b.v[i] = srgb_to_linear(texel[k].b);
+      }
+    }
+    const auto value = [&](const floats& a, const floats& b, const floats& c, const floats& d, const floats& light) {
+      const floats upper = a + (b - a) * x.fraction, lower = c + (d - c) * x.fraction;
+      return (upper + (lower - upper) * y.fraction) * light;
+    };
+    return encode_lanes(value(four[0].r, four[1].r, four[2].r, four[3].r, at[2]),
+                        value(four[0].g, four[1].g, four[2].g, four[3].g, at[3]),
+                        value(four[0].b, four[1].b, four[2].b, four[3].b, at[4]));
+  }
+#endif
+};
+
+}  // namespace irg

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The visibility buffer: in each pixel the number of the triangle that is seen there, and its depth. Whatever else a
+// pixel should show can be worked out later, once, from the number and the weights of the triangle's vertices.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <irg/render/detail/tile_shading.hpp>
+#include <irg/render/draw_depth.hpp>
+
+namespace irg {
+
+/// The number of pixels that show no triangle.
+inline constexpr std::uint32_t no_triangle = 0xffffffff;
+
+inline namespace IRG_ABI {
+
+/// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
+/// shape   ids and depth are rasters of one size; first_number of the batches counts their triangles through
+/// needs   indices in range, at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
+/// gives   no_triangle where nothing is seen, if cleared first, else what was there; of equally near triangles the
+///         first; triangles with a corner that is not finite are left out
+/// exact   the depths and triangles of draw_batches, the same bytes for every executor and all skips on and off
+/// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
+/// source  Burns and Hunt, The visibility buffer, 2013
+template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Ids, RowRaster Depth, Executor E = sequential>
+  requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
+constexpr render_stats draw_visibility(Ids& ids, Depth& depth,
+                                       std::type_identity_t<std::span<const triangle_batch<T>>> batches,
+                                       const screen_mapping<T>& mapping, const depth_settings& settings,
+                                       draw_workspace& workspace, const E& executor = {}) {
+  return detail::draw_target<Order, T>(ids, depth, batches, mapping, settings.culling, settings.skip, settings.clear,
+                                       workspace, executor);
+}
+
+/// As above, for the triangles of one object.
+template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Ids, RowRaster Depth, Executor E = sequential>
+  requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
+constexpr render_stats draw_visibility(Ids& ids, Depth& depth, const projected_vertices<T>& vertices,
+                                       std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
+                                       const depth_settings& settings = {}, const E& executor = {}) {
+  const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
+  draw_workspace workspace;
+  return draw_visibility<Order, T>(ids, depth, batch, mapping, settings, workspace, executor);
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The fragment of three vertices on the screen at a pixel.
+constexpr std::optional<fragment<float>> fragment_at(const screen_vertex& a, const screen_vertex& b,
+                                                     const screen_vertex& c, int x, int y) noexcept {
+  const triangle_coverage coverage = cover_triangle(a.position, b.position, c.position);
+  if (!covers(coverage, x, y)) return std::nullopt;
+  const triangle_setup s = set_up(coverage, a, b, c);
+  const std::int64_t f0 = s.edge[0](x, y), f1 = s.edge[1](x, y), f2 = s.edge[2](x, y);
+  const float depth = depth_at<float>(f0, f1, f2, s.depth_gain[0], s.depth_gain[1], s.depth_gain[2], s.depth_rest,
+                                      s.depth_low, s.depth_high);
+  return perspective_weights<float>(s, s.weight<float>(0, f0), s.weight<float>(1, f1), s.weight<float>(2, f2), depth);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The weights, corrected for perspective, and the depth of a batch's triangle at the centre of a pixel.
+/// shape   the weights are of the second and third vertex of the whole triangle, also where it was clipped
+/// needs   indices in range; vertices projected with the same mapping; 0 <= x, y within the picture
+/// gives   nothing where the triangle has not this number in the batch, or does not cover the pixel
+/// exact   the bits that draw_batches gives to pixel shaders
+/// cost    one triangle set up; clipped ones are clipped again, which allocates
+template <DepthOrder Order = nearer_is_greater, Floating T>
+constexpr std::optional<fragment<float>> barycentrics_at(const triangle_batch<T>& batch,
+                                                         const screen_mapping<T>& mapping, std::uint32_t number, int x,
+                                                         int y) {
+  const std::uint32_t i = number - batch.first_number;
+  if (number < batch.first_number || i >= batch.triangles.size()) return std::nullopt;
+  const auto [a, b, c] = batch.triangles[i].v;
+  const projected_vertices<T>& v = *batch.vertices;
+  if ((v.codes[a] | v.codes[b] | v.codes[c]).cut == 0)
+    return detail::fragment_at(v.screen[a], v.screen[b], v.screen[c], x, y);
+  const detail::picture_tiles grid(static_cast<int>(mapping.half_width * T(2)),
+                                   static_cast<int>(mapping.half_height * T(2)));
+  detail::bin_portion portion;
+  portion.tile_count.assign(grid.count(), 0);
+  portion.tile_area.assign(grid.count(), 0.0f);
+  detail::list_clipped<T>(portion, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, mapping,
+                          grid, face_culling::none, skip_options{});
+  std::optional<fragment<float>> nearest;
+  for (const detail::clipped_piece& p : portion.pieces) {
+    const auto at = detail::fragment_at(p.v[0], p.v[1], p.v[2], x, y);
+    if (at && (!nearest || Order::nearer(at->depth, nearest->depth))) nearest = detail::in_source(*at, p.weights);
+  }
+  return nearest;
+}
+
+/// The same for the triangle of this number among several batches.
+template <DepthOrder Order = nearer_is_greater, Floating T>
+constexpr std::optional<fragment<float>> barycentrics_at(
+    std::type_identity_t<std::span<const triangle_batch<T>>> batches, const screen_mapping<T>& mapping,
+    std::uint32_t number, int x, int y) {
+  if (batches.empty()) return std::nullopt;
+  return barycentrics_at<Order>(detail::triangle_finder<T>{batches, nullptr}.batch_of(number), mapping, number, x, y);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include <irg/hidden/back_faces.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <limits>
+#include <vector>
+
+#include <irg/mesh/shapes.hpp>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+#include "support/rational.hpp"
+
+namespace {
+
+using irg::face_side;
+using irg::vertex_order;
+using P2 = irg::point<double, 2>;
+using P3 = irg::point<double, 3>;
+using V3 = irg::vec<double, 3>;
+using H3 = irg::hpoint<double, 3>;
+using faces = std::vector<std::uint32_t>;
+
+// The course's cube: 12 triangles, counter-clockwise seen from outside.
+constexpr irg::mesh<double> course_cube() {
+  irg::mesh<double> m;
+  for (const P3& p :
+       {P3{0, 0, 0}, P3{0, 0, 1}, P3{1, 0, 0}, P3{1, 0, 1}, P3{1, 1, 0}, P3{1, 1, 1}, P3{0, 1, 0}, P3{0, 1, 1}})
+    m.positions.push_back(p);
+  constexpr std::uint32_t f[12][3] = {{0, 2, 1}, {2, 3, 1}, {2, 4, 3}, {4, 5, 3}, {4, 6, 5}, {6, 7, 5},
+                                      {6, 0, 7}, {0, 1, 7}, {0, 4, 2}, {0, 6, 4}, {1, 3, 5}, {1, 5, 7}};
+  for (const auto& face : f) irg::add_face(m, face);
+  return m;
+}
+
+constexpr P3 corner_of(const irg::mesh<double>& m, std::size_t f, std::size_t k) {
+  return m.positions[m.corner(f, k).position];
+}
+
+// The faces of the course's cube that are visible, counted from 1 as GOLDEN does, by all three forms in space.
+constexpr bool shows(const P3& eye, std::initializer_list<std::uint32_t> visible,
+                     std::initializer_list<std::uint32_t> edge_on) {
+  const irg::mesh<double> m = course_cube();
+  const auto expected = [&](std::uint32_t f) {
+    for (const std::uint32_t v : visible)
+      if (v == f + 1) return face_side::front;
+    for (const std::uint32_t v : edge_on)
+      if (v == f + 1) return face_side::edge_on;
+    return face_side::back;
+  };
+  faces drawn, hidden;
+  for (std::uint32_t f = 0; f < 12; ++f) {
+    const P3 a = corner_of(m, f, 0), b = corner_of(m, f, 1), c = corner_of(m, f, 2);
+    const auto plane = *irg::plane_through(a, b, c);
+    const P3 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+    const face_side side = expected(f);
+    if (irg::side_by_plane(plane, eye) != side || irg::side_of_face(m, f, irg::to_homogeneous(eye)) != side)
+      return false;
+    if (irg::side_by_angle(irg::normal_of(plane), centre, eye) != side) return false;
+    if (!irg::is_hidden(side)) hidden.push_back(f);
+    if (side != face_side::back) drawn.push_back(f);
+  }
+  return irg::front_faces(m, irg::to_homogeneous(eye)) == hidden &&
+         irg::front_faces(m, irg::to_homogeneous(eye), irg::edge_on_faces::drawn) == drawn;
+}
+
+TEST_CASE("back_faces: GOLDEN 7, the course's cube from five eyes") {
+  CHECK_BOTH(shows({1, 1, 3}, {11, 12}, {3, 4, 5, 6}));
+  CHECK_BOTH(shows({3, 2, 2}, {3, 4, 5, 6, 11, 12}, {}));
+  CHECK_BOTH(shows({0.5, 0.5, 5}, {11, 12}, {}));
+  CHECK_BOTH(shows({5, 0.5, 0.5}, {3, 4}, {}));
+  CHECK_BOTH(shows({-2, -3, -4}, {1, 2, 7, 8, 9, 10}, {}));
+  CHECK_BOTH(shows({1, 5, 1}, {5, 6}, {3, 4, 11, 12}));
+}
+
+TEST_CASE("back_faces: normals that point inward give the complement, as the course's text would have it") {
+  CHECK_BOTH(irg::side_by_angle(V3{0, 0, 1}, P3{}, P3{0, 0, 5}) == face_side::front);
+  CHECK_BOTH(irg::side_by_angle(V3{0, 0, 1}, P3{}, P3{0, 0, 5}, irg::normals_point::inward) == face_side::back);
+  CHECK_BOTH(irg::side_by_angle(V3{0, 0, -1}, P3{}, P3{0, 0, 5}, irg::normals_point::inward) == face_side::front);
+  CHECK_BOTH(irg::side_by_angle(V3{0, 0, 1}, P3{}, P3{3, 0, 0}, irg::normals_point::inward) == face_side::edge_on);
+}
+
+template <std::size_t N>
+constexpr bool back_by_both(const P2 (&ring)[N], bool back) {
+  const bool by_order = irg::side_by_order(ring, vertex_order::clockwise) != face_side::front;
+  std::array<P2, N> reversed{};
+  for (std::size_t i = 0; i < N; ++i) reversed[i] = ring[N - 1 - i];
+  return by_order == back && irg::is_back_by_edges_textbook(ring) == back &&
+         irg::is_back_by_edges_textbook(reversed, vertex_order::counter_clockwise) == back &&
+         (irg::side_by_order(reversed) != face_side::front) == back;
+}
+
+TEST_CASE("back_faces: GOLDEN 7, orientation in the projection plane") {
+  constexpr P2 cw[] = {{0, 0}, {0, 2}, {2, 0}}, ccw[] = {{0, 0}, {2, 0}, {0, 2}};
+  constexpr P2 cw_square[] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}}, ccw_square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  constexpr P2 line[] = {{0, 0}, {1, 1}, {2, 2}};
+  CHECK_BOTH(back_by_both(cw, false));
+  CHECK_BOTH(back_by_both(ccw, true));
+  CHECK_BOTH(back_by_both(cw_square, false));
+  CHECK_BOTH(back_by_both(ccw_square, true));
+  CHECK_BOTH(back_by_both(line, true));
+  CHECK_BOTH(irg::side_by_order(line) == face_side::edge_on);
+  CHECK_BOTH(irg::side_by_order(std::array<P2, 0>{}) == face_side::edge_on);
+  CHECK_BOTH(irg::side_by_order(std::array{P2{1, 2}, P2{3, 4}}) == face_side::edge_on);
+}
+
+TEST_CASE("back_faces: the rule of edges does not notice the back of a star, the area does") {
+  constexpr P2 star[] = {{0, 4}, {-1, 1}, {-4, 0}, {-1, -1}, {0, -4}, {1, -1}, {4, 0}, {1, 1}};  // counter-clockwise
+  CHECK_BOTH(irg::side_by_order(star, vertex_order::clockwise) == face_side::back);
+  CHECK_BOTH(!irg::is_back_by_edges_textbook(star, vertex_order::clockwise));
+}
+
+struct seen_polygon {
+  P3 p[3];
+  V3 normal;
+  double mixed;
+};
+
+TEST_CASE("back_faces: GOLDEN 9, S1's normal, mixed product and procedure, the viewer in (0, 0, 10)") {
+  constexpr seen_polygon all[] = {
+      {{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {0, 0, 12}, 120},   {{{0, 3, 0}, {4, 0, 0}, {0, 0, 0}}, {0, 0, -12}, -120},
+      {{{1, 2, 3}, {4, 0, 1}, {2, 5, -1}}, {14, 10, 11}, 43}, {{{1, 0, 0}, {2, 0, 5}, {3, 0, 1}}, {0, 9, 0}, 0},
+      {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}, {0, 0, 1}, 9},      {{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}}, {0, 0, -1}, -10},
+      {{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {1, 0, 0}, -1},     {{{0, 1, 0}, {0, 0, 0}, {0, 1, 1}}, {-1, 0, 0}, 0}};
+  for (const auto& [p, normal, mixed] : all) {
+    CHECK(irg::face_normal_textbook(p[0], p[1], p[2]) == normal);
+    CHECK(irg::mixed_product_textbook(p[0], p[1], p[2], 10.0) == mixed);
+    CHECK(irg::is_hidden_polygon_textbook(p, 10.0) == !(mixed > 0));
+    CHECK(irg::is_hidden_polygon_textbook(p, 10.0, irg::edge_on_faces::drawn) == (mixed < 0));
+  }
+  static_assert(irg::mixed_product_textbook(all[2].p[0], all[2].p[1], all[2].p[2], 10.0) == 43);
+  static_assert(irg::is_hidden_polygon_textbook(all[3].p, 10.0));
+  static_assert(!irg::is_hidden_polygon_textbook(all[3].p, 10.0, irg::edge_on_faces::drawn));
+}
+
+TEST_CASE("back_faces: GOLDEN 12, the rule of the camera's axis errs in both directions under central projection") {
+  constexpr V3 z{0, 0, 1};
+  CHECK_BOTH(irg::is_back_by_axis_seed(z, V3{3, 0, 1}));
+  CHECK_BOTH(irg::side_by_angle(V3{3, 0, 1}, P3{-2, 0, 4}, P3{}) == face_side::front);
+  CHECK_BOTH(!irg::is_back_by_axis_seed(z, V3{3, 0, -1}));
+  CHECK_BOTH(irg::side_by_angle(V3{3, 0, -1}, P3{2, 0, 4}, P3{}) == face_side::back);
+  CHECK_BOTH(!irg::is_back_by_axis_seed(z, V3{1, 0, 0}));
+  // Under parallel projection it is right: the eye is at infinity, against the axis.
+  CHECK_BOTH(irg::front_faces(irg::mesh<double>{}, H3{0, 0, -1, 0}).empty());
+}
+
+TEST_CASE("back_faces: an infinitely far eye sees as the camera's axis has it") {
+  const irg::mesh<double> m = irg::shape_sphere<double>();
+  test::random r(7);
+  for (int trial = 0; trial < 50; ++trial) {
+    const auto number = [&] { return static_cast<double>(r.integer(-100, 100)) / 64; };
+    const V3 z{number(), number(), number()};
+    for (std::size_t f = 0; f < m.face_count(); ++f) {
+      const V3 normal = irg::face_normal(m, f).value_or(V3{});
+      const face_side side = irg::side_of_face(m, f, H3{-z.x, -z.y, -z.z, 0});
+      if (std::abs(dot(z, normal)) > 1e-12) CHECK(irg::is_back_by_axis_seed(z, normal) == (side == face_side::back));
+    }
+  }
+}
+
+// The side by rationals, from the first vertex and the cross product of two edges.
+face_side exact_side(const irg::mesh<double>& m, const P3& eye) {
+  __extension__ using I = __int128;
+  const auto d = [&](const P3& a, int i) { return static_cast<I>(a[i]) - static_cast<I>(corner_of(m, 0, 0)[i]); };
+  const P3 b = corner_of(m, 0, 1), c = corner_of(m, 0, 2);
+  I value = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    value += d(eye, i) * (d(b, j) * d(c, k) - d(b, k) * d(c, j));
+  }
+  return value > 0 ? face_side::front : value < 0 ? face_side::back : face_side::edge_on;
+}
+
+TEST_CASE("back_faces: random triangles of integers, exactly") {
+  const bool release = std::getenv("IRG_RELEASE_TIER") != nullptr;
+  test::random r(7);
+  int edge_on = 0;
+  for (int trial = 0; trial < (release ? 2000000 : 20000); ++trial) {
+    const int range = trial % 2 ? 5 : 1 << 16;
+    const auto number = [&] { return static_cast<double>(r.integer(-range, range)); };
+    irg::mesh<double> m;
+    for (int i = 0; i < 3; ++i) m.positions.push_back({number(), number(), number()});
+    irg::add_face(m, std::array{0, 1, 2});
+    const P3 eye{number(), number(), number()};
+    const face_side side = exact_side(m, eye);
+    edge_on += side == face_side::edge_on;
+    CHECK(irg::side_of_face(m, 0, irg::to_homogeneous(eye)) == side);
+    const auto plane = irg::plane_through(m.positions[0], m.positions[1], m.positions[2]);
+    if (plane) CHECK(irg::side_by_angle(irg::normal_of(*plane), m.positions[0], eye) == side);
+  }
+  CHECK(edge_on > 100);
+}
+
+TEST_CASE("back_faces: S1's forms are the plane's value at (0, 0, d), for random triangles of integers") {
+  test::random r(8);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const auto number = [&] { return static_cast<double>(r.integer(-9, 9)); };
+    const P3 p[3] = {{number(), number(), number()}, {number(), number(), number()}, {number(), number(), number()}};
+    const double d = number(), mixed = irg::mixed_product_textbook(p[0], p[1], p[2], d);
+    const V3 normal = irg::face_normal_textbook(p[0], p[1], p[2]);
+    CHECK(mixed == dot(P3{0, 0, d} - p[1], normal));
+    const auto plane = irg::plane_through(p[0], p[1], p[2]);
+    CHECK((plane ? irg::normal_of(*plane) : V3{}) == normal);
+    const face_side side = plane ? irg::side_by_plane(*plane, P3{0, 0, d}) : face_side::edge_on;
+    CHECK(irg::is_hidden_polygon_textbook(p, d) == irg::is_hidden(side));
+  }
+}
+
+TEST_CASE("back_faces: what cannot be seen, and what is out of range") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  irg::mesh<double> m;
+  m.positions = {{0, 0, 0},   {1, 0, 0},     {2, 0, 0},     {0, 1, 0},     {nan, 0, 0},
+                 {inf, 1, 0}, {1e308, 0, 0}, {0, 1e308, 0}, {0, 5e-324, 0}};
+  for (const auto& f : {std::array{0, 1, 2}, {0, 0, 0}, {0, 1, 4}, {0, 1, 5}, {0, 6, 7}, {0, 1, 8}})
+    irg::add_face(m, f);
+  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::side_of_face(m, f, H3{0, 0, 1, 1}) == face_side::edge_on);
+  for (std::size_t f = 4; f < 6; ++f) {
+    CHECK(irg::side_of_face(m, f, H3{0, 0, 1, 1}) == face_side::front);
+    CHECK(irg::side_of_face(m, f, H3{0, 0, -1, 1}) == face_side::back);
+    CHECK(irg::side_of_face(m, f, H3{0, 0, nan, 1}) == face_side::edge_on);
+  }
+  CHECK(irg::front_faces(m, H3{0, 0, 1, 1}) == faces{4, 5});
+}
+
+TEST_CASE("back_faces: rationals and floats") {
+  using Q = test::rational;
+  using irg::point;
+  const auto plane =
+      irg::plane_through(point<Q, 3>{Q(0), Q(0), Q(0)}, point<Q, 3>{Q(1), Q(0), Q(0)}, point<Q, 3>{Q(0), Q(1), Q(0)});
+  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(1) / Q(1000000007)}) == face_side::front);
+  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(0)}) == face_side::edge_on);
+  irg::mesh<float> m;
+  m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  irg::add_face(m, std::array{0, 1, 2});
+  CHECK(irg::front_faces(m, irg::hpoint<float, 3>{0, 0, 1e-30f, 1}) == faces{0});
+}
+
+}  // namespace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Depths without colours are the depths that draw_batches leaves.
+#include <irg/render/draw_depth.hpp>
+
+#include <irg/core/threads.hpp>
+
+#include "support/check_both.hpp"
+#include "support/ulp.hpp"
+#include "support/visible_scenes.hpp"
+
+namespace {
+
+using irg::face_culling;
+using irg::skip_options;
+using test::scene_kind;
+using test::triangle_scene;
+
+template <irg::DepthOrder Order = irg::nearer_is_greater, irg::Floating T = double, class E = irg::sequential>
+constexpr std::pair<irg::image<float>, irg::render_stats> depths(const triangle_scene& s, face_culling culling,
+                                                                 const skip_options& skip = {},
+                                                                 const E& executor = {}) {
+  irg::image<float> depth(s.width, s.height, 0.5f);
+  const auto mapping = irg::map_to_screen<T>(s.width, s.height);
+  const auto positions = test::positions_in<T>(s);
+  const auto vertices = irg::project_vertices<T>(positions, test::matrix_in<T>(s), mapping);
+  const auto stats = irg::draw_depth<Order, T>(depth, vertices, s.triangles, mapping,
+                                               {culling, skip, irg::clearing::before_drawing}, executor);
+  return {depth, stats};
+}
+
+// An order that irg has no kernel for: drawn pixel by pixel.
+struct plainly : irg::nearer_is_greater {};
+
+template <class Order, class T>
+void equal_on_random_scenes(std::uint64_t seed, int scenes) {
+  test::random r(seed);
+  long long drawn = 0;
+  for (int i = 0; i < scenes; ++i) {
+    const int width = static_cast<int>(r.integer(1, 200)), height = static_cast<int>(r.integer(1, 100));
+    test::scene_maker make(r, static_cast<scene_kind>(i % (test::scene_kinds + 1)), width, height);
+    triangle_scene s = make(60);
+    if (Order::nearer(0.0f, 1.0f)) s.to_clip = test::square_view<Order>(0.125, 64);
+    const face_culling culling = i % 2 == 0 ? face_culling::none : face_culling::back;
+    const test::id_picture expected = test::visible_ids<Order, T>(s, culling);
+    const auto [depth, stats] = depths<Order, T>(s, culling);
+    CAPTURE(i);
+    REQUIRE(depth == expected.depth);
+    REQUIRE(stats.skipped == expected.stats.skipped);
+    REQUIRE(stats.pixels.tested == expected.stats.pixels.tested);
+    REQUIRE(stats.pixels.shaded == 0);
+    REQUIRE(depths<Order, T>(s, culling, irg::skip_nothing).first == depth);
+    const auto shared = depths<Order, T>(s, culling, {}, irg::parallel{3});
+    REQUIRE(shared.first == depth);
+    REQUIRE(shared.second == stats);
+    if constexpr (std::same_as<Order, irg::nearer_is_greater>)
+      REQUIRE(depths<plainly, T>(s, culling).first == depth);
+    drawn += expected.stats.pixels.shaded;
+  }
+  CHECK(drawn > scenes * 1000);
+}
+
+TEST_CASE("draw_depth: the depths of draw_batches, bit for bit, whatever is skipped and whoever works") {
+  const int scenes = test::is_release_tier() ? 5000 : 180;
+  equal_on_random_scenes<irg::nearer_is_greater, double>(301, scenes);
+  equal_on_random_scenes<irg::nearer_is_greater, float>(302, scenes);
+  equal_on_random_scenes<irg::nearer_is_less, double>(303, scenes);
+}
+
+TEST_CASE("draw_depth: onto depths that are there already") {
+  test::random r(304);
+  test::scene_maker one(r, scene_kind::crossing, 100, 80);
+  triangle_scene s = one(20);
+  const auto whole = depths(s, face_culling::none).first;
+  const auto mapping = irg::map_to_screen<double>(100, 80);
+  const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
+  irg::image<float> depth(100, 80, 0.0f);
+  const std::span<const irg::triangle_indices> all(s.triangles);
+  const irg::depth_settings keep{face_culling::none, {}, irg::clearing::none};
+  irg::draw_depth(depth, vertices, all.subspan(10), mapping, keep);
+  irg::draw_depth(depth, vertices, all.first(10), mapping, keep);
+  CHECK(depth == whole);
+}
+
+TEST_CASE("draw_depth: nothing to draw, and rows wider than the picture") {
+  const auto mapping = irg::map_to_screen<double>(70, 20);
+  const irg::projected_vertices<double> none;
+  std::vector<float> memory(80 * 20, 7.0f);
+  irg::image_view<float> depth(memory.data(), 70, 20, 80 * 4);
+  const auto stats = irg::draw_depth(depth, none, {}, mapping);
+  CHECK(stats == irg::render_stats{});
+  CHECK(depth(69, 19) == 7);
+  irg::draw_depth(depth, none, {}, mapping, {.clear = irg::clearing::before_drawing});
+  for (int i = 0; i < 80 * 20; ++i) REQUIRE(memory[static_cast<std::size_t>(i)] == (i % 80 < 70 ? 0.0f : 7.0f));
+
+  test::random r(305);
+  const triangle_scene s = test::scene_maker(r, scene_kind::huge, 70, 20)(9);
+  const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
+  irg::draw_depth(depth, vertices, s.triangles, mapping, {.culling = face_culling::none});
+  const auto expected = depths(s, face_culling::none).first;
+  for (int i = 0; i < 80 * 20; ++i)
+    REQUIRE(memory[static_cast<std::size_t>(i)] == (i % 80 < 70 ? expected(i % 80, i / 80) : 7.0f));
+}
+
+TEST_CASE("draw_depth: constant evaluation gives the bytes of run time, clipping included") {
+  constexpr auto scene = [] {
+    return triangle_scene{{{-2, -2, -3}, {2, -2, -1}, {0, 2, -2}, {-2, 1, -1}, {1, -1, 2}, {2, 2, -4}},
+                          {{{0, 1, 2}}, {{3, 4, 5}}},
+                          test::square_view(0.125),
+                          8,
+                          8};
+  };
+  static constexpr auto at_compile_time = [scene] {
+    const auto d = depths(scene(), face_culling::none).first;
+    std::array<std::uint32_t, 64> bits{};
+    for (int i = 0; i < 64; ++i) bits[static_cast<std::size_t>(i)] = std::bit_cast<std::uint32_t>(d(i % 8, i / 8));
+    return bits;
+  }();
+  const auto d = depths(scene(), face_culling::none).first;
+  int drawn = 0;
+  for (int i = 0; i < 64; ++i) {
+    REQUIRE(at_compile_time[static_cast<std::size_t>(i)] == std::bit_cast<std::uint32_t>(d(i % 8, i / 8)));
+    drawn += d(i % 8, i / 8) != 0;
+  }
+  CHECK(drawn > 20);
+}
+
+}  // namespace

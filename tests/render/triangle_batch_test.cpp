@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <irg/render/triangle_batch.hpp>
+
+#include "support/check_both.hpp"
+
+namespace {
+
+TEST_CASE("triangle_batch: an empty one borrows nothing") {
+  constexpr irg::triangle_batch<float> batch{};
+  CHECK_BOTH(batch.vertices == nullptr);
+  CHECK_BOTH(batch.triangles.empty());
+  CHECK_BOTH(batch.first_number == 0);
+  CHECK_BOTH(batch.object == 0);
+}
+
+TEST_CASE("triangle_batch: it borrows vertices and triangles") {
+  static constexpr irg::triangle_indices triangles[] = {{{0, 1, 2}}, {{2, 1, 3}}};
+  const irg::projected_vertices<double> vertices;
+  const irg::triangle_batch<double> batch{&vertices, triangles, 7, 3};
+  CHECK(batch.vertices == &vertices);
+  CHECK(batch.triangles.data() == triangles);
+  CHECK(batch.triangles.size() == 2);
+  CHECK(batch.first_number == 7);
+  CHECK(batch.object == 3);
+}
+
+TEST_CASE("triangle_batch: triangles are equal by their indices in order") {
+  constexpr irg::triangle_indices t{{0, 1, 2}};
+  CHECK_BOTH(t == irg::triangle_indices{{0, 1, 2}});
+  CHECK_BOTH(t != irg::triangle_indices{{1, 2, 0}});
+}
+
+TEST_CASE("triangle_batch: a whole triangle is a piece of itself") {
+  constexpr irg::piece_weights whole{};
+  CHECK_BOTH(whole.corner[0].second == 0 && whole.corner[0].third == 0);
+  CHECK_BOTH(whole.corner[1].second == 1 && whole.corner[1].third == 0);
+  CHECK_BOTH(whole.corner[2].second == 0 && whole.corner[2].third == 1);
+}
+
+}  // namespace
