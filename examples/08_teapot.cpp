@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // 08_teapot - the Utah teapot, lit, as a PNG: teapot.png, or the file named on the command line.
-// previous: 07_cube
+// previous: 07_cube, next: 09_shader
 #include <cstdio>
 
 #include <irg/io/image_file.hpp>

@@ -57,6 +57,7 @@ std::string report_of(const irg::scene<double>& world, bool list) {
   const mesh& body = world.objects[0].shape;
   const irg::hpoint<double, 3> eye = eye_of(world.view);
   std::vector<irg::light<double, double>> lamps;
+  lamps.reserve(world.lights.size());
   for (const auto& l : world.lights) lamps.push_back({l.position, lamp});
   const irg::flat_shader<double, double> shade{
       {ambient_share, diffuse_share, 0, 1}, {ambient_light, lamps}, world.view.eye};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <irg/raster/image.hpp>
+#include <irg/render/draw_depth.hpp>
 #include <irg/render/render.hpp>
 
 #include "render/scenes.hpp"
@@ -73,11 +74,10 @@ public:
 
   /// Draws the depth alone.
   template <class E = irg::sequential>
-  irg::render_stats draw_depth(irg::image<float>& depth, irg::image<std::uint32_t>& scratch, const E& executor = {}) {
-    const auto make_shader = [](const irg::triangle_batch<float>&, std::uint32_t, irg::facing) {
-      return irg::solid_shader<std::uint32_t>{1};
-    };
-    return draw_with(scratch, depth, make_shader, {}, executor);
+  irg::render_stats draw_depth(irg::image<float>& depth, const E& executor = {}) {
+    collect({}, executor);
+    return irg::draw_depth<irg::nearer_is_greater, float>(
+        depth, batches_, mapping_, {scene_.culling, {}, irg::clearing::before_drawing}, workspace_, executor);
   }
 
   /// Where the vertices were snapped to; anything for those that have to be clipped.
@@ -97,11 +97,11 @@ private:
     irg::project_vertices<float>(vertices_[object], positions, scene_.to_clip, mapping_, executor);
   }
 
-  template <class Picture, class MakeShader, class E>
-  irg::render_stats draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
-                              const irg::skip_options& skip, const E& executor) {
+  // The batches of all objects but those that are left out whole, of which the triangles are returned.
+  template <class E>
+  std::uint32_t collect(const irg::skip_options& skip, const E& executor) {
     const irg::detail::object_culling<float> culling(scene_.to_clip, mapping_);
-    std::uint32_t beyond = 0;  // triangles of objects that are left out whole
+    std::uint32_t beyond = 0;
     batches_.clear();
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
       const scene_object& o = scene_.objects[k];
@@ -115,6 +115,13 @@ private:
                           o.first_triangle - beyond,
                           static_cast<std::uint32_t>(k)});
     }
+    return beyond;
+  }
+
+  template <class Picture, class MakeShader, class E>
+  irg::render_stats draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
+                              const irg::skip_options& skip, const E& executor) {
+    const std::uint32_t beyond = collect(skip, executor);
     irg::render_stats stats = irg::draw_batches<irg::nearer_is_greater, float>(
         picture, depth, batches_, mapping_, make_shader,
         irg::draw_settings<irg::pixel_of<Picture>>{scene_.culling, skip, irg::clearing::before_drawing, {}}, workspace_,

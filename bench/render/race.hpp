@@ -146,9 +146,9 @@ struct stage {
   }
   void draw_depth(int threads) {
     if (threads == 1)
-      stats = renderer.draw_depth(depth, ids);
+      stats = renderer.draw_depth(depth);
     else
-      stats = renderer.draw_depth(depth, ids, irg::parallel{threads});
+      stats = renderer.draw_depth(depth, irg::parallel{threads});
   }
 
   /// Judges what stands in `picture`. Every way of drawing has to leave the same bytes as the first that was judged.

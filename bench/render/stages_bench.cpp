@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the time of a frame goes: the stages of the pipeline one by one, on one thread, beside the counters. The stages
-// are told apart by an executor that looks at the clock: each of them hands its work to the executor once.
+// are told apart from outside, by an executor that looks at the clock: each of them hands its work to the executor once.
+// Within a tile colours begin when the shading is first asked for attributes.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -11,7 +12,6 @@
 
 #include <irg/raster/image.hpp>
 #include <irg/render/render.hpp>
-#include <irg/render/visibility_buffer.hpp>
 
 #include "render/clocks.hpp"
 #include "render/irg_draw.hpp"
@@ -21,21 +21,51 @@ namespace {
 
 using namespace bench;
 
+// What the clock said.
+struct timeline {
+  std::vector<double> laps{};  // processor time of each call of the executor
+  double tiles = 0, colours = 0;  // of the last call, on the wall: all of it, and from the first attributes on
+  bool in_colours = false;
+  double since = 0;
+
+  void begin_colours() {
+    if (in_colours) return;
+    in_colours = true;
+    since = wall_seconds();
+  }
+};
+
 // Runs the tasks one after the other, and notes how long all of them took.
 struct clock_executor {
-  std::vector<double>* laps;
+  timeline* times;
   template <class Task>
   void operator()(std::size_t count, Task&& task) const {
     const double start = processor_seconds();
-    for (std::size_t i = 0; i < count; ++i) task(i);
-    laps->push_back(processor_seconds() - start);
+    times->tiles = times->colours = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      times->in_colours = false;
+      const double begin = wall_seconds();
+      task(i);
+      const double end = wall_seconds();
+      times->tiles += end - begin;
+      times->colours += end - (times->in_colours ? times->since : begin);  // nothing to draw: cleared only
+    }
+    times->laps.push_back(processor_seconds() - start);
+  }
+};
+
+struct clock_colours : own::vertex_colours {
+  timeline* times;
+  const float* attributes(const irg::triangle_batch<float>& batch, std::uint32_t vertex, irg::facing side) const {
+    times->begin_colours();
+    return own::vertex_colours::attributes(batch, vertex, side);
   }
 };
 
 enum stage { project, cull, sort_lists, visibility, shading, whole, stage_count };
 constexpr const char* names[] = {"vertices to the screen",           "cull, clip, list by tiles",
                                  "lay the lists together",           "which triangle each pixel shows",
-                                 "clear and colour what is visible", "whole frame"};
+                                 "clear and colour what is visible", "whole frame, nobody looking at the clock"};
 using milliseconds = std::array<double, stage_count>;
 
 struct measured {
@@ -48,36 +78,35 @@ class frame {
 public:
   explicit frame(const scene& s)
       : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), picture_(s.width, s.height),
-        ids_(s.width, s.height), depth_(s.width, s.height) {}
+        depth_(s.width, s.height) {}
 
-  // One frame with colours, one into a visibility buffer, which is the same work but for the colours.
   milliseconds draw(measured& out) {
-    std::vector<double> laps, without_colours;
+    timeline times;
+    draw_with(clock_colours{{scene_}, &times}, clock_executor{&times}, out);
     const double start = processor_seconds();
-    irg::project_vertices<float>(vertices_, scene_.positions, scene_.to_clip, mapping_, clock_executor{&laps});
-    const irg::triangle_batch<float> batch[1] = {{&vertices_, scene_.triangles, 0, 0}};
-    const irg::draw_settings<irg::rgba8> settings{scene_.culling, {}, irg::clearing::before_drawing, {}};
-    out.stats = irg::draw_batches<irg::nearer_is_greater, float>(
-        picture_, depth_, batch, mapping_, own::vertex_colours{scene_}, settings, workspace_, clock_executor{&laps});
+    draw_with(own::vertex_colours{scene_}, irg::sequential{}, out);
     const double end = processor_seconds();
-    irg::draw_visibility<irg::nearer_is_greater, float>(ids_, depth_, batch, mapping_,
-                                                        {scene_.culling, {}, irg::clearing::before_drawing}, workspace_,
-                                                        clock_executor{&without_colours});
-    std::int64_t seen = 0;
-    for (int y = 0; y < scene_.height; ++y)
-      for (int x = 0; x < scene_.width; ++x) seen += ids_(x, y) != irg::no_triangle;
-    out.agree = out.agree && laps.size() == 4 && without_colours.size() == 3 && seen == out.stats.drawn;
+    out.agree = out.agree && times.laps.size() == 4 && out.stats.pixels.shaded == out.stats.drawn;
     if (!out.agree) return {};
-    milliseconds ms{laps[0], laps[1], laps[2], without_colours[2], laps[3] - without_colours[2], end - start};
+    const double tiles = times.laps[3], colours = tiles * times.colours / times.tiles;
+    milliseconds ms{times.laps[0], times.laps[1], times.laps[2], tiles - colours, colours, end - start};
     for (double& t : ms) t *= 1e3;
     return ms;
   }
 
 private:
+  template <class Shading, class E>
+  void draw_with(const Shading& shading, const E& executor, measured& out) {
+    irg::project_vertices<float>(vertices_, scene_.positions, scene_.to_clip, mapping_, executor);
+    const irg::triangle_batch<float> batch[1] = {{&vertices_, scene_.triangles, 0, 0}};
+    const irg::draw_settings<irg::rgba8> settings{scene_.culling, {}, irg::clearing::before_drawing, {}};
+    out.stats = irg::draw_batches<irg::nearer_is_greater, float>(picture_, depth_, batch, mapping_, shading, settings,
+                                                                 workspace_, executor);
+  }
+
   const scene& scene_;
   irg::screen_mapping<float> mapping_;
   irg::image<irg::rgba8> picture_;
-  irg::image<std::uint32_t> ids_;
   irg::image<float> depth_;
   irg::projected_vertices<float> vertices_{};
   irg::draw_workspace workspace_{};

@@ -27,7 +27,9 @@
 #include "line_kernels.hpp"
 #include "line_teaching.hpp"
 #include "line_variants.hpp"
+#include "occlusion.hpp"
 #include "projections.hpp"
+#include "shaders.hpp"
 #include "stages.hpp"
 #include "textbook_fill.hpp"
 #include "viewing.hpp"
@@ -293,5 +295,12 @@ int main(int argc, char** argv) {
   save("frustum", projection_pictures::boxes());
   save("window_to_viewport", projection_pictures::fits());
   for (const auto& [name, p] : stages::all()) save(name, p);
+  save("attribute_shading", shaders::torus());
+  save("texture", shaders::wraps());
+  save("mip_pyramid", shaders::floors());
+  save("textured_shading", shaders::textured_torus());
+  save("draw_transparent", shaders::panes());
+  save("occlusion_mask", occlusion_pictures::mask());
+  save("visibility_buffer", occlusion_pictures::ids());
   return failures == 0 ? 0 : 1;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/zbuffer_textbook.hpp>
 #include <irg/raster/image.hpp>
 
@@ -43,5 +44,29 @@ constexpr std::uint64_t hidden_zbuffer_float(int rounds) { return textbook_buffe
 constexpr std::uint64_t hidden_zbuffer_double(int rounds) { return textbook_buffers<double>(rounds); }
 HASHED(hidden_zbuffer_float, 8, 400);
 HASHED(hidden_zbuffer_double, 8, 400);
+
+// Which side of triangles an eye sees, near it and infinitely far away.
+constexpr std::uint64_t hidden_back_faces(int rounds) {
+  test::random r(32);
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    const auto number = [&] { return i % 2 ? static_cast<double>(r.integer(-3, 3)) : r.unit() - 0.5; };
+    irg::mesh<double> m;
+    for (int k = 0; k < 3; ++k) m.positions.push_back({number(), number(), number()});
+    irg::add_face(m, std::array{0, 1, 2});
+    const irg::point<double, 3> eye{number(), number(), number()};
+    h.add(static_cast<int>(irg::side_of_face(m, 0, irg::hpoint<double, 3>{eye.x, eye.y, eye.z, i % 3 ? 1.0 : 0.0})));
+    h.add(irg::mixed_product_textbook(m.positions[0], m.positions[1], m.positions[2], eye.z));
+    const irg::vec<double, 3> n = irg::face_normal_textbook(m.positions[0], m.positions[1], m.positions[2]);
+    h.add(static_cast<int>(irg::side_by_angle(n, m.positions[0], eye)));
+    const irg::point<double, 2> flat[] = {{m.positions[0].x, m.positions[0].y},
+                                          {m.positions[1].x, m.positions[1].y},
+                                          {m.positions[2].x, m.positions[2].y}};
+    h.add(static_cast<int>(irg::side_by_order(flat)));
+    h.add(irg::is_back_by_edges_textbook(flat) ? 1 : 0);
+  }
+  return h.value();
+}
+HASHED(hidden_back_faces, 20, 20000);
 
 }  // namespace

@@ -19,17 +19,17 @@ namespace {
 
 using irg::face_side;
 using irg::vertex_order;
-using P2 = irg::point<double, 2>;
-using P3 = irg::point<double, 3>;
-using V3 = irg::vec<double, 3>;
-using H3 = irg::hpoint<double, 3>;
+using point2 = irg::point<double, 2>;
+using point3 = irg::point<double, 3>;
+using vec3 = irg::vec<double, 3>;
+using hpoint3 = irg::hpoint<double, 3>;
 using faces = std::vector<std::uint32_t>;
 
 // The course's cube: 12 triangles, counter-clockwise seen from outside.
 constexpr irg::mesh<double> course_cube() {
   irg::mesh<double> m;
-  for (const P3& p :
-       {P3{0, 0, 0}, P3{0, 0, 1}, P3{1, 0, 0}, P3{1, 0, 1}, P3{1, 1, 0}, P3{1, 1, 1}, P3{0, 1, 0}, P3{0, 1, 1}})
+  for (const point3& p : {point3{0, 0, 0}, point3{0, 0, 1}, point3{1, 0, 0}, point3{1, 0, 1}, point3{1, 1, 0},
+                          point3{1, 1, 1}, point3{0, 1, 0}, point3{0, 1, 1}})
     m.positions.push_back(p);
   constexpr std::uint32_t f[12][3] = {{0, 2, 1}, {2, 3, 1}, {2, 4, 3}, {4, 5, 3}, {4, 6, 5}, {6, 7, 5},
                                       {6, 0, 7}, {0, 1, 7}, {0, 4, 2}, {0, 6, 4}, {1, 3, 5}, {1, 5, 7}};
@@ -37,12 +37,12 @@ constexpr irg::mesh<double> course_cube() {
   return m;
 }
 
-constexpr P3 corner_of(const irg::mesh<double>& m, std::size_t f, std::size_t k) {
+constexpr point3 corner_of(const irg::mesh<double>& m, std::size_t f, std::size_t k) {
   return m.positions[m.corner(f, k).position];
 }
 
 // The faces of the course's cube that are visible, counted from 1 as GOLDEN does, by all three forms in space.
-constexpr bool shows(const P3& eye, std::initializer_list<std::uint32_t> visible,
+constexpr bool shows(const point3& eye, std::initializer_list<std::uint32_t> visible,
                      std::initializer_list<std::uint32_t> edge_on) {
   const irg::mesh<double> m = course_cube();
   const auto expected = [&](std::uint32_t f) {
@@ -54,9 +54,9 @@ constexpr bool shows(const P3& eye, std::initializer_list<std::uint32_t> visible
   };
   faces drawn, hidden;
   for (std::uint32_t f = 0; f < 12; ++f) {
-    const P3 a = corner_of(m, f, 0), b = corner_of(m, f, 1), c = corner_of(m, f, 2);
+    const point3 a = corner_of(m, f, 0), b = corner_of(m, f, 1), c = corner_of(m, f, 2);
     const auto plane = *irg::plane_through(a, b, c);
-    const P3 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+    const point3 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
     const face_side side = expected(f);
     if (irg::side_by_plane(plane, eye) != side || irg::side_of_face(m, f, irg::to_homogeneous(eye)) != side)
       return false;
@@ -78,16 +78,19 @@ TEST_CASE("back_faces: GOLDEN 7, the course's cube from five eyes") {
 }
 
 TEST_CASE("back_faces: normals that point inward give the complement, as the course's text would have it") {
-  CHECK_BOTH(irg::side_by_angle(V3{0, 0, 1}, P3{}, P3{0, 0, 5}) == face_side::front);
-  CHECK_BOTH(irg::side_by_angle(V3{0, 0, 1}, P3{}, P3{0, 0, 5}, irg::normals_point::inward) == face_side::back);
-  CHECK_BOTH(irg::side_by_angle(V3{0, 0, -1}, P3{}, P3{0, 0, 5}, irg::normals_point::inward) == face_side::front);
-  CHECK_BOTH(irg::side_by_angle(V3{0, 0, 1}, P3{}, P3{3, 0, 0}, irg::normals_point::inward) == face_side::edge_on);
+  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}) == face_side::front);
+  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) ==
+             face_side::back);
+  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, -1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) ==
+             face_side::front);
+  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{3, 0, 0}, irg::normals_point::inward) ==
+             face_side::edge_on);
 }
 
 template <std::size_t N>
-constexpr bool back_by_both(const P2 (&ring)[N], bool back) {
+constexpr bool back_by_both(const point2 (&ring)[N], bool back) {
   const bool by_order = irg::side_by_order(ring, vertex_order::clockwise) != face_side::front;
-  std::array<P2, N> reversed{};
+  std::array<point2, N> reversed{};
   for (std::size_t i = 0; i < N; ++i) reversed[i] = ring[N - 1 - i];
   return by_order == back && irg::is_back_by_edges_textbook(ring) == back &&
          irg::is_back_by_edges_textbook(reversed, vertex_order::counter_clockwise) == back &&
@@ -95,28 +98,29 @@ constexpr bool back_by_both(const P2 (&ring)[N], bool back) {
 }
 
 TEST_CASE("back_faces: GOLDEN 7, orientation in the projection plane") {
-  constexpr P2 cw[] = {{0, 0}, {0, 2}, {2, 0}}, ccw[] = {{0, 0}, {2, 0}, {0, 2}};
-  constexpr P2 cw_square[] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}}, ccw_square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  constexpr P2 line[] = {{0, 0}, {1, 1}, {2, 2}};
+  constexpr point2 cw[] = {{0, 0}, {0, 2}, {2, 0}}, ccw[] = {{0, 0}, {2, 0}, {0, 2}};
+  constexpr point2 cw_square[] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}}, ccw_square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  constexpr point2 line[] = {{0, 0}, {1, 1}, {2, 2}};
   CHECK_BOTH(back_by_both(cw, false));
   CHECK_BOTH(back_by_both(ccw, true));
   CHECK_BOTH(back_by_both(cw_square, false));
   CHECK_BOTH(back_by_both(ccw_square, true));
   CHECK_BOTH(back_by_both(line, true));
   CHECK_BOTH(irg::side_by_order(line) == face_side::edge_on);
-  CHECK_BOTH(irg::side_by_order(std::array<P2, 0>{}) == face_side::edge_on);
-  CHECK_BOTH(irg::side_by_order(std::array{P2{1, 2}, P2{3, 4}}) == face_side::edge_on);
+  CHECK_BOTH(irg::side_by_order(std::array<point2, 0>{}) == face_side::edge_on);
+  CHECK_BOTH(irg::side_by_order(std::array{point2{1, 2}, point2{3, 4}}) == face_side::edge_on);
 }
 
 TEST_CASE("back_faces: the rule of edges does not notice the back of a star, the area does") {
-  constexpr P2 star[] = {{0, 4}, {-1, 1}, {-4, 0}, {-1, -1}, {0, -4}, {1, -1}, {4, 0}, {1, 1}};  // counter-clockwise
+  constexpr point2 star[] = {{0, 4},  {-1, 1}, {-4, 0}, {-1, -1},
+                             {0, -4}, {1, -1}, {4, 0},  {1, 1}};  // counter-clockwise
   CHECK_BOTH(irg::side_by_order(star, vertex_order::clockwise) == face_side::back);
   CHECK_BOTH(!irg::is_back_by_edges_textbook(star, vertex_order::clockwise));
 }
 
 struct seen_polygon {
-  P3 p[3];
-  V3 normal;
+  point3 p[3];
+  vec3 normal;
   double mixed;
 };
 
@@ -138,14 +142,14 @@ TEST_CASE("back_faces: GOLDEN 9, S1's normal, mixed product and procedure, the v
 }
 
 TEST_CASE("back_faces: GOLDEN 12, the rule of the camera's axis errs in both directions under central projection") {
-  constexpr V3 z{0, 0, 1};
-  CHECK_BOTH(irg::is_back_by_axis_seed(z, V3{3, 0, 1}));
-  CHECK_BOTH(irg::side_by_angle(V3{3, 0, 1}, P3{-2, 0, 4}, P3{}) == face_side::front);
-  CHECK_BOTH(!irg::is_back_by_axis_seed(z, V3{3, 0, -1}));
-  CHECK_BOTH(irg::side_by_angle(V3{3, 0, -1}, P3{2, 0, 4}, P3{}) == face_side::back);
-  CHECK_BOTH(!irg::is_back_by_axis_seed(z, V3{1, 0, 0}));
+  constexpr vec3 z{0, 0, 1};
+  CHECK_BOTH(irg::is_back_by_axis_seed(z, vec3{3, 0, 1}));
+  CHECK_BOTH(irg::side_by_angle(vec3{3, 0, 1}, point3{-2, 0, 4}, point3{}) == face_side::front);
+  CHECK_BOTH(!irg::is_back_by_axis_seed(z, vec3{3, 0, -1}));
+  CHECK_BOTH(irg::side_by_angle(vec3{3, 0, -1}, point3{2, 0, 4}, point3{}) == face_side::back);
+  CHECK_BOTH(!irg::is_back_by_axis_seed(z, vec3{1, 0, 0}));
   // Under parallel projection it is right: the eye is at infinity, against the axis.
-  CHECK_BOTH(irg::front_faces(irg::mesh<double>{}, H3{0, 0, -1, 0}).empty());
+  CHECK_BOTH(irg::front_faces(irg::mesh<double>{}, hpoint3{0, 0, -1, 0}).empty());
 }
 
 TEST_CASE("back_faces: an infinitely far eye sees as the camera's axis has it") {
@@ -153,20 +157,20 @@ TEST_CASE("back_faces: an infinitely far eye sees as the camera's axis has it") 
   test::random r(7);
   for (int trial = 0; trial < 50; ++trial) {
     const auto number = [&] { return static_cast<double>(r.integer(-100, 100)) / 64; };
-    const V3 z{number(), number(), number()};
+    const vec3 z{number(), number(), number()};
     for (std::size_t f = 0; f < m.face_count(); ++f) {
-      const V3 normal = irg::face_normal(m, f).value_or(V3{});
-      const face_side side = irg::side_of_face(m, f, H3{-z.x, -z.y, -z.z, 0});
+      const vec3 normal = irg::face_normal(m, f).value_or(vec3{});
+      const face_side side = irg::side_of_face(m, f, hpoint3{-z.x, -z.y, -z.z, 0});
       if (std::abs(dot(z, normal)) > 1e-12) CHECK(irg::is_back_by_axis_seed(z, normal) == (side == face_side::back));
     }
   }
 }
 
 // The side by rationals, from the first vertex and the cross product of two edges.
-face_side exact_side(const irg::mesh<double>& m, const P3& eye) {
+face_side exact_side(const irg::mesh<double>& m, const point3& eye) {
   __extension__ using I = __int128;
-  const auto d = [&](const P3& a, int i) { return static_cast<I>(a[i]) - static_cast<I>(corner_of(m, 0, 0)[i]); };
-  const P3 b = corner_of(m, 0, 1), c = corner_of(m, 0, 2);
+  const auto d = [&](const point3& a, int i) { return static_cast<I>(a[i]) - static_cast<I>(corner_of(m, 0, 0)[i]); };
+  const point3 b = corner_of(m, 0, 1), c = corner_of(m, 0, 2);
   I value = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -185,7 +189,7 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
     irg::mesh<double> m;
     for (int i = 0; i < 3; ++i) m.positions.push_back({number(), number(), number()});
     irg::add_face(m, std::array{0, 1, 2});
-    const P3 eye{number(), number(), number()};
+    const point3 eye{number(), number(), number()};
     const face_side side = exact_side(m, eye);
     edge_on += side == face_side::edge_on;
     CHECK(irg::side_of_face(m, 0, irg::to_homogeneous(eye)) == side);
@@ -199,13 +203,14 @@ TEST_CASE("back_faces: S1's forms are the plane's value at (0, 0, d), for random
   test::random r(8);
   for (int trial = 0; trial < 5000; ++trial) {
     const auto number = [&] { return static_cast<double>(r.integer(-9, 9)); };
-    const P3 p[3] = {{number(), number(), number()}, {number(), number(), number()}, {number(), number(), number()}};
+    const point3 p[3] = {
+        {number(), number(), number()}, {number(), number(), number()}, {number(), number(), number()}};
     const double d = number(), mixed = irg::mixed_product_textbook(p[0], p[1], p[2], d);
-    const V3 normal = irg::face_normal_textbook(p[0], p[1], p[2]);
-    CHECK(mixed == dot(P3{0, 0, d} - p[1], normal));
+    const vec3 normal = irg::face_normal_textbook(p[0], p[1], p[2]);
+    CHECK(mixed == dot(point3{0, 0, d} - p[1], normal));
     const auto plane = irg::plane_through(p[0], p[1], p[2]);
-    CHECK((plane ? irg::normal_of(*plane) : V3{}) == normal);
-    const face_side side = plane ? irg::side_by_plane(*plane, P3{0, 0, d}) : face_side::edge_on;
+    CHECK((plane ? irg::normal_of(*plane) : vec3{}) == normal);
+    const face_side side = plane ? irg::side_by_plane(*plane, point3{0, 0, d}) : face_side::edge_on;
     CHECK(irg::is_hidden_polygon_textbook(p, d) == irg::is_hidden(side));
   }
 }
@@ -217,13 +222,13 @@ TEST_CASE("back_faces: what cannot be seen, and what is out of range") {
                  {inf, 1, 0}, {1e308, 0, 0}, {0, 1e308, 0}, {0, 5e-324, 0}};
   for (const auto& f : {std::array{0, 1, 2}, {0, 0, 0}, {0, 1, 4}, {0, 1, 5}, {0, 6, 7}, {0, 1, 8}})
     irg::add_face(m, f);
-  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::side_of_face(m, f, H3{0, 0, 1, 1}) == face_side::edge_on);
+  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == face_side::edge_on);
   for (std::size_t f = 4; f < 6; ++f) {
-    CHECK(irg::side_of_face(m, f, H3{0, 0, 1, 1}) == face_side::front);
-    CHECK(irg::side_of_face(m, f, H3{0, 0, -1, 1}) == face_side::back);
-    CHECK(irg::side_of_face(m, f, H3{0, 0, nan, 1}) == face_side::edge_on);
+    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == face_side::front);
+    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, -1, 1}) == face_side::back);
+    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, nan, 1}) == face_side::edge_on);
   }
-  CHECK(irg::front_faces(m, H3{0, 0, 1, 1}) == faces{4, 5});
+  CHECK(irg::front_faces(m, hpoint3{0, 0, 1, 1}) == faces{4, 5});
 }
 
 TEST_CASE("back_faces: rationals and floats") {

@@ -52,8 +52,7 @@ void equal_on_random_scenes(std::uint64_t seed, int scenes) {
     const auto shared = depths<Order, T>(s, culling, {}, irg::parallel{3});
     REQUIRE(shared.first == depth);
     REQUIRE(shared.second == stats);
-    if constexpr (std::same_as<Order, irg::nearer_is_greater>)
-      REQUIRE(depths<plainly, T>(s, culling).first == depth);
+    if constexpr (std::same_as<Order, irg::nearer_is_greater>) REQUIRE(depths<plainly, T>(s, culling).first == depth);
     drawn += expected.stats.pixels.shaded;
   }
   CHECK(drawn > scenes * 1000);

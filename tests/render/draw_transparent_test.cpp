@@ -67,8 +67,8 @@ constexpr picture blended(picture p, const triangle_scene& s, const transparent_
   const auto mapping = irg::map_to_screen<double>(s.width, s.height);
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const batch one[1] = {{&vertices, s.triangles, 0}};
-  p.stats = irg::draw_transparent<Order, Test, double>(p.colour, p.depth, one, mapping, colours, settings, blend,
-                                                       executor);
+  p.stats =
+      irg::draw_transparent<Order, Test, double>(p.colour, p.depth, one, mapping, colours, settings, blend, executor);
   return p;
 }
 
@@ -94,8 +94,9 @@ std::vector<layer> layers_of(const triangle_scene& s, face_culling culling) {
     const bool front = test::visible_ids<Order>(one, face_culling::back).stats.skipped.backface == 0;
     all.push_back({test::visible_ids<Order>(one, culling), z / w, !(w > 0), i, front});
   }
-  std::stable_sort(all.begin(), all.end(), [](const layer& a, const layer& b) {
-    if (a.last || b.last) return !a.last && b.last;
+  std::sort(all.begin(), all.end(), [](const layer& a, const layer& b) {
+    if ((a.last && b.last) || a.depth == b.depth) return a.number < b.number;
+    if (a.last || b.last) return b.last;
     return Order::nearer(1.0f, 0.0f) ? a.depth < b.depth : a.depth > b.depth;
   });
   return all;
@@ -117,8 +118,9 @@ picture composed(picture p, const triangle_scene& s, face_culling culling, bool 
   return p;
 }
 
-constexpr scene_kind kinds[] = {scene_kind::any,   scene_kind::crossing, scene_kind::huge, scene_kind::through_the_eye,
-                                scene_kind::sheets, scene_kind::lattice, scene_kind::slivers};
+constexpr scene_kind kinds[] = {
+    scene_kind::any,    scene_kind::crossing, scene_kind::huge,   scene_kind::through_the_eye,
+    scene_kind::sheets, scene_kind::lattice,  scene_kind::slivers};
 
 template <class Order>
 void against_composition(std::uint64_t seed, int scenes) {
@@ -126,8 +128,10 @@ void against_composition(std::uint64_t seed, int scenes) {
   long long mixed = 0, hidden = 0, passed_over = 0;
   for (int i = 0; i < scenes; ++i) {
     CAPTURE(i);
-    const int width = static_cast<int>(r.integer(1, i % 5 == 0 ? 150 : 40)), height = static_cast<int>(r.integer(1, 72));
-    triangle_scene walls = test::scene_maker(r, kinds[r.integer(0, 6)], width, height)(static_cast<int>(r.integer(0, 9))),
+    const int width = static_cast<int>(r.integer(1, i % 5 == 0 ? 150 : 40)),
+              height = static_cast<int>(r.integer(1, 72));
+    triangle_scene walls =
+                       test::scene_maker(r, kinds[r.integer(0, 6)], width, height)(static_cast<int>(r.integer(0, 9))),
                    glass = test::scene_maker(r, kinds[i % 7], width, height)(static_cast<int>(r.integer(1, 24)));
     walls.to_clip = glass.to_clip = test::square_view<Order>(0.125, 64);
     if (i % 3 == 0)  // glass on the walls
@@ -156,8 +160,7 @@ void against_composition(std::uint64_t seed, int scenes) {
     REQUIRE(plain.stats.pixels.shaded == drawn.stats.pixels.shaded);
     REQUIRE(plain.stats.skipped == irg::skip_counts{0, plain.stats.skipped.backface, 0, 0});
     for (const int threads : {1, 2, 3, 16}) {
-      const picture other =
-          blended<Order>(before, glass, {culling, {}}, irg::over_in_light{}, irg::parallel{threads});
+      const picture other = blended<Order>(before, glass, {culling, {}}, irg::over_in_light{}, irg::parallel{threads});
       REQUIRE(other.same(expected));
       REQUIRE(other.stats == drawn.stats);
     }
@@ -244,11 +247,11 @@ TEST_CASE("draw_transparent: depths that are no numbers hide what is behind them
     for (int y = 0; y < 20; ++y)
       for (int x = 0; x < 70; ++x) {
         const auto kind = r.integer(0, 9);
-        before.depth(x, y) = kind < i % 10     ? std::numeric_limits<float>::quiet_NaN()
+        before.depth(x, y) = kind < i % 10   ? std::numeric_limits<float>::quiet_NaN()
                              : kind % 3 == 0 ? static_cast<float>(r.unit()) * 0.1f
                                              : 0.0f;
       }
-    const picture on = blended<greater>(before, glass), 
+    const picture on = blended<greater>(before, glass),
                   off = blended<greater>(before, glass, {face_culling::none, irg::skip_nothing});
     REQUIRE(on.colour == off.colour);
     for (int y = 0; y < 20; ++y)
@@ -289,6 +292,20 @@ TEST_CASE("draw_transparent: opacity of each vertex, in two batches") {
       CHECK(std::abs(colour(x, y).r - 255 * code) < 2);
       CHECK(depth(x, y) == 0.0f);
     }
+}
+
+TEST_CASE("draw_transparent: called with defaults for order, test and blending") {
+  const irg::point<double, 3> positions[] = {{-1, -1, -2}, {3, -1, -2}, {-1, 3, -2}};
+  const irg::triangle_indices triangles[] = {{{0, 1, 2}}};
+  const auto mapping = irg::map_to_screen<double>(2, 2);
+  const auto vertices = irg::project_vertices<double>(positions, irg::orthographic(-1.0, 1, -1, 1, 0, 8), mapping);
+  const std::vector<batch> panes{{&vertices, triangles}};
+  irg::image<rgba8> colour(2, 2, {0, 0, 0, 255});
+  irg::image<float> depth(2, 2, 0.0f);
+  irg::draw_transparent(colour, depth, panes, mapping, [](const batch&, std::uint32_t, facing) {
+    return irg::solid_shader<rgba8>{{255, 255, 255, 51}};
+  });
+  CHECK(colour == irg::image<rgba8>(2, 2, {124, 124, 124, 255}));
 }
 
 TEST_CASE("draw_transparent: pictures of no size, batches of no triangles") {

@@ -60,9 +60,7 @@ constexpr marks draw(const soup& s, irg::face_culling culling = irg::face_cullin
   marks m(s.width, s.height);
   const auto mapping = irg::map_to_screen<double>(s.width, s.height);
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
-  const auto shader = [](std::uint32_t i, irg::facing side) {
-    return mark_shader{i + 1, side};
-  };
+  const auto shader = [](std::uint32_t i, irg::facing side) { return mark_shader{i + 1, side}; };
   m.stats = irg::draw_triangles<Order, double>(m.colour, m.depth, vertices, s.triangles, mapping, shader,
                                                {culling, skip, irg::clearing::before_drawing, mark{}}, executor);
   return m;
@@ -677,6 +675,38 @@ TEST_CASE("draw_triangles: without a background it adds to what is there") {
   CHECK(colour(8, 8) == 9);
   CHECK(colour(8, 10) == 7);
   CHECK(colour(0, 0) == 7);
+}
+
+TEST_CASE("draw_triangles: in drawing order a dot over a large triangle stays where it was put") {
+  // Side by side in the list: large, dot, large, dot...; the last dot and the last large triangle are seen.
+  soup s{{{-2, -2, -2}, {2, -2, -2}, {0, 3, -2}}, {}, eye_at_origin(), 32, 32};
+  for (int i = 0; i < 12; ++i) {
+    const double x = -0.9 + 0.15 * i;
+    const auto v = static_cast<std::uint32_t>(s.positions.size());
+    for (const point& p : {point{x, -0.5, -2}, point{x + 0.25, -0.5, -2}, point{x, -0.25, -2}})
+      s.positions.push_back(p);
+    s.triangles.push_back({{0, 1, 2}});
+    s.triangles.push_back({{v, v + 1, v + 2}});
+  }
+  for (std::size_t last = 1; last <= s.triangles.size(); ++last) {
+    soup part = s;
+    part.triangles.resize(last);
+    const marks fast = draw<irg::drawing_order>(part);
+    std::vector<std::uint32_t> seen(32 * 32, 0);  // one after the other
+    for (std::uint32_t i = 0; i < last; ++i) {
+      soup one = s;
+      one.triangles = {s.triangles[i]};
+      const marks m = draw<irg::drawing_order>(one);
+      for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+          if (m.colour(x, y).triangle != 0) seen[static_cast<std::size_t>(y * 32 + x)] = i + 1;
+    }
+    bool equal = true;
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x)
+        equal = equal && fast.colour(x, y).triangle == seen[static_cast<std::size_t>(y * 32 + x)];
+    REQUIRE(equal);
+  }
 }
 
 TEST_CASE("draw_triangles: no triangles, and pictures without pixels") {

@@ -35,8 +35,7 @@ int brightest(const irg::image<irg::rgba8>& p, irg::rgba8 background) {
   int most = -1;
   for (int y = 0; y < p.height(); ++y)
     for (int x = 0; x < p.width(); ++x)
-      if (p(x, y) != background)
-        most = std::max({most, int{p(x, y).r}, int{p(x, y).g}, int{p(x, y).b}});
+      if (p(x, y) != background) most = std::max({most, int{p(x, y).r}, int{p(x, y).g}, int{p(x, y).b}});
   return most;
 }
 

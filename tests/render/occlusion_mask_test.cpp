@@ -97,8 +97,7 @@ void never_hides(std::uint64_t seed, int scenes, int boxes) {
       sum.needless += answer == occlusion::visible && !seen;
       // Its triangles by themselves, and something small within the box.
       const auto v = irg::project_vertices<T>(corners, d.to_clip, d.mapping);
-      const occlusion of_triangles =
-          mask.template test<T>(v, box_triangles, d.mapping, face_culling::none);
+      const occlusion of_triangles = mask.template test<T>(v, box_triangles, d.mapping, face_culling::none);
       if (of_triangles != occlusion::visible) REQUIRE(!seen);
       if (answer == occlusion::occluded) REQUIRE(of_triangles != occlusion::visible);
       if (answer == occlusion::visible) continue;
@@ -183,9 +182,8 @@ void depths_of_drawing(std::uint64_t seed, int scenes) {
           const auto coverage = irg::cover_triangle(a.position, b.position, c.position);
           if (!irg::covers(coverage, x, y) || (culling == face_culling::back && !coverage.flipped)) continue;
           const auto plane = irg::detail::mask_plane_of(a, b, c, irg::detail::key_sign<Order>);
-          expected = irg::greater(
-              expected, plane.key(plane.across(irg::detail::mask_offset(x, a.position.x)),
-                                  irg::detail::mask_offset(y, a.position.y)));
+          expected = irg::greater(expected, plane.key(irg::detail::mask_offset(x, a.position.x),
+                                                      irg::detail::mask_offset(y, a.position.y)));
         }
         REQUIRE(mask.depth(x, y) == expected * irg::detail::key_sign<Order>);
       }

@@ -6,6 +6,7 @@
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
+#include "support/ulp.hpp"
 
 namespace {
 
@@ -91,6 +92,68 @@ TEST_CASE("screen_mapping: within half a step and rounding of the true place, in
     CHECK(std::fabs(y - v.position.y) <= 0.5000001L);
     CHECK(v.depth == doctest::Approx(p.z / w).epsilon(1e-7));
     CHECK(v.inverse_w == doctest::Approx(1 / w).epsilon(1e-7));
+  }
+}
+
+template <class T>
+constexpr irg::clip_code_pair code(T x, T y, T z, T w, int width = 512, int height = 512) {
+  return irg::classify(irg::hpoint<T, 3>{x, y, z, w}, irg::map_to_screen<T>(width, height));
+}
+
+TEST_CASE("classify: the picture's planes, and the guard band 2^15 pixels about its centre") {
+  CHECK_BOTH(code<double>(0, 0, 0.5, 1) == irg::clip_code_pair{});
+  CHECK_BOTH(code<double>(1, 1, 1, 1) == irg::clip_code_pair{});  // on planes is inside
+  CHECK_BOTH(code<double>(2, 0, 0.5, 1).outside_planes() != clip_planes{});
+  CHECK_BOTH(code<double>(2, 0, 0.5, 1).cut == 0);
+  CHECK_BOTH(code<double>(128, -128, 0.5, 1).cut == 0);  // 256 * 128 = 2^15
+  CHECK_BOTH(code<double>(128.001, 0, 0.5, 1).cut != 0);
+  CHECK_BOTH(code<double>(0, -128.001, 0.5, 1).cut != 0);
+  CHECK_BOTH(code<double>(0, 0, 1.01, 1).cut != 0);  // beyond a depth plane is cut always
+  CHECK_BOTH(code<double>(0, 0, -0.01, 1).cut != 0);
+  CHECK_BOTH(code<double>(0, 0, 0.5, -1).cut != 0);  // behind the eye
+  CHECK_BOTH(code<double>(1, 0, 0, 0).cut != 0);
+  CHECK_BOTH(code<double>(1, 0.1, 0.5, 1, 65536, 65536).cut == 0);  // no room beside the widest picture
+  CHECK_BOTH(code<double>(1.001, 0.1, 0.5, 1, 65536, 65536).cut != 0);
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  CHECK(code<double>(inf, 0, 0.5, 1).cut != 0);
+  for (int k = 0; k < 4; ++k) {
+    double p[4] = {0, 0, 0.5, 1};
+    p[k] = std::numeric_limits<double>::quiet_NaN();
+    CHECK(code(p[0], p[1], p[2], p[3]).cut != 0);
+    CHECK(code(p[0], p[1], p[2], p[3]).outside != 0);
+  }
+}
+
+TEST_CASE("clip_code_pair: or, and, member by member") {
+  constexpr irg::clip_code_pair a{5, 4}, b{6, 1};
+  CHECK_BOTH((a | b) == irg::clip_code_pair{7, 5});
+  CHECK_BOTH((a & b) == irg::clip_code_pair{4, 0});
+  CHECK_BOTH(a.outside_planes() == static_cast<clip_planes>(5));
+  CHECK_BOTH(a.cut_planes() == static_cast<clip_planes>(4));
+}
+
+TEST_CASE("to_screen: within half a 256th of a pixel of the exact place, everywhere in the guard band") {
+  test::random r(81);
+  const int rounds = test::is_release_tier() ? 2'000'000 : 20000;
+  for (int i = 0; i < rounds; ++i) {
+    const int width = static_cast<int>(r.integer(1, i % 2 == 0 ? 64 : 65536)),
+              height = static_cast<int>(r.integer(1, i % 3 == 0 ? 64 : 65536));
+    const auto m = irg::map_to_screen<double>(width, height);
+    const double w = std::ldexp(r.unit() + 0.5, static_cast<int>(r.integer(-30, 30)));
+    const double reach_x = 32768.0 / m.half_width, reach_y = 32768.0 / m.half_height;
+    const H p{(2 * r.unit() - 1) * reach_x * w * 0.999, (2 * r.unit() - 1) * reach_y * w * 0.999, r.unit() * w, w};
+    REQUIRE(irg::classify(p, m).cut == 0);
+    const irg::screen_vertex v = irg::to_screen(p, m);
+    const long double x = (static_cast<long double>(p.x) / static_cast<long double>(w) + 1) * width / 2,
+                      y = (1 - static_cast<long double>(p.y) / static_cast<long double>(w)) * height / 2;
+    REQUIRE(std::abs(static_cast<long double>(v.position.x) - x * 256) < 0.5001L);
+    REQUIRE(std::abs(static_cast<long double>(v.position.y) - y * 256) < 0.5001L);
+    REQUIRE(std::abs(static_cast<double>(v.depth) - p.z / w) <= 0x1p-24);
+    // Outside codes agree with where it lands.
+    const bool beside = x < -0.01L || x > width + 0.01L || y < -0.01L || y > height + 0.01L;
+    const bool within = x > 0.01L && x < width - 0.01L && y > 0.01L && y < height - 0.01L;
+    if (beside) REQUIRE(irg::classify(p, m).outside != 0);
+    if (within) REQUIRE(irg::classify(p, m).outside == 0);
   }
 }
 

@@ -99,10 +99,15 @@ TEST_CASE("textured_shading: a register of pixels has the bits of single ones") 
   }
   for (int i = 0; i < 20000; ++i) {
     std::vector<irg::texture_image> textures;
-    for (const auto& p : pictures)
-      textures.push_back({p.view(),
-                          {static_cast<texture_filter>(r.integer(0, 3) != 0), static_cast<texture_wrap>(r.integer(0, 3)),
-                           static_cast<texture_wrap>(r.integer(0, 2))}});
+    for (const auto& p : pictures) {
+      const int w = p.width(), h = p.height();
+      irg::image_view<const rgba8> view = p.view();
+      if (i % 3 == 1 && h > 0) view = {p.row(h - 1), w, h, -p.bytes_per_row()};  // bottom up
+      if (i % 3 == 2 && h > 2) view = {p.row(0) + 1, w - 1, h / 2, 2 * p.bytes_per_row() - i % 4};  // a part; odd bytes
+      textures.push_back({view,
+                          {static_cast<texture_filter>(r.integer(0, 3) != 0),
+                           static_cast<texture_wrap>(r.integer(0, 3)), static_cast<texture_wrap>(r.integer(0, 2))}});
+    }
     const irg::textured_shading shading{{}, std::span(textures).first(static_cast<std::size_t>(r.integer(0, 4)))};
     std::array<irg::pack<float, N>, 6> at;
     const auto same = static_cast<float>(r.integer(0, 3));
@@ -134,7 +139,8 @@ struct recorder {
   textured_vertex pixel(const textured_vertex& at) const { return at; }
 };
 
-TEST_CASE("textured_shading: Z13, u and v within 2e-6 of the exact ones where the w of the corners differ by up to 1e5") {
+TEST_CASE(
+    "textured_shading: Z13, u and v within 4e-7 of the exact ones where the w of the corners differ by up to 1e5") {
   test::random r(52);
   const int size = 96;
   long long pixels = 0;
@@ -188,8 +194,8 @@ TEST_CASE("textured_shading: Z13, u and v within 2e-6 of the exact ones where th
       }
   }
   MESSAGE(pixels, " pixels, u and v off by at most ", static_cast<double>(worst));
-  CHECK(pixels > 100000);
-  CHECK(worst < 2e-6L);
+  CHECK(pixels > 50000);
+  CHECK(worst < 4e-7L);
 }
 
 TEST_CASE("textured_shading: the fast way equals the plain one, several textures and objects, both sides") {
@@ -224,11 +230,12 @@ TEST_CASE("textured_shading: the fast way equals the plain one, several textures
     std::vector<irg::texture_image> textures;
     for (const auto& p : pictures)
       textures.push_back({p.view(),
-                          {static_cast<texture_filter>(r.integer(0, 3) != 0), static_cast<texture_wrap>(r.integer(0, 3)),
-                           static_cast<texture_wrap>(r.integer(0, 3))}});
+                          {static_cast<texture_filter>(r.integer(0, 3) != 0),
+                           static_cast<texture_wrap>(r.integer(0, 3)), static_cast<texture_wrap>(r.integer(0, 3))}});
     const auto to_clip = irg::perspective(irg::pi<double> / 2, 1.0, 0.25, 100.0);
-    const irg::projected_vertices<double> projected[2] = {irg::project_vertices<double>(positions[0], to_clip, mapping),
-                                                          irg::project_vertices<double>(positions[1], to_clip, mapping)};
+    const irg::projected_vertices<double> projected[2] = {
+        irg::project_vertices<double>(positions[0], to_clip, mapping),
+        irg::project_vertices<double>(positions[1], to_clip, mapping)};
     const batch two[2] = {{&projected[0], triangles[0], 0, 0}, {&projected[1], triangles[1], 20, 1}};
     const irg::textured_shading shading{objects, textures};
     const irg::draw_settings<rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {9, 8, 7, 6}};

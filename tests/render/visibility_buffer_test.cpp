@@ -170,7 +170,7 @@ TEST_CASE("draw_visibility: constant evaluation gives the numbers of run time") 
     return ids;
   }();
   const triangle_scene s = scene();
-    const batches_of<double> b(s);
+  const batches_of<double> b(s);
   const buffer v = draw<irg::nearer_is_greater>(b, 8, 8, face_culling::none);
   bool both[2] = {};
   for (int i = 0; i < 64; ++i) {

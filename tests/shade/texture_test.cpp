@@ -171,7 +171,7 @@ TEST_CASE("texture: against long double") {
       const float u = coordinate(), v = coordinate();
       const texture_sampler s{k % 2 == 0 ? texture_filter::nearest : texture_filter::bilinear, wraps[r.integer(0, 3)],
                               wraps[r.integer(0, 3)]};
-      const long double value = irg::sample_texture(t, u, v, s, 0.625f);
+      const auto value = static_cast<long double>(irg::sample_texture(t, u, v, s, 0.625f));
       if (s.filter == texture_filter::bilinear) {
         // A border's step between two texels is one texel wide: places are off by the roundings of u and of u * width.
         REQUIRE(std::abs(value - expected(u, v, s)) < 2e-6L);

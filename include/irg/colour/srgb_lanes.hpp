@@ -24,8 +24,8 @@ IRG_INLINE pack<std::int32_t, N> srgb_codes_of(const pack<float, N>& light) noex
   const auto limited = select(not_below < last, not_below, last);
   pack<std::int32_t, N> bits;
   std::memcpy(&bits.v, &limited.v, sizeof bits.v);
-  const auto entry =
-      gather<std::int32_t>(srgb_code_table.entry, pack<std::int32_t, N>{(bits.v - static_cast<std::int32_t>(srgb_first_bits)) >> 16});
+  const auto entry = gather<std::int32_t>(
+      srgb_code_table.entry, pack<std::int32_t, N>{(bits.v - static_cast<std::int32_t>(srgb_first_bits)) >> 16});
   return {(entry.v + (bits.v & 0xffff)) >> 16};
 }
 

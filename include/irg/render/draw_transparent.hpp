@@ -140,8 +140,8 @@ inline namespace IRG_ABI {
 /// gives   from the farthest to the nearest, by the depth z/w of the triangles' centroids in clip space, each over what
 ///         was there; of equal ones the first given first; those whose centroid is not in front of the eye last. With
 ///         drawing_order, in the order given. Test says which depths are seen: by default those nearer than the opaque
-///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that is
-///         not finite are left out
+///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that
+///         is not finite are left out
 /// exact   the same bytes for every executor, all skips on and off; depths by draw_triangle's arithmetic; centroids
 ///         rounded in T
 /// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates

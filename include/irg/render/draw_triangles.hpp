@@ -20,6 +20,10 @@ namespace irg {
 /// cache.
 enum class clearing { none, before_drawing };
 
+/// Whether the depths are wanted afterwards. Where they are not, and were not there before, a raster of depths is neither
+/// read nor written at run time.
+enum class depth_result { kept, dropped };
+
 /// How drawing is set up: what is left out, and what the picture is cleared to first, if it is.
 template <class P>
 struct draw_settings {
@@ -27,6 +31,7 @@ struct draw_settings {
   skip_options skip{};
   clearing clear = clearing::none;
   P background{};
+  depth_result depth = depth_result::kept;
 };
 
 /// The lists that drawing makes. Kept from picture to picture, they spare the next one the allocation.
@@ -38,13 +43,15 @@ struct draw_workspace {
 namespace detail {
 inline namespace IRG_ABI {
 
+template <class R>
+IRG_INLINE constexpr void clear_window(R& raster, const cell_window& w, const pixel_of<R>& value) {
+  for (int y = w.y_first; y < w.y_last; ++y) fill_span(raster, {y, w.x_first, w.x_last}, value);
+}
 template <class Order, class Colour, class Depth>
 IRG_INLINE constexpr void clear_window(Colour& colour, Depth& depth, const cell_window& w,
                                        const pixel_of<Colour>& background) {
-  for (int y = w.y_first; y < w.y_last; ++y) {
-    fill_span(colour, {y, w.x_first, w.x_last}, background);
-    fill_span(depth, {y, w.x_first, w.x_last}, Order::farthest);
-  }
+  clear_window(colour, w, background);
+  clear_window(depth, w, Order::farthest);
 }
 
 template <class R>
@@ -119,9 +126,13 @@ draw_counts draw_tile_fast(Colour& colour, Depth& depth, std::span<const std::ui
                            const draw_settings<pixel_of<Colour>>& settings, std::uint8_t* seen) {
   constexpr float sign = key_sign<Order>;
   constexpr bool by_depth = !std::same_as<Order, drawing_order>;
-  const bool clear = settings.clear == clearing::before_drawing;
+  const bool clear = settings.clear == clearing::before_drawing, keep = !clear || settings.depth == depth_result::kept;
   if (numbers.empty()) {
-    if (clear) clear_window<Order>(colour, depth, w, settings.background);
+    if (!clear) return {};
+    if (keep)
+      clear_window<Order>(colour, depth, w, settings.background);
+    else
+      clear_window(colour, w, settings.background);
     return {};
   }
   tile t;
@@ -137,14 +148,13 @@ draw_counts draw_tile_fast(Colour& colour, Depth& depth, std::span<const std::ui
   }
   tile_painter<T> painter{find, numbers, w, {sign, sorted}, t, seen};
   painter.template draw_list<by_depth ? tile_test::nearer : tile_test::always>();
-  store_depths(t, depth, w, sign);
+  if (keep) store_depths(t, depth, w, sign);
   std::int64_t shaded = 0;
   if constexpr (AttributeShading<MakeShader, triangle_batch<T>>) {
     shaded = attribute_kernel<T, MakeShader, Colour>{
         t, find, numbers, w, colour, make_shader, clear ? &settings.background : nullptr}();
   } else {
-    if (clear)
-      for (int y = w.y_first; y < w.y_last; ++y) fill_span(colour, {y, w.x_first, w.x_last}, settings.background);
+    if (clear) clear_window(colour, w, settings.background);
     shaded = shade_by_triangle(t, find, numbers, w, sign, colour, make_shader);
   }
   return {painter.tested, shaded, painter.ties};

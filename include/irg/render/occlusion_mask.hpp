@@ -48,7 +48,7 @@ public:
   occlusion_mask() = default;
   IRG_INLINE constexpr occlusion_mask(int width, int height) : tiles_(width, height) {
     const std::size_t tiles = tiles_.count();
-    key_.resize(tiles * detail::tile_size * detail::tile_stride, 0.0f);
+    cells_.resize(tiles * detail::mask_cells_across * detail::mask_cells_down, detail::mask_cell{});
     far_.resize(tiles * 64, 0.0f);
     tile_far_.resize(tiles, 0.0f);
     stale_.resize(tiles, 0);
@@ -70,8 +70,8 @@ public:
   /// cost    each triangle once; nothing is sorted or listed on one thread
   template <Floating T, Executor E = sequential>
   IRG_INLINE constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches,
-                                            const screen_mapping<T>& mapping,
-                                            face_culling culling = face_culling::back, const E& executor = {}) {
+                                            const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
+                                            const E& executor = {}) {
     const detail::mask_draw_result r = detail::draw_mask<T>(memory(), batches, mapping, culling, bins_, executor);
     occluder_counts counts{0, r.skipped, r.listed, 0};
     for (const triangle_batch<T>& b : batches) counts.triangles += static_cast<std::int64_t>(b.triangles.size());
@@ -82,8 +82,8 @@ public:
   template <Floating T, Executor E = sequential>
   IRG_INLINE constexpr occluder_counts draw(const projected_vertices<T>& vertices,
                                             std::span<const triangle_indices> triangles,
-                                            const screen_mapping<T>& mapping,
-                                            face_culling culling = face_culling::back, const E& executor = {}) {
+                                            const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
+                                            const E& executor = {}) {
     const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
     return draw<T>(std::span<const triangle_batch<T>>(batch), mapping, culling, executor);
   }
@@ -136,7 +136,7 @@ public:
   IRG_INLINE constexpr float depth(int x, int y) const noexcept {
     const detail::mask_target m = memory();
     const bool touched = m.touched[m.tile_at(x / detail::tile_size, y / detail::tile_size)] != 0;
-    return touched ? *m.pixel(x, y) * m.sign + 0.0f : Order::farthest;
+    return touched ? m.pixel(x, y) * m.sign + 0.0f : Order::farthest;
   }
   /// The farthest depth in the block of 8 x 8 pixels that holds a pixel.
   /// needs   0 <= x < width(), 0 <= y < height()
@@ -156,7 +156,7 @@ private:
   }
   IRG_INLINE static constexpr occlusion count(occlusion answer, occlusion_counts* counts) noexcept {
     if (counts != nullptr)
-      ++(answer == occlusion::visible ? counts->visible
+      ++(answer == occlusion::visible    ? counts->visible
          : answer == occlusion::occluded ? counts->occluded
                                          : counts->outside);
     return answer;
@@ -170,13 +170,22 @@ private:
   // Queries take the same view of the memory as drawing, and write nothing.
   IRG_INLINE constexpr detail::mask_target memory() const noexcept {
     constexpr float sign = detail::key_sign<Order>;
-    return {tiles_.width, tiles_.height, tiles_.across, tiles_.down, sign, Order::farthest * sign,
-            const_cast<float*>(key_.data()), const_cast<float*>(far_.data()), const_cast<float*>(tile_far_.data()),
-            const_cast<std::uint64_t*>(stale_.data()), const_cast<std::uint8_t*>(touched_.data())};
+    return {tiles_.width,
+            tiles_.height,
+            tiles_.across,
+            tiles_.down,
+            sign,
+            Order::farthest * sign,
+            const_cast<detail::mask_cell*>(cells_.data()),
+            const_cast<float*>(far_.data()),
+            const_cast<float*>(tile_far_.data()),
+            const_cast<std::uint64_t*>(stale_.data()),
+            const_cast<std::uint8_t*>(touched_.data())};
   }
 
   detail::picture_tiles tiles_{0, 0};
-  std::vector<float> key_, far_, tile_far_;
+  std::vector<detail::mask_cell> cells_;
+  std::vector<float> far_, tile_far_;
   std::vector<std::uint64_t> stale_;
   std::vector<std::uint8_t> touched_;
   detail::triangle_bins bins_;  // lists of tiles, for several threads

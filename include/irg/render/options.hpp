@@ -57,7 +57,8 @@ struct skip_counts {
   constexpr bool operator==(const skip_counts&) const = default;
 };
 
-/// What rendering did. Independent of the executor; `pixels` and `drawn` also of `skipping`.
+/// What rendering did. Independent of the executor; pixels.shaded and `drawn` also of `skipping`. What is passed over
+/// as occluded is neither tested nor found to tie.
 struct render_stats {
   std::int64_t triangles = 0;  // after faces of more corners were cut
   skip_counts skipped;

@@ -35,7 +35,7 @@ IRG_INLINE constexpr textured_vertex make_textured_vertex(float u, float v, cons
 
 }  // namespace IRG_ABI
 
-/// The vertices of one object, lit from outside and, where backs are shown, from inside; the same where `back` is empty.
+/// The vertices of one object, lit from outside and, where backs are shown, from inside; without `back` alike.
 struct textured_vertices {
   std::span<const textured_vertex> front, back{};
 };
@@ -45,7 +45,7 @@ struct textured_vertices {
 /// needs   all that it names to outlive it
 /// gives   the light alone where there is no texture; the first texture for a number that is NaN or negative, the last
 ///         one for a number too large; a texture without texels is black
-/// exact   the value of sample_texture, times the light, each channel rounded once, then encode(); in lanes the same bits
+/// exact   the value of sample_texture, times the light, each channel rounded once, then encode(); the same in lanes
 struct textured_shading {
   static constexpr int attribute_count = 6;
   std::span<const textured_vertices> objects;
@@ -72,14 +72,10 @@ struct textured_shading {
     if (textures.empty()) return encode_lanes(at[2], at[3], at[4]);
     const texture_image& t = textures[index_of(number)];
     const bool of_one = mask_bits(at[5] == lanes<pack<float, N>>::broadcast(number)) == (1u << N) - 1;
-    const bool border = t.sampler.wrap_u == texture_wrap::border || t.sampler.wrap_v == texture_wrap::border;
-    if (of_one && !border && t.sampler.filter == texture_filter::bilinear && t.texels.width() > 0 &&
-        t.texels.height() > 0)
-      return bilinear(t, at);
+    if (of_one && bilinear_in_lanes(t)) return bilinear(t, at);
     pack<std::uint32_t, N> words;
     for (int i = 0; i < N; ++i)
-      words.v[i] = std::bit_cast<std::uint32_t>(
-          pixel({at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i]}));
+      words.v[i] = std::bit_cast<std::uint32_t>(pixel({at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i]}));
     return words;
   }
 #endif
@@ -90,22 +86,39 @@ private:
   }
 
 #ifdef IRG_LANES_VECTOR
+  // Texels in reach of a gather's 32-bit indices, and none in a border.
+  IRG_INLINE static bool bilinear_in_lanes(const texture_image& t) noexcept {
+    constexpr std::ptrdiff_t most = 0x7fffffff, size = sizeof(rgba8);
+    const texture_sampler& s = t.sampler;
+    const std::ptrdiff_t stride = t.texels.stride(), width = t.texels.width(), height = t.texels.height();
+    return s.filter == texture_filter::bilinear && s.wrap_u != texture_wrap::border &&
+           s.wrap_v != texture_wrap::border && width > 0 && height > 0 && stride % size == 0 &&
+           ((stride < 0 ? -stride : stride) / size + 1) <= most / height;
+  }
+
+  // The light of N texels, one of them at each index.
+  template <int N>
+  IRG_INLINE static rgb<pack<float, N>> light_at(const rgba8* texels, const pack<std::int32_t, N>& index) noexcept {
+    static_assert(std::endian::native == std::endian::little);
+    const auto word = gather<std::int32_t>(texels, index);
+    const auto light = [&](int shift) {
+      return gather<float>(detail::srgb_light, pack<std::int32_t, N>{(word.v >> shift) & 255});
+    };
+    return {light(0), light(8), light(16)};
+  }
+
   template <int N>
   IRG_INLINE static pack<std::uint32_t, N> bilinear(const texture_image& t,
                                                     const std::array<pack<float, N>, 6>& at) noexcept {
     using floats = pack<float, N>;
     const auto x = detail::neighbouring_texels(at[0], t.texels.width(), t.sampler.wrap_u),
                y = detail::neighbouring_texels(at[1], t.texels.height(), t.sampler.wrap_v);
-    rgb<floats> four[4];
-    for (int i = 0; i < N; ++i) {
-      const rgba8 *const upper = t.texels.row(y.first[i]), *const lower = t.texels.row(y.second[i]);
-      const rgba8 texel[4] = {upper[x.first[i]], upper[x.second[i]], lower[x.first[i]], lower[x.second[i]]};
-      for (int k = 0; k < 4; ++k) {
-        four[k].r.v[i] = srgb_to_linear(texel[k].r);
-        four[k].g.v[i] = srgb_to_linear(texel[k].g);
-        four[k].b.v[i] = srgb_to_linear(texel[k].b);
-      }
-    }
+    const rgba8* const base = t.texels.row(0);
+    const auto stride = lanes<pack<std::int32_t, N>>::broadcast(
+        static_cast<std::int32_t>(t.texels.stride() / std::ptrdiff_t{sizeof(rgba8)}));
+    const auto upper_row = y.first * stride, lower_row = y.second * stride;
+    const rgb<floats> four[4] = {light_at(base, upper_row + x.first), light_at(base, upper_row + x.second),
+                                 light_at(base, lower_row + x.first), light_at(base, lower_row + x.second)};
     const auto value = [&](const floats& a, const floats& b, const floats& c, const floats& d, const floats& light) {
       const floats upper = a + (b - a) * x.fraction, lower = c + (d - c) * x.fraction;
       return (upper + (lower - upper) * y.fraction) * light;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include <irg/render/detail/scratch_portion.hpp>
 #include <irg/render/detail/tile_shading.hpp>
 #include <irg/render/draw_depth.hpp>
 
@@ -70,7 +71,7 @@ inline namespace IRG_ABI {
 
 /// The weights, corrected for perspective, and the depth of a batch's triangle at the centre of a pixel.
 /// shape   the weights are of the second and third vertex of the whole triangle, also where it was clipped
-/// needs   indices in range; vertices projected with the same mapping; 0 <= x, y within the picture
+/// needs   vertices projected with the same mapping; 0 <= x, y within the picture
 /// gives   nothing where the triangle has not this number in the batch, or does not cover the pixel
 /// exact   the bits that draw_batches gives to pixel shaders
 /// cost    one triangle set up; clipped ones are clipped again, which allocates
@@ -82,15 +83,13 @@ constexpr std::optional<fragment<float>> barycentrics_at(const triangle_batch<T>
   if (number < batch.first_number || i >= batch.triangles.size()) return std::nullopt;
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
+  if (greater(greater(a, b), c) >= v.screen.size()) return std::nullopt;
   if ((v.codes[a] | v.codes[b] | v.codes[c]).cut == 0)
     return detail::fragment_at(v.screen[a], v.screen[b], v.screen[c], x, y);
   const detail::picture_tiles grid(static_cast<int>(mapping.half_width * T(2)),
                                    static_cast<int>(mapping.half_height * T(2)));
-  detail::bin_portion portion;
-  portion.tile_count.assign(grid.count(), 0);
-  portion.tile_area.assign(grid.count(), 0.0f);
-  detail::list_clipped<T>(portion, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, mapping,
-                          grid, face_culling::none, skip_options{});
+  detail::bin_portion portion = detail::scratch_portion(grid);
+  detail::list_alone(portion, batch, i, mapping, grid, face_culling::none);
   std::optional<fragment<float>> nearest;
   for (const detail::clipped_piece& p : portion.pieces) {
     const auto at = detail::fragment_at(p.v[0], p.v[1], p.v[2], x, y);

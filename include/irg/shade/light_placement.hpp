@@ -34,10 +34,10 @@ constexpr light<T, I> light_from(const vec<T, 3>& direction, const I& intensity)
 template <Floating T, class I>
 constexpr light<T, I> light_around(const point<T, 3>& target, const polar_coordinates<T>& p, const I& intensity,
                                    polar_axis axis = polar_axis::y_up) {
-  const bool far = p.distance == std::numeric_limits<T>::infinity();
-  const auto f = try_frame_of(polar_camera<T>{target, far ? T(1) : p.distance, p.azimuth, p.elevation}, axis);
+  const bool at_infinity = p.distance == std::numeric_limits<T>::infinity();
+  const auto f = try_frame_of(polar_camera<T>{target, at_infinity ? T(1) : p.distance, p.azimuth, p.elevation}, axis);
   if (!f) return {hpoint<T, 3>{T(0), T(0), T(0), T(0)}, intensity};
-  return far ? light_from(-f->forward, intensity) : light_at(f->position, intensity);
+  return at_infinity ? light_from(-f->forward, intensity) : light_at(f->position, intensity);
 }
 
 /// Where a light stands about a target: the inverse of light_around. A light at infinity has the distance infinity.

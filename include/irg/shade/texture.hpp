@@ -2,8 +2,8 @@
 // Sampling a raster as a texture: the light at a place between its texels. Encoded texels are decoded first: light may
 // be averaged, the codes of a picture may not.
 //
-// (u, v) = (0, 0) is the top left corner of the raster's first texel and (1, 1) the bottom right corner of its last one:
-// u to the right, v down, as rasters run. Texel (i, j) has its centre at ((i + 1/2) / width, (j + 1/2) / height).
+// (u, v) = (0, 0) is the top left corner of the raster's first texel and (1, 1) the bottom right corner of its last
+// one: u to the right, v down, as rasters run. Texel (i, j) has its centre at ((i + 1/2) / width, (j + 1/2) / height).
 #pragma once
 
 #include <concepts>
@@ -116,8 +116,8 @@ template <class F>
 IRG_INLINE constexpr texel_pair<F> neighbouring_texels(const F& u, int count, texture_wrap wrap) noexcept {
   using I = typename lanes<F>::template rebind<std::int32_t>;
   using i = lanes<I>;
-  const F x = product(wrapped_coordinate(u, wrap), lanes<F>::broadcast(static_cast<float>(count))) -
-              lanes<F>::broadcast(0.5f);
+  const F x =
+      product(wrapped_coordinate(u, wrap), lanes<F>::broadcast(static_cast<float>(count))) - lanes<F>::broadcast(0.5f);
   const I first = texture_floor(x), second = first + i::broadcast(1);
   const F fraction = x - to_float(first);
   if (wrap == texture_wrap::border) return {first, second, fraction};

@@ -44,6 +44,7 @@ struct attribute_kernel {
     std::uint32_t place;
     triangle_setup s;
     bool narrow;  // F fits 32 bits all over the tile
+    std::int32_t origin[3];  // if so: F at the tile's first pixel
     const piece_weights* piece;
     float at0[K], change1[K], change2[K];  // of the attributes, from the first vertex to the others
   };
@@ -51,10 +52,6 @@ struct attribute_kernel {
   std::vector<uniform> kept{};
 
   // Each triangle that is still seen is made ready once.
-  IRG_INLINE const uniform& prepared(std::uint32_t place) {
-    if (kept_at[place] == 0) prepare(place);
-    return kept[kept_at[place] - 1];
-  }
   IRG_NOINLINE void prepare(std::uint32_t place) {
     const std::uint32_t number = numbers[place];
     const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
@@ -67,11 +64,14 @@ struct attribute_kernel {
     kept.push_back({place,
                     set_up(coverage, *c.v[0], *c.v[1], *c.v[2]),
                     fits_32_bits(coverage, whole, block_size),
+                    {},
                     find.is_piece(number) ? &find.piece(number).weights : nullptr,
                     {},
                     {},
                     {}});
     uniform& u = kept.back();
+    for (int i = 0; i < 3 && u.narrow; ++i)
+      u.origin[i] = static_cast<std::int32_t>(u.s.edge[i](window.x_first, window.y_first));
     for (std::size_t j = 0; j < K; ++j) {
       u.at0[j] = of.a[j];
       u.change1[j] = of.b[j] - of.a[j];
@@ -91,35 +91,15 @@ struct attribute_kernel {
     return v;
   }
 
-  IRG_INLINE integers ids_at(int x, int y) const noexcept {
+  // What the N pixels from a place in the tile on show.
+  IRG_INLINE integers ids_at(int at) const noexcept {
     integers ids;
-    std::memcpy(&ids.v, t.id + (y - window.y_first) * tile_stride + (x - window.x_first), sizeof ids.v);
+    std::memcpy(&ids.v, t.id + at, sizeof ids.v);
     return ids;
   }
 
-  // A run of registers whose pixels all show one triangle; returns where it ends.
-  IRG_INLINE int shade_run(const uniform& u, int x, int y) {
-    using I = lanes<integers>;
-    using F = lanes<floats>;
-    pixel* const row = raster_traits<Colour>::row(colour, y);
-    const integers same = I::broadcast(static_cast<std::int32_t>(u.place));
-    integers f[3];
-    for (int i = 0; i < 3; ++i)
-      f[i] = integers{I::broadcast(static_cast<std::int32_t>(u.s.edge[i](x, y))).v +
-                      I::broadcast(u.s.edge[i].right).v * I::ramp().v};
-    do {
-      const auto at =
-          perspective_weights(u.s, u.s.template weight<floats>(0, f[0]), u.s.template weight<floats>(1, f[1]),
-                              u.s.template weight<floats>(2, f[2]), F::broadcast(0));
-      write(row + x, of_one(u, at), I::broadcast(0), everyone);
-      for (int i = 0; i < 3; ++i) f[i] = f[i] + I::broadcast(u.s.edge[i].right * N);
-      x += N;
-    } while (x + N <= window.x_last && mask_bits(ids_at(x, y) == same) == everyone);
-    return x;
-  }
-
   // The attributes of N pixels in a row, each of a triangle of its own; `shown` has a bit for each pixel that shows one.
-  // gives   false when they are not all small triangles of one batch that show the same side
+  // gives   false when they are not all small triangles of one batch
   IRG_INLINE bool of_many(const integers& ids, unsigned shown, int x_first, int y, values& out) const noexcept {
     using I = lanes<integers>;
     using F = lanes<floats>;
@@ -156,89 +136,161 @@ struct attribute_kernel {
     const floats inverse = F::broadcast(1) / (b[0] * inverse_w[0] + (b[1] * inverse_w[1] + b[2] * inverse_w[2]));
     const floats w1 = (b[1] * inverse_w[1]) * inverse, w2 = (b[2] * inverse_w[2]) * inverse;
     const unsigned flipped = mask_bits(flip);
-    if (flipped != 0 && flipped != everyone) return false;  // of both sides
-    const float* const base = shading.attributes(*batch, 0, flipped != 0 ? facing::front : facing::back);
+    const float* const front = shading.attributes(*batch, 0, flipped != 0 ? facing::front : facing::back);
+    const float* const back = shading.attributes(*batch, 0, flipped != everyone ? facing::back : facing::front);
     for (std::size_t j = 0; j < K; ++j) {
       floats at[3];
-      for (int k = 0; k < 3; ++k)
-        at[k] = gather<float>(base, integers{c.vertex[k].v * Shading::attribute_count + static_cast<int>(j)});
+      for (int k = 0; k < 3; ++k) {
+        const integers word{c.vertex[k].v * Shading::attribute_count + static_cast<int>(j)};
+        at[k] = gather<float>(front, word);
+        if (front != back) at[k] = select(flip, at[k], gather<float>(back, word));
+      }
       out[j] = at[0] + (w1 * (at[1] - at[0]) + w2 * (at[2] - at[0]));
     }
     return true;
   }
 
-  // Writes the pixels that show a triangle, and the background, if there is one, to the others that lie in the picture.
-  IRG_INLINE void write(pixel* to, const values& v, const integers& nothing, unsigned inside) const noexcept {
-    const unsigned shown = ~mask_bits(nothing) & everyone;
-    if constexpr (LaneAttributeShading<Shading, N> && sizeof(pixel) == 4) {
-      using words = pack<std::uint32_t, N>;
-      words w = shading.pixels(v);
-      if (background != nullptr)
-        w = select(nothing, lanes<words>::broadcast(std::bit_cast<std::uint32_t>(*background)), w);
-      if (inside == everyone && (background != nullptr || shown == everyone)) {
-        std::memcpy(static_cast<void*>(to), &w.v, sizeof w.v);
-        return;
-      }
-      std::uint32_t word[N];
-      std::memcpy(word, &w.v, sizeof word);
-      for (unsigned bits = background != nullptr ? inside : shown; bits != 0; bits &= bits - 1)
-        std::memcpy(static_cast<void*>(to + std::countr_zero(bits)), word + std::countr_zero(bits), sizeof *word);
+  // The attributes of N pixels that show one triangle, from the place of the first of them in the tile.
+  IRG_INLINE values of_one(const uniform& u, int at) const noexcept {
+    using I = lanes<integers>;
+    const int x = at % tile_stride, y = at / tile_stride;
+    fragment<floats> where;
+    if (u.narrow) [[likely]] {
+      floats b[3];
+      for (int i = 0; i < 3; ++i)
+        b[i] = u.s.template weight<floats>(
+            i, integers{I::broadcast(u.origin[i] + u.s.edge[i].right * x + u.s.edge[i].down * y).v +
+                        I::broadcast(u.s.edge[i].right).v * I::ramp().v});
+      where = perspective_weights(u.s, b[0], b[1], b[2], lanes<floats>::broadcast(0));
     } else {
-      for (unsigned bits = shown; bits != 0; bits &= bits - 1) {
-        const int i = std::countr_zero(bits);
-        std::array<float, K> one;
-        for (std::size_t j = 0; j < K; ++j) one[j] = v[j].v[i];
-        to[i] = shading.pixel(one);
-      }
-      if (background != nullptr)
-        for (unsigned bits = inside & ~shown; bits != 0; bits &= bits - 1) to[std::countr_zero(bits)] = *background;
+      where = weights_at<N>(u.s, false, window.x_first + x, window.y_first + y, lanes<floats>::broadcast(0));
+    }
+    return of_one(u, where);
+  }
+
+  // Some pixels of one triangle, those of a register that starts at a place in the tile.
+  struct job {
+    std::int32_t at;
+    std::uint32_t kept;
+  };
+  struct job_list {
+    static constexpr int most = tile_size * tile_size;
+    int count = 0;
+    job list[most];
+  };
+
+  // Calls one(id) for each triangle that a register's pixels show.
+  template <class One>
+  IRG_INLINE static void for_each_triangle(const integers& ids, unsigned shown, One&& one) {
+    std::int32_t id[N];
+    std::memcpy(id, &ids.v, sizeof id);
+    while (shown != 0) {
+      const std::int32_t first = id[std::countr_zero(shown)];
+      shown &= ~mask_bits(ids == lanes<integers>::broadcast(first));
+      one(static_cast<std::uint32_t>(first));
     }
   }
 
-  // Registers of pixels from x on, up to where it returns; adds to `shaded` how many pixels show a triangle.
-  IRG_INLINE int shade(int x, int y, std::int64_t& shaded) {
-    const unsigned inside = (1u << lesser(window.x_last - x, N)) - 1;
-    const integers ids = ids_at(x, y);
-    const integers nothing = ids == lanes<integers>::broadcast(-1);
-    const unsigned shown = ~mask_bits(nothing) & everyone;
-    pixel* const to = raster_traits<Colour>::row(colour, y) + x;
-    if (shown == 0) {
-      if (background != nullptr) fill_pixels(to, static_cast<std::size_t>(std::popcount(inside)), *background);
-      return x + N;
-    }
-    const auto like = [&](int i) { return mask_bits(ids == lanes<integers>::broadcast(ids.v[i])) & shown; };
-    const unsigned one = like(std::countr_zero(shown)), others = shown & ~one;
-    if (one == everyone)
-      if (const uniform& u = prepared(static_cast<std::uint32_t>(ids.v[0])); u.narrow) {
-        const int end = shade_run(u, x, y);
-        shaded += end - x;
-        return end;
+  IRG_INLINE void add_jobs(job_list& jobs, int at, const integers& ids, unsigned shown) {
+    for_each_triangle(ids, shown, [&](std::uint32_t place) {
+      if (kept_at[place] == 0) prepare(place);
+      jobs.list[jobs.count++] = {at, kept_at[place] - 1};
+    });
+  }
+
+  // The whole tile, with the colours of N pixels at once. First it is found out which triangles each register shows;
+  // the work itself then runs without a guess. Colours gather in the cache and leave for the picture at the end.
+  IRG_INLINE std::int64_t shade_in_lanes() {
+    using words = pack<std::uint32_t, N>;
+    const int width = window.x_last - window.x_first, height = window.y_last - window.y_first;
+    alignas(64) std::uint32_t shaded_words[tile_size * tile_stride];
+    std::int32_t many[tile_size * tile_size / N];
+    int many_count = 0;
+    job_list jobs;
+    std::int64_t shaded = 0;
+    for (int y = 0; y < height; ++y) {
+      std::uint32_t* const row = shaded_words + y * tile_stride;
+      if (background != nullptr)
+        fill_pixels(row, tile_stride, std::bit_cast<std::uint32_t>(*background));
+      else
+        std::memcpy(row, raster_traits<Colour>::row(colour, window.y_first + y) + window.x_first,
+                    static_cast<std::size_t>(width) * 4);
+      for (int x = 0; x < width; x += N) {
+        const int at = y * tile_stride + x;
+        const integers ids = ids_at(at);
+        const unsigned shown = ~mask_bits(ids == lanes<integers>::broadcast(-1)) & everyone;
+        shaded += std::popcount(shown);
+        if (shown == 0) continue;
+        const unsigned others = shown & ~mask_bits(ids == lanes<integers>::broadcast(ids.v[std::countr_zero(shown)]));
+        const unsigned rest =
+            others & ~mask_bits(ids == lanes<integers>::broadcast(ids.v[std::countr_zero(others | (1u << (N - 1)))]));
+        if (rest != 0)
+          many[many_count++] = at;  // three triangles or more: each pixel for itself
+        else
+          add_jobs(jobs, at, ids, shown);
       }
-    shaded += std::popcount(shown);
-    values v;
-    // Of three triangles and more, each pixel for itself.
-    if (others == 0 || like(std::countr_zero(others)) == others || !of_many(ids, shown, x, y, v)) {
-      unsigned pending = shown;
-      do {
-        const integers id = lanes<integers>::broadcast(ids.v[std::countr_zero(pending)]), same = ids == id;
-        const uniform& u = prepared(static_cast<std::uint32_t>(id.v[0]));
-        const values of_this = of_one(u, weights_at<N>(u.s, u.narrow, x, y, lanes<floats>::broadcast(0)));
-        const bool first = pending == shown;
-        for (std::size_t j = 0; j < K; ++j) v[j] = first ? of_this[j] : select(same, of_this[j], v[j]);
-        pending &= ~mask_bits(same);
-      } while (pending != 0);
     }
-    write(to, v, nothing, inside);
-    return x + N;
+    const auto blend = [&](int at, const integers& where, const values& v) {
+      std::uint32_t* const to = shaded_words + at;
+      const words mixed = select(where, shading.pixels(v), lanes<words>::load(to));
+      lanes<words>::store(to, mixed);
+    };
+    for (int i = 0; i < many_count; ++i) {
+      const int at = many[i];
+      const integers ids = ids_at(at), nothing = ids == lanes<integers>::broadcast(-1);
+      const unsigned shown = ~mask_bits(nothing) & everyone;
+      values v;
+      if (of_many(ids, shown, window.x_first + at % tile_stride, window.y_first + at / tile_stride, v))
+        blend(at, integers{~nothing.v}, v);
+      else
+        add_jobs(jobs, at, ids, shown);
+    }
+    for (int i = 0; i < jobs.count; ++i) {
+      const auto [at, k] = jobs.list[i];
+      const uniform& u = kept[k];
+      blend(at, ids_at(at) == lanes<integers>::broadcast(static_cast<std::int32_t>(u.place)), of_one(u, at));
+    }
+    for (int y = 0; y < height; ++y)
+      std::memcpy(static_cast<void*>(raster_traits<Colour>::row(colour, window.y_first + y) + window.x_first),
+                  shaded_words + y * tile_stride, static_cast<std::size_t>(width) * 4);
+    return shaded;
+  }
+
+  // The whole tile, where colours are made one by one.
+  IRG_INLINE std::int64_t shade_one_by_one() {
+    std::int64_t shaded = 0;
+    for (int y = 0; y < window.y_last - window.y_first; ++y)
+      for (int x = 0; x < window.x_last - window.x_first; x += N) {
+        const int at = y * tile_stride + x;
+        const integers ids = ids_at(at);
+        pixel* const to = raster_traits<Colour>::row(colour, window.y_first + y) + window.x_first + x;
+        const unsigned shown = ~mask_bits(ids == lanes<integers>::broadcast(-1)) & everyone;
+        shaded += std::popcount(shown);
+        for_each_triangle(ids, shown, [&](std::uint32_t place) {
+          if (kept_at[place] == 0) prepare(place);
+          const values v = of_one(kept[kept_at[place] - 1], at);
+          unsigned bits = mask_bits(ids == lanes<integers>::broadcast(static_cast<std::int32_t>(place)));
+          for (; bits != 0; bits &= bits - 1) {
+            std::array<float, K> one;
+            for (std::size_t j = 0; j < K; ++j) one[j] = lane(v[j], std::countr_zero(bits));
+            to[std::countr_zero(bits)] = shading.pixel(one);
+          }
+        });
+      }
+    return shaded;
   }
 
   // The whole tile; returns the number of pixels that show a triangle.
   IRG_NOINLINE std::int64_t operator()() {
     kept_at.assign(numbers.size(), 0);
-    std::int64_t shaded = 0;
-    for (int y = window.y_first; y < window.y_last; ++y)
-      for (int x = window.x_first; x < window.x_last;) x = shade(x, y, shaded);
-    return shaded;
+    if constexpr (LaneAttributeShading<Shading, N> && sizeof(pixel) == 4) {
+      return shade_in_lanes();
+    } else {
+      if (background != nullptr)
+        for (int y = window.y_first; y < window.y_last; ++y)
+          fill_span(colour, {y, window.x_first, window.x_last}, *background);
+      return shade_one_by_one();
+    }
   }
 };
 

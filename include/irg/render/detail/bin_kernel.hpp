@@ -27,13 +27,18 @@ struct clipped_piece {
   std::uint32_t source;  // its triangle, counted over all batches
 };
 
+// What a portion has for one tile.
+struct tile_share {
+  std::uint32_t count = 0;
+  float area = 0;  // the pixels of all boxes, as far as they lie in the tile
+};
+
 // The triangles [first, last) of one batch, and what became of them.
 struct bin_portion {
   std::size_t batch = 0;
   std::uint32_t first = 0, last = 0;  // within the batch
   std::vector<std::uint64_t> entries;  // tile and number: see entry_of
-  std::vector<std::uint32_t> tile_count;
-  std::vector<float> tile_area;  // the pixels of all boxes, as far as they lie in the tile
+  std::vector<tile_share> of_tile;
   std::vector<clipped_piece> pieces;
   skip_counts skipped;
   std::int64_t listed = 0;  // triangles of which some part is on a list
@@ -81,18 +86,21 @@ IRG_INLINE constexpr std::uint64_t entry_of(std::size_t tile, std::uint32_t numb
 // needs   a box that is not empty and lies in the picture
 IRG_INLINE constexpr void list_box(bin_portion& p, std::uint32_t number, const cell_window& box,
                                    const picture_tiles& grid) {
-  const int x_first = box.x_first / tile_size, x_last = (box.x_last - 1) / tile_size;
-  const int y_first = box.y_first / tile_size, y_last = (box.y_last - 1) / tile_size;
+  const auto tile_of = [](int pixel) { return static_cast<int>(static_cast<unsigned>(pixel) / tile_size); };
+  const auto list = [&](int x, int y, int w, int h) {
+    const auto tile = static_cast<std::size_t>(y * grid.across + x);
+    p.entries.push_back(entry_of(tile, number));
+    ++p.of_tile[tile].count;
+    p.of_tile[tile].area += static_cast<float>(w * h);
+  };
+  const int x_first = tile_of(box.x_first), x_last = tile_of(box.x_last - 1);
+  const int y_first = tile_of(box.y_first), y_last = tile_of(box.y_last - 1);
+  if (x_first == x_last && y_first == y_last)
+    return list(x_first, y_first, box.x_last - box.x_first, box.y_last - box.y_first);
   for (int y = y_first; y <= y_last; ++y)
-    for (int x = x_first; x <= x_last; ++x) {
-      const std::size_t tile =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.across) + static_cast<std::size_t>(x);
-      const int w = lesser(box.x_last, (x + 1) * tile_size) - greater(box.x_first, x * tile_size);
-      const int h = lesser(box.y_last, (y + 1) * tile_size) - greater(box.y_first, y * tile_size);
-      p.entries.push_back(entry_of(tile, number));
-      ++p.tile_count[tile];
-      p.tile_area[tile] += static_cast<float>(w * h);
-    }
+    for (int x = x_first; x <= x_last; ++x)
+      list(x, y, lesser(box.x_last, (x + 1) * tile_size) - greater(box.x_first, x * tile_size),
+           lesser(box.y_last, (y + 1) * tile_size) - greater(box.y_first, y * tile_size));
 }
 
 // What becomes of a triangle on the screen: of several pieces' fates the greatest counts.
@@ -170,6 +178,7 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
                         const skip_options& skip) {
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
+  if (greater(greater(a, b), c) >= v.screen.size()) return;  // no such vertex
   const clip_code_pair any = v.codes[a] | v.codes[b] | v.codes[c], all = v.codes[a] & v.codes[b] & v.codes[c];
   // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle
   // lands, and only the depth planes, by which it decides itself, are sure to change nothing.
@@ -189,8 +198,7 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
 template <class T>
 constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
                             const picture_tiles& grid, face_culling culling, const skip_options& skip) {
-  p.tile_count.assign(grid.count(), 0);
-  p.tile_area.assign(grid.count(), 0.0f);
+  p.of_tile.assign(grid.count(), tile_share{});
   p.entries.clear();
   p.pieces.clear();
   std::uint32_t i = p.first;
@@ -199,11 +207,14 @@ constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, cons
     constexpr std::uint32_t count = native_lanes<std::int32_t>;
     const cull_kernel<static_cast<int>(count)> kernel{batch.vertices->screen.data(),
                                                       batch.vertices->codes.data(),
+                                                      static_cast<std::int32_t>(batch.vertices->screen.size()),
                                                       batch.vertices->any,
                                                       {0, 0, grid.width, grid.height},
                                                       culling};
     for (; i + count <= p.last; i += count) {
-      const auto group = kernel(batch.triangles.data() + i, skip);
+      const triangle_indices* const t = batch.triangles.data() + i;
+      if (i + 3 * count <= p.last) kernel.fetch_ahead(t + 2 * count);
+      const auto group = kernel(t, skip);
       p.skipped += group.skipped;
       p.listed += std::popcount(group.listed);
       for (unsigned bits = group.listed | group.special; bits != 0; bits &= bits - 1) {
@@ -237,10 +248,10 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
   for (std::size_t t = 0; t < tiles; ++t) {
     bins.tile_first[t] = start;
     for (bin_portion& p : bins.portions) {
-      const std::uint32_t count = p.tile_count[t];
-      p.tile_count[t] = start;  // from here on: where the portion's next entry for the tile goes
+      const std::uint32_t count = p.of_tile[t].count;
+      p.of_tile[t].count = start;  // from here on: where the portion's next entry for the tile goes
       start += count;
-      bins.tile_area[t] += p.tile_area[t];
+      bins.tile_area[t] += p.of_tile[t].area;
     }
   }
   bins.tile_first[tiles] = start;
@@ -249,7 +260,7 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
     bin_portion& p = bins.portions[i];
     for (const std::uint64_t entry : p.entries) {
       const auto number = static_cast<std::uint32_t>(entry & 0xffffffff);
-      bins.numbers[p.tile_count[static_cast<std::size_t>(entry >> 32)]++] =
+      bins.numbers[p.of_tile[static_cast<std::size_t>(entry >> 32)].count++] =
           (number & piece_bit) != 0 ? p.first_piece + (number ^ piece_bit) : number;
     }
   });

@@ -36,24 +36,37 @@ struct cull_kernel {
   using integers = pack<std::int32_t, N>;
   const screen_vertex* screen;
   const clip_code_pair* codes;
+  std::int32_t vertices;  // how many there are
   clip_code_pair any;
   cell_window picture;
   face_culling culling;
+
+  // Asks for the vertices of a later group.
+  IRG_INLINE void fetch_ahead(const triangle_indices* t) const noexcept {
+    for (int i = 0; i < N; ++i)
+      for (const std::uint32_t v : t[i].v)
+        __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(screen) +
+                                                         std::uintptr_t{v} * sizeof *screen));
+  }
 
   IRG_INLINE culled_group<N> operator()(const triangle_indices* t, const skip_options& skip) const noexcept {
     using I = lanes<integers>;
     culled_group<N> group;
     integers x[3]{}, y[3]{};
+    integers valid = I::broadcast(-1);
     for (int k = 0; k < 3; ++k) {
-      const integers vertex = gather<std::int32_t>(t, I::ramp() * I::broadcast(3) + I::broadcast(k));
+      const integers index = gather<std::int32_t>(t, I::ramp() * I::broadcast(3) + I::broadcast(k));
+      const integers there = both(index >= I::broadcast(0), index < I::broadcast(vertices));
+      const integers vertex = both(index, there);
+      valid = both(valid, there);
       x[k] = gather<std::int32_t>(screen, integers{vertex.v * words_of_vertex});
       y[k] = gather<std::int32_t>(screen, integers{vertex.v * words_of_vertex + 1});
     }
-    constexpr unsigned everyone = (1u << N) - 1;
-    unsigned alive = everyone;
+    unsigned alive = mask_bits(valid);  // the others name vertices that are not there
     if (any.outside != 0 || any.cut != 0) {
       unsigned cut = 0, outside = 0;
-      for (int i = 0; i < N; ++i) {
+      for (unsigned bits = alive; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
         const clip_code_pair a = codes[t[i].v[0]], b = codes[t[i].v[1]], c = codes[t[i].v[2]];
         if ((a | b | c).cut != 0) cut |= 1u << i;
         if ((a & b & c).outside != 0) outside |= 1u << i;

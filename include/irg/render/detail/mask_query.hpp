@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <irg/geometry/box.hpp>
-#include <irg/render/detail/mask_kernel.hpp>
+#include <irg/render/detail/mask_draw_kernel.hpp>
 
 namespace irg {
 namespace detail {
@@ -31,13 +31,11 @@ inline namespace IRG_ABI {
 // Whether anything of the pixels of one block, of key `key`, is in front.
 IRG_INLINE constexpr bool seen_in_block(const mask_target& m, const cell_window& w, float key,
                                         mask_query_counts& counts) noexcept {
-  for (int y = w.y_first; y < w.y_last; ++y) {
-    const float* row = m.pixel(w.x_first, y);
-    for (int i = 0; i < w.x_last - w.x_first; ++i) {
+  for (int y = w.y_first; y < w.y_last; ++y)
+    for (int x = w.x_first; x < w.x_last; ++x) {
       ++counts.pixels;
-      if (row[i] < key) return true;
+      if (m.pixel(x, y) < key) return true;
     }
-  }
   return false;
 }
 
@@ -96,6 +94,9 @@ constexpr mask_rectangle project_box(const box<T, 3>& b, const mat<T, 4, 4>& to_
                                      float sign) noexcept {
   constexpr T unit = std::numeric_limits<T>::epsilon();
   if (b.low.x > b.high.x || b.low.y > b.high.y || b.low.z > b.high.z) return {};
+  for (int k = 0; k < 3; ++k)
+    if (!(b.low[k] >= std::numeric_limits<T>::lowest() && b.high[k] <= (std::numeric_limits<T>::max)()))
+      return {mask_place::before_the_eye, {}, 0};
   // A row's sum has four roundings of half a unit, both here and for what lies in the box.
   const auto absolute = [](const T& v) { return v < T(0) ? -v : v; };
   T slack[4]{};
@@ -166,7 +167,7 @@ constexpr mask_answer test_mask_triangle(const mask_target& m, const triangle_co
                           s.depth_gain[1], s.depth_gain[2], s.depth_rest, s.depth_low, s.depth_high);
       ++counts.pixels;
       const bool touched = m.touched[m.tile_at(x / tile_size, span.y / tile_size)] != 0;
-      seen = (touched ? *m.pixel(x, span.y) : m.farthest) < product(depth, m.sign);
+      seen = (touched ? m.pixel(x, span.y) : m.farthest) < product(depth, m.sign);
     }
   });
   return seen ? mask_answer::visible : any ? mask_answer::occluded : mask_answer::outside;
@@ -178,9 +179,7 @@ constexpr mask_answer test_mask_triangles(const mask_target& m, const triangle_b
                                           const screen_mapping<T>& mapping, face_culling culling,
                                           mask_query_counts& counts) {
   const picture_tiles grid(m.width, m.height);
-  bin_portion scratch;
-  scratch.tile_count.assign(grid.count(), 0);
-  scratch.tile_area.assign(grid.count(), 0.0f);
+  bin_portion scratch = scratch_portion(grid);
   mask_answer answer = mask_answer::outside;
   for (std::uint32_t i = 0; i < batch.triangles.size() && answer != mask_answer::visible; ++i)
     list_and_draw(scratch, batch, i, mapping, grid, culling, [&](const triangle_corners& c) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The list of a tile, drawn: groups of triangles are made ready together and drawn one after the other. Where so much is
+// The list of a tile, drawn: groups of triangles are made ready together; those of a pixel or few are drawn together,
+// too, the others one after the other. Where so much is
 // drawn on top of each other that it pays, nearer triangles come first, and what lies behind them is passed over.
 #pragma once
 
@@ -9,116 +10,14 @@
 #include <vector>
 
 #include <irg/render/detail/tile_kernel.hpp>
-#include <irg/render/detail/bin_kernel.hpp>
+#include <irg/render/detail/triangle_finder.hpp>
 
 namespace irg {
 namespace detail {
 
-// The three vertices of what a number names.
-struct triangle_corners {
-  const screen_vertex* v[3];
-};
-
-// Finds triangles and pieces by their numbers.
-template <class T>
-struct triangle_finder {
-  std::span<const triangle_batch<T>> batches;
-  const triangle_bins* bins;
-
-  IRG_INLINE constexpr const triangle_batch<T>& batch_of(std::uint32_t number) const noexcept {
-    std::size_t b = 0;
-    for (std::size_t size = batches.size(); size > 1;) {
-      const std::size_t half = size / 2;
-      if (batches[b + half].first_number <= number) b += half;
-      size -= half;
-    }
-    return batches[b];
-  }
-  IRG_INLINE constexpr bool is_piece(std::uint32_t number) const noexcept { return number >= bins->triangle_count; }
-  IRG_INLINE constexpr const clipped_piece& piece(std::uint32_t number) const noexcept {
-    return bins->pieces[number - bins->triangle_count];
-  }
-  // The source triangle: the number by which ties are decided.
-  IRG_INLINE constexpr std::uint32_t source(std::uint32_t number) const noexcept {
-    return is_piece(number) ? piece(number).source : number;
-  }
-  IRG_INLINE constexpr triangle_corners corners(std::uint32_t number) const noexcept {
-    if (is_piece(number)) {
-      const clipped_piece& p = piece(number);
-      return {{&p.v[0], &p.v[1], &p.v[2]}};
-    }
-    const triangle_batch<T>& b = batch_of(number);
-    const auto& [v] = b.triangles[number - b.first_number];
-    const screen_vertex* screen = b.vertices->screen.data();
-    return {{screen + v[0], screen + v[1], screen + v[2]}};
-  }
-};
-
 inline namespace IRG_ABI {
 
 #ifdef IRG_LANES_VECTOR
-
-// The corners of N triangles or pieces, a lane each.
-template <int N>
-struct corner_lanes {
-  using integers = pack<std::int32_t, N>;
-  integers x[3], y[3], vertex[3];
-  pack<float, N> depth[3], inverse_w[3];
-
-  // The first `used` of a list; lanes beyond repeat the last.
-  template <class T>
-  IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const std::uint32_t* numbers,
-                                              int used) noexcept {
-    if (used == N) {
-      integers all;
-      std::memcpy(&all.v, numbers, sizeof all.v);
-      return collect(find, all);
-    }
-    return collect(
-        find, gather<std::int32_t>(numbers, low_of(lanes<integers>::ramp(), lanes<integers>::broadcast(used - 1))));
-  }
-
-  // gives   the batch that all are of, with their indices of vertices; null when there is a piece or more than one batch
-  template <class T>
-  IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const integers& number) noexcept {
-    using I = lanes<integers>;
-    const auto first = static_cast<std::uint32_t>(number.v[0]);
-    if (!find.is_piece(first)) {
-      const triangle_batch<T>& batch = find.batch_of(first);
-      const auto base = static_cast<std::int32_t>(batch.first_number);
-      const integers i{number.v - base};
-      if (mask_bits(both(i >= I::broadcast(0), i < I::broadcast(static_cast<std::int32_t>(batch.triangles.size())))) ==
-          (1u << N) - 1) {
-        collect_indexed(batch, i);
-        return &batch;
-      }
-    }
-    for (int i = 0; i < N; ++i) {
-      const triangle_corners c = find.corners(static_cast<std::uint32_t>(number.v[i]));
-      for (int k = 0; k < 3; ++k) {
-        x[k].v[i] = c.v[k]->position.x;
-        y[k].v[i] = c.v[k]->position.y;
-        depth[k].v[i] = c.v[k]->depth;
-        inverse_w[k].v[i] = c.v[k]->inverse_w;
-      }
-    }
-    return nullptr;
-  }
-
-private:
-  template <class T>
-  IRG_INLINE void collect_indexed(const triangle_batch<T>& batch, const integers& triangle) noexcept {
-    const screen_vertex* const screen = batch.vertices->screen.data();
-    for (int k = 0; k < 3; ++k) {
-      vertex[k] = gather<std::int32_t>(batch.triangles.data(), integers{triangle.v * 3 + k});
-      const integers word{vertex[k].v * words_of_vertex};
-      x[k] = gather<std::int32_t>(screen, word);
-      y[k] = gather<std::int32_t>(screen, integers{word.v + 1});
-      depth[k] = gather<float>(screen, integers{word.v + 2});
-      inverse_w[k] = gather<float>(screen, integers{word.v + 3});
-    }
-  }
-};
 
 // How a tile's list is drawn.
 struct tile_order {
@@ -145,8 +44,70 @@ struct tile_painter {
     std::atomic_ref<std::uint8_t>(seen[find.source(numbers[place])]).store(1, std::memory_order_relaxed);
   }
 
-  // Sets up `used` triangles. Those whose sides are too long for 32-bit lanes are left to the caller, a bit each.
-  IRG_INLINE unsigned set_up_group(tile_triangles& g, std::size_t first, int used) const noexcept {
+  // Triangles of a pixel or few, a lane each: F, depth and box, as in tile_triangles.
+  struct dots {
+    integers f[3], right[3], down[3], columns, rows, at;
+    floats gain[3], rest, low, high;
+  };
+
+  // Decides one pixel of each box at a time: all first pixels together, then those to the right, and the row below.
+  template <tile_test Test>
+  IRG_INLINE void draw_dots(const dots& d, const std::uint32_t* place, unsigned which) noexcept {
+    using I = lanes<integers>;
+    for (unsigned bits = which; bits != 0; bits &= bits - 1) note_seen(place[std::countr_zero(bits)]);
+    for (int dy = 0; dy < 2; ++dy)
+      for (int dx = 0; dx < 2; ++dx) {
+        const integers zero = I::broadcast(0);
+        const auto f = [&](int k) { return d.f[k] + (dx != 0 ? d.right[k] : zero) + (dy != 0 ? d.down[k] : zero); };
+        const integers f0 = f(0), f1 = f(1), f2 = f(2);
+        const integers within = both(I::broadcast(dx) < d.columns, I::broadcast(dy) < d.rows);
+        unsigned covered = mask_bits(both(none_negative(f0, f1, f2), within)) & which;
+        if (covered == 0) continue;
+        tested += std::popcount(covered);
+        float key[count];
+        std::int32_t at[count];
+        lanes<floats>::store(key, depth_at<floats>(f0, f1, f2, d.gain[0], d.gain[1], d.gain[2], d.rest, d.low, d.high));
+        I::store(at, d.at + I::broadcast(dy * tile_stride + dx));
+        for (; covered != 0; covered &= covered - 1) {
+          const int i = std::countr_zero(covered);
+          draw_dot<Test>(key[i], at[i], place[i]);
+        }
+      }
+  }
+  template <tile_test Test>
+  IRG_INLINE void draw_dot(float key, std::int32_t at, std::uint32_t place) noexcept {
+    if constexpr (Test == tile_test::nearer) {
+      const float stored = out.key[at];
+      if (key < stored) return;
+      if (key == stored) {
+        ++ties;
+        if (out.id[at] == no_triangle || !comes_before(place, out.id[at])) return;
+      }
+    }
+    if constexpr (Test == tile_test::depth_only)
+      if (key <= out.key[at]) return;
+    out.key[at] = key;
+    out.id[at] = place;
+    if (order.front_to_back) {
+      const int y = at / tile_stride, x = at % tile_stride;
+      out.stale |= std::uint64_t{1} << (y / block_size * blocks_across + x / block_size);
+    }
+  }
+
+  // Which of two equally near triangles is seen.
+  IRG_INLINE bool comes_before(std::uint32_t a, std::uint32_t b) const noexcept {
+    return find.source(numbers[a]) < find.source(numbers[b]);
+  }
+
+  // What is left to do of a group: a bit for each triangle whose sides are too long for 32-bit lanes, and for each one
+  // that is drawn already.
+  struct group_state {
+    unsigned large, drawn;
+  };
+
+  // Sets up `used` triangles, and draws those whose boxes have two columns and rows at most.
+  template <tile_test Test>
+  IRG_INLINE group_state set_up_group(tile_triangles& g, std::size_t first, int used) noexcept {
     using I = lanes<integers>;
     using F = lanes<floats>;
     corner_lanes<count> c;
@@ -167,10 +128,6 @@ struct tile_painter {
                    x_last = within({(right + behind).v >> subpixel_bits}, window.x_first, window.x_last),
                    y_first = within({(top + before).v >> subpixel_bits}, window.y_first, window.y_last),
                    y_last = within({(bottom + behind).v >> subpixel_bits}, window.y_first, window.y_last);
-    I::store(g.x_first, x_first - I::broadcast(window.x_first));
-    I::store(g.x_last, x_last - I::broadcast(window.x_first));
-    I::store(g.y_first, y_first - I::broadcast(window.y_first));
-    I::store(g.y_last, y_last - I::broadcast(window.y_first));
 
     const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     const integers flip = area < zero;
@@ -180,35 +137,58 @@ struct tile_painter {
     const integers centre_x = x_first * I::broadcast(one_pixel) + I::broadcast(half_pixel),
                    centre_y = y_first * I::broadcast(one_pixel) + I::broadcast(half_pixel);
     floats part[3];
+    dots d;
     for (int k = 0; k < 3; ++k) {
       const int p = (k + 1) % 3, q = (k + 2) % 3;
       const integers dx = turned(x[q] - x[p]), dy = turned(y[q] - y[p]);
       const integers e = dx * (centre_y - y[p]) - dy * (centre_x - x[p]);
       const integers owns = (dy < zero) | both(dy == zero, zero < dx);
-      const integers f{((e - one) - owns).v >> subpixel_bits};
-      I::store(g.f[k], f);
-      I::store(g.right[k], zero - dy);
-      I::store(g.down[k], dx);
-      part[k] = (to_float(e - f * I::broadcast(one_pixel)) * unit) * depth[k];
-      F::store(g.gain[k], (scale * depth[k]) * F::broadcast(order.sign));
+      d.f[k] = {((e - one) - owns).v >> subpixel_bits};
+      d.right[k] = zero - dy;
+      d.down[k] = dx;
+      part[k] = (to_float(e - d.f[k] * I::broadcast(one_pixel)) * unit) * depth[k];
+      d.gain[k] = (scale * depth[k]) * F::broadcast(order.sign);
     }
-    F::store(g.rest, (part[0] + (part[1] + part[2])) * F::broadcast(order.sign));
+    d.rest = (part[0] + (part[1] + part[2])) * F::broadcast(order.sign);
     const floats key0 = depth[0] * F::broadcast(order.sign), key1 = depth[1] * F::broadcast(order.sign),
                  key2 = depth[2] * F::broadcast(order.sign);
-    F::store(g.low, low_of(low_of(key0, key1), key2));
-    F::store(g.high, high_of(high_of(key0, key1), key2));
-    for (int i = 0; i < used; ++i)
-      if (area.v[i] == 0) g.x_last[i] = g.x_first[i];  // nothing to cover
-    return large;
+    d.low = low_of(low_of(key0, key1), key2);
+    d.high = high_of(high_of(key0, key1), key2);
+    d.columns = select(area == zero, zero, x_last - x_first);
+    d.rows = y_last - y_first;
+    const integers three = I::broadcast(3);
+    // They are drawn before the others of their group, which is of no account unless the later one always wins.
+    const unsigned small = Test == tile_test::always
+                               ? 0u
+                               : mask_bits(both(d.columns < three, d.rows < three)) & ((1u << used) - 1) & ~large;
+    if (small != 0) {
+      d.at = (y_first - I::broadcast(window.y_first)) * I::broadcast(tile_stride) +
+             (x_first - I::broadcast(window.x_first));
+      draw_dots<Test>(d, g.place, small);
+    }
+    if (small != (1u << used) - 1) {
+      for (int k = 0; k < 3; ++k) {
+        I::store(g.f[k], d.f[k]);
+        I::store(g.right[k], d.right[k]);
+        I::store(g.down[k], d.down[k]);
+        F::store(g.gain[k], d.gain[k]);
+      }
+      F::store(g.rest, d.rest);
+      F::store(g.low, d.low);
+      F::store(g.high, d.high);
+      I::store(g.x_first, x_first - I::broadcast(window.x_first));
+      I::store(g.x_last, x_first + d.columns - I::broadcast(window.x_first));
+      I::store(g.y_first, y_first - I::broadcast(window.y_first));
+      I::store(g.y_last, y_last - I::broadcast(window.y_first));
+    }
+    return {large, small};
   }
 
   // Draws a triangle that is ready: its box row by row when it is small, else block by block.
   template <tile_test Test, class I>
   IRG_INLINE void draw_ready(const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last) noexcept {
     constexpr int small = 2 * block_size;
-    const auto before = [this](std::uint32_t a, std::uint32_t b) {
-      return find.source(numbers[a]) < find.source(numbers[b]);
-    };
+    const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
     if (x_last - x_first > small || y_last - y_first > small) {
       if (tile_blocks<Test>(out, t, x_first, y_first, x_last, y_last, order.front_to_back, counts, before))
         note_seen(t.place);
@@ -288,28 +268,50 @@ struct tile_painter {
       draw(wide_pack<count>{});
   }
 
+  // Asks for what the next groups will read: the indices of the second next, the vertices of the next.
+  IRG_INLINE void fetch_ahead(std::size_t first) const noexcept {
+    if (find.batches.size() != 1 || first + 3 * count > numbers.size()) return;
+    const triangle_batch<T>& batch = find.batches[0];
+    const screen_vertex* const screen = batch.vertices->screen.data();
+    for (std::size_t i = first + count; i < first + 2 * count; ++i) {
+      const std::uint32_t later = numbers[i + count], next = numbers[i];
+      if (find.is_piece(later) || find.is_piece(next)) continue;
+      __builtin_prefetch(batch.triangles.data() + later);
+      for (const std::uint32_t v : batch.triangles[next].v) __builtin_prefetch(screen + v);
+    }
+  }
+
   template <tile_test Test>
   IRG_INLINE void draw_list() noexcept {
-    constexpr std::size_t refresh = 8 * count;
+    constexpr std::size_t refresh = 8 * count, counted = 1024 * count;
     tile_triangles g;
     for (std::size_t first = 0; first < numbers.size(); first += count) {
       const int used = static_cast<int>(lesser(numbers.size() - first, std::size_t{count}));
-      const unsigned large = set_up_group(g, first, used);
-      for (int i = 0; i < used; ++i)
-        if ((large >> i & 1) != 0)
+      fetch_ahead(first);
+      const group_state group = set_up_group<Test>(g, first, used);
+      for (unsigned bits = ((1u << used) - 1) & ~group.drawn; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        if ((group.large >> i & 1) != 0)
           draw_large<Test>(g, i);
         else
           draw_small<Test>(g, i);
+      }
       if (order.front_to_back) {
         if (first % refresh == 0)
           refresh_far(out);
         else
           refresh_farthest(out);
       }
-      tested += total(counts.tested);
-      ties += total(counts.ties);
-      counts = {lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
+      if (first % counted == 0) add_counts();
     }
+    add_counts();
+  }
+
+  // Moves the counts from the lanes to where they cannot overflow.
+  IRG_INLINE void add_counts() noexcept {
+    tested += total(counts.tested);
+    ties += total(counts.ties);
+    counts = {lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
   }
 };
 

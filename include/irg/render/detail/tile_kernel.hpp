@@ -90,7 +90,8 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
 // The rows of a small box, from its first column on.
 template <tile_test Test, class I, class Before>
 IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last,
-                          tile_counts& counts, const Before& before) noexcept {
+                          tile_counts& all_counts, const Before& before) noexcept {
+  tile_counts counts = all_counts;
   constexpr int N = lanes<I>::count;
   using J = lanes<I>;
   for (int x = x_first; x < x_last; x += N) {
@@ -106,13 +107,15 @@ IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, int x_first, int
       f[2] = f[2] + down2;
     }
   }
+  all_counts = counts;
 }
 
 // A box block by block. Blocks that no edge lets in, or that lie behind what is drawn there, are passed over.
 // gives   whether any block was gone into
 template <tile_test Test, class I, class Before>
 IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last,
-                            bool by_depth, tile_counts& counts, const Before& before) noexcept {
+                            bool by_depth, tile_counts& all_counts, const Before& before) noexcept {
+  tile_counts counts = all_counts;
   constexpr int N = lanes<I>::count;
   using J = lanes<I>;
   using F = lanes<pack<float, N>>;
@@ -176,6 +179,7 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
         if (by_depth) out.far[by * blocks_across + bx] = least_of(least);
       }
     }
+  all_counts = counts;
   return any;
 }
 

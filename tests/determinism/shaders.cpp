@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Textures, textured and transparent triangles, and light scaled into the display's range.
+#include <irg/render/draw_transparent.hpp>
+#include <irg/render/render.hpp>
+#include <irg/render/textured_shading.hpp>
+#include <irg/shade/mip_pyramid.hpp>
+
+#include <array>
+#include <vector>
+
+#include "hashes.hpp"
+#include "support/visible_scenes.hpp"
+
+namespace {
+
+constexpr float any_float(test::random& r, double low, double high) {
+  return static_cast<float>(low + (high - low) * r.unit());
+}
+
+constexpr irg::image<irg::rgba8> any_texture(test::random& r, int width, int height) {
+  irg::image<irg::rgba8> t(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) t(x, y) = std::bit_cast<irg::rgba8>(static_cast<std::uint32_t>(r.next()));
+  return t;
+}
+
+constexpr irg::texture_sampler any_sampler(test::random& r) {
+  const auto filter = static_cast<irg::texture_filter>(r.integer(0, 1));
+  const auto u = static_cast<irg::texture_wrap>(r.integer(0, 3)), v = static_cast<irg::texture_wrap>(r.integer(0, 3));
+  return {filter, u, v};
+}
+
+constexpr std::uint64_t shade_textures(int rounds) {
+  test::random r(91);
+  determinism::hasher h;
+  const auto t = any_texture(r, 5, 3);
+  const auto pyramid = irg::make_mip_pyramid(t);
+  for (int i = 0; i < rounds; ++i) {
+    const float u = any_float(r, -3, 3), v = any_float(r, -3, 3), level = any_float(r, -1, 3);
+    const irg::rgb<float> border{1, 0.5f, 2};
+    for (const irg::rgb<float>& c : {irg::sample_texture(t, u, v, any_sampler(r), border),
+                                     irg::sample_mip_pyramid(pyramid, u, v, level, any_sampler(r), border)}) {
+      h.add(c.r);
+      h.add(c.g);
+      h.add(c.b);
+    }
+    h.add(irg::mip_level({u, v, level, u}, 64, 32));
+  }
+  return h.value();
+}
+HASHED(shade_textures, 12, 20'000);
+
+constexpr void add(determinism::hasher& h, const irg::image<irg::rgba8>& p) {
+  for (int y = 0; y < p.height(); ++y)
+    for (int x = 0; x < p.width(); ++x) h.add(std::bit_cast<std::uint32_t>(p(x, y)));
+}
+
+// Random scenes with a texture; some of their triangles once more as glass.
+constexpr std::uint64_t render_textures_and_glass(int rounds) {
+  test::random r(92);
+  determinism::hasher h;
+  const bool small = rounds == 1;
+  const auto texture = any_texture(r, 4, 4);
+  for (int i = 0; i < rounds; ++i) {
+    const int width = small ? 5 : 40 + 5 * i, height = small ? 4 : 100 - i;
+    const auto kind = static_cast<test::scene_kind>(small ? 0 : i % test::scene_kinds);
+    const test::triangle_scene s = test::scene_maker(r, kind, width, height)(small ? 3 : 40);
+    std::vector<irg::textured_vertex> vertices;
+    for (std::size_t k = 0; k < s.positions.size(); ++k) {
+      const float u = any_float(r, -2, 2), v = any_float(r, -2, 2), light = any_float(r, 0, 1.25);
+      vertices.push_back(irg::make_textured_vertex(u, v, {light, light, 0.5f}));
+    }
+    const irg::textured_vertices objects[1] = {{vertices}};
+    const irg::texture_image textures[1] = {{texture.view(), any_sampler(r)}};
+    const auto mapping = irg::map_to_screen<double>(width, height);
+    const auto projected = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
+    irg::image<irg::rgba8> colour(width, height);
+    irg::image<float> depth(width, height);
+    irg::draw_workspace workspace;
+    const irg::draw_settings<irg::rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {}};
+    const std::span<const irg::triangle_indices> all(s.triangles);
+    const irg::triangle_batch<double> opaque[1] = {{&projected, all.first(all.size() / 2)}},
+                                      glass[1] = {{&projected, all.subspan(all.size() / 2)}};
+    irg::draw_batches<irg::nearer_is_greater, double>(colour, depth, opaque, mapping,
+                                                      irg::textured_shading{objects, textures}, settings, workspace);
+    irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(
+        colour, depth, glass, mapping, [](const irg::triangle_batch<double>&, std::uint32_t t, irg::facing side) {
+          const auto level = static_cast<std::uint8_t>(t * 67);
+          return irg::solid_shader<irg::rgba8>{{level, side == irg::facing::front ? level : std::uint8_t{40}, 99, 120}};
+        });
+    add(h, colour);
+  }
+  return h.value();
+}
+HASHED(render_textures_and_glass, 1, 48);
+
+constexpr std::uint64_t render_rescaled(int rounds) {
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    const int size = rounds == 1 ? 6 : 90;
+    irg::scene<double> s;
+    irg::mesh<double> m;
+    m.positions = {{-1, -1, 0.1 * i}, {1, -1, -1}, {0, 1, 0}, {1.5, 1.5, -0.5}};
+    m.corners = {{0}, {1}, {2}, {1}, {3}, {2}};
+    m.face_starts = {0, 3, 6};
+    s.objects.push_back({m});
+    s.objects[0].surface = {{0.5, 1, 2}, {1, 0.7, 0.5}, {0.3, 0.3, 0.3}, 8};
+    s.lights = {{{1, 2, 3, 1}, {2, 2, 2}}, {{-1, 0.5, 1, 0}, {1, 0.5, 0.25}}};
+    s.ambient = {0.3, 0.3, 0.3};
+    s.view.eye = {0, 0, 3};
+    s.view.target = {0, 0, 0};
+    irg::render_options o;
+    o.style = static_cast<irg::picture_style>(1 + i % 3);
+    o.culling = irg::face_culling::none;
+    o.intensities = irg::intensity_range::rescale;
+    irg::image<irg::rgba8> colour(size, size);
+    irg::image<float> depth(size, size);
+    irg::render(s, colour, depth, o);
+    add(h, colour);
+  }
+  return h.value();
+}
+HASHED(render_rescaled, 1, 9);
+
+}  // namespace
