@@ -20,8 +20,8 @@ namespace irg {
 /// cache.
 enum class clearing { none, before_drawing };
 
-/// Whether the depths are wanted afterwards. Where they are not, and were not there before, a raster of depths is neither
-/// read nor written at run time.
+/// Whether the depths are wanted afterwards. Where they are not, and the picture is cleared first, the depth raster is
+/// left as it is at run time: no work is spent on it.
 enum class depth_result { kept, dropped };
 
 /// How drawing is set up: what is left out, and what the picture is cleared to first, if it is.

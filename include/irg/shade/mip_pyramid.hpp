@@ -28,14 +28,14 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // Texel i of the smaller of two sizes: the mean of what it covers of the larger one, by shares. `at(j)` gives texel j.
-// Each of the larger size's texels is `small` units long, each of the smaller one's `large`.
+// Each of the larger size's texels is `fewer` units long, each of the smaller one's `more`.
 template <class At>
-constexpr auto box_mean(int i, int large, int small, const At& at) noexcept {
+constexpr auto box_mean(int i, int more, int fewer, const At& at) noexcept {
   using V = decltype(at(0));
   V sum{};
-  for (int j = i * large / small; j * small < (i + 1) * large; ++j) {
-    const int shared = lesser((j + 1) * small, (i + 1) * large) - greater(j * small, i * large);
-    const float share = static_cast<float>(shared) / static_cast<float>(large);
+  for (int j = i * more / fewer; j * fewer < (i + 1) * more; ++j) {
+    const int shared = lesser((j + 1) * fewer, (i + 1) * more) - greater(j * fewer, i * more);
+    const float share = static_cast<float>(shared) / static_cast<float>(more);
     sum = per_channel([&](float s, float t) { return s + product(t, share); }, sum, at(j));
   }
   return sum;
@@ -44,12 +44,12 @@ constexpr auto box_mean(int i, int large, int small, const At& at) noexcept {
 template <class V>
 constexpr image<V> half_size(const image<V>& from) {
   const int w = from.width(), h = from.height(), half_w = greater(w / 2, 1), half_h = greater(h / 2, 1);
-  image<V> narrow(half_w, h), small(half_w, half_h);
+  image<V> narrow(half_w, h), result(half_w, half_h);
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < half_w; ++x) narrow(x, y) = box_mean(x, w, half_w, [&](int j) { return from(j, y); });
   for (int y = 0; y < half_h; ++y)
-    for (int x = 0; x < half_w; ++x) small(x, y) = box_mean(y, h, half_h, [&](int j) { return narrow(x, j); });
-  return small;
+    for (int x = 0; x < half_w; ++x) result(x, y) = box_mean(y, h, half_h, [&](int j) { return narrow(x, j); });
+  return result;
 }
 
 }  // namespace IRG_ABI

@@ -49,8 +49,9 @@ IRG_INLINE void fill_registers(char* p, std::size_t size, const Pattern& pattern
       // Whole pixels on: where pixels are not aligned themselves, nor are the stores.
       for (i = step - (start & (step - Unit)); i < size - line; i += line) {
 #ifdef __GNUC__
-        // May be beyond the raster, where no pointer leads.
+        // May be beyond the raster, where no pointer may lead but one made from an integer.
         if (ahead != 0)
+          // NOLINTNEXTLINE(performance-no-int-to-ptr)
           __builtin_prefetch(reinterpret_cast<const void*>(start + i + static_cast<std::uintptr_t>(ahead)), 1);
 #endif
         for (std::size_t k = 0; k < line; k += step) store_front<step>(p + i + k, pattern);

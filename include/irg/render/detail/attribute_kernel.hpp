@@ -23,12 +23,12 @@ concept LaneAttributeShading = requires(
 
 template <class T, class Shading, class Colour>
 struct attribute_kernel {
-  static constexpr int N = tile_lanes;
-  static constexpr unsigned everyone = (1u << N) - 1;
-  static constexpr std::size_t K = static_cast<std::size_t>(Shading::attribute_count);
-  using floats = pack<float, N>;
-  using integers = pack<std::int32_t, N>;
-  using values = std::array<floats, K>;
+  static constexpr int lane_count = tile_lanes;
+  static constexpr unsigned everyone = (1u << lane_count) - 1;
+  static constexpr std::size_t value_count = static_cast<std::size_t>(Shading::attribute_count);
+  using floats = pack<float, lane_count>;
+  using integers = pack<std::int32_t, lane_count>;
+  using values = std::array<floats, value_count>;
   using pixel = pixel_of<Colour>;
 
   const tile& t;
@@ -46,7 +46,8 @@ struct attribute_kernel {
     bool narrow;  // F fits 32 bits all over the tile
     std::int32_t origin[3];  // if so: F at the tile's first pixel
     const piece_weights* piece;
-    float at0[K], change1[K], change2[K];  // of the attributes, from the first vertex to the others
+    float at0[value_count], change1[value_count],
+        change2[value_count];  // of the attributes, from the first vertex to the others
   };
   std::vector<std::uint32_t> kept_at{};  // by place: where in `kept`, counted from 1
   std::vector<uniform> kept{};
@@ -72,7 +73,7 @@ struct attribute_kernel {
     uniform& u = kept.back();
     for (int i = 0; i < 3 && u.narrow; ++i)
       u.origin[i] = static_cast<std::int32_t>(u.s.edge[i](window.x_first, window.y_first));
-    for (std::size_t j = 0; j < K; ++j) {
+    for (std::size_t j = 0; j < value_count; ++j) {
       u.at0[j] = of.a[j];
       u.change1[j] = of.b[j] - of.a[j];
       u.change2[j] = of.c[j] - of.a[j];
@@ -85,7 +86,7 @@ struct attribute_kernel {
     using F = lanes<floats>;
     if (u.piece != nullptr) at = in_source(at, *u.piece);
     values v;
-    for (std::size_t j = 0; j < K; ++j)
+    for (std::size_t j = 0; j < value_count; ++j)
       v[j] =
           F::broadcast(u.at0[j]) + (at.weight1 * F::broadcast(u.change1[j]) + at.weight2 * F::broadcast(u.change2[j]));
     return v;
@@ -98,14 +99,14 @@ struct attribute_kernel {
     return ids;
   }
 
-  // The attributes of N pixels in a row, each of a triangle of its own; `shown` has a bit for each pixel that shows one.
+  // The attributes of N pixels in a row, each of a triangle of its own; `shown` has a bit for each pixel with one.
   // gives   false when they are not all small triangles of one batch
   IRG_INLINE bool of_many(const integers& ids, unsigned shown, int x_first, int y, values& out) const noexcept {
     using I = lanes<integers>;
     using F = lanes<floats>;
     const integers some = I::broadcast(ids.v[std::countr_zero(shown)]);
     const integers number = gather<std::int32_t>(numbers.data(), select(ids == I::broadcast(-1), some, ids));
-    corner_lanes<N> c;
+    corner_lanes<lane_count> c;
     const triangle_batch<T>* const batch = c.collect(find, number);
     if (batch == nullptr) return false;
     const auto &x = c.x, &y_of = c.y;
@@ -138,7 +139,7 @@ struct attribute_kernel {
     const unsigned flipped = mask_bits(flip);
     const float* const front = shading.attributes(*batch, 0, flipped != 0 ? facing::front : facing::back);
     const float* const back = shading.attributes(*batch, 0, flipped != everyone ? facing::back : facing::front);
-    for (std::size_t j = 0; j < K; ++j) {
+    for (std::size_t j = 0; j < value_count; ++j) {
       floats at[3];
       for (int k = 0; k < 3; ++k) {
         const integers word{c.vertex[k].v * Shading::attribute_count + static_cast<int>(j)};
@@ -163,7 +164,7 @@ struct attribute_kernel {
                         I::broadcast(u.s.edge[i].right).v * I::ramp().v});
       where = perspective_weights(u.s, b[0], b[1], b[2], lanes<floats>::broadcast(0));
     } else {
-      where = weights_at<N>(u.s, false, window.x_first + x, window.y_first + y, lanes<floats>::broadcast(0));
+      where = weights_at<lane_count>(u.s, false, window.x_first + x, window.y_first + y, lanes<floats>::broadcast(0));
     }
     return of_one(u, where);
   }
@@ -182,7 +183,7 @@ struct attribute_kernel {
   // Calls one(id) for each triangle that a register's pixels show.
   template <class One>
   IRG_INLINE static void for_each_triangle(const integers& ids, unsigned shown, One&& one) {
-    std::int32_t id[N];
+    std::int32_t id[lane_count];
     std::memcpy(id, &ids.v, sizeof id);
     while (shown != 0) {
       const std::int32_t first = id[std::countr_zero(shown)];
@@ -201,10 +202,10 @@ struct attribute_kernel {
   // The whole tile, with the colours of N pixels at once. First it is found out which triangles each register shows;
   // the work itself then runs without a guess. Colours gather in the cache and leave for the picture at the end.
   IRG_INLINE std::int64_t shade_in_lanes() {
-    using words = pack<std::uint32_t, N>;
+    using words = pack<std::uint32_t, lane_count>;
     const int width = window.x_last - window.x_first, height = window.y_last - window.y_first;
     alignas(64) std::uint32_t shaded_words[tile_size * tile_stride];
-    std::int32_t many[tile_size * tile_size / N];
+    std::int32_t many[tile_size * tile_size / lane_count];
     int many_count = 0;
     job_list jobs;
     std::int64_t shaded = 0;
@@ -215,7 +216,7 @@ struct attribute_kernel {
       else
         std::memcpy(row, raster_traits<Colour>::row(colour, window.y_first + y) + window.x_first,
                     static_cast<std::size_t>(width) * 4);
-      for (int x = 0; x < width; x += N) {
+      for (int x = 0; x < width; x += lane_count) {
         const int at = y * tile_stride + x;
         const integers ids = ids_at(at);
         const unsigned shown = ~mask_bits(ids == lanes<integers>::broadcast(-1)) & everyone;
@@ -223,7 +224,8 @@ struct attribute_kernel {
         if (shown == 0) continue;
         const unsigned others = shown & ~mask_bits(ids == lanes<integers>::broadcast(ids.v[std::countr_zero(shown)]));
         const unsigned rest =
-            others & ~mask_bits(ids == lanes<integers>::broadcast(ids.v[std::countr_zero(others | (1u << (N - 1)))]));
+            others &
+            ~mask_bits(ids == lanes<integers>::broadcast(ids.v[std::countr_zero(others | (1u << (lane_count - 1)))]));
         if (rest != 0)
           many[many_count++] = at;  // three triangles or more: each pixel for itself
         else
@@ -260,7 +262,7 @@ struct attribute_kernel {
   IRG_INLINE std::int64_t shade_one_by_one() {
     std::int64_t shaded = 0;
     for (int y = 0; y < window.y_last - window.y_first; ++y)
-      for (int x = 0; x < window.x_last - window.x_first; x += N) {
+      for (int x = 0; x < window.x_last - window.x_first; x += lane_count) {
         const int at = y * tile_stride + x;
         const integers ids = ids_at(at);
         pixel* const to = raster_traits<Colour>::row(colour, window.y_first + y) + window.x_first + x;
@@ -271,8 +273,8 @@ struct attribute_kernel {
           const values v = of_one(kept[kept_at[place] - 1], at);
           unsigned bits = mask_bits(ids == lanes<integers>::broadcast(static_cast<std::int32_t>(place)));
           for (; bits != 0; bits &= bits - 1) {
-            std::array<float, K> one;
-            for (std::size_t j = 0; j < K; ++j) one[j] = lane(v[j], std::countr_zero(bits));
+            std::array<float, value_count> one;
+            for (std::size_t j = 0; j < value_count; ++j) one[j] = lane(v[j], std::countr_zero(bits));
             to[std::countr_zero(bits)] = shading.pixel(one);
           }
         });
@@ -283,7 +285,7 @@ struct attribute_kernel {
   // The whole tile; returns the number of pixels that show a triangle.
   IRG_NOINLINE std::int64_t operator()() {
     kept_at.assign(numbers.size(), 0);
-    if constexpr (LaneAttributeShading<Shading, N> && sizeof(pixel) == 4) {
+    if constexpr (LaneAttributeShading<Shading, lane_count> && sizeof(pixel) == 4) {
       return shade_in_lanes();
     } else {
       if (background != nullptr)

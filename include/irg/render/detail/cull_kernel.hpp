@@ -44,7 +44,8 @@ struct cull_kernel {
   // Asks for the vertices of a later group.
   IRG_INLINE void fetch_ahead(const triangle_indices* t) const noexcept {
     for (int i = 0; i < N; ++i)
-      for (const std::uint32_t v : t[i].v)
+      for (const std::uint32_t v : t[i].v)  // which may be beyond the vertices, where no pointer may lead
+        // NOLINTNEXTLINE(performance-no-int-to-ptr)
         __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(screen) +
                                                          std::uintptr_t{v} * sizeof *screen));
   }

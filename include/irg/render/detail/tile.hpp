@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tile of the picture while it is drawn: for each pixel the depth and the nearest triangle so far (its place in the tile's list), in
-// the cache from the first triangle to the last. Colours come later, for what is still visible then.
+// A tile of the picture while it is drawn: for each pixel the depth and the nearest triangle so far (its place in the
+// tile's list), in the cache from the first triangle to the last. Colours come later, for what is still visible then.
 //
 // Depths are kept as keys, of which the greater is always the nearer: the depth itself or its negative.
 //

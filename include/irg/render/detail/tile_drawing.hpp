@@ -4,7 +4,6 @@
 // drawn on top of each other that it pays, nearer triangles come first, and what lies behind them is passed over.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -41,7 +40,8 @@ struct tile_painter {
   std::int64_t tested = 0, ties = 0;
 
   IRG_INLINE void note_seen(std::uint32_t place) const noexcept {
-    std::atomic_ref<std::uint8_t>(seen[find.source(numbers[place])]).store(1, std::memory_order_relaxed);
+    // By whichever thread draws a part of it; all write the same.
+    __atomic_store_n(seen + find.source(numbers[place]), std::uint8_t{1}, __ATOMIC_RELAXED);
   }
 
   // Triangles of a pixel or few, a lane each: F, depth and box, as in tile_triangles.

@@ -56,11 +56,12 @@ template <tile_test Test, class I, class Before>
 IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, const I& f0, const I& f1, const I& f2,
                                                     float* key_at, std::uint32_t* id_at, tile_counts& counts,
                                                     const Before& before) noexcept {
-  constexpr int N = lanes<I>::count;
-  using F = lanes<pack<float, N>>;
-  typedef pack<std::int32_t, N> mask;
+  constexpr int lane_count = lanes<I>::count;
+  using F = lanes<pack<float, lane_count>>;
+  typedef pack<std::int32_t, lane_count> mask;
   const mask inside = none_negative(f0, f1, f2);
-  const auto key = depth_at<pack<float, N>>(f0, f1, f2, t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
+  const auto key =
+      depth_at<pack<float, lane_count>>(f0, f1, f2, t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
   const auto stored = F::load(key_at);
   const mask covered = both(inside, stored < F::broadcast(beyond_everything));
   mask drawn = covered;
@@ -75,7 +76,7 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
     counts.ties = counts.ties - tie;
     drawn = both(covered, stored < key);
     if (mask_bits(tie) != 0) [[unlikely]]
-      for (int i = 0; i < N; ++i)
+      for (int i = 0; i < lane_count; ++i)
         if (tie.v[i] != 0 && id_at[i] != no_triangle && before(t.place, id_at[i])) drawn.v[i] = -1;
   }
   const auto now = select(drawn, key, stored);
@@ -92,9 +93,9 @@ template <tile_test Test, class I, class Before>
 IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last,
                           tile_counts& all_counts, const Before& before) noexcept {
   tile_counts counts = all_counts;
-  constexpr int N = lanes<I>::count;
+  constexpr int lane_count = lanes<I>::count;
   using J = lanes<I>;
-  for (int x = x_first; x < x_last; x += N) {
+  for (int x = x_first; x < x_last; x += lane_count) {
     const auto steps = static_cast<typename tile_triangle<I>::integer>(x - x_first);
     I f[3];
     for (int i = 0; i < 3; ++i) f[i] = t.ramp[i] + J::broadcast(t.f[i] + t.right[i] * steps);
@@ -116,15 +117,15 @@ template <tile_test Test, class I, class Before>
 IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last,
                             bool by_depth, tile_counts& all_counts, const Before& before) noexcept {
   tile_counts counts = all_counts;
-  constexpr int N = lanes<I>::count;
+  constexpr int lane_count = lanes<I>::count;
   using J = lanes<I>;
-  using F = lanes<pack<float, N>>;
+  using F = lanes<pack<float, lane_count>>;
   using integer = typename tile_triangle<I>::integer;
   const int bx_first = x_first / block_size, bx_last = (x_last - 1) / block_size + 1;
   const int by_first = y_first / block_size, by_last = (y_last - 1) / block_size + 1;
   // F at the first pixel of the tile's first block, and its greatest value in a block relative to that in its corner.
   integer origin[3], reach[3];
-  pack<float, N> slope_right = F::broadcast(0), slope_down = F::broadcast(0);
+  pack<float, lane_count> slope_right = F::broadcast(0), slope_down = F::broadcast(0);
   for (int i = 0; i < 3; ++i) {
     origin[i] = t.f[i] - t.right[i] * static_cast<integer>(x_first) - t.down[i] * static_cast<integer>(y_first);
     reach[i] = (t.right[i] > 0 ? t.right[i] : integer(0)) * (block_size - 1) +
@@ -134,10 +135,10 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
   }
   const auto zero = F::broadcast(0), last = F::broadcast(block_size - 1);
   const auto rise = high_of(slope_right, zero) * last + high_of(slope_down, zero) * last;
-  const auto absolute = [&](const pack<float, N>& v) { return high_of(v, zero - v); };
+  const auto absolute = [&](const pack<float, lane_count>& v) { return high_of(v, zero - v); };
   bool any = false;
   for (int by = by_first; by < by_last; ++by)
-    for (int bx0 = bx_first; bx0 < bx_last; bx0 += N) {
+    for (int bx0 = bx_first; bx0 < bx_last; bx0 += lane_count) {
       // N blocks side by side.
       I corner[3];
       const I step = J::ramp();
@@ -155,24 +156,26 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
         const auto size = (absolute(a) + absolute(b)) + (absolute(c) + (absolute(t.rest) + absolute(rise)));
         const auto nearest = ((a + t.rest) + (b + c)) + (rise + size * F::broadcast(0x1p-20f));
         const auto bound = select(t.high < nearest, t.high, nearest);
-        pack<float, N> far;
-        for (int i = 0; i < N; ++i) far.v[i] = out.far[by * blocks_across + lesser(bx0 + i, blocks_across - 1)];
+        pack<float, lane_count> far;
+        for (int i = 0; i < lane_count; ++i)
+          far.v[i] = out.far[by * blocks_across + lesser(bx0 + i, blocks_across - 1)];
         seen = both(seen, bound >= far);
       }
-      unsigned bits = mask_bits(seen) & ((1u << lesser(bx_last - bx0, N)) - 1);
+      unsigned bits = mask_bits(seen) & ((1u << lesser(bx_last - bx0, lane_count)) - 1);
       for (; bits != 0; bits &= bits - 1) {
         const int k = std::countr_zero(bits), bx = bx0 + k;
         any = true;
-        I f[3][static_cast<unsigned>(block_size / N)];
+        I f[3][static_cast<unsigned>(block_size / lane_count)];
         for (int i = 0; i < 3; ++i)
-          for (int part = 0; part < block_size / N; ++part)
-            f[i][part] = t.ramp[i] + J::broadcast(lane(corner[i], k) + t.right[i] * static_cast<integer>(part * N));
+          for (int part = 0; part < block_size / lane_count; ++part)
+            f[i][part] =
+                t.ramp[i] + J::broadcast(lane(corner[i], k) + t.right[i] * static_cast<integer>(part * lane_count));
         int at = by * block_size * tile_stride + bx * block_size;
         auto least = F::broadcast(beyond_everything);
         for (int y = 0; y < block_size; ++y, at += tile_stride)
-          for (int part = 0; part < block_size / N; ++part) {
-            const auto now = tile_pixels<Test>(t, f[0][part], f[1][part], f[2][part], out.key + at + part * N,
-                                               out.id + at + part * N, counts, before);
+          for (int part = 0; part < block_size / lane_count; ++part) {
+            const auto now = tile_pixels<Test>(t, f[0][part], f[1][part], f[2][part], out.key + at + part * lane_count,
+                                               out.id + at + part * lane_count, counts, before);
             least = low_of(now, least);
             for (int i = 0; i < 3; ++i) f[i][part] = f[i][part] + J::broadcast(t.down[i]);
           }

@@ -67,12 +67,12 @@ template <class Colour, class T, class MakeShader>
 IRG_INLINE std::int64_t shade_by_triangle(const tile& t, const triangle_finder<T>& find,
                                           std::span<const std::uint32_t> numbers, const cell_window& window, float sign,
                                           Colour& colour, const MakeShader& make_shader) {
-  constexpr int N = tile_lanes;
-  using floats = pack<float, N>;
+  constexpr int lane_count = tile_lanes;
+  using floats = pack<float, lane_count>;
   using F = lanes<floats>;
-  using Shader = std::remove_cvref_t<decltype(make_shader(find.batches[0], std::uint32_t{}, facing::front))>;
+  using shader_type = std::remove_cvref_t<decltype(make_shader(find.batches[0], std::uint32_t{}, facing::front))>;
   const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
-  const auto prepare = [&](std::uint32_t number) -> shading_setup<Shader> {
+  const auto prepare = [&](std::uint32_t number) -> shading_setup<shader_type> {
     const triangle_corners c = find.corners(number);
     const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
     const std::uint32_t source = find.source(number);
@@ -83,14 +83,15 @@ IRG_INLINE std::int64_t shade_by_triangle(const tile& t, const triangle_finder<T
   };
   std::int64_t shaded = 0;
   std::uint32_t current = no_triangle;
-  std::optional<shading_setup<Shader>> setup;
+  std::optional<shading_setup<shader_type>> setup;
   for (int by = window.y_first; by < window.y_last; by += block_size)
-    for (int x = window.x_first; x < window.x_last; x += N)
+    for (int x = window.x_first; x < window.x_last; x += lane_count)
       for (int y = by; y < lesser(by + block_size, window.y_last); ++y) {
         const int at = (y - window.y_first) * tile_stride + (x - window.x_first);
-        pack<std::int32_t, N> ids;
+        pack<std::int32_t, lane_count> ids;
         std::memcpy(&ids.v, t.id + at, sizeof ids.v);
-        unsigned pending = ~mask_bits(ids == lanes<pack<std::int32_t, N>>::broadcast(-1)) & ((1u << N) - 1);
+        unsigned pending =
+            ~mask_bits(ids == lanes<pack<std::int32_t, lane_count>>::broadcast(-1)) & ((1u << lane_count) - 1);
         shaded += std::popcount(pending);
         const floats depth = F::load(t.key + at) * F::broadcast(sign);
         while (pending != 0) {
@@ -100,8 +101,9 @@ IRG_INLINE std::int64_t shade_by_triangle(const tile& t, const triangle_finder<T
             current = place;
           }
           const unsigned same =
-              mask_bits(ids == lanes<pack<std::int32_t, N>>::broadcast(static_cast<std::int32_t>(place))) & pending;
-          fragment<floats> where = weights_at<N>(setup->s, setup->narrow, x, y, depth);
+              mask_bits(ids == lanes<pack<std::int32_t, lane_count>>::broadcast(static_cast<std::int32_t>(place))) &
+              pending;
+          fragment<floats> where = weights_at<lane_count>(setup->s, setup->narrow, x, y, depth);
           if (setup->piece != nullptr) where = in_source(where, *setup->piece);
           shade_pixels(raster_traits<Colour>::row(colour, y) + x, same, where, setup->shader);
           pending &= ~same;

@@ -75,7 +75,7 @@ struct corner_lanes {
         find, gather<std::int32_t>(numbers, low_of(lanes<integers>::ramp(), lanes<integers>::broadcast(used - 1))));
   }
 
-  // gives   the batch that all are of, with their indices of vertices; null when there is a piece or more than one batch
+  // gives   the batch that all are of, with their indices of vertices; null when there is a piece, or several batches
   template <class T>
   IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const integers& number) noexcept {
     using I = lanes<integers>;
