@@ -103,7 +103,7 @@ inline std::string with_place(const irg::parse_error& e, std::string_view file) 
 
 /// The body of main: run(line), whose memory may end. `size` names what takes it, for the message.
 template <class Run>
-void run_or_fail(const command_line& line, std::string_view size, const Run& run) {
+void run_or_fail(command_line&& line, std::string_view size, const Run& run) {
 #ifdef SIGXFSZ
   std::signal(SIGXFSZ, SIG_IGN);  // a full quota is a failed write, which is cleaned up after, not the program's end
 #endif

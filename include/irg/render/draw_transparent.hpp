@@ -95,7 +95,7 @@ constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::s
                                             std::vector<std::uint8_t>& seen) {
   constexpr bool by_depth = !std::same_as<Order, drawing_order>;
   constexpr bool can_hide = by_depth && (Test == depth_test::nearer || Test == depth_test::nearer_or_equal);
-  farthest_depths<Order, Depth> far{depth, window};
+  farthest_depths<Order, Depth> hidden_depths{depth, window};
   draw_counts counts;
   for (const std::uint32_t number : numbers) {
     const triangle_corners c = find.corners(number);
@@ -105,7 +105,7 @@ constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::s
     const triangle_setup s = set_up(coverage, *c.v[0], *c.v[1], *c.v[2]);
     if constexpr (can_hide) {
       const float nearest = Order::nearer(s.depth_low, s.depth_high) ? s.depth_low : s.depth_high;
-      if (occluded == skipping::on && far.template hides<Test>(nearest, w)) continue;
+      if (occluded == skipping::on && hidden_depths.template hides<Test>(nearest, w)) continue;
     }
     const std::uint32_t source = find.source(number);
     mark_seen(seen[source]);

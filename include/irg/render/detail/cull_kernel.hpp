@@ -84,9 +84,9 @@ struct cull_kernel {
     const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
     const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
     const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0);
-    const unsigned small = mask_bits(both(right - left < limit, bottom - top < limit));
-    group.special |= alive & ~small;
-    alive &= small;
+    const unsigned narrow = mask_bits(both(right - left < limit, bottom - top < limit));
+    group.special |= alive & ~narrow;
+    alive &= narrow;
 
     const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     if (culling == face_culling::back) {

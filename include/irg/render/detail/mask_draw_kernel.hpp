@@ -59,17 +59,17 @@ constexpr mask_draw_result draw_mask_batch(const mask_target& m, const triangle_
                     [&](const triangle_corners& c) { painter.draw_large(c); });
     };
     using I = lanes<pack<std::int32_t, static_cast<int>(count)>>;
-    const auto limit = I::broadcast(painter.small + 1);
+    const auto limit = I::broadcast(painter.few + 1);
     std::uint32_t i = 0;
     mask_draw_result result;
     for (; i + count <= n; i += count) {
       const auto group = kernel(batch.triangles.data() + i, skip_options{});
       result.skipped += group.skipped;
       result.listed += std::popcount(group.listed);
-      const unsigned small = group.listed & mask_bits(both(I::load(group.x_last) - I::load(group.x_first) < limit,
-                                                           I::load(group.y_last) - I::load(group.y_first) < limit));
-      if (small != 0) painter.add_small(batch.first_number + i, small);
-      for (unsigned bits = (group.listed | group.special) & ~small; bits != 0; bits &= bits - 1) {
+      const unsigned few = group.listed & mask_bits(both(I::load(group.x_last) - I::load(group.x_first) < limit,
+                                                         I::load(group.y_last) - I::load(group.y_first) < limit));
+      if (few != 0) painter.add_small(batch.first_number + i, few);
+      for (unsigned bits = (group.listed | group.special) & ~few; bits != 0; bits &= bits - 1) {
         const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
         if ((group.special >> k & 1) != 0)
           one(i + k);

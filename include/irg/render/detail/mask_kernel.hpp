@@ -29,9 +29,9 @@ struct mask_target {
   int width, height, across, down;  // in pixels and in tiles
   float sign, farthest;  // of keys, as in tile.hpp
   mask_cell* cells;  // tile after tile down a strip, row after row
-  float* far;  // 64 blocks for each tile: a key that no pixel of it lies behind
+  float* farthest_key;  // 64 blocks for each tile: a key that no pixel of it lies behind
   float* tile_far;
-  std::uint64_t* stale;  // the blocks of each tile of which `far` is not known
+  std::uint64_t* stale;  // the blocks of each tile of which `farthest_key` is not known
   std::uint8_t* touched;  // by tile
 
   IRG_INLINE constexpr std::size_t tile_at(int tx, int ty) const noexcept {
@@ -45,8 +45,8 @@ struct mask_target {
   }
   IRG_INLINE constexpr float& pixel(int x, int y) const noexcept { return cell(x / 4, y / 2)->key[y % 2 * 4 + x % 4]; }
   IRG_INLINE constexpr float& block_far(int bx, int by) const noexcept {
-    return far[tile_at(bx / blocks_across, by / blocks_across) * 64 +
-               static_cast<std::size_t>(by % blocks_across * blocks_across + bx % blocks_across)];
+    return farthest_key[tile_at(bx / blocks_across, by / blocks_across) * 64 +
+                        static_cast<std::size_t>(by % blocks_across * blocks_across + bx % blocks_across)];
   }
 };
 
@@ -69,7 +69,7 @@ constexpr void clear_mask_tile(const mask_target& m, int tx, int ty) noexcept {
   }
   const std::size_t tile = m.tile_at(tx, ty);
   for (int b = 0; b < 64; ++b)
-    m.far[tile * 64 + static_cast<std::size_t>(b)] =
+    m.farthest_key[tile * 64 + static_cast<std::size_t>(b)] =
         b % blocks_across * block_size < width && b / blocks_across * block_size < height ? m.farthest : mask_outside;
   m.tile_far[tile] = m.farthest;
   m.stale[tile] = 0;
@@ -170,10 +170,11 @@ IRG_INLINE constexpr float mask_block_least(const mask_cell* cell) noexcept {
 
 // The farthest of the blocks of a tile, all of which are known.
 IRG_INLINE constexpr void refresh_mask_tile(const mask_target& m, std::size_t tile) noexcept {
-  const float* far = m.far + tile * 64;
-  float least[8] = {far[0], far[1], far[2], far[3], far[4], far[5], far[6], far[7]};
+  const float* farthest_key = m.farthest_key + tile * 64;
+  float least[8] = {farthest_key[0], farthest_key[1], farthest_key[2], farthest_key[3],
+                    farthest_key[4], farthest_key[5], farthest_key[6], farthest_key[7]};
   for (int b = 8; b < 64; b += 8)
-    for (int i = 0; i < 8; ++i) least[i] = low_of(far[b + i], least[i]);
+    for (int i = 0; i < 8; ++i) least[i] = low_of(farthest_key[b + i], least[i]);
   for (int i = 1; i < 8; ++i) least[0] = low_of(least[i], least[0]);
   m.tile_far[tile] = least[0];
 }
@@ -182,11 +183,11 @@ IRG_INLINE constexpr void refresh_mask_tile(const mask_target& m, std::size_t ti
 IRG_INLINE constexpr void finish_mask_tile(const mask_target& m, int tx, int ty) noexcept {
   const std::size_t tile = m.tile_at(tx, ty);
   if (m.touched[tile] == 0) return;
-  float* far = m.far + tile * 64;
+  float* farthest_key = m.farthest_key + tile * 64;
   for (std::uint64_t stale = m.stale[tile]; stale != 0; stale &= stale - 1) {
     const int b = std::countr_zero(stale);
-    far[b] = mask_block_least(m.cell((tx * tile_size + b % blocks_across * block_size) / 4,
-                                     (ty * tile_size + b / blocks_across * block_size) / 2));
+    farthest_key[b] = mask_block_least(m.cell((tx * tile_size + b % blocks_across * block_size) / 4,
+                                              (ty * tile_size + b / blocks_across * block_size) / 2));
   }
   m.stale[tile] = 0;
   refresh_mask_tile(m, tile);

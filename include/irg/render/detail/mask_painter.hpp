@@ -29,7 +29,7 @@ struct mask_painter {
   static constexpr int count = mask_group::most;
   using integers = pack<std::int32_t, count>;
   using floats = pack<float, count>;
-  static constexpr int small = 2 * block_size;  // boxes up to this size are drawn row by row
+  static constexpr int few = 2 * block_size;  // boxes up to this size are drawn row by row
 
   const mask_target& m;
   cell_window window;
@@ -249,8 +249,9 @@ struct mask_painter {
                              const subpixel& origin, std::size_t tile, int bx, int by) const noexcept {
     const int x = bx * block_size, y = by * block_size;
     const std::uint64_t bit = std::uint64_t{1} << (by % blocks_across * blocks_across + bx % blocks_across);
-    float& far = m.far[tile * 64 + static_cast<std::size_t>(std::countr_zero(bit))];
-    if ((m.stale[tile] & bit) == 0 && (plane.high <= far || nearest(plane, origin, x, y, block_size) <= far))
+    float& farthest_key = m.farthest_key[tile * 64 + static_cast<std::size_t>(std::countr_zero(bit))];
+    if ((m.stale[tile] & bit) == 0 &&
+        (plane.high <= farthest_key || nearest(plane, origin, x, y, block_size) <= farthest_key))
       return false;
     // An edge that runs through the block has values of 29 bits there at most; the others need not be known.
     std::int32_t f[3] = {}, right[3] = {}, down[3] = {};
@@ -268,8 +269,8 @@ struct mask_painter {
     }
     mask_cell* cell = m.cell(x / 4, y / 2);
     const float dx = mask_offset(x, origin.x), dy = mask_offset(y, origin.y);
-    far = inside ? draw_cells<true>(cell, f, right, down, plane, dx, dy)
-                 : draw_cells<false>(cell, f, right, down, plane, dx, dy);
+    farthest_key = inside ? draw_cells<true>(cell, f, right, down, plane, dx, dy)
+                          : draw_cells<false>(cell, f, right, down, plane, dx, dy);
     m.stale[tile] &= ~bit;
     return true;
   }
@@ -317,7 +318,7 @@ struct mask_painter {
   IRG_INLINE void add(std::uint32_t number) noexcept {
     const triangle_corners c = find.corners(number);
     const cell_window box = pixels_touched(c.v[0]->position, c.v[1]->position, c.v[2]->position);
-    if (box.x_last - box.x_first <= small && box.y_last - box.y_first <= small)
+    if (box.x_last - box.x_first <= few && box.y_last - box.y_first <= few)
       add_small(number, 1);
     else
       draw_large(c);

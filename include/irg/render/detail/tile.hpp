@@ -4,8 +4,8 @@
 //
 // Depths are kept as keys, of which the greater is always the nearer: the depth itself or its negative.
 //
-// The tile is cut into blocks of 8 x 8 pixels. `far` holds for each a key that no pixel of it lies behind: a triangle
-// that lies behind that is not seen there.
+// The tile is cut into blocks of 8 x 8 pixels. `farthest_key` holds for each a key that no pixel of it lies behind: a
+// triangle that lies behind that is not seen there.
 #pragma once
 
 #include <bit>
@@ -27,9 +27,9 @@ inline constexpr std::uint32_t no_triangle = 0xffffffff;
 struct tile {
   alignas(64) float key[tile_size * tile_stride];
   alignas(64) std::uint32_t id[tile_size * tile_stride];
-  alignas(64) float far[blocks_across * blocks_across];
-  float farthest;  // the least of `far`
-  std::uint64_t stale;  // the blocks that were drawn to since their `far` was reckoned
+  alignas(64) float farthest_key[blocks_across * blocks_across];
+  float farthest;  // the least of `farthest_key`
+  std::uint64_t stale;  // the blocks that were drawn to since their `farthest_key` was reckoned
 };
 
 // How an order of depths is turned into one of keys. Orders of other makers are drawn pixel by pixel.
@@ -66,8 +66,9 @@ IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexc
       std::memcpy(t.id + row * tile_stride + k, &none.v, sizeof none.v);
     }
   for (int b = 0; b < blocks_across * blocks_across; ++b)
-    t.far[b] = b % blocks_across * block_size < width && b / blocks_across * block_size < height ? farthest
-                                                                                                 : beyond_everything;
+    t.farthest_key[b] = b % blocks_across * block_size < width && b / blocks_across * block_size < height
+                            ? farthest
+                            : beyond_everything;
   t.farthest = farthest;
   t.stale = 0;
 }
@@ -83,13 +84,13 @@ IRG_INLINE float least_of(const pack<float, N>& p) noexcept {
 // Reckons `farthest` anew.
 IRG_INLINE void refresh_farthest(tile& t) noexcept {
   using F = lanes<pack<float, tile_lanes>>;
-  auto least = F::load(t.far);
+  auto least = F::load(t.farthest_key);
   for (int i = tile_lanes; i < blocks_across * blocks_across; i += tile_lanes)
-    least = low_of(F::load(t.far + i), least);
+    least = low_of(F::load(t.farthest_key + i), least);
   t.farthest = least_of(least);
 }
 
-// Reckons `far` anew for the stale blocks, and `farthest`.
+// Reckons `farthest_key` anew for the stale blocks, and `farthest`.
 IRG_INLINE void refresh_far(tile& t) noexcept {
   using F = lanes<pack<float, tile_lanes>>;
   for (; t.stale != 0; t.stale &= t.stale - 1) {
@@ -98,7 +99,7 @@ IRG_INLINE void refresh_far(tile& t) noexcept {
     auto least = F::load(row);
     for (int r = 0; r < block_size; ++r, row += tile_stride)
       for (int k = 0; k < block_size; k += tile_lanes) least = low_of(F::load(row + k), least);
-    t.far[block] = least_of(least);
+    t.farthest_key[block] = least_of(least);
   }
   refresh_farthest(t);
 }

@@ -158,15 +158,15 @@ struct tile_painter {
     d.rows = y_last - y_first;
     const integers three = I::broadcast(3);
     // They are drawn before the others of their group, which is of no account unless the later one always wins.
-    const unsigned small = Test == tile_test::always
-                               ? 0u
-                               : mask_bits(both(d.columns < three, d.rows < three)) & ((1u << used) - 1) & ~large;
-    if (small != 0) {
+    const unsigned few = Test == tile_test::always
+                             ? 0u
+                             : mask_bits(both(d.columns < three, d.rows < three)) & ((1u << used) - 1) & ~large;
+    if (few != 0) {
       d.at = (y_first - I::broadcast(window.y_first)) * I::broadcast(tile_stride) +
              (x_first - I::broadcast(window.x_first));
-      draw_dots<Test>(d, g.place, small);
+      draw_dots<Test>(d, g.place, few);
     }
-    if (small != (1u << used) - 1) {
+    if (few != (1u << used) - 1) {
       for (int k = 0; k < 3; ++k) {
         I::store(g.f[k], d.f[k]);
         I::store(g.right[k], d.right[k]);
@@ -181,28 +181,28 @@ struct tile_painter {
       I::store(g.y_first, y_first - I::broadcast(window.y_first));
       I::store(g.y_last, y_last - I::broadcast(window.y_first));
     }
-    return {large, small};
+    return {large, few};
   }
 
   // Draws a triangle that is ready: its box row by row when it is small, else block by block.
   template <tile_test Test, class I>
   IRG_INLINE void draw_ready(const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last) noexcept {
-    constexpr int small = 2 * block_size;
+    constexpr int small_box = 2 * block_size;
     const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
-    if (x_last - x_first > small || y_last - y_first > small) {
+    if (x_last - x_first > small_box || y_last - y_first > small_box) {
       if (tile_blocks<Test>(out, t, x_first, y_first, x_last, y_last, order.front_to_back, counts, before))
         note_seen(t.place);
       return;
     }
     if (order.front_to_back) {
-      float far = beyond_everything;
+      float farthest_key = beyond_everything;
       std::uint64_t touched = 0;
       for (int by = y_first / block_size; by * block_size < y_last; ++by)
         for (int bx = x_first / block_size; bx * block_size < x_last; ++bx) {
-          far = lesser(far, out.far[by * blocks_across + bx]);
+          farthest_key = lesser(farthest_key, out.farthest_key[by * blocks_across + bx]);
           touched |= std::uint64_t{1} << (by * blocks_across + bx);
         }
-      if (t.high.v[0] < far) return;
+      if (t.high.v[0] < farthest_key) return;
       out.stale |= touched;
     }
     note_seen(t.place);

@@ -156,10 +156,10 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
         const auto size = (absolute(a) + absolute(b)) + (absolute(c) + (absolute(t.rest) + absolute(rise)));
         const auto nearest = ((a + t.rest) + (b + c)) + (rise + size * F::broadcast(0x1p-20f));
         const auto bound = select(t.high < nearest, t.high, nearest);
-        pack<float, lane_count> far;
+        pack<float, lane_count> farthest_key;
         for (int i = 0; i < lane_count; ++i)
-          far.v[i] = out.far[by * blocks_across + lesser(bx0 + i, blocks_across - 1)];
-        seen = both(seen, bound >= far);
+          farthest_key.v[i] = out.farthest_key[by * blocks_across + lesser(bx0 + i, blocks_across - 1)];
+        seen = both(seen, bound >= farthest_key);
       }
       unsigned bits = mask_bits(seen) & ((1u << lesser(bx_last - bx0, lane_count)) - 1);
       for (; bits != 0; bits &= bits - 1) {
@@ -179,7 +179,7 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
             least = low_of(now, least);
             for (int i = 0; i < 3; ++i) f[i][part] = f[i][part] + J::broadcast(t.down[i]);
           }
-        if (by_depth) out.far[by * blocks_across + bx] = least_of(least);
+        if (by_depth) out.farthest_key[by * blocks_across + bx] = least_of(least);
       }
     }
   all_counts = counts;

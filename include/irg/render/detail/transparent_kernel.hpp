@@ -105,16 +105,16 @@ struct farthest_depths {
     const int x_first = window.x_first + bx * block, y_first = window.y_first + by * block;
     const int x_last = lesser(x_first + block, window.x_last), y_last = lesser(y_first + block, window.y_last);
     bool any = false;
-    float far = 0;
+    float hidden_at = 0;
     for (int y = y_first; y < y_last; ++y) {
       const float* row = raster_traits<Depth>::row(depth, y);
       for (int x = x_first; x < x_last; ++x) {
-        if (row[x] != row[x] || (any && !Order::nearer(far, row[x]))) continue;
-        far = row[x];
+        if (row[x] != row[x] || (any && !Order::nearer(hidden_at, row[x]))) continue;
+        hidden_at = row[x];
         any = true;
       }
     }
-    return farthest[i] = far;
+    return farthest[i] = hidden_at;
   }
 
   // Whether no pixel of a triangle in w, none of them nearer than `nearest`, passes.
