@@ -102,7 +102,7 @@ struct tile_painter {
   // What is left to do of a group: a bit for each triangle whose sides are too long for 32-bit lanes, and for each one
   // that is drawn already.
   struct group_state {
-    unsigned large, drawn;
+    unsigned large = 0, drawn = 0;
   };
 
   // Sets up `used` triangles, and draws those whose boxes have two columns and rows at most.
@@ -281,21 +281,23 @@ struct tile_painter {
     }
   }
 
+  // The whole list, eight triangles at a time however many lanes there are: so the counts, too, are the same everywhere.
   template <tile_test Test>
   IRG_INLINE void draw_list() noexcept {
-    constexpr std::size_t refresh = 8 * count, counted = 1024 * count;
-    tile_triangles g;
-    for (std::size_t first = 0; first < numbers.size(); first += count) {
-      const int used = static_cast<int>(lesser(numbers.size() - first, std::size_t{count}));
-      fetch_ahead(first);
-      const group_state group = set_up_group<Test>(g, first, used);
-      for (unsigned bits = ((1u << used) - 1) & ~group.drawn; bits != 0; bits &= bits - 1) {
-        const int i = std::countr_zero(bits);
-        if ((group.large >> i & 1) != 0)
-          draw_large<Test>(g, i);
-        else
-          draw_small<Test>(g, i);
+    constexpr std::size_t at_once = 8, refresh = 8 * at_once, counted = 1024 * at_once, groups = at_once / count;
+    static_assert(at_once % count == 0);
+    for (std::size_t first = 0; first < numbers.size(); first += at_once) {
+      tile_triangles g[groups];
+      group_state state[groups];
+      int used[groups];
+      for (std::size_t k = 0; k < groups; ++k) {
+        const std::size_t from = lesser(first + k * count, numbers.size());
+        used[k] = static_cast<int>(lesser(numbers.size() - from, std::size_t{count}));
+        fetch_ahead(from);
+        if (used[k] > 0) state[k] = set_up_group<Test>(g[k], from, used[k]);
       }
+      for (std::size_t k = 0; k < groups; ++k)
+        if (used[k] > 0) draw_rest<Test>(g[k], state[k], used[k]);
       if (order.front_to_back) {
         if (first % refresh == 0)
           refresh_far(out);
@@ -305,6 +307,18 @@ struct tile_painter {
       if (first % counted == 0) add_counts();
     }
     add_counts();
+  }
+
+  // What is left to do of a group that is set up.
+  template <tile_test Test>
+  IRG_INLINE void draw_rest(const tile_triangles& g, const group_state& state, int used) noexcept {
+    for (unsigned bits = ((1u << used) - 1) & ~state.drawn; bits != 0; bits &= bits - 1) {
+      const int i = std::countr_zero(bits);
+      if ((state.large >> i & 1) != 0)
+        draw_large<Test>(g, i);
+      else
+        draw_small<Test>(g, i);
+    }
   }
 
   // Moves the counts from the lanes to where they cannot overflow.
