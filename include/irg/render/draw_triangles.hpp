@@ -119,45 +119,53 @@ IRG_INLINE void store_depths(const tile& t, Depth& depth, const cell_window& w, 
   }
 }
 
+// Which triangle each pixel of a tile shows, in lanes: the same for all shaders, and so one copy for all of them. Leaves
+// the list as it was drawn, in `numbers`; `sorted` holds it if it is not the one that was given.
+template <class Order, class T, class Depth>
+IRG_NOINLINE draw_counts find_visible(tile& t, Depth& depth, std::span<const std::uint32_t>& numbers,
+                                      std::vector<std::uint32_t>& sorted, float area, const triangle_finder<T>& find,
+                                      const cell_window& w, clearing clear, depth_result result, skipping occluded,
+                                      std::uint8_t* seen) {
+  constexpr float sign = key_sign<Order>;
+  constexpr bool by_depth = !std::same_as<Order, drawing_order>;
+  clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
+  if (clear == clearing::none) load_depths(t, depth, w, sign);
+  // Where pixels are covered more than twice, order and rejection pay. A triangle covers half of its box.
+  const bool front_first = by_depth && occluded == skipping::on &&
+                           area > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
+  if (front_first) {
+    sorted = front_to_back(numbers, find, sign);
+    numbers = sorted;
+  }
+  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, seen};
+  painter.template draw_list<by_depth ? tile_test::nearer : tile_test::always>();
+  if (clear == clearing::none || result == depth_result::kept) store_depths(t, depth, w, sign);
+  return {painter.tested, 0, painter.ties};
+}
+
 // A tile in lanes: see tile_drawing.hpp and tile_shading.hpp.
 template <class Order, class T, class Colour, class Depth, class MakeShader>
 draw_counts draw_tile_fast(Colour& colour, Depth& depth, std::span<const std::uint32_t> numbers, float area,
                            const triangle_finder<T>& find, const cell_window& w, const MakeShader& make_shader,
                            const draw_settings<pixel_of<Colour>>& settings, std::uint8_t* seen) {
-  constexpr float sign = key_sign<Order>;
-  constexpr bool by_depth = !std::same_as<Order, drawing_order>;
-  const bool clear = settings.clear == clearing::before_drawing, keep = !clear || settings.depth == depth_result::kept;
+  const bool clear = settings.clear == clearing::before_drawing;
   if (numbers.empty()) {
-    if (!clear) return {};
-    if (keep)
-      clear_window<Order>(colour, depth, w, settings.background);
-    else
-      clear_window(colour, w, settings.background);
+    if (clear) clear_window(colour, w, settings.background);
+    if (clear && settings.depth == depth_result::kept) clear_window(depth, w, Order::farthest);
     return {};
   }
   tile t;
-  clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
-  if (!clear) load_depths(t, depth, w, sign);
-  // Where pixels are covered more than twice, order and rejection pay. A triangle covers half of its box.
-  const bool sorted = by_depth && settings.skip.occluded == skipping::on &&
-                      area > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
-  std::vector<std::uint32_t> nearer_first;
-  if (sorted) {
-    nearer_first = front_to_back(numbers, find, sign);
-    numbers = nearer_first;
-  }
-  tile_painter<T> painter{find, numbers, w, {sign, sorted}, t, seen};
-  painter.template draw_list<by_depth ? tile_test::nearer : tile_test::always>();
-  if (keep) store_depths(t, depth, w, sign);
-  std::int64_t shaded = 0;
+  std::vector<std::uint32_t> sorted;
+  draw_counts counts = find_visible<Order>(t, depth, numbers, sorted, area, find, w, settings.clear, settings.depth,
+                                           settings.skip.occluded, seen);
   if constexpr (AttributeShading<MakeShader, triangle_batch<T>>) {
-    shaded = attribute_kernel<T, MakeShader, Colour>{
+    counts.shaded = attribute_kernel<T, MakeShader, Colour>{
         t, find, numbers, w, colour, make_shader, clear ? &settings.background : nullptr}();
   } else {
     if (clear) clear_window(colour, w, settings.background);
-    shaded = shade_by_triangle(t, find, numbers, w, sign, colour, make_shader);
+    counts.shaded = shade_by_triangle(t, find, numbers, w, key_sign<Order>, colour, make_shader);
   }
-  return {painter.tested, shaded, painter.ties};
+  return counts;
 }
 
 #endif

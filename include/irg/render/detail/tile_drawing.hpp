@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of a tile, drawn: groups of triangles are made ready together; those of a pixel or few are drawn together,
-// too, the others one after the other. Where so much is
-// drawn on top of each other that it pays, nearer triangles come first, and what lies behind them is passed over.
+// too, the others one after the other. Where so much is drawn on top of each other that it pays, nearer triangles come
+// first, and what lies behind them is passed over.
 #pragma once
 
 #include <cstdint>
@@ -281,9 +281,10 @@ struct tile_painter {
     }
   }
 
-  // The whole list, eight triangles at a time however many lanes there are: so the counts, too, are the same everywhere.
+  // The whole list, eight triangles at a time however many lanes there are: so the counts, too, are equal everywhere.
+  // Not inlined: one copy serves all shaders, which keeps their callers quick to compile.
   template <tile_test Test>
-  IRG_INLINE void draw_list() noexcept {
+  IRG_NOINLINE void draw_list() noexcept {
     constexpr std::size_t at_once = 8, refresh = 8 * at_once, counted = 1024 * at_once, groups = at_once / count;
     static_assert(at_once % count == 0);
     for (std::size_t first = 0; first < numbers.size(); first += at_once) {
