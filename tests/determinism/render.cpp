@@ -2,6 +2,8 @@
 // Whole pictures: from a mesh through transform, light, clipping and the triangle kernel to bytes.
 #include <irg/render/render.hpp>
 
+#include <bit>
+
 #include <irg/io/obj.hpp>
 #include <irg/io/png.hpp>
 #include <irg/mesh/shapes.hpp>
@@ -62,6 +64,36 @@ HASHED(render_flat, 1, 5);
 HASHED(render_gouraud, 1, 5);
 HASHED(render_gouraud_float, 1, 5);
 HASHED(render_phong, 1, 5);
+
+// Light scaled into the display's range.
+constexpr std::uint64_t render_rescaled(int rounds) {
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    const int size = rounds == 1 ? 6 : 90;
+    irg::scene<double> s;
+    irg::mesh<double> m;
+    m.positions = {{-1, -1, 0.1 * i}, {1, -1, -1}, {0, 1, 0}, {1.5, 1.5, -0.5}};
+    m.corners = {{0}, {1}, {2}, {1}, {3}, {2}};
+    m.face_starts = {0, 3, 6};
+    s.objects.push_back({m});
+    s.objects[0].surface = {{0.5, 1, 2}, {1, 0.7, 0.5}, {0.3, 0.3, 0.3}, 8};
+    s.lights = {{{1, 2, 3, 1}, {2, 2, 2}}, {{-1, 0.5, 1, 0}, {1, 0.5, 0.25}}};
+    s.ambient = {0.3, 0.3, 0.3};
+    s.view.eye = {0, 0, 3};
+    s.view.target = {0, 0, 0};
+    irg::render_options o;
+    o.style = static_cast<irg::picture_style>(1 + i % 3);
+    o.culling = irg::face_culling::none;
+    o.intensities = irg::intensity_range::rescale;
+    irg::image<irg::rgba8> colour(size, size);
+    irg::image<float> depth(size, size);
+    irg::render(s, colour, depth, o);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) h.add(std::bit_cast<std::uint32_t>(colour(x, y)));
+  }
+  return h.value();
+}
+HASHED(render_rescaled, 1, 9);
 
 constexpr std::uint64_t io_obj_and_png(int rounds) {
   determinism::hasher h;

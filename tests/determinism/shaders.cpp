@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures, textured and transparent triangles, and light scaled into the display's range.
+// Textures, textured and transparent triangles.
 #include <irg/render/draw_transparent.hpp>
-#include <irg/render/render.hpp>
 #include <irg/render/textured_shading.hpp>
 #include <irg/shade/mip_pyramid.hpp>
 
@@ -93,33 +92,5 @@ constexpr std::uint64_t render_textures_and_glass(int rounds) {
   return h.value();
 }
 HASHED(render_textures_and_glass, 1, 48);
-
-constexpr std::uint64_t render_rescaled(int rounds) {
-  determinism::hasher h;
-  for (int i = 0; i < rounds; ++i) {
-    const int size = rounds == 1 ? 6 : 90;
-    irg::scene<double> s;
-    irg::mesh<double> m;
-    m.positions = {{-1, -1, 0.1 * i}, {1, -1, -1}, {0, 1, 0}, {1.5, 1.5, -0.5}};
-    m.corners = {{0}, {1}, {2}, {1}, {3}, {2}};
-    m.face_starts = {0, 3, 6};
-    s.objects.push_back({m});
-    s.objects[0].surface = {{0.5, 1, 2}, {1, 0.7, 0.5}, {0.3, 0.3, 0.3}, 8};
-    s.lights = {{{1, 2, 3, 1}, {2, 2, 2}}, {{-1, 0.5, 1, 0}, {1, 0.5, 0.25}}};
-    s.ambient = {0.3, 0.3, 0.3};
-    s.view.eye = {0, 0, 3};
-    s.view.target = {0, 0, 0};
-    irg::render_options o;
-    o.style = static_cast<irg::picture_style>(1 + i % 3);
-    o.culling = irg::face_culling::none;
-    o.intensities = irg::intensity_range::rescale;
-    irg::image<irg::rgba8> colour(size, size);
-    irg::image<float> depth(size, size);
-    irg::render(s, colour, depth, o);
-    add(h, colour);
-  }
-  return h.value();
-}
-HASHED(render_rescaled, 1, 9);
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
+#include "support/rendered.hpp"
 #include "support/scenes.hpp"
 
 namespace {

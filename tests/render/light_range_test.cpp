@@ -10,6 +10,7 @@
 #include <irg/mesh/mesh.hpp>
 
 #include "support/check_both.hpp"
+#include "support/rendered.hpp"
 #include "support/scenes.hpp"
 #include "support/ulp.hpp"
 
@@ -138,7 +139,7 @@ TEST_CASE("render, light range: the same bytes for every executor, skips on and 
 }
 
 TEST_CASE("render, light range: in a constant expression") {
-  constexpr auto colour = [](intensity_range range) {
+  constexpr auto bright_wall = [] {
     irg::scene<double> s;
     irg::mesh<double> m;
     m.positions = {{-9, -9, 0}, {27, -9, 0}, {-9, 27, 0}};
@@ -148,16 +149,21 @@ TEST_CASE("render, light range: in a constant expression") {
     s.objects[0].surface.ambient = {0.5, 1, 2};
     s.ambient = {1, 1, 1};
     s.view.eye = {0, 0, 3};
+    return s;
+  };
+  constexpr auto options = [](intensity_range range) {
     irg::render_options o;
     o.style = picture_style::phong;
     o.intensities = range;
-    irg::image<irg::rgba8> picture(2, 2);
-    irg::image<float> depth(2, 2);
-    irg::render(s, picture, depth, o);
-    return picture(1, 1);
+    return o;
   };
-  CHECK_BOTH(colour(intensity_range::rescale) == irg::encode({0.25f, 0.5f, 1.0f}));
-  CHECK_BOTH(colour(intensity_range::clamp) == irg::encode({0.5f, 1.0f, 1.0f}));
+  constexpr irg::rgba8 scaled = irg::encode({0.25f, 0.5f, 1.0f}), cut = irg::encode({0.5f, 1.0f, 1.0f});
+  static_assert(test::render_constant(bright_wall(), 2, 2, options(intensity_range::rescale)).picture.colour(1, 1) ==
+                scaled);
+  static_assert(test::render_constant(bright_wall(), 2, 2, options(intensity_range::clamp)).picture.colour(1, 1) ==
+                cut);
+  CHECK(test::render(bright_wall(), 2, 2, options(intensity_range::rescale)).picture.colour(1, 1) == scaled);
+  CHECK(test::render(bright_wall(), 2, 2, options(intensity_range::clamp)).picture.colour(1, 1) == cut);
 }
 
 }  // namespace

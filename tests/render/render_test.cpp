@@ -11,6 +11,7 @@
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
+#include "support/rendered.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -48,11 +49,14 @@ struct small_picture {
   irg::render_stats stats;
 };
 
-constexpr small_picture lit_triangle() {
+constexpr irg::scene<double> crossing_triangles() {
   irg::scene<double> s = scene_of({triangle_at(0)});
   s.objects[0].shape.positions[2].z = -3;
   s.objects.push_back({triangle_at(-1, 2)});
-  const test::rendered r = test::render(s, 32, 32);
+  return s;
+}
+
+constexpr small_picture copied(const test::rendered& r) {
   small_picture p{};
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {
@@ -64,14 +68,14 @@ constexpr small_picture lit_triangle() {
 }
 
 TEST_CASE("render: two lit, depth-tested triangles in a constant expression, with the bytes of run time") {
-  static constexpr small_picture at_compile_time = lit_triangle();
+  static constexpr small_picture at_compile_time = copied(test::render_constant(crossing_triangles(), 32, 32));
   static_assert(at_compile_time.stats.triangles == 2 && at_compile_time.stats.skipped == irg::skip_counts{});
   static_assert(at_compile_time.stats.pixels.tested >
                 at_compile_time.stats.drawn);  // some of one is hidden by the other
   static_assert(at_compile_time.stats.drawn > 300 && at_compile_time.colour[0][0] == background);
   static_assert(at_compile_time.colour[16][16] != background &&
                 at_compile_time.colour[16][16] != at_compile_time.colour[20][16]);
-  const small_picture at_run_time = lit_triangle();
+  const small_picture at_run_time = copied(test::render(crossing_triangles(), 32, 32));
   CHECK(std::memcmp(at_compile_time.colour, at_run_time.colour, sizeof at_run_time.colour) == 0);
   CHECK(std::memcmp(at_compile_time.depth, at_run_time.depth, sizeof at_run_time.depth) == 0);
   CHECK(at_compile_time.stats.drawn == at_run_time.stats.drawn);
@@ -316,9 +320,8 @@ TEST_CASE("render: observers hear of every stage of every object, and change not
   const auto s = scene_of({triangle_at(0), triangle_at(-1)});
   for (const auto style : styles) {
     std::vector<irg::render_stage> heard;
-    test::canvas c(20, 20);
-    irg::render(s, c.colour, c.depth, {style}, {}, irg::sequential{},
-                [&](irg::render_stage stage) { heard.push_back(stage); });
+    const auto observed =
+        test::render(s, 20, 20, {style}, {}, [&](irg::render_stage stage) { heard.push_back(stage); });
     using enum irg::render_stage;
     const std::vector<irg::render_stage> once =
         style == irg::picture_style::wire ? std::vector{project, draw} : std::vector{prepare, shade, project, draw};
@@ -327,7 +330,7 @@ TEST_CASE("render: observers hear of every stage of every object, and change not
     if (style != irg::picture_style::wire) twice.pop_back();
     twice.insert(twice.end(), once.begin(), once.end());
     CHECK(heard == twice);
-    CHECK(c == test::render(s, 20, 20, {style}).picture);
+    CHECK(observed.picture == test::render(s, 20, 20, {style}).picture);
   }
 }
 
@@ -338,7 +341,7 @@ TEST_CASE("render: draws into views, upside down too") {
   irg::image_view<irg::rgba8> bottom_up(memory.data() + 16 * 30, 24, 17,
                                         -30 * static_cast<std::ptrdiff_t>(sizeof(irg::rgba8)));
   irg::image<float> depth(24, 17);
-  CHECK(irg::render(s, bottom_up, depth) == expected.stats);
+  CHECK(test::render_into(bottom_up, depth, s) == expected.stats);
   for (int y = 0; y < 17; ++y)
     for (int x = 0; x < 30; ++x)
       REQUIRE(memory[static_cast<std::size_t>((16 - y) * 30 + x)] ==

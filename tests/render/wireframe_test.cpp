@@ -11,6 +11,7 @@
 #include <irg/view/projection.hpp>
 
 #include "support/check_both.hpp"
+#include "support/rendered.hpp"
 #include "support/scenes.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures to draw into, and seeded scenes that hold everything a renderer may be given.
+// Seeded scenes that hold everything a renderer may be given.
 #pragma once
 
 #include <cmath>
@@ -7,43 +7,11 @@
 #include <cstdint>
 #include <limits>
 
-#include <irg/raster/image.hpp>
-#include <irg/render/render.hpp>
 #include <irg/scene/scene.hpp>
 
 #include "support/random.hpp"
 
 namespace test {
-
-/// A picture and its depth buffer, filled with what no renderer leaves behind.
-struct canvas {
-  irg::image<irg::rgba8> colour;
-  irg::image<float> depth;
-  constexpr canvas(int width, int height) : colour(width, height, irg::rgba8{1, 2, 3, 4}), depth(width, height, 0.5f) {}
-  constexpr bool operator==(const canvas&) const = default;
-};
-
-/// What is in a canvas after rendering, with the numbers that belong to it.
-struct rendered {
-  canvas picture;
-  irg::render_stats stats;
-};
-
-template <class T, class E = irg::sequential>
-constexpr rendered render(const irg::scene<T>& world, int width, int height, const irg::render_options& options = {},
-                          const E& executor = {}) {
-  rendered r{canvas(width, height), {}};
-  r.stats = irg::render(world, r.picture.colour, r.picture.depth, options, {}, executor);
-  return r;
-}
-
-/// Runs the tasks from the last to the first: an executor of a user's own.
-struct backwards {
-  template <class Task>
-  constexpr void operator()(std::size_t count, Task&& task) const {
-    while (count > 0) task(--count);
-  }
-};
 
 /// A number of any size and sign, a multiple of 2^-20 of its power of two.
 inline double number_of_any_size(random& r, int least_exponent, int greatest_exponent) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// test::render: the one place where the tests compile the whole renderer for run time.
+#include "support/rendered.hpp"
+
+namespace test {
+namespace {
+
+template <class T>
+irg::render_stats draw(irg::image_view<irg::rgba8> colour, irg::image<float>& depth, const irg::scene<T>& world,
+                       const irg::render_options& options, const any_executor& executor, const any_observer& observer) {
+  return irg::render(world, colour, depth, options, {}, executor, [&](irg::render_stage stage) {
+    if (observer) observer(stage);
+  });
+}
+
+template <class T>
+rendered draw_canvas(const irg::scene<T>& world, int width, int height, const irg::render_options& options,
+                     const any_executor& executor, const any_observer& observer) {
+  rendered r{canvas(width, height), {}};
+  r.stats = draw(r.picture.colour.view(), r.picture.depth, world, options, executor, observer);
+  return r;
+}
+
+}  // namespace
+
+rendered render(const irg::scene<double>& world, int width, int height, const irg::render_options& options,
+                const any_executor& executor, const any_observer& observer) {
+  return draw_canvas(world, width, height, options, executor, observer);
+}
+rendered render(const irg::scene<float>& world, int width, int height, const irg::render_options& options,
+                const any_executor& executor, const any_observer& observer) {
+  return draw_canvas(world, width, height, options, executor, observer);
+}
+irg::render_stats render_into(irg::image_view<irg::rgba8> colour, irg::image<float>& depth,
+                              const irg::scene<double>& world, const irg::render_options& options) {
+  return draw(colour, depth, world, options, any_executor{}, any_observer{});
+}
+
+}  // namespace test
