@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What it costs not to see something: a hundred bodies of which 100, 50, 10, 1 or 0 % are visible, the others behind a
-// wall that is drawn first, or outside of the picture.
+// wall that is drawn first, or outside of the picture. What is seen, drawn alone, says how much is for the wall.
+#include <algorithm>
+
 #include "raster/contest.hpp"
 #include "render/race.hpp"
 
@@ -14,11 +16,43 @@ struct series {
   std::vector<double> milliseconds{};
 };
 
+// The objects that show a pixel, alone: what is left to do where the others cost nothing.
+scene seen_alone(stage& on) {
+  const scene& s = on.what;
+  on.renderer.draw_ids(on.ids, on.depth);
+  std::vector<bool> seen(s.triangles.size(), false);
+  for (std::size_t i = 0; i < s.pixel_count(); ++i)
+    if (on.ids.data()[i] != 0) seen[on.ids.data()[i] - 1] = true;
+  scene alone = empty_scene(s.name + " seen alone", s.culling);
+  alone.to_clip = s.to_clip;
+  for (scene_object o : s.objects) {
+    const auto first = seen.begin() + o.first_triangle;
+    if (std::find(first, first + o.triangles, true) == first + o.triangles) continue;
+    const auto vertex = static_cast<std::uint32_t>(alone.positions.size()) - o.first_vertex;  // wraps round, and back
+    for (std::uint32_t i = o.first_triangle; i < o.first_triangle + o.triangles; ++i) {
+      const auto [a, b, c] = s.triangles[i].v;
+      alone.triangles.push_back({{a + vertex, b + vertex, c + vertex}});
+    }
+    for (std::uint32_t i = o.first_vertex; i < o.first_vertex + o.vertices; ++i) {
+      alone.positions.push_back(s.positions[i]);
+      alone.normals.push_back(s.normals[i]);
+      alone.colours.push_back(s.colours[i]);
+    }
+    o.first_vertex += vertex;
+    o.first_triangle = static_cast<std::uint32_t>(alone.triangles.size()) - o.triangles;
+    alone.objects.push_back(o);
+  }
+  return alone;
+}
+
 int run(const scene& s, std::vector<series>& times) {
   stage on(s);
   print_statistics(on);
+  const scene alone = seen_alone(on);
+  own::renderer draw_alone(alone);
   std::vector<frame_contender> all{own_contender(on, "irg", 1, irg::skip_options{}),
                                    own_contender(on, "irg:no skips", 1, irg::skip_nothing)};
+  all.push_back({"limit:seen alone", 1, timed(1, [&] { draw_alone.draw(on.picture, on.depth); })});
   all.push_back({"limit:clear", 1, timed(1, [&on] { clear_both(on.picture, on.depth); })});
 #ifdef IRG_HAVE_OSMESA
   llvmpipe_process one(s, 1);
@@ -52,6 +86,11 @@ int run_all(hidden_by what) {
   for (const series& of : times) {
     std::printf("\n%-24s", of.name.c_str());
     for (const double ms : of.milliseconds) std::printf(" %9.3f %5.1f %%", ms, 100 * ms / of.milliseconds[0]);
+  }
+  std::printf("\n%-24s", "irg for what is hidden");
+  for (std::size_t i = 0; i < std::size(shares); ++i) {
+    const double ms = times[0].milliseconds[i] - times[2].milliseconds[i];
+    std::printf(" %9.3f %5.1f %%", ms, 100 * ms / times[0].milliseconds[0]);
   }
   std::puts("");
   return broken;

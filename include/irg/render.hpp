@@ -7,6 +7,8 @@
 #include <irg/render/draw_transparent.hpp>
 #include <irg/render/draw_triangles.hpp>
 #include <irg/render/drawable.hpp>
+#include <irg/render/mip_textured_shading.hpp>
+#include <irg/render/occlusion_culling.hpp>
 #include <irg/render/occlusion_mask.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/projected_vertices.hpp>
@@ -15,4 +17,5 @@
 #include <irg/render/textured_shading.hpp>
 #include <irg/render/triangle_batch.hpp>
 #include <irg/render/visibility_buffer.hpp>
+#include <irg/render/weight_derivatives.hpp>
 #include <irg/render/wireframe.hpp>

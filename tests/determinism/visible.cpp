@@ -3,6 +3,8 @@
 #include "hashes.hpp"
 #include "support/visible_scenes.hpp"
 
+#include <irg/render/occlusion_culling.hpp>
+
 namespace {
 
 template <class Order, class T>
@@ -32,6 +34,30 @@ constexpr std::uint64_t visible_greater(int rounds) {
 }
 constexpr std::uint64_t visible_less(int rounds) { return visible_triangles<irg::nearer_is_less, double>(rounds); }
 constexpr std::uint64_t visible_floats(int rounds) { return visible_triangles<irg::nearer_is_greater, float>(rounds); }
+
+// Which boxes sheets in front of them hide.
+constexpr std::uint64_t hidden_boxes(int rounds) {
+  determinism::hasher h;
+  test::random r(72);
+  for (int i = 0; i < rounds; ++i) {
+    const bool small = rounds == 1;
+    const int width = small ? 9 : 40 + 7 * i, height = small ? 8 : 100 - i;
+    test::scene_maker make(r, test::scene_kind::sheets, width, height);
+    const test::triangle_scene s = make(small ? 2 : 50);
+    irg::occlusion_culling<float> culling(test::matrix_in<float>(s), width, height);
+    const auto positions = test::positions_in<float>(s);
+    culling.add_occluder(positions, s.triangles, irg::face_culling::none);
+    for (int k = 0; k < (small ? 2 : 200); ++k) {
+      const auto column = r.integer(0, width * 1024), row = r.integer(0, height * 1024), away = r.integer(900, 1 << 14);
+      const auto middle = test::seen_at(column, row, away, width, height);
+      const auto x = static_cast<float>(middle.x), y = static_cast<float>(middle.y), z = static_cast<float>(middle.z);
+      const float half = -z / static_cast<float>(r.integer(8, 64));
+      h.add(culling.hides({{x - half, y - half, z - half}, {x + half, y + half, z + half}}));
+    }
+  }
+  return h.value();
+}
+HASHED(hidden_boxes, 1, 54);
 HASHED(visible_greater, 1, 54);
 HASHED(visible_less, 1, 54);
 HASHED(visible_floats, 1, 54);

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include <irg/render/detail/object_culling.hpp>
+#include <irg/mesh/validate.hpp>
+#include <irg/render/detail/object_selection.hpp>
 #include <irg/render/detail/styled_drawing.hpp>
 #include <irg/render/wireframe.hpp>
 #include <irg/scene/scene.hpp>
@@ -50,21 +51,16 @@ constexpr render_stats draw_filled(const scene<T>& world, Colour& colour, Depth&
                                    const rgba8& background, const E& executor, Observer& observer) {
   const lighting<T> light{world.ambient, world.lights};
   const point<T, 3> eye = viewpoint(world.view);
+  const object_selection chosen = select_objects<Order>(world, to_clip, width_of(colour), height_of(colour), options);
   std::vector<object_shading<T>> objects;
-  std::vector<projected_vertices<T>> vertices(world.objects.size(), projected_vertices<T>{});
+  std::vector<projected_vertices<T>> vertices(chosen.drawn.size(), projected_vertices<T>{});
   std::vector<triangle_batch<T>> batches;
-  objects.reserve(world.objects.size());
-  batches.reserve(world.objects.size());
-  const object_culling<T> culling(to_clip, mapping);
-  std::int64_t beyond = 0;  // triangles of objects that were left out whole
+  objects.reserve(chosen.drawn.size());
+  batches.reserve(chosen.drawn.size());
   std::uint32_t number = 0;
-  for (const object<T>& o : world.objects) {
-    mesh<T> shape = transform_mesh(o.shape, o.placement);
-    if (options.skip.frustum == skipping::on && culling.unseen(enclosing_box(shape))) {
-      for (std::size_t f = 0; f < shape.face_count(); ++f) beyond += static_cast<std::int64_t>(shape.face_size(f)) - 2;
-      continue;
-    }
-    object_shading<T>& shading = objects.emplace_back(std::move(shape), o.surface, light, eye);
+  for (const std::uint32_t k : chosen.drawn) {
+    const object<T>& o = world.objects[k];
+    object_shading<T>& shading = objects.emplace_back(transform_mesh(o.shape, o.placement), o.surface, light, eye);
     observer(render_stage::prepare);
     shading.prepare(options.style, options.culling, executor);
     observer(render_stage::shade);
@@ -78,8 +74,9 @@ constexpr render_stats draw_filled(const scene<T>& world, Colour& colour, Depth&
   render_stats stats = options.intensities == intensity_range::rescale
                            ? draw_rescaled<Order>(styled, colour, depth, background, executor)
                            : draw_styled<Order, encoded_light>(styled, colour, depth, background, executor);
-  stats.triangles += beyond;
-  stats.skipped.frustum += beyond;
+  stats.triangles += chosen.beyond + chosen.occluded;
+  stats.skipped.frustum += chosen.beyond;
+  stats.skipped.occluded += chosen.occluded;
   observer(render_stage::draw);
   return stats;
 }
@@ -90,6 +87,8 @@ constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Dep
                                       Observer& observer) {
   const int width = width_of(colour), height = height_of(colour);
   render_stats stats;
+  for ([[maybe_unused]] const object<T>& o : world.objects)
+    IRG_EXPECTS(find_face_defect(o.shape).defect == mesh_defect::none);
   if (width == 0 || height == 0) return stats;
   const screen_mapping<T> mapping = map_to_screen<T>(width, height);
   const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(width) / static_cast<T>(height));
@@ -111,7 +110,8 @@ inline namespace IRG_ABI {
 
 /// Renders a scene into a picture and its depth buffer, both overwritten, and returns what it did.
 /// shape   colour and depth have one size, at most 65536 x 65536
-/// needs   valid meshes (mesh/validate.hpp); a camera in its domain
+/// needs   meshes whose faces have no defect that validate (mesh/validate.hpp) knows, no index out of range above all:
+///         a contract, checked in constant evaluation and in debug builds; a camera in its domain
 /// gives   the background alone for a scene without objects; of equal depths the first object and face wins; with
 ///         hidden_surface_method::none, what is drawn later covers what was drawn before
 /// exact   the same bytes for every executor, compiler, instruction set and for skipping on and off

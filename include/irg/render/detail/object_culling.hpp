@@ -9,7 +9,6 @@
 
 namespace irg {
 namespace detail {
-inline namespace IRG_ABI {
 
 // Tells of boxes whether no triangle in them can be seen. Beyond a depth plane that is certain; beyond a border of the
 // picture only where nothing is clipped, because clipping rounds, and may round a far-off corner into sight.
@@ -17,21 +16,24 @@ template <class T>
 struct object_culling {
   frustum<T> picture, guard, depth;
 
-  constexpr object_culling(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) noexcept
+  IRG_INLINE constexpr object_culling(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) noexcept
       : picture(frustum_of(to_clip)), guard(frustum_of(widened(to_clip, mapping.guard))), depth(picture) {
     const plane<T> everything{T(0), T(0), T(0), T(1)};
     for (const auto side : {frustum_plane::left, frustum_plane::right, frustum_plane::bottom, frustum_plane::top})
       depth.planes[static_cast<int>(side)] = depth.weights[static_cast<int>(side)] = everything;
   }
 
-  constexpr bool unseen(const box<T, 3>& b) const noexcept {
-    return side_of(depth, b) == frustum_side::outside ||
-           (side_of(picture, b) == frustum_side::outside && side_of(guard, b) == frustum_side::inside);
+  IRG_INLINE constexpr bool unseen(const box<T, 3>& b) const noexcept {
+    return side_of(depth, b) == frustum_side::outside || (side_of(picture, b) == frustum_side::outside && unclipped(b));
+  }
+  // Whether no triangle in the box is clipped.
+  IRG_INLINE constexpr bool unclipped(const box<T, 3>& b) const noexcept {
+    return side_of(guard, b) == frustum_side::inside;
   }
 
 private:
   // The matrix of a picture that is wider and higher by the guard factors.
-  static constexpr mat<T, 4, 4> widened(mat<T, 4, 4> m, const clip_volume<T>& v) noexcept {
+  IRG_INLINE static constexpr mat<T, 4, 4> widened(mat<T, 4, 4> m, const clip_volume<T>& v) noexcept {
     for (int c = 0; c < 4; ++c) {
       m(0, c) = m(0, c) / v.guard_x;
       m(1, c) = m(1, c) / v.guard_y;
@@ -40,6 +42,5 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
 }  // namespace detail
 }  // namespace irg

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// What large triangles hide, by blocks of 8 x 8 pixels: for each block a key that no pixel of it lies behind, and one
+// layer of triangles that so far cover it in part. When the layer covers the block it becomes the block's key, so that
+// two triangles with a common edge hide as much as the face they were cut from. Coverage is exact to the pixel, depths
+// are never nearer than those that drawing gives.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/render/detail/mask_kernel.hpp>
+
+namespace irg {
+namespace detail {
+
+// The memory of a mask. Keys as in tile.hpp.
+struct block_mask {
+  int width = 0, height = 0, across = 0, down = 0;  // in pixels and in blocks
+  float sign = 1;
+  std::vector<float> farthest_key, layer_key;  // by block
+  std::vector<std::uint64_t> layer;  // the pixels that have `layer_key` or a nearer one, row after row
+
+  IRG_INLINE constexpr std::size_t at(int bx, int by) const noexcept {
+    return static_cast<std::size_t>(by) * static_cast<std::size_t>(across) + static_cast<std::size_t>(bx);
+  }
+};
+
+inline namespace IRG_ABI {
+
+inline constexpr std::uint64_t whole_block = ~std::uint64_t{0};
+
+// An empty mask.
+constexpr void clear_block_mask(block_mask& m, int width, int height, float sign, float farthest) {
+  m.width = width;
+  m.height = height;
+  m.across = (width + block_size - 1) / block_size;
+  m.down = (height + block_size - 1) / block_size;
+  m.sign = sign;
+  const std::size_t count = static_cast<std::size_t>(m.across) * static_cast<std::size_t>(m.down);
+  m.farthest_key.assign(count, farthest);
+  m.layer_key.assign(count, farthest);
+  m.layer.assign(count, 0);
+}
+
+// The pixels of a block that lie in a window; bit 8 * y + x.
+constexpr std::uint64_t block_bits(const cell_window& w, int bx, int by) noexcept {
+  const int x = bx * block_size, y = by * block_size;
+  const cell_window in = intersect(w, {x, y, x + block_size, y + block_size});
+  if (in.empty()) return 0;
+  const auto bits_below = [](int n) { return n == 8 ? whole_block : (std::uint64_t{1} << 8 * n) - 1; };
+  const std::uint64_t row = ((std::uint64_t{1} << (in.x_last - x)) - 1) & ~((std::uint64_t{1} << (in.x_first - x)) - 1);
+  const std::uint64_t rows = bits_below(in.y_last - y) & ~bits_below(in.y_first - y);
+  return row * 0x0101010101010101u & rows;
+}
+
+// The pixels of a block that a triangle covers.
+constexpr std::uint64_t block_coverage(const triangle_coverage& t, int bx, int by) noexcept {
+  std::uint64_t bits = 0;
+  for (int y = 0; y < block_size; ++y) {
+    const int row = by * block_size + y, x = bx * block_size;
+    std::int64_t f[3] = {t.edge[0](x, row), t.edge[1](x, row), t.edge[2](x, row)};
+    for (int i = 0; i < block_size; ++i) {
+      bits |= std::uint64_t{(f[0] | f[1] | f[2]) >= 0} << (y * block_size + i);
+      for (int k = 0; k < 3; ++k) f[k] += t.edge[k].right;
+    }
+  }
+  return bits;
+}
+
+// Some pixels of a block at `key` or nearer. One layer cannot hold two depths: of two that are far apart the nearer one
+// is kept alone.
+constexpr void cover_block(block_mask& m, std::size_t block, std::uint64_t bits, float key) noexcept {
+  float& farthest = m.farthest_key[block];
+  float& layer_key = m.layer_key[block];
+  std::uint64_t& layer = m.layer[block];
+  if (!(farthest < key)) return;
+  if (layer == 0 || !(farthest < layer_key) || key - layer_key > layer_key - farthest) {
+    layer = bits;
+    layer_key = key;
+  } else if (layer_key - key <= key - farthest) {
+    layer |= bits;
+    layer_key = lesser(layer_key, key);
+  }
+  if (layer != whole_block) return;
+  farthest = layer_key;
+  layer = 0;
+}
+
+// The columns of blocks, between first and last, in whose row `by` an edge has some, and has all, pixels on its inner
+// side.
+struct block_columns {
+  std::int64_t first, last, inner_first, inner_last;
+};
+constexpr void limit_columns(block_columns& c, const triangle_edge& e, int by) noexcept {
+  constexpr std::int64_t far_side = block_size - 1;
+  const std::int64_t at_start = e(0, by * block_size), step = std::int64_t{e.right} * block_size;
+  const std::int64_t across = e.right * far_side, along = e.down * far_side, zero = 0;
+  const auto limit = [&](std::int64_t f, std::int64_t& first, std::int64_t& last) {
+    if (step > 0)
+      first = greater(first, -floor_div(f, step));
+    else if (step < 0)
+      last = lesser(last, floor_div(f, -step) + 1);
+    else if (f < 0)
+      last = first;
+  };
+  limit(at_start + greater(across, zero) + greater(along, zero), c.first, c.last);
+  limit(at_start + lesser(across, zero) + lesser(along, zero), c.inner_first, c.inner_last);
+}
+
+// Draws a triangle.
+constexpr void draw_block_mask(block_mask& m, const screen_vertex& a, const screen_vertex& b, const screen_vertex& c) {
+  const triangle_coverage t = cover_triangle(a.position, b.position, c.position);
+  const cell_window picture{0, 0, m.width, m.height}, w = intersect(t.bounds, picture);
+  if (t.double_area == 0 || w.empty()) return;
+  const mask_plane<float> plane = mask_plane_of(a, b, c, m.sign);
+  // No pixel is farther than the farthest vertex.
+  const float low = lesser(lesser(product(a.depth, m.sign), product(b.depth, m.sign)), product(c.depth, m.sign));
+  const int right = plane.right < 0 ? block_size - 1 : 0, down = plane.down < 0 ? block_size - 1 : 0;
+  for (int by = w.y_first / block_size; by <= (w.y_last - 1) / block_size; ++by) {
+    const std::int64_t left = w.x_first / block_size, end = (w.x_last - 1) / block_size + 1;
+    block_columns columns{left, end, left, end};
+    for (const triangle_edge& e : t.edge) limit_columns(columns, e, by);
+    // The farthest key in a block: rounding never turns the order of keys round, so it is in a corner.
+    const float rise = plane.rise(mask_offset(by * block_size + down, a.position.y));
+    const auto key_of = [&](int bx) {
+      const float key = plane.across(mask_offset(bx * block_size + right, a.position.x)) + rise;
+      return low < key ? key : low;
+    };
+    const auto in_part = [&](std::int64_t from, std::int64_t to) {
+      for (std::int64_t i = from; i < to; ++i) {
+        const int bx = static_cast<int>(i);
+        const std::uint64_t bits = block_coverage(t, bx, by) | ~block_bits(picture, bx, by);
+        cover_block(m, m.at(bx, by), bits, key_of(bx));
+      }
+    };
+    if (columns.inner_first >= columns.inner_last) {
+      in_part(columns.first, columns.last);
+      continue;
+    }
+    in_part(columns.first, columns.inner_first);
+    float* const row = m.farthest_key.data() + m.at(0, by);
+    for (std::int64_t i = columns.inner_first; i < columns.inner_last; ++i) {
+      const float key = key_of(static_cast<int>(i));
+      row[i] = row[i] < key ? key : row[i];
+    }
+    in_part(columns.inner_last, columns.last);
+  }
+}
+
+// Whether everything in a window of pixels that is at `key` or farther is hidden. Hidden means behind what was drawn:
+// `key` or a nearer one at each pixel.
+constexpr bool hidden_by_blocks(const block_mask& m, const cell_window& pixels, float key) noexcept {
+  const cell_window w = intersect(pixels, {0, 0, m.width, m.height});
+  if (w.empty() || !(key == key)) return false;
+  const int first = w.x_first / block_size, last = (w.x_last - 1) / block_size;
+  for (int by = w.y_first / block_size; by <= (w.y_last - 1) / block_size; ++by)
+    for (int bx = first; bx <= last; ++bx) {
+      const std::size_t block = m.at(bx, by);
+      if (key <= m.farthest_key[block]) continue;
+      if (!(key <= m.layer_key[block]) || (block_bits(w, bx, by) & ~m.layer[block]) != 0) return false;
+    }
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg
