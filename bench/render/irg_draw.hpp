@@ -9,6 +9,8 @@
 
 #include <irg/raster/image.hpp>
 #include <irg/render/draw_depth.hpp>
+#include <irg/render/occlusion_culling.hpp>
+#include <irg/render/occlusion_mask.hpp>
 #include <irg/render/render.hpp>
 
 #include "render/scenes.hpp"
@@ -48,13 +50,16 @@ struct vertex_colours {
 class renderer {
 public:
   explicit renderer(const scene& s)
-      : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), vertices_(s.objects.size()) {
+      : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), vertices_(s.objects.size()),
+        hidden_(s.to_clip, s.width, s.height) {
     triangles_.reserve(s.triangles.size());
-    for (const scene_object& o : s.objects)
+    for (const scene_object& o : s.objects) {
+      extents_.push_back({o.bounds, o.triangles});
       for (std::uint32_t i = 0; i < o.triangles; ++i) {
         const auto [a, b, c] = s.triangles[o.first_triangle + i].v;
         triangles_.push_back({{a - o.first_vertex, b - o.first_vertex, c - o.first_vertex}});
       }
+    }
   }
 
   /// Clears to black, draws the scene with the colours of its vertices.
@@ -80,6 +85,14 @@ public:
         depth, batches_, mapping_, {scene_.culling, {}, irg::clearing::before_drawing}, workspace_, executor);
   }
 
+  /// Clears an occlusion mask and draws everything into it.
+  template <class E = irg::sequential>
+  irg::occluder_counts draw_mask(irg::occlusion_mask<>& mask, const E& executor = {}) {
+    collect({}, executor);
+    mask.clear();
+    return mask.draw<float>(batches_, mapping_, scene_.culling, executor);
+  }
+
   /// Where the vertices were snapped to; anything for those that have to be clipped.
   std::vector<irg::subpixel> snapped() {
     for (std::size_t k = 0; k < vertices_.size(); ++k) project(k, irg::sequential{});
@@ -90,44 +103,61 @@ public:
   }
 
 private:
-  template <class E>
-  void project(std::size_t object, const E& executor) {
-    const scene_object& o = scene_.objects[object];
-    const std::span<const irg::point<float, 3>> positions(scene_.positions.data() + o.first_vertex, o.vertices);
-    irg::project_vertices<float>(vertices_[object], positions, scene_.to_clip, mapping_, executor);
+  std::span<const irg::point<float, 3>> positions_of(const scene_object& o) const {
+    return {scene_.positions.data() + o.first_vertex, o.vertices};
+  }
+  std::span<const irg::triangle_indices> triangles_of(const scene_object& o) const {
+    return {triangles_.data() + o.first_triangle, o.triangles};
   }
 
-  // The batches of all objects but those that are left out whole, of which the triangles are returned.
   template <class E>
-  std::uint32_t collect(const irg::skip_options& skip, const E& executor) {
-    const irg::detail::object_culling<float> culling(scene_.to_clip, mapping_);
-    std::uint32_t beyond = 0;
+  void project(std::size_t object, const E& executor) {
+    irg::project_vertices<float>(vertices_[object], positions_of(scene_.objects[object]), scene_.to_clip, mapping_,
+                                 executor);
+  }
+
+  // The triangles of objects that are left out whole.
+  struct left_out {
+    std::uint32_t beyond = 0, occluded = 0;
+  };
+
+  // The batches of all other objects.
+  template <class E>
+  left_out collect(const irg::skip_options& skip, const E& executor) {
+    left_out none;
+    hidden_.clear();
+    if (skip.occluded == irg::skipping::on)
+      for (const std::uint32_t k : hidden_.choose_occluders(extents_)) {
+        const scene_object& o = scene_.objects[k];
+        hidden_.add_occluder(positions_of(o), triangles_of(o), scene_.culling);
+      }
     batches_.clear();
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
       const scene_object& o = scene_.objects[k];
-      if (skip.frustum == irg::skipping::on && culling.unseen(o.bounds)) {
-        beyond += o.triangles;
-        continue;
+      if (skip.frustum == irg::skipping::on && hidden_.is_beyond(o.bounds)) {
+        none.beyond += o.triangles;
+      } else if (hidden_.hides(o.bounds)) {
+        none.occluded += o.triangles;
+      } else {
+        project(k, executor);
+        batches_.push_back({&vertices_[k], triangles_of(o), o.first_triangle - none.beyond - none.occluded,
+                            static_cast<std::uint32_t>(k)});
       }
-      project(k, executor);
-      batches_.push_back({&vertices_[k],
-                          {triangles_.data() + o.first_triangle, o.triangles},
-                          o.first_triangle - beyond,
-                          static_cast<std::uint32_t>(k)});
     }
-    return beyond;
+    return none;
   }
 
   template <class Picture, class MakeShader, class E>
   irg::render_stats draw_with(Picture& picture, irg::image<float>& depth, const MakeShader& make_shader,
                               const irg::skip_options& skip, const E& executor) {
-    const std::uint32_t beyond = collect(skip, executor);
+    const left_out whole = collect(skip, executor);
     irg::render_stats stats = irg::draw_batches<irg::nearer_is_greater, float>(
         picture, depth, batches_, mapping_, make_shader,
         irg::draw_settings<irg::pixel_of<Picture>>{scene_.culling, skip, irg::clearing::before_drawing, {}}, workspace_,
         executor);
-    stats.triangles += beyond;
-    stats.skipped.frustum += beyond;
+    stats.triangles += whole.beyond + whole.occluded;
+    stats.skipped.frustum += whole.beyond;
+    stats.skipped.occluded += whole.occluded;
     return stats;
   }
 
@@ -136,6 +166,8 @@ private:
   std::vector<irg::triangle_indices> triangles_{};  // indices into the vertices of their object
   std::vector<irg::projected_vertices<float>> vertices_;
   std::vector<irg::triangle_batch<float>> batches_{};
+  std::vector<irg::object_extent<float>> extents_{};
+  irg::occlusion_culling<float> hidden_;
   irg::draw_workspace workspace_{};
 };
 

@@ -87,24 +87,14 @@ public:
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (cull)
-      glEnable(GL_CULL_FACE);
-    else
-      glDisable(GL_CULL_FACE);
-    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
-    glFinish();
+    draw_elements(cull);
   }
 
   /// Clear the depth, draw the depth alone, finish.
   void draw_depth(bool cull) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    if (cull)
-      glEnable(GL_CULL_FACE);
-    else
-      glDisable(GL_CULL_FACE);
-    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
-    glFinish();
+    draw_elements(cull);
   }
 
   /// Clear colour and depth, finish.
@@ -126,6 +116,15 @@ public:
   }
 
 private:
+  void draw_elements(bool cull) {
+    if (cull)
+      glEnable(GL_CULL_FACE);
+    else
+      glDisable(GL_CULL_FACE);
+    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+    glFinish();
+  }
+
   irg::image<irg::rgba8> picture_;
   OSMesaContext context_ = nullptr;
   GLuint program_ = 0;

@@ -28,6 +28,7 @@
 #include "line_teaching.hpp"
 #include "line_variants.hpp"
 #include "occlusion.hpp"
+#include "occlusion_culling.hpp"
 #include "projections.hpp"
 #include "shaders.hpp"
 #include "stages.hpp"
@@ -299,8 +300,10 @@ int main(int argc, char** argv) {
   save("texture", shaders::wraps());
   save("mip_pyramid", shaders::floors());
   save("textured_shading", shaders::textured_torus());
+  save("mip_textured_shading", shaders::mip_floors());
   save("draw_transparent", shaders::panes());
   save("occlusion_mask", occlusion_pictures::mask());
   save("visibility_buffer", occlusion_pictures::ids());
+  save("occlusion_culling", occlusion_culling_pictures::seen_from_above());
   return failures == 0 ? 0 : 1;
 }

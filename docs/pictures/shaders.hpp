@@ -8,6 +8,7 @@
 
 #include <irg/math/trigonometry.hpp>
 #include <irg/render/draw_transparent.hpp>
+#include <irg/render/mip_textured_shading.hpp>
 #include <irg/render/textured_shading.hpp>
 #include <irg/scene/camera.hpp>
 #include <irg/shade/mip_pyramid.hpp>
@@ -170,6 +171,47 @@ inline picture textured_torus() {
   irg::draw_batches<irg::nearer_is_greater, double>(p, depth, one, irg::map_to_screen<double>(480, 330),
                                                     irg::textured_shading{objects, textures}, {}, workspace);
   return p;
+}
+
+// A chequered floor and a wall along it, drawn with the texture at its full size and with its pyramid.
+inline picture mip_floors() {
+  constexpr int width = 300, height = 220, gap = 12;
+  picture t(32, 32, {232, 224, 204, 255}), both(2 * width + gap, height, {255, 255, 255, 255});
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x)
+      if ((x / 16 + y / 16) % 2 != 0) t(x, y) = {48, 90, 140, 255};
+  const auto levels = irg::make_mip_pyramid(t);
+  patch room;
+  room.positions = {{-300, 0, 2}, {300, 0, 2},   {300, 0, -600},  {-300, 0, -600},
+                    {-2, 0, 2},   {-2, 0, -600}, {-2, 1.6, -600}, {-2, 1.6, 2}};
+  room.triangles = {{{0, 1, 2}}, {{0, 2, 3}}, {{4, 5, 6}}, {{4, 6, 7}}};
+  std::vector<irg::textured_vertex> vertices;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto& q = room.positions[i];
+    vertices.push_back(
+        irg::make_textured_vertex(static_cast<float>(i < 4 ? q.x : q.z), static_cast<float>(i < 4 ? q.z : q.y),
+                                  i < 4 ? irg::rgb<float>{1, 1, 1} : irg::rgb<float>{0.75f, 0.7f, 0.7f}));
+  }
+  const irg::textured_vertices objects[1] = {{vertices}};
+  const irg::texture_image textures[1] = {{t.view(), {}}};
+  const irg::texture_pyramid pyramids[1] = {{&levels}};
+  const auto mapping = irg::map_to_screen<double>(width, height);
+  for (int k = 0; k < 2; ++k) {
+    picture p(width, height, paper);
+    irg::image<float> depth(width, height, 0.0f);
+    const auto projected = seen_from(room, {0, 1, 1.8}, {-0.4, 0.7, -1}, p);
+    const batch one[1] = {{&projected, room.triangles}};
+    irg::draw_workspace workspace;
+    if (k == 0)
+      irg::draw_batches<irg::nearer_is_greater, double>(p, depth, one, mapping,
+                                                        irg::textured_shading{objects, textures}, {}, workspace);
+    else
+      irg::draw_batches<irg::nearer_is_greater, double>(
+          p, depth, one, mapping, irg::mip_textured_shading<double>{objects, pyramids, mapping}, {}, workspace);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) both(k * (width + gap) + x, y) = p(x, y);
+  }
+  return both;
 }
 
 // Three coloured panes through the torus.

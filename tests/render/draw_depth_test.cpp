@@ -28,9 +28,6 @@ constexpr std::pair<irg::image<float>, irg::render_stats> depths(const triangle_
   return {depth, stats};
 }
 
-// An order that irg has no kernel for: drawn pixel by pixel.
-struct plainly : irg::nearer_is_greater {};
-
 template <class Order, class T>
 void equal_on_random_scenes(std::uint64_t seed, int scenes) {
   test::random r(seed);
@@ -52,7 +49,8 @@ void equal_on_random_scenes(std::uint64_t seed, int scenes) {
     const auto shared = depths<Order, T>(s, culling, {}, irg::parallel{3});
     REQUIRE(shared.first == depth);
     REQUIRE(shared.second == stats);
-    if constexpr (std::same_as<Order, irg::nearer_is_greater>) REQUIRE(depths<plainly, T>(s, culling).first == depth);
+    if constexpr (std::same_as<Order, irg::nearer_is_greater>)
+      REQUIRE(depths<test::plain_order, T>(s, culling).first == depth);
     drawn += expected.stats.pixels.shaded;
   }
   CHECK(drawn > scenes * 1000);
@@ -60,9 +58,8 @@ void equal_on_random_scenes(std::uint64_t seed, int scenes) {
 
 TEST_CASE("draw_depth: the depths of draw_batches, bit for bit, whatever is skipped and whoever works") {
   const int scenes = test::is_release_tier() ? 5000 : 180;
-  equal_on_random_scenes<irg::nearer_is_greater, double>(301, scenes);
-  equal_on_random_scenes<irg::nearer_is_greater, float>(302, scenes);
-  equal_on_random_scenes<irg::nearer_is_less, double>(303, scenes);
+  test::with_each_order(
+      301, [scenes]<class Order, class T>(std::uint64_t seed) { equal_on_random_scenes<Order, T>(seed, scenes); });
 }
 
 TEST_CASE("draw_depth: onto depths that are there already") {
@@ -101,20 +98,13 @@ TEST_CASE("draw_depth: nothing to draw, and rows wider than the picture") {
 }
 
 TEST_CASE("draw_depth: constant evaluation gives the bytes of run time, clipping included") {
-  constexpr auto scene = [] {
-    return triangle_scene{{{-2, -2, -3}, {2, -2, -1}, {0, 2, -2}, {-2, 1, -1}, {1, -1, 2}, {2, 2, -4}},
-                          {{{0, 1, 2}}, {{3, 4, 5}}},
-                          test::square_view(0.125),
-                          8,
-                          8};
-  };
-  static constexpr auto at_compile_time = [scene] {
-    const auto d = depths(scene(), face_culling::none).first;
+  static constexpr auto at_compile_time = [] {
+    const auto d = depths(test::two_to_be_clipped(), face_culling::none).first;
     std::array<std::uint32_t, 64> bits{};
     for (int i = 0; i < 64; ++i) bits[static_cast<std::size_t>(i)] = std::bit_cast<std::uint32_t>(d(i % 8, i / 8));
     return bits;
   }();
-  const auto d = depths(scene(), face_culling::none).first;
+  const auto d = depths(test::two_to_be_clipped(), face_culling::none).first;
   int drawn = 0;
   for (int i = 0; i < 64; ++i) {
     REQUIRE(at_compile_time[static_cast<std::size_t>(i)] == std::bit_cast<std::uint32_t>(d(i % 8, i / 8)));

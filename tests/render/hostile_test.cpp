@@ -3,6 +3,7 @@
 #include <irg/render/render.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <irg/mesh/shapes.hpp>
 
 #include "support/check_both.hpp"
+#include "support/rendered.hpp"
 #include "support/scenes.hpp"
 #include "support/ulp.hpp"
 #include "support/visible_scenes.hpp"
@@ -97,6 +99,54 @@ TEST_CASE("hostile: Z1, all three corners with w = 0 or nearly are nothing") {
     s.positions.insert(s.positions.end(), {{-1, -1, w}, {1, -1, w}, {0, 1, w}});
     s.triangles.push_back({{3, 4, 5}});
     CHECK(drawn(s).same(drawn(frame)));
+  }
+}
+
+namespace {
+
+// A world so small that w is subnormal, and 1/w overflows: the picture of the world as it would be at ordinary size.
+template <class T>
+void small_world(int least_power) {
+  test::random r(309);
+  for (int i = 0; i < 40; ++i) {
+    const auto kind = i % 2 ? test::scene_kind::lattice : test::scene_kind::crossing;
+    test::triangle_scene s{
+        {}, {}, irg::mat<double, 4, 4>{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -0.5, 0}, {0, 0, -1, 0}}}, 40, 36};
+    test::scene_maker make(r, kind, 40, 36);
+    const test::triangle_scene like = make(10);
+    s.triangles = like.triangles;
+    // Few bits, so that scaling loses none.
+    const auto rounded = [](double v) { return std::floor(v * 16) / 16; };
+    for (const auto& p : like.positions) s.positions.push_back({rounded(p.x), rounded(p.y), rounded(p.z)});
+    const auto expected = test::visible_ids<greater, T>(s);
+    for (int power = least_power; power <= -4; power += power < least_power + 60 ? 4 : 97) {
+      test::triangle_scene t = s;
+      for (auto& p : t.positions) p = {std::ldexp(p.x, power), std::ldexp(p.y, power), std::ldexp(p.z, power)};
+      const auto p = test::visible_ids<greater, T>(t);
+      REQUIRE(p.same(expected));
+      REQUIRE(test::visible_ids<greater, T>(t, face_culling::none, irg::skip_nothing).same(expected));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("hostile: Z1, a world so small that 1/w overflows gives the picture of a large one") {
+  small_world<double>(-1069);
+  small_world<float>(-144);
+}
+
+TEST_CASE("hostile: Z1, a matrix that brings corners to 0, 0, 0, 0: their triangles are left out, the rest stays") {
+  for (const double w : {0.0, 1.0}) {
+    // Clip space is the world; w is 1 where y is not 0, and all of the origin is 0.
+    irg::mat<double, 4, 4> m{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0.5, 0, 0}, {0, 1, 0, 0}}};
+    if (w == 0) m = {};
+    const test::triangle_scene s{
+        {{-1, 1, 0}, {1, 1, 0}, {0, 0, 0}, {0, 2, 0}}, {{{0, 1, 2}}, {{2, 2, 2}}, {{0, 2, 3}}}, m, 24, 24};
+    const auto p = test::visible_ids(s);
+    REQUIRE(test::visible_ids(s, face_culling::none, irg::skip_nothing).same(p));
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x) REQUIRE(p.id(x, y) == 0);
   }
 }
 

@@ -55,8 +55,6 @@ constexpr buffer draw(const batches_of<T>& b, int width, int height, face_cullin
   return r;
 }
 
-struct plainly : irg::nearer_is_greater {};
-
 template <class Order, class T>
 void like_the_shaders(std::uint64_t seed, int scenes) {
   test::random r(seed);
@@ -98,7 +96,7 @@ void like_the_shaders(std::uint64_t seed, int scenes) {
     const buffer shared = draw<Order>(b, width, height, culling, {}, irg::parallel{3});
     REQUIRE((shared.ids == v.ids && shared.depth == v.depth && shared.stats == v.stats));
     if constexpr (std::same_as<Order, irg::nearer_is_greater>) {
-      const buffer plain = draw<plainly>(b, width, height, culling);
+      const buffer plain = draw<test::plain_order>(b, width, height, culling);
       REQUIRE((plain.ids == v.ids && plain.depth == v.depth));
     }
   }
@@ -108,9 +106,8 @@ void like_the_shaders(std::uint64_t seed, int scenes) {
 
 TEST_CASE("draw_visibility: numbers, depths and weights are those of the pixel shaders, bit for bit") {
   const int scenes = test::is_release_tier() ? 3000 : 108;
-  like_the_shaders<irg::nearer_is_greater, double>(311, scenes);
-  like_the_shaders<irg::nearer_is_greater, float>(312, scenes);
-  like_the_shaders<irg::nearer_is_less, double>(313, scenes);
+  test::with_each_order(
+      311, [scenes]<class Order, class T>(std::uint64_t seed) { like_the_shaders<Order, T>(seed, scenes); });
 }
 
 TEST_CASE("draw_visibility: onto a buffer that is kept, later drawing wins only where it is nearer") {
@@ -154,22 +151,15 @@ TEST_CASE("barycentrics_at: nothing for numbers and pixels that are not the tria
 }
 
 TEST_CASE("draw_visibility: constant evaluation gives the numbers of run time") {
-  constexpr auto scene = [] {
-    return triangle_scene{{{-2, -2, -3}, {2, -2, -1}, {0, 2, -2}, {-2, 1, -1}, {1, -1, 2}, {2, 2, -4}},
-                          {{{0, 1, 2}}, {{3, 4, 5}}},
-                          test::square_view(0.125),
-                          8,
-                          8};
-  };
-  static constexpr auto at_compile_time = [scene] {
-    const triangle_scene s = scene();
+  static constexpr auto at_compile_time = [] {
+    const triangle_scene s = test::two_to_be_clipped();
     const batches_of<double> b(s);
     const buffer v = draw<irg::nearer_is_greater>(b, 8, 8, face_culling::none);
     std::array<std::uint32_t, 64> ids{};
     for (int i = 0; i < 64; ++i) ids[static_cast<std::size_t>(i)] = v.ids(i % 8, i / 8);
     return ids;
   }();
-  const triangle_scene s = scene();
+  const triangle_scene s = test::two_to_be_clipped();
   const batches_of<double> b(s);
   const buffer v = draw<irg::nearer_is_greater>(b, 8, 8, face_culling::none);
   bool both[2] = {};

@@ -77,8 +77,7 @@ template <class F, class I>
 IRG_INLINE constexpr F depth_at(const I& f0, const I& f1, const I& f2, const F& gain0, const F& gain1, const F& gain2,
                                 const F& rest, const F& low, const F& high) noexcept {
   const F depth = (product(to_float(f0), gain0) + rest) + (product(to_float(f1), gain1) + product(to_float(f2), gain2));
-  const F not_below = select(depth < low, low, depth);
-  return select(high < not_below, high, not_below);
+  return low_of(high, high_of(low, depth));
 }
 
 IRG_INLINE constexpr triangle_setup set_up(const triangle_coverage& t, const screen_vertex& v0, const screen_vertex& v1,

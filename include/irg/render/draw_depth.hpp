@@ -20,8 +20,8 @@ inline namespace IRG_ABI {
 
 /// Draws the depths of batches of triangles, and returns what that took; nothing is shaded, and ties are not counted.
 /// shape   first_number of the batches counts their triangles through
-/// needs   indices in range, at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
-/// gives   triangles with a corner that is not finite are left out
+/// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
+/// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
 /// exact   each depth equal to what draw_batches leaves, for every executor and with all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Depth, Executor E = sequential>

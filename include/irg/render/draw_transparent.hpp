@@ -28,7 +28,7 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // The depth of a triangle's centroid: z / w of the sum of its corners in clip space. Not in front of the eye counts as
-// nearest of all.
+// nearest of all, and so do triangles that are not drawn because a vertex is not there.
 template <class T>
 struct centroid_depth {
   T depth = T(0);
@@ -40,6 +40,7 @@ template <class T>
 constexpr centroid_depth<T> centroid_depth_of(const triangle_batch<T>& batch, std::uint32_t i) noexcept {
   const auto& [v] = batch.triangles[i];
   const std::uint32_t number = batch.first_number + i;
+  if (!has_vertices(batch, i)) return {T(0), true, number};
   const hpoint<T, 3> a = clip_position(*batch.vertices, v[0]), b = clip_position(*batch.vertices, v[1]),
                      c = clip_position(*batch.vertices, v[2]);
   const T z = a.z + (b.z + c.z), w = a.w + (b.w + c.w);
@@ -107,22 +108,11 @@ constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::s
       const float nearest = Order::nearer(s.depth_low, s.depth_high) ? s.depth_low : s.depth_high;
       if (occluded == skipping::on && hidden_depths.template hides<Test>(nearest, w)) continue;
     }
-    const std::uint32_t source = find.source(number);
-    mark_seen(seen[source]);
-    const triangle_batch<T>& batch = find.batch_of(source);
-    const facing side = coverage.flipped ? facing::front : facing::back;
-    const auto shader = [&] {
-      if constexpr (AttributeShading<MakeShader, triangle_batch<T>>)
-        return pixel_shader_of(make_shader, batch, source - batch.first_number, side);
-      else
-        return make_shader(batch, source - batch.first_number, side);
-    }();
-    if (find.is_piece(number))
-      counts += blend_triangle<Test, Order>(colour, depth, coverage, s,
-                                            piece_shader<decltype(shader)>{shader, find.piece(number).weights}, blend,
-                                            window);
-    else
-      counts += blend_triangle<Test, Order>(colour, depth, coverage, s, shader, blend, window);
+    mark_seen(seen[find.source(number)]);
+    counts += with_pixel_shader(make_shader, find, number, coverage.flipped ? facing::front : facing::back,
+                                [&](const auto& shader) {
+                                  return blend_triangle<Test, Order>(colour, depth, coverage, s, shader, blend, window);
+                                });
   }
   return counts;
 }
@@ -136,12 +126,12 @@ inline namespace IRG_ABI {
 /// shape   as draw_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
 ///         rgba8 whose `a` is the opacity, the colour not multiplied by it, and mixes light. An AttributeShading with
 ///         opacity among its attributes gives every vertex an opacity of its own
-/// needs   `depth` of the same order and size, no part of it NaN where something is to be seen; indices in range
+/// needs   `depth` of the same order and size, no part of it NaN where something is to be seen
 /// gives   from the farthest to the nearest, by the depth z/w of the triangles' centroids in clip space, each over what
 ///         was there; of equal ones the first given first; those whose centroid is not in front of the eye last. With
 ///         drawing_order, in the order given. Test says which depths are seen: by default those nearer than the opaque
 ///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that
-///         is not finite are left out
+///         is not finite are left out, and those that name a vertex that is not there
 /// exact   the same bytes for every executor, all skips on and off; depths by draw_triangle's arithmetic; centroids
 ///         rounded in T
 /// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates

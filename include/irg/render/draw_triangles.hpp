@@ -11,6 +11,7 @@
 
 #include <irg/core/executor.hpp>
 #include <irg/render/detail/attribute_kernel.hpp>
+#include <irg/render/detail/streamed_rows.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/triangle_batch.hpp>
 
@@ -79,20 +80,10 @@ constexpr draw_counts draw_tile_plainly(Colour& colour, Depth& depth, std::span<
     const triangle_corners c = find.corners(number);
     const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
     if (coverage.double_area == 0) continue;
-    const std::uint32_t source = find.source(number);
-    const triangle_batch<T>& batch = find.batch_of(source);
-    const facing side = coverage.flipped ? facing::front : facing::back;
-    const auto shader = [&] {
-      if constexpr (AttributeShading<MakeShader, triangle_batch<T>>)
-        return pixel_shader_of(make_shader, batch, source - batch.first_number, side);
-      else
-        return make_shader(batch, source - batch.first_number, side);
-    }();
-    if (find.is_piece(number))
-      counts += draw_triangle<Order>(colour, depth, coverage, *c.v[0], *c.v[1], *c.v[2],
-                                     piece_shader<decltype(shader)>{shader, find.piece(number).weights}, window);
-    else
-      counts += draw_triangle<Order>(colour, depth, coverage, *c.v[0], *c.v[1], *c.v[2], shader, window);
+    counts += with_pixel_shader(
+        make_shader, find, number, coverage.flipped ? facing::front : facing::back, [&](const auto& shader) {
+          return draw_triangle<Order>(colour, depth, coverage, *c.v[0], *c.v[1], *c.v[2], shader, window);
+        });
   }
   return counts;
 }
@@ -112,15 +103,22 @@ IRG_INLINE void load_depths(tile& t, Depth& depth, const cell_window& w, float s
 }
 template <class Depth>
 IRG_INLINE void store_depths(const tile& t, Depth& depth, const cell_window& w, float sign) {
+  const row_store how = row_store_for(depth);
+  const int width = w.x_last - w.x_first;
   for (int y = w.y_first; y < w.y_last; ++y) {
-    float* row = raster_traits<Depth>::row(depth, y);
     const float* key = t.key + (y - w.y_first) * tile_stride;
-    for (int x = w.x_first; x < w.x_last; ++x) row[x] = key[x - w.x_first] * sign;
+    float depths[tile_size];
+    if (sign != 1) {
+      for (int x = 0; x < width; ++x) depths[x] = key[x] * sign;
+      key = depths;
+    }
+    copy_row(raster_traits<Depth>::row(depth, y) + w.x_first, key, static_cast<std::size_t>(width) * sizeof *key, how);
   }
+  end_of_rows(how);
 }
 
-// Which triangle each pixel of a tile shows, in lanes: the same for all shaders, and so one copy for all of them. Leaves
-// the list as it was drawn, in `numbers`; `sorted` holds it if it is not the one that was given.
+// Which triangle each pixel of a tile shows, in lanes: the same for all shaders, and so one copy for all of them.
+// Leaves the list as it was drawn, in `numbers`; `sorted` holds it if it is not the one that was given.
 template <class Order, class T, class Depth>
 IRG_NOINLINE draw_counts find_visible(tile& t, Depth& depth, std::span<const std::uint32_t>& numbers,
                                       std::vector<std::uint32_t>& sorted, float area, const triangle_finder<T>& find,
@@ -143,24 +141,30 @@ IRG_NOINLINE draw_counts find_visible(tile& t, Depth& depth, std::span<const std
   return {painter.tested, 0, painter.ties};
 }
 
+// The window of a tile without triangles and of those to its right; empty for one that has such a tile to its left.
+IRG_INLINE cell_window empty_tiles(const triangle_bins& bins, const picture_tiles& grid, std::size_t i) noexcept {
+  const auto is_empty = [&](std::size_t k) { return bins.tile_first[k] == bins.tile_first[k + 1]; };
+  const auto across = static_cast<std::size_t>(grid.across);
+  cell_window w = grid.window(i);
+  if (i % across != 0 && is_empty(i - 1)) return {w.x_first, w.y_first, w.x_first, w.y_last};
+  while ((i + 1) % across != 0 && is_empty(i + 1)) ++i;
+  w.x_last = grid.window(i).x_last;
+  return w;
+}
+
 // A tile in lanes: see tile_drawing.hpp and tile_shading.hpp.
 template <class Order, class T, class Colour, class Depth, class MakeShader>
 draw_counts draw_tile_fast(Colour& colour, Depth& depth, std::span<const std::uint32_t> numbers, float area,
                            const triangle_finder<T>& find, const cell_window& w, const MakeShader& make_shader,
                            const draw_settings<pixel_of<Colour>>& settings, std::uint8_t* seen) {
   const bool clear = settings.clear == clearing::before_drawing;
-  if (numbers.empty()) {
-    if (clear) clear_window(colour, w, settings.background);
-    if (clear && settings.depth == depth_result::kept) clear_window(depth, w, Order::farthest);
-    return {};
-  }
   tile t;
   std::vector<std::uint32_t> sorted;
   draw_counts counts = find_visible<Order>(t, depth, numbers, sorted, area, find, w, settings.clear, settings.depth,
                                            settings.skip.occluded, seen);
   if constexpr (AttributeShading<MakeShader, triangle_batch<T>>) {
     counts.shaded = attribute_kernel<T, MakeShader, Colour>{
-        t, find, numbers, w, colour, make_shader, clear ? &settings.background : nullptr}();
+        t, {find, numbers, w, make_shader}, colour, clear ? &settings.background : nullptr}();
   } else {
     if (clear) clear_window(colour, w, settings.background);
     counts.shaded = shade_by_triangle(t, find, numbers, w, key_sign<Order>, colour, make_shader);
@@ -178,9 +182,10 @@ inline namespace IRG_ABI {
 /// Draws batches of triangles into a picture and its depth buffer, and returns what it did.
 /// shape   colour and depth are rasters of one size; make_shader(batch, triangle, facing) gives the pixel shader of a
 ///         triangle of a batch, or is an AttributeShading; first_number of the batches counts their triangles through
-/// needs   indices in range, at most 2^31 triangles; `depth` holds depths of the same order, unless they are cleared
-///         first; shaders without memory: each visible pixel is shaded once, in no stated order
-/// gives   of equally near triangles the first one; triangles with a corner that is not finite are left out
+/// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless they are cleared first; shaders
+///         without memory: each visible pixel is shaded once, in no stated order
+/// gives   of equally near triangles the first one; triangles with a corner that is not finite are left out, and those
+///         that name a vertex that is not there
 /// exact   the same bytes for every executor and for all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
@@ -203,6 +208,13 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
 #ifdef IRG_LANES_VECTOR
     if constexpr (detail::key_sign<Order> != 0) {
       if (!std::is_constant_evaluated()) {
+        if (numbers.empty()) {  // neighbours are cleared together: long runs of pixels are written much faster
+          if (settings.clear == clearing::none) return;
+          const cell_window w = detail::empty_tiles(bins, grid, i);
+          detail::clear_window(colour, w, settings.background);
+          if (settings.depth == depth_result::kept) detail::clear_window(depth, w, Order::farthest);
+          return;
+        }
         done[i].pixels = detail::draw_tile_fast<Order>(colour, depth, numbers, bins.tile_area[i], find, window,
                                                        make_shader, settings, workspace.seen.data());
         done[i].drawn = done[i].pixels.shaded;

@@ -23,7 +23,6 @@ struct occluder_counts {
   std::int64_t triangles = 0;
   skip_counts skipped;  // `occluded` is not counted
   std::int64_t drawn = 0;  // triangles that were not skipped
-  std::int64_t tiles_touched = 0;  // of the mask, since it was cleared
 
   constexpr bool operator==(const occluder_counts&) const = default;
 };
@@ -65,17 +64,16 @@ public:
   }
 
   /// Draws occluders.
-  /// needs   vertices projected with `mapping`, a mapping onto this mask's size; indices in range
-  /// gives   triangles with a corner that is not finite are left out
+  /// needs   vertices projected with `mapping`, a mapping onto this mask's size
+  /// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
   /// cost    each triangle once; nothing is sorted or listed on one thread
   template <Floating T, Executor E = sequential>
   IRG_INLINE constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches,
                                             const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
                                             const E& executor = {}) {
     const detail::mask_draw_result r = detail::draw_mask<T>(memory(), batches, mapping, culling, bins_, executor);
-    occluder_counts counts{0, r.skipped, r.listed, 0};
+    occluder_counts counts{0, r.skipped, r.listed};
     for (const triangle_batch<T>& b : batches) counts.triangles += static_cast<std::int64_t>(b.triangles.size());
-    for (const std::uint8_t t : touched_) counts.tiles_touched += t;
     return counts;
   }
   /// Draws the triangles of one occluder.
@@ -109,7 +107,8 @@ public:
   }
 
   /// Whether triangles could be seen.
-  /// needs   vertices projected with a mapping onto this mask's size; indices in range
+  /// needs   vertices projected with a mapping onto this mask's size
+  /// gives   triangles that name a vertex that is not there are left out
   /// cost    each triangle as a rectangle first, then as far as it is undecided by its pixels
   template <Floating T>
   IRG_INLINE constexpr occlusion test(const projected_vertices<T>& vertices,

@@ -35,6 +35,18 @@ IRG_INLINE constexpr textured_vertex make_textured_vertex(float u, float v, cons
 
 }  // namespace IRG_ABI
 
+namespace detail {
+inline namespace IRG_ABI {
+
+// Which of the textures a number means.
+// needs   count > 0
+IRG_INLINE constexpr std::size_t texture_index(float number, std::size_t count) noexcept {
+  return static_cast<std::size_t>(clamp(number, 0.0f, static_cast<float>(count - 1)));
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 /// The vertices of one object, lit from outside and, where backs are shown, from inside; without `back` alike.
 struct textured_vertices {
   std::span<const textured_vertex> front, back{};
@@ -60,7 +72,7 @@ struct textured_shading {
   IRG_INLINE constexpr rgba8 pixel(const textured_vertex& at) const noexcept {
     const auto [u, v, r, g, b, number] = at;
     if (textures.empty()) return encode({r, g, b});
-    const texture_image& t = textures[index_of(number)];
+    const texture_image& t = textures[detail::texture_index(number, textures.size())];
     const rgb<float> texel = sample_texture(t.texels, u, v, t.sampler);
     return encode({product(texel.r, r), product(texel.g, g), product(texel.b, b)});
   }
@@ -70,7 +82,7 @@ struct textured_shading {
   IRG_INLINE pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 6>& at) const noexcept {
     const float number = at[5][0];
     if (textures.empty()) return encode_lanes(at[2], at[3], at[4]);
-    const texture_image& t = textures[index_of(number)];
+    const texture_image& t = textures[detail::texture_index(number, textures.size())];
     const bool of_one = mask_bits(at[5] == lanes<pack<float, N>>::broadcast(number)) == (1u << N) - 1;
     if (of_one && bilinear_in_lanes(t)) return bilinear(t, at);
     pack<std::uint32_t, N> words;
@@ -78,14 +90,8 @@ struct textured_shading {
       words.v[i] = std::bit_cast<std::uint32_t>(pixel({at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i]}));
     return words;
   }
-#endif
 
 private:
-  IRG_INLINE constexpr std::size_t index_of(float number) const noexcept {
-    return static_cast<std::size_t>(clamp(number, 0.0f, static_cast<float>(textures.size() - 1)));
-  }
-
-#ifdef IRG_LANES_VECTOR
   // Texels in reach of a gather's 32-bit indices, and none in a border.
   IRG_INLINE static bool bilinear_in_lanes(const texture_image& t) noexcept {
     constexpr std::ptrdiff_t most = 0x7fffffff, size = sizeof(rgba8);

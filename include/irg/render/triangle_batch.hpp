@@ -27,6 +27,19 @@ struct triangle_batch {
   std::uint32_t object = 0;  // by which a shading knows it
 };
 
+namespace detail {
+inline namespace IRG_ABI {
+
+// Whether the vertices that a triangle names are there.
+template <class T>
+IRG_INLINE constexpr bool has_vertices(const triangle_batch<T>& batch, std::uint32_t triangle) noexcept {
+  const auto [a, b, c] = batch.triangles[triangle].v;
+  return greater(greater(a, b), c) < batch.vertices->screen.size();
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 /// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
 struct source_weights {
   float second = 0, third = 0;

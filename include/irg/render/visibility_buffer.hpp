@@ -20,9 +20,10 @@ inline namespace IRG_ABI {
 
 /// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
 /// shape   ids and depth are rasters of one size; first_number of the batches counts their triangles through
-/// needs   indices in range, at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
+/// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
 /// gives   no_triangle where nothing is seen, if cleared first, else what was there; of equally near triangles the
-///         first; triangles with a corner that is not finite are left out
+///         first; triangles with a corner that is not finite are left out, and those that name a vertex that is not
+///         there
 /// exact   the depths and triangles of draw_batches, the same bytes for every executor and all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 /// source  Burns and Hunt, The visibility buffer, 2013
@@ -72,7 +73,8 @@ inline namespace IRG_ABI {
 /// The weights, corrected for perspective, and the depth of a batch's triangle at the centre of a pixel.
 /// shape   the weights are of the second and third vertex of the whole triangle, also where it was clipped
 /// needs   vertices projected with the same mapping; 0 <= x, y within the picture
-/// gives   nothing where the triangle has not this number in the batch, or does not cover the pixel
+/// gives   nothing where the triangle has not this number in the batch, names a vertex that is not there, or does not
+///         cover the pixel
 /// exact   the bits that draw_batches gives to pixel shaders
 /// cost    one triangle set up; clipped ones are clipped again, which allocates
 template <DepthOrder Order = nearer_is_greater, Floating T>
@@ -81,9 +83,9 @@ constexpr std::optional<fragment<float>> barycentrics_at(const triangle_batch<T>
                                                          int y) {
   const std::uint32_t i = number - batch.first_number;
   if (number < batch.first_number || i >= batch.triangles.size()) return std::nullopt;
+  if (!detail::has_vertices(batch, i)) return std::nullopt;
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
-  if (greater(greater(a, b), c) >= v.screen.size()) return std::nullopt;
   if ((v.codes[a] | v.codes[b] | v.codes[c]).cut == 0)
     return detail::fragment_at(v.screen[a], v.screen[b], v.screen[c], x, y);
   const detail::picture_tiles grid(static_cast<int>(mapping.half_width * T(2)),

@@ -31,13 +31,15 @@ inline namespace IRG_ABI {
 IRG_INLINE constexpr cell cell_of(const subpixel& p) noexcept { return {p.x >> subpixel_bits, p.y >> subpixel_bits}; }
 
 // Whether a face shows its back, by the sign of its area on the screen; faces that reach behind the eye or beyond the
-// guard band are taken to show their front.
+// guard band are taken to show their front, and so are those of which a vertex is not there.
 template <class T>
 constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std::size_t f) noexcept {
   std::int64_t area = 0;
   const std::size_t n = m.face_size(f);
-  for (std::size_t k = 0; k < n; ++k)
-    if (v.codes[m.corner(f, k).position].cut != 0) return false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t corner = m.corner(f, k).position;
+    if (corner >= v.codes.size() || v.codes[corner].cut != 0) return false;
+  }
   const subpixel origin = v.screen[m.corner(f, 0).position].position;
   for (std::size_t k = 1; k + 1 < n; ++k)
     area += signed_double_area(origin, v.screen[m.corner(f, k).position].position,
@@ -45,10 +47,11 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
   return area >= 0;
 }
 
-// The line of an edge on the screen; nothing when it is out of sight.
+// The line of an edge on the screen; nothing when it is out of sight, or a vertex is not there.
 template <class T>
 constexpr std::optional<std::pair<cell, cell>> line_of(const projected_vertices<T>& v, const mesh_edge& e,
                                                        const screen_mapping<T>& mapping) noexcept {
+  if (e.b >= v.codes.size()) return std::nullopt;
   const clip_planes cut = (v.codes[e.a] | v.codes[e.b]).cut_planes();
   if (cut == clip_planes::none) return std::pair{cell_of(v.screen[e.a].position), cell_of(v.screen[e.b].position)};
   const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{clip_position(v, e.a)},
@@ -66,7 +69,9 @@ inline namespace IRG_ABI {
 /// Draws the edges of a mesh's faces, each once, and returns what it did: `triangles` counts n - 2 for a face of
 /// n corners, pixels.shaded the cells of all lines.
 /// shape   `vertices` are the mesh's positions, projected; faces may have any number of corners
-/// gives   faces that face away are left out when culling is `back`; an edge is drawn if any of its faces is
+/// needs   face_starts as in mesh.hpp
+/// gives   faces that face away are left out when culling is `back`; an edge is drawn if any of its faces is. Edges to
+///         vertices that are not there are left out
 /// exact   the same pixels for every executor; lines by line_bresenham from the smaller vertex index to the larger
 template <Floating T, RowRaster Colour, Executor E = sequential>
 constexpr render_stats draw_wireframe(Colour& colour, const projected_vertices<T>& vertices, const mesh<T>& m,

@@ -6,8 +6,10 @@
 // the lists of all portions one after the other, tile by tile. The result does not depend on the number of threads.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -30,7 +32,7 @@ struct clipped_piece {
 // What a portion has for one tile.
 struct tile_share {
   std::uint32_t count = 0;
-  float area = 0;  // the pixels of all boxes, as far as they lie in the tile
+  std::uint32_t area = 0;  // the pixels of all boxes, as far as they lie in the tile
 };
 
 // The triangles [first, last) of one batch, and what became of them.
@@ -38,6 +40,7 @@ struct bin_portion {
   std::size_t batch = 0;
   std::uint32_t first = 0, last = 0;  // within the batch
   std::vector<std::uint64_t> entries;  // tile and number: see entry_of
+  std::size_t entry_count = 0;  // how many of `entries` are in use
   std::vector<tile_share> of_tile;
   std::vector<clipped_piece> pieces;
   skip_counts skipped;
@@ -82,16 +85,29 @@ IRG_INLINE constexpr std::uint64_t entry_of(std::size_t tile, std::uint32_t numb
   return static_cast<std::uint64_t>(tile) << 32 | number;
 }
 
+// Puts a number on the list of one tile, of which its box has `area` pixels.
+// needs   room among the entries
+IRG_INLINE constexpr void list_in_tile(bin_portion& p, std::uint32_t number, std::size_t tile,
+                                       std::uint32_t area) noexcept {
+  p.entries[p.entry_count++] = entry_of(tile, number);
+  tile_share& share = p.of_tile[tile];
+  ++share.count;
+  share.area += area;
+}
+
+// Makes room for some more entries.
+IRG_INLINE constexpr void reserve_entries(bin_portion& p, std::size_t more) {
+  if (p.entries.size() - p.entry_count < more) p.entries.resize(2 * p.entries.size() + more, 0);
+}
+
 // Puts a number on the lists of the tiles that a box of pixels touches.
 // needs   a box that is not empty and lies in the picture
 IRG_INLINE constexpr void list_box(bin_portion& p, std::uint32_t number, const cell_window& box,
                                    const picture_tiles& grid) {
   const auto tile_of = [](int pixel) { return static_cast<int>(static_cast<unsigned>(pixel) / tile_size); };
   const auto list = [&](int x, int y, int w, int h) {
-    const auto tile = static_cast<std::size_t>(y * grid.across + x);
-    p.entries.push_back(entry_of(tile, number));
-    ++p.of_tile[tile].count;
-    p.of_tile[tile].area += static_cast<float>(w * h);
+    reserve_entries(p, 1);
+    list_in_tile(p, number, static_cast<std::size_t>(y * grid.across + x), static_cast<std::uint32_t>(w * h));
   };
   const int x_first = tile_of(box.x_first), x_last = tile_of(box.x_last - 1);
   const int y_first = tile_of(box.y_first), y_last = tile_of(box.y_last - 1);
@@ -176,9 +192,9 @@ template <class T>
 constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uint32_t i, std::uint32_t number,
                         const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
                         const skip_options& skip) {
+  if (!has_vertices(batch, i)) return;
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
-  if (greater(greater(a, b), c) >= v.screen.size()) return;  // no such vertex
   const clip_code_pair any = v.codes[a] | v.codes[b] | v.codes[c], all = v.codes[a] & v.codes[b] & v.codes[c];
   // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle
   // lands, and only the depth planes, by which it decides itself, are sure to change nothing.
@@ -194,38 +210,78 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
   count_listing(p, list_triangle(p, number, va, vb, vc, area, grid, skip.tiny), skip);
 }
 
+#ifdef IRG_LANES_VECTOR
+
+// The tiles that the boxes of a group lie in, as far as each lies in one.
+template <int N>
+struct group_tiles {
+  unsigned one;  // a bit for each triangle that is listed, and in one tile only
+  std::uint32_t tile[static_cast<unsigned>(N)], area[static_cast<unsigned>(N)];
+
+  IRG_INLINE group_tiles(const culled_group<N>& group, int across) noexcept {
+    using integers = pack<std::int32_t, N>;
+    using I = lanes<integers>;
+    constexpr int shift = std::countr_zero(static_cast<unsigned>(tile_size));
+    const integers x_first = I::load(group.x_first), y_first = I::load(group.y_first), x_last = I::load(group.x_last),
+                   y_last = I::load(group.y_last), tile_x{x_first.v >> shift}, tile_y{y_first.v >> shift};
+    one = group.listed &
+          mask_bits(both(integers{(x_last.v - 1) >> shift} == tile_x, integers{(y_last.v - 1) >> shift} == tile_y));
+    const integers place = tile_y * I::broadcast(across) + tile_x, pixels = (x_last - x_first) * (y_last - y_first);
+    std::memcpy(tile, &place.v, sizeof tile);
+    std::memcpy(area, &pixels.v, sizeof area);
+  }
+};
+
+// The triangles of a portion, a register at a time; returns the first that is left to do.
+template <class T>
+IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
+                                       const picture_tiles& grid, face_culling culling, const skip_options& skip) {
+  constexpr std::uint32_t count = native_lanes<std::int32_t>, vertices_ahead = 64, indices_ahead = 448;
+  const cull_kernel<static_cast<int>(count)> kernel{batch.vertices->screen.data(),
+                                                    batch.vertices->codes.data(),
+                                                    static_cast<std::int32_t>(batch.vertices->screen.size()),
+                                                    batch.vertices->any,
+                                                    {0, 0, grid.width, grid.height},
+                                                    culling};
+  std::uint32_t i = p.first;
+  for (; i + count <= p.last; i += count) {
+    const triangle_indices* const t = batch.triangles.data() + i;
+    if (i + vertices_ahead + count <= p.last) kernel.fetch_ahead(t + vertices_ahead);
+    if (i + indices_ahead + count <= p.last) kernel.fetch_indices(t + indices_ahead);
+    const auto group = kernel(t, skip);
+    p.skipped += group.skipped;
+    if ((group.listed | group.special) == 0) continue;
+    p.listed += std::popcount(group.listed);
+    const group_tiles<static_cast<int>(count)> tiles(group, grid.across);
+    reserve_entries(p, count);
+    for (unsigned bits = group.listed | group.special; bits != 0; bits &= bits - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
+      if ((tiles.one >> k & 1) != 0) {
+        list_in_tile(p, batch.first_number + i + k, tiles.tile[k], tiles.area[k]);
+        continue;
+      }
+      if ((group.special >> k & 1) != 0)
+        list_one(p, batch, i + k, batch.first_number + i + k, mapping, grid, culling, skip);
+      else
+        list_box(p, batch.first_number + i + k, group.box(k), grid);
+      reserve_entries(p, count);
+    }
+  }
+  return i;
+}
+
+#endif
+
 // All triangles of a portion; in lanes where they can be.
 template <class T>
 constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
                             const picture_tiles& grid, face_culling culling, const skip_options& skip) {
   p.of_tile.assign(grid.count(), tile_share{});
-  p.entries.clear();
+  p.entry_count = 0;
   p.pieces.clear();
   std::uint32_t i = p.first;
 #ifdef IRG_LANES_VECTOR
-  if (!std::is_constant_evaluated()) {
-    constexpr std::uint32_t count = native_lanes<std::int32_t>;
-    const cull_kernel<static_cast<int>(count)> kernel{batch.vertices->screen.data(),
-                                                      batch.vertices->codes.data(),
-                                                      static_cast<std::int32_t>(batch.vertices->screen.size()),
-                                                      batch.vertices->any,
-                                                      {0, 0, grid.width, grid.height},
-                                                      culling};
-    for (; i + count <= p.last; i += count) {
-      const triangle_indices* const t = batch.triangles.data() + i;
-      if (i + 3 * count <= p.last) kernel.fetch_ahead(t + 2 * count);
-      const auto group = kernel(t, skip);
-      p.skipped += group.skipped;
-      p.listed += std::popcount(group.listed);
-      for (unsigned bits = group.listed | group.special; bits != 0; bits &= bits - 1) {
-        const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
-        if (group.special >> k & 1)
-          list_one(p, batch, i + k, batch.first_number + i + k, mapping, grid, culling, skip);
-        else
-          list_box(p, batch.first_number + i + k, group.box(k), grid);
-      }
-    }
-  }
+  if (!std::is_constant_evaluated()) i = fill_in_lanes(p, batch, mapping, grid, culling, skip);
 #endif
   for (; i < p.last; ++i) list_one(p, batch, i, batch.first_number + i, mapping, grid, culling, skip);
 }
@@ -251,14 +307,14 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
       const std::uint32_t count = p.of_tile[t].count;
       p.of_tile[t].count = start;  // from here on: where the portion's next entry for the tile goes
       start += count;
-      bins.tile_area[t] += p.of_tile[t].area;
+      bins.tile_area[t] += static_cast<float>(p.of_tile[t].area);
     }
   }
   bins.tile_first[tiles] = start;
   bins.numbers.resize(start, 0);
   executor(bins.portions.size(), [&](std::size_t i) {
     bin_portion& p = bins.portions[i];
-    for (const std::uint64_t entry : p.entries) {
+    for (const std::uint64_t entry : std::span(p.entries).first(p.entry_count)) {
       const auto number = static_cast<std::uint32_t>(entry & 0xffffffff);
       bins.numbers[p.of_tile[static_cast<std::size_t>(entry >> 32)].count++] =
           (number & piece_bit) != 0 ? p.first_piece + (number ^ piece_bit) : number;

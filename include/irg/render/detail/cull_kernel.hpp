@@ -3,9 +3,12 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include <irg/core/lanes.hpp>
+#include <irg/render/detail/vertex_lanes.hpp>
 #include <irg/render/options.hpp>
 #include <irg/render/triangle_batch.hpp>
 
@@ -15,9 +18,7 @@ inline namespace IRG_ABI {
 
 #ifdef IRG_LANES_VECTOR
 
-// A vertex on the screen, in words of four bytes: x, y, depth, 1/w.
-inline constexpr int words_of_vertex = 4;
-static_assert(sizeof(screen_vertex) == 16 && sizeof(triangle_indices) == 12);
+static_assert(sizeof(triangle_indices) == 12);
 
 // What became of N triangles: one bit per lane.
 template <int N>
@@ -41,7 +42,7 @@ struct cull_kernel {
   cell_window picture;
   face_culling culling;
 
-  // Asks for the vertices of a later group.
+  // Asks for the vertices of a later group; for its indices, which has to come long before.
   IRG_INLINE void fetch_ahead(const triangle_indices* t) const noexcept {
     for (int i = 0; i < N; ++i)
       for (const std::uint32_t v : t[i].v)  // which may be beyond the vertices, where no pointer may lead
@@ -49,21 +50,35 @@ struct cull_kernel {
         __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(screen) +
                                                          std::uintptr_t{v} * sizeof *screen));
   }
+  IRG_INLINE static void fetch_indices(const triangle_indices* t) noexcept {
+    constexpr std::size_t line = 64;
+    for (std::size_t i = 0; i < N * sizeof *t; i += line) __builtin_prefetch(reinterpret_cast<const char*>(t) + i);
+  }
+
+  // Whether all corners of N triangles name vertices.
+  IRG_INLINE bool indices_valid(const triangle_indices* t) const noexcept {
+    using I = lanes<integers>;
+    integers words[3];
+    std::memcpy(static_cast<void*>(words), t, sizeof words);
+    integers valid = I::broadcast(-1);
+    for (const integers& w : words) valid = both(valid, both(w >= I::broadcast(0), w < I::broadcast(vertices)));
+    return mask_bits(valid) == (1u << N) - 1;
+  }
 
   IRG_INLINE culled_group<N> operator()(const triangle_indices* t, const skip_options& skip) const noexcept {
     using I = lanes<integers>;
     culled_group<N> group;
-    integers x[3]{}, y[3]{};
-    integers valid = I::broadcast(-1);
-    for (int k = 0; k < 3; ++k) {
-      const integers index = gather<std::int32_t>(t, I::ramp() * I::broadcast(3) + I::broadcast(k));
-      const integers there = both(index >= I::broadcast(0), index < I::broadcast(vertices));
-      const integers vertex = both(index, there);
-      valid = both(valid, there);
-      x[k] = gather<std::int32_t>(screen, integers{vertex.v * words_of_vertex});
-      y[k] = gather<std::int32_t>(screen, integers{vertex.v * words_of_vertex + 1});
+    if (!indices_valid(t)) {  // some name vertices that are not there
+      group.special = (1u << N) - 1;
+      return group;
     }
-    unsigned alive = mask_bits(valid);  // the others name vertices that are not there
+    integers x[3], y[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto corner = load_vertices<N>(screen, [&](int i) { return t[i].v[k]; });
+      x[k] = corner.x;
+      y[k] = corner.y;
+    }
+    unsigned alive = (1u << N) - 1;
     if (any.outside != 0 || any.cut != 0) {
       unsigned cut = 0, outside = 0;
       for (unsigned bits = alive; bits != 0; bits &= bits - 1) {
@@ -94,6 +109,7 @@ struct cull_kernel {
       group.skipped.backface += std::popcount(back);
       alive &= ~back;
     }
+    if (alive == 0) return group;  // often, as neighbours face the same way
     // The centres within the box, then those within the picture (triangle_coverage.hpp: first_centre, last_centre).
     const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
     const integers x_first{(left + before).v >> subpixel_bits}, x_last{(right + behind).v >> subpixel_bits};

@@ -42,10 +42,10 @@ constexpr mask_draw_result draw_mask_batch(const mask_target& m, const triangle_
   const auto n = static_cast<std::uint32_t>(batch.triangles.size());
   bin_portion scratch = scratch_portion(grid);
 #ifdef IRG_LANES_VECTOR
-  if (!std::is_constant_evaluated()) {
+  if (!std::is_constant_evaluated() && !batch.vertices->screen.empty()) {
     triangle_bins no_pieces;
     no_pieces.triangle_count = 0xffffffff;
-    mask_painter<T> painter{m, window, {{&batch, 1}, &no_pieces}};
+    mask_painter<T> painter{{m, window, {{&batch, 1}, &no_pieces}}, {m, window}};
     constexpr std::uint32_t count = native_lanes<std::int32_t>;
     const cull_kernel<static_cast<int>(count)> kernel{batch.vertices->screen.data(),
                                                       batch.vertices->codes.data(),
@@ -56,29 +56,35 @@ constexpr mask_draw_result draw_mask_batch(const mask_target& m, const triangle_
     // Pieces do not outlive their triangle, so they are not queued.
     const auto one = [&](std::uint32_t i) {
       list_and_draw(scratch, batch, i, mapping, grid, culling,
-                    [&](const triangle_corners& c) { painter.draw_large(c); });
+                    [&](const triangle_corners& c) { painter.large.draw(c); });
     };
     using I = lanes<pack<std::int32_t, static_cast<int>(count)>>;
-    const auto limit = I::broadcast(painter.few + 1);
+    const auto limit = I::broadcast(painter.small.few + 1);
+    // Vertices that the cache has anyway need not be asked for.
+    const bool ahead = batch.vertices->screen.size() > 1 << 16;
     std::uint32_t i = 0;
     mask_draw_result result;
     for (; i + count <= n; i += count) {
-      const auto group = kernel(batch.triangles.data() + i, skip_options{});
+      const triangle_indices* const t = batch.triangles.data() + i;
+      if (ahead && i + 3 * count <= n) kernel.fetch_ahead(t + 2 * count);
+      const auto group = kernel(t, skip_options{});
       result.skipped += group.skipped;
       result.listed += std::popcount(group.listed);
-      const unsigned few = group.listed & mask_bits(both(I::load(group.x_last) - I::load(group.x_first) < limit,
-                                                         I::load(group.y_last) - I::load(group.y_first) < limit));
-      if (few != 0) painter.add_small(batch.first_number + i, few);
+      const auto x_first = I::load(group.x_first), x_last = I::load(group.x_last), y_first = I::load(group.y_first),
+                 y_last = I::load(group.y_last);
+      const unsigned few = group.listed & mask_bits(both(x_last - x_first < limit, y_last - y_first < limit));
+      if (few != 0)
+        painter.small.add(batch.first_number + i, few, painter.small.shape_of(x_first, y_first, x_last, y_last));
       for (unsigned bits = (group.listed | group.special) & ~few; bits != 0; bits &= bits - 1) {
         const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
         if ((group.special >> k & 1) != 0)
           one(i + k);
         else
-          painter.draw_large(painter.find.corners(batch.first_number + i + k));
+          painter.large.draw(painter.small.find.corners(batch.first_number + i + k));
       }
     }
     for (; i < n; ++i) one(i);
-    painter.flush();
+    painter.small.flush();
     result.skipped += scratch.skipped;
     result.listed += scratch.listed;
     return result;
@@ -96,9 +102,9 @@ constexpr void draw_mask_tile(const mask_target& m, std::span<const std::uint32_
                               const triangle_finder<T>& find, const cell_window& window) {
 #ifdef IRG_LANES_VECTOR
   if (!std::is_constant_evaluated()) {
-    mask_painter<T> painter{m, window, find};
+    mask_painter<T> painter{{m, window, find}, {m, window}};
     for (const std::uint32_t number : numbers) painter.add(number);
-    return painter.flush();
+    return painter.small.flush();
   }
 #endif
   for (const std::uint32_t number : numbers) {

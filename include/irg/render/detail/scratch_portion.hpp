@@ -21,10 +21,10 @@ constexpr bin_portion scratch_portion(const picture_tiles& grid) {
 template <class T>
 constexpr bool list_alone(bin_portion& scratch, const triangle_batch<T>& batch, std::uint32_t i,
                           const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling) {
-  scratch.entries.clear();
+  scratch.entry_count = 0;
   scratch.pieces.clear();
   list_one(scratch, batch, i, i, mapping, grid, culling, skip_options{});
-  return !scratch.entries.empty();
+  return scratch.entry_count != 0;
 }
 
 }  // namespace IRG_ABI

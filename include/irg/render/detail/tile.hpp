@@ -76,9 +76,15 @@ IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexc
 // The least of the lanes.
 template <int N>
 IRG_INLINE float least_of(const pack<float, N>& p) noexcept {
-  float least = p.v[0];
-  for (int i = 1; i < N; ++i) least = lesser(p.v[i], least);
-  return least;
+  if constexpr (N > 4) {
+    pack<float, N / 2> half[2];
+    std::memcpy(half, &p.v, sizeof half);
+    return least_of(low_of(half[0], half[1]));
+  } else {
+    float least = p.v[0];
+    for (int i = 1; i < N; ++i) least = lesser(p.v[i], least);
+    return least;
+  }
 }
 
 // Reckons `farthest` anew.

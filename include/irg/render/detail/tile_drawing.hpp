@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/render/detail/mark_seen.hpp>
 #include <irg/render/detail/tile_kernel.hpp>
 #include <irg/render/detail/triangle_finder.hpp>
 
@@ -39,39 +40,51 @@ struct tile_painter {
   tile_counts counts{lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
   std::int64_t tested = 0, ties = 0;
 
-  IRG_INLINE void note_seen(std::uint32_t place) const noexcept {
-    // By whichever thread draws a part of it; all write the same.
-    __atomic_store_n(seen + find.source(numbers[place]), std::uint8_t{1}, __ATOMIC_RELAXED);
-  }
+  IRG_INLINE void note_seen(std::uint32_t place) const noexcept { mark_seen(seen[find.source(numbers[place])]); }
 
-  // Triangles of a pixel or few, a lane each: F, depth and box, as in tile_triangles.
+  // Triangles of few pixels, a lane each: F, depth and box, as in tile_triangles.
   struct dots {
+    static constexpr int most = 3;  // columns and rows
     integers f[3], right[3], down[3], columns, rows, at;
     floats gain[3], rest, low, high;
   };
 
-  // Decides one pixel of each box at a time: all first pixels together, then those to the right, and the row below.
+  // Decides one pixel of each box at a time, the same in all lanes; what is covered is then drawn one by one, in the
+  // order of the list.
   template <tile_test Test>
   IRG_INLINE void draw_dots(const dots& d, const std::uint32_t* place, unsigned which) noexcept {
     using I = lanes<integers>;
     for (unsigned bits = which; bits != 0; bits &= bits - 1) note_seen(place[std::countr_zero(bits)]);
-    for (int dy = 0; dy < 2; ++dy)
-      for (int dx = 0; dx < 2; ++dx) {
-        const integers zero = I::broadcast(0);
-        const auto f = [&](int k) { return d.f[k] + (dx != 0 ? d.right[k] : zero) + (dy != 0 ? d.down[k] : zero); };
-        const integers f0 = f(0), f1 = f(1), f2 = f(2);
-        const integers within = both(I::broadcast(dx) < d.columns, I::broadcast(dy) < d.rows);
-        unsigned covered = mask_bits(both(none_negative(f0, f1, f2), within)) & which;
-        if (covered == 0) continue;
-        tested += std::popcount(covered);
-        float key[count];
-        std::int32_t at[count];
-        lanes<floats>::store(key, depth_at<floats>(f0, f1, f2, d.gain[0], d.gain[1], d.gain[2], d.rest, d.low, d.high));
-        I::store(at, d.at + I::broadcast(dy * tile_stride + dx));
-        for (; covered != 0; covered &= covered - 1) {
-          const int i = std::countr_zero(covered);
-          draw_dot<Test>(key[i], at[i], place[i]);
-        }
+    constexpr int across = 4;  // a pixel's number is across * row + column
+    float key[dots::most * across][count];
+    integers covered = I::broadcast(0), row[3] = {d.f[0], d.f[1], d.f[2]};
+    const bool third_column = mask_bits(I::broadcast(2) < d.columns) != 0,
+               third_row = mask_bits(I::broadcast(2) < d.rows) != 0;
+    for (int y = 0; y < (third_row ? 3 : 2); ++y) {
+      integers f[3] = {row[0], row[1], row[2]};
+      for (int x = 0; x < (third_column ? 3 : 2); ++x) {
+        const int pixel = across * y + x;
+        const integers here =
+            both(none_negative(f[0], f[1], f[2]), both(I::broadcast(x) < d.columns, I::broadcast(y) < d.rows));
+        counts.tested = counts.tested - here;
+        covered = covered | both(here, I::broadcast(1 << pixel));
+        lanes<floats>::store(
+            key[pixel], depth_at<floats>(f[0], f[1], f[2], d.gain[0], d.gain[1], d.gain[2], d.rest, d.low, d.high));
+        for (int k = 0; k < 3; ++k) f[k] = f[k] + d.right[k];
+      }
+      for (int k = 0; k < 3; ++k) row[k] = row[k] + d.down[k];
+    }
+    std::int32_t at[count];
+    I::store(at, d.at);
+    // 16 bits to a triangle, four triangles to a word.
+    typedef std::uint16_t shorts __attribute__((vector_size(2 * static_cast<unsigned>(count))));
+    const shorts narrow = __builtin_convertvector(covered.v, shorts);
+    std::uint64_t words[count / 4];
+    std::memcpy(words, &narrow, sizeof words);
+    for (int w = 0; w < count / 4; ++w)
+      for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
+        const int bit = std::countr_zero(bits), i = 4 * w + bit / 16, pixel = bit % 16;
+        draw_dot<Test>(key[pixel][i], at[i] + pixel / across * tile_stride + pixel % across, place[i]);
       }
   }
   template <tile_test Test>
@@ -118,7 +131,8 @@ struct tile_painter {
     const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
     const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
     const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0), one = I::broadcast(1);
-    const unsigned large = ~mask_bits(both(right - left < limit, bottom - top < limit)) & ((1u << used) - 1);
+    const integers narrow = both(right - left < limit, bottom - top < limit);
+    const unsigned everyone = (1u << used) - 1, large = ~mask_bits(narrow) & everyone;
 
     const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
     const auto within = [&](const integers& v, int least, int end) {
@@ -156,17 +170,19 @@ struct tile_painter {
     d.high = high_of(high_of(key0, key1), key2);
     d.columns = select(area == zero, zero, x_last - x_first);
     d.rows = y_last - y_first;
-    const integers three = I::broadcast(3);
+    // Where rejection pays, only the smallest do without it.
+    const integers end = I::broadcast(order.front_to_back ? dots::most : dots::most + 1);
     // They are drawn before the others of their group, which is of no account unless the later one always wins.
-    const unsigned few = Test == tile_test::always
-                             ? 0u
-                             : mask_bits(both(d.columns < three, d.rows < three)) & ((1u << used) - 1) & ~large;
+    const integers is_dot = both(both(d.columns < end, d.rows < end), both(narrow, I::ramp() < I::broadcast(used)));
+    const unsigned few = Test == tile_test::always ? 0u : mask_bits(is_dot);
+    const integers columns = d.columns;
     if (few != 0) {
+      d.columns = both(d.columns, is_dot);
       d.at = (y_first - I::broadcast(window.y_first)) * I::broadcast(tile_stride) +
              (x_first - I::broadcast(window.x_first));
       draw_dots<Test>(d, g.place, few);
     }
-    if (few != (1u << used) - 1) {
+    if (few != everyone) {
       for (int k = 0; k < 3; ++k) {
         I::store(g.f[k], d.f[k]);
         I::store(g.right[k], d.right[k]);
@@ -177,7 +193,7 @@ struct tile_painter {
       F::store(g.low, d.low);
       F::store(g.high, d.high);
       I::store(g.x_first, x_first - I::broadcast(window.x_first));
-      I::store(g.x_last, x_first + d.columns - I::broadcast(window.x_first));
+      I::store(g.x_last, x_first + columns - I::broadcast(window.x_first));
       I::store(g.y_first, y_first - I::broadcast(window.y_first));
       I::store(g.y_last, y_last - I::broadcast(window.y_first));
     }
@@ -268,16 +284,21 @@ struct tile_painter {
       draw(wide_pack<count>{});
   }
 
-  // Asks for what the next groups will read: the indices of the second next, the vertices of the next.
+  // Asks for what later groups will read: their vertices, and before that the indices that name them.
   IRG_INLINE void fetch_ahead(std::size_t first) const noexcept {
-    if (find.batches.size() != 1 || first + 3 * count > numbers.size()) return;
+    constexpr std::size_t vertices_ahead = 16, indices_ahead = 32;
+    if (find.batches.size() != 1 || first + indices_ahead + count > numbers.size()) return;
     const triangle_batch<T>& batch = find.batches[0];
     const screen_vertex* const screen = batch.vertices->screen.data();
-    for (std::size_t i = first + count; i < first + 2 * count; ++i) {
-      const std::uint32_t later = numbers[i + count], next = numbers[i];
-      if (find.is_piece(later) || find.is_piece(next)) continue;
-      __builtin_prefetch(batch.triangles.data() + later);
-      for (const std::uint32_t v : batch.triangles[next].v) __builtin_prefetch(screen + v);
+    const auto named = [&](std::size_t i) {  // for a piece any triangle will do
+      return batch.triangles.data() + lesser(numbers[i], find.bins->triangle_count - 1);
+    };
+    for (std::size_t i = first; i < first + count; ++i) {
+      __builtin_prefetch(named(i + indices_ahead));
+      for (const std::uint32_t v : named(i + vertices_ahead)->v)  // which may be beyond the vertices
+        // NOLINTNEXTLINE(performance-no-int-to-ptr)
+        __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(screen) +
+                                                         std::uintptr_t{v} * sizeof *screen));
     }
   }
 
@@ -334,21 +355,31 @@ struct tile_painter {
 template <class T>
 std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers, const triangle_finder<T>& find,
                                          float sign) {
-  std::vector<float> key(numbers.size());
-  float least = beyond_everything, greatest = -beyond_everything;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const triangle_corners c = find.corners(numbers[i]);
-    key[i] = greater(greater(product(c.v[0]->depth, sign), product(c.v[1]->depth, sign)), product(c.v[2]->depth, sign));
-    least = lesser(key[i], least);
-    greatest = greater(key[i], greatest);
+  constexpr int count = tile_triangles::most;
+  using F = lanes<pack<float, count>>;
+  const std::size_t size = numbers.size();
+  std::vector<float> key(size + count);
+  auto least = F::broadcast(beyond_everything), greatest = F::broadcast(-beyond_everything);
+  for (std::size_t i = 0; i < size; i += count) {
+    corner_lanes<count> c;
+    c.collect(find, numbers.data() + i, static_cast<int>(lesser(size - i, std::size_t{count})));
+    const auto of = [&](int k) { return c.depth[k] * F::broadcast(sign); };
+    const auto nearest = high_of(high_of(of(0), of(1)), of(2));
+    F::store(key.data() + i, nearest);
+    least = low_of(nearest, least);
+    greatest = high_of(nearest, greatest);
   }
-  const float scale = least < greatest ? 255.0f / (greatest - least) : 0.0f;
-  const auto bucket = [&](float k) { return static_cast<std::size_t>(clamp((greatest - k) * scale, 0.0f, 255.0f)); };
+  const float front = -least_of(F::broadcast(0.0f) - greatest), range = front - least_of(least);
+  const float scale = 0.0f < range ? 255.0f / range : 0.0f;
+  std::vector<std::uint8_t> bucket(size);
   std::uint32_t start[257] = {};
-  for (const float k : key) ++start[bucket(k) + 1];
+  for (std::size_t i = 0; i < size; ++i) {
+    bucket[i] = static_cast<std::uint8_t>(clamp((front - key[i]) * scale, 0.0f, 255.0f));
+    ++start[bucket[i] + 1];
+  }
   for (int b = 0; b < 256; ++b) start[b + 1] += start[b];
-  std::vector<std::uint32_t> sorted(numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) sorted[start[bucket(key[i])]++] = numbers[i];
+  std::vector<std::uint32_t> sorted(size);
+  for (std::size_t i = 0; i < size; ++i) sorted[start[bucket[i]]++] = numbers[i];
   return sorted;
 }
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include <irg/raster/fill_span.hpp>
+#include <irg/render/attribute_shading.hpp>
 #include <irg/render/detail/tile_drawing.hpp>
 
 namespace irg {
@@ -28,6 +29,22 @@ struct piece_shader {
     return shader(in_source(at, weights));
   }
 };
+
+// draw(shader) with the pixel shader of the triangle, or of the piece of one, that has this number.
+template <class T, class MakeShader, class Draw>
+constexpr auto with_pixel_shader(const MakeShader& make_shader, const triangle_finder<T>& find, std::uint32_t number,
+                                 facing side, const Draw& draw) {
+  const std::uint32_t source = find.source(number);
+  const triangle_batch<T>& batch = find.batch_of(source);
+  const auto shader = [&] {
+    if constexpr (AttributeShading<MakeShader, triangle_batch<T>>)
+      return pixel_shader_of(make_shader, batch, source - batch.first_number, side);
+    else
+      return make_shader(batch, source - batch.first_number, side);
+  }();
+  if (find.is_piece(number)) return draw(piece_shader<decltype(shader)>{shader, find.piece(number).weights});
+  return draw(shader);
+}
 
 #ifdef IRG_LANES_VECTOR
 

@@ -2,13 +2,13 @@
 // The pixels of a transparent triangle: tested against depths that stay as they are, blended over the colours.
 #pragma once
 
-#include <atomic>
 #include <bit>
 #include <concepts>
 #include <cstdint>
 
 #include <irg/raster/depth_options.hpp>
 #include <irg/raster/draw_triangle.hpp>
+#include <irg/render/detail/mark_seen.hpp>
 
 namespace irg {
 namespace detail {
@@ -78,14 +78,6 @@ constexpr draw_counts blend_triangle(Colour& colour, Depth& depth, const triangl
                                                                                           colour, depth, shader, blend);
   }
   return transparent_rows<float, std::int64_t, Test, Order>(t, s, w, window.x_last, colour, depth, shader, blend);
-}
-
-// Several tiles may note the same triangle at the same time.
-IRG_INLINE constexpr void mark_seen(std::uint8_t& seen) noexcept {
-  if (std::is_constant_evaluated())
-    seen = 1;
-  else
-    std::atomic_ref<std::uint8_t>(seen).store(1, std::memory_order_relaxed);
 }
 
 // The farthest depths of a tile, block by block, each found when it is first asked for.

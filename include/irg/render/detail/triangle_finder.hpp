@@ -105,14 +105,15 @@ struct corner_lanes {
 private:
   template <class T>
   IRG_INLINE void collect_indexed(const triangle_batch<T>& batch, const integers& triangle) noexcept {
-    const screen_vertex* const screen = batch.vertices->screen.data();
+    const triangle_indices* of[static_cast<unsigned>(N)];
+    for (int i = 0; i < N; ++i) of[i] = batch.triangles.data() + triangle.v[i];
     for (int k = 0; k < 3; ++k) {
       vertex[k] = gather<std::int32_t>(batch.triangles.data(), integers{triangle.v * 3 + k});
-      const integers word{vertex[k].v * words_of_vertex};
-      x[k] = gather<std::int32_t>(screen, word);
-      y[k] = gather<std::int32_t>(screen, integers{word.v + 1});
-      depth[k] = gather<float>(screen, integers{word.v + 2});
-      inverse_w[k] = gather<float>(screen, integers{word.v + 3});
+      const auto corner = load_vertices<N>(batch.vertices->screen.data(), [&](int i) { return of[i]->v[k]; });
+      x[k] = corner.x;
+      y[k] = corner.y;
+      depth[k] = corner.depth;
+      inverse_w[k] = corner.inverse_w;
     }
   }
 };

@@ -3,11 +3,13 @@
 // classify give one by one.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 #include <irg/core/lanes.hpp>
+#include <irg/render/detail/vertex_lanes.hpp>
 #include <irg/render/screen_mapping.hpp>
 
 namespace irg {
@@ -47,12 +49,7 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
   using pack_i = pack<std::int32_t, N>;
   using F = lanes<pack_f>;
   using I = lanes<pack_i>;
-  pack_f x, y, z;
-  for (int i = 0; i < N; ++i) {
-    x.v[i] = p[i].x;
-    y.v[i] = p[i].y;
-    z.v[i] = p[i].z;
-  }
+  const auto [x, y, z] = load_positions<N>(p);
   const auto row = [&](int r) { return ((m[r] * x + m[r + 1] * y) + m[r + 2] * z) + m[r + 3]; };
   const pack_f cx = row(0), cy = row(4), cz = row(8), cw = row(12), zero = F::broadcast(0);
 
@@ -82,12 +79,15 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
   const auto kept = cut == I::broadcast(0);
   const pack_i snapped_x = both(snap_lanes(sx), kept), snapped_y = both(snap_lanes(sy), kept);
   const pack_f z_screen = select(kept, cz * inverse, zero), w_screen = select(kept, inverse, F::broadcast(1));
+  store_vertices<N>(screen, {snapped_x, snapped_y, z_screen, w_screen});
+  static_assert(std::endian::native == std::endian::little && sizeof(clip_code_pair) == 2);
+  typedef std::uint16_t shorts __attribute__((vector_size(2 * static_cast<unsigned>(N))));
+  const pack_i pairs = outside | pack_i{cut.v << 8};
+  const shorts narrow = __builtin_convertvector(pairs.v, shorts);
+  std::memcpy(static_cast<void*>(codes), &narrow, sizeof narrow);
   clip_code_pair any;
-  for (int i = 0; i < N; ++i) {
-    screen[i] = {{snapped_x.v[i], snapped_y.v[i]}, z_screen.v[i], w_screen.v[i]};
-    codes[i] = {static_cast<std::uint8_t>(outside.v[i]), static_cast<std::uint8_t>(cut.v[i])};
-    any = any | codes[i];
-  }
+  if (mask_bits(pairs == I::broadcast(0)) != (1u << N) - 1)
+    for (int i = 0; i < N; ++i) any = any | codes[i];
   return any;
 }
 
