@@ -11,17 +11,14 @@
 #include <vector>
 
 #include <irg/geometry/depth_sign.hpp>
-#include <irg/io/file.hpp>
-#include <irg/io/obj.hpp>
 #include <irg/math/error_free.hpp>
-#include <irg/mesh/shapes.hpp>
-#include <irg/mesh/teapot.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/view/view_transform_textbook.hpp>
 
 #include "support/command_line.hpp"
+#include "support/model_input.hpp"
 #include "support/number_input.hpp"
 #include "support/number_output.hpp"
 #include "support/picture_options.hpp"
@@ -67,19 +64,6 @@ settings read_settings(program::command_line& line) {
   s.finish(line);
   if (program::one_file(s.out, s.model)) line.fail("the model would be overwritten: " + s.model);
   return s;
-}
-
-irg::mesh<double> load(const program::command_line& line, const std::string& model) {
-  if (model == "teapot") return irg::shape_teapot<double>();
-  if (model == "cube") return irg::shape_cube<double>();
-  if (model == "sphere") return irg::shape_sphere<double>();
-  if (model == "torus") return irg::shape_torus<double>();
-  const auto text = irg::read_file(model);
-  if (!text) line.fail(program::with_place(text.error(), model));
-  auto mesh = irg::read_obj<double>({text->data(), text->size()});
-  if (!mesh) line.fail(program::with_place(mesh.error(), model));
-  if (mesh->positions.empty()) line.fail("the model has no vertices: " + model);
-  return *std::move(mesh);
 }
 
 using edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -166,7 +150,8 @@ std::vector<edge> edges_of(const irg::mesh<double>& m) {
 problem read_problem(program::command_line& line, const settings& s) {
   using program::number_input;
   problem p;
-  const irg::mesh<double> model = s.model.empty() ? irg::mesh<double>{} : load(line, s.model);
+  const irg::mesh<double> model = s.model.empty() ? irg::mesh<double>{} : program::read_model(line, s.model);
+  if (!s.model.empty() && model.positions.empty()) line.fail("the model has no vertices: " + s.model);
   number_input::prompt_if_terminal("x y z of the eye: ", s.input);
   number_input in(line, s.input);
   const point eye = read_point(in, "the eye");

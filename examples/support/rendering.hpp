@@ -15,14 +15,12 @@
 
 #include <irg/core/threads.hpp>
 #include <irg/io/file.hpp>
-#include <irg/io/obj.hpp>
-#include <irg/mesh/shapes.hpp>
-#include <irg/mesh/teapot.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/render/render.hpp>
 #include <irg/view/axonometry.hpp>
 
 #include "command_line.hpp"
+#include "model_input.hpp"
 #include "picture_options.hpp"
 
 namespace program {
@@ -116,18 +114,11 @@ struct render_settings {
   }
 };
 
-/// The model of that name, from a file if it is no built-in one.
+/// The model of that name, which has to have faces.
 inline irg::mesh<double> load_model(const command_line& line, const std::string& model) {
-  if (model == "teapot") return irg::shape_teapot<double>();
-  if (model == "cube") return irg::shape_cube<double>();
-  if (model == "sphere") return irg::shape_sphere<double>();
-  if (model == "torus") return irg::shape_torus<double>();
-  const auto text = irg::read_file(model);
-  if (!text) line.fail(with_place(text.error(), model));
-  auto mesh = irg::read_obj<double>({text->data(), text->size()});
-  if (!mesh) line.fail(with_place(mesh.error(), model));
-  if (mesh->face_count() == 0) line.fail("the model has no faces: " + model);
-  return *std::move(mesh);
+  auto mesh = read_model(line, model);
+  if (mesh.face_count() == 0) line.fail("the model has no faces: " + model);
+  return mesh;
 }
 
 /// Whether a kind of view has a direction of its own.

@@ -220,13 +220,6 @@ refused "a size of 0" "not '0x5'" "$course" --size 0x5
 refused "a size of one number" "not '5'" "$course" --size 5
 refused "a huge size" "not '65536x1'" "$course" --size 65536x1
 refused "too many pixels" "not '65535x65535'" "$course" --size 65535x65535
-if [ -w /dev/full ]; then
-  (echo "$course" | "$program" >/dev/full 2>.err)
-  check "a full disk: exit 2" is "$?" 2
-  check "a full disk: one line" is "$(cat .err)" "bresenham_line: standard output cannot be written"
-  (echo "$course" | "$program" -o full.png >/dev/full 2>.err)
-  check "a full disk: exit 2 with a picture" is "$?" 2
-  check "a full disk: leaves no picture" test ! -e full.png
-fi
+no_room "$course"
 
 conclude

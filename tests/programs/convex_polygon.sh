@@ -210,11 +210,7 @@ run "$course" -o p.png --list
 check "a PNG" is "$(head -c 4 p.png | tail -c 3)" PNG
 check "a PNG and the list" is "$(wc -l <.out)" 299
 for input in "$(cat circle)" "0 0 0" "1 5 5 5 5" "3 -2097152 -2097152 2097152 -2097152 2097152 2097152 1e300 -1e300" "4 0 0 0 4 2 1 4 4 1 1"; do
-  for size in 1x1 640x480 3x700; do
-    run "$input" -o p.ppm --size $size
-    check "a picture of ${input:0:20} in $size: $err" is "$status" 0
-    check "it has that size" is "$(sed -n 2p p.ppm)" "${size/x/ }"
-  done
+  pictures_of_all_sizes "$input"
 done
 refused "a picture of unknown ending" ".png" "$course" -o x.gif
 refused "a picture in no folder" "nowhere/x.png" "$course" -o nowhere/x.png
@@ -224,14 +220,7 @@ cp polygon.txt self.ppm
 refused "a picture over the input" "overwritten" "" --input self.ppm -o ./self.ppm
 check "the input is as it was" cmp -s polygon.txt self.ppm
 refused "a picture of bad input" "stdin" "3 0 0" -o x.png
-if [ -e /dev/full ]; then
-  printf '%s' "$course" | "$program" >/dev/full 2>.err
-  check "a full disk: exit 2" is "$?" 2
-  check "a full disk: says so" is "$(wc -l <.err)" 1
-  printf '%s' "$course" | "$program" -o full.png >/dev/full 2>.err
-  check "a full disk: exit 2 with a picture" is "$?" 2
-  check "a full disk: leaves no picture" test ! -e full.png
-fi
+no_room "$course"
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
 conclude

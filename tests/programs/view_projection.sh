@@ -154,11 +154,7 @@ run "0.1 0.2 0.3  3 2 1" cube -o inside.ppm
 check "from inside the model: exit 0: $err" is "$status" 0
 check "from inside the model: something is seen" test "$(count inside.ppm 32 44 66)" -gt 100
 for input in "0 0 1 0 0 0 0" "0 0 1 0 0 0 1 0 0 5" "0 0 1 0 0 0 1 0 0 0" "0 0 1 0 0 0 2 0 0 0 0 0 5" "0 0 1 0 0 0 3 1e300 0 0 0 -1e300 0.9999999 0 0 5" "0 0 4e307 0 0 0 2 4e307 0 0 0 4e307 -1" "0 0 1e-300 0 0 0 3 1e-320 0 0 0 1e-300 0 0 0 1e-300"; do
-  for size in 1x1 640x480 3x700; do
-    run "$input" -o p.ppm --size $size
-    check "a picture of ${input:0:30} in $size: $err" is "$status" 0
-    check "it has that size" is "$(sed -n 2p p.ppm)" "${size/x/ }"
-  done
+  pictures_of_all_sizes "$input"
 done
 refused "a picture of unknown ending" ".png" "1 1 3 0 0 0 0" -o x.gif
 refused "a picture in no folder" "nowhere/x.png" "1 1 3 0 0 0 0" -o nowhere/x.png
@@ -168,11 +164,7 @@ refused "a picture over the input" "overwritten" "" --input self.ppm -o ./self.p
 cp body.obj body.ppm
 refused "a picture over the model" "overwritten" "1 1 3 0 0 0" body.ppm -o ./body.ppm
 check "the model is as it was" cmp -s body.obj body.ppm
-if [ -e /dev/full ]; then
-  echo "1 1 3 0 0 0 0" | "$program" -o full.png >/dev/full 2>.err
-  check "a full disk: exit 2" is "$?" 2
-  check "a full disk: leaves no picture" test ! -e full.png
-fi
+no_room "1 1 3 0 0 0 0"
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
 conclude

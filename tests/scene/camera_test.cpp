@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <irg/scene/camera.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <irg/view/polar_camera.hpp>
+
 #include "support/check_both.hpp"
+#include "support/orthonormal.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -307,6 +311,56 @@ TEST_CASE("camera: constant evaluation gives the bits of run time") {
   CHECK(
       at_compile_time ==
       irg::view_projection(irg::camera_around(point{0.1, 0.2, 0.3}, 1.7, vec{1, 0.8, 1.6}, angle, 16.0 / 9), 16.0 / 9));
+}
+
+TEST_CASE("camera_from: a frame's camera, exactly where the numbers are") {
+  using frame = irg::camera_frame<double>;
+  constexpr camera like{.vertical_angle = 0.5, .near_distance = 0.25, .far_distance = 64};
+  constexpr frame from_x{{5, 1, 0}, {0, 0, -1}, {0, 1, 0}, {-1, 0, 0}};
+  constexpr camera c = irg::camera_from(from_x, 5, like);
+  CHECK_BOTH((c.eye == point{5, 1, 0} && c.target == point{0, 1, 0} && c.up == vec{0, 1, 0}));
+  CHECK_BOTH((c.vertical_angle == 0.5 && c.near_distance == 0.25 && c.far_distance == 64));
+  CHECK_BOTH(irg::frame_of(c) == from_x);
+  CHECK_BOTH(irg::view_projection(c, 1.5) == irg::perspective(0.5, 1.5, 0.25, 64.0) * irg::view_matrix(from_x) * 4.0);
+  // On its side, and upside down.
+  constexpr frame rolled{{0, 0, 2}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+      turned{{0, 0, 2}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  CHECK_BOTH(irg::frame_of(irg::camera_from(rolled, 2)) == rolled);
+  CHECK_BOTH(irg::frame_of(irg::camera_from(turned, 0.5)) == turned);
+  // Parallel: what is seen is as high as the angle at that distance.
+  CHECK_BOTH(irg::view_projection(in_parallel(irg::camera_from(rolled, 4, like)), 1) ==
+             irg::view_projection(in_parallel({{0, 0, 2}, {0, 0, -2}, {1, 0, 0}, {}, 0.5, 0.25}), 1));
+}
+
+TEST_CASE("camera_from: random frames, the view projected as by the frame's own matrix, through the poles too") {
+  test::random r(6);
+  double views = 0, far_out = 0;
+  for (int i = 0; i < 3000; ++i) {
+    irg::camera_frame<double> f;
+    const auto any = [&] { return r.unit() - 0.5; };
+    for (int k = 0; k < 3; ++k) f.forward[k] = any(), f.up[k] = any();
+    f = irg::orthonormalized(f);
+    for (int k = 0; k < 3; ++k) f.position[k] = any();
+    const double distance = std::ldexp(1.0, static_cast<int>(r.integer(-1, 40)));
+    views = std::max(views, test::worst_difference(irg::view_matrix(irg::frame_of(irg::camera_from(f, distance))),
+                                                   irg::view_matrix(f)));
+    // Far out, with the target as far away as that.
+    for (int k = 0; k < 3; ++k) f.position[k] *= 0x1p40;
+    const auto axes = irg::frame_of(irg::camera_from(f, 0x1p40));
+    for (int k = 0; k < 3; ++k)
+      far_out = std::max({far_out, std::fabs(axes.right[k] - f.right[k]), std::fabs(axes.up[k] - f.up[k]),
+                          std::fabs(axes.forward[k] - f.forward[k])});
+  }
+  INFO("within ", views * 0x1p53, "u, far out ", far_out * 0x1p53, "u");
+  CHECK(views <= 16 * 0x1p-53);
+  CHECK(far_out <= 16 * 0x1p-53);
+  // On an orbit over the pole the picture does not turn over; a fixed up would.
+  for (const double degrees : {89.0, 90.0, 91.0}) {
+    const irg::polar_camera<double> orbit{{0, 0, 0}, 5, 0, irg::radians(degrees)};
+    const point p = seen(irg::camera_from(irg::frame_of(orbit), 5), 1, {0.5, 0, 0.2});
+    CHECK(p.x > 0);
+    CHECK(p.y < 0);
+  }
 }
 
 }  // namespace

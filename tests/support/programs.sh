@@ -60,6 +60,31 @@ pixels() { tail -c +$((1 + $(head -n 3 "$1" | wc -c))) "$1" | od -An -v -w$((3 *
 # count FILE red green blue: how many pixels have that colour.
 count() { pixels "$1" | grep -c "^ *$2 *$3 *$4\$"; }
 
+# pictures_of_all_sizes "input" arguments...: of one pixel, of many, and a strip.
+pictures_of_all_sizes() {
+  local input=$1 size
+  shift
+  for size in 1x1 640x480 3x700; do
+    run "$input" "$@" -o p.ppm --size $size
+    check "a picture of ${input:0:30} in $size: $err" is "$status" 0
+    check "it has that size" is "$(sed -n 2p p.ppm)" "${size/x/ }"
+  done
+}
+
+# no_room "input" arguments...: exit 2 and one line where standard output is full, with a picture or without, and none
+# left.
+no_room() {
+  local input=$1
+  shift
+  [ -w /dev/full ] || return 0
+  printf '%s' "$input" | "$program" "$@" >/dev/full 2>.err
+  check "a full disk: exit 2" is "$?" 2
+  check "a full disk: says so" is "$(cat .err)" "$name: standard output cannot be written"
+  printf '%s' "$input" | "$program" "$@" -o full.png >/dev/full 2>.err
+  check "a full disk: exit 2 with a picture" is "$?" 2
+  check "a full disk: leaves no picture" test ! -e full.png
+}
+
 # The last line of a script: its result.
 conclude() {
   echo "$passed passed, $failed failed"

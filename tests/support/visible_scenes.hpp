@@ -275,4 +275,24 @@ private:
   std::int64_t rise_x_ = 0, rise_y_ = 0;  // of the plane of all layers, in 4096ths over the picture
 };
 
+/// An order of depths that irg has no kernel for: drawn pixel by pixel.
+struct plain_order : irg::nearer_is_greater {};
+
+/// Runs test.operator()<Order, T>(seed) for the orders and numbers that irg has kernels for.
+template <class Test>
+void with_each_order(std::uint64_t seed, Test test) {
+  test.template operator()<irg::nearer_is_greater, double>(seed);
+  test.template operator()<irg::nearer_is_greater, float>(seed + 1);
+  test.template operator()<irg::nearer_is_less, double>(seed + 2);
+}
+
+/// Two triangles that reach behind the eye or beyond the picture: few enough for constant evaluation.
+constexpr triangle_scene two_to_be_clipped() {
+  return {{{-2, -2, -3}, {2, -2, -1}, {0, 2, -2}, {-2, 1, -1}, {1, -1, 2}, {2, 2, -4}},
+          {{{0, 1, 2}}, {{3, 4, 5}}},
+          square_view(0.125),
+          8,
+          8};
+}
+
 }  // namespace test

@@ -8,6 +8,7 @@
 #include <irg/view/affine.hpp>
 
 #include "support/check_both.hpp"
+#include "support/orthonormal.hpp"
 #include "support/random.hpp"
 
 using irg::camera_frame_status;
@@ -23,6 +24,8 @@ using irg::orthonormalized_checked;
 using irg::view_matrix;
 using irg::view_rotation;
 using irg::view_translation;
+using test::from_orthonormal;
+using test::worst_difference;
 
 namespace {
 
@@ -31,25 +34,6 @@ using V = irg::vec<double, 3>;
 using M = mat<double, 4, 4>;
 using frame = irg::camera_frame<double>;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-
-template <class T>
-double from_orthonormal(const irg::camera_frame<T>& f) {
-  const irg::vec<T, 3> axes[] = {f.right, f.up, -f.forward};
-  double worst = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k)
-      worst = std::max(worst, std::abs(static_cast<double>(dot(axes[i], axes[k])) - (i == k ? 1 : 0)));
-  const auto across = cross(f.right, f.up);
-  for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(static_cast<double>(across[i] + f.forward[i])));
-  return worst;
-}
-
-double worst_difference(const M& a, const M& b) {
-  double worst = 0;
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c) worst = std::max(worst, std::abs(a(r, c) - b(r, c)));
-  return worst;
-}
 
 V random_vector(test::random& r) {
   V v;

@@ -6,7 +6,15 @@
 #include <cmath>
 #include <limits>
 
+#ifdef IRG_HAVE_GLM
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#endif
+
+#include <irg/view/camera_frame.hpp>
+
 #include "support/check_both.hpp"
+#include "support/orthonormal.hpp"
 #include "support/random.hpp"
 
 using irg::identity;
@@ -17,25 +25,13 @@ using irg::look_at_status;
 using irg::mat;
 using irg::point;
 using irg::vec;
+using test::from_orthonormal;
 
 namespace {
 
 using P = point<double, 3>;
 using V = vec<double, 3>;
 using M = mat<double, 4, 4>;
-
-template <class T>
-constexpr double distance_from_orthonormal(const mat<T, 4, 4>& m) {
-  double worst = 0;
-  const auto a = submatrix(m, 3, 3);
-  const auto product = a * transpose(a);
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) {
-      const double d = static_cast<double>(product(r, c)) - (r == c ? 1 : 0);
-      worst = irg::greater(worst, d < 0 ? -d : d);
-    }
-  return worst;
-}
 
 template <class T>
 bool finite(const mat<T, 4, 4>& m) {
@@ -113,7 +109,7 @@ TEST_CASE("look_at: orthonormal, right-handed, eye to the origin, target ahead, 
     const auto v = look_at_checked(eye, target, up);
     CHECK(v.status != look_at_status::not_finite);
     if (v.status == look_at_status::eye_at_target) continue;
-    worst = std::max(worst, distance_from_orthonormal(v.matrix));
+    worst = std::max(worst, from_orthonormal(v.matrix));
     worst_det = std::max(worst_det, std::abs(determinant(submatrix(v.matrix, 3, 3)) - 1));
     const P at_eye = transform_point(v.matrix, eye), at_target = transform_point(v.matrix, target);
     for (int k = 0; k < 3; ++k) CHECK(std::abs(at_eye[k]) <= 1e-15);
@@ -130,7 +126,7 @@ TEST_CASE("look_at: orthonormal, right-handed, eye to the origin, target ahead, 
         point<float, 3>{static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z)},
         point<float, 3>{static_cast<float>(target.x), static_cast<float>(target.y), static_cast<float>(target.z)},
         vec<float, 3>{static_cast<float>(up.x), static_cast<float>(up.y), static_cast<float>(up.z)});
-    worst_float = std::max(worst_float, distance_from_orthonormal(f.matrix));
+    worst_float = std::max(worst_float, from_orthonormal(f.matrix));
   }
   INFO("orthonormal within ", worst * 0x1p53, "u, float ", worst_float * 0x1p24, "u, determinant ", worst_det * 0x1p53,
        "u");
@@ -154,7 +150,7 @@ TEST_CASE("look_at: up parallel to the view, zero, or nearly so") {
     const double s = r.unit() + 0.5;
     const auto v = look_at_checked(P{0, 0, 0} + d, P{0, 0, 0}, d * s);
     CHECK(v.status == look_at_status::up_parallel);
-    CHECK(distance_from_orthonormal(v.matrix) <= 8 * 0x1p-53);
+    CHECK(from_orthonormal(v.matrix) <= 8 * 0x1p-53);
     CHECK(v == look_at_checked(P{0, 0, 0} + d, P{0, 0, 0}, V{0, 0, 0}));
   }
   // A hair beside the view is enough to be an ordinary camera.
@@ -168,7 +164,7 @@ TEST_CASE("look_at: eye at the target") {
   CHECK_BOTH(v.matrix == M{{{1, 0, 0, -1}, {0, 1, 0, -2}, {0, 0, 1, -3}, {0, 0, 0, 1}}});
   constexpr auto both = look_at_checked(P{1, 2, 3}, P{1, 2, 3}, V{0, 0, 1});  // and up along the view that is taken
   CHECK_BOTH(both.status == look_at_status::eye_at_target);
-  CHECK_BOTH(distance_from_orthonormal(both.matrix) == 0.0);
+  CHECK_BOTH(from_orthonormal(both.matrix) == 0.0);
 }
 
 TEST_CASE("look_at: hostile numbers give a finite matrix") {
@@ -184,7 +180,7 @@ TEST_CASE("look_at: hostile numbers give a finite matrix") {
               look_at_checked(P{1, 2, 3}, P{3, 2, 1}, V{a, b, c}),
               look_at_checked(P{a, b, c}, P{b, c, a}, V{c, a, b})}) {
           CHECK(finite(v.matrix));
-          CHECK(distance_from_orthonormal(v.matrix) <= 8 * 0x1p-53);
+          CHECK(from_orthonormal(v.matrix) <= 8 * 0x1p-53);
         }
         const bool any_bad = !std::isfinite(a) || !std::isfinite(b) || !std::isfinite(c);
         const bool out = any_bad || std::max({std::abs(a), std::abs(b), std::abs(c)}) > most / 4;
@@ -196,3 +192,45 @@ TEST_CASE("look_at: hostile numbers give a finite matrix") {
   CHECK(look_at(P{0, 0, least}, P{0, 0, 0}, V{0, 1, 0}) ==
         M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -least}, {0, 0, 0, 1}}});
 }
+
+#ifdef IRG_HAVE_GLM
+
+TEST_CASE("look_at: GLM's lookAtRH is the same, lookAtLH the same of a left-handed world") {
+  const auto of_glm = [](const glm::dmat4& m) {
+    M r;
+    for (int row = 0; row < 4; ++row)
+      for (int c = 0; c < 4; ++c) r(row, c) = m[c][row];
+    return r;
+  };
+  const M mirror{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}}};
+  test::random r(5);
+  double right = 0, left = 0, mirrored = 0;
+  for (int i = 0; i < 5000; ++i) {
+    double v[9];
+    for (double& x : v) x = static_cast<double>(r.integer(-1000, 1000)) / 256;
+    const P eye{v[0], v[1], v[2]}, target{v[3], v[4], v[5]};
+    const V up{v[6], v[7], v[8]}, view = target - eye, side = cross(view, up);
+    if (!(dot(side, side) > 1e-2 * dot(view, view) * dot(up, up))) continue;  // GLM loses digits next to the poles
+    const M irg = look_at(eye, target, up);
+    right = std::max(right, test::worst_difference(
+                                irg, of_glm(glm::lookAtRH(glm::dvec3(v[0], v[1], v[2]), glm::dvec3(v[3], v[4], v[5]),
+                                                          glm::dvec3(v[6], v[7], v[8])))));
+    const M lh =
+        of_glm(glm::lookAtLH(glm::dvec3(v[0], v[1], v[2]), glm::dvec3(v[3], v[4], v[5]), glm::dvec3(v[6], v[7], v[8])));
+    for (int c = 0; c < 4; ++c)
+      for (int row = 0; row < 3; ++row)
+        mirrored = std::max(mirrored, std::abs((row == 1 ? irg(row, c) : -irg(row, c)) - lh(row, c)));
+    // The same camera in the world seen in a mirror, which is left-handed.
+    const M other = of_glm(
+        glm::lookAtLH(glm::dvec3(v[0], v[1], -v[2]), glm::dvec3(v[3], v[4], -v[5]), glm::dvec3(v[6], v[7], -v[8])));
+    left = std::max(left, test::worst_difference(
+                              view_matrix(irg::look_at_frame(eye, target, up), irg::handedness::left), other * mirror));
+  }
+  INFO("within ", right * 0x1p53, "u, ", left * 0x1p53, "u, ", mirrored * 0x1p53, "u");
+  CHECK(right > 0);
+  CHECK(right <= 1e-13);
+  CHECK(left <= 1e-13);
+  CHECK(mirrored <= 1e-13);
+}
+
+#endif

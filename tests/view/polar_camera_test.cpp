@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "support/check_both.hpp"
+#include "support/orthonormal.hpp"
 #include "support/random.hpp"
 
 using irg::cartesian_to_polar;
@@ -21,6 +22,7 @@ using irg::sin_cos_degrees;
 using irg::try_frame_of;
 using irg::view_matrix;
 using irg::viewer_frame_textbook;
+using test::from_orthonormal;
 
 namespace {
 
@@ -48,18 +50,6 @@ double axes_apart(const frame& a, const frame& b) {
 double next_to_pole(test::random& r) {
   const double off = r.unit() - 0.5;
   return std::ldexp(off, -static_cast<int>(r.integer(0, 60)));
-}
-
-template <class T>
-double from_orthonormal(const irg::camera_frame<T>& f) {
-  const irg::vec<T, 3> axes[] = {f.right, f.up, -f.forward};
-  double worst = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k)
-      worst = std::max(worst, std::abs(static_cast<double>(dot(axes[i], axes[k])) - (i == k ? 1 : 0)));
-  const auto across = cross(f.right, f.up);
-  for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(static_cast<double>(across[i] + f.forward[i])));
-  return worst;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "support/check_both.hpp"
+#include "support/orthonormal.hpp"
 #include "support/random.hpp"
 
 using irg::hpoint;
@@ -22,6 +23,8 @@ using irg::view_steps_textbook;
 using irg::view_textbook_status;
 using irg::view_transform_steps_textbook;
 using irg::view_transform_textbook;
+using test::from_orthonormal;
+using test::worst_difference;
 
 namespace {
 
@@ -32,25 +35,6 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = 
 constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
 
 constexpr double distance(double a, double b) { return a < b ? b - a : a - b; }
-
-template <class T>
-double worst_difference(const mat<T, 4, 4>& a, const mat<T, 4, 4>& b) {
-  double worst = 0;
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c)
-      worst = std::max(worst, std::abs(static_cast<double>(a(r, c)) - static_cast<double>(b(r, c))));
-  return worst;
-}
-
-template <class T>
-double from_orthonormal(const mat<T, 4, 4>& m) {
-  const auto a = submatrix(m, 3, 3);
-  const auto gram = a * transpose(a);
-  double worst = 0;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(static_cast<double>(gram(r, c)) - (r == c ? 1 : 0)));
-  return worst;
-}
 
 // A left-handed view matrix from a right-handed one.
 constexpr M third_row_negated(M m) {

@@ -212,33 +212,27 @@ IRG_INLINE pack<T, N> select(const pack<std::int32_t, N>& mask, const pack<T, N>
 /// The lesser and the greater of two numbers, lane by lane in packs; b when they are unordered.
 IRG_INLINE constexpr float low_of(float a, float b) noexcept { return a < b ? a : b; }
 IRG_INLINE constexpr float high_of(float a, float b) noexcept { return b < a ? a : b; }
+IRG_INLINE constexpr double low_of(double a, double b) noexcept { return a < b ? a : b; }
+IRG_INLINE constexpr double high_of(double a, double b) noexcept { return b < a ? a : b; }
 // In one instruction where there is one; g++ does not find the second.
-template <int N>
-IRG_INLINE pack<float, N> low_of(const pack<float, N>& a, const pack<float, N>& b) noexcept {
+template <class T, int N>
+IRG_INLINE pack<T, N> low_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE__)
-  if constexpr (N == 4) return {__builtin_ia32_minps(a.v, b.v)};
+  if constexpr (std::is_same_v<T, float> && N == 4) return {__builtin_ia32_minps(a.v, b.v)};
 #ifdef __AVX__
-  if constexpr (N == 8) return {__builtin_ia32_minps256(a.v, b.v)};
+  if constexpr (std::is_same_v<T, float> && N == 8) return {__builtin_ia32_minps256(a.v, b.v)};
 #endif
 #endif
   return select(a < b, a, b);
 }
-template <int N>
-IRG_INLINE pack<float, N> high_of(const pack<float, N>& a, const pack<float, N>& b) noexcept {
+template <class T, int N>
+IRG_INLINE pack<T, N> high_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE__)
-  if constexpr (N == 4) return {__builtin_ia32_maxps(a.v, b.v)};
+  if constexpr (std::is_same_v<T, float> && N == 4) return {__builtin_ia32_maxps(a.v, b.v)};
 #ifdef __AVX__
-  if constexpr (N == 8) return {__builtin_ia32_maxps256(a.v, b.v)};
+  if constexpr (std::is_same_v<T, float> && N == 8) return {__builtin_ia32_maxps256(a.v, b.v)};
 #endif
 #endif
-  return select(b < a, a, b);
-}
-template <int N>
-IRG_INLINE pack<std::int32_t, N> low_of(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
-  return select(a < b, a, b);
-}
-template <int N>
-IRG_INLINE pack<std::int32_t, N> high_of(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
   return select(b < a, a, b);
 }
 

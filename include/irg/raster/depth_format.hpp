@@ -45,40 +45,34 @@ IRG_INLINE constexpr double reversed_depth(double z_near, double z_far, double d
 }
 
 }  // namespace IRG_ABI
+
+// What the formats that keep z/w in a float have in common, whichever way it runs.
+template <class Order>
+struct depth_in_float {
+  using stored = float;
+  using order = Order;
+  static constexpr stored farthest = Order::farthest, nearest = 1.0f - Order::farthest;
+  IRG_INLINE static constexpr stored encode(float z) noexcept { return depth_in_range<order>(z); }
+  IRG_INLINE static constexpr float decode(stored s) noexcept { return s; }
+  IRG_INLINE static constexpr bool nearer(stored a, stored b) noexcept { return order::nearer(a, b); }
+  IRG_INLINE static constexpr double scale(double z_near, double z_far) noexcept { return depth_scale(z_near, z_far); }
+  IRG_INLINE static constexpr double step_below(double depth) noexcept { return float_gap_below(depth); }
+};
+
 }  // namespace detail
 
 /// z/w of a reversed projection in a float: 1 on the near plane, 0 on the far one. irg's default.
-struct depth_float_reversed {
-  using stored = float;
-  using order = nearer_is_greater;
-  static constexpr stored farthest = 0.0f, nearest = 1.0f;
-  IRG_INLINE static constexpr stored encode(float z) noexcept { return detail::depth_in_range<order>(z); }
-  IRG_INLINE static constexpr float decode(stored s) noexcept { return s; }
-  IRG_INLINE static constexpr bool nearer(stored a, stored b) noexcept { return order::nearer(a, b); }
-  IRG_INLINE static constexpr double scale(double z_near, double z_far) noexcept {
-    return detail::depth_scale(z_near, z_far);
-  }
+struct depth_float_reversed : detail::depth_in_float<nearer_is_greater> {
   IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept {
     return detail::reversed_depth(z_near, z_far, distance);
   }
-  IRG_INLINE static constexpr double step_below(double depth) noexcept { return detail::float_gap_below(depth); }
 };
 
 /// z/w of a standard projection in a float: 0 on the near plane, 1 on the far one, where floats are coarse.
-struct depth_float {
-  using stored = float;
-  using order = nearer_is_less;
-  static constexpr stored farthest = 1.0f, nearest = 0.0f;
-  IRG_INLINE static constexpr stored encode(float z) noexcept { return detail::depth_in_range<order>(z); }
-  IRG_INLINE static constexpr float decode(stored s) noexcept { return s; }
-  IRG_INLINE static constexpr bool nearer(stored a, stored b) noexcept { return order::nearer(a, b); }
-  IRG_INLINE static constexpr double scale(double z_near, double z_far) noexcept {
-    return detail::depth_scale(z_near, z_far);
-  }
+struct depth_float : detail::depth_in_float<nearer_is_less> {
   IRG_INLINE static constexpr double depth_at(double z_near, double z_far, double distance) noexcept {
     return lesser(detail::depth_scale(z_near, z_far) * (1.0 / z_near - 1.0 / distance), 1.0);
   }
-  IRG_INLINE static constexpr double step_below(double depth) noexcept { return detail::float_gap_below(depth); }
 };
 
 /// One over the distance from the eye (1/w), in a float: nothing is scaled, there is no far plane.

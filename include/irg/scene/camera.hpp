@@ -8,6 +8,7 @@
 #include <irg/math/constants.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/trigonometry.hpp>
+#include <irg/view/camera_frame.hpp>
 #include <irg/view/look_at.hpp>
 #include <irg/view/oblique.hpp>
 #include <irg/view/projection.hpp>
@@ -49,6 +50,28 @@ constexpr T scale_towards_one(T x) noexcept {
 }  // namespace detail
 
 inline namespace IRG_ABI {
+
+/// The camera `like`, put where a frame is and turned as it is, its target `distance` ahead. So a camera that orbits,
+/// rolls or flies through its own poles takes pictures.
+/// needs   a frame with axes of length 1 and at right angles, distance > 0. In perspective any distance gives the same
+///         picture; parallel projections show as much as vertical_angle does there
+/// exact   view_projection as from view_matrix(frame), the axes rounded anew: by about 8u, and by
+///         u (|position| + distance) / distance. Far from the origin of the world choose a distance of its size
+template <Floating T>
+constexpr camera<T> camera_from(const camera_frame<T>& frame, std::type_identity_t<T> distance,
+                                camera<T> like = {}) noexcept {
+  IRG_EXPECTS(T(0) < distance);
+  like.eye = frame.position;
+  like.target = frame.position + frame.forward * distance;
+  like.up = frame.up;
+  return like;
+}
+
+/// The frame of a camera: where it stands and how it is turned. What camera_from is the inverse of.
+template <Floating T>
+constexpr camera_frame<T> frame_of(const camera<T>& c) noexcept {
+  return look_at_frame(c.eye, c.target, c.up);
+}
 
 /// The matrix from the world to the camera's clip space (reversed depth), for a picture `aspect` times as wide as high.
 /// units   clip space is scaled by a power of two so that w, which is 1 in parallel projection, is 1 to 2 at the near

@@ -46,13 +46,17 @@ enum class frustum_side {
   inside  // surely all of it is in the frustum
 };
 
-/// The corners of a frustum: bit 0 of the index chooses left (0) or right (1), bit 1 bottom or top, bit 2 the near or
-/// the far end. w is 1, or 0 for corners at infinity, which are directions.
-template <Scalar T>
-struct frustum_corner_points {
-  hpoint<T, 3> at[8]{};
-  constexpr bool operator==(const frustum_corner_points&) const = default;
+/// The corners of a part of space with six sides: bit 0 of the index chooses left (0) or right (1), bit 1 bottom or
+/// top, bit 2 the near or the far end.
+template <class P>
+struct volume_corners {
+  P at[8]{};
+  constexpr bool operator==(const volume_corners&) const = default;
 };
+
+/// The corners of a frustum; w is 1, or 0 for corners at infinity, which are directions.
+template <Scalar T>
+using frustum_corner_points = volume_corners<hpoint<T, 3>>;
 
 namespace detail {
 inline namespace IRG_ABI {

@@ -59,13 +59,9 @@ constexpr T distance_for_angle(T vertical_angle, std::type_identity_t<T> height)
 
 }  // namespace IRG_ABI
 
-/// The eight corners of a view volume: bit 0 of the index chooses left (0) or right (1), bit 1 bottom or top, bit 2 the
-/// near or the far end.
+/// The corners of a view pyramid.
 template <Scalar T>
-struct pyramid_corner_points {
-  point<T, 3> at[8]{};
-  constexpr bool operator==(const pyramid_corner_points&) const = default;
-};
+using pyramid_corner_points = volume_corners<point<T, 3>>;
 
 namespace detail {
 inline namespace IRG_ABI {

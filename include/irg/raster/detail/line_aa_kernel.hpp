@@ -19,27 +19,6 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-// The lesser and the greater, b when they are equal: one instruction each where g++ would take three.
-template <class F>
-IRG_INLINE constexpr F aa_min(F a, F b) noexcept {
-#if defined(IRG_LANES_VECTOR) && defined(__SSE__)
-  if constexpr (std::is_same_v<F, pack<float, 4>>) return {__builtin_ia32_minps(a.v, b.v)};
-#ifdef __AVX__
-  if constexpr (std::is_same_v<F, pack<float, 8>>) return {__builtin_ia32_minps256(a.v, b.v)};
-#endif
-#endif
-  return select(a < b, a, b);
-}
-template <class F>
-IRG_INLINE constexpr F aa_max(F a, F b) noexcept {
-#if defined(IRG_LANES_VECTOR) && defined(__SSE__)
-  if constexpr (std::is_same_v<F, pack<float, 4>>) return {__builtin_ia32_maxps(a.v, b.v)};
-#ifdef __AVX__
-  if constexpr (std::is_same_v<F, pack<float, 8>>) return {__builtin_ia32_maxps256(a.v, b.v)};
-#endif
-#endif
-  return select(b < a, a, b);
-}
 // |x|
 IRG_INLINE constexpr float aa_size(float x) noexcept { return x < 0.0f ? -x : x; }
 #ifdef IRG_LANES_VECTOR
@@ -60,7 +39,7 @@ struct aa_moments {
 template <class F>
 IRG_INLINE constexpr aa_moments<F> aa_edge(F t, F lo, F hi, F lo_and_hi) noexcept {
   const F zero = lanes<F>::broadcast(0.0f);
-  const F v1 = aa_min(aa_max(t, zero), lo), c = aa_min(aa_max(t, lo), lo_and_hi), v2 = aa_max(c - hi, zero);
+  const F v1 = low_of(high_of(t, zero), lo), c = low_of(high_of(t, lo), lo_and_hi), v2 = high_of(c - hi, zero);
   return {product(v1, v1) - product(v2, v2), c};
 }
 
@@ -78,11 +57,11 @@ struct aa_band_row {
   float across;
 
   IRG_INLINE constexpr aa_band_row(float slant, float distance) noexcept : across(distance) {
-    const float s = aa_max(slant, aa_least_slant), one = 1.0f, inverse = one / s, l = aa_min(s, one),
-                h = aa_max(s, one);
+    const float s = high_of(slant, aa_least_slant), one = 1.0f, inverse = one / s, l = low_of(s, one),
+                h = high_of(s, one);
     lo = lanes<F>::broadcast(l), hi = lanes<F>::broadcast(h), lo_and_hi = lanes<F>::broadcast(s + one);
     square = lanes<F>::broadcast(aa_full * 0.5f * inverse);
-    linear = lanes<F>::broadcast(aa_full * aa_min(inverse, one));
+    linear = lanes<F>::broadcast(aa_full * low_of(inverse, one));
   }
   IRG_INLINE constexpr void enter(std::int32_t fraction_in_24_bits) noexcept {
     const float l = 1.0f - static_cast<float>(fraction_in_24_bits) * 0x1p-24f;  // exact
@@ -122,10 +101,10 @@ struct aa_thin_row {
   }
   IRG_INLINE constexpr F before_shift(F k) const noexcept { return product(k, step) + centre; }
   IRG_INLINE constexpr F shifted(F x) const noexcept {
-    const F zero = lanes<F>::broadcast(0.0f), u = aa_size(x - shift), v = aa_max(aa_min(b0 - u, m), zero),
-            z2 = aa_max(b2 - u, zero), z3 = aa_max(b3 - u, zero);
+    const F zero = lanes<F>::broadcast(0.0f), u = aa_size(x - shift), v = high_of(low_of(b0 - u, m), zero),
+            z2 = high_of(b2 - u, zero), z3 = high_of(b3 - u, zero);
     return product((product(v, v) - product(z2, z2)) - product(z3, z3), inverse) +
-           aa_max(b1 - u, lanes<F>::broadcast(aa_half));
+           high_of(b1 - u, lanes<F>::broadcast(aa_half));
   }
   IRG_INLINE constexpr F operator()(F k) const noexcept { return shifted(before_shift(k)); }
 };
@@ -161,7 +140,7 @@ struct aa_cap_row {
     return product(m.square, square[e]) + product(m.linear - lo[e], linear[e]);
   }
   IRG_INLINE constexpr F operator()(F k) const noexcept {
-    k = aa_min(k, lanes<F>::broadcast(fold) - k);
+    k = low_of(k, lanes<F>::broadcast(fold) - k);
     if constexpr (parts == 4) {
       return aa_sum(part(0, k), part(1, k), part(2, k), part(3, k)) + aa_half;
     } else {

@@ -123,9 +123,9 @@ struct aa_edge_in_row {
 
 template <class T>
 IRG_INLINE constexpr aa_edge_in_row<T> aa_cut(T x, T y, T y_end, T x_per_row, T top, T below, T zero) noexcept {
-  const T from = aa_max(y, top), to = aa_min(y_end, below);
+  const T from = high_of(y, top), to = low_of(y_end, below);
   const T a = x + product(from - y, x_per_row), b = x + product(to - y, x_per_row);
-  return {aa_min(a, b), aa_max(a, b), aa_max(to - from, zero)};
+  return {low_of(a, b), high_of(a, b), high_of(to - from, zero)};
 }
 
 inline constexpr float aa_sides[4] = {aa_full, aa_full, -aa_full, -aa_full};
@@ -133,10 +133,10 @@ inline constexpr float aa_sides[4] = {aa_full, aa_full, -aa_full, -aa_full};
 // The row's factors for edges e and following.
 template <class F>
 IRG_INLINE constexpr void aa_set(aa_cap_row<F>& row, unsigned e, F slant, F height) noexcept {
-  const F one = lanes<F>::broadcast(1.0f), s = aa_max(slant, lanes<F>::broadcast(aa_least_slant)), inverse = one / s,
+  const F one = lanes<F>::broadcast(1.0f), s = high_of(slant, lanes<F>::broadcast(aa_least_slant)), inverse = one / s,
           weight = product(height, lanes<F>::load(aa_sides + e));
-  row.lo[e] = aa_min(s, one), row.hi[e] = aa_max(s, one), row.both[e] = s + one;
-  row.linear[e] = product(weight, aa_min(inverse, one));
+  row.lo[e] = low_of(s, one), row.hi[e] = high_of(s, one), row.both[e] = s + one;
+  row.linear[e] = product(weight, low_of(inverse, one));
   row.square[e] = product(product(weight, lanes<F>::broadcast(0.5f)), inverse);
 }
 

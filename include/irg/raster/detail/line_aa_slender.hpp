@@ -179,7 +179,7 @@ struct aa_slender {
     // The cap ends and the lower long edge begins at `low`, the cap and the upper long edge begin at `high`.
     const F end = u + all(before), top = to_float(aa_truncate(end)) + lanes<F>::load(earlier + e), low = end - top,
             high = low - all(cap);
-    const F low_from = aa_min(low, one), high_from = aa_max(aa_min(high, one), zero);
+    const F low_from = low_of(low, one), high_from = high_of(low_of(high, one), zero);
     const F low_part = one - low_from, high_part = one - high_from, cap_part = low_from - high_from;
     const F edge = (v - all(0.5f * across)) + product(m, top - u);  // the lower edge, seen from the step's top
     const F column = to_float(aa_truncate(edge)), x = edge - column;
@@ -191,12 +191,12 @@ struct aa_slender {
             cap_full = product(cap_part, all(aa_full));
     const auto below = [&](float boundary) {
       const F j = all(boundary), dl = j - low_x, dh = j - high_x, dc = j - cap_x;
-      const F l = aa_min(aa_max(dl, zero), low_rise), h = aa_min(aa_max(dh, zero), high_rise), c0 = aa_max(dc, zero),
-              c1 = aa_max(dc - cap_rise, zero);
+      const F l = low_of(high_of(dl, zero), low_rise), h = low_of(high_of(dh, zero), high_rise), c0 = high_of(dc, zero),
+              c1 = high_of(dc - cap_rise, zero);
       const F squares =
           product(product(l, l) - product(h, h), half_inverse) + product(product(c0, c0) - product(c1, c1), half_slope);
       return squares +
-             (product(low_full, aa_max(dl - low_rise, zero)) - product(high_full, aa_max(dh - high_rise, zero)));
+             (product(low_full, high_of(dl - low_rise, zero)) - product(high_full, high_of(dh - high_rise, zero)));
     };
     const F half = all(0.5f), four = all(4.0f);
     const F c1 = below(1.0f), c2 = below(2.0f), c3 = below(3.0f);
@@ -228,9 +228,9 @@ struct aa_slender_steps {
   // 1/2 + 255 * the area of pixels whose centres are aside + column from the line's middle, in steps `along` from it.
   IRG_INLINE constexpr F operator()(const F& aside, const F& column, const F& along) const noexcept {
     const F zero = lanes<F>::broadcast(0.0f), u = aa_size((aside + column) - product(change, along)),
-            v = aa_max(aa_min(b0 - u, m), zero), z2 = aa_max(b2 - u, zero), z3 = aa_max(b3 - u, zero);
+            v = high_of(low_of(b0 - u, m), zero), z2 = high_of(b2 - u, zero), z3 = high_of(b3 - u, zero);
     return (product((product(v, v) - product(z2, z2)) - product(z3, z3), inverse) +
-            product(aa_max(b1 - u, zero), lanes<F>::broadcast(aa_full))) +
+            product(high_of(b1 - u, zero), lanes<F>::broadcast(aa_full))) +
            lanes<F>::broadcast(aa_half);
   }
 };
