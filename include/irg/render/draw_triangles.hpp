@@ -63,6 +63,16 @@ constexpr std::int64_t count_other_than(const R& raster, const cell_window& w, c
   return count;
 }
 
+// How many triangles there were, and why some were not drawn.
+constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::span<const std::uint8_t> seen,
+                         const skip_options& skip) noexcept {
+  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
+  stats.skipped = bins.skipped;
+  if (skip.occluded == skipping::off || std::is_constant_evaluated()) return;
+  stats.skipped.occluded = bins.listed;
+  for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
+}
+
 // What drawing a tile did.
 struct tile_result {
   draw_counts pixels;
@@ -101,15 +111,18 @@ IRG_INLINE void load_depths(tile& t, Depth& depth, const cell_window& w, float s
   t.stale = ~std::uint64_t{0};
   refresh_far(t);
 }
-template <class Depth>
+// The depths of the tile into a raster. Without numbers, a zero's sign would tell which of equally near triangles came
+// last; so all zeros are positive.
+template <tile_test Test, class Depth>
 IRG_INLINE void store_depths(const tile& t, Depth& depth, const cell_window& w, float sign) {
   const row_store how = row_store_for(depth);
   const int width = w.x_last - w.x_first;
   for (int y = w.y_first; y < w.y_last; ++y) {
     const float* key = t.key + (y - w.y_first) * tile_stride;
     float depths[tile_size];
-    if (sign != 1) {
-      for (int x = 0; x < width; ++x) depths[x] = key[x] * sign;
+    if (sign != 1 || Test == tile_test::depth_only) {
+      constexpr float zero = Test == tile_test::depth_only ? 0.0f : -0.0f;  // adding -0 leaves every number as it is
+      for (int x = 0; x < width; ++x) depths[x] = key[x] * sign + zero;
       key = depths;
     }
     copy_row(raster_traits<Depth>::row(depth, y) + w.x_first, key, static_cast<std::size_t>(width) * sizeof *key, how);
@@ -119,31 +132,30 @@ IRG_INLINE void store_depths(const tile& t, Depth& depth, const cell_window& w, 
 
 // Which triangle each pixel of a tile shows, in lanes: the same for all shaders, and so one copy for all of them.
 // Leaves the list as it was drawn, in `numbers`; `sorted` holds it if it is not the one that was given.
-template <class Order, class T, class Depth>
+template <class Order, tile_test Test, class T, class Depth>
 IRG_NOINLINE draw_counts find_visible(tile& t, Depth& depth, std::span<const std::uint32_t>& numbers,
                                       std::vector<std::uint32_t>& sorted, float area, const triangle_finder<T>& find,
                                       const cell_window& w, clearing clear, depth_result result, skipping occluded,
                                       std::uint8_t* seen) {
   constexpr float sign = key_sign<Order>;
-  constexpr bool by_depth = !std::same_as<Order, drawing_order>;
   clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
   if (clear == clearing::none) load_depths(t, depth, w, sign);
   // Where pixels are covered more than twice, order and rejection pay. A triangle covers half of its box.
-  const bool front_first = by_depth && occluded == skipping::on &&
+  const bool front_first = Test != tile_test::always && occluded == skipping::on &&
                            area > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
   if (front_first) {
     sorted = front_to_back(numbers, find, sign);
     numbers = sorted;
   }
   tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, seen};
-  painter.template draw_list<by_depth ? tile_test::nearer : tile_test::always>();
-  if (clear == clearing::none || result == depth_result::kept) store_depths(t, depth, w, sign);
+  painter.template draw_list<Test>();
+  if (clear == clearing::none || result == depth_result::kept) store_depths<Test>(t, depth, w, sign);
   return {painter.tested, 0, painter.ties};
 }
 
 // The window of a tile without triangles and of those to its right; empty for one that has such a tile to its left.
 IRG_INLINE cell_window empty_tiles(const triangle_bins& bins, const picture_tiles& grid, std::size_t i) noexcept {
-  const auto is_empty = [&](std::size_t k) { return bins.tile_first[k] == bins.tile_first[k + 1]; };
+  const auto is_empty = [&](std::size_t k) { return bins.list_of(k).empty(); };
   const auto across = static_cast<std::size_t>(grid.across);
   cell_window w = grid.window(i);
   if (i % across != 0 && is_empty(i - 1)) return {w.x_first, w.y_first, w.x_first, w.y_last};
@@ -157,11 +169,12 @@ template <class Order, class T, class Colour, class Depth, class MakeShader>
 draw_counts draw_tile_fast(Colour& colour, Depth& depth, std::span<const std::uint32_t> numbers, float area,
                            const triangle_finder<T>& find, const cell_window& w, const MakeShader& make_shader,
                            const draw_settings<pixel_of<Colour>>& settings, std::uint8_t* seen) {
+  constexpr tile_test test = std::same_as<Order, drawing_order> ? tile_test::always : tile_test::nearer;
   const bool clear = settings.clear == clearing::before_drawing;
   tile t;
   std::vector<std::uint32_t> sorted;
-  draw_counts counts = find_visible<Order>(t, depth, numbers, sorted, area, find, w, settings.clear, settings.depth,
-                                           settings.skip.occluded, seen);
+  draw_counts counts = find_visible<Order, test>(t, depth, numbers, sorted, area, find, w, settings.clear,
+                                                 settings.depth, settings.skip.occluded, seen);
   if constexpr (AttributeShading<MakeShader, triangle_batch<T>>) {
     counts.shaded = attribute_kernel<T, MakeShader, Colour>{
         t, {find, numbers, w, make_shader}, colour, clear ? &settings.background : nullptr}();
@@ -203,8 +216,7 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
   std::vector<detail::tile_result> done(grid.count(), detail::tile_result{});
   executor(grid.count(), [&](std::size_t i) {
     const cell_window window = grid.window(i);
-    const std::span<const std::uint32_t> numbers(bins.numbers.data() + bins.tile_first[i],
-                                                 bins.tile_first[i + 1] - bins.tile_first[i]);
+    const std::span<const std::uint32_t> numbers = bins.list_of(i);
 #ifdef IRG_LANES_VECTOR
     if constexpr (detail::key_sign<Order> != 0) {
       if (!std::is_constant_evaluated()) {
@@ -232,13 +244,7 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
     stats.pixels += r.pixels;
     stats.drawn += r.drawn;
   }
-  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
-  stats.skipped = bins.skipped;
-  if (settings.skip.occluded == skipping::on && !std::is_constant_evaluated()) {
-    std::int64_t seen = 0;
-    for (const std::uint8_t s : workspace.seen) seen += s;
-    stats.skipped.occluded = bins.listed - seen;
-  }
+  detail::add_skips(stats, bins, workspace.seen, settings.skip);
   return stats;
 }
 

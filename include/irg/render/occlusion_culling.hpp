@@ -31,9 +31,9 @@ struct occludable_object {
 
 /// Chooses occluders among the objects of a picture, and tells which of the others they hide.
 /// shape   one view: a matrix to clip space and the size of the picture, at most 65536 x 65536
-/// exact   draw_batches leaves the same picture and the same depths with the hidden objects and without them, as long as
-///         all occluders that are not hidden themselves are drawn, with the same matrix, size, Order and culling of
-///         faces. At every pixel a hidden object is farther than some occluder, never as near: ties are not concerned
+/// exact   draw_batches leaves the same picture and depths with the hidden objects and without them, as long as all
+///         occluders that are not hidden themselves are drawn, with the same matrix, size, Order and culling of faces.
+///         At every pixel a hidden object is farther than some occluder, never as near: ties are not concerned
 /// source  Greene, Kass and Miller 1993 for asking for boxes first; Hasselgren, Andersson and Akenine-Moller 2016 for
 ///         blocks with one layer that is not yet complete
 template <Floating T, DepthOrder Order = nearer_is_greater>

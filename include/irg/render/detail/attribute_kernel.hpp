@@ -194,11 +194,11 @@ struct attribute_kernel {
       integers number;
       for (std::uint32_t i = 0; i < lane_count; ++i)
         number.v[i] = static_cast<std::int32_t>(set_up.numbers[jobs.place[first + lesser(i, used - 1)]]);
-      small_triangles small;
-      const bool all_small = set_up.prepare_small(small, number);
+      small_triangles group;
+      const bool all_small = set_up.prepare_small(group, number);
       for (std::uint32_t i = 0; i < used; ++i) {
         if (all_small)
-          shade_small(words, jobs, first + i, small, i, row);
+          shade_small(words, jobs, first + i, group, i, row);
         else
           shade_other(words, jobs, first + i);
       }

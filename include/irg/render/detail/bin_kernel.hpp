@@ -58,6 +58,11 @@ struct triangle_bins {
   std::uint32_t triangle_count = 0;
   skip_counts skipped;
   std::int64_t listed = 0;
+
+  // The list of a tile.
+  IRG_INLINE constexpr std::span<const std::uint32_t> list_of(std::size_t tile) const noexcept {
+    return {numbers.data() + tile_first[tile], tile_first[tile + 1] - tile_first[tile]};
+  }
 };
 
 // How the picture is cut into tiles.

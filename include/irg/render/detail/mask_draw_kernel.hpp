@@ -56,10 +56,10 @@ constexpr mask_draw_result draw_mask_batch(const mask_target& m, const triangle_
     // Pieces do not outlive their triangle, so they are not queued.
     const auto one = [&](std::uint32_t i) {
       list_and_draw(scratch, batch, i, mapping, grid, culling,
-                    [&](const triangle_corners& c) { painter.large.draw(c); });
+                    [&](const triangle_corners& c) { painter.large_ones.draw(c); });
     };
     using I = lanes<pack<std::int32_t, static_cast<int>(count)>>;
-    const auto limit = I::broadcast(painter.small.few + 1);
+    const auto limit = I::broadcast(painter.small_ones.few + 1);
     // Vertices that the cache has anyway need not be asked for.
     const bool ahead = batch.vertices->screen.size() > 1 << 16;
     std::uint32_t i = 0;
@@ -74,17 +74,18 @@ constexpr mask_draw_result draw_mask_batch(const mask_target& m, const triangle_
                  y_last = I::load(group.y_last);
       const unsigned few = group.listed & mask_bits(both(x_last - x_first < limit, y_last - y_first < limit));
       if (few != 0)
-        painter.small.add(batch.first_number + i, few, painter.small.shape_of(x_first, y_first, x_last, y_last));
+        painter.small_ones.add(I::broadcast(static_cast<std::int32_t>(batch.first_number + i)) + I::ramp(), few,
+                               painter.small_ones.shape_of(x_first, y_first, x_last, y_last));
       for (unsigned bits = (group.listed | group.special) & ~few; bits != 0; bits &= bits - 1) {
         const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
         if ((group.special >> k & 1) != 0)
           one(i + k);
         else
-          painter.large.draw(painter.small.find.corners(batch.first_number + i + k));
+          painter.large_ones.draw(painter.small_ones.find.corners(batch.first_number + i + k));
       }
     }
     for (; i < n; ++i) one(i);
-    painter.small.flush();
+    painter.small_ones.flush();
     result.skipped += scratch.skipped;
     result.listed += scratch.listed;
     return result;
@@ -103,8 +104,10 @@ constexpr void draw_mask_tile(const mask_target& m, std::span<const std::uint32_
 #ifdef IRG_LANES_VECTOR
   if (!std::is_constant_evaluated()) {
     mask_painter<T> painter{{m, window, find}, {m, window}};
-    for (const std::uint32_t number : numbers) painter.add(number);
-    return painter.small.flush();
+    constexpr std::size_t at_once = mask_lanes::count;
+    for (std::size_t i = 0; i < numbers.size(); i += at_once)
+      painter.add(numbers.data() + i, static_cast<int>(lesser(numbers.size() - i, at_once)));
+    return painter.small_ones.flush();
   }
 #endif
   for (const std::uint32_t number : numbers) {
@@ -129,11 +132,7 @@ constexpr mask_draw_result draw_mask(const mask_target& m, std::span<const trian
     const picture_tiles grid(m.width, m.height);
     bin_triangles(bins, batches, mapping, grid, culling, skip_options{}, executor);
     const triangle_finder<T> find{batches, &bins};
-    executor(grid.count(), [&](std::size_t i) {
-      const std::span<const std::uint32_t> numbers(bins.numbers.data() + bins.tile_first[i],
-                                                   bins.tile_first[i + 1] - bins.tile_first[i]);
-      draw_mask_tile(m, numbers, find, grid.window(i));
-    });
+    executor(grid.count(), [&](std::size_t i) { draw_mask_tile(m, bins.list_of(i), find, grid.window(i)); });
     result = {bins.skipped, bins.listed};
   }
   for (int tx = 0; tx < m.across; ++tx)

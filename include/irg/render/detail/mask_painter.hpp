@@ -3,6 +3,7 @@
 // shapes of their boxes, large ones block by block.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include <irg/render/detail/mask_small_kernel.hpp>
@@ -15,16 +16,32 @@ inline namespace IRG_ABI {
 
 template <class T>
 struct mask_painter {
-  mask_small_painter<T> small;
-  mask_block_painter large;
+  mask_small_painter<T> small_ones;
+  mask_block_painter large_ones;
 
-  // A triangle of any size.
-  IRG_INLINE void add(std::uint32_t number) noexcept {
-    const triangle_corners c = small.find.corners(number);
-    const cell_window box = pixels_touched(c.v[0]->position, c.v[1]->position, c.v[2]->position);
-    if (box.x_last - box.x_first > small.few || box.y_last - box.y_first > small.few) return large.draw(c);
-    const auto each = [](int v) { return lanes<mask_lanes::integers>::broadcast(v); };
-    small.add(number, 1, small.shape_of(each(box.x_first), each(box.y_first), each(box.x_last), each(box.y_last)));
+  // Some triangles of a list, whatever their size.
+  IRG_INLINE void add(const std::uint32_t* numbers, int used) noexcept {
+    using integers = mask_lanes::integers;
+    using I = lanes<integers>;
+    corner_lanes<mask_lanes::count> c;
+    c.collect(small_ones.find, numbers, used);
+    const auto &x = c.x, &y = c.y;
+    const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
+    const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
+    const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
+    const cell_window& w = small_ones.window;
+    const integers x_first = high_of({(left + before).v >> subpixel_bits}, I::broadcast(w.x_first)),
+                   x_last = low_of({(right + behind).v >> subpixel_bits}, I::broadcast(w.x_last)),
+                   y_first = high_of({(top + before).v >> subpixel_bits}, I::broadcast(w.y_first)),
+                   y_last = low_of({(bottom + behind).v >> subpixel_bits}, I::broadcast(w.y_last));
+    const unsigned seen = mask_bits(both(x_first < x_last, y_first < y_last)) & ((1u << used) - 1);
+    const integers limit = I::broadcast(small_ones.few * one_pixel);
+    const unsigned few = seen & mask_bits(both(right - left < limit, bottom - top < limit));
+    integers number;
+    for (int i = 0; i < mask_lanes::count; ++i) number.v[i] = static_cast<std::int32_t>(numbers[lesser(i, used - 1)]);
+    small_ones.add(number, few, small_ones.shape_of(x_first, y_first, x_last, y_last));
+    for (unsigned bits = seen & ~few; bits != 0; bits &= bits - 1)
+      large_ones.draw(small_ones.find.corners(numbers[std::countr_zero(bits)]));
   }
 };
 

@@ -309,10 +309,9 @@ struct mask_small_painter {
                   rows_of * I::broadcast(cell_columns) + columns_of + I::broadcast(dot_shapes));
   }
 
-  // The triangles first + k whose bit k is set, by the shapes of their boxes: these are small, no side is 2^15 long.
-  IRG_INLINE void add(std::uint32_t first, unsigned bits, const integers& shape) noexcept {
-    using I = lanes<integers>;
-    store_chosen(chosen + chosen_count, I::broadcast(static_cast<std::int32_t>(first)) + I::ramp(), bits);
+  // The triangles whose bits are set, by the shapes of their boxes: these are small, no side is 2^15 long.
+  IRG_INLINE void add(const integers& number, unsigned bits, const integers& shape) noexcept {
+    store_chosen(chosen + chosen_count, number, bits);
     chosen_count += store_chosen(chosen_shape + chosen_count, shape, bits);
     if (chosen_count >= count) sort_chosen(count);
   }

@@ -62,16 +62,6 @@ IRG_INLINE constexpr void clear_target(Ids& ids, Depth& depth, const cell_window
 
 #ifdef IRG_LANES_VECTOR
 
-// A zero's sign would tell which of equally near triangles came last.
-template <class Depth>
-IRG_INLINE void store_unsigned_depths(const tile& t, Depth& depth, const cell_window& w, float sign) {
-  for (int y = w.y_first; y < w.y_last; ++y) {
-    float* row = raster_traits<Depth>::row(depth, y);
-    const float* key = t.key + (y - w.y_first) * tile_stride;
-    for (int x = w.x_first; x < w.x_last; ++x) row[x] = key[x - w.x_first] * sign + 0.0f;
-  }
-}
-
 // The source triangles of what a tile holds; where nothing was drawn, the raster keeps what it has.
 template <class T, class Ids>
 IRG_INLINE void store_numbers(const tile& t, Ids& ids, std::span<const std::uint32_t> numbers,
@@ -88,51 +78,21 @@ template <class Order, class T, class Ids, class Depth>
 draw_counts draw_target_fast(Ids& ids, Depth& depth, std::span<const std::uint32_t> numbers, float area,
                              const triangle_finder<T>& find, const cell_window& w, const skip_options& skip,
                              clearing clear, std::uint8_t* seen) {
-  constexpr float sign = key_sign<Order>;
   constexpr bool numbered = !std::same_as<Ids, const no_numbers>;
   constexpr tile_test test = numbered ? tile_test::nearer : tile_test::depth_only;
-  if (numbers.empty()) {
-    if (clear == clearing::before_drawing) clear_target<Order>(ids, depth, w);
-    return {};
-  }
   tile t;
-  clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
-  if (clear == clearing::none) load_depths(t, depth, w, sign);
-  const bool sorted = skip.occluded == skipping::on &&
-                      area > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
-  std::vector<std::uint32_t> nearer_first;
-  if (sorted) {
-    nearer_first = front_to_back(numbers, find, sign);
-    numbers = nearer_first;
-  }
-  tile_painter<T> painter{find, numbers, w, {sign, sorted}, t, seen};
-  painter.template draw_list<test>();
+  std::vector<std::uint32_t> sorted;
+  const draw_counts counts = find_visible<Order, test>(t, depth, numbers, sorted, area, find, w, clear,
+                                                       depth_result::kept, skip.occluded, seen);
   if constexpr (numbered) {
-    store_depths(t, depth, w, sign);
     if (clear == clearing::before_drawing)
       for (int y = w.y_first; y < w.y_last; ++y) fill_span(ids, {y, w.x_first, w.x_last}, no_triangle);
     store_numbers(t, ids, numbers, find, w);
-  } else {
-    store_unsigned_depths(t, depth, w, sign);
   }
-  return {painter.tested, 0, painter.ties};
+  return counts;
 }
 
 #endif
-
-// One tile.
-template <class Order, class T, class Ids, class Depth>
-constexpr draw_counts draw_target_tile(Ids& ids, Depth& depth, std::span<const std::uint32_t> numbers, float area,
-                                       const triangle_finder<T>& find, const cell_window& w, const skip_options& skip,
-                                       clearing clear, std::uint8_t* seen) {
-#ifdef IRG_LANES_VECTOR
-  if constexpr (key_sign<Order> != 0)
-    if (!std::is_constant_evaluated())
-      return draw_target_fast<Order>(ids, depth, numbers, area, find, w, skip, clear, seen);
-#endif
-  if (clear == clearing::before_drawing) clear_target<Order>(ids, depth, w);
-  return draw_target_plainly<Order>(ids, depth, numbers, find, w);
-}
 
 // All tiles.
 template <class Order, class T, class Ids, class Depth, class E>
@@ -146,20 +106,25 @@ constexpr render_stats draw_target(Ids& ids, Depth& depth, std::span<const trian
   const triangle_finder<T> find{batches, &bins};
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {
-    const std::span<const std::uint32_t> numbers(bins.numbers.data() + bins.tile_first[i],
-                                                 bins.tile_first[i + 1] - bins.tile_first[i]);
-    done[i] = draw_target_tile<Order>(ids, depth, numbers, bins.tile_area[i], find, grid.window(i), skip, clear,
-                                      workspace.seen.data());
+    const std::span<const std::uint32_t> numbers = bins.list_of(i);
+    const cell_window window = grid.window(i);
+#ifdef IRG_LANES_VECTOR
+    if constexpr (key_sign<Order> != 0)
+      if (!std::is_constant_evaluated()) {
+        if (!numbers.empty())
+          done[i] = draw_target_fast<Order>(ids, depth, numbers, bins.tile_area[i], find, window, skip, clear,
+                                            workspace.seen.data());
+        else if (clear == clearing::before_drawing)
+          clear_target<Order>(ids, depth, empty_tiles(bins, grid, i));
+        return;
+      }
+#endif
+    if (clear == clearing::before_drawing) clear_target<Order>(ids, depth, window);
+    done[i] = draw_target_plainly<Order>(ids, depth, numbers, find, window);
   });
   render_stats stats;
   for (const draw_counts& c : done) stats.pixels += c;
-  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
-  stats.skipped = bins.skipped;
-  if (skip.occluded == skipping::on && !std::is_constant_evaluated()) {
-    std::int64_t seen = 0;
-    for (const std::uint8_t s : workspace.seen) seen += s;
-    stats.skipped.occluded = bins.listed - seen;
-  }
+  add_skips(stats, bins, workspace.seen, skip);
   return stats;
 }
 
