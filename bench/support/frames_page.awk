@@ -1,9 +1,9 @@
 # Reads results.csv; writes the tables of docs/render/benchmarks.md: a row for each way to draw each scene.
 BEGIN {
   FS = ","
-  kernels = split("pipeline depth_only visible", kernel, " ")
-  title["pipeline"] = "Colour and depth"
-  title["depth_only"] = "Depth alone"
+  kernels = split("render depth visible", kernel, " ")
+  title["render"] = "Colour and depth"
+  title["depth"] = "Depth alone"
   title["visible"] = "Scenes of which a share is seen"
 }
 NR == 1 { next }

@@ -7,6 +7,7 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/core/raster_concept.hpp>
+#include <irg/raster/detail/line_allocator.hpp>
 
 namespace irg {
 
@@ -66,7 +67,7 @@ private:
   std::ptrdiff_t stride_ = 0;
 };
 
-/// A rectangle of pixels in memory, row after row from the top.
+/// A rectangle of pixels in memory, row after row from the top; the first pixel is aligned to 64 bytes at run time.
 template <class P>
 class image {
   static_assert(!std::same_as<P, bool>, "std::vector<bool> holds no pixels one could point to; use unsigned char");
@@ -107,7 +108,7 @@ private:
   }
 
   int width_ = 0, height_ = 0;
-  std::vector<P> pixels_;
+  std::vector<P, detail::line_allocator<P>> pixels_;
 };
 
 /// An image_view writes through even when it is itself const, as a pointer does.
