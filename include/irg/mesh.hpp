@@ -5,6 +5,7 @@
 #include <irg/mesh/fit.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/mesh/normals.hpp>
+#include <irg/mesh/part_name.hpp>
 #include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shape_sphere.hpp>
 #include <irg/mesh/shapes.hpp>

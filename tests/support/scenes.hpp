@@ -7,7 +7,10 @@
 #include <cstdint>
 #include <limits>
 
+#include <irg/math/constants.hpp>
+#include <irg/mesh/mesh.hpp>
 #include <irg/scene/scene.hpp>
+#include <irg/view/affine.hpp>
 
 #include "support/random.hpp"
 

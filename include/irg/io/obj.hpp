@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -261,8 +260,8 @@ struct obj_reader {
   }
 
   /// The name with blanks for its continuations.
-  constexpr std::string spelled(std::string_view name) const {
-    std::string s;
+  constexpr part_name spelled(std::string_view name) const {
+    part_name s;
     for (const char* p = name.data(); p != name.data() + name.size();) {
       const int length = continuation(p);
       s.push_back(length != 0 ? ' ' : *p);
@@ -319,8 +318,7 @@ inline namespace IRG_ABI {
 ///         without faces. The mesh passes validate(): finite numbers, three corners or more per face, every index in
 ///         range
 /// exact   numbers are correctly rounded to T
-/// cost    linear in the text; memory at most 64 times the text and 1 MiB. In constant evaluation clang with libstdc++
-///         12 has no std::string, so that it reads texts without names only
+/// cost    linear in the text; memory at most 64 times the text and 1 MiB
 template <Floating T = double>
 constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {
   if (static_cast<std::uint64_t>(text.size()) >> 32 != 0) return parse_error{0, 0, "text is longer than 4 GiB"};

@@ -5,11 +5,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <irg/core/mesh_concept.hpp>
 #include <irg/math/vec.hpp>
+#include <irg/mesh/part_name.hpp>
 
 namespace irg {
 
@@ -24,7 +24,7 @@ struct mesh_corner {
 
 /// A named run of faces: an object, a group or a stretch of one material.
 struct mesh_part {
-  std::string object, group, material;
+  part_name object, group, material;
   std::size_t first_face = 0, face_count = 0;
   constexpr bool operator==(const mesh_part&) const = default;
 };
