@@ -7,6 +7,7 @@
 #include <irg/core/contraction.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/executor.hpp>
+#include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/core/mesh_concept.hpp>
 #include <irg/core/plane_concept.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polygon rings: closed chains of points, the last joined to the first without being repeated. The one customisation
 // point is ring_traits<T>; it fits every container with size() and operator[] (std::vector, std::array, std::span) and
-// plain arrays.
+// plain arrays. And fill_rule: what counts as the inside of rings that cross themselves or each other.
 #pragma once
 
 #include <cstddef>
@@ -43,6 +43,12 @@ concept PolygonRing = requires(const T& r, std::size_t i) {
 /// The type of a ring's vertices.
 template <PolygonRing T>
 using ring_point = typename ring_traits<T>::point;
+
+/// The inside of a set of rings, told by the winding number of a point: how often the rings run round it.
+enum class fill_rule {
+  even_odd,  // the winding number is odd; a ring inside another is a hole whichever way it runs
+  non_zero,  // the winding number is not 0; a hole must run the other way than the ring around it
+};
 
 inline namespace IRG_ABI {
 
