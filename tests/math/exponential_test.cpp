@@ -216,6 +216,10 @@ TEST_CASE("powers stay within their bound") {
       #function, 0.5001, [](float x) { return irg::function(x); }, [](double x) { return std::function(x); }, \
       [](mpfr_ptr out, mpfr_ptr x) { mpfr_##function(out, x, MPFR_RNDN); })
 
+TEST_CASE("a float whose logarithm is, to double, halfway between two floats") {
+  CHECK_BOTH(irg::log(0x1.2f1fd6p+3f) == 0x1.1fcbcep+1f);
+}
+
 TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
   IRG_FLOAT_RUN(exp);
   IRG_FLOAT_RUN(exp2);

@@ -100,7 +100,7 @@ TEST_CASE("length: no direction") {
 
 TEST_CASE("length: error against 64-bit arithmetic over the whole range") {
   test::random r(1);
-  double worst = 0, worst_subnormal = 0, worst_fast = 0;
+  double worst = 0, worst_subnormal = 0, worst_fast = 0, worst_coordinate = 0, worst_unit_coordinate = 0;
   long double worst_unit = 0;
   for (int k = 0; k < 200000; ++k) {
     const int middle = static_cast<int>(r.integer(-1070, 1020));
@@ -112,11 +112,23 @@ TEST_CASE("length: error against 64-bit arithmetic over the whole range") {
     worst_unit = std::max(worst_unit, std::abs(wide_length(normalized(v)) - 1));
     const vec<double, 3> w{spread(r, -3, 2), spread(r, -3, 2), spread(r, -3, 2)};
     worst_fast = std::max(worst_fast, ulps(length_fast(w), wide_length(w)));
+    const vec<double, 3> unit = normalized_fast(w), nearest = normalized(v);
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(nearest[i]) > 0x1p-1000)
+        worst_unit_coordinate =
+            std::max(worst_unit_coordinate,
+                     ulps(std::abs(nearest[i]), static_cast<long double>(std::abs(v[i])) / wide_length(v)));
+    for (int i = 0; i < 3; ++i)
+      worst_coordinate = std::max(worst_coordinate,
+                                  ulps(std::abs(unit[i]), static_cast<long double>(std::abs(w[i])) / wide_length(w)));
   }
   CHECK(worst <= 0.502);
   CHECK(worst_subnormal <= 1);
   CHECK(worst_unit <= 2 * 0x1p-53L);
+  CHECK(worst_unit_coordinate <= 1.51);
+  CHECK(worst_unit_coordinate > 1.02);  // the quotient of two rounded numbers is not better than that
   CHECK(worst_fast <= 2);
+  CHECK(worst_coordinate <= 3);
   MESSAGE("length ", worst, " ulp, subnormal ", worst_subnormal, ", |normalized| - 1 ",
           static_cast<double>(worst_unit * 0x1p53L), " u, fast ", worst_fast, " ulp");
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <irg/math/mat.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
@@ -13,7 +11,6 @@
 using irg::determinant;
 using irg::hpoint;
 using irg::identity;
-using irg::inverse;
 using irg::mat;
 using irg::point;
 using irg::transpose;
@@ -115,30 +112,16 @@ TEST_CASE("mat: GOLDEN 1, exercise 1") {
   CHECK_BOTH(A * B == mat3<R>{{{-3, -5, 20}, {-9, -1, 10}, {17, -3, 26}}});
   CHECK_BOTH(B * A == mat3<R>{{{-9, -15, 0}, {29, 43, 16}, {6, 6, -12}}});
   CHECK_BOTH((determinant(A) == R(24) && determinant(B) == R(-48)));
-  CHECK_BOTH(*inverse(A) ==
-             mat3<R>{{{R(-7, 12), R(13, 24), R(1, 8)}, {R(5, 12), R(-11, 24), R(1, 8)}, {R(1, 4), R(1, 8), R(-1, 8)}}});
-  CHECK_BOTH(
-      *inverse(B) ==
-      mat3<R>{{{R(-1, 48), R(1, 16), R(-1, 6)}, {R(43, 48), R(5, 16), R(1, 6)}, {R(13, 48), R(3, 16), R(1, 6)}}});
-  CHECK_BOTH(A * *inverse(B) ==
-             mat3<R>{{{R(31, 12), R(5, 4), R(2, 3)}, {R(5, 3), 1, R(1, 3)}, {R(14, 3), 2, R(1, 3)}}});
 }
 
 TEST_CASE("mat: one result in every life") {
   constexpr mat3<double> ordinary{{{0.1, 0.7, -0.3}, {1.3, 0.2, 0.9}, {-0.4, 0.6, 1.1}}};
-  constexpr auto at_compile_time = *inverse(ordinary);
   volatile double one = 1;
-  const auto at_run_time = *inverse(ordinary * one);
-  CHECK(at_run_time == at_compile_time);
-  CHECK(ordinary * one * (at_run_time * one) == [&] {
-    constexpr auto p = ordinary * at_compile_time;
-    return p;
-  }());
+  constexpr auto square = ordinary * ordinary;
+  CHECK((ordinary * one) * (ordinary * one) == square);
   constexpr double d = determinant(ordinary);
   CHECK(determinant(ordinary * one) == d);
-  CHECK_BOTH(!inverse(mat3<double>{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}));                  // degenerate
-  CHECK_BOTH(
-      !inverse(mat3<float>{{{1e-40f, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<float>::quiet_NaN()}}}));  // hostile
+  CHECK_BOTH(determinant(mat3<double>{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}) == 0);
 }
 
 TEST_CASE("mat: determinants agree with the sum over all permutations") {
@@ -188,62 +171,32 @@ TEST_CASE("mat: the determinant's error bound, against rationals") {
   }
 }
 
-TEST_CASE("mat: inverses") {
-  test::random r(3);
-  int singular = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const auto a = random_integers<rational, 4>(r, 2);
-    const auto undo = inverse(a);
-    CHECK(undo.has_value() == (determinant(a) != rational(0)));
-    singular += undo ? 0 : 1;
-    if (undo) CHECK((*undo * a == identity<rational, 4>() && a * *undo == identity<rational, 4>()));
-
-    // The same matrix in floats: absent exactly when singular, and near the rational inverse.
-    const auto b = irg::detail::filled_mat<float, 4, 4>(
-        [&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
-    const auto close = inverse(b);
-    CHECK(close.has_value() == undo.has_value());
-    if (!close || !undo) continue;
-    double worst = 0, largest = 0, size = 0;
-    for (int y = 0; y < 4; ++y)
-      for (int x = 0; x < 4; ++x) {
-        const double truth = static_cast<double>((*undo)(y, x));
-        worst = std::max(worst, std::abs(static_cast<double>((*close)(y, x)) - truth));
-        largest = std::max(largest, std::abs(truth));
-        size = std::max(size, std::abs(static_cast<double>(b(y, x))));
-      }
-    const double condition = 16 * largest * size;
-    CHECK(worst <= 8 * condition * 0x1p-24 * largest);
+TEST_CASE("mat: points as rows, the course's form") {
+  static_assert(!multipliable<vec<double, 2>, mat<double, 3, 2>>);
+  static_assert(multipliable<vec<double, 3>, mat<double, 3, 2>>);
+  static_assert(!multipliable<point<double, 3>, mat<double, 3, 3>>);
+  static_assert(!multipliable<hpoint<double, 3>, mat<double, 3, 3>>);
+  static_assert(std::same_as<decltype(point<float, 3>{} * mat4<float>{}), hpoint<float, 3>>);
+  // (x y z 1) times a translation, then times a scaling: from left to right.
+  constexpr mat4<int> moved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {5, 6, 7, 1}}};
+  constexpr mat4<int> scaled{{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {0, 0, 0, 1}}};
+  constexpr point<int, 3> p{1, 2, 3};
+  CHECK_BOTH(p * moved * scaled == hpoint<int, 3>{12, 16, 20, 1});
+  CHECK_BOTH(p * (moved * scaled) == p * moved * scaled);
+  CHECK_BOTH(vec<int, 2>{1, 2} * mat<int, 2, 3>{{{1, 2, 3}, {4, 5, 6}}} == vec<int, 3>{9, 12, 15});
+  // Bit for bit the column form of the transposed matrix, and the product of a matrix of one row.
+  test::random r(5);
+  for (int i = 0; i < 500; ++i) {
+    mat4<double> a;
+    for (auto& row : a.m)
+      for (double& entry : row) entry = r.unit() - 0.5;
+    const hpoint<double, 3> h{r.unit(), r.unit(), r.unit(), r.unit()};
+    const mat<double, 1, 4> row{{{h.x, h.y, h.z, h.w}}};
+    CHECK(h * a == transpose(a) * h);
+    CHECK(row * a == mat<double, 1, 4>{{{(h * a).x, (h * a).y, (h * a).z, (h * a).w}}});
+    CHECK(point<double, 3>{h.x, h.y, h.z} * a == transpose(a) * point<double, 3>{h.x, h.y, h.z});
+    CHECK(vec<double, 4>{h.x, h.y, h.z, h.w} * a == transpose(a) * vec<double, 4>{h.x, h.y, h.z, h.w});
   }
-  CHECK(singular > 20);
-}
-
-TEST_CASE("mat: inverse, hostile") {
-  constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_BOTH(!inverse(mat<double, 3, 3>{}));
-  CHECK_BOTH(!inverse(mat<double, 1, 1>{{{0.0}}}));
-  CHECK_BOTH(*inverse(mat<double, 1, 1>{{{4.0}}}) == mat<double, 1, 1>{{{0.25}}});
-  CHECK(!inverse(mat<double, 2, 2>{{{nan, 1}, {1, 1}}}));
-  CHECK(!inverse(mat<double, 2, 2>{{{1, 0}, {0, nan}}}));
-  CHECK(!inverse(mat<double, 2, 2>{{{inf, 1}, {1, 1}}}));
-  CHECK(!inverse(mat<double, 2, 2>{{{1e-320, 0}, {0, 1}}}));  // its inverse does not fit
-  // A zero on the diagonal needs the exchange of rows; badly scaled but regular matrices stay regular.
-  CHECK_BOTH(*inverse(mat<double, 2, 2>{{{0, 1}, {1, 0}}}) == mat<double, 2, 2>{{{0, 1}, {1, 0}}});
-  CHECK_BOTH(*inverse(mat<double, 3, 3>{{{0x1p-900, 0, 0}, {0, 0, 0x1p900}, {0, 1, 0}}}) ==
-             mat<double, 3, 3>{{{0x1p900, 0, 0}, {0, 0, 1}, {0, 0x1p-900, 0}}});
-  CHECK(inverse(mat<double, 2, 2>{{{1e-7, 0}, {0, 1e-7}}}).has_value());  // GOLDEN 12: tiny but regular
-  // A tiny pivot must not be divided by while there is a larger one.
-  CHECK_BOTH(*inverse(mat<double, 2, 2>{{{1e-20, 1}, {1, 1}}}) == mat<double, 2, 2>{{{-1, 1}, {1, -1e-20}}});
-  // Equal rows up to rounding: singular to working precision, not a wild result.
-  CHECK(!inverse(mat<double, 3, 3>{{{0.1, 0.2, 0.3}, {0.3, 0.6000000000000001, 0.9}, {1, 2, 4}}}));
-  // Hilbert matrices: condition 1.6e4 at size 4; beyond 1e16 at size 13 the answer is a refusal.
-  const auto hilbert = []<int N>(std::integral_constant<int, N>) {
-    return irg::detail::filled_mat<double, N, N>([](int y, int x) { return 1.0 / (y + x + 1); });
-  };
-  const auto h4 = inverse(hilbert(std::integral_constant<int, 4>{}));
-  CHECK(h4.has_value());
-  if (h4) CHECK((*h4)(3, 3) == doctest::Approx(2800).epsilon(1e-10));
-  CHECK(!inverse(hilbert(std::integral_constant<int, 13>{})));
 }
 
 TEST_CASE("mat: a product rounds as its formula says") {

@@ -78,8 +78,9 @@ TEST_CASE("the algorithm of constant evaluation is correctly rounded and agrees 
 }
 
 TEST_CASE("floats: every one, in steps") {
-  const std::uint32_t step = test::is_release_tier() ? 1 : 4099;
-  for (std::uint64_t bits = 1; bits < 0x7f800000u; bits += step) {
+  const test::float_range range = test::floats_to_test(4099);
+  for (std::uint64_t bits = range.first; bits < range.last; bits += range.step) {
+    if (bits == 0 || bits >= 0x7f800000u) continue;  // what is not positive and finite has a test of its own
     const float x = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     const auto root = static_cast<float>(irg::detail::sqrt_of_positive(static_cast<double>(x)));
     if (!same(root, irg::sqrt(x)) || !same(root, std::sqrt(x))) FAIL_CHECK("sqrt of ", x, " is ", root);

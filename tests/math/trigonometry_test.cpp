@@ -352,6 +352,16 @@ TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
   // Double's sine of degrees has its own test above, and serves as reference here.
   IRG_FLOAT_RUN("sin_degrees", irg::sin_degrees, irg::sin_degrees, exact_sin_degrees);
   IRG_FLOAT_RUN("cos_degrees", irg::cos_degrees, irg::cos_degrees, exact_cos_degrees);
+  IRG_FLOAT_RUN("radians", irg::radians, irg::radians, [](mpfr_ptr out, mpfr_ptr x) {
+    mpfr_const_pi(out, MPFR_RNDN);
+    mpfr_mul(out, out, x, MPFR_RNDN);
+    mpfr_div_ui(out, out, 180, MPFR_RNDN);
+  });
+  IRG_FLOAT_RUN("degrees", irg::degrees, irg::degrees, [](mpfr_ptr out, mpfr_ptr x) {
+    mpfr_const_pi(out, MPFR_RNDN);
+    mpfr_div(out, x, out, MPFR_RNDN);
+    mpfr_mul_ui(out, out, 180, MPFR_RNDN);
+  });
   for (const float x : {0.7f, -3e-5f, 1e-38f, -2e30f})
     test::check_floats(
         "atan2 of a fixed x", 0.5001, [x](float y) { return irg::atan2(y, x); },

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <type_traits>
 
@@ -241,4 +242,31 @@ TEST_CASE("vec: Eigen vectors serve as they are") {
 #else
   MESSAGE("skipped: Eigen was not found");
 #endif
+}
+
+// The variants that may be fused: near the guarded ones, within their bound, against exact integers.
+TEST_CASE("vec: dot_fast and cross_fast") {
+  CHECK_BOTH(dot_fast(vec3{1, 2, 3}, vec3{4, -5, 6}) == 12);
+  CHECK_BOTH(cross_fast(vec3{1, 0, 0}, vec3{0, 1, 0}) == vec3{0, 0, 1});
+  test::random r(12);
+  const auto coordinate = [&] { return static_cast<float>(r.integer(-(1 << 24), 1 << 24)); };
+  int wrong = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const irg::vec<float, 3> v{coordinate(), coordinate(), coordinate()}, w{coordinate(), coordinate(), coordinate()};
+    std::int64_t sum = 0, size = 0;
+    const auto term = [&](int j, int k) { return static_cast<std::int64_t>(v[j]) * static_cast<std::int64_t>(w[k]); };
+    for (int k = 0; k < 3; ++k) {
+      sum += term(k, k);
+      size += std::abs(term(k, k));
+    }
+    const double error = std::abs(static_cast<double>(dot_fast(v, w)) - static_cast<double>(sum));
+    wrong += error > 3 * 0x1p-24 * static_cast<double>(size);
+    const auto c = cross_fast(v, w);
+    for (int k = 0; k < 3; ++k) {
+      const std::int64_t p = term((k + 1) % 3, (k + 2) % 3), q = term((k + 2) % 3, (k + 1) % 3);
+      const double off = std::abs(static_cast<double>(c[k]) - static_cast<double>(p - q));
+      wrong += off > 2 * 0x1p-24 * static_cast<double>(std::abs(p) + std::abs(q));
+    }
+  }
+  CHECK(wrong == 0);
 }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -56,6 +57,22 @@ struct pair_of_doubles {
 
 /// The number of random arguments a run takes, from how many it takes per commit.
 inline int count_of(int per_commit) { return is_release_tier() ? 100 * per_commit : per_commit; }
+
+/// Bit patterns of floats, first to last without it, in steps.
+struct float_range {
+  std::uint64_t first, last, step;
+};
+
+/// All floats in the release tier, every `step`-th one else. IRG_SWEEP=3/16 in the environment names the fourth of
+/// sixteen equal pieces (0/16 to 15/16), every float of it: a run over all of them can be cut.
+inline float_range floats_to_test(std::uint64_t step) {
+  constexpr std::uint64_t end = std::uint64_t{1} << 32;
+  unsigned piece = 0, pieces = 0;
+  const char* sweep = std::getenv("IRG_SWEEP");
+  if (sweep != nullptr && std::sscanf(sweep, "%u/%u", &piece, &pieces) == 2 && piece < pieces)
+    return {end / pieces * piece, piece + 1 == pieces ? end : end / pieces * (piece + 1), 1};
+  return {0, end, is_release_tier() ? 1 : step};
+}
 
 #ifdef IRG_HAVE_MPFR
 
@@ -109,16 +126,15 @@ void check_ulp(const char* what, double bound, F function, Exact exact, Generate
   CHECK(worst <= bound);
 }
 
-/// Runs over the floats, all of them in the release tier and every 99991st else: how many results are not the nearest
-/// float, and the largest error. `reference` is double's function, good enough but near the middle of two floats, where
-/// MPFR decides.
+/// Runs over the floats that floats_to_test names: how many results are not the nearest float, and the largest error.
+/// `reference` is double's function, good enough but near the middle of two floats, where MPFR decides.
 template <class F, class Reference, class Exact>
 void check_floats(const char* what, double bound, F function, Reference reference, Exact exact) {
-  const std::uint64_t step = is_release_tier() ? 1 : 99991;
+  const float_range range = floats_to_test(99991);
   std::uint64_t misrounded = 0, tested = 0, wrong_kind = 0;
   double worst = 0.5;
   real x, result;
-  for (std::uint64_t bits = 0; bits < std::uint64_t{1} << 32; bits += step, ++tested) {
+  for (std::uint64_t bits = range.first; bits < range.last; bits += range.step, ++tested) {
     const float argument = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     const float got = function(argument);
     const double want = reference(static_cast<double>(argument));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <irg/math/inverse.hpp>
+
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <irg/geometry/clip_homogeneous.hpp>
+#include <irg/math/inverse.hpp>
 #include <irg/view/look_at.hpp>
 #include <irg/view/oblique.hpp>
 

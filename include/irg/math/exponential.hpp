@@ -35,7 +35,7 @@ constexpr T exp2(T x) noexcept {
 template <Floating T>
 constexpr T log(T x) noexcept {
   if (!(x > T(0))) return x == T(0) ? -detail::infinity<T> : detail::not_a_number<T>;
-  return x < detail::infinity<T> ? detail::narrow<T>(detail::round(detail::log_of(static_cast<double>(x)))) : x;
+  return x < detail::infinity<T> ? detail::round_to<T>(detail::log_of(static_cast<double>(x))) : x;
 }
 
 /// The logarithm of x to base 2.
@@ -45,8 +45,8 @@ constexpr T log(T x) noexcept {
 template <Floating T>
 constexpr T log2(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::narrow<T>(detail::round(detail::multiply(
-      detail::log_of(static_cast<double>(x)), {detail::inverse_log_two_high, detail::inverse_log_two_low})));
+  return detail::round_to<T>(detail::multiply(detail::log_of(static_cast<double>(x)),
+                                              {detail::inverse_log_two_high, detail::inverse_log_two_low}));
 }
 
 /// The logarithm of x to base 10.
@@ -56,8 +56,8 @@ constexpr T log2(T x) noexcept {
 template <Floating T>
 constexpr T log10(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::narrow<T>(detail::round(detail::multiply(
-      detail::log_of(static_cast<double>(x)), {detail::inverse_log_ten_high, detail::inverse_log_ten_low})));
+  return detail::round_to<T>(detail::multiply(detail::log_of(static_cast<double>(x)),
+                                              {detail::inverse_log_ten_high, detail::inverse_log_ten_low}));
 }
 
 /// x to the power y.

@@ -3,10 +3,8 @@
 // last is applied first. Points, directions and homogeneous points are told apart by type.
 #pragma once
 
-#include <limits>
-#include <optional>
-
-#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/detail/elimination.hpp>
+#include <irg/math/detail/mat_kernel.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -24,19 +22,6 @@ struct mat {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <class T>
-IRG_INLINE constexpr T entry_size(const T& x) noexcept {
-  return x < T(0) ? -x : x;
-}
-
-// The sum of a(k) * b(k) for k = 0 .. N - 1, from left to right.
-template <int N, class A, class B>
-IRG_INLINE constexpr auto sum_of_products(const A& a, const B& b) noexcept {
-  auto sum = product(a(0), b(0));
-  for (int k = 1; k < N; ++k) sum = sum + product(a(k), b(k));
-  return sum;
-}
-
 // The matrix whose entry in row r and column c is f(r, c).
 template <class T, int R, int C, class F>
 IRG_INLINE constexpr mat<T, R, C> filled_mat(const F& f) noexcept {
@@ -48,29 +33,7 @@ IRG_INLINE constexpr mat<T, R, C> filled_mat(const F& f) noexcept {
 
 template <class T, int R, int C>
 constexpr bool all_finite(const mat<T, R, C>& a) noexcept {
-  if constexpr (Floating<T>)
-    for (const auto& row : a.m)
-      for (const T& entry : row)
-        if (!is_finite(entry)) return false;
-  return true;
-}
-
-// The row from k on whose entry in column k is largest.
-template <class T, int N>
-constexpr int pivot_row(const mat<T, N, N>& a, int k) noexcept {
-  int best = k;
-  for (int r = k + 1; r < N; ++r)
-    if (entry_size(a(best, k)) < entry_size(a(r, k))) best = r;
-  return best;
-}
-
-template <class T, int N>
-constexpr void swap_rows(mat<T, N, N>& a, int r, int s) noexcept {
-  for (int c = 0; c < N && r != s; ++c) {
-    const T kept = a(r, c);
-    a(r, c) = a(s, c);
-    a(s, c) = kept;
-  }
+  return entries_finite<T>(a, R, C);
 }
 
 }  // namespace IRG_ABI
@@ -114,26 +77,24 @@ constexpr mat<T, R, C> operator*(std::type_identity_t<T> s, const mat<T, R, C>& 
 /// The matrix that applies b first, then a.
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T, int R, int K, int C>
-constexpr mat<T, R, C> operator*(const mat<T, R, K>& a, const mat<T, K, C>& b) noexcept {
-  return detail::filled_mat<T, R, C>([&](int r, int c) {
-    return detail::sum_of_products<K>([&](int k) { return a(r, k); }, [&](int k) { return b(k, c); });
-  });
+IRG_INLINE constexpr mat<T, R, C> operator*(const mat<T, R, K>& a, const mat<T, K, C>& b) noexcept {
+  mat<T, R, C> entries{};
+  detail::multiply(a.m, b.m, entries.m);
+  return entries;
 }
 
 /// The image of a vector.
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T, int R, int C>
 IRG_INLINE constexpr vec<T, R> operator*(const mat<T, R, C>& a, const vec<T, C>& v) noexcept {
-  return generate_coordinates<vec<T, R>>(
-      [&](int r) { return detail::sum_of_products<C>([&](int k) { return a(r, k); }, [&](int k) { return v[k]; }); });
+  return detail::image_of_column<vec<T, R>, C>(a.m, [&](int k) { return v[k]; });
 }
 
 /// The image of a homogeneous point; the matrix has one row and column more than the space has dimensions.
 template <class T, int M, int N>
   requires(M == N + 1)
 IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const hpoint<T, N>& p) noexcept {
-  return generate_coordinates<hpoint<T, N>>(
-      [&](int r) { return detail::sum_of_products<M>([&](int k) { return a(r, k); }, [&](int k) { return p[k]; }); });
+  return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) { return p[k]; });
 }
 
 /// The image of a point, a homogeneous point since the matrix may be projective. transform_point gives a point.
@@ -143,15 +104,35 @@ IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const point<T
   return a * to_homogeneous(p);
 }
 
+/// The image of a row vector, v * A * B being A first, then B: the form of the course.
+/// exact   bit for bit the column form of the transposed matrix, transpose(a) * v
+template <class T, int R, int C>
+IRG_INLINE constexpr vec<T, C> operator*(const vec<T, R>& v, const mat<T, R, C>& a) noexcept {
+  return transpose(a) * v;
+}
+
+/// The image of a homogeneous point as a row.
+/// exact   bit for bit the column form of the transposed matrix
+template <class T, int M, int N>
+  requires(M == N + 1)
+IRG_INLINE constexpr hpoint<T, N> operator*(const hpoint<T, N>& p, const mat<T, M, M>& a) noexcept {
+  return transpose(a) * p;
+}
+
+/// The image of a point as a row (x y z 1), a homogeneous point.
+/// exact   bit for bit the column form of the transposed matrix
+template <class T, int M, int N>
+  requires(M == N + 1)
+IRG_INLINE constexpr hpoint<T, N> operator*(const point<T, N>& p, const mat<T, M, M>& a) noexcept {
+  return transpose(a) * p;
+}
+
 /// The image of a position under an affine matrix, that is one with the last row 0 ... 0 1, which is not read.
 /// shape   P is irg's point or any foreign Point with one coordinate less than the matrix has rows
 template <class T, int M, Point P>
   requires(size_of<P> == M - 1 && std::same_as<scalar_of<P>, T>)
 IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexcept {
-  return generate_coordinates<P>([&](int r) {
-    return detail::sum_of_products<M - 1>([&](int k) { return a(r, k); }, [&](int k) { return coordinate(p, k); }) +
-           a(r, M - 1);
-  });
+  return detail::image_of_position<P, M - 1>(a.m, [&](int k) { return coordinate(p, k); });
 }
 
 /// The image of a displacement under an affine matrix: translations leave it alone. Surface normals take
@@ -159,9 +140,7 @@ IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexce
 template <class T, int M, Vector V>
   requires(size_of<V> == M - 1 && std::same_as<scalar_of<V>, T>)
 IRG_INLINE constexpr V transform_vector(const mat<T, M, M>& a, const V& v) noexcept {
-  return generate_coordinates<V>([&](int r) {
-    return detail::sum_of_products<M - 1>([&](int k) { return a(r, k); }, [&](int k) { return coordinate(v, k); });
-  });
+  return detail::image_of_column<V, M - 1>(a.m, [&](int k) { return coordinate(v, k); });
 }
 
 /// The matrix without one row and one column.
@@ -194,19 +173,7 @@ constexpr T determinant(const mat<T, N, N>& a) noexcept {
            product(minor(0, 1, 3), minor(2, 0, 2)) + product(minor(0, 2, 3), minor(2, 0, 1));
   } else {
     mat<T, N, N> rest = a;
-    T factor = T(1);
-    for (int k = 0; k < N; ++k) {
-      const int pivot = detail::pivot_row(rest, k);
-      if (rest(pivot, k) == T(0)) return T(0);
-      if (pivot != k) factor = -factor;
-      detail::swap_rows(rest, k, pivot);
-      factor = product(factor, rest(k, k));
-      for (int r = k + 1; r < N; ++r) {
-        const T f = rest(r, k) / rest(k, k);
-        for (int c = k; c < N; ++c) rest(r, c) = rest(r, c) - product(f, rest(k, c));
-      }
-    }
-    return factor;
+    return detail::eliminated_determinant<T>(rest, N);
   }
 }
 
@@ -226,48 +193,6 @@ constexpr mat<T, N, N> cofactor_matrix(const mat<T, N, N>& a) noexcept {
       return (r + c) % 2 == 0 ? minor : -minor;
     });
   }
-}
-
-/// The matrix that undoes `a`.
-/// gives   nothing for a singular matrix. In floats also nothing when the result would have no correct digit (see
-///         `exact`), when an entry is NaN or infinite, or when the inverse has an entry that is too large for T
-/// exact   in rationals. In floats relative errors are about 8 u times the condition number; the condition that decides
-///         whether a digit is correct, the largest sum of |x_ij * a_ji| over j for x = the inverse, must stay below
-///         1/(2 N u). It does not depend on how rows and columns are scaled
-/// cost    Gauss-Jordan elimination with partial pivoting, 2 N^3 operations
-/// source  Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 14; condition after Bauer, 1963
-template <Real T, int N>
-constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
-  if (!detail::all_finite(a)) return std::nullopt;
-  mat<T, N, N> left = a, right = identity<T, N>();
-  for (int k = 0; k < N; ++k) {
-    const int pivot_at = detail::pivot_row(left, k);
-    detail::swap_rows(left, k, pivot_at);
-    detail::swap_rows(right, k, pivot_at);
-    const T pivot = left(k, k);
-    if (pivot == T(0)) return std::nullopt;
-    for (int c = 0; c < N; ++c) {
-      left(k, c) = left(k, c) / pivot;
-      right(k, c) = right(k, c) / pivot;
-    }
-    for (int r = 0; r < N; ++r) {
-      if (r == k) continue;
-      const T f = left(r, k);
-      for (int c = 0; c < N; ++c) {
-        left(r, c) = left(r, c) - product(f, left(k, c));
-        right(r, c) = right(r, c) - product(f, right(k, c));
-      }
-    }
-  }
-  if (!detail::all_finite(right)) return std::nullopt;
-  if constexpr (Floating<T>) {
-    for (int i = 0; i < N; ++i) {
-      const T condition = detail::sum_of_products<N>([&](int j) { return detail::entry_size(right(i, j)); },
-                                                     [&](int j) { return detail::entry_size(a(j, i)); });
-      if (!(condition * (T(N) * std::numeric_limits<T>::epsilon()) < T(1))) return std::nullopt;
-    }
-  }
-  return right;
 }
 
 }  // namespace IRG_ABI

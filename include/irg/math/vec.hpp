@@ -179,6 +179,18 @@ IRG_INLINE constexpr scalar_of<A> dot(const A& a, const B& b) noexcept(std::is_a
   return sum;
 }
 
+/// The dot product for loops that the compiler is to vectorise: products may be fused with sums, so its last bits
+/// depend on compiler, flags and surroundings. dot_products (math/vector_batch.hpp) is as fast with the bits of dot.
+/// exact   within N u times the sum of the absolute values of the N products (u = 2^-53, float 2^-24), unless something
+///         underflows
+template <Vector A, Vector B>
+  requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
+IRG_INLINE constexpr scalar_of<A> dot_fast(const A& a, const B& b) noexcept {
+  scalar_of<A> sum = coordinate(a, 0) * coordinate(b, 0);
+  for (int i = 1; i < size_of<A>; ++i) sum = sum + coordinate(a, i) * coordinate(b, i);
+  return sum;
+}
+
 /// The vector at right angles to both, of the length of the parallelogram's area; counter-clockwise from a to b as
 /// seen from its tip.
 /// exact   each product and each difference rounded once; cross(a, a) is exactly zero where the products do not
@@ -188,6 +200,20 @@ template <Vector A, Vector B>
 IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
   const auto minor = [&](int i, int j) {
     return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
+  };
+  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+}
+
+/// The cross product for loops that the compiler is to vectorise: products may be fused with differences, so its last
+/// bits depend on compiler, flags and surroundings; cross_fast(a, a) need not be zero. cross_products
+/// (math/vector_batch.hpp) is as fast with the bits of cross.
+/// exact   each coordinate within 2 u times the sum of the absolute values of its two products (u = 2^-53, float
+///         2^-24), unless something underflows
+template <Vector A, Vector B>
+  requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
+IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
+  const auto minor = [&](int i, int j) {
+    return coordinate(a, i) * coordinate(b, j) - coordinate(a, j) * coordinate(b, i);
   };
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
 }

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include <irg/math/coordinate_system.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/view/look_at.hpp>
@@ -20,12 +21,6 @@ struct camera_frame {
   point<T, 3> position{};
   vec<T, 3> right{T(1), T(0), T(0)}, up{T(0), T(1), T(0)}, forward{T(0), T(0), T(-1)};
   constexpr bool operator==(const camera_frame&) const = default;
-};
-
-/// The sense of a camera space with x to the right and y up, in a right-handed world.
-enum class handedness {
-  right,  // z towards the viewer: the view goes along -z; irg's own
-  left  // z along the view: the depth; S0's eye and S3's camera
 };
 
 /// What orthonormalized made of a frame.

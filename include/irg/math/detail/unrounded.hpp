@@ -54,6 +54,26 @@ IRG_INLINE constexpr T narrow(double x) noexcept {
   return static_cast<T>(x);
 }
 
+/// The T nearest to x + rest, where rest is too small to change the double x.
+template <Floating T>
+constexpr T rounded_once(double x, double rest) noexcept {
+  if constexpr (std::is_same_v<T, double>) {
+    return x;
+  } else {
+    // An inexact double is made odd: the float nearest to it is then the one nearest to the sum.
+    const std::uint64_t bits = bits_of(x);
+    if (rest == 0 || x == 0 || (bits & 1) != 0) return narrow<T>(x);
+    return narrow<T>(from_bits((rest < 0) == (x < 0) ? bits + 1 : bits - 1));
+  }
+}
+
+/// The T nearest to an unrounded number; a float is rounded once.
+template <Floating T>
+IRG_INLINE constexpr T round_to(const unrounded& x) noexcept {
+  const unrounded parts = renormalised(x);
+  return rounded_once<T>(parts.value, parts.error);
+}
+
 /// x * 2^k with one rounding.
 /// needs   1/2 <= |x| <= 2 or so
 /// gives   infinity when the product overflows

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/render/detail/vertex_lanes.hpp>
 #include <irg/render/screen_mapping.hpp>
@@ -49,7 +50,8 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
   using pack_i = pack<std::int32_t, N>;
   using F = lanes<pack_f>;
   using I = lanes<pack_i>;
-  const auto [x, y, z] = load_positions<N>(p);
+  static_assert(sizeof *p == 3 * sizeof(float));
+  const auto [x, y, z] = load_triples<N>(&p->x);
   const auto row = [&](int r) { return ((m[r] * x + m[r + 1] * y) + m[r + 2] * z) + m[r + 3]; };
   const pack_f cx = row(0), cy = row(4), cz = row(8), cw = row(12), zero = F::broadcast(0);
 

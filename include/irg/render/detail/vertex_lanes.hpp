@@ -104,50 +104,6 @@ IRG_INLINE void store_vertices(screen_vertex* to, const vertex_lanes<N>& v) noex
   for (int i = 0; i < N; ++i) to[i] = {{v.x.v[i], v.y.v[i]}, v.depth.v[i], v.inverse_w.v[i]};
 }
 
-// The coordinates of N positions in a row.
-template <int N>
-struct position_lanes {
-  pack<float, N> x, y, z;
-};
-template <int N>
-IRG_INLINE position_lanes<N> load_positions(const point<float, 3>* p) noexcept {
-#if __has_builtin(__builtin_shufflevector)
-  typedef float four __attribute__((vector_size(16)));
-  static_assert(sizeof *p == 12);
-  const auto words = [&](int i) {
-    four v;
-    std::memcpy(&v, reinterpret_cast<const char*>(p) + 16 * i, sizeof v);
-    return v;
-  };
-  if constexpr (N == 4) {
-    const four a = words(0), b = words(1), c = words(2);  // x y z x, y z x y, z x y z
-    const four xb = __builtin_shufflevector(b, c, 2, 2, 5, 5), ya = __builtin_shufflevector(a, b, 1, 1, 4, 4),
-               yb = __builtin_shufflevector(b, c, 3, 3, 6, 6), za = __builtin_shufflevector(a, b, 2, 2, 5, 5);
-    return {{__builtin_shufflevector(a, xb, 0, 3, 4, 6)},
-            {__builtin_shufflevector(ya, yb, 0, 2, 4, 6)},
-            {__builtin_shufflevector(za, c, 0, 2, 4, 7)}};
-  }
-  if constexpr (N == 8) {
-    const auto halves = [&](int i) { return __builtin_shufflevector(words(i), words(i + 3), 0, 1, 2, 3, 4, 5, 6, 7); };
-    const auto a = halves(0), b = halves(1), c = halves(2);
-    const auto xb = __builtin_shufflevector(b, c, 2, 2, 9, 9, 6, 6, 13, 13),
-               ya = __builtin_shufflevector(a, b, 1, 1, 8, 8, 5, 5, 12, 12),
-               yb = __builtin_shufflevector(b, c, 3, 3, 10, 10, 7, 7, 14, 14),
-               za = __builtin_shufflevector(a, b, 2, 2, 9, 9, 6, 6, 13, 13);
-    return {{__builtin_shufflevector(a, xb, 0, 3, 8, 10, 4, 7, 12, 14)},
-            {__builtin_shufflevector(ya, yb, 0, 2, 8, 10, 4, 6, 12, 14)},
-            {__builtin_shufflevector(za, c, 0, 2, 8, 11, 4, 6, 12, 15)}};
-  }
-#endif
-  position_lanes<N> v;
-  for (int i = 0; i < N; ++i) {
-    v.x.v[i] = p[i].x;
-    v.y.v[i] = p[i].y;
-    v.z.v[i] = p[i].z;
-  }
-  return v;
-}
-
 #endif
 
 }  // namespace IRG_ABI

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Sums, products, quotients and roots rounded downwards, without touching the rounding mode: the rounded result and the
+// sign of its exact error. Rounding upwards is rounding the negative downwards.
+#pragma once
+
+#include <irg/math/detail/unrounded.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+template <Floating T>
+inline constexpr T largest_number = (std::numeric_limits<T>::max)();
+
+/// The largest number below x.
+/// needs   x is not -infinity
+template <Floating T>
+IRG_INLINE constexpr T next_down(T x) noexcept {
+  using bits_type = std::conditional_t<std::is_same_v<T, double>, std::uint64_t, std::uint32_t>;
+  if (x == 0) return -std::numeric_limits<T>::denorm_min();
+  const auto bits = std::bit_cast<bits_type>(x);
+  return std::bit_cast<T>(static_cast<bits_type>(x < 0 ? bits + 1 : bits - 1));
+}
+
+/// The rounded result, or its neighbour below where that is too large.
+template <Floating T>
+IRG_INLINE constexpr T lowered(T rounded, bool is_too_large) noexcept {
+  if (rounded == infinity<T>) return largest_number<T>;
+  return is_too_large && rounded != -infinity<T> ? next_down(rounded) : rounded;
+}
+
+/// Below the range in which errors are known: one step down, but not from positive numbers to negative ones.
+template <Floating T>
+IRG_INLINE constexpr T lowered_blindly(T rounded, bool is_positive) noexcept {
+  return rounded == 0 && is_positive ? T(0) : lowered(rounded, true);
+}
+
+/// a + b, rounded downwards.
+/// needs   a and b below infinity
+template <Floating T>
+constexpr T sum_down(T a, T b) noexcept {
+  if (a == -infinity<T> || b == -infinity<T>) return -infinity<T>;
+  const auto [value, error] = two_sum(a, b);
+  return lowered(value, error < 0);
+}
+
+/// a*b, rounded downwards; 0 times infinity is 0, as it is for the end points of intervals.
+template <Floating T>
+constexpr T product_down(T a, T b) noexcept {
+  if (a == 0 || b == 0) return T(0);
+  const bool is_positive = (a < 0) == (b < 0);
+  if (!is_finite(a) || !is_finite(b)) return is_positive ? infinity<T> : -infinity<T>;
+  if constexpr (std::is_same_v<T, float>) {
+    const double exact = static_cast<double>(a) * static_cast<double>(b);
+    const T value = narrow<T>(exact);
+    return lowered(value, static_cast<double>(value) > exact);
+  } else {
+    const auto [value, error] = two_product(a, b);
+    return magnitude(value) < 0x1p-960 ? lowered_blindly(value, is_positive) : lowered(value, error < 0);
+  }
+}
+
+/// a/b, rounded downwards; infinity over infinity is 0.
+/// needs   b > 0
+template <Floating T>
+constexpr T quotient_down(T a, T b) noexcept {
+  if (a == 0 || !is_finite(b)) return T(0);
+  const bool is_positive = a > 0;
+  if (!is_finite(a)) return is_positive ? infinity<T> : -infinity<T>;
+  if constexpr (std::is_same_v<T, float>) {
+    const T value = narrow<T>(static_cast<double>(a) / static_cast<double>(b));
+    const double back = static_cast<double>(value) * static_cast<double>(b);
+    return lowered(value, back > static_cast<double>(a));
+  } else {
+    const T value = a / b;
+    if (!(magnitude(a) > 0x1p-900 && magnitude(a) < 0x1p1020 && magnitude(value) > 0x1p-960 &&
+          magnitude(value) < 0x1p1020))
+      return lowered_blindly(value, is_positive);
+    const auto [back, error] = two_product(value, b);
+    const T rest = (a - back) - error;  // exact, as the remainder of every division
+    return lowered(value, rest < 0);
+  }
+}
+
+/// The square root, rounded downwards or upwards.
+/// needs   x >= 0
+template <Floating T>
+constexpr T sqrt_directed(T x, bool upwards) noexcept {
+  if (x == 0 || !is_finite(x)) return x;
+  const T root = sqrt(x);
+  double rest = 0;
+  if constexpr (std::is_same_v<T, float>) {
+    rest = static_cast<double>(x) - static_cast<double>(root) * static_cast<double>(root);
+  } else {
+    const bool is_small = x < 0x1p-900;
+    const auto [back, error] = two_product(is_small ? root * 0x1p100 : root, is_small ? root * 0x1p100 : root);
+    rest = ((is_small ? x * 0x1p200 : x) - back) - error;
+  }
+  if (upwards) return rest > 0 ? -next_down(-root) : root;
+  return lowered(root, rest < 0);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

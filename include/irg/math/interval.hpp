@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Intervals: numbers with their uncertainty. Every operation gives an interval that contains f(x, y) for all x and y of
+// its arguments for which f has a value, rounded outwards without touching the processor's rounding mode.
+#pragma once
+
+#include <concepts>
+#include <optional>
+
+#include <irg/math/detail/directed.hpp>
+
+namespace irg {
+
+template <Floating T>
+class interval;
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Floating T>
+constexpr interval<T> interval_sum(const interval<T>& a, const interval<T>& b) noexcept {
+  if (a.is_empty() || b.is_empty()) return interval<T>::empty();
+  return {sum_down(a.lower(), b.lower()), -sum_down(-a.upper(), -b.upper())};
+}
+
+template <Floating T>
+constexpr interval<T> interval_product(const interval<T>& a, const interval<T>& b) noexcept {
+  if (a.is_empty() || b.is_empty()) return interval<T>::empty();
+  const auto lowest = [](const interval<T>& x, const interval<T>& y) {
+    return lesser(lesser(product_down(x.lower(), y.lower()), product_down(x.lower(), y.upper())),
+                  lesser(product_down(x.upper(), y.lower()), product_down(x.upper(), y.upper())));
+  };
+  return {lowest(a, b), -lowest(-a, b)};
+}
+
+template <Floating T>
+constexpr interval<T> interval_quotient(const interval<T>& a, const interval<T>& b) noexcept {
+  if (a.is_empty() || b.is_empty() || (b.lower() == 0 && b.upper() == 0)) return interval<T>::empty();
+  if (a.lower() == 0 && a.upper() == 0) return T(0);
+  if (b.lower() < 0 && b.upper() > 0) return interval<T>::whole();
+  if (b.upper() <= 0) return interval_quotient(-a, -b);
+  const auto lowest = [&](const interval<T>& x) {  // the divisors lie between 0 and b.upper()
+    if (x.lower() >= 0) return quotient_down(x.lower(), b.upper());
+    return b.lower() == 0 ? -infinity<T> : quotient_down(x.lower(), b.lower());
+  };
+  return {lowest(a), -lowest(-a)};
+}
+
+template <Floating T>
+constexpr interval<T> interval_square(const interval<T>& a) noexcept {
+  if (a.is_empty()) return a;
+  const T outer = greater(-a.lower(), a.upper()), inner = lesser(-a.lower(), a.upper());
+  return {inner >= 0 ? T(0) : product_down(inner, inner), -product_down(-outer, outer)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+/// The real numbers from lower() to upper().
+/// shape   an end may be infinite: then there is no bound on that side. The empty interval contains nothing
+/// exact   ends are the nearest outward numbers; where a product or a quotient is below 2^-900, or a quotient or its
+///         dividend above 2^1020, they may be one step further out (float: never)
+template <Floating T>
+class interval {
+public:
+  /// The number 0.
+  IRG_INLINE constexpr interval() noexcept {}
+  /// The number x.
+  /// gives   what lies beyond the largest number for an infinity, the whole line for NaN
+  IRG_INLINE constexpr interval(T x) noexcept : interval(x, x) {}
+  /// The integer i, between two neighbouring numbers where it is none itself.
+  template <std::integral I>
+    requires(!std::same_as<I, bool>)
+  IRG_INLINE constexpr interval(I i) noexcept : interval(static_cast<T>(i)) {
+    if constexpr (std::numeric_limits<I>::digits > std::numeric_limits<T>::digits) {
+      constexpr I limit = I{1} << std::numeric_limits<T>::digits;
+      if (i <= limit && (std::unsigned_integral<I> || i >= I(0) - limit)) return;
+      lower_ = detail::next_down(lower_);
+      upper_ = -detail::next_down(-upper_);
+    }
+  }
+  /// The numbers from `lower` to `upper`.
+  /// gives   the empty interval when upper < lower, the whole line when one is NaN
+  IRG_INLINE constexpr interval(T lower, T upper) noexcept : lower_(lower), upper_(upper) {
+    if (lower != lower || upper != upper)
+      *this = whole();
+    else if (upper < lower)
+      *this = empty();
+    else if (lower == detail::infinity<T>)
+      lower_ = detail::largest_number<T>;
+    else if (upper == -detail::infinity<T>)
+      upper_ = -detail::largest_number<T>;
+  }
+  /// All numbers.
+  IRG_INLINE static constexpr interval whole() noexcept {
+    interval all;
+    all.lower_ = -detail::infinity<T>;
+    all.upper_ = detail::infinity<T>;
+    return all;
+  }
+  /// No number.
+  IRG_INLINE static constexpr interval empty() noexcept {
+    interval none;
+    none.lower_ = detail::infinity<T>;
+    none.upper_ = -detail::infinity<T>;
+    return none;
+  }
+
+  IRG_INLINE constexpr T lower() const noexcept { return lower_; }
+  IRG_INLINE constexpr T upper() const noexcept { return upper_; }
+  IRG_INLINE constexpr bool is_empty() const noexcept { return upper_ < lower_; }
+
+  IRG_INLINE constexpr interval operator-() const noexcept { return is_empty() ? *this : interval(-upper_, -lower_); }
+  IRG_INLINE friend constexpr interval operator+(const interval& a, const interval& b) noexcept {
+    return detail::interval_sum(a, b);
+  }
+  IRG_INLINE friend constexpr interval operator-(const interval& a, const interval& b) noexcept {
+    return detail::interval_sum(a, -b);
+  }
+  IRG_INLINE friend constexpr interval operator*(const interval& a, const interval& b) noexcept {
+    return detail::interval_product(a, b);
+  }
+  /// gives   the whole line when b has 0 inside, a half-line when 0 is an end of b and the sign of a is certain, the
+  ///         empty interval for the divisor 0 alone
+  IRG_INLINE friend constexpr interval operator/(const interval& a, const interval& b) noexcept {
+    return detail::interval_quotient(a, b);
+  }
+
+  /// Whether the two are the same interval; possibly_equal and certainly_equal compare the numbers.
+  constexpr bool operator==(const interval&) const noexcept = default;
+  /// Whether every number of a is less than every number of b: certainly less. Neither a < b nor b < a nor a == b holds
+  /// where that is open. The empty interval is less than nothing.
+  IRG_INLINE friend constexpr bool operator<(const interval& a, const interval& b) noexcept {
+    return !a.is_empty() && !b.is_empty() && a.upper_ < b.lower_;
+  }
+  IRG_INLINE friend constexpr bool operator>(const interval& a, const interval& b) noexcept { return b < a; }
+
+private:
+  T lower_{}, upper_{};
+};
+
+inline namespace IRG_ABI {
+
+/// Whether some number of a is less than some number of b.
+template <Floating T>
+constexpr bool possibly_less(const interval<T>& a, const interval<T>& b) noexcept {
+  return !a.is_empty() && !b.is_empty() && a.lower() < b.upper();
+}
+
+/// Whether a and b have a number in common.
+template <Floating T>
+constexpr bool possibly_equal(const interval<T>& a, const interval<T>& b) noexcept {
+  return !a.is_empty() && !b.is_empty() && !(a < b) && !(b < a);
+}
+
+/// Whether a and b are the same single number.
+template <Floating T>
+constexpr bool certainly_equal(const interval<T>& a, const interval<T>& b) noexcept {
+  return a == b && a.lower() == a.upper();
+}
+
+/// -1, 0 or 1, as all numbers of a are negative, zero or positive.
+/// gives   nothing where they differ, or there are none
+template <Floating T>
+constexpr std::optional<int> certain_sign(const interval<T>& a) noexcept {
+  if (a > interval<T>()) return 1;
+  if (a < interval<T>()) return -1;
+  return certainly_equal(a, interval<T>()) ? std::optional<int>(0) : std::nullopt;
+}
+
+/// Whether x is one of the numbers.
+template <Floating T>
+constexpr bool contains(const interval<T>& a, std::type_identity_t<T> x) noexcept {
+  return a.lower() <= x && x <= a.upper() && detail::is_finite(x);
+}
+
+/// Whether every number of b is in a.
+template <Floating T>
+constexpr bool contains(const interval<T>& a, const interval<T>& b) noexcept {
+  return b.is_empty() || (a.lower() <= b.lower() && b.upper() <= a.upper());
+}
+
+/// upper() - lower(), rounded up.
+/// gives   0 for the empty interval
+template <Floating T>
+constexpr T width(const interval<T>& a) noexcept {
+  return a.is_empty() ? T(0) : -detail::sum_down(a.lower(), -a.upper());
+}
+
+/// A number in the middle of a.
+/// needs   a is not empty
+/// gives   0 for the whole line, the largest number for half a line
+template <Floating T>
+constexpr T middle(const interval<T>& a) noexcept {
+  const bool left = detail::is_finite(a.lower()), right = detail::is_finite(a.upper());
+  if (!left || !right) return left ? detail::largest_number<T> : right ? -detail::largest_number<T> : T(0);
+  const T sum = T(0.5) * a.lower() + T(0.5) * a.upper();
+  return clamp(sum, a.lower(), a.upper());
+}
+
+/// The numbers that are in both.
+template <Floating T>
+constexpr interval<T> intersect(const interval<T>& a, const interval<T>& b) noexcept {
+  return {greater(a.lower(), b.lower()), lesser(a.upper(), b.upper())};
+}
+
+/// The smallest interval that contains both.
+template <Floating T>
+constexpr interval<T> hull(const interval<T>& a, const interval<T>& b) noexcept {
+  if (a.is_empty()) return b;
+  return b.is_empty() ? a : interval<T>(lesser(a.lower(), b.lower()), greater(a.upper(), b.upper()));
+}
+
+/// The squares; narrower than a*a, and never negative.
+template <Floating T>
+constexpr interval<T> square(const interval<T>& a) noexcept {
+  return detail::interval_square(a);
+}
+
+/// The square roots of the numbers that have one.
+/// gives   the empty interval when all are negative
+template <Floating T>
+constexpr interval<T> sqrt(const interval<T>& a) noexcept {
+  if (a.is_empty() || a.upper() < 0) return interval<T>::empty();
+  return {a.lower() <= 0 ? T(0) : detail::sqrt_directed(a.lower(), false), detail::sqrt_directed(a.upper(), true)};
+}
+
+/// The magnitudes.
+template <Floating T>
+constexpr interval<T> abs(const interval<T>& a) noexcept {
+  if (a.is_empty() || a.lower() >= 0) return a;
+  return a.upper() <= 0 ? -a : interval<T>(T(0), greater(-a.lower(), a.upper()));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

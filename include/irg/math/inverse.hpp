@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// The inverse of a square matrix in three tiers: by cofactors for inner loops; with a bound for its error; and by
+// elimination with corrections in twice the precision, right to the last place up to conditions of 5e14. Where a tier
+// cannot tell a matrix from a singular one, the result is absent. inverse_exact (math/inverse_exact.hpp) decides
+// exactly.
+#pragma once
+
+#include <optional>
+
+#include <irg/math/detail/elimination.hpp>
+#include <irg/math/detail/inverse_kernel.hpp>
+#include <irg/math/lu.hpp>
+#include <irg/math/mat.hpp>
+
+namespace irg {
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The inverse by cofactors; zero when the determinant is below `least`.
+template <class T, int N>
+IRG_INLINE constexpr mat<T, N, N> inverse_by_cofactors(const mat<T, N, N>& a, T least) noexcept {
+  if constexpr (N == 4) {
+    mat<T, 4, 4> result{};
+    inverse4(a.m, result.m, least);
+    return result;
+  } else {
+    const mat<T, N, N> cofactors = cofactor_matrix(a);
+    const T det = sum_of_products<N>([&](int k) { return a(0, k); }, [&](int k) { return cofactors(0, k); });
+    return transpose(cofactors) * inverse_factor(det, least);
+  }
+}
+
+// Gives x, an inverse of a by cofactors, the last row and the last column 0 ... 0 1 where a has it: the inverse of an
+// affine matrix is affine, without rounding.
+template <class T, int N>
+IRG_INLINE constexpr void keep_affine(const mat<T, N, N>& a, mat<T, N, N>& x) noexcept {
+  bool row = a(N - 1, N - 1) == T(1), column = row;
+  for (int i = 0; i < N - 1; ++i) {
+    row = row && a(N - 1, i) == T(0);
+    column = column && a(i, N - 1) == T(0);
+  }
+  for (int i = 0; i < N; ++i) {
+    if (row) x(N - 1, i) = i == N - 1 ? T(1) : T(0);
+    if (column) x(i, N - 1) = i == N - 1 ? T(1) : T(0);
+  }
+}
+
+// Puts the inverse by cofactors into x, and says whether it is one: whether a * x differs from the identity by no more
+// than 3 u times the condition number. False for numbers of a size that the cofactors, or a * x, might not fit.
+template <Floating T, int N>
+IRG_INLINE constexpr bool inverse_is_easy(const mat<T, N, N>& a, mat<T, N, N>& x) noexcept {
+  constexpr bool is_double = std::same_as<T, double>;
+  constexpr T largest = static_cast<T>(is_double ? 0x1p150 : 0x1p20),
+              least = static_cast<T>(is_double ? 0x1p-300 : 0x1p-40);
+  constexpr T epsilon = std::numeric_limits<T>::epsilon();
+  const T size = norm_1(a);
+  if (!(size <= largest)) return false;
+  x = inverse_by_cofactors(a, least);
+  const T condition = product(size, norm_1(x));
+  if (!(condition * (T(N) * epsilon) < T(1))) return false;
+  mat<T, N, N> rest = a * x;
+  for (int i = 0; i < N; ++i) rest(i, i) = rest(i, i) - T(1);
+  if (!(norm_1(rest) <= T(1.5) * epsilon * condition)) return false;
+  keep_affine(a, x);
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The matrix that undoes `a`, by cofactors: for inner loops and matrices that are far from singular.
+/// needs   entries that are 0 or of a size between 2^-250 and 2^250 (float: 2^-30 and 2^30)
+/// gives   infinite or NaN entries when the determinant, as computed, is 0; no other way to tell a singular matrix
+/// exact   relative errors of a few u times the condition number where the determinant is not small beside the products
+///         it is the sum of (motions, scalings, cameras); else they grow with the square of the condition number
+/// cost    one division
+template <Floating T, int N>
+  requires(N == 2 || N == 3 || N == 4)
+constexpr mat<T, N, N> inverse_fast(const mat<T, N, N>& a) noexcept {
+  return detail::inverse_by_cofactors(a, T(0));
+}
+
+/// The matrix that undoes `a`.
+/// gives   nothing for a singular matrix. In floats also nothing when the result would have no correct digit (see
+///         `exact`), when an entry is NaN or infinite, or when the inverse has an entry that is too large for T
+/// exact   in rationals. In floats the error is at most 8 u times the condition number, relative to the inverse, in
+///         norm_1; what decides whether a digit is correct, the largest sum of |x_ij * a_ji| over j for x = the
+///         inverse, must stay below 1/(2 N u). It does not depend on how rows and columns are scaled.
+///         An affine matrix, one whose last row is 0 ... 0 1, has an inverse with exactly this last row
+/// cost    in floats up to size 4 that of inverse_fast and of a matrix product, which shows whether the result is good
+///         enough; where it is not, and for others, Gauss-Jordan elimination with partial pivoting, 2 N^3 operations
+/// source  Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 14; condition after Bauer, 1963
+template <Real T, int N>
+constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
+  if constexpr (Floating<T> && N >= 2 && N <= 4)
+    if (mat<T, N, N> x{}; detail::inverse_is_easy(a, x)) return x;
+  if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
+  mat<T, N, N> left = a, right = identity<T, N>();
+  if (!detail::gauss_jordan<T>(left, right, N)) return std::nullopt;
+  if (!detail::entries_finite<T>(right, N, N) || !detail::inverse_has_digits<T>(a, right, N)) return std::nullopt;
+  return right;
+}
+
+/// The matrix that undoes `a`, right to the last place however close to singular `a` is, up to a limit.
+/// gives   nothing where double cannot tell the matrix from a singular one: when its condition number, rows and columns
+///         scaled by powers of two to be of one size, reaches 1/(4 N u), 5e14 for N = 4 (u = 2^-53, float too); when an
+///         entry is NaN or infinite; when the inverse has an entry that is too large for T
+/// exact   the error of an entry is at most 1.1 u times the largest entry of its column (after the scaling of rows); up
+///         to a condition of 1e12, entries that are not below 2^-8 of that are within 0.51 ulp
+/// cost    about 35 times that of `inverse`: elimination in double, then each column is corrected with residuals in
+///         twice the precision; floats are inverted in double
+/// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
+template <Floating T, int N>
+constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
+  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return static_cast<double>(a(r, c)); });
+  const auto s = detail::factor_scaled(wide);
+  if (!s) return std::nullopt;
+  mat<T, N, N> result{};
+  const double largest_column = 1 / detail::smallest_condition(N) / norm_1(s->a);
+  for (int c = 0; c < N; ++c) {
+    vec<double, N> unit{}, x{};
+    unit[c] = 1;
+    if (!detail::refine(*s, unit, x) || !(detail::size_1(x) < largest_column)) return std::nullopt;
+    for (int r = 0; r < N; ++r)
+      result(r, c) = static_cast<T>(detail::times_power_of_two(x[r], -s->column_exponent[r] - s->row_exponent[c]));
+  }
+  if (!detail::entries_finite<T>(result, N, N)) return std::nullopt;
+  return result;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

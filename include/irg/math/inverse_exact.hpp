@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The inverse of a matrix of floats up to size four, from exact minors: whether there is one is decided exactly for the
+// numbers as they are, and every entry is correctly rounded.
+#pragma once
+
+#include <optional>
+
+#include <irg/math/detail/exact_minors.hpp>
+
+namespace irg {
+inline namespace IRG_ABI {
+
+/// The matrix that undoes `a`, for the exact values of its entries.
+/// gives   nothing exactly when the determinant is zero, when an entry is NaN or infinite, or when the inverse has an
+///         entry that is too large for T
+/// exact   every entry is the T nearest to the exact one, whatever the condition: either of two that are equally near
+///         within 2^-100 of the entry; within 1 ulp where it is subnormal
+/// cost    the exact determinant and N^2 exact minors
+template <Floating T, int N>
+  requires(N >= 2 && N <= 4)
+constexpr std::optional<mat<T, N, N>> inverse_exact(const mat<T, N, N>& a) noexcept {
+  if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
+  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const auto below = detail::exact_determinant<N>(entry);
+  if (below.sign() == 0) return std::nullopt;
+  const detail::scaled_sum divisor = detail::scaled_parts(below);
+  mat<T, N, N> x{};
+  for (int r = 0; r < N; ++r)
+    for (int c = 0; c < N; ++c) {
+      const auto minor =
+          detail::exact_determinant<N - 1>([&](int i, int j) { return entry(i < c ? i : i + 1, j < r ? j : j + 1); });
+      if (minor.sign() == 0) continue;
+      const T size = detail::quotient_of_sums<T>(detail::scaled_parts(minor), divisor);
+      x(r, c) = (r + c) % 2 == 0 ? size : -size;
+    }
+  if (!detail::entries_finite<T>(x, N, N)) return std::nullopt;
+  return x;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Systems of n linear equations for n unknowns, given as n rows of n coefficients and a right side, by Gauss's
+// elimination with full pivoting. Singular systems are told apart: infinitely many solutions, or none.
+// solve_exact (math/solve_exact.hpp) decides that exactly for floats.
+#pragma once
+
+#include <irg/math/detail/refinement.hpp>
+#include <irg/math/mat.hpp>
+
+namespace irg {
+
+/// What a system of linear equations has: one solution; infinitely many, its equations depending on each other; none,
+/// its equations contradicting each other. not_finite: a number is NaN or infinite, or the solution is too large.
+enum class solvability { unique, dependent, inconsistent, not_finite };
+
+/// The answer to a system of N linear equations.
+/// shape   x is the solution when kind is unique, else zero; rank counts the independent rows of coefficients
+template <Scalar T, int N>
+struct system_solution {
+  solvability kind = solvability::not_finite;
+  int rank = 0;
+  vec<T, N> x{};
+
+  /// Whether there is one solution.
+  IRG_INLINE constexpr explicit operator bool() const noexcept { return kind == solvability::unique; }
+};
+
+namespace detail {
+
+struct eliminated {
+  solvability kind;
+  int rank;
+};
+
+inline namespace IRG_ABI {
+
+// Eliminates n rows of n + 1 entries, of one size by equilibrate if they are floats, with full pivoting, until the
+// largest entry left is at most `smallest` times the first pivot. column, of 2 n numbers, begins with the unknown of
+// each pivot; largest_term, of n numbers, times u bounds the rounding noise of each right side.
+template <class T, class M>
+constexpr eliminated eliminate_fully(M& a, int n, int* column, T* largest_term, const T& smallest) noexcept {
+  int* is_changed = column + n;  // whether a row is no more what it was
+  const auto exchange = [](auto& x, auto& y) {
+    const auto kept = x;
+    x = y;
+    y = kept;
+  };
+  for (int i = 0; i < n; ++i) {
+    column[i] = i;
+    is_changed[i] = 0;
+    largest_term[i] = entry_size(a(i, n));
+  }
+  T first = T(0);
+  for (int k = 0; k < n; ++k) {
+    int row = k, unknown = k;
+    for (int r = k; r < n; ++r)
+      for (int c = k; c < n; ++c)
+        if (entry_size(a(row, unknown)) < entry_size(a(r, c))) row = r, unknown = c;
+    const T pivot = a(row, unknown);
+    if (k == 0) first = entry_size(pivot);
+    if (!(product(first, smallest) < entry_size(pivot))) {
+      for (int r = k; r < n; ++r)
+        if (product(largest_term[r], smallest) < entry_size(a(r, n))) return {solvability::inconsistent, k};
+      return {solvability::dependent, k};
+    }
+    swap_rows(a, k, row, n + 1);
+    exchange(largest_term[k], largest_term[row]);
+    exchange(is_changed[k], is_changed[row]);
+    for (int r = 0; r < n && unknown != k; ++r) swap_entries(a, r, k, r, unknown);
+    exchange(column[k], column[unknown]);
+    for (int r = k + 1; r < n; ++r) {
+      const T f = a(r, k) / pivot;
+      if constexpr (Floating<T>) {  // the f of a row that has been changed is uncertain by u * first / pivot
+        const T part = is_changed[r] != 0 ? first / entry_size(pivot) : entry_size(f);
+        largest_term[r] = greater(product(largest_term[k], part), largest_term[r]);
+        if (f != T(0)) is_changed[r] = 1;
+      }
+      subtract_row(a, r, f, k, k, n + 1);
+    }
+  }
+  return {solvability::unique, n};
+}
+
+// The unknown of row i of n rows that are zero left of the diagonal, from those of the rows below.
+template <class T, class M, class X>
+constexpr T substituted(const M& a, int i, int n, const X& x) noexcept {
+  T right = a(i, n);
+  for (int j = i + 1; j < n; ++j) right = right - product(a(i, j), x(j));
+  return right / a(i, i);
+}
+
+// Part of its size by which a system of doubles may differ from a singular one and be taken for it.
+constexpr double smallest_pivot(int n) noexcept { return 4.0 * n * 0x1p-53; }
+
+// Solves n rows of n + 1 entries by elimination: the solution goes to x(0) to x(n - 1). Work space: column and
+// exponents, of 2 n numbers each, and largest_term.
+template <class T, class M, class X>
+constexpr eliminated solve_rows(M& a, int n, int* column, int* exponents, T* largest_term, const X& x) noexcept {
+  int shift = 0;
+  if constexpr (Floating<T>) {
+    static_assert(std::same_as<T, double>, "floats are solved in double");
+    if (!entries_finite<T>(a, n, n + 1)) return {solvability::not_finite, 0};
+    equilibrate(a, n, exponents, exponents + n);
+    shift = scale_right_side(n, [&](int i) -> T& { return a(i, n); }, exponents);
+  }
+  const T smallest = [&] {
+    if constexpr (Floating<T>)
+      return smallest_pivot(n);
+    else
+      return T(0);
+  }();
+  const eliminated result = eliminate_fully(a, n, column, largest_term, smallest);
+  if (result.kind != solvability::unique) return result;
+  for (int i = n - 1; i >= 0; --i) x(column[i]) = substituted<T>(a, i, n, [&](int j) { return x(column[j]); });
+  if constexpr (Floating<T>)
+    for (int i = 0; i < n; ++i) {
+      x(i) = times_power_of_two(x(i), shift - exponents[n + i]);
+      if (!is_finite(x(i))) return {solvability::not_finite, n};
+    }
+  return result;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The solution of the equations row * (x, 1) with the last column as right side: a(i, 0) x_0 + ... = a(i, N).
+/// gives   dependent or inconsistent for a singular system. In floats that is one whose largest possible pivot, rows
+///         and columns scaled by powers of two to be of one size, is at most 4 N u of the first (u = 2^-53, float too):
+///         equations that are merely small, or of different sizes, are not singular. not_finite for NaN and infinity
+/// exact   in rationals. In floats the error of a component is a few u times the condition number times the largest
+///         component (columns of one size); lu_solve_refined and solve_exact are right to the last place
+/// cost    2/3 N^3 operations, N^3/3 comparisons; floats are solved in double. lu_solve has the same error in a quarter
+///         of the time: this is for systems that may be singular, or whose equations are of very different sizes
+/// source  Gauss; Wilkinson 1961 (full pivoting)
+template <Real T, int N, int M>
+  requires(M == N + 1)
+constexpr system_solution<T, N> solve_gauss(const mat<T, N, M>& a) noexcept {
+  using W = std::conditional_t<std::same_as<T, float>, double, T>;
+  auto rows = detail::filled_mat<W, N, M>([&](int r, int c) { return static_cast<W>(a(r, c)); });
+  int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
+  W largest_term[static_cast<std::size_t>(N)]{}, x[static_cast<std::size_t>(N)]{};
+  const detail::eliminated result =
+      detail::solve_rows(rows, N, column, exponents, largest_term, [&](int i) -> W& { return x[i]; });
+  if (result.kind != solvability::unique) return {result.kind, result.rank, {}};
+  const auto solution = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
+  if constexpr (Floating<T>)
+    for (int i = 0; i < N; ++i)
+      if (!detail::is_finite(solution[i])) return {solvability::not_finite, N, {}};
+  return {solvability::unique, N, solution};
+}
+
+/// The solution of a * x = b.
+/// gives, exact, cost   as for the rows of a with b behind them
+template <Real T, int N>
+constexpr system_solution<T, N> solve_gauss(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
+  return solve_gauss(detail::filled_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
+}
+
+/// The solution of equations whose coefficients left of the diagonal are zero, from the last to the first:
+/// x_i = (b_i - sum of a_ij x_j over j > i) / a_ii.
+/// needs   a diagonal without zeros; what stands left of it is not read
+/// source  the seed's formula, corrected; as printed it is back_substitution_textbook (math/solve_gauss_seed.hpp)
+template <Real T, int N, int M>
+  requires(M == N + 1)
+constexpr vec<T, N> back_substitution(const mat<T, N, M>& a) noexcept {
+  vec<T, N> x{};
+  for (int i = N - 1; i >= 0; --i) x[i] = detail::substituted<T>(a, i, N, [&](int j) { return x[j]; });
+  return x;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Arrays of points through one matrix: the results of transform_point and of the operator *, bit for bit, in a fraction
+// of their time.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <irg/core/contract.hpp>
+#include <irg/math/detail/transform_kernel.hpp>
+#include <irg/math/mat.hpp>
+
+namespace irg {
+
+/// Points whose coordinates stand in arrays of their own: point i is (x[i], y[i], z[i]).
+/// shape   three spans of one size
+template <class T>
+struct point_streams {
+  std::span<T> x, y, z;
+  IRG_INLINE constexpr std::size_t size() const noexcept { return x.size(); }
+};
+
+inline namespace IRG_ABI {
+
+/// The images of positions under an affine matrix, whose last row is not read: out[i] = transform_point(a, points[i]).
+/// needs   spans of one size; `out` begins where `points` does or does not overlap them
+/// exact   the bits of transform_point
+/// cost    9 products and 9 sums a point in the widest registers; from about 10^5 points on, memory decides
+template <Floating T>
+constexpr void transform_points(const mat<T, 4, 4>& a, std::type_identity_t<std::span<const point<T, 3>>> points,
+                                std::type_identity_t<std::span<point<T, 3>>> out) noexcept {
+  IRG_EXPECTS(points.size() == out.size());
+  if (points.empty()) return;
+  detail::transform_triples<4>(a, &points[0].x, &out[0].x, points.size(),
+                               [&](std::size_t i) { out[i] = transform_point(a, points[i]); });
+}
+
+/// The images of displacements under an affine matrix: out[i] = transform_vector(a, vectors[i]).
+/// needs   as transform_points
+/// exact   the bits of transform_vector
+template <Floating T>
+constexpr void transform_vectors(const mat<T, 4, 4>& a, std::type_identity_t<std::span<const vec<T, 3>>> vectors,
+                                 std::type_identity_t<std::span<vec<T, 3>>> out) noexcept {
+  IRG_EXPECTS(vectors.size() == out.size());
+  if (vectors.empty()) return;
+  detail::transform_triples<3>(a, &vectors[0].x, &out[0].x, vectors.size(),
+                               [&](std::size_t i) { out[i] = transform_vector(a, vectors[i]); });
+}
+
+/// The images of positions in streams under an affine matrix.
+/// needs   six spans of one size; each of `out` begins where its like of `points` does or overlaps none of them
+/// exact   the bits of transform_point
+template <Floating T>
+constexpr void transform_points(const mat<T, 4, 4>& a, std::type_identity_t<point_streams<const T>> points,
+                                std::type_identity_t<point_streams<T>> out) noexcept {
+  IRG_EXPECTS(points.y.size() == points.size() && points.z.size() == points.size());
+  IRG_EXPECTS(out.x.size() == points.size() && out.y.size() == points.size() && out.z.size() == points.size());
+  const T* const from[] = {points.x.data(), points.y.data(), points.z.data()};
+  T* const to[] = {out.x.data(), out.y.data(), out.z.data()};
+  detail::transform_streams(a, from, to, points.size(), [&](std::size_t i) {
+    const point<T, 3> image = transform_point(a, point<T, 3>{from[0][i], from[1][i], from[2][i]});
+    for (int k = 0; k < 3; ++k) to[k][i] = image[k];
+  });
+}
+
+/// The images of positions under a matrix that may be projective: out[i] = a * points[i].
+/// needs   spans of one size that do not overlap
+/// exact   the bits of the operator *
+template <Floating T>
+constexpr void transform_points(const mat<T, 4, 4>& a, std::type_identity_t<std::span<const point<T, 3>>> points,
+                                std::type_identity_t<std::span<hpoint<T, 3>>> out) noexcept {
+  IRG_EXPECTS(points.size() == out.size());
+  if (points.empty()) return;
+  detail::project_points<3>(a, &points[0].x, &out[0].x, points.size(), [&](std::size_t i) { out[i] = a * points[i]; });
+}
+
+/// The images of homogeneous points: out[i] = a * points[i].
+/// needs   spans of one size; `out` begins where `points` does or does not overlap them
+/// exact   the bits of the operator *
+template <Floating T>
+constexpr void transform_points(const mat<T, 4, 4>& a, std::type_identity_t<std::span<const hpoint<T, 3>>> points,
+                                std::type_identity_t<std::span<hpoint<T, 3>>> out) noexcept {
+  IRG_EXPECTS(points.size() == out.size());
+  if (points.empty()) return;
+  detail::project_points<4>(a, &points[0].x, &out[0].x, points.size(), [&](std::size_t i) { out[i] = a * points[i]; });
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

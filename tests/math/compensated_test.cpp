@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include <irg/math/compensated.hpp>
+
+#include <array>
+#include <vector>
+
+#include <irg/math/vec.hpp>
+
+#include "support/check_both.hpp"
+#include "support/ulp.hpp"
+
+using namespace irg;
+
+namespace {
+
+using v2 = vec<double, 2>;
+using v3 = vec<double, 3>;
+using v4 = vec<double, 4>;
+using f3 = vec<float, 3>;
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = 0x1p-1074;
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+constexpr std::array<double, 3> swallowed{1, 0x1p-60, -1};
+constexpr std::array<double, 4> far{largest, largest, -largest, -largest};
+constexpr std::array<float, 3> tie{16777216, 1, 0x1p-140f};
+
+/// Vectors whose dot product is smaller than its terms by about 2^-cancelled: the last two coordinates undo the first
+/// two.
+void make_hard(test::random& r, int cancelled, v4& a, v4& b) {
+  const auto any = [&] { return test::either_sign(r, test::of_exponent(r, -2, 2)); };
+  a = {any(), any(), any(), 1}, b = {any(), any(), 0, 0};
+  exact_accumulator<2> sum;
+  sum.add(a.x, b.x), sum.add(a.y, b.y);
+  b.z = -sum.rounded() / a.z * (1 + test::between(r, -1, 1) * std::ldexp(1.0, -cancelled));
+  sum.add(a.z, b.z);
+  b.w = cancelled < 40 ? 0 : -sum.rounded() + test::between(r, -1, 1) * std::ldexp(1.0, -cancelled);
+}
+
+}  // namespace
+
+static_assert(std::is_same_v<decltype(dot_accurate(f3{}, f3{})), float> && noexcept(dot_exact(v3{}, v3{})));
+static_assert(std::is_same_v<decltype(cross_accurate(std::array<double, 3>{}, v3{})), std::array<double, 3>>);
+
+TEST_CASE("compensated: by hand") {
+  CHECK_BOTH(dot_accurate(v3{1, 2, 3}, v3{4, -5, 6}) == 12);
+  CHECK_BOTH(dot_exact(v3{1, 2, 3}, v3{4, -5, 6}) == 12);
+  CHECK_BOTH(dot_accurate(v3{1, 0x1p-60, -1}, v3{1, 1, 1}) == 0x1p-60);
+  CHECK_BOTH(dot_accurate(v2{1 + 0x1p-30, 1 + 0x1p-29}, v2{1 + 0x1p-30, -1}) == 0x1p-60);
+  CHECK_BOTH(dot_accurate(f3{1 + 0x1p-20f, 1 + 0x1p-19f, 0}, f3{1 + 0x1p-20f, -1, 7}) == 0x1p-40f);
+  CHECK_BOTH(sum_accurate(std::span<const double>(swallowed)) == 0x1p-60);
+  CHECK_BOTH(sum_exact(std::span<const double>(swallowed)) == 0x1p-60);
+  CHECK_BOTH(sum_accurate(std::span<const double>{}) == 0);
+  CHECK_BOTH(cross_accurate(v3{1, 0, 0}, v3{0, 1, 0}) == v3{0, 0, 1});
+  CHECK_BOTH(cross_exact(f3{1, 2, 3}, f3{4, 5, 6}) == f3{-3, 6, -3});
+}
+
+TEST_CASE("compensated: both ends of the range") {
+  CHECK_BOTH(sum_accurate(std::span<const double>(far)) == 0);
+  CHECK_BOTH(sum_exact(std::span<const double>(far)) == 0);
+  CHECK_BOTH(sum_exact(std::span<const double>(far).first(2)) == inf);
+  CHECK_BOTH(dot_accurate(v3{largest, largest, 1}, v3{largest, -largest, 5}) == 5);
+  CHECK_BOTH(dot_accurate(v3{largest, 0, 0}, v3{2, 0, 0}) == inf);
+  CHECK_BOTH(dot_accurate(v3{smallest, smallest, 0}, v3{0.5, 0.5, 0}) == smallest);
+  CHECK_BOTH(dot_accurate(v2{smallest, smallest}, v2{0.25, 0.25}) == 0);  // half of it: the tie goes to even
+  CHECK_BOTH(dot_accurate(v2{0x1p1023, 1}, v2{smallest, 0}) == 0x1p-51);
+  CHECK_BOTH(dot_exact(f3{3e38f, -3e38f, 1e-45f}, f3{3e38f, 3e38f, 1}) == 1e-45f);
+  CHECK_BOTH(cross_accurate(v3{largest, largest, 0}, v3{largest, largest, 0}) == v3{});
+  CHECK_BOTH(cross_accurate(v3{smallest, 0, 0}, v3{0, 1, 0}) == v3{0, 0, smallest});
+  CHECK_BOTH(cross_accurate(v3{smallest, smallest, 0}, v3{-0.5, 0.5, 0}) == v3{0, 0, smallest});
+}
+
+TEST_CASE("compensated: NaN and infinity are answered as plain sums are") {
+  const double nan_ = test::at_run_time(std::nan(""));
+  CHECK(std::isnan(dot_accurate(v3{nan_, 1, 1}, v3{0, 1, 1})));
+  CHECK(std::isnan(dot_exact(v3{1, 1, 1}, v3{0, nan_, 1})));
+  CHECK(dot_accurate(v3{inf, 1, 1}, v3{1, 1, 1}) == inf);
+  CHECK(std::isnan(cross_accurate(v3{nan_, 1, 1}, v3{1, 2, 3}).y));
+  const std::vector<double> opposite{inf, 1, -inf};
+  CHECK(std::isnan(sum_accurate(std::span<const double>(opposite))));
+  CHECK(sum_exact(std::span<const double>(opposite).first(2)) == inf);
+}
+
+TEST_CASE("compensated: a float is rounded once, not by way of double") {
+  // 2^24 + 1 + a little: to double it is a tie between two floats, and only the little tells.
+  CHECK_BOTH(sum_exact(std::span<const float>(tie)) == 16777218.0f);
+  CHECK_BOTH(dot_exact(f3{16777216, 1, 0x1p-140f}, f3{1, 1, 1}) == 16777218.0f);
+  CHECK_BOTH(dot_exact(f3{16777216, 1, 0x1p-140f}, f3{1, 1, -1}) == 16777216.0f);
+}
+
+TEST_CASE("compensated: the cross product of parallel vectors is exactly zero") {
+  test::random r(1);
+  for (int i = 0; i < 20000; ++i) {
+    const v3 a{test::any_double(r), test::any_double(r), test::any_double(r)};
+    CHECK(cross_accurate(a, a) == v3{});
+    CHECK(cross_exact(a, a) == v3{});
+    const v3 b{std::ldexp(a.x, -3), std::ldexp(a.y, -3), std::ldexp(a.z, -3)};
+    const bool exact = std::ldexp(b.x, 3) == a.x && std::ldexp(b.y, 3) == a.y && std::ldexp(b.z, 3) == a.z;
+    if (exact) CHECK(cross_accurate(a, b) == v3{});
+    const f3 c{static_cast<float>(r.unit()), static_cast<float>(r.unit()), static_cast<float>(r.unit())};
+    CHECK(cross_accurate(c, c) == f3{});
+  }
+}
+
+#ifdef IRG_HAVE_MPFR
+namespace {
+
+/// Sums of products without an error: 9000 bits hold every sum of two products of doubles.
+struct oracle {
+  mpfr_t sum, term;
+  oracle() { mpfr_inits2(9000, sum, term, static_cast<mpfr_ptr>(nullptr)), mpfr_set_zero(sum, 1); }
+  oracle(const oracle&) = delete;
+  oracle& operator=(const oracle&) = delete;
+  ~oracle() { mpfr_clears(sum, term, static_cast<mpfr_ptr>(nullptr)); }
+  void add(double x, double y) {
+    mpfr_set_d(term, x, MPFR_RNDN);
+    mpfr_mul_d(term, term, y, MPFR_RNDN);
+    mpfr_add(sum, sum, term, MPFR_RNDN);
+  }
+};
+double nearest(const oracle& o, double) { return mpfr_get_d(o.sum, MPFR_RNDN); }
+float nearest(const oracle& o, float) { return mpfr_get_flt(o.sum, MPFR_RNDN); }
+
+template <class V>
+void compare(const V& a, const V& b, double& worst, bool well_conditioned) {
+  oracle exact;
+  for (int i = 0; i < size_of<V>; ++i) exact.add(static_cast<double>(a[i]), static_cast<double>(b[i]));
+  // The sign of a zero is not promised.
+  CHECK(dot_exact(a, b) + 0 == nearest(exact, scalar_of<V>()) + 0);
+  if (well_conditioned) worst = std::max(worst, test::ulp_error(dot_accurate(a, b), exact.sum));
+}
+
+}  // namespace
+
+TEST_CASE("compensated: dot products against MPFR, condition 1 to 2^150") {
+  test::random r(2);
+  double worst = 0, worst_float = 0, worst_anywhere = 0;
+  for (int i = 0, n = test::count_of(20000); i < n; ++i) {
+    const int cancelled = static_cast<int>(r.integer(0, 150));
+    v4 a, b;
+    make_hard(r, cancelled, a, b);
+    compare(a, b, worst, cancelled <= 44);
+    const auto single = [](const v4& v) {
+      return generate_coordinates<vec<float, 4>>([&](int k) { return static_cast<float>(v[k]); });
+    };
+    compare(single(a), single(b), worst_float, true);
+    const auto any = [&] { return v4{test::any_double(r), test::any_double(r), test::any_double(r), 0}; };
+    const v4 c = any(), d = any();
+    compare(c, d, worst_anywhere, true);
+  }
+  CHECK(worst <= 1);
+  CHECK(worst_float <= 1);
+  CHECK(worst_anywhere <= 1);
+  MESSAGE("dot_accurate ", worst, " ulp, float ", worst_float, ", all doubles ", worst_anywhere);
+}
+
+TEST_CASE("compensated: cross products against MPFR") {
+  test::random r(3);
+  double worst = 0, worst_float = 0;
+  for (int i = 0, n = test::count_of(10000); i < n; ++i) {
+    const bool anywhere = i % 4 == 0;
+    const auto any = [&] { return anywhere ? test::any_double(r) : test::between(r, -1, 1); };
+    const v3 a{any(), any(), any()};
+    v3 b{any(), any(), any()};
+    if (!anywhere && i % 2 == 0) {  // nearly parallel
+      const double step = std::ldexp(1.0, static_cast<int>(r.integer(-60, 0)));
+      b = a * 0.7 + b * step;
+    }
+    const v3 accurate = cross_accurate(a, b), exact = cross_exact(a, b);
+    const auto single = [](const v3& v) {
+      return f3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+    };
+    const f3 accurate_float = cross_accurate(single(a), single(b)), exact_float = cross_exact(single(a), single(b));
+    for (int k = 0; k < 3; ++k) {
+      const int m = (k + 1) % 3, n2 = (k + 2) % 3;
+      oracle of_doubles, of_floats;
+      of_doubles.add(a[m], b[n2]), of_doubles.add(-a[n2], b[m]);
+      worst = std::max(worst, test::ulp_error(accurate[k], of_doubles.sum));
+      CHECK(exact[k] + 0 == nearest(of_doubles, 0.0) + 0);
+      if (anywhere) continue;
+      const f3 p = single(a), q = single(b);
+      of_floats.add(static_cast<double>(p[m]), static_cast<double>(q[n2]));
+      of_floats.add(-static_cast<double>(p[n2]), static_cast<double>(q[m]));
+      worst_float = std::max(worst_float, test::ulp_error(accurate_float[k], of_floats.sum));
+      CHECK(exact_float[k] + 0 == nearest(of_floats, 0.0f) + 0);
+    }
+  }
+  CHECK(worst <= 1);
+  CHECK(worst_float <= 1);
+  MESSAGE("cross_accurate ", worst, " ulp, float ", worst_float);
+}
+
+TEST_CASE("compensated: sums against MPFR") {
+  test::random r(4);
+  double worst = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<double> x;
+    for (int k = 0; k < 100; ++k) x.push_back(test::either_sign(r, test::of_exponent(r, -40, 0)));
+    for (int k = 0; k < 100; ++k)
+      x.push_back(-x[static_cast<std::size_t>(k)] * (1 + test::between(r, -1, 1) * 0x1p-30));
+    if (i % 10 == 0)
+      for (double& y : x) y *= 0x1p1010;
+    oracle exact;
+    for (const double y : x) exact.add(y, 1);
+    CHECK(sum_exact(std::span<const double>(x)) == mpfr_get_d(exact.sum, MPFR_RNDN));
+    worst = std::max(worst, test::ulp_error(sum_accurate(std::span<const double>(x)), exact.sum));
+  }
+  CHECK(worst <= 1);
+  MESSAGE("sum_accurate ", worst, " ulp");
+}
+#else
+TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
+#endif

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include <irg/math/double_double.hpp>
+
+#include <irg/math/inverse.hpp>
+#include <irg/math/mat.hpp>
+
+#include "support/check_both.hpp"
+#include "support/ulp.hpp"
+
+using namespace irg;
+
+namespace {
+
+using dd = double_double;
+using ff = double_word<float>;
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+constexpr dd third = dd(1) / 3.0;
+
+/// A double_word of full precision whose exponent is uniform in [low, high].
+template <class T>
+double_word<T> any_words(test::random& r, int low, int high) {
+  const double head = test::either_sign(r, test::of_exponent(r, low, high));
+  const T rounded = static_cast<T>(head);
+  const auto [sum, rest] = two_sum(rounded, static_cast<T>(test::between(r, -1, 1) * static_cast<double>(rounded) *
+                                                           (sizeof(T) == 8 ? 0x1p-54 : 0x1p-25)));
+  return {sum, rest};
+}
+
+}  // namespace
+
+static_assert(Scalar<dd> && Real<dd> && Real<ff> && !Floating<dd>);
+static_assert(noexcept(dd(1) * dd(2)) && sizeof(dd) == 16);
+
+TEST_CASE("double_double: by hand") {
+  CHECK_BOTH(dd(1) + 0x1p-80 == dd(1, 0x1p-80));
+  CHECK_BOTH(dd(1, 0x1p-80) - 1.0 == dd(0x1p-80));
+  CHECK_BOTH(dd(1 + 0x1p-40) * dd(1 - 0x1p-40) == dd(1, -0x1p-80));
+  CHECK_BOTH(third == dd(1.0 / 3, 0x1.5555555555555p-56));
+  CHECK_BOTH(abs(third * 3 - 1) <= dd(0x1p-104));
+  CHECK_BOTH(sqrt(dd(2)).high == 0x1.6a09e667f3bcdp+0);
+  CHECK_BOTH(abs(sqrt(dd(2)) - dd(0x1.6a09e667f3bcdp+0, -0x1.bdd3413b26456p-54)) < dd(0x1p-104));
+  CHECK_BOTH(sqrt(dd(0.0)) == dd(0));
+  CHECK_BOTH(static_cast<double>(dd(1, 0x1p-60)) == 1);
+  CHECK_BOTH(dd(1) < dd(1, 0x1p-80));
+  CHECK_BOTH(dd(1, -0x1p-80) < dd(1));
+  CHECK_BOTH(!(dd(1) < dd(1)));
+  CHECK_BOTH(dd(1) <= dd(1));
+  CHECK_BOTH(-dd(1, 0x1p-80) == dd(-1, -0x1p-80));
+  CHECK_BOTH(ff(1) + 0x1p-40f == ff(1, 0x1p-40f));
+}
+
+TEST_CASE("double_double: integers are exact") {
+  CHECK_BOTH(dd(std::int64_t{9223372036854775807}) == dd(0x1p63, -1));
+  CHECK_BOTH(dd(std::uint64_t{18446744073709551615u}) == dd(0x1p64, -1));
+  CHECK_BOTH(dd(-9007199254740993) == dd(-9007199254740992.0, -1));
+  CHECK_BOTH(dd(std::numeric_limits<std::int64_t>::min()) == dd(-0x1p63));
+  CHECK_BOTH(ff(2147483647) == ff(0x1p31f, -1));
+  CHECK_BOTH(ff(16777217) == ff(16777216.0f, 1.0f));
+  CHECK_BOTH(dd(short{-3}) == dd(-3.0));
+  CHECK_BOTH(dd(7u) == dd(7.0));
+}
+
+TEST_CASE("double_double: ends of the range") {
+  CHECK_BOTH(dd(largest) * 1.0 == dd(largest));
+  CHECK_BOTH(dd(largest, 0x1p969) / 4.0 == dd(largest / 4, 0x1p967));
+  CHECK_BOTH(dd(0x1p-1074) + dd(0x1p-1074) == dd(0x1p-1073));
+  CHECK_BOTH(dd(0x1p-1074) * dd(0x1p1000, 0x1p940) == dd(0x1p-74, 0x1p-134));
+  const dd overflowed = dd(test::at_run_time(largest)) * 2.0;
+  CHECK(overflowed == dd(inf));
+  CHECK(overflowed.low == 0);
+  CHECK(dd(test::at_run_time(largest)) + dd(largest) == dd(inf));
+  CHECK(dd(test::at_run_time(largest), 0x1p969) + 0x1p969 == dd(inf));  // only the sum of all words overflows
+  CHECK(dd(1) / dd(test::at_run_time(0.0)) == dd(inf));
+  CHECK(dd(1) / overflowed == dd(0));
+  CHECK(sqrt(overflowed) == dd(inf));
+  const dd none = sqrt(dd(test::at_run_time(-1.0)));
+  CHECK(!(none == none));
+  CHECK(!(none < dd(1)));
+}
+
+TEST_CASE("double_double: determinants of 106 bits") {
+  // Two rows that differ in the 60th bit of one entry.
+  constexpr dd almost(1, 0x1p-60);
+  CHECK_BOTH(determinant(mat<dd, 2, 2>{{{dd(1), dd(1)}, {dd(1), almost}}}) == dd(0x1p-60));
+  // Hilbert's matrix of size 4: the determinant is 1/6048000.
+  constexpr auto hilbert = [] {
+    mat<dd, 4, 4> h;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) h(i, j) = dd(1) / dd(i + j + 1);
+    return h;
+  }();
+  constexpr dd d = determinant(hilbert);
+  CHECK_BOTH(d.high == 1.0 / 6048000);
+  CHECK(inverse(hilbert).has_value());
+  CHECK_BOTH(dot(vec<dd, 2>{almost, dd(1)}, vec<dd, 2>{dd(1), dd(-1)}) == dd(0x1p-60));
+}
+
+#ifdef IRG_HAVE_MPFR
+namespace {
+
+template <class T>
+void set(mpfr_ptr out, const double_word<T>& x) {
+  mpfr_set_d(out, static_cast<double>(x.high), MPFR_RNDN);
+  mpfr_add_d(out, out, static_cast<double>(x.low), MPFR_RNDN);
+}
+
+/// The relative error in units of u^2.
+template <class T>
+double error_of(const double_word<T>& got, mpfr_ptr exact) {
+  test::real difference;
+  set(difference, got);
+  mpfr_sub(difference, difference, exact, MPFR_RNDN);
+  mpfr_div(difference, difference, exact, MPFR_RNDN);
+  mpfr_mul_2si(difference, difference, 2 * std::numeric_limits<T>::digits, MPFR_RNDN);
+  return std::fabs(mpfr_get_d(difference, MPFR_RNDN));
+}
+
+template <class T>
+struct worst_errors {
+  double sum = 0, difference = 0, product = 0, quotient = 0, root = 0, by_one = 0;
+};
+
+template <class T>
+worst_errors<T> measure(int count, int range) {
+  worst_errors<T> worst;
+  test::random r(1);
+  test::real a, b, exact;
+  const auto note = [&](double& place, const double_word<T>& got) {
+    CHECK(got.high == got.high + got.low);  // the words are apart
+    place = std::max(place, error_of(got, exact));
+  };
+  for (int i = 0; i < count; ++i) {
+    const double_word<T> x = any_words<T>(r, -range, range);
+    // Every other time near x, so that sums cancel.
+    const double_word<T> near = x * (T(1) + static_cast<T>(std::ldexp(r.unit(), static_cast<int>(r.integer(-60, 0)))));
+    const double_word<T> y = i % 2 == 0 ? near : any_words<T>(r, -range, range);
+    set<T>(a, x), set<T>(b, y);
+    mpfr_add(exact, a, b, MPFR_RNDN), note(worst.sum, x + y);
+    mpfr_sub(exact, a, b, MPFR_RNDN);
+    if (!mpfr_zero_p(exact)) note(worst.difference, x - y);
+    mpfr_mul(exact, a, b, MPFR_RNDN), note(worst.product, x * y);
+    mpfr_div(exact, a, b, MPFR_RNDN), note(worst.quotient, x / y);
+    mpfr_abs(exact, a, MPFR_RNDN), mpfr_sqrt(exact, exact, MPFR_RNDN), note(worst.root, sqrt(abs(x)));
+    mpfr_mul_d(exact, a, static_cast<double>(y.high), MPFR_RNDN), note(worst.by_one, x * y.high);
+    mpfr_add_d(exact, a, static_cast<double>(y.high), MPFR_RNDN), note(worst.by_one, x + y.high);
+  }
+  return worst;
+}
+
+template <class T>
+void check(const worst_errors<T>& worst) {
+  CHECK(worst.sum <= 3.001);
+  CHECK(worst.difference <= 3.001);
+  CHECK(worst.product <= 5);
+  CHECK(worst.quotient <= 15.001);
+  CHECK(worst.root <= 25.0 / 8);
+  CHECK(worst.by_one <= 3);
+  MESSAGE("sum ", worst.sum, " u^2, difference ", worst.difference, ", product ", worst.product, ", quotient ",
+          worst.quotient, ", root ", worst.root, ", with one word ", worst.by_one);
+}
+
+}  // namespace
+
+TEST_CASE("double_double: errors against MPFR") {
+  check(measure<double>(test::count_of(20000), 200));
+  check(measure<float>(test::count_of(20000), 20));
+}
+#else
+TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Rationals of any size over GMP: an oracle for algorithms over any Real. Without GMP (IRG_HAVE_MPFR undefined) there is
+// none, and the runs that need it are left out.
+#pragma once
+
+#ifdef IRG_HAVE_MPFR
+#include <gmp.h>
+
+#include <cmath>
+#include <type_traits>
+
+namespace test {
+
+class big_rational {
+public:
+  big_rational() { mpq_init(value_); }
+  big_rational(int x) : big_rational() { mpq_set_si(value_, x, 1); }
+  /// needs   a finite number
+  explicit big_rational(double x) : big_rational() { mpq_set_d(value_, x); }
+  big_rational(const big_rational& v) : big_rational() { mpq_set(value_, v.value_); }
+  big_rational& operator=(const big_rational& v) {
+    mpq_set(value_, v.value_);
+    return *this;
+  }
+  ~big_rational() { mpq_clear(value_); }
+
+  friend big_rational operator+(const big_rational& a, const big_rational& b) { return with(mpq_add, a, b); }
+  friend big_rational operator-(const big_rational& a, const big_rational& b) { return with(mpq_sub, a, b); }
+  friend big_rational operator*(const big_rational& a, const big_rational& b) { return with(mpq_mul, a, b); }
+  friend big_rational operator/(const big_rational& a, const big_rational& b) { return with(mpq_div, a, b); }
+  big_rational operator-() const { return big_rational(0) - *this; }
+  friend bool operator<(const big_rational& a, const big_rational& b) { return mpq_cmp(a.value_, b.value_) < 0; }
+  // constexpr because mat's is; there are no constants of this type.
+  friend constexpr bool operator==(const big_rational& a, const big_rational& b) {
+    return std::is_constant_evaluated() ? false : mpq_equal(a.value_, b.value_) != 0;
+  }
+
+  /// The double next to it, towards zero.
+  explicit operator double() const { return mpq_get_d(value_); }
+  int sign() const { return mpq_sgn(value_); }
+
+private:
+  template <class F>
+  static big_rational with(F f, const big_rational& a, const big_rational& b) {
+    big_rational r;
+    f(r.value_, a.value_, b.value_);
+    return r;
+  }
+  mpq_t value_;
+};
+
+/// |got - exact|.
+inline double distance(double got, const big_rational& exact) {
+  return std::fabs(static_cast<double>(big_rational(got) - exact));
+}
+
+}  // namespace test
+#endif

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+// The file that precompiled.hpp is compiled with.
