@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include <irg/geometry/orient2d.hpp>
 #include <irg/mesh/validate.hpp>
 
 #include "support/check_both.hpp"
@@ -432,10 +433,11 @@ TEST_CASE("triangulate: large faces") {
     return m;
   };
   const auto all_forward = [](const irg::mesh<double>& t) {
+    using flat = irg::point<double, 2>;
     for (std::size_t f = 0; f < t.face_count(); ++f) {
       const auto &a = t.positions[t.corner(f, 0).position], &b = t.positions[t.corner(f, 1).position],
                  &c = t.positions[t.corner(f, 2).position];
-      if (irg::detail::turn<double>({a.x, a.y}, {b.x, b.y}, {c.x, c.y}) <= 0) return false;
+      if (irg::orient2d(flat{a.x, a.y}, flat{b.x, b.y}, flat{c.x, c.y}) <= 0) return false;
     }
     return true;
   };
@@ -472,60 +474,4 @@ TEST_CASE("triangulate: other scalars") {
   irg::mesh<int> m = face_of<int>({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
   CHECK(irg::triangulate(m).face_count() == 3);
   check_simple<int>({{0, 3}, {3, 3}, {4, 0}, {5, 3}, {8, 3}, {6, 5}, {7, 8}, {4, 6}, {1, 8}, {2, 5}});
-}
-
-TEST_CASE("turn: on the grid of ulps around a line") {
-  // Kettner and others 2008: p in a grid of 2^-53 around (0.5, 0.5), against (12, 12) and (24, 24), in 128-bit
-  // integers.
-  __extension__ typedef __int128 wide;
-  const auto as_integer = [](double x) { return static_cast<wide>(static_cast<std::int64_t>(x * 0x1p53)); };
-  long wrong = 0, rounded_wrong = 0;
-  for (int i = 0; i < 256; ++i)
-    for (int j = 0; j < 256; ++j) {
-      const irg::point<double, 2> p{0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53}, q{12, 12}, r{24, 24};
-      const wide det = (as_integer(q.x) - as_integer(p.x)) * (as_integer(r.y) - as_integer(p.y)) -
-                       (as_integer(q.y) - as_integer(p.y)) * (as_integer(r.x) - as_integer(p.x));
-      const int expected = det < 0 ? -1 : det > 0 ? 1 : 0;
-      wrong += irg::detail::turn(p, q, r) != expected;
-      wrong += irg::detail::turn(q, r, p) != expected;
-      wrong += irg::detail::turn(r, q, p) != -expected;
-      const double left = (p.x - r.x) * (q.y - r.y), right = (p.y - r.y) * (q.x - r.x);
-      rounded_wrong += (left < right ? -1 : left > right ? 1 : 0) != expected;
-    }
-  CHECK(wrong == 0);
-  CHECK(rounded_wrong > 1000);
-}
-
-TEST_CASE("product_sum: the sign of sums of products") {
-  const auto sign = [](std::vector<std::pair<double, double>> add, std::vector<std::pair<double, double>> subtract) {
-    irg::detail::product_sum s;
-    for (const auto& [x, y] : add) s.add(x, y);
-    for (const auto& [x, y] : subtract) s.subtract(x, y);
-    return s.sign();
-  };
-  constexpr double huge = std::numeric_limits<double>::max(), tiny = 0x1p-1074;
-  CHECK(sign({}, {}) == 0);
-  CHECK(sign({{0, huge}, {-0.0, 1}}, {}) == 0);
-  CHECK(sign({{huge, huge}, {tiny, tiny}}, {{huge, huge}}) == 1);
-  CHECK(sign({{huge, huge}}, {{huge, huge}, {tiny, tiny}}) == -1);
-  CHECK(sign({{huge, -huge}, {huge, huge}}, {}) == 0);
-  CHECK(sign({{tiny, -tiny}}, {}) == -1);
-  CHECK(sign({{0x1p53 - 1, 0x1p53 + 2}}, {{0x1p53, 0x1p53}, {0x1p53, 1}}) == -1);
-  CHECK(sign({{3, 5}}, {{15, 1}}) == 0);
-  // Integers of 62 bits against 128-bit arithmetic.
-  test::random random(8);
-  for (int i = 0; i < 100'000; ++i) {
-    __extension__ typedef __int128 wide;
-    irg::detail::product_sum s;
-    wide expected = 0;
-    const double scale = std::ldexp(1.0, static_cast<int>(random.integer(-1000, 900)));
-    for (int k = 0; k < 4; ++k) {
-      const std::int64_t x = random.integer(-5, 5) * (std::int64_t{1} << random.integer(0, 50)) + random.integer(-1, 1);
-      const std::int64_t y =
-          k % 2 == 0 ? random.integer(-9, 9) : random.integer(-(std::int64_t{1} << 52), std::int64_t{1} << 52);
-      s.add(static_cast<double>(x) * scale, static_cast<double>(y));
-      expected += wide{x} * y;
-    }
-    REQUIRE(s.sign() == (expected < 0 ? -1 : expected > 0 ? 1 : 0));
-  }
 }

@@ -7,7 +7,7 @@
 
 #include <irg/core/coordinates.hpp>
 #include <irg/core/scalar.hpp>
-#include <irg/geometry/detail/exact_products.hpp>
+#include <irg/math/exact_sum.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -16,11 +16,11 @@ inline namespace IRG_ABI {
 /// at right angles to the view, -1 behind; 0 for all when the eye is at the target.
 /// needs   finite coordinates
 /// exact   the sign of (p - eye) . (target - eye), for every finite input
-/// cost    about a microsecond: integers of 4288 bits; ask after a rounded depth left it open
+/// cost    about a microsecond: integers of up to 4400 bits; ask after a rounded depth left it open
 template <Point P>
   requires Floating<scalar_of<P>>
 constexpr int depth_sign(const P& eye, const P& target, const P& p) noexcept {
-  detail::exact_products sum;
+  exact_accumulator<2> sum;
   for (int i = 0; i < size_of<P>; ++i) {
     const auto e = static_cast<double>(coordinate(eye, i)), t = static_cast<double>(coordinate(target, i));
     const auto q = static_cast<double>(coordinate(p, i));

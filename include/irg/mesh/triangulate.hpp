@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/mesh/detail/ear_clipper.hpp>
+#include <irg/mesh/detail/face_clipper.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {
@@ -43,7 +43,7 @@ constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {}) {
   face_starts.reserve(triangles + 1);
   face_starts.push_back(0);
 
-  detail::ear_clipper<T> clip(options.tests_per_corner);
+  detail::face_clipper<T> clip(options.tests_per_corner);
   std::size_t part = 0, face_end = m.parts.empty() ? 0 : m.parts[0].face_count;
   const auto finish_parts = [&](std::size_t faces_done) {
     for (; part < m.parts.size() && face_end == faces_done; ++part) {

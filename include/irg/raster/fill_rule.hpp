@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What can be filled, and fill_rule: what counts as the inside of rings that cross themselves or each other.
+// What can be filled. Which side is inside is said by fill_rule, of core/ring.hpp.
 #pragma once
 
 #include <irg/core/ring.hpp>
 #include <irg/raster/subpixel.hpp>
 
 namespace irg {
-
-/// The inside of a set of rings, told by the winding number of a point: how often the rings run round it.
-enum class fill_rule {
-  even_odd,  // the winding number is odd; a ring inside another is a hole whichever way it runs
-  non_zero,  // the winding number is not 0; a hole must run the other way than the ring around it
-};
 
 /// A ring that can be filled: of snapped positions, or of points of two float or double coordinates, in pixels.
 template <class R>

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Where the line through two points has a given first coordinate: the second coordinate, correctly rounded. The result
+// is defined by the exact value alone, so it does not depend on which end comes first nor on the algorithm that asks,
+// and it never leaves an interval that the exact value lies in.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include <irg/math/exact_sum.hpp>
+#include <irg/math/error_free.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// The floating-point numbers in order, numbered: zero (either) is 0, its neighbours are 1 and -1.
+template <Floating T>
+using float_ordinal = std::conditional_t<std::is_same_v<T, double>, std::int64_t, std::int32_t>;
+template <Floating T>
+constexpr float_ordinal<T> ordinal_of(T x) noexcept {
+  using I = float_ordinal<T>;
+  const auto bits = std::bit_cast<I>(x);
+  return bits < 0 ? (std::numeric_limits<I>::min)() - bits : bits;
+}
+template <Floating T>
+constexpr T float_at(float_ordinal<T> k) noexcept {
+  return std::bit_cast<T>(k < 0 ? (std::numeric_limits<float_ordinal<T>>::min)() - k : k);
+}
+
+// The T nearest to the exact value y, ties to even. `side(p, q)` is the sign of 2*y - (p + q); low <= y <= high, and
+// `guess` is where the search begins.
+template <Floating T, class Side>
+constexpr T nearest_by_sign(T low, T high, T guess, const Side& side) noexcept {
+  using I = float_ordinal<T>;
+  I floor = ordinal_of(low), ceiling = ordinal_of(high);  // floor's number <= y <= ceiling's
+  I at = low <= guess && guess <= high ? ordinal_of(guess) : floor + (ceiling / 2 - floor / 2);
+  for (I step = 1; floor < ceiling;) {
+    const int s = side(float_at<T>(at), float_at<T>(at));
+    if (s == 0) return float_at<T>(at);
+    (s > 0 ? floor : ceiling) = at;
+    const bool wide = ceiling / 2 - floor / 2 > step;
+    if (!wide && ceiling - floor <= 1) break;
+    at = !wide   ? static_cast<I>(floor + (ceiling - floor) / 2)
+         : s > 0 ? static_cast<I>(floor + step)
+                 : static_cast<I>(ceiling - step);
+    if (wide) step = static_cast<I>(step * 2);
+  }
+  const int s = side(float_at<T>(floor), float_at<T>(ceiling));
+  return float_at<T>(s < 0 || (s == 0 && floor % 2 == 0) ? floor : ceiling);
+}
+
+// By integers, for every finite input.
+template <Floating T>
+IRG_NOINLINE constexpr T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept {
+  if (ay == by) return ay + T(0);
+  const auto wide = [](T v) { return static_cast<double>(v); };
+  const double x1 = wide(ax), y1 = wide(ay), x2 = wide(bx), y2 = wide(by), at = wide(x);
+  exact_accumulator<2> above, below;  // y = (y1*(x2 - x) + y2*(x - x1))/(x2 - x1)
+  above.add(y1, x2), above.subtract(y1, at), above.add(y2, at), above.subtract(y2, x1);
+  below.add(x2), below.subtract(x1);
+  if (above.sign() == 0) return T(0);
+  const int up = above.exponent(), down = below.exponent();
+  double guess = above.rounded(-up) / below.rounded(-down);
+  for (int k = lesser(up - down, 1000); k != 0;) {
+    const int part = greater(k, -1000);
+    guess *= power_of_two(part), k -= part;
+  }
+  const auto side = [&](T p, T q) {
+    exact_accumulator<2> sum = above;
+    sum.add(y1, x2), sum.subtract(y1, at), sum.add(y2, at), sum.subtract(y2, x1);
+    sum.subtract(wide(p), x2), sum.add(wide(p), x1);
+    sum.subtract(wide(q), x2), sum.add(wide(q), x1);
+    return below.sign() * sum.sign();
+  };
+  return nearest_by_sign(lesser(ay, by), greater(ay, by), static_cast<T>(guess), side);
+}
+
+IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float by, float x) noexcept {
+  const auto wide = [](float v) { return static_cast<double>(v); };
+  const double part = (wide(x) - wide(ax)) / (wide(bx) - wide(ax));
+  const double way = product(wide(by) - wide(ay), part), y = wide(ay) + way;
+  const double bound = product(0x1p-50, magnitude(y) + magnitude(way));
+  const float low = static_cast<float>(y - bound), high = static_cast<float>(y + bound);
+  return low == high ? low : axis_crossing_exact(ax, ay, bx, by, x);
+}
+
+// One step of refinement from the textbook's formula gives some 100 bits; where these decide how to round, that is the
+// result. Numbers are below 2^200 and the first product is above 2^-600, so that nothing overflows, and what underflows
+// is too small to count.
+IRG_INLINE constexpr double axis_crossing_of(double ax, double ay, double bx, double by, double x) noexcept {
+  const double largest =
+      greater(greater(greater(magnitude(ax), magnitude(bx)), magnitude(x)), greater(magnitude(ay), magnitude(by)));
+  if (largest < 0x1p200 && magnitude(bx - ax) > 0x1p-800) {
+    const auto dx = two_sum(bx, -ax), dy = two_sum(by, -ay), s = two_sum(x, -ax);
+    const double inverse = 1 / dx.value, way = product(product(dy.value, s.value), inverse), y = ay + way;
+    const auto gone = two_sum(y, -ay);
+    const auto wanted = fast_two_product(dy.value, s.value), reached = fast_two_product(gone.value, dx.value);
+    const double rest =
+        (wanted.value - reached.value) +
+        ((wanted.error - reached.error) + ((product(dy.value, s.error) + product(dy.error, s.value)) -
+                                           (product(gone.value, dx.error) + product(gone.error, dx.value))));
+    const double correction = product(rest, inverse);
+    const double bound = product(0x1p-50, magnitude(correction)) + product(0x1p-99, magnitude(way));
+    const double low = y + (correction - bound), high = y + (correction + bound);
+    if (low == high && (magnitude(wanted.value) > 0x1p-600 || ay == by)) return low + 0.0;
+  }
+  return axis_crossing_exact(ax, ay, bx, by, x);
+}
+
+// Rounded to the nearest integer, halves up.
+template <class T>
+  requires std::is_integral_v<T>
+constexpr T axis_crossing_of(T ax, T ay, T bx, T by, T x) noexcept {
+  using U = std::uint64_t;
+  const auto distance = [](T p, T q) {
+    return p < q ? static_cast<U>(q) - static_cast<U>(p) : static_cast<U>(p) - static_cast<U>(q);
+  };
+  const U width = distance(ax, bx);
+  const product_of_words way = product_of_words{distance(ay, by)} * distance(ax, x);
+  const U whole = static_cast<U>(way / width), rest = static_cast<U>(way % width);
+  const bool rises = ay<by, half_or_more = rest >= width - rest, more_than_half = rest> width - rest;
+  const U steps = whole + static_cast<U>(rises ? half_or_more : more_than_half);
+  return static_cast<T>(rises ? static_cast<U>(ay) + steps : static_cast<U>(ay) - steps);
+}
+
+// Numbers of the user's own are as exact as their arithmetic.
+template <class T>
+  requires(!std::is_integral_v<T> && !Floating<T>)
+constexpr T axis_crossing_of(const T& ax, const T& ay, const T& bx, const T& by, const T& x) {
+  return ay + (by - ay) * (x - ax) / (bx - ax);
+}
+
+// The parameter of a cut: a number of the coordinates' type, a double for integers.
+template <class T>
+using cut_parameter = std::conditional_t<std::is_integral_v<T>, double, T>;
+
+// (x - a)/(b - a) for x between a and b: the differences and the quotient are rounded once each.
+template <class T>
+constexpr cut_parameter<T> parameter_of(const T& a, const T& b, const T& x) noexcept {
+  if constexpr (std::is_integral_v<T>) {
+    using U = std::uint64_t;
+    const U part = a < b ? static_cast<U>(x) - static_cast<U>(a) : static_cast<U>(a) - static_cast<U>(x);
+    const U all = a < b ? static_cast<U>(b) - static_cast<U>(a) : static_cast<U>(a) - static_cast<U>(b);
+    return static_cast<double>(part) / static_cast<double>(all);
+  } else {
+    if constexpr (Floating<T>) {
+      constexpr T large = (std::numeric_limits<T>::max)() / 2;
+      if (magnitude(a) > large || magnitude(b) > large) return (x / 2 - a / 2) / (b / 2 - a / 2);
+    }
+    return (x - a) / (b - a);
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// dyadic<Words>: a sum of powers of two, with exact sum, difference and product. Polynomials of doubles are computed
+// with it where twice the precision of double does not tell them; whatever the exponents, nothing is rounded.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <irg/core/config.hpp>
+#include <irg/core/scalar.hpp>
+
+namespace irg::detail {
+
+__extension__ typedef unsigned __int128 dyadic_double_word;
+
+/// A real number to some 106 bits: (high + low) * 2^exponent.
+/// shape   high is high + low rounded
+struct known_number {
+  double high = 0, low = 0;
+  int exponent = 0;
+};
+
+/// Enough words for any polynomial of this degree in finite doubles, of up to 2^60 terms.
+constexpr int words_for_degree(int degree) { return (2098 * degree + 60) / 64 + 4; }
+
+/// A sign, and the words of the magnitude from the lowest that is not zero to the highest; word 0 counts in units of
+/// 2^(64 place).
+template <int Words>
+class dyadic {
+public:
+  IRG_INLINE constexpr dyadic() noexcept {}  // zero; the words beyond `size_` are never read
+
+  IRG_INLINE constexpr explicit dyadic(double x) noexcept {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const std::uint64_t fraction = bits & 0xfffffffffffffu;
+    const int field = static_cast<int>((bits >> 52) & 0x7ff);
+    const std::uint64_t significand = field == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
+    const int lift = (field == 0 ? 1 : field) + 1152 - 1075;  // the last bit's exponent plus 18 * 64
+    negative_ = bits >> 63 != 0;
+    place_ = lift / 64 - 18;
+    const int shift = lift % 64;
+    put(significand << shift);
+    put(shift == 0 ? 0 : significand >> (64 - shift));
+    trim();
+  }
+
+  IRG_INLINE constexpr dyadic(const dyadic& other) noexcept { take(other); }
+  IRG_INLINE constexpr dyadic& operator=(const dyadic& other) noexcept {
+    if (this != &other) take(other);
+    return *this;
+  }
+
+  IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
+
+  friend constexpr dyadic operator+(const dyadic& a, const dyadic& b) noexcept {
+    if (a.size_ == 0) return b;
+    if (b.size_ == 0) return a;
+    dyadic sum;
+    const bool add = a.negative_ == b.negative_, a_larger = add || !is_smaller(a, b);
+    const dyadic &large = a_larger ? a : b, &lesser_one = a_larger ? b : a;
+    const int first = lesser(a.place_, b.place_), last = greater(a.end(), b.end());
+    sum.place_ = first;
+    sum.negative_ = large.negative_;
+    std::uint64_t carry = 0;
+    for (int place = first; place < last; ++place) {
+      const std::uint64_t x = large.at(place), y = lesser_one.at(place);
+      const std::uint64_t part = add ? x + y : x - y, whole = add ? part + carry : part - carry;
+      const bool over = add ? part < x || whole < part : x < y || part < carry;
+      sum.put(whole);
+      carry = over ? 1 : 0;
+    }
+    if (carry != 0) sum.put(1);
+    sum.trim();
+    return sum;
+  }
+  friend constexpr dyadic operator-(const dyadic& a) noexcept {
+    dyadic negated = a;
+    negated.negative_ = !a.negative_;
+    return negated;
+  }
+  friend constexpr dyadic operator-(const dyadic& a, const dyadic& b) noexcept { return a + -b; }
+
+  friend constexpr dyadic operator*(const dyadic& a, const dyadic& b) noexcept {
+    dyadic product;
+    if (a.size_ == 0 || b.size_ == 0) return product;
+    product.place_ = a.place_ + b.place_;
+    product.negative_ = a.negative_ != b.negative_;
+    for (int i = 0; i < a.size_ + b.size_; ++i) product.put(0);
+    for (int i = 0; i < a.size_; ++i) {
+      std::uint64_t carry = 0;
+      for (int k = 0; k < b.size_; ++k) {
+        const dyadic_double_word t =
+            dyadic_double_word{a.word_[i]} * b.word_[k] + product.word_[i + k] + carry;  // at most 2^128 - 1
+        product.word_[i + k] = static_cast<std::uint64_t>(t);
+        carry = static_cast<std::uint64_t>(t >> 64);
+      }
+      product.word_[i + b.size_] = carry;
+    }
+    product.trim();
+    return product;
+  }
+
+  /// The number to 106 bits or more.
+  /// exact   relative error at most 2^-105
+  constexpr known_number rounded() const noexcept {
+    if (size_ == 0) return {};
+    const int top = end() - 1, zeros = std::countl_zero(at(top));
+    const auto window = [&](int place) {  // 64 bits from the highest one down, then the 64 below
+      return zeros == 0 ? at(place) : at(place) << zeros | at(place - 1) >> (64 - zeros);
+    };
+    const std::uint64_t upper = window(top), lower = window(top - 1);
+    // Parts of 53, 53 and 22 bits; those dropped are below 2^-127 of the number.
+    const auto part = [](std::uint64_t bits) { return static_cast<double>(static_cast<std::int64_t>(bits)); };
+    const double first = part(upper >> 11), second = part((upper & 0x7ff) << 42 | lower >> 22) * 0x1p-53;
+    const double high = first + second, low = second - (high - first), scale = negative_ ? -0x1p-52 : 0x1p-52;
+    return {high * scale, low * scale, 64 * top + 63 - zeros};
+  }
+
+private:
+  IRG_INLINE constexpr int end() const noexcept { return place_ + size_; }
+  IRG_INLINE constexpr std::uint64_t at(int place) const noexcept {
+    return place < place_ || place >= end() ? 0 : word_[place - place_];
+  }
+  IRG_INLINE constexpr void put(std::uint64_t word) noexcept {
+    if (size_ < Words) word_[size_++] = word;  // a sum's last word is a carry of 0 where no room is left
+  }
+  constexpr void take(const dyadic& other) noexcept {
+    for (int i = 0; i < other.size_; ++i) word_[i] = other.word_[i];
+    place_ = other.place_, size_ = other.size_, negative_ = other.negative_;
+  }
+  constexpr void trim() noexcept {
+    while (size_ > 0 && word_[size_ - 1] == 0) --size_;
+    int zeros = 0;
+    while (zeros < size_ && word_[zeros] == 0) ++zeros;
+    if (zeros == 0) return;
+    for (int i = zeros; i < size_; ++i) word_[i - zeros] = word_[i];
+    size_ -= zeros;
+    place_ += zeros;
+  }
+  static constexpr bool is_smaller(const dyadic& a, const dyadic& b) noexcept {  // in magnitude
+    if (a.end() != b.end()) return a.end() < b.end();
+    const int last = lesser(a.place_, b.place_);
+    for (int place = a.end() - 1; place >= last; --place)
+      if (a.at(place) != b.at(place)) return a.at(place) < b.at(place);
+    return false;
+  }
+
+  std::uint64_t word_[static_cast<std::size_t>(Words)];
+  int place_ = 0, size_ = 0;
+  bool negative_ = false;
+};
+
+}  // namespace irg::detail

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Where a ring turns back on itself.
+#pragma once
+
+#include <irg/geometry/orient2d.hpp>
+#include <irg/geometry/polygon.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// Whether the way from a over b to c turns back at b, or stands still.
+template <Point P>
+constexpr bool is_fold(const P& a, const P& b, const P& c) noexcept {
+  if (orient2d(a, b, c) != 0) return false;
+  return same_place(a, b) || same_place(b, c) || leads_forward(a, b) != leads_forward(b, c);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

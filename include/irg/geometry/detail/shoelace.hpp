@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The sum x1*y2 - x2*y1 over the edges of a polygon, twice its area: exactly.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include <irg/geometry/polygon.hpp>
+#include <irg/math/exact_sum.hpp>
+#include <irg/math/wide_int.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+template <class T>
+constexpr auto shoelace_zero() noexcept {
+  if constexpr (Floating<T>)
+    return exact_accumulator<2>();
+  else if constexpr (std::integral<T> && sizeof(T) <= 4)
+    return wide_signed{0};
+  else if constexpr (std::integral<T>)
+    return wide_int<4>();
+  else
+    return T(0);
+}
+
+// An exact_accumulator of floats and doubles, 128 bits of integers of up to 32, a wide_int of longer ones, or a T.
+template <PlanePolygon P>
+constexpr auto shoelace(const P& polygon) noexcept {
+  using T = scalar_of<polygon_point<P>>;
+  auto twice = shoelace_zero<T>();
+  each_edge(polygon, [&](const auto& p, const auto& q) {
+    const T x1 = coordinate(p, 0), y1 = coordinate(p, 1), x2 = coordinate(q, 0), y2 = coordinate(q, 1);
+    if constexpr (Floating<T>) {
+      twice.add(static_cast<double>(x1), static_cast<double>(y2));
+      twice.subtract(static_cast<double>(x2), static_cast<double>(y1));
+    } else if constexpr (std::integral<T> && sizeof(T) <= 4) {
+      twice += wide_signed{x1} * y2 - wide_signed{x2} * y1;
+    } else if constexpr (std::integral<T>) {
+      twice += wide_int<2>(x1) * wide_int<2>(y2) - wide_int<2>(x2) * wide_int<2>(y1);
+    } else {
+      twice = twice + (x1 * y2 - x2 * y1);
+    }
+  });
+  return twice;
+}
+
+template <PlanePolygon P>
+constexpr int shoelace_sign(const P& polygon) noexcept {
+  const auto twice = shoelace(polygon);
+  if constexpr (requires { twice.sign(); })
+    return twice.sign();
+  else
+    return twice < decltype(twice)(0) ? -1 : decltype(twice)(0) < twice ? 1 : 0;
+}
+
+// The double nearest to v * 2^shift.
+template <int N>
+constexpr double rounded_wide(const wide_int<N>& v, int shift) noexcept {
+  return nearest_double(v.word, {0, N}, shift);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

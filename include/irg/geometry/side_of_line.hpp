@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// On which side of the line a*x + b*y + c = 0 a point lies, decided exactly.
+#pragma once
+
+#include <irg/core/coordinates.hpp>
+#include <irg/geometry/detail/exact_sign.hpp>
+
+namespace irg {
+namespace detail {
+
+// A line's coefficients are members a, b and c, or three coordinates.
+template <class L>
+concept has_abc = requires(const L& l) {
+  requires Scalar<std::remove_cvref_t<decltype(l.a)>>;
+  requires std::same_as<std::remove_cvref_t<decltype(l.a)>, std::remove_cvref_t<decltype(l.b)>>;
+  requires std::same_as<std::remove_cvref_t<decltype(l.a)>, std::remove_cvref_t<decltype(l.c)>>;
+} && !requires(const L& l) { l.d; };
+
+template <class L>
+concept line_coefficients = has_abc<L> || (Vector<L> && coordinate_traits<L>::size == 3);
+
+inline namespace IRG_ABI {
+
+template <line_coefficients L>
+IRG_INLINE constexpr auto line_coefficient(const L& l, int i) noexcept {
+  if constexpr (has_abc<L>)
+    return i == 0 ? l.a : i == 1 ? l.b : l.c;
+  else
+    return coordinate(l, i);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// On which side of the line a*x + b*y + c = 0 a point lies: 1 where the sum is positive, which the normal (a, b)
+/// points to, -1 where it is negative, 0 on the line.
+/// shape   l has members a, b and c, or is a vector of them; q is a point, or a homogeneous point (x, y, w), for which
+///         c counts w times. A negative w does not change the point, nor the answer; w = 0 is a direction
+/// needs   finite numbers
+/// gives   the sign of c for all points when a and b are 0, and 0 when something is NaN or infinite
+/// exact   for every finite float, double and integer
+/// cost    about 3 ns, where roundings do not tell some 100 ns
+template <detail::line_coefficients L, Coordinates Q>
+  requires((size_of<Q> == 2 && Point<Q>) || (size_of<Q> == 3 && HomogeneousPoint<Q>))
+constexpr int side_of_line(const L& l, const Q& q) noexcept {
+  using T = scalar_of<Q>;
+  static_assert(std::same_as<T, decltype(detail::line_coefficient(l, 0))>);
+  const auto coefficient = [&](int i) { return detail::line_coefficient(l, i); };
+  if constexpr (size_of<Q> == 2) {
+    const auto formula = [](const auto& x) { return x[0] * x[3] + x[1] * x[4] + x[2]; };
+    return detail::sign_of_degree_2(
+        formula, std::array<T, 5>{coefficient(0), coefficient(1), coefficient(2), coordinate(q, 0), coordinate(q, 1)});
+  } else {
+    const auto formula = [](const auto& x) { return x[0] * x[3] + x[1] * x[4] + x[2] * x[5]; };
+    const T x = coordinate(q, 0), y = coordinate(q, 1), w = coordinate(q, 2);
+    const int sign =
+        detail::sign_of_degree_2(formula, std::array<T, 6>{coefficient(0), coefficient(1), coefficient(2), x, y, w});
+    return w < T(0) ? -sign : sign;
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
