@@ -6,6 +6,7 @@
 
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/geometry/detail/exact_sign.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -105,14 +106,30 @@ IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
   return term(0) + term(1) + term(2) + term(3);
 }
 
-/// On which side of the plane q lies, by the sign of plane_value.
-/// needs   a homogeneous q has a weight that is not negative
-/// exact   in integers and rationals; in floats as the sign of plane_value is; `on` when that is NaN
+/// On which side of the plane q lies, by the sign of what plane_value rounds.
+/// shape   q is a point or a homogeneous point. A negative weight does not change the point, nor the answer; weight 0
+///         is a direction
+/// gives   `on` when something is NaN or infinite
+/// exact   for every finite float, double and integer: the plane is its coefficients, as they are
+/// cost    about 4 ns, where roundings do not tell some 150 ns
 template <Plane P, Coordinates Q>
+  requires(((size_of<Q> == 3 && Point<Q>) || (size_of<Q> == 4 && HomogeneousPoint<Q>)) &&
+           std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
 constexpr plane_side side_of(const P& p, const Q& q) noexcept {
-  const auto value = plane_value(p, q);
-  const decltype(value) zero(0);
-  return zero < value ? plane_side::above : value < zero ? plane_side::below : plane_side::on;
+  using T = scalar_of<Q>;
+  const auto coefficient = [&](int i) { return plane_traits<P>::coefficient(p, i); };
+  if constexpr (size_of<Q> == 3) {
+    const auto formula = [](const auto& x) { return x[0] * x[4] + x[1] * x[5] + x[2] * x[6] + x[3]; };
+    return static_cast<plane_side>(detail::sign_of_degree_2(
+        formula, std::array<T, 7>{coefficient(0), coefficient(1), coefficient(2), coefficient(3), coordinate(q, 0),
+                                  coordinate(q, 1), coordinate(q, 2)}));
+  } else {
+    const auto formula = [](const auto& x) { return x[0] * x[4] + x[1] * x[5] + x[2] * x[6] + x[3] * x[7]; };
+    const int sign = detail::sign_of_degree_2(
+        formula, std::array<T, 8>{coefficient(0), coefficient(1), coefficient(2), coefficient(3), coordinate(q, 0),
+                                  coordinate(q, 1), coordinate(q, 2), coordinate(q, 3)});
+    return static_cast<plane_side>(coordinate(q, 3) < T(0) ? -sign : sign);
+  }
 }
 
 }  // namespace IRG_ABI

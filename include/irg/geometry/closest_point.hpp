@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// The nearest point of a line, segment, plane, triangle or box, and the nearest points of two lines or segments. Which
+// part is nearest is decided exactly; points and parameters are right to the last bit or nearly so.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include <irg/geometry/box.hpp>
+#include <irg/geometry/detail/nearest.hpp>
+#include <irg/geometry/intersect_segments.hpp>
+#include <irg/geometry/plane.hpp>
+
+namespace irg {
+
+/// A point of a line or segment and its parameter.
+template <Point P>
+struct point_on_line {
+  P at{};
+  scalar_of<P> t{};
+};
+
+/// The part of a triangle abc that a point is nearest to.
+enum class triangle_region { face, corner_a, corner_b, corner_c, edge_ab, edge_bc, edge_ca };
+
+/// A point of a triangle abc, the part it lies on, and its barycentric coordinates.
+template <Point P>
+struct point_on_triangle {
+  P at{};
+  triangle_region region = triangle_region::face;
+  std::array<scalar_of<P>, 3> weights{};
+};
+
+/// Points on two lines or segments, and their parameters there.
+template <Point P>
+struct point_pair {
+  P first{}, second{};
+  scalar_of<P> t{}, s{};
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Point P>
+constexpr point_on_line<P> nearest_of_segment(const P& a, const P& b, const P& p) noexcept {
+  using T = scalar_of<P>;
+  const auto foot = foot_on_line(a, b, p);
+  if (known_sign(foot->t) <= 0) return {a, T(0)};
+  if (known_sign(foot->rest) <= 0) return {b, T(1)};
+  return {point_of_foot(a, b, p), rounded_to<T>(foot->t / foot->divisor)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The point of the line through a (t = 0) and b (t = 1) that is nearest to p.
+/// gives   nothing when a == b, or a coordinate is NaN or infinite
+/// exact   each coordinate and t within 0.501 ulp
+/// cost    some 200 ns; about 4 us near a degenerate case or for coordinates beyond 2^+-80
+template <Point P>
+  requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
+constexpr std::optional<point_on_line<P>> closest_point_on_line(const P& a, const P& b, const P& p) noexcept {
+  const auto foot = detail::foot_on_line(a, b, p);
+  if (!foot || detail::are_equal(a, b)) return std::nullopt;
+  return point_on_line<P>{detail::point_of_foot(a, b, p), detail::rounded_to<scalar_of<P>>(foot->t / foot->divisor)};
+}
+
+/// The point of the segment ab that is nearest to p; the segment may be a point.
+/// gives   nothing when a coordinate is NaN or infinite
+/// exact   whether it is an end, which comes back bit for bit; else as closest_point_on_line
+template <Point P>
+  requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
+constexpr std::optional<point_on_line<P>> closest_point_on_segment(const P& a, const P& b, const P& p) noexcept {
+  if (!detail::is_finite_place(a) || !detail::is_finite_place(b) || !detail::is_finite_place(p)) return std::nullopt;
+  return detail::nearest_of_segment(a, b, p);
+}
+
+/// The point of the plane that is nearest to p.
+/// gives   nothing when the plane's normal is zero, or a number is NaN or infinite
+/// exact   each coordinate within 0.501 ulp, for the coefficients as they are
+template <Plane L, Point P>
+  requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
+constexpr std::optional<P> closest_point_on_plane(const L& plane, const P& p) noexcept {
+  if (detail::is_zero_vector(normal_of(plane))) return std::nullopt;
+  const auto v = detail::evaluate<3>(
+      [](const auto& x) {
+        using N = std::remove_cvref_t<decltype(x[0])>;
+        const auto n = detail::part_of<3>(x, 0), from = detail::part_of<3>(x, 4);
+        const N divisor = detail::dot_of(n, n), height = detail::dot_of(n, from) + x[3];
+        return detail::joined(std::array<N, 1>{divisor}, detail::difference_of(detail::multiple_of(from, divisor),
+                                                                               detail::multiple_of(n, height)));
+      },
+      detail::gathered<scalar_of<P>>(detail::coefficients_of(plane), p));
+  if (!v) return std::nullopt;
+  return detail::coordinates_over<P>(*v, 1, (*v)[0]);
+}
+
+/// The point of the triangle abc that is nearest to p, the part it lies on, and its barycentric coordinates. The
+/// triangle may be a segment or a point: then an edge or corner.
+/// gives   nothing when a coordinate is NaN or infinite
+/// exact   the part; a corner comes back bit for bit, each other coordinate and weight is within 0.501 ulp
+/// cost    some 500 ns; about 20 us near a degenerate case or for coordinates beyond 2^+-80
+/// source  Ericson, Real-Time Collision Detection, 2004, 5.1.5, with exact signs
+template <Point P>
+  requires(size_of<P> == 3 && Real<scalar_of<P>>)
+constexpr std::optional<point_on_triangle<P>> closest_point_on_triangle(const P& a, const P& b, const P& c,
+                                                                        const P& p) noexcept {
+  using T = scalar_of<P>;
+  const auto foot = detail::foot_on_triangle(a, b, c, p);
+  if (!foot) return std::nullopt;
+  const auto region = static_cast<triangle_region>(foot->region);
+  switch (region) {
+    case triangle_region::corner_a: return point_on_triangle<P>{a, region, {T(1), T(0), T(0)}};
+    case triangle_region::corner_b: return point_on_triangle<P>{b, region, {T(0), T(1), T(0)}};
+    case triangle_region::corner_c: return point_on_triangle<P>{c, region, {T(0), T(0), T(1)}};
+    default: break;
+  }
+  point_on_triangle<P> nearest{a, region, {}};
+  for (std::size_t i = 0; i < 3; ++i) nearest.weights[i] = detail::rounded_to<T>(foot->weight[i] / foot->divisor);
+  if (region == triangle_region::edge_ab) nearest.at = detail::point_of_foot(a, b, p);
+  if (region == triangle_region::edge_bc) nearest.at = detail::point_of_foot(b, c, p);
+  if (region == triangle_region::edge_ca) nearest.at = detail::point_of_foot(a, c, p);
+  if (region != triangle_region::face) return nearest;
+  nearest.at = detail::foot_on_face<P>(a, b, c, p);
+  return nearest;
+}
+
+/// The point of the box that is nearest to p: p itself inside.
+/// needs   a box that is not empty
+/// gives   the box's low side for a coordinate that is NaN
+/// exact   comparisons alone
+template <class T, int N>
+constexpr point<T, N> closest_point_in_box(const box<T, N>& b, const point<T, N>& p) noexcept {
+  IRG_EXPECTS(!is_empty(b));
+  return generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); });
+}
+
+/// The points of two lines in space that are nearest to each other, and their parameters: one point where the lines
+/// cross. Of parallel lines it is a, and the point of cd that is nearest to it.
+/// gives   nothing when a == b or c == d, or a coordinate is NaN or infinite
+/// exact   each coordinate, t and s within 0.501 ulp
+template <Point P>
+  requires(size_of<P> == 3 && Real<scalar_of<P>>)
+constexpr std::optional<point_pair<P>> closest_points_of_lines(const P& a, const P& b, const P& c,
+                                                               const P& d) noexcept {
+  using T = scalar_of<P>;
+  if (detail::are_equal(a, b) || detail::are_equal(c, d)) return std::nullopt;
+  const auto lines = detail::nearest_on_lines(a, b, c, d);
+  if (!lines) return std::nullopt;
+  const auto& v = *lines;
+  if (detail::known_sign(v[0]) == 0) {
+    const auto foot = closest_point_on_line(c, d, a);
+    return point_pair<P>{a, foot->at, T(0), foot->t};
+  }
+  const std::array<P, 2> at = detail::points_on_lines(a, b, c, d);
+  return point_pair<P>{at[0], at[1], detail::rounded_to<T>(v[2] / v[0]), detail::rounded_to<T>(v[4] / v[0])};
+}
+
+/// The points of the segments ab and cd that are nearest to each other, and their parameters; where the segments have
+/// points in common, one of these. Segments may be points.
+/// gives   nothing when a coordinate is NaN or infinite
+/// exact   which parts are nearest, but for pairs whose distances agree to 2^-60; ends come back bit for bit,
+///         coordinates and parameters are within 0.501 ulp
+/// cost    some 1 us; about 30 us near a degenerate case or for coordinates beyond 2^+-80
+template <Point P>
+  requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
+constexpr std::optional<point_pair<P>> closest_points_of_segments(const P& a, const P& b, const P& c,
+                                                                  const P& d) noexcept {
+  using T = scalar_of<P>;
+  for (const P* p : {&a, &b, &c, &d})
+    if (!detail::is_finite_place(*p)) return std::nullopt;
+  const auto common = intersect_segments(a, b, c, d);
+  if (common.relation != segment_relation::none) {
+    const auto on_first = detail::nearest_of_segment(a, b, common.first);
+    const auto on_second = detail::nearest_of_segment(c, d, common.first);
+    const bool crossing = !(common.t == T(0)) || !(common.s == T(0));
+    return point_pair<P>{common.first, common.first, crossing ? common.t : on_first.t,
+                         crossing ? common.s : on_second.t};
+  }
+  if constexpr (size_of<P> == 3) {
+    const auto v = *detail::nearest_on_lines(a, b, c, d);
+    const auto sign = [&](std::size_t i) { return detail::known_sign(v[i]); };
+    if (sign(0) > 0 && sign(2) >= 0 && sign(3) >= 0 && sign(4) >= 0 && sign(5) >= 0)
+      return closest_points_of_lines(a, b, c, d);
+  }
+  const int end = detail::nearest_end(a, b, c, d);
+  if (end < 2) {
+    const P& from = end == 0 ? a : b;
+    const auto foot = detail::nearest_of_segment(c, d, from);
+    return point_pair<P>{from, foot.at, T(end), foot.t};
+  }
+  const P& from = end == 2 ? c : d;
+  const auto foot = detail::nearest_of_segment(a, b, from);
+  return point_pair<P>{foot.at, from, foot.t, T(end - 2)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// line<T>: a*x + b*y + c = 0 in the plane, made from points, and the point that two lines have in common.
+#pragma once
+
+#include <optional>
+
+#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/side_of_line.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+
+/// The points with a*x + b*y + c = 0, in homogeneous coordinates a*x + b*y + c*w = 0. The value is positive on the left
+/// of the direction (b, -a).
+template <Scalar T>
+struct line {
+  T a{}, b{}, c{};
+  constexpr bool operator==(const line&) const = default;
+};
+
+/// Where a point lies to a line when one looks along the y axis: `vertical` when the line has no upper side.
+enum class height_over_line { below = -1, on = 0, above = 1, vertical = 2 };
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <class T, class V>
+constexpr std::optional<line<T>> rounded_line(const std::optional<std::array<V, 3>>& v) noexcept {
+  if (!v || are_zero(*v, 0, 3)) return std::nullopt;
+  const auto c = rounded_together<T, 3>(*v);
+  return line<T>{c[0], c[1], c[2]};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The line through p and q: a = y1 - y2, b = x2 - x1, c = x1*y2 - x2*y1; its left side is that of the way from p to q.
+/// gives   nothing when the points are equal, or a coordinate is NaN or infinite
+/// exact   in integers (without overflow) and rationals; in floats each coefficient within 0.501 ulp; all are
+///         multiplied by one power of two where they are beyond the range
+/// cost    some 100 ns; edge_through (polygon.hpp) is the plain formula
+/// source  formula 2.6 (S0) of the course, expanded
+template <Point P>
+  requires(size_of<P> == 2)
+constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
+  using T = scalar_of<P>;
+  if (detail::are_equal(p, q)) return std::nullopt;
+  return detail::rounded_line<T>(
+      detail::evaluate<2>([](const auto& x) { return std::array{x[1] - x[3], x[2] - x[0], x[0] * x[3] - x[2] * x[1]}; },
+                          detail::gathered<T>(p, q)));
+}
+
+/// The line through two homogeneous points, their cross product. For two directions it is the line at infinity, (0, 0,
+/// c); a negative weight turns the sides round.
+/// gives   nothing when the points are the same (proportional), and when a coordinate is NaN or infinite
+/// exact   as for points
+/// source  formula 2.5 (S0) of the course
+template <HomogeneousPoint P>
+  requires(size_of<P> == 3 && !Point<P>)
+constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
+  using T = scalar_of<P>;
+  return detail::rounded_line<T>(detail::evaluate<2>(
+      [](const auto& x) { return detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3)); },
+      detail::gathered<T>(p, q)));
+}
+
+/// The line by the quotients as printed, (y - y1)/(y2 - y1) = (x - x1)/(x2 - x1).
+/// gives   nothing for equal points and for lines along an axis, whose quotients do not exist. The side of positive
+///         values is the left one only where x or y falls from p to q, not both or neither
+/// exact   each operation rounded once
+/// source  formula 2.6 (S0) of the course as printed
+template <Point P>
+  requires(size_of<P> == 2 && Real<scalar_of<P>>)
+constexpr std::optional<line<scalar_of<P>>> line_through_textbook(const P& p, const P& q) noexcept {
+  using T = scalar_of<P>;
+  const T width = coordinate(q, 0) - coordinate(p, 0), height = coordinate(q, 1) - coordinate(p, 1);
+  if (width == T(0) || height == T(0)) return std::nullopt;
+  return line<T>{T(-1) / width, T(1) / height, coordinate(p, 0) / width - coordinate(p, 1) / height};
+}
+
+/// The point that two lines have in common, their cross product: of weight 0, a direction, for parallel lines.
+/// gives   nothing when the lines are the same (proportional), or a coefficient is NaN or infinite
+/// exact   in integers (without overflow) and rationals; in floats each coordinate within 0.501 ulp; all are multiplied
+///         by one power of two where they are beyond the range. The weight is zero
+///         for exactly parallel lines only
+/// source  the dual of formula 2.5 (S0) of the course; parallel lines have a common point at infinity
+template <Scalar T>
+constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const line<T>& second) noexcept {
+  const auto v = detail::evaluate<2>(
+      [](const auto& x) { return detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3)); },
+      std::array<T, 6>{first.a, first.b, first.c, second.a, second.b, second.c});
+  if (!v || detail::are_zero(*v, 0, 3)) return std::nullopt;
+  const auto p = detail::rounded_together<T, 3>(*v);
+  return hpoint<T, 2>{p[0], p[1], p[2]};
+}
+
+/// a*x + b*y + c: the distance of p from the line times the length of (a, b), positive on the left.
+/// exact   in integers and rationals; in floats off by at most 3u times the sum of the absolute values of the terms.
+///         side_of_line and orient2d decide sides exactly
+/// source  2.3 (S0) of the course
+template <Scalar T, Point P>
+  requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
+constexpr T line_value(const line<T>& l, const P& p) noexcept {
+  return product(l.a, coordinate(p, 0)) + product(l.b, coordinate(p, 1)) + l.c;
+}
+
+/// a*x + b*y + c*w, the value at x/w, y/w times the weight w.
+/// exact   as for a point
+template <Scalar T>
+constexpr T line_value(const line<T>& l, const hpoint<T, 2>& p) noexcept {
+  return product(l.a, p.x) + product(l.b, p.y) + product(l.c, p.z);
+}
+
+/// Whether p lies above or below the line, y up. The sign of the line's value tells left from right of its direction
+/// alone: above is left only for lines that run to greater x.
+/// needs   finite numbers
+/// gives   `on` when a number is NaN or infinite and the line is not vertical
+/// exact   for every finite float, double and integer
+/// source  2.3 (S0) of the course, whose sign means above for x2 > x1 only
+template <Scalar T, Point P>
+  requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
+constexpr height_over_line height_of(const line<T>& l, const P& p) noexcept {
+  if (l.b == T(0)) return height_over_line::vertical;
+  const int sign = side_of_line(l, p);
+  return static_cast<height_over_line>(l.b < T(0) ? -sign : sign);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

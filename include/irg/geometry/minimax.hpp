@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The minimax tests of the course between bodies, polygons and edges: what has disjoint rectangles in the projection
+// plane cannot hide each other. Coordinates beyond x and y are not looked at.
+#pragma once
+
+#include <irg/geometry/box.hpp>
+#include <irg/geometry/segment.hpp>
+
+namespace irg {
+namespace detail {
+
+template <class T>
+inline constexpr bool is_segment = false;
+template <class T, int N>
+inline constexpr bool is_segment<segment<T, N>> = true;
+
+}  // namespace detail
+
+/// What has a rectangle in the projection plane: bodies (meshes), polygons (rings of points) and edges (segments).
+template <class X>
+concept HasRectangle = Mesh<X> || (PolygonRing<X> && Point<ring_point<X>>) || detail::is_segment<X>;
+
+inline namespace IRG_ABI {
+
+/// The smallest rectangle around the x and y of a body, polygon or edge.
+/// gives   the empty box when there are no points; coordinates that are NaN are passed over
+/// exact   no arithmetic
+template <HasRectangle X>
+constexpr auto rectangle_of(const X& x) noexcept {
+  const auto b = enclosing_box(x);
+  using T = std::remove_cvref_t<decltype(b.low[0])>;
+  return box<T, 2>{{b.low[0], b.low[1]}, {b.high[0], b.high[1]}};
+}
+
+/// The minimax test between any two of body, polygon and edge: whether their rectangles in the projection plane
+/// overlap. Where they do not, neither hides the other.
+/// gives   false when either has no points
+/// exact   comparisons alone
+/// source  7.1 (S0) of the course: body-body, polygon-body, edge-body, polygon-polygon, edge-polygon and edge-edge
+template <HasRectangle A, HasRectangle B>
+constexpr bool rectangles_overlap(const A& a, const B& b, box_boundary boundary = box_boundary::closed) noexcept {
+  return overlap(rectangle_of(a), rectangle_of(b), boundary);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// parametric_plane<T>: the points origin + s1*first + s2*second, made as both courses make it, its matrices, and the
+// ways to the implicit plane and back.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <irg/geometry/plane_through_points.hpp>
+#include <irg/math/error_free.hpp>
+#include <irg/math/mat.hpp>
+
+namespace irg {
+
+/// The points origin + s1*first + s2*second.
+template <Scalar T>
+struct parametric_plane {
+  vec<T, 3> first{}, second{};
+  point<T, 3> origin{};
+  constexpr bool operator==(const parametric_plane&) const = default;
+};
+
+/// The parameters of a point of a plane.
+template <Scalar T>
+struct plane_parameters {
+  T s1{}, s2{};
+  constexpr bool operator==(const plane_parameters&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <class T, Point P>
+constexpr point<T, 3> as_point(const P& p) noexcept {
+  return generate_coordinates<point<T, 3>>([&](int i) { return coordinate(p, i); });
+}
+
+/// The cross product of the two directions of a parametric plane, exactly zero or not.
+template <class T>
+constexpr auto directions_normal(const parametric_plane<T>& p) noexcept {
+  return evaluate<2>([](const auto& x) { return cross_of(part_of<3>(x, 0), part_of<3>(x, 3)); },
+                     gathered<T>(p.first, p.second));
+}
+
+template <Point P>
+constexpr bool spans_plane(const P& a, const P& b, const P& c) noexcept {
+  const auto normal = evaluate<2>(
+      [](const auto& x) {
+        const auto p = part_of<3>(x, 0);
+        return cross_of(difference_of(part_of<3>(x, 3), p), difference_of(part_of<3>(x, 6), p));
+      },
+      gathered<scalar_of<P>>(a, b, c));
+  return normal && !are_zero(*normal, 0, 3);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The plane with v1 at (0, 0), v2 at (1, 0) and v3 at (0, 1): directions v2 - v1 and v3 - v1.
+/// gives   nothing when the points lie exactly on a line, or a coordinate is NaN or infinite
+/// exact   each difference rounded once; whether the points are collinear, exactly
+/// source  4.5 to 4.8 (S0) of the course
+template <Point P>
+  requires(size_of<P> == 3)
+constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_through(const P& v1, const P& v2,
+                                                                                 const P& v3) noexcept {
+  using T = scalar_of<P>;
+  if (!detail::spans_plane(v1, v2, v3)) return std::nullopt;
+  return parametric_plane<T>{detail::displacement<T>(v1, v2), detail::displacement<T>(v1, v3), detail::as_point<T>(v1)};
+}
+
+/// The plane whose origin is the middle point: directions a - b and c - b, origin b.
+/// gives   nothing when the points lie exactly on a line, or a coordinate is NaN or infinite
+/// exact   as parametric_plane_through
+/// source  1.3.2 (S3) of the course, which refuses coincident points only
+template <Point P>
+  requires(size_of<P> == 3)
+constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_hungarian(const P& a, const P& b,
+                                                                                   const P& c) noexcept {
+  return parametric_plane_through(b, a, c);
+}
+
+/// The same with the source's check: points must differ from each other, nothing more. (0,0,0), (1,1,1), (2,2,2) pass
+/// and give two dependent directions.
+/// source  1.3.2 (S3) of the course as printed
+template <Point P>
+  requires(size_of<P> == 3)
+constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_seed(const P& a, const P& b,
+                                                                              const P& c) noexcept {
+  using T = scalar_of<P>;
+  if (detail::are_equal(a, b) || detail::are_equal(b, c) || detail::are_equal(a, c)) return std::nullopt;
+  return parametric_plane<T>{detail::displacement<T>(b, a), detail::displacement<T>(b, c), detail::as_point<T>(b)};
+}
+
+/// The matrix of the columns first, second and origin: the point at (s1, s2) is the matrix times (s1, s2, 1).
+/// source  1.3.2 (S3) of the course
+template <class T>
+constexpr mat<T, 3, 3> columns_of(const parametric_plane<T>& p) noexcept {
+  mat<T, 3, 3> m;
+  for (int i = 0; i < 3; ++i) m(i, 0) = p.first[i], m(i, 1) = p.second[i], m(i, 2) = p.origin[i];
+  return m;
+}
+
+/// The characteristic matrix K with [x y z h] = [u w 1] K: its rows are the two directions, of weight 0, and the
+/// origin, of weight 1.
+/// source  4.5 to 4.8 (S0) of the course
+template <class T>
+constexpr mat<T, 3, 4> characteristic_matrix(const parametric_plane<T>& p) noexcept {
+  mat<T, 3, 4> k;
+  for (int i = 0; i < 3; ++i) k(0, i) = p.first[i], k(1, i) = p.second[i], k(2, i) = p.origin[i];
+  k(0, 3) = T(0), k(1, 3) = T(0), k(2, 3) = T(1);
+  return k;
+}
+
+/// The point at (s1, s2).
+/// exact   products and sums rounded once each, origin last
+template <class T>
+constexpr point<T, 3> point_at(const parametric_plane<T>& p, std::type_identity_t<T> s1,
+                               std::type_identity_t<T> s2) noexcept {
+  return p.origin + (p.first * s1 + p.second * s2);
+}
+
+/// The implicit form: normal first x second.
+/// gives   nothing when the directions are dependent, or a number is NaN or infinite
+/// exact   as plane_through_accurate, for the directions as they are
+template <class T>
+constexpr std::optional<plane<T>> implicit_plane_of(const parametric_plane<T>& p) noexcept {
+  return detail::rounded_plane<T>(detail::evaluate<3>(
+      [](const auto& x) {
+        using N = std::remove_cvref_t<decltype(x[0])>;
+        const auto n = detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3));
+        return detail::joined(n, std::array<N, 1>{-detail::dot_of(n, detail::part_of<3>(x, 6))});
+      },
+      detail::gathered<T>(p.first, p.second, p.origin)));
+}
+
+/// A parametric form of a plane: the origin is where it meets the axis nearest to its normal, the directions are made
+/// of the coefficients, so that only the origin is rounded.
+/// shape   first x second points to the plane's upper side
+/// gives   nothing when the normal is zero, or a coefficient is NaN or infinite
+template <Plane P>
+  requires Real<plane_scalar<P>>
+constexpr std::optional<parametric_plane<plane_scalar<P>>> parametric_plane_of(const P& p) noexcept {
+  using T = plane_scalar<P>;
+  const vec<T, 3> n = normal_of(p);
+  const auto size = [&](int i) { return n[i] < T(0) ? -n[i] : n[i]; };
+  const int k = size(0) < size(1) ? (size(1) < size(2) ? 2 : 1) : (size(0) < size(2) ? 2 : 0);
+  if (detail::is_zero_vector(n)) return std::nullopt;
+  for (int i = 0; i < 4; ++i)
+    if (!detail::is_proper(plane_coefficient(p, i))) return std::nullopt;
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  parametric_plane<T> q{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
+  q.first[i] = n[k], q.first[k] = -n[i];
+  q.second[j] = n[k], q.second[k] = -n[j];
+  if (n[k] < T(0)) {
+    const vec<T, 3> swapped = q.first;
+    q.first = q.second, q.second = swapped;
+  }
+  q.origin[k] = -plane_coefficient(p, 3) / n[k];
+  return q;
+}
+
+/// The parameters of the point of the plane that is nearest to q: of q itself where it lies on the plane.
+/// gives   nothing when the directions are dependent, or a number is NaN or infinite
+/// exact   both within 0.501 ulp, for the directions as they are
+template <Real T, Point P>
+  requires(size_of<P> == 3 && std::same_as<scalar_of<P>, T>)
+constexpr std::optional<plane_parameters<T>> parameters_of(const parametric_plane<T>& p, const P& q) noexcept {
+  const auto v = detail::evaluate<4>(
+      [](const auto& x) {
+        const auto a = detail::part_of<3>(x, 0), b = detail::part_of<3>(x, 3);
+        const auto n = detail::cross_of(a, b),
+                   w = detail::difference_of(detail::part_of<3>(x, 9), detail::part_of<3>(x, 6));
+        return std::array{detail::dot_of(n, n), detail::dot_of(detail::cross_of(w, b), n),
+                          detail::dot_of(detail::cross_of(a, w), n)};
+      },
+      detail::gathered<T>(p.first, p.second, p.origin, q));
+  if (!v || detail::known_sign((*v)[0]) == 0) return std::nullopt;
+  return plane_parameters<T>{detail::rounded_to<T>((*v)[1] / (*v)[0]), detail::rounded_to<T>((*v)[2] / (*v)[0])};
+}
+
+/// Whether the point at these parameters lies in the triangle of the origin and the ends of both directions: none is
+/// negative and their sum is at most 1, decided exactly.
+/// gives   false when one is NaN
+template <Real T>
+constexpr bool in_triangle(const plane_parameters<T>& s) noexcept {
+  if (!(s.s1 == s.s1 && s.s2 == s.s2) || s.s1 < T(0) || s.s2 < T(0) || T(1) < s.s1 || T(1) < s.s2) return false;
+  if constexpr (Floating<T>) {
+    const auto sum = two_sum(s.s1, s.s2);
+    return sum.value < 1 || (sum.value == 1 && sum.error <= 0);
+  } else {
+    return !(T(1) < s.s1 + s.s2);
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The course's plane by inversion of a 4 x 4 matrix: its rows are three homogeneous points and (0 0 0 1), the right
+// side is (0 0 0 D). It needs a plane that avoids the origin; plane_through for homogeneous points needs not.
+#pragma once
+
+#include <irg/geometry/plane_through_points.hpp>
+
+namespace irg {
+
+/// What the inversion finds: a plane; that the matrix is singular since the plane passes through the origin, or since
+/// the points span no plane; or that a number is NaN or infinite, or D zero.
+enum class inversion_outcome { plane, through_origin, collinear, invalid };
+
+/// The plane by inversion, and why there is none.
+template <Scalar T>
+struct inverted_plane {
+  inversion_outcome outcome = inversion_outcome::invalid;
+  plane<T> value{};
+};
+
+inline namespace IRG_ABI {
+
+/// The plane (a, b, c, d) with last coefficient d through three homogeneous points: the solution of the equations with
+/// rows p1, p2, p3 and (0 0 0 1) and right side (0 0 0 d). The choice of d decides which side is the upper one.
+/// shape   value has a meaning only where the outcome is `plane`
+/// exact   the outcome for all finite points; each coefficient within 0.501 ulp, d itself. Infinity where a coefficient
+///         is beyond the range
+/// source  formula 4.3 (S0) of the course in its consistent form
+template <HomogeneousPoint P>
+  requires(size_of<P> == 4 && Real<scalar_of<P>>)
+constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& p2, const P& p3,
+                                                          scalar_of<P> d = scalar_of<P>(1)) noexcept {
+  using T = scalar_of<P>;
+  if (d == T(0) || !detail::is_proper(d)) return {};
+  const auto minors = detail::homogeneous_plane(p1, p2, p3);
+  if (!minors) return {};
+  const auto& m = *minors;
+  if (detail::known_sign(m[3]) == 0)
+    return {detail::are_zero(m, 0, 3) ? inversion_outcome::collinear : inversion_outcome::through_origin, {}};
+  const auto factor = [&] {
+    if constexpr (Floating<T>)
+      return detail::known_number{static_cast<double>(d), 0, 0};
+    else
+      return d;
+  }();
+  const auto coefficient = [&](std::size_t i) { return detail::rounded_to<T>(m[i] * factor / m[3]); };
+  return {inversion_outcome::plane, {coefficient(0), coefficient(1), coefficient(2), d}};
+}
+
+/// The formula as printed, D in the matrix and 1 on the right side: its solution ends in 1/D, not in D.
+/// needs   a d that is not zero
+/// source  formula 4.3 (S0) of the course
+template <HomogeneousPoint P>
+  requires(size_of<P> == 4 && Real<scalar_of<P>>)
+constexpr inverted_plane<scalar_of<P>> plane_by_inversion_textbook(const P& p1, const P& p2, const P& p3,
+                                                                   scalar_of<P> d) noexcept {
+  return plane_by_inversion(p1, p2, p3, scalar_of<P>(1) / d);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

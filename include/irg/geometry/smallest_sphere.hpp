@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The smallest circle or sphere around points: which points it rests on is decided exactly.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include <irg/core/ring.hpp>
+#include <irg/geometry/sphere.hpp>
+
+namespace irg {
+namespace detail {
+
+// The points that a ball rests on, by their numbers.
+template <std::size_t D>
+struct ball_support {
+  std::array<std::size_t, D + 1> at{};
+  std::size_t count = 0;
+};
+
+inline namespace IRG_ABI {
+
+// Whether p is outside of the smallest sphere through the first `Count` points.
+template <std::size_t Count, Point P>
+constexpr bool is_outside(const std::array<P, 4>& on, const P& p) noexcept {
+  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
+  using T = scalar_of<P>;
+  const auto sign = [&](const auto& in) {
+    const auto v = *evaluate<6>(
+        [](const auto& x) {
+          const auto c = centre_from<Count, D>(x);
+          const auto way = difference_of(part_of<D>(x, Count * D), part_of<D>(x, 0));
+          return std::array{dot_of(way, way) * c.divisor - dot_of(way, c.offset), c.divisor};
+        },
+        in);
+    return known_sign(v[0]) * known_sign(v[1]);  // the divisor of a ball on D + 1 points may be negative
+  };
+  if constexpr (Count == 2)
+    return sign(gathered<T>(on[0], on[1], p)) > 0;
+  else if constexpr (Count == 3)
+    return sign(gathered<T>(on[0], on[1], on[2], p)) > 0;
+  else
+    return sign(gathered<T>(on[0], on[1], on[2], on[3], p)) > 0;
+}
+
+// The smallest ball around D + 2 points at most.
+template <Point P>
+class smallest_ball {
+public:
+  static constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
+  using T = scalar_of<P>;
+  using Sphere = bounding_sphere<T, size_of<P>>;
+  using support = ball_support<D>;
+
+  constexpr explicit smallest_ball(const P& p) noexcept { points_[size_++] = p; }
+
+  // Takes p, which is outside of the ball, in; those points that the new ball does not rest on are forgotten.
+  constexpr void grow(const P& p) noexcept {
+    points_[size_++] = p;
+    const support s = around(size_, {});
+    std::array<P, D + 2> kept{};
+    for (std::size_t k = 0; k < s.count; ++k) kept[k] = points_[s.at[k]];
+    points_ = kept;
+    size_ = s.count;
+  }
+  constexpr bool is_outside(const P& p) const noexcept {
+    support all;
+    for (; all.count < size_; ++all.count) all.at[all.count] = all.count;
+    return is_outside_of(all, p);
+  }
+  constexpr Sphere rounded() const noexcept {
+    if (size_ == 2) return *sphere_through(points_[0], points_[1]);
+    if (size_ == 3) return *sphere_through(points_[0], points_[1], points_[2]);
+    if constexpr (D == 3)
+      if (size_ == 4) return *sphere_through(points_[0], points_[1], points_[2], points_[3]);
+    return {generate_coordinates<point<T, size_of<P>>>([&](int i) { return coordinate(points_[0], i); }), T(0)};
+  }
+
+private:
+  // The points that the smallest ball around the first `count` points rests on when it passes through `forced`.
+  constexpr support around(std::size_t count, const support& forced) const noexcept {
+    support s = forced;
+    if (forced.count == D + 1) return s;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_outside_of(s, points_[i])) continue;
+      support more = forced;
+      more.at[more.count++] = i;
+      s = around(i, more);
+    }
+    return s;
+  }
+  constexpr bool is_outside_of(const support& s, const P& p) const noexcept {
+    std::array<P, 4> on{};
+    for (std::size_t k = 0; k < s.count; ++k) on[k] = points_[s.at[k]];
+    if (s.count == 0) return true;
+    if (s.count == 1) return !are_equal(on[0], p);
+    if (s.count == 2) return detail::is_outside<2>(on, p);
+    if constexpr (D == 3)
+      if (s.count == 4) return detail::is_outside<4>(on, p);
+    return detail::is_outside<3>(on, p);
+  }
+
+  std::array<P, D + 2> points_{};
+  std::size_t size_ = 0;
+};
+
+// How far p is from the rounded ball's centre, squared, and whether it is outside (1) or inside (-1) by far more than
+// what rounding can do to the ball and to this; 0 when that is not sure.
+struct guessed_side {
+  double squared = 0;
+  int side = 0;
+};
+template <Floating T, int N, Point P>
+constexpr guessed_side guess_side(const bounding_sphere<T, N>& ball, const P& p) noexcept {
+  const double radius = static_cast<double>(ball.radius);
+  double squared = 0, reach = radius;
+  for (int i = 0; i < N; ++i) {
+    const double c = static_cast<double>(ball.centre[i]), x = static_cast<double>(coordinate(p, i));
+    reach = greater(reach, greater(magnitude(c), magnitude(x)));
+    if (!(reach < 0x1p400)) return {};
+    squared = squared + product(x - c, x - c);
+  }
+  const double slack = reach * (sizeof(T) == 4 ? 0x1p-18 : 0x1p-44), inner = radius - slack, outer = radius + slack;
+  if (!(slack > 0x1p-400)) return {squared, 0};
+  if (squared > product(outer, outer)) return {squared, 1};
+  return {squared, inner > 0 && squared < product(inner, inner) ? -1 : 0};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The smallest circle or sphere around the points of a range or ring.
+/// gives   nothing for no points, and when a coordinate is NaN or infinite; radius 0 when all points are equal
+/// exact   the points it rests on; centre and radius as sphere_through's, so that points may stand out by that much
+/// cost    some ten passes over the points as a rule; nothing allocates
+/// source  Welzl 1991, Smallest enclosing disks (balls and ellipsoids), for the few points that matter; these are found
+///         by taking in the farthest point each time, after Gaertner 1999
+template <PolygonRing R>
+  requires(Point<ring_point<R>> && Floating<scalar_of<ring_point<R>>> &&
+           (size_of<ring_point<R>> == 2 || size_of<ring_point<R>> == 3))
+constexpr std::optional<bounding_sphere<scalar_of<ring_point<R>>, size_of<ring_point<R>>>> smallest_sphere(
+    const R& points) noexcept {
+  using P = ring_point<R>;
+  if (ring_size(points) == 0) return std::nullopt;
+  for (std::size_t i = 0; i < ring_size(points); ++i)
+    for (int k = 0; k < size_of<P>; ++k)
+      if (!detail::is_finite(coordinate(ring_vertex(points, i), k))) return std::nullopt;
+  detail::smallest_ball<P> ball(ring_vertex(points, 0));
+  for (;;) {  // the ball grows each time, and there are only so many
+    const auto rounded = ball.rounded();
+    std::size_t farthest = 0;
+    double farthest_squared = -1;
+    for (std::size_t i = 0; i < ring_size(points); ++i) {
+      const P p = ring_vertex(points, i);
+      const detail::guessed_side guess = detail::guess_side(rounded, p);
+      if (guess.side < 0 || !(farthest_squared < guess.squared)) continue;
+      if (guess.side == 0 && !ball.is_outside(p)) continue;
+      farthest = i, farthest_squared = guess.squared;
+    }
+    if (farthest_squared < 0) return rounded;
+    ball.grow(ring_vertex(points, farthest));
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include <irg/geometry/barycentric.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#ifdef IRG_HAVE_MPFR
+#include <gmp.h>
+#endif
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+#include "support/rational.hpp"
+
+namespace {
+
+using irg::barycentric;
+using irg::triangle_part;
+using test::rational;
+using P2 = irg::point<double, 2>;
+using P3 = irg::point<double, 3>;
+using Q3 = irg::point<rational, 3>;
+using V3 = irg::vec<double, 3>;
+using W3 = irg::vec<rational, 3>;
+
+constexpr rational half{1, 2}, quarter{1, 4};
+
+// A triangle of GOLDEN 1, a point, and its coordinates when seen along the widest axis.
+struct known {
+  Q3 a, b, c, t;
+  W3 weights;
+  bool in_plane;
+  triangle_part where;
+};
+constexpr rational r(int n, int d = 1) { return {n, d}; }
+constexpr known golden[] = {
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {half, quarter, quarter}, {half, quarter, quarter}, true, triangle_part::inside},
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, r(-1, 2), r(-1, 2)}, {2, r(-1, 2), r(-1, 2)}, true, triangle_part::outside},
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, 1, 1}, false, triangle_part::outside},
+    {{1, 2, 3}, {4, 0, 1}, {2, 5, -1}, {2, r(9, 4), r(3, 2)}, {half, quarter, quarter}, true, triangle_part::inside},
+    {{1, 2, 3}, {4, 0, 1}, {2, 5, -1}, {2, 2, r(3, 2)}, {r(13, 28), r(9, 28), r(3, 14)}, false, triangle_part::inside},
+    {{1, 2, 3},
+     {4, 0, 1},
+     {0, 0, 0},
+     {r(5, 3), r(2, 3), r(4, 3)},
+     {r(1, 3), r(1, 3), r(1, 3)},
+     true,
+     triangle_part::inside},
+    {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {half, quarter, quarter}, true, triangle_part::inside},
+    {{1, 1, 0}, {5, 1, 0}, {1, 4, 0}, {2, 2, 0}, {r(5, 12), quarter, r(1, 3)}, true, triangle_part::inside},
+    {{1, 0, 1},
+     {0, 1, 1},
+     {1, 1, 2},
+     {r(2, 3), r(2, 3), r(4, 3)},
+     {r(1, 3), r(1, 3), r(1, 3)},
+     true,
+     triangle_part::inside},
+};
+
+constexpr bool all_golden() {
+  for (const known& k : golden)
+    if (barycentric(k.a, k.b, k.c, k.t) != std::optional(k.weights) ||
+        irg::locate_in_triangle(k.a, k.b, k.c, k.t) != std::optional(irg::triangle_location{k.in_plane, k.where}))
+      return false;
+  return !barycentric(Q3{0, 0, 1}, Q3{1, 1, 1}, Q3{2, 2, 1}, Q3{1, 1, 1});
+}
+
+constexpr double as_double(const rational& q) { return static_cast<double>(q); }
+constexpr P3 as_double(const Q3& p) { return {as_double(p.x), as_double(p.y), as_double(p.z)}; }
+
+TEST_CASE("barycentric: the course's triangles (GOLDEN 1), in rationals and in doubles") {
+  CHECK_BOTH(all_golden());
+  for (const known& k : golden) {
+    const auto t = barycentric(as_double(k.a), as_double(k.b), as_double(k.c), as_double(k.t));
+    REQUIRE(t);
+    for (int i = 0; i < 3; ++i) CHECK((*t)[i] == doctest::Approx(as_double(k.weights[i])).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("barycentric: corners, edges and points beside them") {
+  constexpr P2 a{0, 0}, b{4, 0}, c{0, 2};
+  CHECK_BOTH(barycentric(a, b, c, a) == std::optional(V3{1, 0, 0}));
+  CHECK_BOTH(barycentric(a, b, c, P2{1, 0.5}) == std::optional(V3{0.5, 0.25, 0.25}));
+  CHECK_BOTH(barycentric(a, b, c, P2{4, 2}) == std::optional(V3{-1, 1, 1}));
+  CHECK_BOTH(barycentric(a, c, b, P2{1, 0.5}) == std::optional(V3{0.5, 0.25, 0.25}));
+  CHECK_BOTH(irg::locate_in_triangle(a, b, c, P2{1, 0.5}) == triangle_part::inside);
+  CHECK_BOTH(irg::locate_in_triangle(a, b, c, P2{2, 1}) == triangle_part::edge);
+  CHECK_BOTH(irg::locate_in_triangle(c, b, a, P2{0, 2}) == triangle_part::vertex);
+  CHECK_BOTH(irg::locate_in_triangle(a, b, c, P2{2, 1.0000000000000002}) == triangle_part::outside);
+  CHECK_BOTH(irg::locate_in_triangle(a, a, c, a) == triangle_part::outside);
+}
+
+TEST_CASE("barycentric: triangles without area, and as thin as doubles go") {
+  CHECK_BOTH(!barycentric(P2{1, 1}, P2{1, 1}, P2{5, 2}, P2{0, 0}));
+  CHECK_BOTH(!barycentric(P2{0.5, 0.5}, P2{12, 12}, P2{24, 24}, P2{0, 0}));
+  CHECK_BOTH(!barycentric(P3{1, 1, 1}, P3{2, 2, 2}, P3{-5, -5, -5}, P3{0, 0, 0}));
+  CHECK_BOTH(!irg::locate_in_triangle(P3{1, 1, 1}, P3{1, 1, 1}, P3{0, 0, 5}, P3{0, 0, 0}));
+  // One corner is an ulp off the line of the others: its weight is still right to the last place.
+  constexpr P2 a{0.5, 0.5 + 0x1p-53}, b{12, 12}, c{24, 24};
+  CHECK_BOTH(barycentric(a, b, c, a) == std::optional(V3{1, 0, 0}));
+  CHECK_BOTH(barycentric(a, b, c, P2{0.5, 0.5}) == std::optional(V3{0, 47.0 / 24, -23.0 / 24}));
+  CHECK_BOTH(barycentric(P2{0, 0}, P2{0x1p-1074, 0}, P2{0, 0x1p1000}, P2{0x1p-1074, 0x1p999}) ==
+             std::optional(V3{-0.5, 1, 0.5}));
+  constexpr double most = 0x1.fffffffffffffp1023;
+  CHECK_BOTH(barycentric(P2{-most, -most}, P2{most, -most}, P2{0, most}, P2{0, 0}) ==
+             std::optional(V3{0.25, 0.25, 0.5}));
+}
+
+TEST_CASE("widest_view: the largest component of the normal, the lowest axis on ties") {
+  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1, 0}) == std::optional(2));
+  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{0, 0, 1}, P3{1, 0, 0}) == std::optional(1));
+  CHECK_BOTH(irg::widest_view(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
+  CHECK_BOTH(irg::widest_view(P3{1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1.0000000000000002}) == std::optional(0));
+  CHECK_BOTH(irg::widest_view(P3{1.0000000000000002, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(1));
+  CHECK_BOTH(irg::widest_view(P3{-1, 0, 0}, P3{0, 1, 0}, P3{0, 0, 1}) == std::optional(0));
+  CHECK_BOTH(irg::widest_view(P3{0x1p-1060, 0, 0}, P3{0, 0x1p-1060, 0}, P3{0, 0, 0x1.000001p-1060}) ==
+             std::optional(0));
+  // The areas along x and y are (2^52 + 1) (2^52 + 3) and one more: only the last of 105 bits differs.
+  CHECK_BOTH(irg::widest_view(P3{0, 0, 0}, P3{0, 0x1p52 + 1, 0x1p52 + 2}, P3{0x1p52 + 2, 0, 0x1p52 + 3}) ==
+             std::optional(1));
+  CHECK_BOTH(irg::widest_view(P3{0x1p1000, 0, 0}, P3{0, 0x1p1000, 0}, P3{0, 0, 0x1p999}) == std::optional(2));
+}
+
+TEST_CASE("barycentric_orthogonal: the foot of the perpendicular") {
+  CHECK_BOTH(irg::barycentric_orthogonal(Q3{1, 0, 0}, Q3{0, 1, 0}, Q3{0, 0, 1}, Q3{1, 1, 1}) ==
+             std::optional(W3{r(1, 3), r(1, 3), r(1, 3)}));
+  CHECK_BOTH(irg::barycentric_orthogonal(P3{0, 0, 0}, P3{4, 0, 0}, P3{0, 4, 0}, P3{1, 1, 77}) ==
+             std::optional(V3{0.5, 0.25, 0.25}));
+  CHECK_BOTH(!irg::barycentric_orthogonal(P3{0, 0, 0}, P3{1, 1, 1}, P3{2, 2, 2}, P3{1, 1, 77}));
+  CHECK_BOTH(irg::barycentric_orthogonal(P3{0x1p600, 0, 0}, P3{0, 0x1p600, 0}, P3{0, 0, 0}, P3{0x1p599, 0, 0x1p700}) ==
+             std::optional(V3{0.5, 0, 0.5}));
+  CHECK_BOTH(irg::barycentric_orthogonal(P3{0x1p-1070, 0, 0}, P3{0, 0x1p-1070, 0}, P3{0, 0, 0}, P3{0x1p-1071, 0, 0}) ==
+             std::optional(V3{0.5, 0, 0.5}));
+  CHECK_BOTH(!irg::barycentric_orthogonal(P3{0x1p-1070, 0, 0}, P3{0, 0x1p-1070, 0}, P3{0, 0, 0}, P3{0x1p1000, 0, 0}));
+}
+
+TEST_CASE("interpolate: never outside of the corners' values") {
+  CHECK_BOTH(irg::interpolate(V3{0.5, 0.25, 0.25}, 2, 4, 8) == 4);
+  CHECK_BOTH(irg::interpolate(V3{-1, 1, 1}, 2, 4, 8) == 10);
+  test::random rng(11);
+  for (int i = 0; i < 3000; ++i) {
+    const double u = rng.unit(), v = rng.unit() * (1 - u), x = rng.unit() * 3;
+    const V3 t{u, v, 1 - u - v};
+    REQUIRE(irg::interpolate(t, x, x, x) == x);
+    const double y = irg::interpolate(t, x, 1, 1.0000000000000002);
+    REQUIRE((y >= (x < 1 ? x : 1) && y <= (x > 1.0000000000000002 ? x : 1.0000000000000002)));
+  }
+}
+
+double random_coordinate(test::random& rng, int kind) {
+  const double x = rng.unit() * 2 - 1;
+  switch (kind) {
+    case 0: return x;
+    case 1: return 0.5 + static_cast<double>(rng.integer(0, 255)) * 0x1p-53;           // a grid of ulps
+    case 2: return std::ldexp(x, static_cast<int>(rng.integer(-1070, 1020)));         // any exponents
+    case 3: return static_cast<double>(rng.integer(-8, 8));                           // a small lattice
+    case 4: return static_cast<double>(rng.integer(-8, 8)) * 0x1p-1074;               // of subnormals
+    default: return static_cast<double>(static_cast<float>(1000 + x * 0x1p-8));       // far from the origin
+  }
+}
+
+TEST_CASE("barycentric_fast: as good as its formula") {
+  test::random rng(12);
+  for (int i = 0; i < 1000; ++i) {
+    const auto p = [&] { return P2{random_coordinate(rng, 0), random_coordinate(rng, 0)}; };
+    const P2 a = p(), b = p(), c = p(), t = p();
+    const auto exact = barycentric(a, b, c, t);
+    const V3 fast = irg::barycentric_fast(a, b, c, t);
+    const double area = std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    REQUIRE(exact);
+    for (int k = 0; k < 3; ++k) REQUIRE(std::fabs(fast[k] - (*exact)[k]) <= 0x1p-53 * 64 / area * (1 + 8 / area));
+  }
+}
+
+#ifdef IRG_HAVE_MPFR
+
+// Rationals of any size.
+class big {
+public:
+  big(double x = 0) {
+    mpq_init(q_);
+    mpq_set_d(q_, x);
+  }
+  big(const big& v) {
+    mpq_init(q_);
+    mpq_set(q_, v.q_);
+  }
+  big& operator=(const big&) = delete;
+  ~big() { mpq_clear(q_); }
+  friend big operator*(const big& a, const big& b) { return made(mpq_mul, a, b); }
+  friend big operator-(const big& a, const big& b) { return made(mpq_sub, a, b); }
+  friend big operator/(const big& a, const big& b) { return made(mpq_div, a, b); }
+  int sign() const { return mpq_sgn(q_); }
+  double nearest() const { return mpq_get_d(q_); }  // towards zero
+  big size() const { return sign() < 0 ? big(0) - *this : *this; }
+
+private:
+  template <class F>
+  static big made(F f, const big& a, const big& b) {
+    big r;
+    f(r.q_, a.q_, b.q_);
+    return r;
+  }
+  mpq_t q_;
+};
+
+big area(const P2& a, const P2& b, const P2& c) {
+  return (big(b.x) - a.x) * (big(c.y) - a.y) - (big(b.y) - a.y) * (big(c.x) - a.x);
+}
+
+// The error of x in units of its last place; subnormal and overflowing results are left out.
+double ulps(double x, const big& exact) {
+  const double near = exact.size().nearest();
+  if (near < 0x1p-1000 || near > 0x1p950) return 0;
+  int e = 0;
+  std::frexp(near, &e);
+  return (big(x) - exact).size().nearest() / std::ldexp(1.0, e - 53);
+}
+
+TEST_CASE("barycentric: against rationals (oracle), from classroom grids to the ends of the exponents") {
+  const int rounds = std::getenv("IRG_RELEASE_TIER") != nullptr ? 300'000 : 1500;
+  double worst[6] = {}, worst_sum = 0;
+  for (int kind = 0; kind < 6; ++kind) {
+    test::random rng(static_cast<std::uint64_t>(20 + kind));
+    for (int i = 0; i < rounds; ++i) {
+      const auto p = [&] { return P2{random_coordinate(rng, kind), random_coordinate(rng, kind)}; };
+      const P2 a = p(), b = kind == 1 ? P2{12, 12} : p(), c = kind == 1 ? P2{24, 24} : p();
+      const P2 t = i % 3 == 0 ? P2{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2} : p();
+      const big whole = area(a, b, c);
+      const auto got = barycentric(a, b, c, t);
+      REQUIRE(got.has_value() == (whole.sign() != 0));
+      if (!got) continue;
+      const big exact[] = {area(t, b, c) / whole, area(a, t, c) / whole, area(a, b, t) / whole};
+      bool inside = true;
+      for (int k = 0; k < 3; ++k) {
+        inside = inside && exact[k].sign() >= 0;
+        worst[kind] = std::fmax(worst[kind], ulps((*got)[k], exact[k]));
+        if (exact[k].sign() == 0) REQUIRE((*got)[k] == 0);
+        if (exact[k].size().nearest() > 0x1p-1000) REQUIRE(((*got)[k] > 0) == (exact[k].sign() > 0));
+      }
+      if (!inside) continue;
+      REQUIRE(((*got)[0] <= 1 && (*got)[1] <= 1 && (*got)[2] <= 1));
+      const big sum = big((*got)[0]) - (big(0) - (*got)[1]) - (big(0) - (*got)[2]) - 1.0;
+      worst_sum = std::fmax(worst_sum, sum.size().nearest());
+    }
+    MESSAGE("barycentric, kind ", kind, ": ", worst[kind], " ulp on ", rounds, " triangles");
+    CHECK(worst[kind] <= 0.51);
+  }
+  CHECK(worst_sum <= 0x1p-52);
+}
+
+TEST_CASE("barycentric in space: against the rationals of the view that rationals choose (oracle)") {
+  for (int kind = 0; kind < 6; ++kind) {
+    test::random rng(static_cast<std::uint64_t>(40 + kind));
+    for (int i = 0; i < 300; ++i) {
+      const auto p = [&] {
+        return P3{random_coordinate(rng, kind), random_coordinate(rng, kind), random_coordinate(rng, kind)};
+      };
+      const P3 a = p(), b = p(), c = p(), t = i % 2 == 0 ? p() : a;
+      const P2 seen[3][4] = {{{a.y, a.z}, {b.y, b.z}, {c.y, c.z}, {t.y, t.z}},
+                             {{a.z, a.x}, {b.z, b.x}, {c.z, c.x}, {t.z, t.x}},
+                             {{a.x, a.y}, {b.x, b.y}, {c.x, c.y}, {t.x, t.y}}};
+      int best = 0;
+      for (int k = 1; k < 3; ++k)
+        if ((area(seen[k][0], seen[k][1], seen[k][2]).size() - area(seen[best][0], seen[best][1], seen[best][2]).size())
+                .sign() > 0)
+          best = k;
+      const P2* s = seen[best];
+      REQUIRE(irg::widest_view(a, b, c) == (area(s[0], s[1], s[2]).sign() == 0 ? std::nullopt : std::optional(best)));
+      REQUIRE(barycentric(a, b, c, t) == barycentric(s[0], s[1], s[2], s[3]));
+    }
+  }
+}
+
+#endif
+
+TEST_CASE("barycentric: float, rounded once") {
+  using F2 = irg::point<float, 2>;
+  test::random rng(13);
+  for (int i = 0; i < 2000; ++i) {
+    const auto p = [&] {
+      return F2{static_cast<float>(rng.integer(0, 1 << 24)), static_cast<float>(rng.integer(0, 1 << 24))};
+    };
+    const auto wide = [](const F2& q) { return P2{static_cast<double>(q.x), static_cast<double>(q.y)}; };
+    const F2 a = p(), b = p(), c = p(), t = p();
+    const auto narrow = barycentric(a, b, c, t);
+    const auto exact = barycentric(wide(a), wide(b), wide(c), wide(t));
+    REQUIRE(narrow.has_value() == exact.has_value());
+    for (int k = 0; narrow && k < 3; ++k) REQUIRE((*narrow)[k] == static_cast<float>((*exact)[k]));
+  }
+}
+
+}  // namespace

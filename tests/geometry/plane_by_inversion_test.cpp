@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <irg/geometry/plane_by_inversion.hpp>
+
+#include <limits>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+#include "support/rational.hpp"
+
+#include <irg/math/mat.hpp>
+
+using irg::hpoint;
+using irg::inversion_outcome;
+using irg::plane;
+using irg::plane_by_inversion;
+using irg::plane_by_inversion_textbook;
+using test::rational;
+
+namespace {
+
+using H = hpoint<double, 3>;
+using Q = hpoint<rational, 3>;
+
+template <class P, class T>
+constexpr bool gives(const P& p, const P& q, const P& r, const T& d, const plane<T>& want) {
+  const auto got = plane_by_inversion(p, q, r, d);
+  return got.outcome == inversion_outcome::plane && got.value == want;
+}
+
+}  // namespace
+
+TEST_CASE("plane_by_inversion: GOLDEN 4") {
+  constexpr Q a{1, 0, 0, 1}, b{0, 2, 0, 1}, c{0, 0, 3, 1};
+  CHECK_BOTH(gives(a, b, c, rational(1), {-1, rational(-1, 2), rational(-1, 3), 1}));
+  CHECK_BOTH(gives(a, b, c, rational(-6), {6, 3, 2, -6}));
+  CHECK_BOTH(gives(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, -6.0, {6, 3, 2, -6}));
+  // As printed, with D = 5 in the matrix: the last coefficient is 1/5.
+  constexpr auto printed = plane_by_inversion_textbook(a, b, c, 5);
+  CHECK_BOTH(printed.value == plane<rational>{rational(-1, 5), rational(-1, 10), rational(-1, 15), rational(1, 5)});
+  // z = 4 avoids the origin, so the inversion exists.
+  CHECK_BOTH(gives(Q{0, 0, 4, 1}, Q{1, 0, 4, 1}, Q{0, 1, 4, 1}, rational(1), {0, 0, rational(-1, 4), 1}));
+}
+
+TEST_CASE("plane_by_inversion: where there is none") {
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 1, 1}, H{0, 1, 1, 1}, H{1, 1, 2, 1}).outcome ==
+             inversion_outcome::through_origin);
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{2, 0, 0, 1}, H{3, 0, 0, 1}).outcome == inversion_outcome::collinear);
+  CHECK_BOTH(plane_by_inversion(H{1, 2, 3, 1}, H{2, 4, 6, 2}, H{0, 0, 1, 1}).outcome == inversion_outcome::collinear);
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, 0).outcome == inversion_outcome::invalid);
+  constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, not_a_number, 1}).outcome ==
+             inversion_outcome::invalid);
+  CHECK_BOTH(plane_by_inversion(H{1, 0, 0, 1}, H{0, 2, 0, 1}, H{0, 0, 3, 1}, not_a_number).outcome ==
+             inversion_outcome::invalid);
+}
+
+TEST_CASE("plane_by_inversion: the equations hold in rationals") {
+  test::random r(9);
+  int planes = 0, wrong = 0;
+  for (int i = 0; i < 500; ++i) {
+    Q p[3];
+    for (Q& q : p)
+      for (int k = 0; k < 4; ++k) q[k] = rational(r.integer(-4, 4));
+    const auto got = plane_by_inversion(p[0], p[1], p[2], rational(r.integer(1, 5)));
+    irg::mat<rational, 4, 4> m;
+    for (int row = 0; row < 4; ++row)
+      for (int k = 0; k < 4; ++k) m(row, k) = row < 3 ? p[row][k] : rational(k == 3);
+    wrong += (got.outcome == inversion_outcome::plane) != !(determinant(m) == rational(0));
+    if (got.outcome != inversion_outcome::plane) continue;
+    ++planes;
+    for (const Q& q : p) wrong += !(plane_value(got.value, q) == rational(0));
+  }
+  CHECK(wrong == 0);
+  CHECK(planes > 300);
+}
