@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <irg/colour/pixel.hpp>
-#include <irg/geometry/polygon_convexity.hpp>
+#include <irg/geometry/point_in_polygon.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_textbook.hpp>

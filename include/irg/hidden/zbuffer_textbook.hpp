@@ -6,6 +6,7 @@
 // ones for speed.
 #pragma once
 
+#include <irg/geometry/flat_ring.hpp>
 #include <irg/hidden/detail/zbuffer_row.hpp>
 #include <irg/raster/depth.hpp>
 
@@ -151,10 +152,9 @@ private:
   References* references_ = nullptr;
 };
 
-/// A convex polygon in space.
+/// A polygon in space of floats or doubles.
 template <class R>
-concept SpaceRing =
-    PolygonRing<R> && Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Floating<scalar_of<ring_point<R>>>;
+concept FloatingSpaceRing = SpaceRing<R> && Floating<scalar_of<ring_point<R>>>;
 
 inline namespace IRG_ABI {
 
@@ -181,7 +181,7 @@ constexpr void zbuffer_span(const zbuffer_textbook<Order, Screen, Depth, Referen
 ///         through the corners, and never outside the range of the corners' depths
 /// cost    one division and some products per pixel, or one addition (`steps`)
 /// source  S1, S2 2.2
-template <class Order, class Screen, class Depth, class References, SpaceRing R,
+template <class Order, class Screen, class Depth, class References, FloatingSpaceRing R,
           class V = zbuffer_value<Screen, References>>
 constexpr bool zbuffer_polygon(const zbuffer_textbook<Order, Screen, Depth, References>& buffers, const R& ring,
                                const V& value, depth_evaluation how, const picture_grid<scalar_of<ring_point<R>>>& grid,
@@ -198,7 +198,7 @@ constexpr bool zbuffer_polygon(const zbuffer_textbook<Order, Screen, Depth, Refe
              : detail::draw_polygon(buffers, ring, project, plane_walk<T>(*p, grid, b.low), b, value, window);
 }
 
-template <class Order, class Screen, class Depth, class References, SpaceRing R,
+template <class Order, class Screen, class Depth, class References, FloatingSpaceRing R,
           class V = zbuffer_value<Screen, References>>
 constexpr bool zbuffer_polygon(const zbuffer_textbook<Order, Screen, Depth, References>& buffers, const R& ring,
                                const V& value, depth_evaluation how = depth_evaluation::plane,
@@ -212,7 +212,7 @@ constexpr bool zbuffer_polygon(const zbuffer_textbook<Order, Screen, Depth, Refe
 /// gives   false, and nothing drawn, when a coordinate or d is NaN, infinite or beyond 2^30, d is 0, or a corner is not
 ///         in front of the eye: clip first; true and nothing drawn as zbuffer_polygon, and when the plane holds the eye
 /// exact   coverage: corners are projected in T, then as fill_convex; depths as there
-template <class Order, class Screen, class Depth, class References, SpaceRing R,
+template <class Order, class Screen, class Depth, class References, FloatingSpaceRing R,
           class V = zbuffer_value<Screen, References>>
 constexpr bool zbuffer_polygon_perspective(const zbuffer_textbook<Order, Screen, Depth, References>& buffers,
                                            const R& ring, const scalar_of<ring_point<R>>& d, const V& value,
@@ -241,7 +241,7 @@ constexpr bool zbuffer_polygon_perspective(const zbuffer_textbook<Order, Screen,
   return detail::draw_polygon(buffers, ring, project, plane_walk<T>(*p, d, grid, back), b, value, window);
 }
 
-template <class Order, class Screen, class Depth, class References, SpaceRing R,
+template <class Order, class Screen, class Depth, class References, FloatingSpaceRing R,
           class V = zbuffer_value<Screen, References>>
 constexpr bool zbuffer_polygon_perspective(const zbuffer_textbook<Order, Screen, Depth, References>& buffers,
                                            const R& ring, const scalar_of<ring_point<R>>& d, const V& value,

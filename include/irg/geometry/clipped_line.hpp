@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The result of clipping a line: its visible part, and which part of the whole that is.
+#pragma once
+
+#include <type_traits>
+
+#include <irg/core/coordinates.hpp>
+#include <irg/math/error_free.hpp>
+
+namespace irg {
+
+/// The visible part of the segment from a to b: from `first` to `second`, where the parameters are those of a + t*(b -
+/// a).
+/// shape   0 <= t_first <= t_second <= 1; a kept end is the given point, bit for bit, at 0 or 1. Parameters are numbers
+///         of the coordinates' type, doubles for integers
+template <Point P>
+struct clipped_line {
+  using parameter = std::conditional_t<std::is_integral_v<scalar_of<P>>, double, scalar_of<P>>;
+  P first{}, second{};
+  parameter t_first = parameter(0), t_second = parameter(1);
+  constexpr bool operator==(const clipped_line&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Point P>
+IRG_INLINE constexpr bool has_finite_coordinates(const P& p) noexcept {
+  if constexpr (Floating<scalar_of<P>>)
+    for (int i = 0; i < size_of<P>; ++i)
+      if (!is_finite(coordinate(p, i))) return false;
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

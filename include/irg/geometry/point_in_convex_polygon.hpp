@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Where a point lies against a convex polygon: edge by edge, in logarithmic time, and by the course's rules.
+#pragma once
+
+#include <cstddef>
+
+#include <irg/geometry/orient2d.hpp>
+#include <irg/geometry/point_in_polygon.hpp>
+#include <irg/geometry/polygon.hpp>
+
+namespace irg {
+inline namespace IRG_ABI {
+
+/// Where p lies against a convex polygon, which may run either way round and have collinear and repeated vertices.
+/// needs   is_convex(ring)
+/// gives   the boundary for all points of a polygon without area (a point, a segment); `outside` for an empty ring and
+///         when a coordinate of p is NaN or infinite
+/// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
+/// cost    up to one turn for each edge; ends at the first two edges that see p on different sides
+/// source  rules 3.3 and 3.4 of the course
+template <PlaneRing R>
+constexpr point_location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
+  if (!detail::is_finite_point(p)) return point_location::outside;
+  int side = 0;
+  for (std::size_t i = 0; i < ring_size(ring); ++i) {
+    const auto a = ring_vertex(ring, i), b = ring_vertex(ring, i + 1);
+    const int turn = orient2d(a, b, p);
+    if (turn == 0 && detail::is_between(a, b, p)) return point_location::boundary;
+    if (turn != 0 && turn == -side) return point_location::outside;
+    if (turn != 0) side = turn;
+  }
+  return side == 0 ? point_location::outside : point_location::inside;
+}
+
+/// Rules 3.3 and 3.4 of the course as they stand, for a clockwise ring: outside when p lies on the left of some edge (a
+/// positive value of its equation), inside when it lies on the right of all, boundary otherwise.
+/// needs   a clockwise convex ring without repeated vertices: an edge without length has the value 0 everywhere, so
+///         that it takes the inside for the boundary
+/// exact   as point_in_convex_polygon
+/// source  rules 3.3 and 3.4 of the course. Its exercise prints the boundary as inside
+template <PlaneRing R>
+constexpr point_location point_in_convex_polygon_textbook(const R& ring, const ring_point<R>& p) noexcept {
+  bool all_negative = true;
+  for (std::size_t i = 0; i < ring_size(ring); ++i) {
+    const int value = orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), p);
+    if (value > 0) return point_location::outside;
+    all_negative = all_negative && value < 0;
+  }
+  return all_negative ? point_location::inside : point_location::boundary;
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The vertices of a convex ring as seen from the first: those that stand there, too, are passed over.
+template <PlaneRing R>
+class convex_fan {
+public:
+  constexpr explicit convex_fan(const R& ring) noexcept : ring_(ring), first_(1), last_(ring_size(ring) - 1) {
+    while (first_ <= last_ && same_place(vertex(0), vertex(first_))) ++first_;
+    while (last_ > first_ && same_place(vertex(0), vertex(last_))) --last_;
+  }
+
+  constexpr point_location locate(const ring_point<R>& p) const noexcept {
+    if (same_place(vertex(0), p)) return point_location::boundary;
+    if (first_ > last_) return point_location::outside;
+    const int side = direction();
+    if (side == 0) return point_in_convex_polygon(ring_, p);
+    const int at_first = side * from_start(first_, p), at_last = side * from_start(last_, p);
+    if (at_first < 0 || at_last > 0) return point_location::outside;
+    if (at_first == 0 && same_way(first_, p)) return on_first_side(side, p);
+    if (at_last == 0 && same_way(last_, p)) return on_last_side(side, p);
+    if (at_first == 0 || at_last == 0) return point_location::outside;
+    std::size_t low = first_, high = last_;
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      (side * from_start(middle, p) >= 0 ? low : high) = middle;
+    }
+    return static_cast<point_location>(side * orient2d(vertex(low), vertex(high), p));
+  }
+
+private:
+  const R& ring_;
+  std::size_t first_, last_;  // the ends of the fan
+
+  constexpr ring_point<R> vertex(std::size_t i) const noexcept { return ring_vertex(ring_, i); }
+  constexpr int from_start(std::size_t i, const ring_point<R>& p) const noexcept {
+    return orient2d(vertex(0), vertex(i), p);
+  }
+  // Whether p, on the line through vertices 0 and i, lies in the direction of vertex i.
+  constexpr bool same_way(std::size_t i, const ring_point<R>& p) const noexcept {
+    return leads_forward(vertex(0), vertex(i)) == leads_forward(vertex(0), p);
+  }
+
+  // 1 for counter-clockwise, -1 for clockwise, 0 for a polygon without area.
+  constexpr int direction() const noexcept {
+    if (const int turn = from_start(first_, vertex(last_)); turn != 0) return turn;
+    if (same_way(first_, vertex(last_))) return 0;
+    std::size_t low = first_, high = last_;  // vertex 0 is within a side: ahead of it and behind it the others begin
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      if (const int turn = from_start(first_, vertex(middle)); turn != 0) return turn;
+      (same_way(first_, vertex(middle)) ? low : high) = middle;
+    }
+    return 0;
+  }
+
+  // p is on the ray from vertex 0 along its first side: is it before the end of that side?
+  constexpr point_location on_first_side(int side, const ring_point<R>& p) const noexcept {
+    std::size_t low = first_, high = last_ + 1;
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      const bool straight = side * from_start(first_, vertex(middle)) == 0 && same_way(first_, vertex(middle));
+      (straight ? low : high) = middle;
+    }
+    return is_between(vertex(0), vertex(low), p) ? point_location::boundary : point_location::outside;
+  }
+  constexpr point_location on_last_side(int side, const ring_point<R>& p) const noexcept {
+    std::size_t low = first_ - 1, high = last_;
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      const bool straight = side * from_start(last_, vertex(middle)) == 0 && same_way(last_, vertex(middle));
+      (straight ? high : low) = middle;
+    }
+    return is_between(vertex(0), vertex(high), p) ? point_location::boundary : point_location::outside;
+  }
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// point_in_convex_polygon in logarithmic time: a binary search among the triangles from the first vertex.
+/// needs   is_convex(ring), finite coordinates of the ring
+/// exact   as point_in_convex_polygon
+/// cost    about 2 + log2(n) turns, and a comparison for each vertex that stands where the first does. A polygon
+///         without area is looked at edge by edge
+/// source  Preparata and Shamos 1985
+template <PlaneRing R>
+constexpr point_location point_in_convex_polygon_log(const R& ring, const ring_point<R>& p) noexcept {
+  if (ring_size(ring) == 0 || !detail::is_finite_point(p)) return point_location::outside;
+  return detail::convex_fan<R>(ring).locate(p);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// What a polygon of the plane is: a ring of points, or any number of rings, and the lines through its edges. y points
+// up; where it points down, clockwise and counter-clockwise change places.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <irg/core/ring.hpp>
+#include <irg/geometry/line.hpp>
+#include <irg/math/error_free.hpp>
+
+namespace irg {
+
+/// A ring of points of the plane.
+template <class R>
+concept PlaneRing = PolygonRing<R> && Point<ring_point<R>> && (size_of<ring_point<R>> == 2);
+
+/// Any number of rings of the plane, in a container with size() and [] or a plain array.
+template <class R>
+concept PlaneRings = requires(const R& rings, std::size_t i) {
+  requires PlaneRing<std::remove_cvref_t<decltype(rings[i])>>;
+  requires std::is_array_v<R> || requires {
+    { rings.size() } -> std::convertible_to<std::size_t>;
+  };
+};
+
+/// One ring, or any number of them.
+template <class P>
+concept PlanePolygon = PlaneRing<P> || PlaneRings<P>;
+
+namespace detail {
+template <class P>
+struct polygon_point_of;
+template <PlaneRing R>
+struct polygon_point_of<R> {
+  using type = ring_point<R>;
+};
+template <PlaneRings R>
+  requires(!PlaneRing<R>)
+struct polygon_point_of<R> {
+  using type = ring_point<std::remove_cvref_t<decltype(std::declval<const R&>()[0])>>;
+};
+}  // namespace detail
+
+/// The type of a polygon's vertices.
+template <PlanePolygon P>
+using polygon_point = typename detail::polygon_point_of<P>::type;
+
+/// The line a*x + b*y + c = 0 through an edge; the value is positive on the left of the edge's direction.
+template <Scalar T>
+using edge_equation = line<T>;
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The top bit is set when a coordinate is NaN or infinite: one more makes its exponent overflow. No comparison stands
+// in the way of doing several at once.
+template <Point P>
+IRG_INLINE constexpr std::uint64_t not_finite_bit(const P& p) noexcept {
+  if constexpr (Floating<scalar_of<P>>) {
+    const auto x = std::bit_cast<std::uint64_t>(static_cast<double>(coordinate(p, 0)));
+    const auto y = std::bit_cast<std::uint64_t>(static_cast<double>(coordinate(p, 1)));
+    constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52, one = std::uint64_t{1} << 52;
+    return ((x & exponent) + one) | ((y & exponent) + one);
+  } else {
+    return 0;
+  }
+}
+template <Point P>
+IRG_INLINE constexpr bool is_finite_point(const P& p) noexcept {
+  return not_finite_bit(p) >> 63 == 0;
+}
+
+template <PlaneRing R>
+constexpr bool is_finite_ring(const R& ring) noexcept {
+  std::uint64_t bits = 0;
+  if constexpr (Floating<scalar_of<ring_point<R>>>)
+    for (std::size_t i = 0, n = ring_size(ring); i < n; ++i) bits |= not_finite_bit(ring_traits<R>::vertex(ring, i));
+  return bits >> 63 == 0;
+}
+
+template <Point P>
+IRG_INLINE constexpr bool same_place(const P& a, const P& b) noexcept {
+  return coordinate(a, 0) == coordinate(b, 0) && coordinate(a, 1) == coordinate(b, 1);
+}
+
+// Whether the way from a to b leads to greater x, or straight to greater y.
+template <Point P>
+IRG_INLINE constexpr bool leads_forward(const P& a, const P& b) noexcept {
+  return coordinate(a, 0) < coordinate(b, 0) ||
+         (coordinate(a, 0) == coordinate(b, 0) && coordinate(a, 1) < coordinate(b, 1));
+}
+
+// Whether p, which is on the line through a and b, is between them or on one of them.
+template <Point P>
+constexpr bool is_between(const P& a, const P& b, const P& p) noexcept {
+  const auto within = [](const auto& from, const auto& to, const auto& v) {
+    return from < to ? !(v < from) && !(to < v) : !(v < to) && !(from < v);
+  };
+  return within(coordinate(a, 0), coordinate(b, 0), coordinate(p, 0)) &&
+         within(coordinate(a, 1), coordinate(b, 1), coordinate(p, 1));
+}
+
+template <PlanePolygon P>
+constexpr std::size_t ring_count(const P& polygon) noexcept {
+  if constexpr (PlaneRing<P>)
+    return 1;
+  else if constexpr (std::is_array_v<P>)
+    return std::extent_v<P>;
+  else
+    return static_cast<std::size_t>(polygon.size());
+}
+
+// Calls f(ring) for each ring, until it returns false; whether it never did.
+template <PlanePolygon P, class F>
+constexpr bool each_ring(const P& polygon, F&& f) noexcept {
+  if constexpr (PlaneRing<P>) {
+    return f(polygon);
+  } else {
+    for (std::size_t i = 0; i < ring_count(polygon); ++i)
+      if (!f(polygon[i])) return false;
+    return true;
+  }
+}
+
+// Calls f(from, to) for each edge of each ring.
+template <PlanePolygon P, class F>
+constexpr void each_edge(const P& polygon, F&& f) noexcept {
+  each_ring(polygon, [&](const auto& ring) {
+    for (std::size_t i = 0; i < ring_size(ring); ++i) f(ring_vertex(ring, i), ring_vertex(ring, i + 1));
+    return true;
+  });
+}
+
+template <PlanePolygon P>
+constexpr bool is_finite_polygon(const P& polygon) noexcept {
+  return each_ring(polygon, [](const auto& ring) { return is_finite_ring(ring); });
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The line through an edge from p to q: a = y1 - y2, b = x2 - x1, c = x1*y2 - x2*y1.
+/// gives   (0, 0, 0) when the points coincide
+/// exact   in integers (without overflow) and rationals; in floats a and b are rounded once, c is within 1 ulp (2^-1073
+///         more where it underflows)
+/// source  formulas 2.6 and 3.1 of the course
+template <Point P>
+  requires(size_of<P> == 2)
+constexpr edge_equation<scalar_of<P>> edge_through(const P& p, const P& q) noexcept {
+  using T = scalar_of<P>;
+  const T x1 = coordinate(p, 0), y1 = coordinate(p, 1), x2 = coordinate(q, 0), y2 = coordinate(q, 1);
+  if constexpr (Floating<T>)
+    return {y1 - y2, x2 - x1, difference_of_products(x1, y2, x2, y1)};
+  else
+    return {y1 - y2, x2 - x1, x1 * y2 - x2 * y1};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

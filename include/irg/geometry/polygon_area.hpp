@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// The signed area of polygons: positive where they run counter-clockwise (y up). Rings add up, so that holes that run
+// the other way are taken off; where a ring crosses itself, its parts count as often as it runs round them.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include <irg/geometry/detail/shoelace.hpp>
+#include <irg/geometry/polygon.hpp>
+#include <irg/math/compensated.hpp>
+#include <irg/math/error_free.hpp>
+
+namespace irg {
+inline namespace IRG_ABI {
+
+/// Twice the signed area, by the sum of x1*y2 - x2*y1: exactly, in a type that holds it.
+/// gives   128 bits for integers of up to 32, a wide_int for longer ones, else the coordinates' own type
+/// exact   in integers (for fewer than 2^60 vertices) and rationals
+template <PlanePolygon P>
+  requires(!Floating<scalar_of<polygon_point<P>>>)
+constexpr auto twice_polygon_area(const P& polygon) noexcept {
+  return detail::shoelace(polygon);
+}
+
+/// The signed area, correctly rounded.
+/// gives   0 for rings of fewer than three vertices and for polygons without area; NaN when a coordinate is NaN or
+///         infinite; infinity when the area overflows. A double for integers
+/// exact   the nearest number for all finite floats and all integers, ties to even; other scalars: by their own
+///         arithmetic, exact in rationals
+/// cost    some 20 ns for a vertex; nothing allocates
+template <PlanePolygon P>
+constexpr auto polygon_area_exact(const P& polygon) noexcept {
+  using T = scalar_of<polygon_point<P>>;
+  if constexpr (Floating<T>) {
+    if (!detail::is_finite_polygon(polygon)) return detail::not_a_number<T>;
+    auto twice = detail::shoelace(polygon);
+    const double area = twice.rounded(-1);
+    if constexpr (std::is_same_v<T, double>) {
+      return area;
+    } else {
+      twice.subtract(area, 2.0);
+      return detail::rounded_once<T>(area, twice.sign());
+    }
+  } else if constexpr (std::integral<T>) {
+    return detail::rounded_wide(wide_int<4>(detail::shoelace(polygon)), -1);
+  } else {
+    return T(detail::shoelace(polygon) / T(2));
+  }
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Twice an area in two parts, and a bound of what they are off.
+struct bounded_area {
+  exact_sum<double> sum{0, 0};
+  double size = 0;  // of all products
+  bool is_moderate = true;  // nothing over- or underflowed
+};
+
+// Adds the area between two edges from the ring's first vertex, which are differences in two parts each: so distance
+// from the origin costs nothing.
+IRG_INLINE constexpr void add_triangle(bounded_area& area, const exact_sum<double>& ux, const exact_sum<double>& uy,
+                                       const exact_sum<double>& vx, const exact_sum<double>& vy) noexcept {
+  const exact_sum<double> left = fast_two_product(ux.value, vy.value), right = fast_two_product(uy.value, vx.value);
+  const double left_rest = left.error + (product(ux.value, vy.error) + product(ux.error, vy.value));
+  const double right_rest = right.error + (product(uy.value, vx.error) + product(uy.error, vx.value));
+  const exact_sum<double> heads = two_sum(left.value, -right.value);
+  const exact_sum<double> total = two_sum(area.sum.value, heads.value);
+  area.sum = {total.value, area.sum.error + (total.error + (heads.error + (left_rest - right_rest)))};
+  area.size = area.size + (magnitude(left.value) + magnitude(right.value));
+}
+
+template <PlaneRing R>
+constexpr void add_ring_area(bounded_area& area, const R& ring) noexcept {
+  const std::size_t n = ring_size(ring);
+  const auto at = [&](std::size_t i, int k) { return static_cast<double>(coordinate(ring_vertex(ring, i), k)); };
+  const auto moderate = [](double x) { return is_zero_or_within<-400, 400>(x); };
+  if (n < 3) return;
+  const double x0 = at(0, 0), y0 = at(0, 1);
+  area.is_moderate = area.is_moderate && moderate(x0) && moderate(y0);
+  exact_sum<double> ux{0, 0}, uy{0, 0};
+  for (std::size_t i = 1; i < n && area.is_moderate; ++i) {
+    const double x = at(i, 0), y = at(i, 1);
+    area.is_moderate = moderate(x) && moderate(y);
+    const exact_sum<double> vx = two_sum(x, -x0), vy = two_sum(y, -y0);
+    if (i > 1) add_triangle(area, ux, uy, vx, vy);
+    ux = vx;
+    uy = vy;
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The signed area.
+/// gives   as polygon_area_exact
+/// exact   float and double: within 0.51 ulp for all finite coordinates; the rest as polygon_area_exact
+/// cost    some 10 ns for a vertex; where the sum cancels too much to be sure of, polygon_area_exact
+template <PlanePolygon P>
+constexpr auto polygon_area(const P& polygon) noexcept {
+  using T = scalar_of<polygon_point<P>>;
+  if constexpr (Floating<T>) {
+    detail::bounded_area area;
+    double vertices = 8;
+    detail::each_ring(polygon, [&](const auto& ring) {
+      vertices += static_cast<double>(ring_size(ring));
+      detail::add_ring_area(area, ring);
+      return area.is_moderate;
+    });
+    const double sum = area.sum.value + area.sum.error;
+    // Sums of n terms in two parts, after Ogita, Rump and Oishi; 4 for the parts of each term.
+    const double bound = product(product(vertices, vertices) * 0x1p-102, area.size);
+    if (area.is_moderate && vertices < 0x1p40 && detail::magnitude(sum) * 0x1p-60 >= bound)
+      return static_cast<T>(sum * 0.5);
+  }
+  return polygon_area_exact(polygon);
+}
+
+/// The signed area by the sum of triangles from each ring's first vertex, in plain arithmetic.
+/// gives   no NaN while coordinates are below 2^510 (float: 2^62) in size
+/// exact   off by at most (n + 4) u times the triangles' areas together, each taken positive (u = 2^-53, float 2^-24),
+///         where nothing underflows: distance from the origin costs no more than the differences' own rounding
+/// cost    about 2 ns for a vertex
+template <PlanePolygon P>
+  requires Floating<scalar_of<polygon_point<P>>>
+constexpr auto polygon_area_fast(const P& polygon) noexcept {
+  using T = scalar_of<polygon_point<P>>;
+  T twice(0);
+  detail::each_ring(polygon, [&](const auto& ring) {
+    const std::size_t n = ring_size(ring);
+    if (n < 3) return true;
+    const auto origin = ring_vertex(ring, 0), first = ring_vertex(ring, 1);
+    T ux = coordinate(first, 0) - coordinate(origin, 0), uy = coordinate(first, 1) - coordinate(origin, 1);
+    for (std::size_t i = 2; i < n; ++i) {
+      const auto p = ring_vertex(ring, i);
+      const T vx = coordinate(p, 0) - coordinate(origin, 0), vy = coordinate(p, 1) - coordinate(origin, 1);
+      twice = twice + (product(ux, vy) - product(uy, vx));
+      ux = vx;
+      uy = vy;
+    }
+    return true;
+  });
+  return twice * T(0.5);
+}
+
+/// The signed area by half the sum of x1*y2 - x2*y1 as it stands, the textbook's shoelace formula.
+/// exact   in rationals; in floats off by (n + 1) u times the sum of all |x1*y2| and |x2*y1|, which grows with the
+///         square of the distance from the origin: at 10^8 sizes away nothing is left of a double
+/// source  the shoelace formula (Meister 1769)
+template <PlanePolygon P>
+  requires Real<scalar_of<polygon_point<P>>>
+constexpr auto polygon_area_textbook(const P& polygon) noexcept {
+  using T = scalar_of<polygon_point<P>>;
+  T twice(0);
+  detail::each_edge(polygon, [&](const auto& p, const auto& q) {
+    twice = twice + (product(coordinate(p, 0), coordinate(q, 1)) - product(coordinate(q, 0), coordinate(p, 1)));
+  });
+  return T(twice / T(2));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

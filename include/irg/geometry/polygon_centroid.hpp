@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The centre of gravity of a polygon's area, and the length of its edges.
+#pragma once
+
+#include <concepts>
+#include <optional>
+#include <type_traits>
+
+#include <irg/geometry/detail/twice_area.hpp>
+#include <irg/geometry/polygon.hpp>
+#include <irg/math/error_free.hpp>
+#include <irg/math/exact_sum.hpp>
+#include <irg/math/hypot.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Adds x1*y2 - x2*y1 times (s + t), and 3 times that without a factor.
+IRG_INLINE constexpr void add_moment(exact_accumulator<3>& moment, double x1, double y1, double x2, double y2, double s,
+                                     double t) noexcept {
+  moment.add(s, x1, y2), moment.add(t, x1, y2);
+  moment.subtract(s, x2, y1), moment.subtract(t, x2, y1);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The centre of gravity of a polygon's area; rings count by their signed areas, so that holes that run the other way
+/// are taken off.
+/// gives   nothing for a polygon without area and when a coordinate is NaN or infinite. Where a ring crosses itself,
+///         parts of opposite signs may put the centre outside of it. A point of doubles for integers of up to 32 bits
+/// exact   float and double: each coordinate within 0.52 ulp for all finite coordinates, however far from the origin
+///         (1.5 ulp where it is 2^960 times as large as the area's square root); exact in rationals
+/// cost    some 100 ns for a vertex; nothing allocates
+/// source  the moments of the triangles from the origin to each edge
+template <PlanePolygon P>
+  requires(!std::integral<scalar_of<polygon_point<P>>> || sizeof(scalar_of<polygon_point<P>>) <= 4)
+constexpr auto polygon_centroid(const P& polygon) noexcept {
+  using T = scalar_of<polygon_point<P>>;
+  if constexpr (Floating<T> || std::integral<T>) {
+    using result_type = std::conditional_t<Floating<T>, T, double>;
+    using centre = std::optional<point<result_type, 2>>;
+    if (!detail::is_finite_polygon(polygon)) return centre();
+    exact_accumulator<3> x, y, area;
+    detail::each_edge(polygon, [&](const auto& p, const auto& q) {
+      const auto x1 = static_cast<double>(coordinate(p, 0)), y1 = static_cast<double>(coordinate(p, 1));
+      const auto x2 = static_cast<double>(coordinate(q, 0)), y2 = static_cast<double>(coordinate(q, 1));
+      detail::add_moment(x, x1, y1, x2, y2, x1, x2);
+      detail::add_moment(y, x1, y1, x2, y2, y1, y2);
+      area.add(3.0, x1, y2), area.subtract(3.0, x2, y1);
+    });
+    if (area.sign() == 0) return centre();
+    const auto over_area = [&](const exact_accumulator<3>& moment) {
+      return moment.sign() == 0 ? result_type(0) : static_cast<result_type>(detail::ratio(moment, area));
+    };
+    return centre({over_area(x), over_area(y)});
+  } else {
+    T x(0), y(0), area(0);
+    detail::each_edge(polygon, [&](const auto& p, const auto& q) {
+      const T part = coordinate(p, 0) * coordinate(q, 1) - coordinate(q, 0) * coordinate(p, 1);
+      x = x + (coordinate(p, 0) + coordinate(q, 0)) * part;
+      y = y + (coordinate(p, 1) + coordinate(q, 1)) * part;
+      area = area + T(3) * part;
+    });
+    using centre = std::optional<point<T, 2>>;
+    return area == T(0) ? centre() : centre({x / area, y / area});
+  }
+}
+
+/// The centre of gravity of one ring, in plain arithmetic about its first vertex.
+/// gives   nothing when the area comes out as zero or NaN; no NaN while coordinates are below 2^340 (float: 2^41) in
+///         size and sizes above 2^-340
+/// exact   of a ring that runs one way round its first vertex: off by some (n + 6) u times its size; distance from the
+///         origin adds half an ulp
+/// cost    about 3 ns for a vertex
+template <PlaneRing R>
+  requires Floating<scalar_of<ring_point<R>>>
+constexpr std::optional<point<scalar_of<ring_point<R>>, 2>> polygon_centroid_fast(const R& ring) noexcept {
+  using T = scalar_of<ring_point<R>>;
+  const std::size_t n = ring_size(ring);
+  if (n < 3) return std::nullopt;
+  const auto origin = ring_vertex(ring, 0), first = ring_vertex(ring, 1);
+  T ux = coordinate(first, 0) - coordinate(origin, 0), uy = coordinate(first, 1) - coordinate(origin, 1);
+  T x(0), y(0), area(0);
+  for (std::size_t i = 2; i < n; ++i) {
+    const auto p = ring_vertex(ring, i);
+    const T vx = coordinate(p, 0) - coordinate(origin, 0), vy = coordinate(p, 1) - coordinate(origin, 1);
+    const T part = product(ux, vy) - product(uy, vx);
+    x = x + product(ux + vx, part);
+    y = y + product(uy + vy, part);
+    area = area + part;
+    ux = vx;
+    uy = vy;
+  }
+  if (!(area < T(0) || T(0) < area)) return std::nullopt;
+  return point<T, 2>{coordinate(origin, 0) + x / (T(3) * area), coordinate(origin, 1) + y / (T(3) * area)};
+}
+
+/// The length of a polygon's edges together, those of all its rings. An edge that is walked twice counts twice.
+/// gives   0 for no vertices and one; infinity when it overflows or a coordinate is infinite, NaN for NaN
+/// exact   within 2 ulp while no difference of coordinates overflows: lengths are added without loss
+/// cost    a square root and a division for each edge
+template <PlanePolygon P>
+  requires Floating<scalar_of<polygon_point<P>>>
+constexpr auto polygon_perimeter(const P& polygon) noexcept {
+  using T = scalar_of<polygon_point<P>>;
+  T sum(0), error(0);
+  detail::each_edge(polygon, [&](const auto& p, const auto& q) {
+    const auto next = two_sum(sum, hypot(coordinate(q, 0) - coordinate(p, 0), coordinate(q, 1) - coordinate(p, 1)));
+    sum = next.value;
+    error = error + next.error;
+  });
+  return detail::is_finite(sum) ? sum + error : sum;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
