@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
+#include <irg/geometry/polygon_orientation.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_textbook.hpp>
