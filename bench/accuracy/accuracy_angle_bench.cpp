@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The angle between two vectors: run time against error, from 1e-300 to pi.
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <irg/math/length.hpp>
+#include <irg/math/vec.hpp>
+
+#include "accuracy/real.hpp"
+#include "accuracy/sets.hpp"
+
+#ifdef BENCH_HAS_MPFR
+
+namespace {
+
+using vec = irg::vec<double, 3>;
+using pairs = std::vector<std::pair<vec, vec>>;
+
+bench::real exact_angle(const vec& a, const vec& b) {
+  using bench::real;
+  const auto minor = [&](int i, int j) { return real(a[i]) * real(b[j]) - real(a[j]) * real(b[i]); };
+  const real x = minor(1, 2), y = minor(2, 0), z = minor(0, 1);
+  const real along = real(a.x) * real(b.x) + real(a.y) * real(b.y) + real(a.z) * real(b.z);
+  return real::of(mpfr_atan2, sqrt(x * x + y * y + z * z), along);
+}
+
+// Two vectors at an angle of about `angle`, or that much less than pi; one as long as 2^exponent, the other as 2^-exponent.
+// Angles that general vectors of doubles cannot have are between vectors near an axis.
+pairs at_angle(double angle, bool from_opposite, int exponent, std::size_t count) {
+  bench::numbers r(17);
+  pairs all;
+  for (std::size_t i = 0; i < count; ++i) {
+    vec a{r.between(0.5, 1), r.between(-1, 1), r.between(-1, 1)};
+    if (angle < 1e-14) a = {a.x, 0, 0};
+    const vec aside{-a.y, a.x, 0};
+    const double s = from_opposite ? -1 : 1;
+    const vec b{s * a.x + angle * aside.x, s * a.y + angle * aside.y, s * a.z};
+    all.push_back({a * std::ldexp(1.0, exponent), b * std::ldexp(1.0, -exponent)});
+  }
+  return all;
+}
+
+template <class F>
+bench::implementation over(const char* name, const pairs& input, F f) {
+  return {name, [&input, f](double* out) {
+            for (const auto& [a, b] : input) *out++ = f(a, b);
+          }};
+}
+
+double plain_length(const vec& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+double plain_dot(const vec& a, const vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+vec plain_cross(const vec& a, const vec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+void measure(bench::study& s, const std::string& name, const pairs& input) {
+  bench::distribution d{name, input.size(), 1, {}};
+  for (const auto& [a, b] : input) d.exact.push_back(exact_angle(a, b).result());
+  s.panel(
+      d,
+      {over("irg", input, [](const vec& a, const vec& b) { return irg::angle_between(a, b); }),
+       over(
+           "acos of the cosine", input,
+           [](const vec& a, const vec& b) { return std::acos(plain_dot(a, b) / (plain_length(a) * plain_length(b))); }),
+       over("atan2 of the cross product", input,
+            [](const vec& a, const vec& b) { return std::atan2(plain_length(plain_cross(a, b)), plain_dot(a, b)); }),
+       over("Kahan's half angle", input,
+            [](const vec& a, const vec& b) {
+              const vec u = a / plain_length(a), v = b / plain_length(b);
+              return 2 * std::atan2(plain_length(u - v), plain_length(u + v));
+            })},
+      [&](std::size_t i) {
+        return bench::text_of({input[i].first.x, input[i].first.y, input[i].first.z, input[i].second.x,
+                               input[i].second.y, input[i].second.z});
+      });
+}
+
+}  // namespace
+
+int main() {
+  bench::stay_on_this_processor();
+  bench::study s("angle", "angle", bench::error_unit::ulp);
+  const std::size_t n = bench::smoke() ? 16 : 2048;
+  measure(s, "any directions", at_angle(1, false, 0, n));
+  for (const int e : {-6, -12, -100, -300})
+    measure(s, "1e" + std::to_string(e), at_angle(std::pow(10, e), false, 0, n));
+  measure(s, "pi - 1e-12", at_angle(1e-12, true, 0, n));
+  measure(s, "lengths 2^500 and 2^-500", at_angle(1e-3, false, 500, n));
+}
+
+#else
+#include <cstdio>
+int main() { std::puts("accuracy_angle: skipped, MPFR was not found"); }
+#endif

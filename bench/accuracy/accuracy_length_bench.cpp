@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Lengths and unit vectors over the whole range of doubles: run time against error.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <irg/math/length.hpp>
+#include <irg/math/vec.hpp>
+
+#include "accuracy/vector_sets.hpp"
+
+#if __has_include(<glm/glm.hpp>)
+#include <glm/glm.hpp>
+#define HAS_GLM 1
+#endif
+#if __has_include(<eigen3/Eigen/Core>)
+#include <eigen3/Eigen/Core>
+#define HAS_EIGEN 1
+#endif
+
+#ifdef BENCH_HAS_MPFR
+
+namespace {
+
+using bench::real;
+using vec3 = irg::vec<double, 3>;
+
+struct set {
+  std::string name;
+  std::vector<vec3> vectors;
+};
+
+std::vector<set> sets() {
+  const std::size_t n = bench::smoke() ? 16 : 4096;
+  std::vector<set> all;
+  const auto add = [&](const std::string& name, auto next) {
+    bench::numbers r(9);
+    set s{name, {}};
+    for (std::size_t i = 0; i < n; ++i) s.vectors.push_back(next(r));
+    all.push_back(s);
+  };
+  const auto of_size = [](int exponent) {
+    return [exponent](bench::numbers& r) {
+      const auto c = [&] { return std::ldexp(r.between(-1, 1), exponent); };
+      return vec3{c(), c(), c()};
+    };
+  };
+  add("sizes of about 1", of_size(0));
+  add("one coordinate rules",
+      [](bench::numbers& r) { return vec3{r.between(0.5, 1), r.of_exponent(-40, -1), r.of_exponent(-40, -1)}; });
+  add("2^1000", of_size(1000));
+  add("2^-500", of_size(-500));
+  add("2^-1050 (subnormal)", of_size(-1050));
+  return all;
+}
+
+auto eigen_of(const vec3& v) {
+#ifdef HAS_EIGEN
+  return Eigen::Vector3d(v.x, v.y, v.z);
+#else
+  return v;
+#endif
+}
+
+void lengths(const std::vector<set>& all) {
+  bench::study s("length", "length", bench::error_unit::ulp);
+  for (const set& one : all) {
+    const auto& v = one.vectors;
+    bench::distribution d{one.name, v.size(), 1, {}};
+    for (const vec3& x : v) d.exact.push_back(sqrt(real(x.x) * x.x + real(x.y) * x.y + real(x.z) * x.z).result());
+    std::vector<bench::implementation> who{
+        bench::for_each_item("irg", v, [](const vec3& x) { return irg::length(x); }),
+        bench::for_each_item("irg: length_fast", v, [](const vec3& x) { return irg::length_fast(x); }),
+        bench::for_each_item("std::hypot", v, [](const vec3& x) { return std::hypot(x.x, x.y, x.z); })};
+#ifdef HAS_GLM
+    who.push_back(bench::for_each_item("GLM", v, [](const vec3& x) { return glm::length(glm::dvec3(x.x, x.y, x.z)); }));
+#endif
+#ifdef HAS_EIGEN
+    who.push_back(bench::for_each_item("Eigen norm", v, [](const vec3& x) { return eigen_of(x).norm(); }));
+    who.push_back(bench::for_each_item("Eigen stableNorm", v, [](const vec3& x) { return eigen_of(x).stableNorm(); }));
+    who.push_back(bench::for_each_item("Eigen blueNorm", v, [](const vec3& x) { return eigen_of(x).blueNorm(); }));
+#endif
+    s.panel(d, who);
+  }
+}
+
+void unit_vectors(const std::vector<set>& all) {
+  bench::study s("normalise", "unit vector", bench::error_unit::ulp);
+  for (const set& one : all) {
+    const auto& v = one.vectors;
+    bench::distribution d{one.name, v.size(), 3, {}};
+    for (const vec3& x : v) {
+      const real length = sqrt(real(x.x) * x.x + real(x.y) * x.y + real(x.z) * x.z);
+      for (int k = 0; k < 3; ++k) d.exact.push_back((real(x[k]) / length).result());
+    }
+    std::vector<bench::implementation> who{
+        bench::for_each_vector<3>("irg", v, [](const vec3& x) { return irg::normalized(x); }),
+        bench::for_each_vector<3>("irg: normalized_fast", v, [](const vec3& x) { return irg::normalized_fast(x); })};
+#ifdef HAS_GLM
+    who.push_back(
+        bench::for_each_vector<3>("GLM", v, [](const vec3& x) { return glm::normalize(glm::dvec3(x.x, x.y, x.z)); }));
+#endif
+#ifdef HAS_EIGEN
+    const auto plain = [](const auto& e) { return std::array<double, 3>{e[0], e[1], e[2]}; };
+    who.push_back(bench::for_each_vector<3>("Eigen normalized", v,
+                                            [=](const vec3& x) { return plain(eigen_of(x).normalized()); }));
+    who.push_back(bench::for_each_vector<3>("Eigen stableNormalized", v,
+                                            [=](const vec3& x) { return plain(eigen_of(x).stableNormalized()); }));
+#endif
+    s.panel(d, who);
+  }
+}
+
+}  // namespace
+
+int main() {
+  bench::stay_on_this_processor();
+  const auto all = sets();
+  lengths(all);
+  unit_vectors(all);
+}
+
+#else
+#include <cstdio>
+int main() { std::puts("accuracy_length: skipped, MPFR was not found"); }
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What the studies of vector kernels share: wrappers that run a function over all items.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "accuracy/real.hpp"
+#include "accuracy/sets.hpp"
+
+namespace bench {
+
+/// f(item) for every item, one number each.
+template <class Items, class F>
+implementation for_each_item(std::string name, const Items& items, F f, std::string same_work = "yes") {
+  return {std::move(name),
+          [&items, f](double* out) {
+            for (const auto& item : items) *out++ = static_cast<double>(f(item));
+          },
+          std::move(same_work)};
+}
+
+/// f(item) for every item, `n` numbers each, which operator[] of the result gives.
+template <int N, class Items, class F>
+implementation for_each_vector(std::string name, const Items& items, F f, std::string same_work = "yes") {
+  return {std::move(name),
+          [&items, f](double* out) {
+            for (const auto& item : items) {
+              const auto v = f(item);
+              for (int k = 0; k < N; ++k) *out++ = static_cast<double>(v[k]);
+            }
+          },
+          std::move(same_work)};
+}
+
+}  // namespace bench
