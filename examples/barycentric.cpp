@@ -70,7 +70,7 @@ std::string numbers_of(const program::command_line& line, const coordinates& t, 
 }
 
 std::string report_of(const program::command_line& line, const problem& p, bool list) {
-  const std::string robust = numbers_of(line, irg::barycentric(p.a, p.b, p.c, p.t), "degenerate");
+  std::string robust = numbers_of(line, irg::barycentric(p.a, p.b, p.c, p.t), "degenerate");
   if (list) return robust;
   const coordinates direct = irg::barycentric_direct(p.a, p.b, p.c, p.t);
   if (!direct && irg::orient3d(p.a, p.b, p.c, point{}) != 0) line.fail("a coordinate is too large");

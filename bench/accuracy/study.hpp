@@ -72,7 +72,7 @@ inline score judge(const distribution& d, const std::vector<double>& got, error_
     for (std::size_t k = 0; k < per_item; ++k) {
       const exact_result& e = d.exact[i * per_item + k];
       const double g = got[i * per_item + k];
-      double error = 0;
+      double error = 0, half_a_place = unit == error_unit::sign ? 0 : 0.5;
       if (unit == error_unit::sign) {
         error = sign(g) == sign(e.value) && g == g ? 0 : 1;
         failed += error > 0 ? 1 : 0;
@@ -86,9 +86,10 @@ inline score judge(const distribution& d, const std::vector<double>& got, error_
         continue;
       } else {
         const double u = unit == error_unit::relative_u ? largest * 0x1p-53 : unit_of(e, unit);
+        if (unit == error_unit::relative_u && u > 0) half_a_place = unit_of(e, error_unit::ulp) / u / 2;
         error = u > 0 ? std::fabs(((g - e.value) - e.rest) / u) : g == 0 ? 0 : HUGE_VAL;
       }
-      if (error <= (unit == error_unit::sign ? 0 : 0.5)) ++exact;
+      if (error <= half_a_place) ++exact;
       if (error > s.worst || counted == 0) s.worst = error, s.worst_item = i;
       sum += error;
       ++counted;

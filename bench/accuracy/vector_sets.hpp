@@ -22,14 +22,22 @@ implementation for_each_item(std::string name, const Items& items, F f, std::str
           std::move(same_work)};
 }
 
-/// f(item) for every item, `n` numbers each, which operator[] of the result gives.
+template <class V>
+double component(const V& v, int k) {
+  if constexpr (requires { typename V::size_type; })
+    return static_cast<double>(v[static_cast<typename V::size_type>(k)]);
+  else
+    return static_cast<double>(v[k]);
+}
+
+/// f(item) for every item, `N` numbers each, which operator[] of the result gives.
 template <int N, class Items, class F>
 implementation for_each_vector(std::string name, const Items& items, F f, std::string same_work = "yes") {
   return {std::move(name),
           [&items, f](double* out) {
             for (const auto& item : items) {
               const auto v = f(item);
-              for (int k = 0; k < N; ++k) *out++ = static_cast<double>(v[k]);
+              for (int k = 0; k < N; ++k) *out++ = component(v, k);
             }
           },
           std::move(same_work)};

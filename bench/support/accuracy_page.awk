@@ -4,7 +4,9 @@ BEGIN { FS = "," }
 FNR == 1 { next }
 $1 != kernel {
   kernel = $1
-  printf "\n## %s\n\n![Run time against error of %s](accuracy/%s.svg)\n\n", kernel, kernel, kernel
+  file = kernel
+  gsub(/ /, "-", file)
+  printf "\n## %s\n\n![Run time against error of %s](accuracy/%s.svg)\n\n", kernel, kernel, file
   printf "| distribution | implementation | ns | greatest error, %s | mean error | exact | failed |\n", $8
   print "|---|---|---:|---:|---:|---:|---:|"
 }

@@ -41,7 +41,7 @@ function line(x1, y1, x2, y2, class) {
   printf "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"%s\"/>\n", x1, y1, x2, y2, class
 }
 function short(v) { return v >= 10000 || (v > 0 && v < 0.001) ? sprintf("1e%d", int(log10(v) + (v < 1 ? -0.5 : 0.5))) : v + 0 }
-function draw_panel(p,    e, step, m, i, j, swap, order, best, lastx, lasty, at) {
+function draw_panel(p,    e, step, m, i, j, swap, order, best, lastx, lasty, at, wanted, place) {
   text(left, 18, "title", "start", title[p])
   text(left, 34, "axis", "start", "error in " unit)
   for (e = int(low_ns) - 1; e <= high_ns; ++e) {
@@ -56,7 +56,7 @@ function draw_panel(p,    e, step, m, i, j, swap, order, best, lastx, lasty, at)
     text(left - 6, up(10 ^ e) + 4, "axis", "end", short(10 ^ e))
   }
   text(left + inner_width / 2, top + inner_height + 32, "axis", "middle", "ns")
-  # The front: from the fastest on, every one with a lesser error than all that are faster.
+  # The front: from the fastest on, every one that never fails with a lesser error than all that are faster.
   for (m = 1; m <= points[p]; ++m) order[m] = m
   for (i = 1; i <= points[p]; ++i)
     for (j = i + 1; j <= points[p]; ++j)
@@ -64,23 +64,32 @@ function draw_panel(p,    e, step, m, i, j, swap, order, best, lastx, lasty, at)
   best = ""
   for (i = 1; i <= points[p]; ++i) {
     m = order[i]
-    if (best != "" && worst[p, m] >= best) continue
+    if (failed[p, m] > 0 || (best != "" && worst[p, m] >= best)) continue
     if (best != "") {
       line(lastx, lasty, across(ns[p, m]), lasty, "front")
       line(across(ns[p, m]), lasty, across(ns[p, m]), up(worst[p, m]), "front")
     }
     best = worst[p, m]; lastx = across(ns[p, m]); lasty = up(best)
   }
-  # Names stand right of the panel, from the greatest error down, no two on each other.
+  # Names stand right of the panel, from the greatest error down, no two on each other and none below.
   for (i = 1; i <= points[p]; ++i)
     for (j = i + 1; j <= points[p]; ++j)
       if (worst[p, order[j]] > worst[p, order[i]]) { swap = order[i]; order[i] = order[j]; order[j] = swap }
   at = top - 16
   for (i = 1; i <= points[p]; ++i) {
+    wanted = up(worst[p, order[i]]) - 4
+    place[i] = at = wanted > at + 26 ? wanted : at + 26
+  }
+  at = top + inner_height + 50
+  for (i = points[p]; i >= 1; --i) {
+    if (place[i] > at - 26) place[i] = at - 26
+    at = place[i]
+  }
+  for (i = 1; i <= points[p]; ++i) {
     m = order[i]
+    at = place[i]
     printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" class=\"%s\"/>\n", across(ns[p, m]), up(worst[p, m]), kind[p, m]
     printf "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" class=\"%s hollow\"/>\n", across(ns[p, m]), up(mean[p, m]), kind[p, m]
-    at = up(worst[p, m]) - 4 > at + 26 ? up(worst[p, m]) - 4 : at + 26
     line(across(ns[p, m]), up(worst[p, m]), left + inner_width + 12, at, "lead")
     text(left + inner_width + 16, at + 4, kind[p, m] == "peer" ? "name" : "name own-name", "start", name[p, m])
     text(left + inner_width + 16, at + 15, "axis", "start", note[p, m])

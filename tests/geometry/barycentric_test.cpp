@@ -292,4 +292,12 @@ TEST_CASE("barycentric: float, rounded once") {
   }
 }
 
+TEST_CASE("barycentric: the worst input of the accuracy study, a triangle 2^-45 wide") {
+  constexpr auto t =
+      barycentric(P2{-0x1.b3622be84627cp-2, -0x1.40850485d37ap-4}, P2{0x1.b9ac5b5a7abcp-3, -0x1.05dcc1e355508p-3},
+                  P2{-0x1.8d974d06685fcp-2, -0x1.4c38eff2facd6p-4}, P2{0x1.346bb5d4fa499p-3, -0x1.f717dae80c2d7p-4});
+  CHECK_BOTH(t.has_value());
+  CHECK_BOTH(*t == irg::vec<double, 3>{0x1.5e8b53c00cc5ep-4, 0x1.cb8478223e476p-1, 0x1.1543acb803fd3p-6});
+}
+
 }  // namespace

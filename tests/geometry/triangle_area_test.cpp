@@ -209,3 +209,20 @@ TEST_CASE("triangle_area: from sides against MPFR") {
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif
+
+// The worst inputs that bench/accuracy found; the exact areas are those of MPFR, rounded to nearest.
+TEST_CASE("worst inputs of the accuracy study") {
+  using P = irg::point<double, 2>;
+  constexpr double area = irg::signed_triangle_area(P{0x1.fef3fc11746c8p+4, 0x1.4ef3a1bf9d4a6p+5},
+                                                    P{0x1.47dbfb306c8fp+3, -0x1.112d389f1f546p+5},
+                                                    P{0x1.7d2dca442a87bp+3, -0x1.c4ea5717bfdcap+4});
+  constexpr double exact_area = 0x1.3ffc2ffb06bf7p-37;
+  CHECK_BOTH(area >= exact_area * (1 - 0x1p-52));
+  CHECK_BOTH(area <= exact_area * (1 + 0x1p-52));
+  constexpr auto needle =
+      irg::triangle_area_from_sides(0x1.77d2719c70b9cp+0, 0x1.77d271a268d83p+0, 0x1.6708ccf385931p-29);
+  constexpr double exact_needle = 0x1.be4bc2af16e09p-30;
+  CHECK_BOTH(needle.has_value());
+  CHECK_BOTH(*needle >= exact_needle * (1 - 0x1p-51));
+  CHECK_BOTH(*needle <= exact_needle * (1 + 0x1p-51));
+}

@@ -12,10 +12,12 @@
 
 #ifdef IRG_HAVE_MPFR
 #include <gmp.h>
+#include <mpfr.h>
 #endif
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
+#include "support/ulp.hpp"
 
 namespace {
 
@@ -96,6 +98,21 @@ TEST_CASE("decimal: where the text of a number ends") {
   static_assert(reads_nothing("") && reads_nothing("nan") && reads_nothing(".") && reads_nothing("-"));
 }
 
+TEST_CASE("decimal: no byte but digits is taken for one") {
+  long wrong = 0;
+  for (int byte = 0; byte < 256; ++byte)
+    for (std::size_t place = 2; place < 22; ++place) {
+      std::string text = "0.12345678901234567890";
+      text[place] = static_cast<char>(byte);
+      if (byte >= '0' && byte <= '9') continue;
+      const auto r = irg::parse_decimal<double>(text.data(), text.data() + text.size());
+      const std::string number = text.substr(0, place);
+      const bool exponent = (byte == 'e' || byte == 'E') && place < 21;
+      if (!exponent) wrong += r.end != text.data() + place || r.value != std::strtod(number.c_str(), nullptr);
+    }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("decimal: overflow and underflow are classified") {
   constexpr float float_infinity = std::numeric_limits<float>::infinity();
   CHECK_BOTH(reads("1e999", infinity, decimal_status::overflow));
@@ -159,25 +176,57 @@ TEST_CASE("decimal: 800 digits and more") {
   CHECK(reads("1" + std::string(900, '0') + "1e-901", 1.0));
 }
 
+TEST_CASE("decimal: powers of five to 128 bits") {
+  using irg::detail::natural;
+  for (int n = irg::detail::lowest_power_of_five; n <= irg::detail::highest_power_of_five; ++n) {
+    // low <= 5^n / 2^shift < low + 1, where both sides have 128 bits.
+    const auto power = irg::detail::power_of_five_to_128_bits(n);
+    const int shift = irg::detail::floor_log2_of_power_of_five(n) - 127;
+    REQUIRE((power.high >> 63) == 1);
+    natural low = natural::from(power.high), above = natural::from(power.high), five = natural::from(1), one = five;
+    low.shift_left(64);
+    low.words[0] = power.low;
+    above = low;
+    for (int i = 0; ++above.words[i] == 0;) ++i;
+    if (above.words[2] != 0) above.size = 3;
+    if (n >= 0) {
+      five.multiply_power_of_five(n);
+      natural copy = five;
+      REQUIRE(irg::detail::compare_shifted(low, shift, five) == (irg::detail::is_exact_to_128_bits(n) ? 0 : -1));
+      REQUIRE(irg::detail::compare_shifted(above, shift, copy) == 1);
+    } else {
+      natural another = one;
+      low.multiply_power_of_five(-n);
+      above.multiply_power_of_five(-n);
+      REQUIRE(irg::detail::compare_shifted(low, shift, one) == -1);
+      REQUIRE(irg::detail::compare_shifted(above, shift, another) == 1);
+    }
+  }
+}
+
 TEST_CASE("decimal: every way gives the same") {
+  long wrong = 0;
+  const auto check = [&wrong](auto type, irg::detail::decimal_text text) {
+    using T = decltype(type);
+    const T value = irg::detail::magnitude<T>(text);
+    T other{};
+    if (text.mantissa <= std::uint64_t{1} << 53 && text.exponent >= -22 && text.exponent <= 22 &&
+        irg::detail::nearest_by_double(text.mantissa, static_cast<int>(text.exponent), other))
+      wrong += other != value;
+    // Between the neighbour below and this one it is nearer to this one, and between this one and the next, too.
+    if (!std::isinf(value)) wrong += irg::detail::nearest_by_naturals(text, value) != value;
+    if (value > 0) wrong += irg::detail::nearest_by_naturals(text, std::nextafter(value, T{0})) != value;
+  };
   test::random random(7);
-  for (int i = 0; i < 200'000; ++i) {
+  for (int i = 0; i < 100'000; ++i) {
     irg::detail::decimal_text text{nullptr};
     text.mantissa = (random.next() >> random.integer(0, 63)) | 1;
     if (text.mantissa >= 10'000'000'000'000'000'000u) text.mantissa /= 10;
-    text.exponent = random.integer(-22, 22);
-    const int exponent = static_cast<int>(text.exponent);
-    const double d = irg::detail::nearest_by_naturals<double>(text);
-    const float f = irg::detail::nearest_by_naturals<float>(text);
-    REQUIRE(irg::detail::nearest_by_128_bits<double>(text.mantissa, exponent) == d);
-    REQUIRE(irg::detail::nearest_by_128_bits<float>(text.mantissa, exponent) == f);
-    if (text.mantissa > std::uint64_t{1} << 53) continue;
-    double by_double;
-    float by_float;
-    REQUIRE(irg::detail::nearest_by_double(text.mantissa, exponent, by_double));
-    REQUIRE(by_double == d);
-    if (irg::detail::nearest_by_double(text.mantissa, exponent, by_float)) REQUIRE(by_float == f);
+    text.exponent = i % 8 == 0 ? random.integer(-345, 310) : random.integer(-60, 60);
+    check(double{}, text);
+    check(float{}, text);
   }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("decimal: agrees with libc on random text") {
@@ -268,6 +317,20 @@ TEST_CASE("decimal: halfway between doubles, by rational arithmetic") {
     mpz_sub_ui(scaled, scaled, 1);
     char* const less = mpz_get_str(nullptr, 10, scaled);
     wrong += bits(parse<double>(less + (".99999999999999999999999" + tail)).value) != bits(low);
+    // Cut off after some digits: as near to halfway as so many digits come.
+    for (const std::size_t length : {17u, 18u, 19u, 20u, 25u, 40u}) {
+      std::string part(digits);
+      if (part.size() <= length) continue;
+      const std::size_t dropped = part.size() - length;
+      const std::string part_tail =
+          "e" + std::to_string(static_cast<long>(dropped) - (exponent < 0 ? static_cast<long>(power) : 0));
+      part.resize(length);
+      const bool all_zero = std::string_view(digits + length).find_first_not_of('0') == std::string_view::npos;
+      wrong += bits(parse<double>(part + part_tail).value) != bits(all_zero && (b & 1) != 0 ? high : low);
+      const std::string next = part + "99999999999999999999999999999999999999999999999999" + part_tail.substr(0, 1) +
+                               std::to_string(std::stol(part_tail.substr(1)) - 50);
+      wrong += wrong_against_libc<double>(next.c_str());
+    }
     std::free(digits);
     std::free(less);
     mpz_clear(scaled);
@@ -278,10 +341,10 @@ TEST_CASE("decimal: halfway between doubles, by rational arithmetic") {
 #endif
 
 TEST_CASE("decimal: all 2^32 floats, printed and read") {
-  const std::uint64_t step = std::getenv("IRG_RELEASE_TIER") ? 1 : 32771;
+  const auto range = test::floats_to_test(32'771);
   char s[32];
   long wrong = 0;
-  for (std::uint64_t b = 0; b < std::uint64_t{1} << 32; b += step) {
+  for (std::uint64_t b = range.first; b < range.last; b += range.step) {
     const float f = std::bit_cast<float>(static_cast<std::uint32_t>(b));
     if (!std::isfinite(f)) continue;
     std::snprintf(s, sizeof s, "%.9g", static_cast<double>(f));

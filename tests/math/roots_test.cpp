@@ -299,3 +299,29 @@ TEST_CASE("roots: cubic roots are enclosed by their neighbours") {
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif
+
+// The worst inputs that bench/accuracy found; the expected roots are those of MPFR, rounded to nearest.
+TEST_CASE("worst inputs of the accuracy study") {
+  using irg::cubic_roots, irg::quadratic_roots;
+  using two = irg::real_roots<double, 2>;
+  constexpr auto kind = irg::roots_kind::two;
+  CHECK_BOTH(quadratic_roots(0x1.7368103973d1dp-3, 0x1.57fb8367dda64p-3, 0x1.28aca0aa84d0fp-5) ==
+             two{kind, 2, {-0x1.2b4626545aaebp-1, -0x1.5dd76f07587b9p-2}, {1, 1}});
+  CHECK_BOTH(quadratic_roots(-0x1.061a83626f803p+2, 0x1.f74b373f17b19p+2, -0x1.e336fef3910c1p+1) ==
+             two{kind, 2, {0x1.eb8c286f8bbfbp-1, 0x1.eb99914d0469ap-1}, {1, 1}});
+  CHECK_BOTH(quadratic_roots(0x1.b788b52fe4942p-2, -0x1.8cd0b63dcd58p+55, 0x1.5a47005dea241p+58) ==
+             two{kind, 2, {0x1.becad2ab0ebfap+2, 0x1.ce3cfc75bb072p+56}, {1, 1}});
+  CHECK_BOTH(quadratic_roots(0x1.fba5acabc22ap-287, -0x1.5c5e661527659p+68, 0x1.7bacf5c3073dp+377) ==
+             two{kind, 2, {0x1.17018750aed6ep+309, 0x1.5f5b18787955bp+354}, {1, 1}});
+  const auto near =
+      cubic_roots(0x1.a7d885a624c6ep+2, -0x1.bcf1bf8d65d2fp+6, 0x1.37653a2e33033p+9, -0x1.22931268e7262p+10);
+  CHECK(near ==
+        irg::real_roots<double, 3>{
+            irg::roots_kind::three, 3, {0x1.664c7cc951e56p+2, 0x1.66559783a2576p+2, 0x1.665723362510cp+2}, {1, 1, 1}});
+  const auto far =
+      cubic_roots(0x1.1810f5bda280dp+2, 0x1.d1e687b92c5f6p+22, 0x1.6987e144c0364p+32, -0x1.5e8f8af2e5b1ap+32);
+  CHECK(far == irg::real_roots<double, 3>{irg::roots_kind::three,
+                                          3,
+                                          {-0x1.a9abdc736a967p+20, -0x1.8df80372860afp+9, 0x1.efdc1da1b447fp-1},
+                                          {1, 1, 1}});
+}

@@ -29,18 +29,18 @@ IRG_INLINE pack<T, N> shuffled(const pack<T, N>& a, const pack<T, N>& b, Index) 
   }(std::make_integer_sequence<int, N>{});
 }
 
-// Coordinate c out of three registers in a row; in two steps, since a shuffle takes two registers.
-template <int c, class T, int N>
+// Coordinate C out of three registers in a row; in two steps, since a shuffle takes two registers.
+template <int C, class T, int N>
 IRG_INLINE pack<T, N> every_third(const pack<T, N>& r0, const pack<T, N>& r1, const pack<T, N>& r2) noexcept {
-  const auto first = shuffled(r0, r1, [](int i) { return 3 * i + c < 2 * N ? 3 * i + c : 0; });
-  return shuffled(first, r2, [](int i) { return 3 * i + c < 2 * N ? i : 3 * i + c - N; });
+  const auto first = shuffled(r0, r1, [](int i) { return 3 * i + C < 2 * N ? 3 * i + C : 0; });
+  return shuffled(first, r2, [](int i) { return 3 * i + C < 2 * N ? i : 3 * i + C - N; });
 }
 
-// Register g of three in a row that hold x y z x y z ...
-template <int g, class T, int N>
+// Register G of three in a row that hold x y z x y z ...
+template <int G, class T, int N>
 IRG_INLINE pack<T, N> interleaved(const triple_lanes<T, N>& t) noexcept {
-  const auto first = shuffled(t.x, t.y, [](int i) { return (g * N + i) / 3 + ((g * N + i) % 3 == 1 ? N : 0); });
-  return shuffled(first, t.z, [](int i) { return (g * N + i) % 3 == 2 ? (g * N + i) / 3 + N : i; });
+  const auto first = shuffled(t.x, t.y, [](int i) { return (G * N + i) / 3 + ((G * N + i) % 3 == 1 ? N : 0); });
+  return shuffled(first, t.z, [](int i) { return (G * N + i) % 3 == 2 ? (G * N + i) / 3 + N : i; });
 }
 
 // Eight floats, in the two halves of a register: no lane has to cross from one into the other. Of registers h0, h1, h2

@@ -149,7 +149,7 @@ private:
 };
 
 template <class P>
-IRG_INLINE constexpr const P& point_of(const P& p) noexcept {
+IRG_INLINE constexpr const P& point_of(const P& p) noexcept {  // NOLINT(bugprone-return-const-ref-from-parameter)
   return p;
 }
 template <class P>

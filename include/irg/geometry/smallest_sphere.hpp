@@ -50,7 +50,7 @@ class smallest_ball {
 public:
   static constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
   using T = scalar_of<P>;
-  using Sphere = bounding_sphere<T, size_of<P>>;
+  using ball = bounding_sphere<T, size_of<P>>;
   using support = ball_support<D>;
 
   constexpr explicit smallest_ball(const P& p) noexcept { points_[size_++] = p; }
@@ -69,7 +69,7 @@ public:
     for (; all.count < size_; ++all.count) all.at[all.count] = all.count;
     return is_outside_of(all, p);
   }
-  constexpr Sphere rounded() const noexcept {
+  constexpr ball rounded() const noexcept {
     if (size_ == 2) return *sphere_through(points_[0], points_[1]);
     if (size_ == 3) return *sphere_through(points_[0], points_[1], points_[2]);
     if constexpr (D == 3)

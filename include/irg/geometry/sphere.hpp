@@ -60,21 +60,21 @@ constexpr sphere_centre<N, D> centre_from(const std::array<N, Size>& x) noexcept
 template <Point P, class... More>
 constexpr auto sphere_of(const P& a, const More&... more) noexcept {
   using T = scalar_of<P>;
-  using Sphere = bounding_sphere<T, size_of<P>>;
-  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>), Count = 1 + sizeof...(More);
+  using ball = bounding_sphere<T, size_of<P>>;
+  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>), points = 1 + sizeof...(More);
   const auto values = evaluate<5>(
       [](const auto& x) {
-        const auto c = centre_from<Count, D>(x);
+        const auto c = centre_from<points, D>(x);
         const auto twice = c.divisor + c.divisor;
         return joined(std::array{twice}, joined(c.offset, sum_of(multiple_of(part_of<D>(x, 0), twice), c.offset)));
       },
       gathered<T>(a, more...));
-  if (!values || known_sign((*values)[0]) == 0) return std::optional<Sphere>();
+  if (!values || known_sign((*values)[0]) == 0) return std::optional<ball>();
   const auto& v = *values;
   known_number squared = v[1] * v[1];
   for (std::size_t i = 1; i < D; ++i) squared = squared - -(v[1 + i] * v[1 + i]);
   const T radius = magnitude(rounded_to<T>(root_of(squared) / v[0]));
-  return std::optional(Sphere{coordinates_over<point<T, size_of<P>>>(v, 1 + D, v[0]), radius});
+  return std::optional(ball{coordinates_over<point<T, size_of<P>>>(v, 1 + D, v[0]), radius});
 }
 
 // The sign of a sum of a squared length and the like, or nothing for NaN and infinities.

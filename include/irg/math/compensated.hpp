@@ -118,6 +118,18 @@ constexpr T far_sum(std::size_t n, const A& a) noexcept {
   return finite ? rounded_once<T>(sum) : narrow<T>(plain);
 }
 
+/// Each component of the cross product correctly rounded, for all finite coordinates.
+template <Vector A, Vector B>
+  requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
+constexpr A nearest_cross(const A& a, const B& b) noexcept {
+  const auto x = doubles_of(a), y = doubles_of(b);
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return nearest_dot<scalar_of<A>>(
+        2, [&](std::size_t k) { return k == 0 ? x(i) : -x(j); }, [&](std::size_t k) { return k == 0 ? y(j) : y(i); });
+  };
+  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -172,33 +184,17 @@ constexpr scalar_of<A> dot_exact(const A& a, const B& b) noexcept {
   return detail::nearest_dot<scalar_of<A>>(size_of<A>, detail::doubles_of(a), detail::doubles_of(b));
 }
 
-/// The vector whose components are nearest to those of the cross product.
-/// gives   for finite coordinates never NaN, infinity only where a component itself overflows
-/// exact   each component correctly rounded for all finite coordinates; cross_exact(a, a) is exactly zero
-/// cost    three times dot_exact
-template <Vector A, Vector B>
-  requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr A cross_exact(const A& a, const B& b) noexcept {
-  const auto x = detail::doubles_of(a), y = detail::doubles_of(b);
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    return detail::nearest_dot<scalar_of<A>>(
-        2, [&](std::size_t k) { return k == 0 ? x(i) : -x(j); }, [&](std::size_t k) { return k == 0 ? y(j) : y(i); });
-  };
-  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
-}
-
 /// The cross product without cancellation.
-/// gives   as cross_exact
+/// gives   for finite coordinates never NaN, infinity only where a component itself overflows
 /// exact   each component within 1 ulp; cross_accurate(a, a) is exactly zero
-/// cost    three difference_of_products; with a coordinate that is not 0 beyond 2^480 or below 2^-480, that of
-///         cross_exact
+/// cost    three difference_of_products; with a coordinate that is not 0 beyond 2^480 or below 2^-480, three exact sums
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 constexpr A cross_accurate(const A& a, const B& b) noexcept {
   using T = scalar_of<A>;
   if (std::is_same_v<T, double> &&
       detail::dot_range_of(3, detail::doubles_of(a), detail::doubles_of(b)) == detail::dot_range::finite)
-    return cross_exact(a, b);
+    return detail::nearest_cross(a, b);
   const auto minor = [&](int i, int j) {
     return difference_of_products(coordinate(a, i), coordinate(b, j), coordinate(a, j), coordinate(b, i));
   };

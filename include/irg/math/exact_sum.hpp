@@ -155,6 +155,7 @@ public:
   IRG_INLINE constexpr exact_accumulator() noexcept {}
   IRG_INLINE constexpr exact_accumulator(const exact_accumulator& v) noexcept { *this = v; }
   IRG_INLINE constexpr exact_accumulator& operator=(const exact_accumulator& v) noexcept {
+    if (this == &v) return *this;
     range_ = v.range_;
     for (int i = range_.first; i < range_.last; ++i) word_[i] = v.word_[i];
     return *this;

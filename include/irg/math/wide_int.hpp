@@ -26,7 +26,7 @@ inline namespace IRG_ABI {
 // The low and the high word of a double word.
 IRG_INLINE constexpr std::uint64_t low_word(wide_unsigned v) noexcept { return static_cast<std::uint64_t>(v); }
 IRG_INLINE constexpr std::uint64_t high_word(wide_unsigned v) noexcept { return static_cast<std::uint64_t>(v >> 64); }
-IRG_INLINE constexpr wide_unsigned double_word(const std::uint64_t* w) noexcept {
+IRG_INLINE constexpr wide_unsigned two_words(const std::uint64_t* w) noexcept {
   return (wide_unsigned{w[1]} << 64) | w[0];
 }
 // All bits set when the sign bit of w is.
@@ -41,7 +41,7 @@ IRG_INLINE constexpr void add_words(std::uint64_t* word, const std::uint64_t* v,
   if constexpr (N == 1) {
     word[0] += (v[0] ^ flip) + carry;
   } else {  // in pairs, for which there are instructions
-    const wide_unsigned x = double_word(word), y = double_word(v) ^ ((wide_unsigned{flip} << 64) | flip);
+    const wide_unsigned x = two_words(word), y = two_words(v) ^ ((wide_unsigned{flip} << 64) | flip);
     const wide_unsigned sum = x + y, total = sum + carry;
     word[0] = low_word(total);
     word[1] = high_word(total);

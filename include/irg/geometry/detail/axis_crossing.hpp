@@ -86,27 +86,46 @@ IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float 
   return low == high ? low : axis_crossing_exact(ax, ay, bx, by, x);
 }
 
-// One step of refinement from the textbook's formula gives some 100 bits; where these decide how to round, that is the
-// result. Numbers are below 2^200 and the first product is above 2^-600, so that nothing overflows, and what underflows
-// is too small to count.
-IRG_INLINE constexpr double axis_crossing_of(double ax, double ay, double bx, double by, double x) noexcept {
+// One step of refinement from the textbook's formula gives some 100 bits; true where these decide how to round. Numbers
+// are below 2^200 and the first product is above 2^-600, so that nothing overflows, and what underflows is too small to
+// count.
+IRG_INLINE constexpr bool axis_crossing_from(double ax, double ay, double bx, double by, double x, double& y) noexcept {
   const double largest =
       greater(greater(greater(magnitude(ax), magnitude(bx)), magnitude(x)), greater(magnitude(ay), magnitude(by)));
-  if (largest < 0x1p200 && magnitude(bx - ax) > 0x1p-800) {
-    const auto dx = two_sum(bx, -ax), dy = two_sum(by, -ay), s = two_sum(x, -ax);
-    const double inverse = 1 / dx.value, way = product(product(dy.value, s.value), inverse), y = ay + way;
-    const auto gone = two_sum(y, -ay);
-    const auto wanted = fast_two_product(dy.value, s.value), reached = fast_two_product(gone.value, dx.value);
-    const double rest =
-        (wanted.value - reached.value) +
-        ((wanted.error - reached.error) + ((product(dy.value, s.error) + product(dy.error, s.value)) -
-                                           (product(gone.value, dx.error) + product(gone.error, dx.value))));
-    const double correction = product(rest, inverse);
-    const double bound = product(0x1p-50, magnitude(correction)) + product(0x1p-99, magnitude(way));
-    const double low = y + (correction - bound), high = y + (correction + bound);
-    if (low == high && (magnitude(wanted.value) > 0x1p-600 || ay == by)) return low + 0.0;
+  if (!(largest < 0x1p200 && magnitude(bx - ax) > 0x1p-800)) return false;
+  const auto dx = two_sum(bx, -ax), dy = two_sum(by, -ay), s = two_sum(x, -ax);
+  const double inverse = 1 / dx.value, way = product(product(dy.value, s.value), inverse), guess = ay + way;
+  const auto gone = two_sum(guess, -ay);
+  const auto wanted = fast_two_product(dy.value, s.value), reached = fast_two_product(gone.value, dx.value);
+  const double rest =
+      (wanted.value - reached.value) +
+      ((wanted.error - reached.error) + ((product(dy.value, s.error) + product(dy.error, s.value)) -
+                                         (product(gone.value, dx.error) + product(gone.error, dx.value))));
+  const double correction = product(rest, inverse);
+  const double bound = product(0x1p-50, magnitude(correction)) + product(0x1p-99, magnitude(way));
+  const double low = guess + (correction - bound), high = guess + (correction + bound);
+  y = low + 0.0;
+  return low == high && (magnitude(wanted.value) > 0x1p-600 || ay == by);
+}
+
+// Where the first end is far away, its coordinate and the way from it nearly cancel: the other end may do. Numbers near
+// the end of the range are made smaller, if none of them loses a bit.
+IRG_NOINLINE constexpr double axis_crossing_in_doubt(double ax, double ay, double bx, double by, double x) noexcept {
+  double y = 0;
+  if (axis_crossing_from(bx, by, ax, ay, x, y)) return y;
+  const auto fits = [](double v) { return v == 0 || magnitude(v) > 0x1p-100; };
+  if (fits(ax) && fits(ay) && fits(bx) && fits(by) && fits(x)) {
+    constexpr double s = 0x1p-900;
+    if (axis_crossing_from(ax * s, ay * s, bx * s, by * s, x * s, y) ||
+        axis_crossing_from(bx * s, by * s, ax * s, ay * s, x * s, y))
+      return y * 0x1p900;
   }
   return axis_crossing_exact(ax, ay, bx, by, x);
+}
+
+IRG_INLINE constexpr double axis_crossing_of(double ax, double ay, double bx, double by, double x) noexcept {
+  double y = 0;
+  return axis_crossing_from(ax, ay, bx, by, x, y) ? y : axis_crossing_in_doubt(ax, ay, bx, by, x);
 }
 
 // Rounded to the nearest integer, halves up.

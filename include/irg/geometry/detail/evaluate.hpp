@@ -60,7 +60,7 @@ template <int Degree, class T, std::size_t Size, class Formula>
 constexpr auto evaluate(const Formula& formula, const std::array<T, Size>& in) noexcept {
   if constexpr (Floating<T>) {
     static_assert(Degree <= 6);
-    using Values = decltype(known_of(formula(numbers_of<twofold>(in))));
+    using known_values = decltype(known_of(formula(numbers_of<twofold>(in))));
     bool suits = true, finite = true;
     for (const T& x : in) {
       suits = suits && suits_twofold(static_cast<double>(x));
@@ -70,10 +70,10 @@ constexpr auto evaluate(const Formula& formula, const std::array<T, Size>& in) n
       const auto values = formula(numbers_of<twofold>(in));
       bool sure = true;
       for (const twofold& v : values) sure = sure && v.is_sure();
-      if (sure) return std::optional<Values>(known_of(values));
+      if (sure) return std::optional<known_values>(known_of(values));
     }
-    if (!finite) return std::optional<Values>();
-    return std::optional<Values>(evaluate_exactly<Degree>(formula, in));
+    if (!finite) return std::optional<known_values>();
+    return std::optional<known_values>(evaluate_exactly<Degree>(formula, in));
   } else {
     return std::optional(formula(in));
   }

@@ -135,12 +135,12 @@ IRG_INLINE constexpr int sign_of_degree_2(const Formula& formula, const std::arr
     return exact_sign_of_degree_2(formula, in);
   } else if constexpr (std::is_integral_v<T>) {
     std::array<sign_int128, Size> x{};
-    bool small = true;
+    bool fits = true;
     for (std::size_t i = 0; i < Size; ++i) {
       x[i] = in[i];
-      if constexpr (sizeof(T) > 4) small = small && (x[i] >> 57 == 0 || x[i] >> 57 == -1);
+      if constexpr (sizeof(T) > 4) fits = fits && (x[i] >> 57 == 0 || x[i] >> 57 == -1);
     }
-    if (small) {  // products of sums and differences stay below 2^119
+    if (fits) {  // products of sums and differences stay below 2^119
       const sign_int128 value = formula(x);
       return value < 0 ? -1 : value > 0 ? 1 : 0;
     }

@@ -110,24 +110,24 @@ constexpr auto foot_on_triangle(const P& a, const P& b, const P& c, const P& p) 
       },
       gathered<scalar_of<P>>(a, b, c, p));
   using V = std::remove_cvref_t<decltype((*v)[0])>;
-  using Foot = triangle_foot<V>;
-  if (!v) return std::optional<Foot>();
+  using foot_type = triangle_foot<V>;
+  if (!v) return std::optional<foot_type>();
   const auto& x = *v;
   std::array<int, 15> s{};
   for (std::size_t i = 0; i < 15; ++i) s[i] = known_sign(x[i]);
   const V zero{};
   const auto along = [&](int region, std::size_t from, std::size_t to, const V& part, const V& rest, const V& whole) {
-    Foot foot{region, {zero, zero, zero}, whole};
+    foot_type foot{region, {zero, zero, zero}, whole};
     foot.weight[from] = rest, foot.weight[to] = part;
     return std::optional(foot);
   };
-  if (s[0] <= 0 && s[1] <= 0) return std::optional(Foot{1, {}, {}});
-  if (s[2] >= 0 && s[9] <= 0) return std::optional(Foot{2, {}, {}});
-  if (s[5] >= 0 && s[10] <= 0) return std::optional(Foot{3, {}, {}});
+  if (s[0] <= 0 && s[1] <= 0) return std::optional(foot_type{1, {}, {}});
+  if (s[2] >= 0 && s[9] <= 0) return std::optional(foot_type{2, {}, {}});
+  if (s[5] >= 0 && s[10] <= 0) return std::optional(foot_type{3, {}, {}});
   if (s[8] <= 0 && s[0] >= 0 && s[2] <= 0 && s[11] > 0) return along(4, 0, 1, x[0], -x[2], x[11]);
   if (s[7] <= 0 && s[1] >= 0 && s[5] <= 0 && s[12] > 0) return along(6, 0, 2, x[1], -x[5], x[12]);
   if (s[6] <= 0 && s[9] >= 0 && s[10] >= 0 && s[13] > 0) return along(5, 1, 2, x[9], x[10], x[13]);
-  return std::optional(Foot{0, {x[6], x[7], x[8]}, x[14]});
+  return std::optional(foot_type{0, {x[6], x[7], x[8]}, x[14]});
 }
 
 /// The foot of the perpendicular from p on the plane abc.

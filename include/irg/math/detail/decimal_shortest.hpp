@@ -39,7 +39,7 @@ constexpr binary_parts binary_parts_of(T value) noexcept {
 /// m times a power of ten over 2^128, rounded to odd: cut off, and the last bit set where something was cut off. So it
 /// compares with even integers as the exact product does.
 /// needs   `power` not cut off but rounded up; m < 2^60. An exact product that is no integer differs from integers by
-///         at least 2^-66 (scripts/generate/powers_of_five.py looks), one that is an integer is exceeded by less than m
+///         2^-66 or more (scripts/generate/powers_of_five.py looks); one that is an integer is exceeded by less than m
 constexpr std::uint64_t product_rounded_to_odd(std::uint64_t m, word_pair power) noexcept {
   const word_pair low = multiply_words(m, power.low);
   const word_pair high = multiply_words(m, power.high, low.high);
@@ -70,8 +70,9 @@ constexpr short_decimal shortest_decimal(const binary_parts& v) noexcept {
   return {s + (here > half || (here == half && s % 2 == 1) ? 1 : 0), k};
 }
 
-/// The same number without zeros at its end. What is a multiple of 10^n, times the inverse of 5^n modulo 2^64 and rotated
-/// right by n, is the quotient; for all other numbers this is more than any quotient.
+/// The same number without zeros at its end. What is a multiple of 10^n, times the inverse of 5^n modulo 2^64 and
+/// rotated right by n, is the quotient; for all other numbers this is more than any quotient.
+/// needs   digits < 10^16, or the last one not 0
 constexpr short_decimal without_zeros(short_decimal d) noexcept {
   const auto strip = [&d](std::uint64_t inverse_of_power_of_five, std::uint64_t power_of_ten, int n) {
     const std::uint64_t quotient = std::rotr(d.digits * inverse_of_power_of_five, n);
@@ -80,8 +81,7 @@ constexpr short_decimal without_zeros(short_decimal d) noexcept {
     d.exponent += n;
   };
   if (d.digits % 2 != 0) return d;
-  constexpr std::uint64_t i1 = 0xcccccccccccccccdu, i2 = i1 * i1, i4 = i2 * i2, i8 = i4 * i4, i16 = i8 * i8;
-  strip(i16, 10'000'000'000'000'000u, 16);
+  constexpr std::uint64_t i1 = 0xcccccccccccccccdu, i2 = i1 * i1, i4 = i2 * i2, i8 = i4 * i4;
   strip(i8, 100'000'000, 8);
   strip(i4, 10'000, 4);
   strip(i2, 100, 2);
@@ -196,7 +196,8 @@ constexpr char* write_value(char* p, T value) noexcept {
   };
   if (value != value) return put("nan");
   if (std::bit_cast<bits_of_decimal<T>>(value) >> (8 * sizeof(T) - 1) != 0) *p++ = '-';
-  if (value - value != 0) return put("inf");
+  constexpr T largest = (std::numeric_limits<T>::max)();
+  if (value > largest || value < -largest) return put("inf");
   const binary_parts parts = binary_parts_of(value);
   return parts.significand == 0 ? put("0") : write_shortest(p, parts);
 }

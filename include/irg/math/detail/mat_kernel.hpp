@@ -38,11 +38,11 @@ inline constexpr bool has_row_lanes<T> = 4 * static_cast<int>(sizeof(T)) <= wide
 template <class T>
 inline constexpr int rows_per_register = widest_bytes / (4 * static_cast<int>(sizeof(T)));
 
-// Lane k of every four lanes, in all four of them.
-template <int k, class T, int N>
+// Lane K of every four lanes, in all four of them.
+template <int K, class T, int N>
 IRG_INLINE pack<T, N> spread(const pack<T, N>& a) noexcept {
   return [&]<int... I>(std::integer_sequence<int, I...>) -> pack<T, N> {
-    return {__builtin_shufflevector(a.v, a.v, (I / 4 * 4 + k)...)};
+    return {__builtin_shufflevector(a.v, a.v, (I / 4 * 4 + K)...)};
   }(std::make_integer_sequence<int, N>{});
 }
 

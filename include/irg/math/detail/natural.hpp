@@ -1,113 +1,115 @@
 // SPDX-License-Identifier: MIT
-// A natural number of bounded size on the stack, for the exact conversion of decimal text: as many operations as that
-// needs and no more.
+// A natural number of bounded size on the stack, for the exact comparison of decimal text with binary numbers: as many
+// operations as that needs and no more. And powers of ten to 128 bits, which decide nearly always.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
 #include <irg/core/config.hpp>
+#include <irg/math/detail/powers_of_five_table.hpp>
 
 namespace irg::detail {
+
+#ifdef __SIZEOF_INT128__
+__extension__ typedef unsigned __int128 word_pair_integer;
+#endif
+
+/// high * 2^64 + low.
+struct word_pair {
+  std::uint64_t high, low;
+};
+
 inline namespace IRG_ABI {
 
-/// 5^0 to 5^27: all that fit 64 bits.
-struct five_powers {
-  std::uint64_t value[28]{};
-  constexpr five_powers() noexcept {
-    value[0] = 1;
-    for (int i = 1; i < 28; ++i) value[i] = value[i - 1] * 5;
-  }
-  constexpr std::uint64_t operator[](int i) const noexcept { return value[i]; }
-};
-inline constexpr five_powers powers_of_five{};
+/// a * b + addend, which always fits.
+IRG_INLINE constexpr word_pair multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t addend = 0) noexcept {
+#ifdef __SIZEOF_INT128__
+  const word_pair_integer p = word_pair_integer{a} * b + addend;
+  return {static_cast<std::uint64_t>(p >> 64), static_cast<std::uint64_t>(p)};
+#else
+  const std::uint64_t half = 0xffffffffu;
+  const std::uint64_t low = (a & half) * (b & half) + (addend & half);
+  const std::uint64_t one = (a >> 32) * (b & half) + (low >> 32) + (addend >> 32);
+  const std::uint64_t other = (a & half) * (b >> 32) + (one & half);
+  return {(a >> 32) * (b >> 32) + (one >> 32) + (other >> 32), (other << 32) | (low & half)};
+#endif
+}
+
+/// floor(log2(5^n)) and floor(log2(10^n)).
+/// needs   -345 <= n <= 329
+constexpr int floor_log2_of_power_of_five(int n) noexcept { return (n * 152170) >> 16; }
+constexpr int floor_log2_of_power_of_ten(int n) noexcept { return (n * 217706) >> 16; }
+
+/// 5^n / 2^(floor(log2(5^n)) - 127), cut off to an integer of 128 bits.
+/// needs   lowest_power_of_five <= n <= highest_power_of_five
+IRG_INLINE constexpr word_pair power_of_five_to_128_bits(int n) noexcept {
+  const std::uint64_t* const entry = powers_of_five_to_128_bits + 2 * (n - lowest_power_of_five);
+  return {entry[0], entry[1]};
+}
+
+/// Whether nothing was cut off.
+constexpr bool is_exact_to_128_bits(int n) noexcept { return 0 <= n && n <= 55; }
 
 /// A natural number below 2^2816.
 /// shape   words from low to high; the highest of `size` words is not 0; words from `size` on are 0
 struct natural {
-  static constexpr int capacity = 88;
-  std::uint32_t words[capacity]{};
+  static constexpr int capacity = 44;
+  std::uint64_t words[capacity]{};
   int size = 0;
 
   /// needs   value > 0
   static constexpr natural from(std::uint64_t value) noexcept {
     natural n;
-    n.words[0] = static_cast<std::uint32_t>(value);
-    n.words[1] = static_cast<std::uint32_t>(value >> 32);
-    n.size = n.words[1] != 0 ? 2 : 1;
+    n.words[0] = value;
+    n.size = 1;
     return n;
   }
 
-  constexpr void multiply_add(std::uint32_t factor, std::uint32_t addend) noexcept {
+  constexpr void multiply_add(std::uint64_t factor, std::uint64_t addend) noexcept {
     std::uint64_t carry = addend;
     for (int i = 0; i < size; ++i) {
-      carry += std::uint64_t{factor} * words[i];
-      words[i] = static_cast<std::uint32_t>(carry);
-      carry >>= 32;
+      const word_pair p = multiply_words(factor, words[i], carry);
+      words[i] = p.low;
+      carry = p.high;
     }
-    if (carry != 0) words[size++] = static_cast<std::uint32_t>(carry);
+    if (carry != 0) words[size++] = carry;
   }
 
   constexpr void multiply_power_of_five(int exponent) noexcept {
-    for (; exponent >= 13; exponent -= 13) multiply_add(static_cast<std::uint32_t>(powers_of_five[13]), 0);
-    multiply_add(static_cast<std::uint32_t>(powers_of_five[exponent]), 0);
+    constexpr std::uint64_t largest = 7450580596923828125u;  // 5^27
+    for (; exponent >= 27; exponent -= 27) multiply_add(largest, 0);
+    multiply_add(power_of_five_to_128_bits(exponent).high >> (63 - floor_log2_of_power_of_five(exponent)), 0);
   }
 
-  constexpr int bit_length() const noexcept { return size == 0 ? 0 : 32 * size - std::countl_zero(words[size - 1]); }
+  constexpr int bit_length() const noexcept { return size == 0 ? 0 : 64 * size - std::countl_zero(words[size - 1]); }
 
   constexpr void shift_left(int bits) noexcept {
-    if (size == 0) return;
-    const int whole = bits / 32, part = bits % 32;
-    for (int i = size; i >= 0; --i) {
-      const std::uint64_t pair = (std::uint64_t{i < size ? words[i] : 0} << 32) | (i > 0 ? words[i - 1] : 0);
-      words[i + whole] = static_cast<std::uint32_t>((pair << part) >> 32);
+    if (size == 0 || bits == 0) return;
+    const int whole = bits / 64, part = bits % 64;
+    const bool grows = part != 0 && words[size - 1] >> (64 - part) != 0;
+    for (int i = size - (grows ? 0 : 1); i >= 0; --i) {
+      const std::uint64_t high = i < size ? words[i] << part : 0;
+      const std::uint64_t low = part != 0 && i > 0 ? words[i - 1] >> (64 - part) : 0;
+      words[i + whole] = high | low;
     }
     for (int i = 0; i < whole; ++i) words[i] = 0;
-    size += whole + 1;
-    if (words[size - 1] == 0) --size;
+    size += whole + (grows ? 1 : 0);
   }
 };
 
-/// The quotient of two naturals, and whether a remainder is left.
-struct natural_quotient {
-  std::uint64_t value;
-  bool inexact;
-};
-
-/// a / b in whole numbers.
-/// needs   the top bit of b's highest word set, and a < b * 2^64
-/// source  Knuth 1969, The Art of Computer Programming 2, algorithm D, cut to its two digits of 32 bits
-constexpr natural_quotient divide(natural& a, const natural& b) noexcept {
-  const int n = b.size;
-  std::uint64_t value = 0;
-  for (int j = 1; j >= 0; --j) {
-    const std::uint64_t top = (std::uint64_t{a.words[j + n]} << 32) | a.words[j + n - 1];
-    std::uint64_t digit = top / b.words[n - 1];  // at most 2 too large, for b's top bit is set
-    if (digit > 0xffffffffu) digit = 0xffffffffu;
-    std::int64_t borrow = 0;
-    for (int i = 0; i < n; ++i) {
-      const std::uint64_t part = digit * b.words[i];
-      const std::int64_t t = std::int64_t{a.words[i + j]} - static_cast<std::int64_t>(part & 0xffffffffu) + borrow;
-      a.words[i + j] = static_cast<std::uint32_t>(t);
-      borrow = (t >> 32) - static_cast<std::int64_t>(part >> 32);
-    }
-    std::int64_t high = std::int64_t{a.words[j + n]} + borrow;
-    while (high < 0) {
-      --digit;
-      std::uint64_t carry = 0;
-      for (int i = 0; i < n; ++i) {
-        carry += std::uint64_t{a.words[i + j]} + b.words[i];
-        a.words[i + j] = static_cast<std::uint32_t>(carry);
-        carry >>= 32;
-      }
-      high += static_cast<std::int64_t>(carry);
-    }
-    a.words[j + n] = static_cast<std::uint32_t>(high);
-    value = (value << 32) | digit;
-  }
-  bool inexact = false;
-  for (int i = 0; i < n; ++i) inexact = inexact || a.words[i] != 0;
-  return {value, inexact};
+/// -1, 0 or 1: a * 2^shift less than b, equal, more.
+/// needs   a > 0, b > 0; shifts one of them, the shorter
+constexpr int compare_shifted(natural& a, int shift, natural& b) noexcept {
+  const int longer = a.bit_length() + shift - b.bit_length();
+  if (longer != 0) return longer < 0 ? -1 : 1;
+  if (shift > 0)
+    a.shift_left(shift);
+  else
+    b.shift_left(-shift);
+  for (int i = a.size - 1; i >= 0; --i)
+    if (a.words[i] != b.words[i]) return a.words[i] < b.words[i] ? -1 : 1;
+  return 0;
 }
 
 }  // namespace IRG_ABI

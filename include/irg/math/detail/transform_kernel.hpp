@@ -124,7 +124,9 @@ struct store_past_caches {
   }
   // What is read soon.
   IRG_INLINE static void ask_for(const void* p) noexcept {
-    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) + 1536));
+    // The address may lie behind the array, where it must not be formed as a pointer.
+    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) +
+                                                     1536));  // NOLINT(performance-no-int-to-ptr)
   }
 };
 
@@ -206,8 +208,8 @@ void project_points_in_lanes(const mat<T, 4, 4>& a, const T* p, T* out, std::siz
   // The register that the coordinates come in may hold more than the last point.
   for (; stride * i + static_cast<std::size_t>(count) <= stride * n; i += rows) {
     const auto from = F::load(p + stride * i);
-    const auto times = [&]<int k>(std::integral_constant<int, k>) {
-      return column[k] * lanes_detail::shuffled(from, from, [](int lane) { return lane / 4 * Stride + k; });
+    const auto times = [&]<int K>(std::integral_constant<int, K>) {
+      return column[K] * lanes_detail::shuffled(from, from, [](int lane) { return lane / 4 * Stride + K; });
     };
     const auto sum = (times(std::integral_constant<int, 0>{}) + times(std::integral_constant<int, 1>{})) +
                      times(std::integral_constant<int, 2>{});

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// orient2d, orient3d, in_circle, in_sphere and point in polygon: run time against wrong signs, from easy points to
+// degenerate ones of all sizes.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <irg/geometry/in_circle.hpp>
+#include <irg/geometry/orient2d.hpp>
+#include <irg/geometry/orient3d.hpp>
+#include <irg/geometry/point_in_polygon.hpp>
+#include <irg/math/vec.hpp>
+
+#include "accuracy/vector_sets.hpp"
+#include "geometry/gmp_signs.hpp"
+#include "geometry/peer_cgal.hpp"
+#include "geometry/predicate_sets.hpp"
+
+#ifdef IRG_HAVE_CGAL
+#include <CGAL/Polygon_2_algorithms.h>
+#endif
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+#include <opencv2/imgproc.hpp>
+#endif
+
+#ifdef IRG_HAVE_MPFR
+
+namespace {
+
+using namespace bench;
+using point2 = irg::point<double, 2>;
+
+template <int N, int D>
+int sign_of(const std::array<irg::point<double, D>, static_cast<std::size_t>(N)>& p) {
+  if constexpr (N == 3)
+    return irg::orient2d(p[0], p[1], p[2]);
+  else if constexpr (N == 4 && D == 3)
+    return irg::orient3d(p[0], p[1], p[2], p[3]);
+  else if constexpr (N == 4)
+    return irg::in_circle(p[0], p[1], p[2], p[3]);
+  else
+    return irg::in_sphere(p[0], p[1], p[2], p[3], p[4]);
+}
+
+// The determinant as textbooks have it: rows of differences from the last point.
+template <class T, int N, int D>
+T textbook(const arguments<double, N, D>& p) {
+  T m[4][4];
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+    T squares = 0;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(D); ++j) {
+      m[i][j] = static_cast<T>(p[i][j]) - static_cast<T>(p.back()[j]);
+      squares += m[i][j] * m[i][j];
+    }
+    if (N == D + 2) m[i][D] = squares;
+  }
+  const auto two = [&](int i, int j) { return m[i][0] * m[j][1] - m[j][0] * m[i][1]; };
+  const auto three = [&](int i, int j, int k) {
+    return m[i][2] * two(j, k) + m[j][2] * two(k, i) + m[k][2] * two(i, j);
+  };
+  T value;
+  if constexpr (N == 3)
+    value = two(0, 1);
+  else if constexpr (N == 4)
+    value = three(0, 1, 2);
+  else
+    value = m[3][3] * three(0, 1, 2) - m[2][3] * three(0, 1, 3) + m[1][3] * three(0, 2, 3) - m[0][3] * three(1, 2, 3);
+  return D == 3 ? -value : value;
+}
+
+template <int N, int D>
+void decide(study& s, const point_set<double, N, D>& set) {
+  distribution d{set.name, set.calls.size(), 1, {}};
+  for (const auto& call : set.calls) d.exact.push_back({static_cast<double>(true_sign<double, N, D>(call)), 0});
+  std::vector<std::array<irg::point<double, D>, static_cast<std::size_t>(N)>> points(set.calls.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t k = 0; k < points[i].size(); ++k)
+      for (int j = 0; j < D; ++j) points[i][k][j] = set.calls[i][k][static_cast<std::size_t>(j)];
+  std::vector<implementation> who{
+      for_each_item("irg", points, [](const auto& p) { return sign_of<N, D>(p); }),
+      for_each_item("determinant in double", set.calls, [](const auto& p) { return textbook<double, N, D>(p); }),
+      for_each_item("determinant in float", set.calls,
+                    [](const auto& p) { return static_cast<double>(textbook<float, N, D>(p)); })};
+#ifdef IRG_HAVE_CGAL
+  const auto cgal_points = cgal::points_of(set);
+  who.push_back(for_each_item("CGAL EPICK", cgal_points, [](const auto& p) { return cgal::sign<N, D>(p); }));
+#endif
+  s.panel(d, who);
+}
+
+template <int N, int D>
+void decide_all(const char* kernel, const point_set<double, N, D>& grid) {
+  study s(kernel, "call", error_unit::sign);
+  decide<N, D>(s, grid);
+  for (const auto& set : common_sets<N, D>()) decide<N, D>(s, set);
+}
+
+// ---- point in polygon
+
+struct query {
+  std::string name;
+  std::vector<point2> ring, points;
+};
+
+// A star of 32 corners on a grid of 2^-20, so that its numbers are floats, too.
+query queries(const std::string& name, int difficulty) {
+  numbers r(12);
+  query q{name, {}, {}};
+  const auto on_grid = [](double x) { return std::floor(x * 0x1p20) * 0x1p-20; };
+  for (int i = 0; i < 32; ++i) {
+    const double angle = 0.19634954084936207 * i, radius = i % 2 == 0 ? 1 : 0.5;
+    q.ring.push_back({on_grid(radius * std::cos(angle)), on_grid(radius * std::sin(angle))});
+  }
+  for (std::size_t i = 0; i < (smoke() ? 16 : 2048); ++i) {
+    const point2 a = q.ring[i % 32], b = q.ring[(i + 1) % 32];
+    const double t = r.unit();
+    point2 p{r.between(-1, 1), r.between(-1, 1)};
+    if (difficulty == 1) p = {on_grid(a.x + t * (b.x - a.x)), on_grid(a.y + t * (b.y - a.y))};
+    if (difficulty == 2) p = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+    if (difficulty == 3) p = i % 3 == 0 ? a : point2{a.x * 0.5 + b.x * 0.5, a.y * 0.5 + b.y * 0.5};
+    if (difficulty == 3 && i % 3 == 2) p.x = std::nextafter(p.x, r.integer(0, 1) == 0 ? -9.0 : 9.0);
+    q.points.push_back(p);
+  }
+  return q;
+}
+
+// 1 inside, 0 on the outline, -1 outside.
+int true_location(const std::vector<point2>& ring, const point2& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const point2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    const real turn = (real(b.x) - a.x) * (real(p.y) - a.y) - (real(b.y) - a.y) * (real(p.x) - a.x);
+    const bool between = std::fmin(a.x, b.x) <= p.x && p.x <= std::fmax(a.x, b.x) && std::fmin(a.y, b.y) <= p.y &&
+                         p.y <= std::fmax(a.y, b.y);
+    if (turn == real(0) && between) return 0;
+    if ((a.y > p.y) != (b.y > p.y) && (real(0) < turn) == (a.y < b.y)) inside = !inside;
+  }
+  return inside ? 1 : -1;
+}
+
+// The crossings of a ray, as in Franklin's PNPOLY.
+int crossings(const std::vector<point2>& ring, const point2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const point2 &a = ring[i], &b = ring[j];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+  }
+  return inside ? 1 : -1;
+}
+
+void locate(study& s, const query& q) {
+  distribution d{q.name, q.points.size(), 1, {}};
+  for (const point2& p : q.points) d.exact.push_back({static_cast<double>(true_location(q.ring, p)), 0});
+  std::vector<implementation> who{
+      for_each_item("irg", q.points,
+                    [&](const point2& p) {
+                      const auto where = irg::point_in_polygon(q.ring, p);
+                      return where == irg::point_location::inside ? 1 : where == irg::point_location::outside ? -1 : 0;
+                    }),
+      for_each_item("crossings in double", q.points, [&](const point2& p) { return crossings(q.ring, p); })};
+#ifdef IRG_HAVE_CGAL
+  std::vector<cgal::epick::Point_2> ring;
+  for (const point2& v : q.ring) ring.emplace_back(v.x, v.y);
+  who.push_back(for_each_item("CGAL EPICK", q.points, [&](const point2& p) {
+    return CGAL::bounded_side_2(ring.begin(), ring.end(), cgal::epick::Point_2(p.x, p.y), cgal::epick());
+  }));
+#endif
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+  std::vector<cv::Point2f> contour;
+  const auto in_float = [](const point2& p) { return cv::Point2f(static_cast<float>(p.x), static_cast<float>(p.y)); };
+  for (const point2& v : q.ring) contour.push_back(in_float(v));
+  who.push_back(for_each_item(
+      "OpenCV (points in float)", q.points,
+      [&](const point2& p) { return cv::pointPolygonTest(contour, in_float(p), false); }, "no"));
+#endif
+  s.panel(d, who, [&](std::size_t i) { return text_of({q.points[i].x, q.points[i].y}); });
+}
+
+}  // namespace
+
+int main() {
+  stay_on_this_processor();
+  decide_all<3, 2>("orient2d", ulp_grid<3, 2>("grid of ulps", {{{0.5, 0.5}, {12, 12}, {24, 24}}}, 0, 64));
+  decide_all<4, 3>(
+      "orient3d", ulp_grid<4, 3>("grid of ulps", {{{0.5, 0.5, 0.5}, {12, 12, 12}, {24, 24, 24}, {12, 24, 18}}}, 0, 16));
+  decide_all<4, 2>("in circle", ulp_grid<4, 2>("grid of ulps", {{{24, 0.5}, {24, 12}, {0.5, 12}, {0.5, 0.5}}}, 3, 64));
+  decide_all<5, 3>(
+      "in sphere",
+      ulp_grid<5, 3>("grid of ulps", {{{24, 0.5, 0.5}, {24, 12, 0.5}, {0.5, 12, 0.5}, {0.5, 0.5, 12}, {0.5, 0.5, 0.5}}},
+                     4, 16));
+  study s("point in polygon", "point", error_unit::sign);
+  locate(s, queries("anywhere", 0));
+  locate(s, queries("beside edges to 2^-20", 1));
+  locate(s, queries("beside edges to an ulp", 2));
+  locate(s, queries("on edges and corners or an ulp off", 3));
+}
+
+#else
+#include <cstdio>
+int main() { std::puts("accuracy_predicates: skipped, GMP was not found"); }
+#endif
