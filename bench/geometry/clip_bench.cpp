@@ -219,7 +219,7 @@ void polygons(int corners) {
     for (std::size_t i = 0; i < count; ++i) {
       const double exact = exact_area(given[i], window), off = std::abs((*all[k].areas)[i] - exact) / 2;
       most = std::max(most, off), sum += off;
-      wrong += off > 1e-3 * (1 + std::abs(exact)) ? 1 : 0;
+      wrong += off > 1e-3 * (1 + std::abs(exact)) ? 1u : 0u;
     }
     const double ns = racers[k].median() / static_cast<double>(count) * 1e9;
     std::printf("  %-12s %-26s %9.1f ns   %6.3f of it   area off by %.2g at most, %zu wrong\n", name.c_str(),
@@ -337,12 +337,12 @@ void segments() {
     for (std::size_t i = 0; i < count; ++i) {
       const cut_line& c = results[k][i];
       const auto exact = clip_line_liang_barsky(given[i][0], given[i][1], window);
-      wrong += c.visible == exact.has_value() ? 0 : 1;
+      wrong += c.visible == exact.has_value() ? 0u : 1u;
       if (!c.visible || !exact) continue;
       ++visible;
       const double ends[2][2] = {{c.x1, c.y1}, {c.x2, c.y2}};
       for (int e = 0; e < 2; ++e) {
-        wrong += irg::contains(window, P{ends[e][0], ends[e][1]}) ? 0 : 1;
+        wrong += irg::contains(window, P{ends[e][0], ends[e][1]}) ? 0u : 1u;
         const P right = e == 0 ? exact->first : exact->second;
         for (int axis = 0; axis < 2; ++axis) {
           // The exact coordinate in long double, from the boundary that the line is cut at.

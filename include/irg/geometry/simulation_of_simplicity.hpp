@@ -149,8 +149,8 @@ private:
 };
 
 template <class P>
-IRG_INLINE constexpr const P& point_of(const P& p) noexcept {  // NOLINT(bugprone-return-const-ref-from-parameter)
-  return p;
+IRG_INLINE constexpr const P& point_of(const P& p) noexcept {
+  return p;  // NOLINT(bugprone-return-const-ref-from-parameter)
 }
 template <class P>
 IRG_INLINE constexpr const P& point_of(const numbered_point<P>& p) noexcept {

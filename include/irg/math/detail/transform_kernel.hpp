@@ -125,8 +125,8 @@ struct store_past_caches {
   // What is read soon.
   IRG_INLINE static void ask_for(const void* p) noexcept {
     // The address may lie behind the array, where it must not be formed as a pointer.
-    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) +
-                                                     1536));  // NOLINT(performance-no-int-to-ptr)
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) + 1536));
   }
 };
 
