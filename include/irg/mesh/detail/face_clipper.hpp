@@ -46,7 +46,9 @@ private:
 
   template <class Emit>
   constexpr bool clip(const face_ring<T>& ring, int axis, const Emit& emit) {
-    return triangulate_ear_clipping(flat_ring<face_ring<T>>(ring, axis), emit, memory_, options_);
+    // A position that is NaN or infinite leaves nothing to decide: such faces are cut into a fan.
+    const flat_ring<face_ring<T>> flat(ring, axis);
+    return is_finite_ring(flat) && triangulate_ear_clipping(flat, emit, memory_, options_);
   }
 };
 
