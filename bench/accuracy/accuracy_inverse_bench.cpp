@@ -15,19 +15,8 @@
 #include <irg/math/solve.hpp>
 #include <irg/math/solve_exact.hpp>
 
+#include "accuracy/matrix_peers.hpp"
 #include "accuracy/vector_sets.hpp"
-
-#if __has_include(<glm/glm.hpp>)
-#include <glm/glm.hpp>
-#define HAS_GLM 1
-#endif
-#if __has_include(<eigen3/Eigen/LU>)
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12's own header for AVX-512, which Eigen calls
-#endif
-#include <eigen3/Eigen/LU>
-#define HAS_EIGEN 1
-#endif
 
 #ifdef BENCH_HAS_MPFR
 

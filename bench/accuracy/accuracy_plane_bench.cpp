@@ -14,12 +14,8 @@
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/math/length.hpp>
 
+#include "accuracy/matrix_peers.hpp"
 #include "accuracy/vector_sets.hpp"
-
-#if __has_include(<glm/glm.hpp>)
-#include <glm/glm.hpp>
-#define HAS_GLM 1
-#endif
 
 #ifdef BENCH_HAS_MPFR
 

@@ -10,17 +10,8 @@
 #include <irg/math/error_free.hpp>
 #include <irg/math/vec.hpp>
 
+#include "accuracy/matrix_peers.hpp"
 #include "accuracy/vector_sets.hpp"
-
-#if __has_include(<glm/glm.hpp>)
-#include <glm/glm.hpp>
-#define HAS_GLM 1
-#endif
-#if __has_include(<eigen3/Eigen/Core>)
-#include <eigen3/Eigen/Core>
-#include <eigen3/Eigen/Geometry>
-#define HAS_EIGEN 1
-#endif
 
 #ifdef BENCH_HAS_MPFR
 

@@ -6,10 +6,7 @@
 #include <optional>
 #include <utility>
 
-#ifdef IRG_HAVE_MPFR
-#include <gmp.h>
-#endif
-
+#include "support/big_rational.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -176,47 +173,20 @@ TEST_CASE("barycentric_fast: as good as its formula") {
 
 #ifdef IRG_HAVE_MPFR
 
-// Rationals of any size.
-class big {
-public:
-  big(double x = 0) {
-    mpq_init(q_);
-    mpq_set_d(q_, x);
-  }
-  big(const big& v) {
-    mpq_init(q_);
-    mpq_set(q_, v.q_);
-  }
-  big& operator=(const big&) = delete;
-  ~big() { mpq_clear(q_); }
-  friend big operator*(const big& a, const big& b) { return made(mpq_mul, a, b); }
-  friend big operator-(const big& a, const big& b) { return made(mpq_sub, a, b); }
-  friend big operator/(const big& a, const big& b) { return made(mpq_div, a, b); }
-  int sign() const { return mpq_sgn(q_); }
-  double nearest() const { return mpq_get_d(q_); }  // towards zero
-  big size() const { return sign() < 0 ? big(0) - *this : *this; }
+using test::big_rational;
 
-private:
-  template <class F>
-  static big made(F f, const big& a, const big& b) {
-    big r;
-    f(r.q_, a.q_, b.q_);
-    return r;
-  }
-  mpq_t q_;
-};
-
-big area(const P2& a, const P2& b, const P2& c) {
-  return (big(b.x) - a.x) * (big(c.y) - a.y) - (big(b.y) - a.y) * (big(c.x) - a.x);
+big_rational area(const P2& a, const P2& b, const P2& c) {
+  const auto between = [](double from, double to) { return big_rational(to) - big_rational(from); };
+  return between(a.x, b.x) * between(a.y, c.y) - between(a.y, b.y) * between(a.x, c.x);
 }
 
 // The error of x in units of its last place; subnormal and overflowing results are left out.
-double ulps(double x, const big& exact) {
-  const double near = exact.size().nearest();
+double ulps(double x, const big_rational& exact) {
+  const double near = abs(exact).rounded();
   if (near < 0x1p-1000 || near > 0x1p950) return 0;
   int e = 0;
   std::frexp(near, &e);
-  return (big(x) - exact).size().nearest() / std::ldexp(1.0, e - 53);
+  return test::distance(x, exact) / std::ldexp(1.0, e - 53);
 }
 
 TEST_CASE("barycentric: against rationals (oracle), from classroom grids to the ends of the exponents") {
@@ -228,22 +198,22 @@ TEST_CASE("barycentric: against rationals (oracle), from classroom grids to the 
       const auto p = [&] { return P2{random_coordinate(rng, kind), random_coordinate(rng, kind)}; };
       const P2 a = p(), b = kind == 1 ? P2{12, 12} : p(), c = kind == 1 ? P2{24, 24} : p();
       const P2 t = i % 3 == 0 ? P2{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2} : p();
-      const big whole = area(a, b, c);
+      const big_rational whole = area(a, b, c);
       const auto got = barycentric(a, b, c, t);
       REQUIRE(got.has_value() == (whole.sign() != 0));
       if (!got) continue;
-      const big exact[] = {area(t, b, c) / whole, area(a, t, c) / whole, area(a, b, t) / whole};
+      const big_rational exact[] = {area(t, b, c) / whole, area(a, t, c) / whole, area(a, b, t) / whole};
       bool inside = true;
       for (int k = 0; k < 3; ++k) {
         inside = inside && exact[k].sign() >= 0;
         worst[kind] = std::fmax(worst[kind], ulps((*got)[k], exact[k]));
         if (exact[k].sign() == 0) REQUIRE((*got)[k] == 0);
-        if (exact[k].size().nearest() > 0x1p-1000) REQUIRE(((*got)[k] > 0) == (exact[k].sign() > 0));
+        if (abs(exact[k]).rounded() > 0x1p-1000) REQUIRE(((*got)[k] > 0) == (exact[k].sign() > 0));
       }
       if (!inside) continue;
       REQUIRE(((*got)[0] <= 1 && (*got)[1] <= 1 && (*got)[2] <= 1));
-      const big sum = big((*got)[0]) - (big(0) - (*got)[1]) - (big(0) - (*got)[2]) - 1.0;
-      worst_sum = std::fmax(worst_sum, sum.size().nearest());
+      const big_rational sum = big_rational((*got)[0]) + big_rational((*got)[1]) + big_rational((*got)[2]);
+      worst_sum = std::fmax(worst_sum, test::distance(1, sum));
     }
     MESSAGE("barycentric, kind ", kind, ": ", worst[kind], " ulp on ", rounds, " triangles");
     CHECK(worst[kind] <= 0.51);
@@ -264,8 +234,7 @@ TEST_CASE("barycentric in space: against the rationals of the view that rational
                              {{a.x, a.y}, {b.x, b.y}, {c.x, c.y}, {t.x, t.y}}};
       int best = 0;
       for (int k = 1; k < 3; ++k)
-        if ((area(seen[k][0], seen[k][1], seen[k][2]).size() - area(seen[best][0], seen[best][1], seen[best][2]).size())
-                .sign() > 0)
+        if (abs(area(seen[best][0], seen[best][1], seen[best][2])) < abs(area(seen[k][0], seen[k][1], seen[k][2])))
           best = k;
       const P2* s = seen[best];
       REQUIRE(irg::widest_view(a, b, c) == (area(s[0], s[1], s[2]).sign() == 0 ? std::nullopt : std::optional(best)));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/geometry/box.hpp>
+#include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/geometry/clipped_line.hpp>
 
 #include <cmath>
@@ -10,10 +11,8 @@
 #include <limits>
 #include <optional>
 
-#ifdef IRG_HAVE_MPFR
-#include <gmp.h>
-#endif
-
+#include "support/big_rational.hpp"
+#include "support/check_both.hpp"
 #include "support/random.hpp"
 
 namespace line_cases {
@@ -74,26 +73,7 @@ line_case<T> draw_case(test::random& r) {
 
 #ifdef IRG_HAVE_MPFR
 
-/// A rational number of any size.
-class mpq {
-public:
-  mpq(double x = 0) { mpq_init(v), mpq_set_d(v, x); }
-  mpq(const mpq& o) { mpq_init(v), mpq_set(v, o.v); }
-  mpq& operator=(const mpq& o) { return mpq_set(v, o.v), *this; }
-  ~mpq() { mpq_clear(v); }
-  friend mpq operator+(const mpq& a, const mpq& b) { return mpq(a, b, mpq_add); }
-  friend mpq operator-(const mpq& a, const mpq& b) { return mpq(a, b, mpq_sub); }
-  friend mpq operator*(const mpq& a, const mpq& b) { return mpq(a, b, mpq_mul); }
-  friend mpq operator/(const mpq& a, const mpq& b) { return mpq(a, b, mpq_div); }
-  friend bool operator<(const mpq& a, const mpq& b) { return mpq_cmp(a.v, b.v) < 0; }
-  friend bool operator==(const mpq& a, const mpq& b) { return mpq_equal(a.v, b.v) != 0; }
-  double nearly() const { return mpq_get_d(v); }
-  friend mpq abs(const mpq& a) { return a < mpq() ? mpq() - a : a; }
-
-private:
-  mpq(const mpq& a, const mpq& b, void (*f)(mpq_ptr, mpq_srcptr, mpq_srcptr)) { mpq_init(v), f(v, a.v, b.v); }
-  mpq_t v;
-};
+using mpq = test::big_rational;
 
 /// Whether no other T is nearer to the exact value.
 template <class T>
@@ -107,7 +87,7 @@ bool is_nearest(T x, const mpq& exact) {
 /// The exact parameters of the visible part, or nothing.
 struct exact_line {
   bool visible = false;
-  mpq low = mpq(0.0), high = mpq(1.0);
+  mpq low = mpq(0), high = mpq(1);
 };
 template <int N, class T>
 exact_line exact_clip(const irg::point<T, N>& a, const irg::point<T, N>& b, const irg::box<T, N>& window) {
@@ -153,5 +133,54 @@ bool is_exact(const std::optional<irg::clipped_line<irg::point<T, N>>>& r, const
 }
 
 #endif
+
+/// What every clipper against a window makes of segments that are done by hand. clip(a, b, window) calls it.
+template <class Clip>
+constexpr bool does_by_hand(const Clip& clip) {
+  using D = P<double>;
+  constexpr irg::box<double, 2> window{{0, 0}, {4, 3}};
+  const auto gives = [&](D a, D b, D first, D second) {
+    const auto kept = clip(a, b, window);
+    return kept && kept->first == first && kept->second == second;
+  };
+  return gives({1, 1}, {2, 2}, {1, 1}, {2, 2}) && gives({-1, -1}, {5, 5}, {0, 0}, {3, 3}) &&
+         gives({-2, 1}, {4, 4}, {0, 2}, {2, 3}) && gives({-1, 1}, {1, -1}, {0, 0}, {0, 0}) &&
+         !clip(D{-2, 1}, D{1, -2}, window) && !clip(D{1, 1}, D{2, 2}, irg::box<double, 2>{});
+}
+
+/// Ends that are NaN or infinite leave nothing.
+template <class Clip>
+void check_refusals(const Clip& clip) {
+  using D = P<double>;
+  constexpr irg::box<double, 2> window{{0, 0}, {4, 3}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
+    CHECK(!clip(D{bad, 1}, D{1, 1}, window));
+    CHECK(!clip(D{9, 1}, D{1, bad}, window));
+  }
+}
+
+/// The bits of Liang and Barsky, on floating cases and on a lattice of integers.
+template <class T, class Clip>
+void check_as_liang_barsky(const Clip& clip, std::uint64_t seed, int count) {
+  test::random r(seed);
+  int visible = 0, wrong = 0;
+  for (int k = 0; k < release_or(count); ++k) {
+    line_case<T> c{};
+    if constexpr (std::is_integral_v<T>) {
+      const auto any = [&] { return static_cast<T>(r.integer(-9, 9)); };
+      c.a = {any(), any()}, c.b = {any(), any()};
+      const P<T> p{any(), any()}, q{any(), any()};
+      c.window = irg::enclosing_box(irg::enclosing_box(irg::box<T, 2>{}, p), q);
+    } else {
+      c = draw_case<T>(r);
+    }
+    const auto kept = clip(c.a, c.b, c.window);
+    visible += kept ? 1 : 0;
+    wrong += kept == irg::clip_line_liang_barsky(c.a, c.b, c.window) ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  CHECK(visible > count / 4);
+}
 
 }  // namespace line_cases

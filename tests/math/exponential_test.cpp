@@ -233,6 +233,12 @@ TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
         [y](double x) { return std::pow(x, static_cast<double>(y)); },
         [y](mpfr_ptr out, mpfr_ptr x) { mpfr_pow(out, x, test::real(static_cast<double>(y)), MPFR_RNDN); });
 }
+
+TEST_CASE("float pairs: powers") {
+  test::check_float_pairs(
+      "pow", 0.5001, [](float x, float y) { return irg::pow(x, y); }, [](double x, double y) { return std::pow(x, y); },
+      [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr y) { mpfr_pow(out, x, y, MPFR_RNDN); }, 12, 5);
+}
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

@@ -107,6 +107,13 @@ TEST_CASE("lengths stay within 0.501 ulp") {
         [y](double x) { return std::hypot(x, static_cast<double>(y)); },
         [y](mpfr_ptr out, mpfr_ptr x) { mpfr_hypot(out, x, test::real(static_cast<double>(y)), MPFR_RNDN); });
 }
+
+TEST_CASE("float pairs: lengths") {
+  test::check_float_pairs(
+      "hypot", 0.5001, [](float x, float y) { return irg::hypot(x, y); },
+      [](double x, double y) { return std::hypot(x, y); },
+      [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr y) { mpfr_hypot(out, x, y, MPFR_RNDN); }, 10, 10);
+}
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

@@ -368,6 +368,13 @@ TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
         [x](double y) { return std::atan2(y, static_cast<double>(x)); },
         [x](mpfr_ptr out, mpfr_ptr y) { mpfr_atan2(out, y, test::real(static_cast<double>(x)), MPFR_RNDN); });
 }
+
+TEST_CASE("float pairs: angles of points") {
+  test::check_float_pairs(
+      "atan2", 0.55, [](float y, float x) { return irg::atan2(y, x); },
+      [](double y, double x) { return std::atan2(y, x); },
+      [](mpfr_ptr out, mpfr_ptr y, mpfr_ptr x) { mpfr_atan2(out, y, x, MPFR_RNDN); }, 12, 12);
+}
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }
 #endif

@@ -7,6 +7,7 @@
 #include <gmp.h>
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace test {
@@ -36,8 +37,18 @@ public:
   }
 
   /// The double next to it, towards zero.
-  explicit operator double() const { return mpq_get_d(value_); }
+  explicit operator double() const { return rounded(); }
+  double rounded() const { return mpq_get_d(value_); }
   int sign() const { return mpq_sgn(value_); }
+  friend big_rational abs(const big_rational& a) { return a.sign() < 0 ? -a : a; }
+  big_rational times_power_of_two(int k) const {
+    big_rational r = *this;
+    if (k > 0)
+      mpq_mul_2exp(r.value_, r.value_, static_cast<mp_bitcnt_t>(k));
+    else
+      mpq_div_2exp(r.value_, r.value_, static_cast<mp_bitcnt_t>(-k));
+    return r;
+  }
 
 private:
   template <class F>
@@ -52,6 +63,23 @@ private:
 /// |got - exact|.
 inline double distance(double got, const big_rational& exact) {
   return std::fabs(static_cast<double>(big_rational(got) - exact));
+}
+
+/// |got - want| in units in the last place of want, at least the smallest number; 0 for an infinity that is right, 1e9
+/// for NaN and wrong infinities.
+template <class T>
+double error_in_ulp(T got, const big_rational& want) {
+  if (got != got) return 1e9;
+  const big_rational largest(static_cast<double>((std::numeric_limits<T>::max)()));
+  const bool beyond = largest < abs(want);
+  if (std::isinf(got)) return beyond && (got < 0) == (want.sign() < 0) ? 0 : 1e9;
+  const double near = want.rounded();
+  int exponent = 0;
+  std::frexp(near, &exponent);
+  const int lowest = sizeof(T) == 4 ? -149 : -1074, last = exponent - std::numeric_limits<T>::digits;
+  const big_rational off =
+      (big_rational(static_cast<double>(got)) - want).times_power_of_two(-(near == 0 || last < lowest ? lowest : last));
+  return std::fabs(off.rounded());
 }
 
 }  // namespace test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rationals of any size (GMP) as oracle and as user-defined scalar, coordinates of every size, and errors in units in
-// the last place. Without MPFR and GMP (IRG_HAVE_MPFR undefined) tests that need them are left out.
+// Coordinates of every size, and the rationals that judge what is made of them. Without MPFR and GMP (IRG_HAVE_MPFR
+// undefined) tests that need those are left out.
 #pragma once
 
 #include <bit>
@@ -9,74 +9,13 @@
 #include <cstdlib>
 #include <limits>
 
+#include "big_rational.hpp"
 #include "random.hpp"
 
 #ifdef IRG_HAVE_MPFR
-#include <gmp.h>
-
 namespace test {
-
-/// A rational of any size.
-class exact {
-public:
-  exact() { mpq_init(q_); }
-  exact(int n) : exact() { mpq_set_si(q_, n, 1); }
-  explicit exact(double x) : exact() { mpq_set_d(q_, x); }
-  exact(const exact& other) : exact() { mpq_set(q_, other.q_); }
-  exact& operator=(const exact& other) {
-    mpq_set(q_, other.q_);
-    return *this;
-  }
-  ~exact() { mpq_clear(q_); }
-
-  friend exact operator+(const exact& a, const exact& b) { return made(mpq_add, a, b); }
-  friend exact operator-(const exact& a, const exact& b) { return made(mpq_sub, a, b); }
-  friend exact operator*(const exact& a, const exact& b) { return made(mpq_mul, a, b); }
-  friend exact operator/(const exact& a, const exact& b) { return made(mpq_div, a, b); }
-  friend exact operator-(const exact& a) { return exact(0) - a; }
-  friend bool operator<(const exact& a, const exact& b) { return mpq_cmp(a.q_, b.q_) < 0; }
-  friend bool operator==(const exact& a, const exact& b) { return mpq_equal(a.q_, b.q_) != 0; }
-
-  int sign() const { return mpq_sgn(q_); }
-  /// The nearest double towards zero.
-  double rounded() const { return mpq_get_d(q_); }
-  exact times_power_of_two(int k) const {
-    exact r = *this;
-    if (k > 0)
-      mpq_mul_2exp(r.q_, r.q_, static_cast<mp_bitcnt_t>(k));
-    else
-      mpq_div_2exp(r.q_, r.q_, static_cast<mp_bitcnt_t>(-k));
-    return r;
-  }
-
-private:
-  template <class F>
-  static exact made(F f, const exact& a, const exact& b) {
-    exact r;
-    f(r.q_, a.q_, b.q_);
-    return r;
-  }
-  mpq_t q_;
-};
-
-/// |got - want| in units in the last place of want, at least the smallest number; 0 for an infinity that is right, 1e9
-/// for NaN and wrong infinities.
-template <class T>
-double error_in_ulp(T got, const exact& want) {
-  if (got != got) return 1e9;
-  const exact largest(static_cast<double>((std::numeric_limits<T>::max)()));
-  const bool beyond = largest < (want.sign() < 0 ? -want : want);
-  if (std::isinf(got)) return beyond && (got < 0) == (want.sign() < 0) ? 0 : 1e9;
-  const double near = want.rounded();
-  int exponent = 0;
-  std::frexp(near, &exponent);
-  const int lowest = sizeof(T) == 4 ? -149 : -1074, last = exponent - std::numeric_limits<T>::digits;
-  const exact off =
-      (exact(static_cast<double>(got)) - want).times_power_of_two(-(near == 0 || last < lowest ? lowest : last));
-  return std::fabs(off.rounded());
+using exact = big_rational;
 }
-
-}  // namespace test
 #endif
 
 namespace test {

@@ -126,34 +126,81 @@ void check_ulp(const char* what, double bound, F function, Exact exact, Generate
   CHECK(worst <= bound);
 }
 
-/// Runs over the floats that floats_to_test names: how many results are not the nearest float, and the largest error.
-/// `reference` is double's function, good enough but near the middle of two floats, where MPFR decides.
+/// Counts results that are not the nearest float. `want` is double's function, good enough but near the middle of two
+/// floats, where MPFR decides: exact(out).
+class float_results {
+public:
+  template <class Exact>
+  void judge(float got, double want, Exact exact) {
+    ++tested_;
+    const float low = static_cast<float>(want - std::fabs(want) * 0x1p-40);
+    const float high = static_cast<float>(want + std::fabs(want) * 0x1p-40);
+    if (same(low, high) && same(got, low)) return;
+    if (want != want || std::isinf(want)) {
+      wrong_kind_ += same(got, static_cast<float>(want)) ? 0u : 1u;
+      return;
+    }
+    exact(result_);
+    const double error = ulp_error(got, result_);
+    if (error > 0.5) ++misrounded_;
+    if (error > worst_) worst_ = error;
+  }
+  void check(const char* what, double bound) const {
+    MESSAGE(std::string(what), ", float: ", misrounded_, " of ", tested_, " not the nearest, worst ", worst_, " ulp");
+    CHECK(worst_ <= bound);
+    CHECK(wrong_kind_ == 0);
+  }
+
+private:
+  real result_;
+  std::uint64_t misrounded_ = 0, tested_ = 0, wrong_kind_ = 0;
+  double worst_ = 0.5;
+};
+
+/// Runs over the floats that floats_to_test names.
 template <class F, class Reference, class Exact>
 void check_floats(const char* what, double bound, F function, Reference reference, Exact exact) {
   const float_range range = floats_to_test(99991);
-  std::uint64_t misrounded = 0, tested = 0, wrong_kind = 0;
-  double worst = 0.5;
-  real x, result;
-  for (std::uint64_t bits = range.first; bits < range.last; bits += range.step, ++tested) {
+  float_results results;
+  real x;
+  for (std::uint64_t bits = range.first; bits < range.last; bits += range.step) {
     const float argument = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    const float got = function(argument);
-    const double want = reference(static_cast<double>(argument));
-    const float low = static_cast<float>(want - std::fabs(want) * 0x1p-40);
-    const float high = static_cast<float>(want + std::fabs(want) * 0x1p-40);
-    if (same(low, high) && same(got, low)) continue;
-    if (want != want || std::isinf(want)) {
-      wrong_kind += same(got, static_cast<float>(want)) ? 0u : 1u;
-      continue;
-    }
-    mpfr_set_flt(x, argument, MPFR_RNDN);
-    exact(result, x);
-    const double error = ulp_error(got, result);
-    if (error > 0.5) ++misrounded;
-    if (error > worst) worst = error;
+    results.judge(function(argument), reference(static_cast<double>(argument)), [&](mpfr_ptr out) {
+      mpfr_set_flt(x, argument, MPFR_RNDN);
+      exact(out, x);
+    });
   }
-  MESSAGE(std::string(what), ", float: ", misrounded, " of ", tested, " not the nearest, worst ", worst, " ulp");
-  CHECK(worst <= bound);
-  CHECK(wrong_kind == 0);
+  results.check(what, bound);
+}
+
+/// Runs over 10^9 pairs of floats in the release tier, 20,000 else, a piece of them where IRG_SWEEP names one: pairs of
+/// any bits, and pairs of positive and negative numbers within a factor of 2^span of 1.
+template <class F, class Reference, class Exact>
+void check_float_pairs(const char* what, double bound, F function, Reference reference, Exact exact, int span_x,
+                       int span_y) {
+  const float_range all = floats_to_test(1);
+  const bool sweep = all.first != 0 || all.last != std::uint64_t{1} << 32;
+  const double part = static_cast<double>(all.last - all.first) / 0x1p32;
+  const std::uint64_t pairs = sweep || is_release_tier() ? static_cast<std::uint64_t>(part * 1e9) : 20'000;
+  random r(0x5eed + all.first);
+  const auto any = [](std::uint64_t bits) { return std::bit_cast<float>(static_cast<std::uint32_t>(bits)); };
+  const auto within = [](std::uint64_t bits, int span) {
+    const auto exponent = 127 - span + static_cast<int>((bits >> 33) % (2 * static_cast<unsigned>(span) + 1));
+    return std::bit_cast<float>(static_cast<std::uint32_t>(bits & 0x807f'ffff) | static_cast<std::uint32_t>(exponent)
+                                                                                     << 23);
+  };
+  float_results results;
+  real a, b;
+  for (std::uint64_t i = 0; i < pairs; ++i) {
+    const std::uint64_t bits = r.next(), more = r.next();
+    const float x = i % 4 == 0 ? any(bits) : within(bits, span_x), y = i % 4 == 0 ? any(more) : within(more, span_y);
+    results.judge(function(x, y), reference(static_cast<double>(x), static_cast<double>(y)), [&](mpfr_ptr out) {
+      mpfr_set_flt(a, x, MPFR_RNDN);
+      mpfr_set_flt(b, y, MPFR_RNDN);
+      exact(out, a, b);
+    });
+  }
+  results.check(what, bound);
 }
 
 #endif
