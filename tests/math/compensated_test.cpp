@@ -121,13 +121,20 @@ struct oracle {
 double nearest(const oracle& o, double) { return mpfr_get_d(o.sum, MPFR_RNDN); }
 float nearest(const oracle& o, float) { return mpfr_get_flt(o.sum, MPFR_RNDN); }
 
+/// The worst error counts dot products of doubles up to a condition of 10^14, and all others.
 template <class V>
-void compare(const V& a, const V& b, double& worst, bool well_conditioned) {
+void compare(const V& a, const V& b, double& worst) {
   oracle exact;
-  for (int i = 0; i < size_of<V>; ++i) exact.add(static_cast<double>(a[i]), static_cast<double>(b[i]));
+  double sizes = 0;
+  for (int i = 0; i < size_of<V>; ++i) {
+    exact.add(static_cast<double>(a[i]), static_cast<double>(b[i]));
+    sizes += std::fabs(static_cast<double>(a[i])) * std::fabs(static_cast<double>(b[i]));
+  }
   // The sign of a zero is not promised.
   CHECK(dot_exact(a, b) + 0 == nearest(exact, scalar_of<V>()) + 0);
-  if (well_conditioned) worst = std::max(worst, test::ulp_error(dot_accurate(a, b), exact.sum));
+  const bool well_conditioned = 2 * sizes <= 1e14 * std::fabs(mpfr_get_d(exact.sum, MPFR_RNDN));
+  if (well_conditioned || std::isinf(sizes) || sizeof(a[0]) == sizeof(float))
+    worst = std::max(worst, test::ulp_error(dot_accurate(a, b), exact.sum));
 }
 
 }  // namespace
@@ -139,14 +146,14 @@ TEST_CASE("compensated: dot products against MPFR, condition 1 to 2^150") {
     const int cancelled = static_cast<int>(r.integer(0, 150));
     v4 a, b;
     make_hard(r, cancelled, a, b);
-    compare(a, b, worst, cancelled <= 44);
+    compare(a, b, worst);
     const auto single = [](const v4& v) {
       return generate_coordinates<vec<float, 4>>([&](int k) { return static_cast<float>(v[k]); });
     };
-    compare(single(a), single(b), worst_float, true);
+    compare(single(a), single(b), worst_float);
     const auto any = [&] { return v4{test::any_double(r), test::any_double(r), test::any_double(r), 0}; };
     const v4 c = any(), d = any();
-    compare(c, d, worst_anywhere, true);
+    compare(c, d, worst_anywhere);
   }
   CHECK(worst <= 1);
   CHECK(worst_float <= 1);
