@@ -24,32 +24,34 @@ constexpr double most = std::numeric_limits<double>::max(), least = std::numeric
 constexpr std::int64_t low = std::numeric_limits<std::int64_t>::min(), high = std::numeric_limits<std::int64_t>::max();
 
 struct circle {
-  static constexpr int points = 4, size = 2, stages = 4;
+  static constexpr int points = 4, size = 2, stages = 5;
   static constexpr test::figure shape = test::figure::round;
   template <class T>
   static constexpr int whole(const std::array<T, 4>& p) {
     return in_circle(p[0], p[1], p[2], p[3]);
   }
   static constexpr bool stage(int i, const irg::detail::point_table<double, 4, 2>& t, int& sign) {
-    if (i == 0) return (sign = irg::detail::in_circle_filtered(t)) != 0;
-    if (i == 1) return irg::detail::in_circle_by_words(t, sign);
-    if (i == 2) return irg::detail::in_circle_by_double_words(t, sign);
-    sign = irg::detail::in_circle_by_sum(t);
+    if (i == 0) return (sign = irg::detail::filtered_sign(t, 0x1p-240)) != 0;
+    if (i == 1) return irg::detail::sign_by_words(t, sign);
+    if (i == 2) return irg::detail::sign_by_double_words(t, sign);
+    if (i == 3) return irg::detail::sign_by_range(t, sign);
+    sign = irg::detail::sign_by_sum(t);
     return true;
   }
 };
 struct sphere {
-  static constexpr int points = 5, size = 3, stages = 4;
+  static constexpr int points = 5, size = 3, stages = 5;
   static constexpr test::figure shape = test::figure::round;
   template <class T>
   static constexpr int whole(const std::array<T, 5>& p) {
     return in_sphere(p[0], p[1], p[2], p[3], p[4]);
   }
   static constexpr bool stage(int i, const irg::detail::point_table<double, 5, 3>& t, int& sign) {
-    if (i == 0) return (sign = irg::detail::in_sphere_filtered(t)) != 0;
-    if (i == 1) return irg::detail::in_sphere_by_words(t, sign);
-    if (i == 2) return irg::detail::in_sphere_by_double_words(t, sign);
-    sign = irg::detail::in_sphere_by_sum(t);
+    if (i == 0) return (sign = irg::detail::filtered_sign(t, 0x1p-192)) != 0;
+    if (i == 1) return irg::detail::sign_by_words(t, sign);
+    if (i == 2) return irg::detail::sign_by_double_words(t, sign);
+    if (i == 3) return irg::detail::sign_by_range(t, sign);
+    sign = irg::detail::sign_by_sum(t);
     return true;
   }
 };
@@ -126,13 +128,15 @@ TEST_CASE("in_circle, in_sphere: each stage decides what it is for") {
   CHECK_BOTH(circle_stage({P{0x1p60, 0}, {0x1p60, 1}, {0, 1}, {0, 0}}, 0) == 1);
   CHECK_BOTH(circle_stage({P{0x1p61, 0}, {0x1p61, 1}, {0, 1}, {0, 0}}, 0) == 2);
   CHECK_BOTH(circle_stage({P{0x1p124, 0}, {0x1p124, 1}, {0, 1}, {0, 0}}, 0) == 2);
-  CHECK_BOTH(circle_stage({P{0x1p125, 0}, {0x1p125, 1}, {0, 1}, {0, 0}}, 0) == 3);
+  CHECK_BOTH(circle_stage({P{0x1p125, 0}, {0x1p125, 1}, {0, 1}, {0, 0}}, 0) == 4);
+  CHECK_BOTH(circle_stage({P{0x1p200, 0x1p200}, {1, 2}, {1, 1}, {0, 0}}, -1) == 3);
   CHECK_BOTH(sphere_stage({Q{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 0}}, 1) == 0);
   CHECK_BOTH(sphere_stage({Q{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}, 0) == 1);
   CHECK_BOTH(sphere_stage({Q{0x1p60, 0, 0}, {0x1p60, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, 0) == 1);
   CHECK_BOTH(sphere_stage({Q{0x1p61, 0, 0}, {0x1p61, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, 0) == 2);
   CHECK_BOTH(sphere_stage({Q{0x1p124, 0, 0}, {0x1p124, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, 0) == 2);
-  CHECK(sphere_stage({Q{0x1p125, 0, 0}, {0x1p125, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, 0) == 3);
+  CHECK_BOTH(sphere_stage({Q{0x1p200, 0x1p200, 0}, {1, 2, 0}, {0, 0, 1}, {1, 1, 1}, {0, 0, 0}}, 1) == 3);
+  CHECK(sphere_stage({Q{0x1p125, 0, 0}, {0x1p125, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, 0) == 4);
 }
 
 TEST_CASE("in_circle, in_sphere: integers and rationals, exactly") {
@@ -157,9 +161,28 @@ TEST_CASE("in_circle, in_sphere: integers and rationals, exactly") {
   CHECK_BOTH(in_circle(R{{1, 2}, 0}, R{0, {1, 2}}, R{{-1, 2}, 0}, R{{3, 11}, {4, 10}}) == 1);
 }
 
+TEST_CASE("in_circle, in_sphere: equal points, exponents far apart") {
+  CHECK(test::wrong_for_equal_points<circle>(500) == 0);
+  CHECK(test::wrong_for_equal_points<sphere>(100) == 0);
+}
+
+TEST_CASE("in_circle, in_sphere: floats that the processor takes for zero") {
+  CHECK(test::wrong_floats_while_flushing<circle>(5'000) == 0);
+  CHECK(test::wrong_floats_while_flushing<sphere>(1'000) == 0);
+}
+
 TEST_CASE("in_circle, in_sphere: rounded stages are right where errors are largest") {
-  CHECK(test::wrong_next_to_the_bound<circle>(1, 200'000) == 0);
-  CHECK(test::wrong_next_to_the_bound<sphere>(1, 50'000) == 0);
+  CHECK(test::wrong_next_to_the_bound<circle>(1, test::trial_count(200'000, 10'000'000)) == 0);
+  CHECK(test::wrong_next_to_the_bound<sphere>(1, test::trial_count(50'000, 10'000'000)) == 0);
+}
+
+TEST_CASE("in_circle, in_sphere: the filters decide 999 of 1000 uniform points, and are right") {
+  const test::filter_score flat = test::score_of_filter<circle>(1, test::trial_count(100'000, 300'000'000));
+  const test::filter_score round = test::score_of_filter<sphere>(1, test::trial_count(30'000, 100'000'000));
+  CHECK(flat.decided >= 0.999);
+  CHECK(flat.wrong == 0);
+  CHECK(round.decided >= 0.999);
+  CHECK(round.wrong == 0);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -173,7 +196,7 @@ void check_all(long few, std::uint64_t seed, int orientation) {
   CHECK(result.wrong_flushed == 0);
   CHECK(result.wrong_order == 0);
   CHECK(result.zeros > 200);
-  for (int i = 0; i < Predicate::stages; ++i) CHECK(result.decided[static_cast<std::size_t>(i)] > 5);
+  for (int i = 0; i + 1 < Predicate::stages; ++i) CHECK(result.decided[static_cast<std::size_t>(i)] > 5);
   const auto whole =
       test::run_integer_trials<Predicate>(test::trial_count(4 * few, 10'000'000), seed + 50, orientation);
   CHECK(whole.wrong == 0);

@@ -21,17 +21,19 @@ constexpr double most = std::numeric_limits<double>::max(), least = std::numeric
 constexpr std::int64_t low = std::numeric_limits<std::int64_t>::min(), high = std::numeric_limits<std::int64_t>::max();
 
 struct predicate {
-  static constexpr int points = 4, size = 3, stages = 4;
+  static constexpr int points = 4, size = 3, stages = 6;
   static constexpr test::figure shape = test::figure::flat;
   template <class Q>
   static constexpr int whole(const std::array<Q, 4>& p) {
     return orient3d(p[0], p[1], p[2], p[3]);
   }
   static constexpr bool stage(int i, const irg::detail::point_table<double, 4, 3>& t, int& sign) {
-    if (i == 0) return (sign = irg::detail::orient3d_filtered(t)) != 0;
-    if (i == 1) return irg::detail::orient3d_by_words(t, sign);
-    if (i == 2) return irg::detail::orient3d_by_double_words(t, sign);
-    sign = irg::detail::orient3d_by_sum(t);
+    if (i == 0) return (sign = irg::detail::filtered_sign(t, 0x1p-320)) != 0;
+    if (i == 1) return (sign = irg::detail::orient3d_compensated(t)) != 0;
+    if (i == 2) return irg::detail::sign_by_words(t, sign);
+    if (i == 3) return irg::detail::sign_by_double_words(t, sign);
+    if (i == 4) return irg::detail::sign_by_range(t, sign);
+    sign = irg::detail::sign_by_sum(t);
     return true;
   }
 };
@@ -87,12 +89,13 @@ TEST_CASE("orient3d: each stage decides what it is for") {
   constexpr P b{12, 12, 12}, c{24, 24, 24}, d{12, 24, 18};
   CHECK_BOTH(stage_of({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1) == 0);
   CHECK_BOTH(stage_of({0.5, 0.5 + u, 0.5}, b, c, d, 1) == 1);
-  CHECK_BOTH(stage_of({0.5 + u, 0.5 + u, 0.5 + u}, b, c, d, 0) == 1);
-  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p60, 0x1p60, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 1);
-  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p61, 0x1p61, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 2);
-  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p124, 0x1p124, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 2);
-  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p125, 0x1p125, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 3);
-  CHECK_BOTH(stage_of({least, 0, 0}, {0, least, 0}, {0, 0, least}, {0, 0, 0}, -1) == 2);
+  CHECK_BOTH(stage_of({0.5 + u, 0.5 + u, 0.5 + u}, b, c, d, 0) == 2);
+  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p60, 0x1p60, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 2);
+  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p61, 0x1p61, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 3);
+  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p124, 0x1p124, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 3);
+  CHECK_BOTH(stage_of({1, 1, 0}, {0x1p125, 0x1p125, 7}, {3, 3, -5}, {0, 0, 1}, 0) == 5);
+  CHECK_BOTH(stage_of({0x1p200, 0x1p200, 0}, {1, 2, 0}, {0, 0, 1}, {0, 0, 0}, -1) == 4);
+  CHECK_BOTH(stage_of({least, 0, 0}, {0, least, 0}, {0, 0, least}, {0, 0, 0}, -1) == 3);
 }
 
 TEST_CASE("orient3d: integers and rationals, exactly") {
@@ -114,8 +117,20 @@ TEST_CASE("orient3d: integers and rationals, exactly") {
   CHECK_BOTH(orient3d(R{{1, 3}, 0, 0}, R{0, {1, 3}, 0}, R{0, 0, {1, 3}}, R{{1, 9}, {1, 9}, {1, 8}}) == 1);
 }
 
+TEST_CASE("orient3d: equal points, exponents far apart") { CHECK(test::wrong_for_equal_points<predicate>(1000) == 0); }
+
+TEST_CASE("orient3d: floats that the processor takes for zero") {
+  CHECK(test::wrong_floats_while_flushing<predicate>(20'000) == 0);
+}
+
 TEST_CASE("orient3d: rounded stages are right where errors are largest") {
-  CHECK(test::wrong_next_to_the_bound<predicate>(1, 50'000) == 0);
+  CHECK(test::wrong_next_to_the_bound<predicate>(2, test::trial_count(50'000, 10'000'000)) == 0);
+}
+
+TEST_CASE("orient3d: the filter decides 999 of 1000 uniform points, and is right") {
+  const test::filter_score s = test::score_of_filter<predicate>(2, test::trial_count(100'000, 300'000'000));
+  CHECK(s.decided >= 0.999);
+  CHECK(s.wrong == 0);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -126,7 +141,7 @@ TEST_CASE("orient3d: against GMP, in all distributions, with subnormals and with
   CHECK(result.wrong_flushed == 0);
   CHECK(result.wrong_order == 0);
   CHECK(result.zeros > 1000);
-  for (int i = 0; i < predicate::stages; ++i) CHECK(result.decided[static_cast<std::size_t>(i)] > 20);
+  for (int i = 0; i + 1 < predicate::stages; ++i) CHECK(result.decided[static_cast<std::size_t>(i)] > 20);
   const auto whole = test::run_integer_trials<predicate>(test::trial_count(20'000, 10'000'000), 31, -1);
   CHECK(whole.wrong == 0);
   CHECK(whole.zeros > 100);

@@ -25,6 +25,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "support/flush_mode.hpp"
 #include "support/predicate_points.hpp"
 
 namespace test {
@@ -104,6 +105,71 @@ long wrong_next_to_the_bound(int exact_stage, long trials) {
     if (!Predicate::stage(exact_stage, t, expected)) ++wrong;
     for (int k = 0; k < exact_stage; ++k)
       if (Predicate::stage(k, t, sign)) wrong += sign != expected;
+  }
+  return wrong;
+}
+
+/// How the filter, stage 0, fares: what share of the points it decides, and how many of these wrongly.
+struct filter_score {
+  double decided = 0;
+  long wrong = 0;
+};
+
+/// On uniform points; the stages from `exact_stage` on are the judges.
+template <class Predicate>
+filter_score score_of_filter(int exact_stage, long trials) {
+  random r(2);
+  long decided = 0, wrong = 0;
+  for (long i = 0; i < trials; ++i) {
+    const auto t = to_table<Predicate::points, Predicate::size>(
+        hard_points<Predicate::points, Predicate::size>(distribution::uniform, Predicate::shape, r));
+    int sign = 0, expected = 0, k = exact_stage;
+    if (!Predicate::stage(0, t, sign)) continue;
+    ++decided;
+    while (!Predicate::stage(k, t, expected)) ++k;
+    wrong += sign != expected;
+  }
+  return {static_cast<double>(decided) / static_cast<double>(trials), wrong};
+}
+
+/// How often points of floats have another sign than the same numbers as doubles, where the processor takes subnormals
+/// for zero: lattices whose axes have scales of their own, with subnormals among the coordinates.
+template <class Predicate>
+long wrong_floats_while_flushing(long trials) {
+  constexpr int m = Predicate::points, size = Predicate::size;
+  constexpr int scales[] = {-149, -147, -135, -128, -110, -70, -20, 0};
+  random r(7);
+  long wrong = 0;
+  for (long i = 0; i < trials; ++i) {
+    points<float, m, size> floats{};
+    points<double, m, size> doubles{};
+    int scale[3]{};
+    const int common = scales[r.integer(0, 7)];
+    const bool same = r.integer(0, 1) == 0;
+    for (int& s : scale) s = same ? common : scales[r.integer(0, 7)];
+    const std::int64_t reach = r.integer(0, 1) == 0 ? 3 : 60;
+    for (std::size_t k = 0; k < floats.size(); ++k)
+      for (std::size_t j = 0; j < floats[k].size(); ++j) {
+        const int exponent = r.integer(0, 3) == 0 ? -149 : scale[j];
+        doubles[k][j] = scaled(static_cast<double>(r.integer(-reach, reach)), exponent);
+        floats[k][j] = static_cast<float>(doubles[k][j]);
+      }
+    const auto narrow = to_points<size>(floats);
+    wrong += while_flushing([&] { return Predicate::whole(narrow); }) != Predicate::whole(to_points<size>(doubles));
+  }
+  return wrong;
+}
+
+/// How often the sign is not 0 where two points are equal, though exponents lie far apart: what the last stage decides.
+template <class Predicate>
+long wrong_for_equal_points(long trials) {
+  constexpr int m = Predicate::points, size = Predicate::size;
+  random r(8);
+  long wrong = 0;
+  for (long i = 0; i < trials; ++i) {
+    auto p = hard_points<m, size>(distribution::mixed_exponents, Predicate::shape, r);
+    p[static_cast<std::size_t>(r.integer(1, m - 1))] = p[0];
+    wrong += Predicate::whole(to_points<size>(p)) != 0;
   }
   return wrong;
 }

@@ -2,11 +2,11 @@
 // On which side of the plane through three points a fourth one lies, decided exactly.
 #pragma once
 
-#include <cstdint>
 #include <type_traits>
 
 #include <irg/core/coordinates.hpp>
 #include <irg/geometry/detail/predicate_kernel.hpp>
+#include <irg/math/error_free.hpp>
 
 namespace irg {
 namespace detail {
@@ -14,15 +14,9 @@ inline namespace IRG_ABI {
 
 // The determinant of the rows b, a, c, six times a volume: that of plane_through(a, b, c) at the origin.
 template <class T>
-IRG_INLINE constexpr auto spanned_volume(const point_table<T, 3, 3>& t) {
+IRG_INLINE constexpr auto difference_determinant(const point_table<T, 3, 3>& t) {
   const T *const a = t.v, *const b = t.v + 3, *const c = t.v + 6;
   return (c[0] * b[1] - c[1] * b[0]) * a[2] + (a[0] * c[1] - a[1] * c[0]) * b[2] + (b[0] * a[1] - b[1] * a[0]) * c[2];
-}
-
-// The sign, for exact numbers: T holds the differences of coordinates, their products what they are made of.
-template <class T>
-IRG_INLINE constexpr int orient3d_of(const point_table<T, 4, 3>& t) {
-  return coordinate_sign(spanned_volume(relative_to_last(t)));
 }
 
 // The sign, or 0 where rounded arithmetic cannot tell.
@@ -32,55 +26,53 @@ IRG_INLINE constexpr int orient3d_of(const point_table<T, 4, 3>& t) {
 // off by less than 6*((1 + u)^8 - 1)*X*Y*Z < 48.001u*X*Y*Z; the factor below, for 8*X*Y*Z, makes 48u(1 + 2^-9). What
 // subnormals lose, less than 2^-1020 in each difference and product, is less than the bound's share from t, as in
 // orient2d. The 8 keeps everything finite where the bound is: partial sums are at most 6*X*Y*Z.
-IRG_INLINE constexpr int orient3d_filtered(const point_table<double, 4, 3>& t) noexcept {
-  constexpr double factor = 0x1.80cp-51, least = 0x1p-320;
+IRG_INLINE constexpr int filtered_sign(const point_table<double, 4, 3>& t, double least) noexcept {
+  constexpr double factor = 0x1.80cp-51;
   const auto d = relative_to_last(t);
-  const double volume = spanned_volume(d);
+  const double volume = difference_determinant(d);
   const double bound = (reach(d, 0) + least) * (reach(d, 1) * 8 + least) * (reach(d, 2) + least) * factor;
   return magnitude(volume) > bound ? sign_of_nonzero(volume) : 0;
 }
 
-// The exact stages: integers of one word, of two, or as long as doubles need. The first two leave open what does not
-// fit them.
-IRG_INLINE constexpr bool orient3d_by_words(const point_table<double, 4, 3>& t, int& sign) noexcept {
-  point_table<std::int64_t, 4, 3> n{};
-  if (!to_words(t, n)) return false;
-  sign = spanned_volume(widened<wide_int<1>>(relative_to_last(n))).sign();
-  return true;
+// The same with the rounding errors of differences, products and sums.
+//
+// Of p*q - r*s, for p and r below X and q and s below Y, the low part is below 9u*X*Y, made with at most 8 roundings;
+// what is left out, products of two errors, is 2u^2*X*Y. So each product with a third difference is off by less than
+// 74u^2*X*Y*Z, and 9u^2 for the low part times an error of that difference; its low part is below 14u*X*Y*Z, made with
+// 4 roundings: 139u^2 in all, three of which make 417u^2. The sum's low parts are below 42u and 10u, from errors of
+// partial sums below 4 and 6*X*Y*Z, and pass 4 roundings: 208u^2. The last sum's rounding does not change its sign. The
+// bound is 1024u^2*X*Y*Z. Subnormals and overflow are met as in orient2d, with `least`.
+IRG_INLINE constexpr int orient3d_compensated(const point_table<double, 4, 3>& t) noexcept {
+  constexpr double factor = 0x1p-96, least = 0x1p-300;
+  using number = exact_sum<double>;
+  const auto difference = [&](int i, int k) { return two_sum(t(i, k), -t(3, k)); };
+  const number ax = difference(0, 0), ay = difference(0, 1), az = difference(0, 2);
+  const number bx = difference(1, 0), by = difference(1, 1), bz = difference(1, 2);
+  const number cx = difference(2, 0), cy = difference(2, 1), cz = difference(2, 2);
+  const auto term = [](const number& p, const number& q, const number& r, const number& s, const number& z) -> number {
+    const number left = fast_two_product(p.value, q.value), right = fast_two_product(r.value, s.value);
+    const number area = two_sum(left.value, -right.value);
+    const double left_error = left.error + (p.value * q.error + p.error * q.value);
+    const double right_error = right.error + (r.value * s.error + r.error * s.value);
+    const number volume = fast_two_product(area.value, z.value);
+    const double low = area.error + (left_error - right_error);
+    return {volume.value, volume.error + (area.value * z.error + low * z.value)};
+  };
+  const number a = term(cx, by, cy, bx, az), b = term(ax, cy, ay, cx, bz), c = term(bx, ay, by, ax, cz);
+  const number ab = two_sum(a.value, b.value), abc = two_sum(ab.value, c.value);
+  const double volume = abc.value + ((ab.error + abc.error) + ((a.error + b.error) + c.error));
+  const auto size = [](const number& p, const number& q, const number& r) {
+    return greater(greater(magnitude(p.value), magnitude(q.value)), magnitude(r.value)) + least;
+  };
+  return magnitude(volume) > size(ax, bx, cx) * size(ay, by, cy) * size(az, bz, cz) * factor ? sign_of_nonzero(volume)
+                                                                                             : 0;
 }
-constexpr bool orient3d_by_double_words(const point_table<double, 4, 3>& t, int& sign) noexcept {
-  point_table<wide_int<2>, 4, 3> n{};
-  if (!to_double_words(t, n)) return false;
-  sign = orient3d_of(n);
-  return true;
+
+#ifdef IRG_HAS_FMA  // without, integers are faster
+IRG_INLINE constexpr int compensated_sign(const point_table<double, 4, 3>& t) noexcept {
+  return orient3d_compensated(t);
 }
-// The determinant of all four points with ones beside them, by its 24 products.
-constexpr int orient3d_by_sum(const point_table<double, 4, 3>& t) noexcept {
-  constexpr int rows[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};  // all but one, in alternating order
-  exact_accumulator<3> sum;
-  for (const int(&row)[3] : rows)
-    for (int i = 0; i < 3; ++i) {
-      const double *const p = t.v + 3 * row[i], *const q = t.v + 3 * row[(i + 1) % 3];
-      const double* const r = t.v + 3 * row[(i + 2) % 3];
-      sum.add(p[0], q[1], r[2]);
-      sum.subtract(p[0], q[2], r[1]);
-    }
-  return sum.sign();
-}
-// Coordinates are passed in registers, so that nothing has to wait for the memory.
-IRG_NOINLINE constexpr int orient3d_beyond_words(double ax, double ay, double az, double bx, double by, double bz,
-                                                 double cx, double cy, double cz, double dx, double dy,
-                                                 double dz) noexcept {
-  const point_table<double, 4, 3> t{{ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz}};
-  int sign = 0;
-  return orient3d_by_double_words(t, sign) ? sign : orient3d_by_sum(t);
-}
-IRG_NOINLINE constexpr int orient3d_exact(double ax, double ay, double az, double bx, double by, double bz, double cx,
-                                          double cy, double cz, double dx, double dy, double dz) noexcept {
-  int sign = 0;
-  if (orient3d_by_words({{ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz}}, sign)) return sign;
-  return orient3d_beyond_words(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz);
-}
+#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail
@@ -92,27 +84,15 @@ inline namespace IRG_ABI {
 /// needs   finite coordinates
 /// exact   for every float, double and integer, subnormals and extremes included, under all floating-point flags and
 ///         with subnormals flushed to zero; other scalars: as exact as their own + - * are
-/// cost    about 40 operations on floats where the points are not nearly coplanar; else integers of 192 bits, of 384
-///         where exponents differ by more than 8, and of 6400 where they differ by more than 72
+/// cost    about 40 operations on floats where the points are not nearly coplanar, else 200 where multiply-adds are
+///         fused; integers of 192 bits where that leaves it open, of 384 where exponents differ by more than 8; beyond
+///         72 another 400 operations on floats, and an exact sum of 24 products for points nearly coplanar even so
 /// source  Shewchuk 1997; Devillers and Pion 2003 (the filter)
 template <Point P>
   requires(size_of<P> == 3)
 IRG_INLINE constexpr int orient3d(const P& a, const P& b, const P& c,
                                   const P& d) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
-  using T = scalar_of<P>;
-  if constexpr (Floating<T>) {
-    const auto t = detail::table_of<double>(a, b, c, d);
-    if (!detail::in_constant_evaluation())
-      if (const int sign = detail::orient3d_filtered(t); sign != 0) return sign;
-    return detail::orient3d_exact(t.v[0], t.v[1], t.v[2], t.v[3], t.v[4], t.v[5], t.v[6], t.v[7], t.v[8], t.v[9],
-                                  t.v[10], t.v[11]);
-  } else if constexpr (std::is_integral_v<T>) {
-    using wide = std::conditional_t<sizeof(T) <= 2, std::int64_t,
-                                    std::conditional_t<sizeof(T) <= 4, detail::wide_signed, wide_int<2>>>;
-    return detail::orient3d_of(detail::table_of<wide>(a, b, c, d));
-  } else {
-    return detail::orient3d_of(detail::table_of<T>(a, b, c, d));
-  }
+  return detail::predicate(a, b, c, d);
 }
 
 }  // namespace IRG_ABI

@@ -33,7 +33,7 @@ IRG_INLINE constexpr bool is_proper(const T& x) noexcept {
 template <class N, class T, std::size_t Size>
 constexpr std::array<N, Size> numbers_of(const std::array<T, Size>& in) noexcept {
   std::array<N, Size> out{};
-  for (std::size_t i = 0; i < Size; ++i) out[i] = N(static_cast<double>(in[i]));
+  for (std::size_t i = 0; i < Size; ++i) out[i] = N(widened(in[i]));
   return out;
 }
 
@@ -63,7 +63,7 @@ constexpr auto evaluate(const Formula& formula, const std::array<T, Size>& in) n
     using known_values = decltype(known_of(formula(numbers_of<twofold>(in))));
     bool suits = true, finite = true;
     for (const T& x : in) {
-      suits = suits && suits_twofold(static_cast<double>(x));
+      suits = suits && suits_twofold(widened(x));
       finite = finite && is_finite(x);
     }
     if (suits) {

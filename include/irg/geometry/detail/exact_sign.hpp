@@ -77,19 +77,6 @@ IRG_INLINE constexpr bool suits_filter(float x) noexcept {
   return size - 1 >= least_normal - 1;
 }
 
-// The number as a double, made of its bits where the processor might not.
-IRG_INLINE constexpr double widened(double x) noexcept { return x; }
-template <std::integral T>
-IRG_INLINE constexpr double widened(T x) noexcept {
-  return static_cast<double>(x);
-}
-IRG_INLINE constexpr double widened(float x) noexcept {
-  const auto bits = std::bit_cast<std::uint32_t>(x);
-  if ((bits >> 23 & 0xff) != 0) return static_cast<double>(x);
-  const double size = static_cast<double>(bits & 0x7fffff) * 0x1p-149;
-  return bits >> 31 != 0 ? -size : size;
-}
-
 template <class T>
 inline constexpr bool fits_in_double = Floating<T> || (std::is_integral_v<T> && sizeof(T) <= 4);
 
@@ -97,8 +84,10 @@ template <class Number, class T>
 IRG_INLINE constexpr Number exact_number(const T& x) noexcept {
   if constexpr (std::is_same_v<Number, T>) {
     return x;
-  } else if constexpr (fits_in_double<T>) {
+  } else if constexpr (Floating<T>) {
     return Number(widened(x));
+  } else if constexpr (fits_in_double<T>) {
+    return Number(static_cast<double>(x));
   } else {
     const T high = x >> 32;
     return Number(static_cast<double>(high) * 0x1p32) + Number(static_cast<double>(x - (high << 32)));

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the exact predicates share: tables of coordinates, and doubles as integers. The exact stages multiply all
-// coordinates by one power of two, which changes no sign, so that they become integers of one or two words. Where a
-// coordinate does not, because exponents lie too far apart, the stages say so and the next one decides.
+// What the exact predicates share: the stages that decide in turn. A predicate is the sign of the determinant of its
+// points' coordinates, of the sums of their squares (for circles and spheres) and ones, so that the numbers of points
+// and of dimensions tell which one it is. What a predicate has of its own are overloads for its table:
+// difference_determinant, filtered_sign and compensated_sign.
+//
+// The stages of integers multiply all coordinates by one power of two, which changes no sign, so that they become
+// integers of one or two words. Where a coordinate does not, because exponents lie too far apart, they leave it to the
+// next stage.
 #pragma once
 
 #include <concepts>
@@ -12,22 +17,11 @@
 #include <irg/core/contract.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/geometry/detail/determinant_sign.hpp>
 #include <irg/math/error_free.hpp>
-#include <irg/math/exact_sum.hpp>
 #include <irg/math/wide_int.hpp>
 
 namespace irg::detail {
-
-// Number types every value of which is a double.
-template <class T>
-inline constexpr bool fits_double = Floating<T> || (std::is_integral_v<T> && sizeof(T) <= 4);
-
-// The coordinates of M points of D dimensions, point by point.
-template <class T, int M, int D>
-struct point_table {
-  T v[static_cast<unsigned>(M * D)];
-  IRG_INLINE constexpr const T& operator()(int i, int k) const noexcept { return v[i * D + k]; }
-};
 
 inline namespace IRG_ABI {
 
@@ -133,6 +127,97 @@ constexpr bool to_double_words(const point_table<double, M, D>& x, point_table<w
     integers.v[i] = part.negative ? -value : value;
   }
   return true;
+}
+
+// What the determinant of all points is multiplied by to be the predicate.
+template <int D>
+inline constexpr int determinant_factor = D == 3 ? -1 : 1;
+
+// The sign, for exact numbers: T holds the differences of coordinates, their products what they are made of.
+template <class T, int M, int D>
+IRG_INLINE constexpr int sign_of(const point_table<T, M, D>& t) {
+  return coordinate_sign(difference_determinant(relative_to_last(t)));
+}
+
+// The exact stages.
+template <int M, int D>
+IRG_INLINE constexpr bool sign_by_words(const point_table<double, M, D>& t, int& sign) noexcept {
+  point_table<std::int64_t, M, D> n{};
+  if (!to_words(t, n)) return false;
+  sign = difference_determinant(widened<wide_int<1>>(relative_to_last(n))).sign();
+  return true;
+}
+template <int M, int D>
+constexpr bool sign_by_double_words(const point_table<double, M, D>& t, int& sign) noexcept {
+  point_table<wide_int<2>, M, D> n{};
+  if (!to_double_words(t, n)) return false;
+  sign = sign_of(n);
+  return true;
+}
+template <int M, int D>
+constexpr bool sign_by_range(const point_table<double, M, D>& t, int& sign) noexcept {
+  if (!ranged_sign(t, sign)) return false;
+  sign *= determinant_factor<D>;
+  return true;
+}
+template <int M, int D>
+constexpr int sign_by_sum(const point_table<double, M, D>& t) noexcept {
+  return determinant_factor<D> * sum_sign(t);
+}
+
+// A predicate that has no rounded stage but the filter.
+template <int M, int D>
+IRG_INLINE constexpr int compensated_sign(const point_table<double, M, D>&) noexcept {
+  return 0;
+}
+
+// Coordinates are passed in registers, so that nothing has to wait for the memory.
+template <int M, int D, std::same_as<double>... X>
+IRG_NOINLINE constexpr int sign_beyond_words(X... x) noexcept {
+  const point_table<double, M, D> t{{x...}};
+  int sign = 0;
+  return sign_by_double_words(t, sign) || sign_by_range(t, sign) ? sign : sign_by_sum(t);
+}
+template <int M, int D, Floating... X>
+IRG_NOINLINE constexpr int exact_predicate(X... x) noexcept {
+  const point_table<double, M, D> t{{widened(x)...}};
+  int sign = 0;
+  if (!in_constant_evaluation()) sign = compensated_sign(t);
+  if (sign != 0 || sign_by_words(t, sign)) return sign;
+  return sign_beyond_words<M, D>(widened(x)...);
+}
+template <Floating T, int M, int D>
+IRG_INLINE constexpr int exact_predicate_of(const point_table<T, M, D>& t) noexcept {
+  return [&]<int... I>(std::integer_sequence<int, I...>) {
+    return exact_predicate<M, D>(t.v[I]...);
+  }(std::make_integer_sequence<int, M * D>{});
+}
+
+// What the filters add to the largest differences along the axes, so that their bounds exceed what is lost where
+// numbers are subnormal or taken for zero. That is 2^-1020 for a difference or a product of doubles; the product of
+// `Degree` such numbers is 2^-960. Floats that are taken for zero make differences wrong by up to 2^-125: by 2^-65 of
+// what they are with this number added, and the filters allow for 2^-50.
+template <Floating T, int Degree>
+inline constexpr double filter_least = std::is_same_v<T, float> ? 0x1p-60 : power_of_two(-960 / Degree);
+
+// The predicate of M points.
+template <Point P, std::same_as<P>... Ps>
+IRG_INLINE constexpr int predicate(const P& first, const Ps&... others) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
+  using T = scalar_of<P>;
+  constexpr bool is_round = static_cast<int>(sizeof...(Ps)) == size_of<P> + 1;
+  if constexpr (Floating<T>) {
+    constexpr double least = filter_least<T, size_of<P> + (is_round ? 2 : 0)>;
+    if (!in_constant_evaluation())
+      if (const int sign = filtered_sign(table_of<double>(first, others...), least); sign != 0) return sign;
+    return exact_predicate_of(table_of<T>(first, others...));
+  } else if constexpr (std::is_integral_v<T>) {
+    using of_bytes = std::conditional_t<is_round, wide_signed, std::int64_t>;
+    using of_ints = std::conditional_t<is_round, wide_int<1>, wide_signed>;
+    using wide = std::conditional_t<sizeof(T) <= 2, of_bytes, std::conditional_t<sizeof(T) <= 4, of_ints, wide_int<2>>>;
+    return sign_of(table_of<wide>(first, others...));
+  } else {
+    return sign_of(table_of<T>(first, others...));
+  }
 }
 
 }  // namespace IRG_ABI

@@ -60,6 +60,15 @@ IRG_INLINE constexpr bool is_zero_or_within(double x) noexcept {
   return size - 1 >= low - 1 && size < high;
 }
 
+/// x as a double, made of its bits where the processor might take it for zero.
+IRG_INLINE constexpr double widened(double x) noexcept { return x; }
+IRG_INLINE constexpr double widened(float x) noexcept {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  if ((bits >> 23 & 0xff) != 0) return static_cast<double>(x);
+  const double size = static_cast<double>(bits & 0x7fffff) * 0x1p-149;
+  return bits >> 31 != 0 ? -size : size;
+}
+
 /// 2^k.
 /// needs   -1074 <= k <= 1023
 IRG_INLINE constexpr double power_of_two(int k) noexcept {
