@@ -39,6 +39,7 @@
 #include "projections.hpp"
 #include "shaders.hpp"
 #include "simulated_simplicity.hpp"
+#include "splines.hpp"
 #include "stages.hpp"
 #include "textbook_fill.hpp"
 #include "viewing.hpp"
@@ -269,6 +270,7 @@ int main(int argc, char** argv) {
   projections();
   srgb();
   bezier();
+  save("bspline", splines::both());
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());
   save("draw_polyline", line_kernels::polylines());

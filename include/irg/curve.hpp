@@ -4,3 +4,4 @@
 
 #include <irg/curve/bezier.hpp>
 #include <irg/curve/bezier_surface.hpp>
+#include <irg/curve/bspline.hpp>

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// B-splines and NURBS: a cubic with its basis functions below, and a circle beside the spline of the same points.
+// Included by pictures.cpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <irg/curve/bspline.hpp>
+#include <irg/math/vec.hpp>
+#include <irg/raster/draw_line.hpp>
+
+#include "enlarged.hpp"
+
+namespace splines {
+
+using namespace enlarging;
+using P = irg::point<double, 2>;
+
+constexpr irg::rgba8 colours[] = {{48, 90, 140, 255},  {204, 96, 72, 255},  {72, 140, 88, 255},  {150, 96, 160, 255},
+                                  {190, 140, 40, 255}, {92, 142, 196, 255}, {120, 120, 120, 255}};
+
+inline irg::cell cell(const P& p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
+
+// Joins f(0), f(1/n), ..., f(1).
+template <class F>
+void draw(picture& p, irg::rgba8 colour, const F& f) {
+  constexpr int steps = 240;
+  irg::cell last = cell(f(0.0));
+  for (int k = 1; k <= steps; ++k) {
+    const irg::cell next = cell(f(k / double{steps}));
+    irg::draw_line(p, last, next, colour);
+    last = next;
+  }
+}
+
+template <std::size_t N>
+void control_polygon(picture& p, const std::array<P, N>& points) {
+  for (std::size_t i = 0; i + 1 < N; ++i) irg::draw_line(p, cell(points[i]), cell(points[i + 1]), pale);
+  for (const P& c : points) dot(p, cell(c), 3, ink);
+}
+
+// A cubic whose knot at 2 is a double one, and its seven basis functions over the same stretch.
+inline void cubic(picture& p) {
+  constexpr std::array<double, 11> knots{0, 0, 0, 0, 1, 2, 2, 3, 3, 3, 3};
+  constexpr std::array<P, 7> points{P{30, 190}, P{50, 40},  P{150, 30}, P{180, 190},
+                                    P{230, 60}, P{320, 30}, P{350, 180}};
+  const irg::bspline_knots<double, 3> u(knots);
+  control_polygon(p, points);
+  draw(p, colours[1], [&](double t) { return *irg::bspline_point(u, points, 3 * t); });
+  for (const double t : {1.0, 2.0}) dot(p, cell(*irg::bspline_point(u, points, t)), 4, colours[0]);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    draw(p, colours[i], [&](double t) {
+      const auto basis = *irg::bspline_basis(u, 3 * t);
+      const double value = basis.first <= i && i <= basis.first + 3 ? basis.value[i - basis.first] : 0;
+      return P{30 + 320 * t, 310 - 90 * value};
+    });
+}
+
+// Nine points on a square: with the weights of a circle, and with equal ones.
+inline void circle(picture& p) {
+  constexpr std::array<double, 12> knots{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
+  const double half = std::sqrt(0.5);
+  const std::array<double, 9> weights{1, half, 1, half, 1, half, 1, half, 1};
+  constexpr std::array<P, 9> points{P{630, 165}, P{630, 45},  P{510, 45},  P{390, 45}, P{390, 165},
+                                    P{390, 285}, P{510, 285}, P{630, 285}, P{630, 165}};
+  const irg::bspline_knots<double, 2> u(knots);
+  control_polygon(p, points);
+  draw(p, colours[0], [&](double t) { return *irg::bspline_point(u, points, 4 * t); });
+  draw(p, colours[1], [&](double t) { return *irg::nurbs_point(u, points, std::span<const double>(weights), 4 * t); });
+}
+
+inline picture both() {
+  picture p(660, 330, paper);
+  cubic(p);
+  circle(p);
+  return p;
+}
+
+}  // namespace splines
