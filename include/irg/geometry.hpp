@@ -12,6 +12,7 @@
 #include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/geometry/clip_line_nicholl_lee_nicholl.hpp>
 #include <irg/geometry/clip_sutherland_hodgman.hpp>
+#include <irg/geometry/clip_sutherland_hodgman_textbook.hpp>
 #include <irg/geometry/clip_weiler_atherton.hpp>
 #include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/closest_point.hpp>
@@ -28,6 +29,7 @@
 #include <irg/geometry/intersect_planes.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/line.hpp>
+#include <irg/geometry/line_forms.hpp>
 #include <irg/geometry/minimax.hpp>
 #include <irg/geometry/newell_plane_textbook.hpp>
 #include <irg/geometry/orient2d.hpp>
@@ -36,6 +38,7 @@
 #include <irg/geometry/parametric_line.hpp>
 #include <irg/geometry/parametric_plane.hpp>
 #include <irg/geometry/plane.hpp>
+#include <irg/geometry/plane_at_corner.hpp>
 #include <irg/geometry/plane_by_inversion.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/geometry/point_in_convex_polygon.hpp>

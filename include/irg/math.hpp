@@ -6,6 +6,7 @@
 #include <irg/math/constants.hpp>
 #include <irg/math/coordinate_system.hpp>
 #include <irg/math/decimal.hpp>
+#include <irg/math/determinant_exact.hpp>
 #include <irg/math/double_double.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/exact_sum.hpp>

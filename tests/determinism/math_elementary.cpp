@@ -2,6 +2,7 @@
 #include <irg/math/error_free.hpp>
 #include <irg/math/exponential.hpp>
 #include <irg/math/hypot.hpp>
+#include <irg/math/length.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/trigonometry.hpp>
 
@@ -80,6 +81,22 @@ constexpr std::uint64_t lengths(int rounds) {
 }
 
 template <class T>
+constexpr std::uint64_t angles(int rounds) {
+  test::random r(2026);
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    irg::vec<T, 3> a{}, b{};
+    for (int k = 0; k < 3; ++k) {
+      a[k] = argument<T>(r, i % 11 == 0 ? 3 * i : 3 * i + 1 + i % 2);
+      b[k] = i % 5 == 0 ? argument<T>(r, 3 * i + 2) * a[k] : argument<T>(r, 3 * i + 1);  // a fifth almost parallel
+    }
+    h.add(irg::angle_between(a, b));
+    h.add(irg::angle_between(irg::vec<T, 2>{a.x, a.y}, irg::vec<T, 2>{b.x, b.y}));
+  }
+  return h.value();
+}
+
+template <class T>
 constexpr std::uint64_t exact_products(int rounds) {
   test::random r(2026);
   determinism::hasher h;
@@ -107,6 +124,7 @@ HASHED_BOTH(circular, 60, 300'000);
 HASHED_BOTH(inverse_circular, 60, 300'000);
 HASHED_BOTH(powers, 60, 300'000);
 HASHED_BOTH(lengths, 60, 300'000);
+HASHED_BOTH(angles, 60, 300'000);
 HASHED_BOTH(exact_products, 60, 300'000);
 
 }  // namespace

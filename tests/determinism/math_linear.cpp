@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <irg/math/determinant_exact.hpp>
 #include <irg/math/inverse.hpp>
 #include <irg/math/inverse_exact.hpp>
 #include <irg/math/solve_exact.hpp>
@@ -33,6 +34,7 @@ constexpr std::uint64_t inverses(int rounds) {
       h.add(z ? (*z)(k / 4, k % 4) : T(0));
     }
     h.add(reciprocal_condition(a));
+    h.add(determinant_exact(a));
   }
   return h.value();
 }

@@ -92,10 +92,10 @@ void check_random(int trials) {
 }  // namespace
 
 TEST_CASE("compare: against rationals, on hard numbers, and with subnormal ones taken for zero by the processor") {
-  check_random<double, 2>(test::trials(10000));
-  check_random<double, 3>(test::trials(10000));
-  check_random<float, 2>(test::trials(5000));
-  check_random<std::int64_t, 2>(test::trials(5000));
-  check_random<std::int64_t, 3>(test::trials(5000));
+  check_random<double, 2>(test::many_trials(10000));
+  check_random<double, 3>(test::many_trials(10000));
+  check_random<float, 2>(test::many_trials(5000));
+  check_random<std::int64_t, 2>(test::many_trials(5000));
+  check_random<std::int64_t, 3>(test::many_trials(5000));
 }
 #endif

@@ -89,9 +89,9 @@ void check_random(int trials) {
 
 TEST_CASE(
     "side_of_line and side_of a plane: against rationals, on hard numbers, also with subnormal ones taken for zero") {
-  check_random<double>(test::trials(10000));
-  check_random<float>(test::trials(5000));
-  check_random<std::int64_t>(test::trials(5000));
+  check_random<double>(test::many_trials(10000));
+  check_random<float>(test::many_trials(5000));
+  check_random<std::int64_t>(test::many_trials(5000));
 }
 
 TEST_CASE("side_of_line: next to a line that roundings hide") {

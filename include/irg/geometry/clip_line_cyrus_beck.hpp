@@ -52,7 +52,8 @@ inline namespace IRG_ABI {
 /// exact   the decision, for all finite floats and doubles; which boundaries are crossed; coordinates and parameters of
 ///         cut ends within 0.501 ulp, between those of a and b, the same for the segment from b to a. On a slanted
 ///         boundary no double may lie on the line, so that clipping again may move an end by an ulp
-/// cost    two orientation tests per edge, 0.1 us per boundary that is crossed
+/// cost    two orientation tests per edge, 0.1 us per boundary that is crossed. Where the polygon is a window,
+///         clip_line_liang_barsky gives the same in a fraction of the time
 /// source  Cyrus and Beck, Generalized two- and three-dimensional clipping, 1978
 template <Point P, PolygonRing R>
   requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<scalar_of<ring_point<R>>, scalar_of<P>>)

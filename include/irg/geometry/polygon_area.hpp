@@ -28,7 +28,8 @@ constexpr auto twice_polygon_area(const P& polygon) noexcept {
 ///         infinite; infinity when the area overflows. A double for integers
 /// exact   the nearest number for all finite floats and all integers, ties to even; other scalars: by their own
 ///         arithmetic, exact in rationals
-/// cost    some 20 ns for a vertex; nothing allocates
+/// cost    some 20 ns for a vertex; nothing allocates. polygon_area gives the same in a quarter of the time but for
+///         outlines that run there and back so close together that nearly all cancels; for those this is the faster one
 template <PlanePolygon P>
 constexpr auto polygon_area_exact(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
