@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the private tables of irg/math: trigonometry_tables.hpp or exponential_tables.hpp.
+"""Prints the private tables of irg/math: trigonometry_tables.hpp, polynomial_tables.hpp or exponential_tables.hpp.
 
-usage: scripts/generate/elementary_tables.py trigonometry|exponential > include/irg/math/detail/..._tables.hpp
+usage: scripts/generate/elementary_tables.py trigonometry|polynomial|exponential > include/irg/math/detail/..._tables.hpp
 needs: python3-mpmath
 """
+import re
 import sys
-from mpmath import mp, mpf, atan, cos, exp, factorial, floor, frexp, ldexp, log, lu_solve, matrix, nint, pi, sin
+from mpmath import (mp, mpf, asin, atan, cos, exp, floor, frexp, ldexp, log, lu_solve, matrix, nint, pi, sin, tan)
 
 mp.prec = 1400
 
@@ -60,11 +61,12 @@ def constant(name, value, comment):
     print(f"/// {comment}\ninline constexpr double {name} = {literal(value)};\n")
 
 
-def head(about):
+def head(about, needed=None):
     print("// SPDX-License-Identifier: MIT")
     print(f"// {about}")
     print("// Printed by scripts/generate/elementary_tables.py; not edited by hand.")
-    print("#pragma once\n\n#include <cstdint>\n\nnamespace irg::detail {\n")
+    include = f"<irg/{needed}>" if needed else "<cstdint>"
+    print(f"#pragma once\n\n#include {include}\n\nnamespace irg::detail {{\n")
 
 
 def parts_of(name, x, bits, count, comment):
@@ -128,6 +130,50 @@ def trigonometry():
     print("struct number_pair {\n  double high, low;\n};")
     values = ["{" + ", ".join(pair(atan(mpf(i) / 64))) + "}" for i in range(65)]
     rows("arctangent_table", "number_pair", values, 2, "The arctangent of i/64 with its rounding error.")
+    print("}  // namespace irg::detail")
+
+
+STEP = mpf(1) / 64
+# Of the coefficient of x^(k+2) this many bits count where |x| <= 1/128.
+COEFFICIENT_BITS = (53, 53, 49, 41, 33, 29, 21)
+
+
+def shortened(x, bits):
+    """x rounded to so many bits."""
+    return mpf(0) if x == 0 else on_grid(x, ldexp(mpf(1), frexp(x)[1] - bits))
+
+
+def local_coefficients(function, i):
+    """(f(c + x) - f(c) - x) / x in powers of x for |x| <= 1/128 about c = i/64."""
+    c, reach = i * STEP, STEP / 2
+    if i > 0:
+        return fitted(lambda x: (function(c + x) - function(c) - x) / x, 6, -reach, reach + mpf("1e-60"))
+    # An odd function, fitted relative to its size.
+    odd = fitted(lambda t: (function(t**mpf("0.5")) / t**mpf("0.5") - 1) / t, 2, mpf("1e-60"), reach**2)
+    return [mpf(0), mpf(0), odd[0], mpf(0), odd[1], mpf(0), odd[2]]
+
+
+def local_polynomials(name, function, count, title):
+    print(f"/// ({title}(c + x) - {title} c - x) / x in powers of x for |x| <= 1/128 about c = i/64.")
+    print(f"inline constexpr local_polynomial {name}_polynomials[{count}] = {{")
+    for i in range(count):
+        texts = [literal(shortened(c, bits)) if c else "0"
+                 for c, bits in zip(local_coefficients(function, i), COEFFICIENT_BITS)]
+        texts = [re.sub(r"0+p", "p", t).replace(".p", "p") if "." in t else t for t in texts]
+        print("    {{" + ", ".join(texts) + "}},")
+    print("};\n")
+
+
+def polynomial_tables():
+    head("The tangent, the arctangent and the arcsine beside the multiples of 1/64.", "math/detail/trigonometry_tables.hpp")
+    print("/// Seven coefficients, low order first. Of the later ones fewer bits count.")
+    print("struct local_polynomial {\n  double c[7];\n};\n")
+    for name, function, count, title in (("tangent", tan, 51, "tan"), ("arcsine", asin, 33, "asin")):
+        values = ["{" + ", ".join(pair(function(mpf(i) / 64))) + "}" for i in range(count)]
+        rows(f"{name}_table", "number_pair", values, 2, f"The {name} of i/64 with its rounding error.")
+    for name, function, count, title in (("tangent", tan, 51, "tan"), ("arctangent", atan, 65, "atan"),
+                                         ("arcsine", asin, 33, "asin")):
+        local_polynomials(name, function, count, title)
     print("}  // namespace irg::detail")
 
 
@@ -202,7 +248,7 @@ def exponential():
 
 
 if __name__ == "__main__":
-    tables = {"trigonometry": trigonometry, "exponential": exponential}
+    tables = {"trigonometry": trigonometry, "polynomial": polynomial_tables, "exponential": exponential}
     if len(sys.argv) != 2 or sys.argv[1] not in tables:
         sys.exit(__doc__)
     tables[sys.argv[1]]()

@@ -23,6 +23,11 @@ namespace test {
 /// How many trials a run takes, from how many it takes per commit.
 inline int trials(int per_commit) { return std::getenv("IRG_RELEASE_TIER") != nullptr ? 100 * per_commit : per_commit; }
 
+/// The same for decisions that cost little: some 10^8 of them in the release tier.
+inline int many_trials(int per_commit) {
+  return std::getenv("IRG_RELEASE_TIER") != nullptr ? 1000 * per_commit : per_commit;
+}
+
 /// Coordinates of controlled difficulty.
 enum class spread { unit, small_integers, tenths, tiny_steps, any_bits, wide, subnormal };
 inline constexpr spread all_spreads[] = {spread::unit,     spread::small_integers, spread::tenths,   spread::tiny_steps,

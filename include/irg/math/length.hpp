@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Length, direction and angle of vectors, right over the whole range of float and double: nothing overflows or
-// underflows on the way, because coordinates are first brought near 1 by a power of two, and squares and products are
-// summed in twice the precision.
+// underflows on the way, because coordinates that are not of moderate size are first brought near 1 by a power of two,
+// and squares and products are summed in twice the precision.
 #pragma once
 
 #include <limits>
 #include <optional>
 
 #include <irg/core/scalar.hpp>
-#include <irg/math/detail/compensated_terms.hpp>
 #include <irg/math/detail/float_bits.hpp>
+#include <irg/math/detail/vector_angle.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/sqrt.hpp>
@@ -38,16 +38,15 @@ IRG_INLINE constexpr double power_of_two_for(double x) noexcept {
 template <Vector V>
 constexpr scaled_coordinates<size_of<V>> scaled(const V& v) noexcept {
   scaled_coordinates<size_of<V>> s;
-  double largest = 0;
-  bool finite = true;
+  std::uint64_t largest = 0;  // sizes are ordered as their bits are, with infinity and NaN at the end
   for (int i = 0; i < size_of<V>; ++i) {
     s.c[i] = static_cast<double>(coordinate(v, i));
-    finite = finite && is_finite(s.c[i]);
-    largest = greater(largest, magnitude(s.c[i]));
+    const std::uint64_t size = bits_of(magnitude(s.c[i]));
+    largest = size > largest ? size : largest;
   }
-  if (!finite) s.scale = std::numeric_limits<double>::quiet_NaN();
-  if (!finite || largest == 0) return s;
-  s.scale = power_of_two_for(largest);
+  if (largest >= bits_of(infinity<double>)) s.scale = not_a_number<double>;
+  if (largest >= bits_of(infinity<double>) || largest == 0) return s;
+  s.scale = power_of_two_for(from_bits(largest));
   for (double& c : s.c) c = c * s.scale;
   return s;
 }
@@ -71,6 +70,17 @@ constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
   double sum = 0;
   for (const double c : s.c) sum = sum + product(c, c);
   return sqrt(sum);
+}
+
+/// angle_between of vectors with very large, very small or infinite coordinates or NaN among them.
+template <Vector A, Vector B>
+constexpr double angle_between_any(const A& a, const B& b) noexcept {
+  const auto s = scaled(a);
+  const auto t = scaled(b);
+  if (s.scale != s.scale || t.scale != t.scale) return not_a_number<double>;
+  if (s.scale == 0 || t.scale == 0) return 0;
+  if (has_moderate_coordinates(s.c) && has_moderate_coordinates(t.c)) return angle_between_moderate<double>(s.c, t.c);
+  return angle_between_extreme(s.c, t.c);
 }
 
 }  // namespace IRG_ABI
@@ -120,14 +130,20 @@ constexpr V normalized(const V& v) noexcept {
   return unit ? *unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
 }
 
-/// The length of v by the plain formula, for inner loops.
+/// The length of v without care for the ends of the exponents, for inner loops.
 /// needs   coordinates whose squares neither overflow nor vanish: the largest between 2^-500 and 2^500 (float: 2^-60
 ///         and 2^60)
-/// exact   error below 2 ulp
+/// exact   error below 1.26 ulp: the squares are rounded, the sum of them is rounded once
 template <Vector V>
   requires Floating<scalar_of<V>>
 IRG_INLINE constexpr scalar_of<V> length_fast(const V& v) noexcept {
-  return sqrt(dot(v, v));
+  using T = scalar_of<V>;
+  T sum = product(coordinate(v, 0), coordinate(v, 0)), error = 0;
+  for (int i = 1; i < size_of<V>; ++i) {
+    const auto next = two_sum(sum, product(coordinate(v, i), coordinate(v, i)));
+    sum = next.value, error = error + next.error;
+  }
+  return sqrt(sum + error);
 }
 
 /// The vector of length 1 in the direction of v by the plain formula, for inner loops: v times 1 over its length.
@@ -147,24 +163,22 @@ IRG_INLINE constexpr V normalized_fast(const V& v) noexcept {
 /// units   radians
 /// gives   0 when either is zero; NaN when a coordinate is NaN or infinite
 /// exact   error below 4 ulp for every angle, however small; exactly 0 for a and a, pi rounded for a and -a
+/// cost    eleven exact products, a square root, two divisions, a table lookup (in the plane five, no root and one
+///         division): 1.3 to 4 times the plain formula, which takes less for small angles. Up to three times that where
+///         a coordinate other than 0 is outside 2^-180 to 2^180
 /// source  atan2 of the cross product's length and the dot product, both in twice the precision (after Kahan 2006)
 template <Vector A, Vector B>
   requires((size_of<A> == 2 || size_of<A> == 3) && size_of<A> == size_of<B> &&
            std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 constexpr scalar_of<A> angle_between(const A& a, const B& b) noexcept {
   using T = scalar_of<A>;
-  const auto s = detail::scaled(a);
-  const auto t = detail::scaled(b);
-  if (s.scale != s.scale || t.scale != t.scale) return std::numeric_limits<T>::quiet_NaN();
-  if (s.scale == 0 || t.scale == 0) return T(0);
-  const detail::compensated_sum dot =
-      detail::compensated_dot(size_of<A>, [&](std::size_t i) { return s.c[i]; }, [&](std::size_t i) { return t.c[i]; });
-  const double along = dot.value + dot.error;
-  const auto minor = [&](int i, int j) { return difference_of_products(s.c[i], t.c[j], s.c[j], t.c[i]); };
-  if constexpr (size_of<A> == 2)
-    return static_cast<T>(atan2(detail::magnitude(minor(0, 1)), along));
-  else
-    return static_cast<T>(atan2(length(vec<double, 3>{minor(1, 2), minor(2, 0), minor(0, 1)}), along));
+  double c[static_cast<std::size_t>(size_of<A>)]{}, d[static_cast<std::size_t>(size_of<A>)]{};
+  for (int i = 0; i < size_of<A>; ++i) {
+    c[i] = static_cast<double>(coordinate(a, i));
+    d[i] = static_cast<double>(coordinate(b, i));
+  }
+  const bool is_moderate = detail::has_moderate_coordinates(c) && detail::has_moderate_coordinates(d);
+  return static_cast<T>(is_moderate ? detail::angle_between_moderate<T>(c, d) : detail::angle_between_any(a, b));
 }
 
 }  // namespace IRG_ABI

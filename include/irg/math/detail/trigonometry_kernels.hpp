@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Argument reduction, the sine and cosine of a reduced angle, and the arctangent of a quotient, all unrounded.
+// Argument reduction, and the sine and cosine of a reduced angle, both unrounded.
 #pragma once
 
 #include <irg/math/detail/trigonometry_tables.hpp>
 #include <irg/math/detail/unrounded.hpp>
-#include <irg/math/sqrt.hpp>
 
 namespace irg::detail {
 
@@ -150,72 +149,6 @@ IRG_INLINE constexpr unrounded cosine_of(const quadrant_angle& angle) noexcept {
 
 IRG_INLINE constexpr double rounded_sine(const quadrant_angle& angle) noexcept { return round(sine_of(angle)); }
 IRG_INLINE constexpr double rounded_cosine(const quadrant_angle& angle) noexcept { return round(cosine_of(angle)); }
-IRG_INLINE constexpr double rounded_tangent(const quadrant_angle& angle) noexcept {
-  return round(divide(renormalised(sine_of(angle)), renormalised(cosine_of(angle))));
-}
-
-/// sqrt(1 - x*x).
-/// needs   |x| <= 1
-constexpr unrounded cosine_from_sine(double x) noexcept {
-  const exact_sum<double> square = two_product(x, x);
-  const unrounded rest = two_sum(1.0, -square.value);
-  return unrounded_sqrt(fast_two_sum(rest.value, rest.error - square.error));
-}
-
-/// The angle of the vector (x, y).
-/// needs   x and y at least 0, the larger of them not far from 1
-constexpr unrounded angle_in_first_quadrant(const unrounded& y, const unrounded& x) noexcept {
-  const bool is_steep = x.value < y.value;
-  const unrounded& lesser_one = is_steep ? x : y;
-  const unrounded& large = is_steep ? y : x;
-  const int i = static_cast<int>(lesser_one.value / large.value * 64 + 0.5);
-  const double slope = i * 0x1p-6;
-  // The vector turned back by the table's angle: top / bottom is the tangent of what remains, at most 1/127.
-  const exact_sum<double> drop = fast_two_product(slope, large.value);
-  const unrounded top =
-      two_sum(lesser_one.value - drop.value, (lesser_one.error - product(slope, large.error)) - drop.error);
-  const exact_sum<double> gain = fast_two_product(slope, lesser_one.value);
-  const unrounded bottom = add(large, {gain.value, gain.error + product(slope, lesser_one.error)});
-  const unrounded tangent = divide(top, bottom);
-  const double q = tangent.value;
-  const double t = product(q, q);
-  const auto& c = arctangent_coefficients;
-  const double cube = product(product(q, t), c[0] + product(t, c[1] + product(t, c[2])));
-  const unrounded sum = two_sum(arctangent_table[i].high, q);
-  const double low = sum.error + (arctangent_table[i].low + (tangent.error + cube));
-  const unrounded angle = fast_two_sum(sum.value, low);
-  return is_steep ? add(right_angle, negated(angle)) : angle;
-}
-
-/// atan2.
-/// needs   no NaN
-constexpr double angle_of(double y, double x) noexcept {
-  const double x_size = magnitude(x), y_size = magnitude(y);
-  const bool is_backward = is_negative(x);
-  if (x_size == infinity<double> && y_size == infinity<double>)
-    return with_sign(is_backward ? 1.5 * half_pi_high : 0.5 * half_pi_high, y);
-  if (y_size == 0 || y_size < x_size * 0x1p-60) {
-    if (is_backward) return with_sign(straight_angle.value, y);
-    return y_size == 0 || x_size == infinity<double> ? with_sign(0, y) : with_sign(y_size / x_size, y);
-  }
-  if (x_size == 0 || x_size < y_size * 0x1p-60) return with_sign(half_pi_high, y);
-  const scaled_number near_x = decompose(x_size), near_y = decompose(y_size);
-  const int difference = near_y.exponent - near_x.exponent;
-  const double scaled_y = near_y.significand * (difference < 0 ? power_of_two(difference) : 1.0);
-  const double scaled_x = near_x.significand * (difference > 0 ? power_of_two(-difference) : 1.0);
-  const unrounded angle = angle_in_first_quadrant({scaled_y, 0.0}, {scaled_x, 0.0});
-  return with_sign(round(is_backward ? add(straight_angle, negated(angle)) : angle), y);
-}
-
-/// asin and acos.
-/// needs   |x| <= 1
-constexpr double angle_of_sine(double x) noexcept {
-  return with_sign(round(angle_in_first_quadrant({magnitude(x), 0.0}, cosine_from_sine(x))), x);
-}
-constexpr double angle_of_cosine(double x) noexcept {
-  const unrounded angle = angle_in_first_quadrant(cosine_from_sine(x), {magnitude(x), 0.0});
-  return round(x < 0 ? add(straight_angle, negated(angle)) : angle);
-}
 
 /// x times a constant given as a double and its rounding error.
 constexpr double multiply_by_constant(double x, double high, double low) noexcept {

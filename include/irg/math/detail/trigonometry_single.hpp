@@ -3,7 +3,7 @@
 // nearest to the result is the right one but for about one argument in 2^24.
 #pragma once
 
-#include <irg/math/detail/trigonometry_kernels.hpp>
+#include <irg/math/detail/tangent_kernels.hpp>
 
 namespace irg::detail {
 
