@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -160,7 +163,7 @@ TEST_CASE("clip_sutherland_hodgman: all 27 combinations of inside, on and outsid
     }
 }
 
-TEST_CASE("clip_sutherland_hodgman: windows: samples, idempotence, passes and pipe alike") {
+TEST_CASE("clip_sutherland_hodgman: windows: samples, idempotence, walk and pipe alike") {
   test::random r(1);
   int kept_any = 0, wrong = 0;
   for (int k = 0; k < line_cases::release_or(3000); ++k) {
@@ -181,6 +184,146 @@ TEST_CASE("clip_sutherland_hodgman: windows: samples, idempotence, passes and pi
   }
   CHECK(wrong == 0);
   CHECK(kept_any > 1000);
+}
+
+namespace {
+
+// The same polygon with attributes goes another way: through the pipe.
+template <class T>
+bool as_by_pipe(const std::vector<point<T, 2>>& ring, const box<T, 2>& w) {
+  std::vector<attributed_point<T, 2, 1>> carrying;
+  for (const auto& p : ring) carrying.push_back({p, {0}});
+  const auto expected = clip_sutherland_hodgman(carrying, w);
+  const auto kept = clip_sutherland_hodgman(ring, w);
+  bool same = kept.size() == expected.size();
+  for (std::size_t i = 0; same && i < kept.size(); ++i)
+    same = std::memcmp(&kept[i], &expected[i].position, sizeof kept[i]) == 0;
+  // Memory that is just enough, too.
+  std::vector<point<T, 2>> exactly(kept.size() + 1, point<T, 2>{77, 77});
+  const std::size_t count = clip_sutherland_hodgman(ring, w, std::span(exactly).first(kept.size()));
+  return same && (kept.empty() || count >= kept.size()) && exactly.back() == point<T, 2>{77, 77} &&
+         std::equal(kept.begin(), kept.end(), exactly.begin());
+}
+
+template <class T>
+std::vector<point<T, 2>> rotated(std::vector<point<T, 2>> ring, std::size_t by) {
+  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(by), ring.end());
+  return ring;
+}
+
+template <class T>
+int wrong_by_walk(test::random& r, int rounds) {
+  int wrong = 0;
+  for (int k = 0; k < rounds; ++k) {
+    const auto kind = r.integer(0, 4);
+    const auto number = [&]() -> T {
+      if (kind == 0) return static_cast<T>(r.integer(-4, 4));
+      if (kind == 1) return static_cast<T>(static_cast<double>(r.integer(-8, 8)) / 2);
+      if (kind == 2) return static_cast<T>(r.unit() * 8e3 + 5e5);
+      return static_cast<T>(r.unit() * 8 - 4);
+    };
+    const std::int64_t lengths[] = {r.integer(3, 8), r.integer(3, 8), r.integer(3, 66), r.integer(14, 18)};
+    std::vector<point<T, 2>> ring(static_cast<std::size_t>(lengths[r.integer(0, 3)]), point<T, 2>{});
+    for (auto& p : ring) p = {number(), number()};
+    const std::size_t n = ring.size();
+    if (r.integer(0, 7) == 0)  // there and back again
+      for (std::size_t i = n / 2; i < n; ++i) ring[i] = ring[n - 1 - i];
+    if (r.integer(0, 7) == 0)  // places twice
+      for (std::size_t i = 1; i < n; ++i)
+        if (r.integer(0, 1) != 0) ring[i] = ring[i - 1];
+    box<T, 2> w{{number(), number()}, {number(), number()}};
+    for (int i = 0; i < 2; ++i)
+      if (w.high[i] < w.low[i]) std::swap(w.low[i], w.high[i]);
+    if (r.integer(0, 19) == 0) w.high.x = std::numeric_limits<T>::infinity();
+    if (r.integer(0, 19) == 0) w.low.y = -std::numeric_limits<T>::infinity();
+    if (r.integer(0, 9) == 0) w.low.y = -T(0), w.high.y = w.low.y < w.high.y ? w.high.y : T(1);
+    wrong += as_by_pipe(ring, w) ? 0 : 1;
+  }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("clip_sutherland_hodgman: windows: the walk and the pipe alike, bit for bit") {
+  test::random r(7);
+  CHECK(wrong_by_walk<double>(r, line_cases::release_or(15000)) == 0);
+  CHECK(wrong_by_walk<float>(r, line_cases::release_or(15000)) == 0);
+}
+
+TEST_CASE("clip_sutherland_hodgman: windows: lengths about those of words, wherever the ring starts") {
+  const box<double, 2> w{{-1.1, -1.3}, {1.7, 0.9}};
+  test::random r(8);
+  int wrong = 0, walked = 0;
+  for (const std::size_t n : {3u, 4u, 5u, 15u, 16u, 17u, 31u, 32u, 33u, 47u, 48u, 49u, 63u, 64u, 65u, 66u}) {
+    Polygon zigzag, crown, wave;  // every edge passes one boundary, or both; every other one, near a corner
+    for (std::size_t i = 0; i < n; ++i) {
+      const double t = 0.02 * static_cast<double>(i);
+      zigzag.push_back({t - 0.5, i % 2 == 0 ? 0.3 : 1.3 + t});
+      crown.push_back({t - 0.5, i % 2 == 0 ? -2.1 : 1.3 + t});
+      wave.push_back({i / 2 % 2 == 0 ? 1.5 + t / 9 : 1.9, i % 2 == 0 ? 0.8 - t / 8 : 1.1});
+    }
+    const Polygon round = star(r, static_cast<int>(n), 2.2);
+    for (const Polygon& ring : {zigzag, crown, wave, round})
+      for (std::size_t by = 0; by < n; ++by) {
+        const Polygon given = rotated(ring, by);
+        wrong += as_by_pipe(given, w) ? 0 : 1;
+        Polygon turned;
+        for (const P& p : given) turned.push_back({p.y, p.x});
+        wrong += as_by_pipe(turned, w) ? 0 : 1;
+        std::vector<P> out(400);
+        if (n <= 64) walked += irg::detail::clip_few(std::span<const P>(given), w, std::span(out)) >= 0 ? 1 : 0;
+      }
+  }
+  CHECK(wrong == 0);
+  CHECK(walked > 1500);
+}
+
+TEST_CASE("clip_sutherland_hodgman: windows: most jagged polygons are not left to the pipe") {
+  const box<double, 2> w{{-1.1, -1.3}, {1.7, 0.9}};
+  test::random r(9);
+  int walked = 0, all = 0;
+  for (int k = 0; k < 2000; ++k) {
+    Polygon ring = star(r, static_cast<int>(r.integer(3, 64)), 1 + 4 * r.unit());
+    const double x = r.unit() * 4 - 2, y = r.unit() * 4 - 2;
+    for (P& p : ring) p.x += x, p.y += y;
+    std::vector<P> out(400);
+    walked += irg::detail::clip_few(std::span<const P>(ring), w, std::span(out)) >= 0 ? 1 : 0;
+    ++all;
+  }
+  CHECK(walked > all * 17 / 20);  // jagged ones may come to the same corner twice
+}
+
+namespace {
+
+constexpr std::uint64_t hash_of_clipped(const std::array<P, 5>& ring, const box<double, 2>& w) {
+  std::array<P, 24> out{};
+  const std::size_t n = clip_sutherland_hodgman(ring, w, out);
+  std::uint64_t hash = n;
+  for (std::size_t i = 0; i < n; ++i)
+    for (const double x : {out[i].x, out[i].y}) hash = hash * 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(x);
+  return hash;
+}
+constexpr std::array<P, 5> covering{P{-9, -8}, P{7, -9}, P{9.5, 1.25}, P{8, 9}, P{-9, 7}};
+constexpr std::array<P, 5> passing{P{-9, 1}, P{7, 0.75}, P{9.5, 2}, P{2, 2.5}, P{1, 1.5}};
+constexpr std::array<P, 5> at_corner{P{3, 2}, P{5, 2.25}, P{4.75, 4}, P{3.5, 5}, P{3.25, 2.5}};
+constexpr std::array<P, 5> on_boundary{P{4, 1}, P{5, 2}, P{4, 3}, P{2, 4}, P{1, 1}};
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("clip_sutherland_hodgman: windows: constant evaluation has the bits of run time") {
+  std::array<P, 5> given[] = {covering, passing, at_corner, on_boundary};
+  for (auto& ring : given)
+    for (P& p : ring) asm volatile("" : "+m"(p));
+  constexpr box<double, 2> open{{0, -infinite}, {infinite, 3}};
+  constexpr std::uint64_t hashes[] = {hash_of_clipped(covering, window), hash_of_clipped(passing, window),
+                                      hash_of_clipped(at_corner, window), hash_of_clipped(on_boundary, window)};
+  constexpr std::uint64_t open_hashes[] = {hash_of_clipped(covering, open), hash_of_clipped(passing, open),
+                                           hash_of_clipped(at_corner, open), hash_of_clipped(on_boundary, open)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(hash_of_clipped(given[i], window) == hashes[i]);
+    CHECK(hash_of_clipped(given[i], open) == open_hashes[i]);
+  }
 }
 
 TEST_CASE("clip_sutherland_hodgman: windows: hostile numbers") {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <type_traits>
 
+#include <irg/geometry/detail/crossing_kernel.hpp>
 #include <irg/math/exact_sum.hpp>
-#include <irg/math/error_free.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
@@ -86,26 +86,19 @@ IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float 
   return low == high ? low : axis_crossing_exact(ax, ay, bx, by, x);
 }
 
-// One step of refinement from the textbook's formula gives some 100 bits; true where these decide how to round. Numbers
+// One step of refinement from the textbook's formula gives some 98 bits; true where these decide how to round. Numbers
 // are below 2^200 and the first product is above 2^-600, so that nothing overflows, and what underflows is too small to
 // count.
 IRG_INLINE constexpr bool axis_crossing_from(double ax, double ay, double bx, double by, double x, double& y) noexcept {
   const double largest =
       greater(greater(greater(magnitude(ax), magnitude(bx)), magnitude(x)), greater(magnitude(ay), magnitude(by)));
   if (!(largest < 0x1p200 && magnitude(bx - ax) > 0x1p-800)) return false;
-  const auto dx = two_sum(bx, -ax), dy = two_sum(by, -ay), s = two_sum(x, -ax);
-  const double inverse = 1 / dx.value, way = product(product(dy.value, s.value), inverse), guess = ay + way;
-  const auto gone = two_sum(guess, -ay);
-  const auto wanted = fast_two_product(dy.value, s.value), reached = fast_two_product(gone.value, dx.value);
-  const double rest =
-      (wanted.value - reached.value) +
-      ((wanted.error - reached.error) + ((product(dy.value, s.error) + product(dy.error, s.value)) -
-                                         (product(gone.value, dx.error) + product(gone.error, dx.value))));
-  const double correction = product(rest, inverse);
-  const double bound = product(0x1p-50, magnitude(correction)) + product(0x1p-99, magnitude(way));
-  const double low = guess + (correction - bound), high = guess + (correction + bound);
+  const auto found =
+      refined_crossing(ay, parts_of_difference(bx, ax), parts_of_difference(by, ay), parts_of_difference(x, ax));
+  const double bound = product(0x1p-51, magnitude(found.correction)) + product(0x1p-98, magnitude(found.way));
+  const double low = found.guess + (found.correction - bound), high = found.guess + (found.correction + bound);
   y = low + 0.0;
-  return low == high && (magnitude(wanted.value) > 0x1p-600 || ay == by);
+  return low == high && (magnitude(found.first_product) > 0x1p-600 || ay == by);
 }
 
 // Where the first end is far away, its coordinate and the way from it nearly cancel: the other end may do. Numbers near

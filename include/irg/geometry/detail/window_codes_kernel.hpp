@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The codes of points against a window: one bit for each boundary that a point is beyond.
+// The codes of points against a window: one bit for each boundary that a point is beyond. Those of a whole polygon are
+// packed into words, four bits a vertex, so that its passages over boundaries are found by a few operations on words.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include <irg/core/lanes.hpp>
@@ -17,8 +19,20 @@ namespace irg::detail {
 // Bits of a code, by axis: below the window in bits 0 and 1, above it in bits 2 and 3.
 template <int Axis>
 inline constexpr unsigned axis_bits = 5u << Axis;
-template <int Axis>
-inline constexpr unsigned below_bit = 1u << Axis;
+
+// The longest polygon that is clipped by way of words, and how many codes a word holds.
+inline constexpr std::size_t few_vertices = 64, codes_per_word = 16;
+
+// A polygon on the stack: its vertices as doubles, the first one again behind the last, and room for reading on; their
+// codes; the bits that all codes have; the sum of all magnitudes, infinite when one of them is 2^200 or beyond. Not
+// initialised on purpose.
+struct coded_ring {
+  double at[2 * (few_vertices + 4)];
+  std::uint64_t words[few_vertices / codes_per_word + 1];
+  std::size_t count;
+  unsigned all;
+  double reach;
+};
 
 inline namespace IRG_ABI {
 
@@ -35,43 +49,106 @@ IRG_INLINE constexpr unsigned window_code(const V& v, const box<T, 2>& w) noexce
   return code;
 }
 
-struct window_codes {
-  unsigned any = 0, all = 15;
-  bool finite = true;
-};
+// Words of codes, from code(i) for vertices i, i + 1, ... i + Step - 1 where n is a multiple of Step.
+template <unsigned Step, class Code>
+IRG_INLINE constexpr void pack_codes(std::size_t n, std::uint64_t* words, const Code& code) noexcept {
+  for (std::size_t i = 0;;) {
+    std::uint64_t word = 0;
+    unsigned shift = 0;
+    for (; shift < 64 && i < n; shift += 4 * Step, i += Step) word |= std::uint64_t{code(i)} << shift;
+    *words++ = word;
+    if (shift < 64) return;
+  }
+}
 
-// Codes of n points, what any and what all of them have set, and whether all coordinates are finite.
 template <Point P, class T>
-IRG_INLINE constexpr window_codes find_window_codes(const P* points, std::size_t n, const box<T, 2>& w,
-                                                    std::uint8_t* codes) noexcept {
-  window_codes found;
-  const auto note = [&](std::size_t i, unsigned code) {
-    codes[i] = static_cast<std::uint8_t>(code);
-    found.any |= code, found.all &= code;
+constexpr void code_ring_plainly(const P* points, std::size_t n, const box<T, 2>& w, coded_ring& ring) noexcept {
+  ring.reach = 0, ring.all = 15;
+  pack_codes<1>(n, ring.words, [&](std::size_t i) {
+    for (int k = 0; k < 2; ++k) {
+      const double x = static_cast<double>(coordinate(points[i], k));
+      ring.at[2 * i + static_cast<std::size_t>(k)] = x;
+      ring.reach = magnitude(x) < 0x1p200 ? ring.reach + magnitude(x) : std::numeric_limits<double>::infinity();
+    }
+    const unsigned code = window_code(points[i], w);
+    ring.all &= code;
+    return code;
+  });
+}
+
+#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+
+// One vertex, or two where registers hold as many, at once. A register is stored by halves, as it will be read.
+template <class T = double>
+IRG_INLINE void code_ring(const point<double, 2>* points, std::size_t n, const box<double, 2>& w,
+                          coded_ring& ring) noexcept {
+  typedef double two __attribute__((vector_size(16)));
+  typedef float four_floats __attribute__((vector_size(16)));
+  typedef long long two_words __attribute__((vector_size(16)));
+  const two low{w.low.x, w.low.y}, high{w.high.x, w.high.y};
+  two reach{};
+  unsigned all = 255;
+  const auto code_one = [&](std::size_t i) {
+    two p;
+    std::memcpy(&p, points + i, sizeof p);
+    std::memcpy(ring.at + 2 * i, &p, sizeof p);
+    reach += reinterpret_cast<two>(reinterpret_cast<two_words>(p) & INT64_MAX);
+    const auto below = reinterpret_cast<four_floats>(__builtin_ia32_cmpnlepd(low, p));
+    const auto above = reinterpret_cast<four_floats>(__builtin_ia32_cmpnlepd(p, high));
+    const auto code = static_cast<unsigned>(__builtin_ia32_movmskps(__builtin_shufflevector(below, above, 0, 2, 4, 6)));
+    all &= code;
+    return code;
   };
+#ifdef __AVX__
+  typedef double four __attribute__((vector_size(32)));
+  typedef float eight_floats __attribute__((vector_size(32)));
+  typedef long long four_words __attribute__((vector_size(32)));
+  const four low2 = __builtin_shufflevector(low, low, 0, 1, 0, 1),
+             high2 = __builtin_shufflevector(high, high, 0, 1, 0, 1);
+  four reach2{};
+  const std::size_t even = n & ~std::size_t{1};
+  pack_codes<2>(even, ring.words, [&](std::size_t i) {
+    four p;
+    std::memcpy(&p, points + i, sizeof p);
+    const two first = __builtin_shufflevector(p, p, 0, 1), second = __builtin_shufflevector(p, p, 2, 3);
+    std::memcpy(ring.at + 2 * i, &first, sizeof first);
+    std::memcpy(ring.at + 2 * i + 2, &second, sizeof second);
+    reach2 += reinterpret_cast<four>(reinterpret_cast<four_words>(p) & INT64_MAX);
+    constexpr int not_less_or_equal = 6;
+    const auto below = reinterpret_cast<eight_floats>(__builtin_ia32_cmppd256(low2, p, not_less_or_equal));
+    const auto above = reinterpret_cast<eight_floats>(__builtin_ia32_cmppd256(p, high2, not_less_or_equal));
+    const auto codes = static_cast<unsigned>(
+        __builtin_ia32_movmskps256(__builtin_shufflevector(below, above, 0, 2, 8, 10, 4, 6, 12, 14)));
+    all &= codes;
+    return codes;
+  });
+  all &= all >> 4;
+  reach = __builtin_shufflevector(reach2, reach2, 0, 1) + __builtin_shufflevector(reach2, reach2, 2, 3);
+  if (even < n) ring.words[even / codes_per_word] |= std::uint64_t{code_one(even)} << (4 * (even % codes_per_word));
+#else
+  pack_codes<1>(n, ring.words, code_one);
+#endif
+  ring.all = all & 15;
+  ring.reach = reach[0] + reach[1];
+}
+
+#endif
+
+// The ring of n points, 3 <= n <= few_vertices.
+template <Point P, class T>
+IRG_INLINE constexpr void find_window_codes(const P* points, std::size_t n, const box<T, 2>& w,
+                                            coded_ring& ring) noexcept {
+  ring.count = n;
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (std::is_same_v<P, point<double, 2>>)
     if (!std::is_constant_evaluated()) {
-      typedef double two __attribute__((vector_size(16)));
-      two nothing{};  // stays zero while all coordinates are finite
-      const two low{w.low.x, w.low.y}, high{w.high.x, w.high.y};
-      for (std::size_t i = 0; i < n; ++i) {
-        two p;
-        std::memcpy(&p, points + i, sizeof p);
-        const auto within_low = reinterpret_cast<two>(low <= p), within_high = reinterpret_cast<two>(p <= high);
-        nothing += p - p;
-        note(i, static_cast<unsigned>(__builtin_ia32_movmskpd(within_low) | __builtin_ia32_movmskpd(within_high) << 2) ^
-                    15u);
-      }
-      found.finite = nothing[0] == 0 && nothing[1] == 0;
-      return found;
+      code_ring(points, n, w, ring);
+      std::memcpy(ring.at + 2 * n, points, sizeof(P));
+      return;
     }
 #endif
-  for (std::size_t i = 0; i < n; ++i) {
-    note(i, window_code(points[i], w));
-    found.finite = found.finite && has_finite_coordinates(points[i]);
-  }
-  return found;
+  code_ring_plainly(points, n, w, ring);
+  ring.at[2 * n] = ring.at[0], ring.at[2 * n + 1] = ring.at[1];
 }
 
 }  // namespace IRG_ABI

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// Polygons of few plain points against a window: one walk from edge to edge that passes over a boundary; vertices
+// between are copied. The result is that of polygon_pipe, in a fraction of its time. What is delicate only has to be
+// noticed: a vertex on or next to a boundary that its edge crosses, a cut next to a corner of the window, two cuts at
+// one place, a cut that is hard to round. The pipe does it then.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include <irg/geometry/box.hpp>
+#include <irg/geometry/detail/crossing_kernel.hpp>
+#include <irg/geometry/detail/window_codes_kernel.hpp>
+#include <irg/geometry/detail/window_edges.hpp>
+
+namespace irg::detail {
+
+// Two numbers, without lanes: for constant evaluation.
+struct plain_pair {
+  double v[2];
+};
+
+inline constexpr std::ptrdiff_t is_delicate = -1;
+
+inline namespace IRG_ABI {
+
+IRG_INLINE constexpr plain_pair swapped(const plain_pair& p) noexcept { return {p.v[1], p.v[0]}; }
+
+#ifdef IRG_LANES_VECTOR
+using walk_pair = pack<double, 2>;
+IRG_INLINE walk_pair swapped(const walk_pair& p) noexcept { return {__builtin_shufflevector(p.v, p.v, 1, 0)}; }
+typedef std::int64_t lane_mask __attribute__((vector_size(16)));
+// A bit for each lane whose sign is set.
+IRG_INLINE unsigned negative_lanes(const walk_pair& p) noexcept {
+#ifdef __SSE2__
+  return static_cast<unsigned>(__builtin_ia32_movmskpd(p.v));
+#else
+  const auto bits = reinterpret_cast<lane_mask>(p.v);
+  return static_cast<unsigned>(bits[0] < 0) | static_cast<unsigned>(bits[1] < 0) << 1;
+#endif
+}
+// All bits of a lane, or none: where two are equal, where the first is less. By builtins, else g++ goes by way of
+// AVX-512's mask registers.
+IRG_INLINE lane_mask equal_lanes(const walk_pair& a, const walk_pair& b) noexcept {
+#ifdef __SSE2__
+  return reinterpret_cast<lane_mask>(__builtin_ia32_cmpeqpd(a.v, b.v));
+#else
+  return a.v == b.v;
+#endif
+}
+IRG_INLINE lane_mask less_lanes(const walk_pair& a, const walk_pair& b) noexcept {
+#ifdef __SSE2__
+  return reinterpret_cast<lane_mask>(__builtin_ia32_cmpltpd(a.v, b.v));
+#else
+  return a.v < b.v;
+#endif
+}
+IRG_INLINE walk_pair lesser_lanes(const walk_pair& a, const walk_pair& b) noexcept {
+#ifdef __SSE2__
+  return {__builtin_ia32_minpd(a.v, b.v)};
+#else
+  return {a.v < b.v ? a.v : b.v};
+#endif
+}
+IRG_INLINE walk_pair size_of_lanes(const walk_pair& p) noexcept {
+  return {reinterpret_cast<walk_pair::storage>(reinterpret_cast<lane_mask>(p.v) & INT64_MAX)};
+}
+#else
+using walk_pair = plain_pair;
+#endif
+
+template <class Pair>
+IRG_INLINE constexpr Pair load_pair(const double* p) noexcept {
+  if constexpr (std::is_same_v<Pair, plain_pair>)
+    return {{p[0], p[1]}};
+  else
+    return lanes<Pair>::load(p);
+}
+IRG_INLINE constexpr void store_pair(double* p, const plain_pair& v) noexcept { p[0] = v.v[0], p[1] = v.v[1]; }
+// The first or the second numbers of both.
+IRG_INLINE constexpr plain_pair firsts(const plain_pair& a, const plain_pair& b) noexcept { return {{a.v[0], b.v[0]}}; }
+IRG_INLINE constexpr plain_pair seconds(const plain_pair& a, const plain_pair& b) noexcept {
+  return {{a.v[1], b.v[1]}};
+}
+// x, without a sign when it is zero, and y.
+IRG_INLINE constexpr plain_pair corner_of(const plain_pair& x, double y) noexcept { return {{x.v[0] + 0.0, y}}; }
+#ifdef IRG_LANES_VECTOR
+IRG_INLINE void store_pair(double* p, const walk_pair& v) noexcept { lanes<walk_pair>::store(p, v); }
+IRG_INLINE walk_pair firsts(const walk_pair& a, const walk_pair& b) noexcept {
+  return {__builtin_shufflevector(a.v, b.v, 0, 2)};
+}
+IRG_INLINE walk_pair seconds(const walk_pair& a, const walk_pair& b) noexcept {
+  return {__builtin_shufflevector(a.v, b.v, 1, 3)};
+}
+IRG_INLINE walk_pair corner_of(const walk_pair& x, double y) noexcept {
+  const walk_pair unsigned_x = x + walk_pair{};
+  return {walk_pair::storage{unsigned_x.v[0], y}};
+}
+#endif
+
+// A window as the walk needs it: its corners' numbers; of the other axis in each lane, its bounds. With r the sum of
+// the magnitudes of the polygon's coordinates, a guess is within 2^-48 r of the crossing, a refined one within 2^-97 r.
+// What is no nearer to a boundary than `tolerance` is told to be on a side of it by guesses, which are known early (of
+// floats, by rounded crossings), and its differences are so large that no underflow counts.
+template <class Pair>
+struct walked_window {
+  double corners[8];
+  Pair low, high;
+  double tolerance, error;
+};
+
+// Where an edge crosses a boundary of x, as y in lane 0, and one of y, as x in lane 1. Bits by lane: the crossing is
+// outside; it is above; it is delicate.
+template <class Pair>
+struct edge_crossings {
+  Pair at;
+  unsigned outside, above, delicate;
+};
+
+// The number to which both ends of the interval around guess + correction are rounded; the numbers are floats.
+template <class T>
+IRG_INLINE constexpr bool rounds_to(double guess, double correction, double error, double& rounded) noexcept {
+  if constexpr (std::is_same_v<T, float>) {
+    const float low = static_cast<float>(guess - error), high = static_cast<float>(guess + error);
+    rounded = static_cast<double>(opaque(static_cast<float>(guess + 0.0)));  // else g++ 12 may leave the rounding out
+    return low == high;
+  } else {
+    rounded = guess + correction;
+    return guess + (correction - error) == guess + (correction + error);
+  }
+}
+
+// By numbers, for lanes that are needed.
+template <class T>
+constexpr edge_crossings<plain_pair> cross_edge(const double* edge, const plain_pair& bounds, const plain_pair& last,
+                                                const walked_window<plain_pair>& w, unsigned needed) noexcept {
+  edge_crossings<plain_pair> found{{{0, 0}}, 0, 0, 0};
+  for (unsigned k = 0; k < 2; ++k) {
+    if ((needed >> k & 1) == 0) continue;
+    const double ax = edge[k], ay = edge[1 - k], bx = edge[2 + k], by = edge[3 - k], x = bounds.v[k];
+    const unsigned bit = 1u << k;
+    found.delicate |= bit;
+    if (!(lesser(magnitude(x - ax), magnitude(bx - x)) > w.tolerance)) continue;
+    const auto parts =
+        refined_crossing(ay, parts_of_difference(bx, ax), parts_of_difference(by, ay), parts_of_difference(x, ax));
+    const bool rounds = rounds_to<T>(parts.guess, parts.correction, w.error, found.at.v[k]) || ay == by;
+    const double place = std::is_same_v<T, float> ? found.at.v[k] : parts.guess;
+    const double inner = lesser(place - w.low.v[k], w.high.v[k] - place);
+    const bool again = x == last.v[k] && found.at.v[k] == last.v[1 - k];
+    if (inner < 0) found.outside |= bit;
+    if (w.high.v[k] < place) found.above |= bit;
+    if (rounds && !again && magnitude(inner) > w.tolerance) found.delicate ^= bit;
+  }
+  return found;
+}
+
+#ifdef IRG_LANES_VECTOR
+template <class T>
+IRG_INLINE edge_crossings<walk_pair> cross_edge(const double* edge, const walk_pair& bounds, const walk_pair& last,
+                                                const walked_window<walk_pair>& w, unsigned) noexcept {
+  using L = lanes<walk_pair>;
+  const walk_pair a = L::load(edge), b = L::load(edge + 2), y = swapped(a);
+  const auto dx = parts_of_difference(b, a), s = parts_of_difference(bounds, a);
+  const two_parts<walk_pair> dy{swapped(dx.value), swapped(dx.error)};
+  const auto parts = refined_crossing(y, dx, dy, s);
+  edge_crossings<walk_pair> found;
+  walk_pair place = parts.guess;
+  lane_mask rounds{};
+  if constexpr (std::is_same_v<T, float>) {
+    double at[2];
+    for (int k = 0; k < 2; ++k) rounds[k] = rounds_to<T>(parts.guess.v[k], 0, w.error, at[k]) ? -1 : 0;
+    found.at = place = L::load(at);
+  } else {
+    const walk_pair error = L::broadcast(w.error);
+    found.at = parts.guess + parts.correction;
+    rounds = equal_lanes(parts.guess + (parts.correction - error), parts.guess + (parts.correction + error));
+  }
+  const walk_pair above = w.high - place, inner = lesser_lanes(place - w.low, above);
+  const walk_pair nearest =
+      lesser_lanes(lesser_lanes(size_of_lanes(s.value), size_of_lanes(b - bounds)), size_of_lanes(inner));
+  const lane_mask level = equal_lanes(dy.value, walk_pair{}), far = less_lanes(L::broadcast(w.tolerance), nearest);
+  const lane_mask again = equal_lanes(bounds, last) & equal_lanes(found.at, swapped(last));
+  found.outside = negative_lanes(inner), found.above = negative_lanes(above);
+  found.delicate = negative_lanes({reinterpret_cast<walk_pair::storage>(again | ~(far & (rounds | level)))});
+  return found;
+}
+#endif
+
+// Copies points; three more are written behind them, and read, at run time.
+template <class Pair>
+IRG_INLINE constexpr void copy_points(const double* from, double* to, std::size_t numbers) noexcept {
+  if constexpr (std::is_same_v<Pair, plain_pair>) {
+    for (std::size_t i = 0; i < numbers; ++i) to[i] = from[i];
+  } else {
+    // Most runs are of four points or fewer. One by one: a wider load would wait for what was just stored.
+    std::size_t i = 0;
+    do {
+      Pair p[4];
+      for (std::size_t k = 0; k < 4; ++k) p[k] = {opaque(lanes<Pair>::load(from + i + 2 * k).v)};
+      for (std::size_t k = 0; k < 4; ++k) lanes<Pair>::store(to + i + 2 * k, p[k]);
+      i += 8;
+    } while (i < numbers);
+  }
+}
+
+// Writes the polygon's part in the window to `out`, which has room for so many points; their number, or is_delicate,
+// also when four points more would not fit.
+template <class T, class Pair>
+IRG_INLINE constexpr std::ptrdiff_t walk_window(const coded_ring& ring, const box<T, 2>& window, double* const out,
+                                                std::size_t room) noexcept {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto wide = [](T x) { return static_cast<double>(x); };
+  const double lx = wide(window.low.x), ly = wide(window.low.y), hx = wide(window.high.x), hy = wide(window.high.y);
+  walked_window<Pair> w{{lx, ly, hx, ly, lx, hy, hx, hy},
+                        {{ly, lx}},
+                        {{hy, hx}},
+                        ring.reach * 0x1p-45,
+                        ring.reach * (std::is_same_v<T, float> ? 0x1p-48 : 0x1p-96)};
+  const auto first_code = static_cast<unsigned>(ring.words[0] & 15);
+  const bool starts_outside = (first_code & axis_bits<0>) != 0;
+  constexpr unsigned unknown = 4 * static_cast<unsigned>(y_place::unknown);
+  unsigned place = starts_outside ? unknown : 0, first_cut = 0, delicate = 0;
+  const std::size_t end = 2 * room;
+  std::size_t to = 0, run = 0;  // numbers written; the first one in the ring that is not copied yet
+  Pair last{{infinite, infinite}};
+  const auto copy_run = [&](std::size_t stop, std::size_t mask) {
+    const std::size_t numbers = (stop - run) & mask;
+    if (to + numbers + 8 > end) return false;
+    copy_points<Pair>(ring.at + run, out + to, numbers);
+    to += numbers, run = stop;
+    return true;
+  };
+  for (std::size_t first = 0; first < ring.count; first += codes_per_word) {
+    const std::size_t left = ring.count - first, here = left < codes_per_word ? left : codes_per_word;
+    // Codes of the edges' first and second ends; those that pass a boundary of x, or one of y within in x.
+    const std::uint64_t* const word = ring.words + first / codes_per_word;
+    const std::uint64_t from = word[0], next = left > here ? word[1] & 15 : first_code;
+    const std::uint64_t upto = from >> 4 | next << (4 * (here - 1)), changes = from ^ upto;
+    const std::uint64_t by_axis = changes | changes >> 2, beyond = from | from >> 2;
+    std::uint64_t edges = (by_axis | (by_axis >> 1 & ~beyond)) & (0x1111111111111111u >> (64 - 4 * here));
+    for (; edges != 0; edges &= edges - 1) {
+      const auto at = static_cast<unsigned>(std::countr_zero(edges));
+      const std::size_t key = (from >> at & 15) | (upto >> at & 15) << 4, edge = 2 * first + at / 2;
+      const edge_kind* kind = &edge_kinds[key];
+      if (!copy_run(edge + 2, static_cast<std::size_t>(std::ptrdiff_t{kind->starts_within}))) return is_delicate;
+      for (;;) {
+        const Pair bounds = load_pair<Pair>(w.corners + kind->bounds);
+        const auto cuts = cross_edge<T>(ring.at + edge, bounds, last, w, kind->needed);
+        delicate |= cuts.delicate & kind->needed;
+        const unsigned cut = (cuts.outside & 1) | (cuts.above & 1) << 1;
+        const edge_output& output = edge_outputs[kind->row + place + cut];
+        first_cut = place == unknown ? cut : first_cut;
+        place = output.place;
+        store_pair(out + to, corner_of(bounds, w.corners[output.corner]));
+        if (output.rare != 0) {
+          if ((output.rare & gives_up) != 0 || to + 16 > end) return is_delicate;
+          if ((output.rare & has_two_corners) != 0)
+            store_pair(out + to + 2, corner_of(bounds, w.corners[output.second_corner]));
+        }
+        store_pair(out + to + output.cut_x, firsts(bounds, cuts.at));
+        store_pair(out + to + output.cut_y, seconds(cuts.at, bounds));
+        to += output.advance;
+        last = load_pair<Pair>(out + (to == 0 ? 0 : to - 2));
+        if ((output.rare & takes_again) == 0) break;
+        kind = &edge_kinds[256 + key];
+      }
+    }
+  }
+  const std::size_t n = ring.count - 1;
+  const bool ends_within = (ring.words[n / codes_per_word] >> (4 * (n % codes_per_word)) & 15) == 0;
+  if (!copy_run(2 * ring.count, std::size_t{0} - static_cast<std::size_t>(ends_within)) || delicate != 0)
+    return is_delicate;
+  if (starts_outside) {
+    const Pair x = load_pair<Pair>(w.corners + ((first_code & 4) != 0 ? 2 : 0));
+    const edge_output& output = edge_outputs[row_of(edge_role::closes) + place + first_cut];
+    if ((output.rare & gives_up) != 0) return is_delicate;
+    store_pair(out + to, corner_of(x, w.corners[output.corner]));
+    store_pair(out + to + 2, corner_of(x, w.corners[output.second_corner]));
+    to += output.advance;
+  }
+  while (to > 2 && out[to - 2] == out[0] && out[to - 1] == out[1]) to -= 2;
+  return to < 6 ? 0 : static_cast<std::ptrdiff_t>(to / 2);
+}
+
+template <class T>
+IRG_INLINE constexpr std::ptrdiff_t walk_ring(const coded_ring& ring, const box<T, 2>& window, double* out,
+                                              std::size_t room) noexcept {
+  // Nothing overflows, nor do the ends of an interval around a float.
+  if (!(ring.reach > 0x1p-300 && ring.reach < (std::is_same_v<T, float> ? 0x1p120 : 0x1p200))) return is_delicate;
+  if (ring.all != 0) return 0;
+  return std::is_constant_evaluated() ? walk_window<T, plain_pair>(ring, window, out, room)
+                                      : walk_window<T, walk_pair>(ring, window, out, room);
+}
+
+// The part of a polygon of three to few_vertices points in a window that is not empty: the number of its vertices, of
+// which as many are written as fit; or is_delicate.
+template <Point P, class T>
+IRG_INLINE constexpr std::ptrdiff_t clip_few(std::span<const P> polygon, const box<T, 2>& window,
+                                             std::span<P> out) noexcept {
+  coded_ring ring;
+  find_window_codes(polygon.data(), polygon.size(), window, ring);
+  constexpr std::size_t most = 2 * few_vertices + 8;
+  double made[2 * most];
+  double* to = made;
+  std::size_t room = most;
+  if constexpr (std::is_same_v<P, point<double, 2>>)
+    if (!std::is_constant_evaluated() && out.size() >= polygon.size() + 12)
+      to = reinterpret_cast<double*>(out.data()), room = out.size();
+  const std::ptrdiff_t count = walk_ring(ring, window, to, room);
+  if (to == made)
+    for (std::size_t i = 0; i < out.size() && static_cast<std::ptrdiff_t>(i) < count; ++i)
+      out[i] = from_coordinates<P>(static_cast<T>(made[2 * i]), static_cast<T>(made[2 * i + 1]));
+  return count;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
