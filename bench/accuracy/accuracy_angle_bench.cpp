@@ -8,15 +8,23 @@
 #include <irg/math/length.hpp>
 #include <irg/math/vec.hpp>
 
-#include "accuracy/real.hpp"
-#include "accuracy/sets.hpp"
+#include "accuracy/matrix_peers.hpp"
+#include "accuracy/vector_sets.hpp"
+
+#ifdef HAS_GLM
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtx/vector_angle.hpp>
+#endif
 
 #ifdef BENCH_HAS_MPFR
 
 namespace {
 
 using vec = irg::vec<double, 3>;
-using pairs = std::vector<std::pair<vec, vec>>;
+struct pair {
+  vec a, b;
+};
+using pairs = std::vector<pair>;
 
 bench::real exact_angle(const vec& a, const vec& b) {
   using bench::real;
@@ -29,7 +37,7 @@ bench::real exact_angle(const vec& a, const vec& b) {
 // Two vectors at an angle of about `angle`, or that much less than pi; one as long as 2^exponent, the other as 2^-exponent.
 // Angles that general vectors of doubles cannot have are between vectors near an axis.
 pairs at_angle(double angle, bool from_opposite, int exponent, std::size_t count) {
-  bench::numbers r(17);
+  bench::random_numbers r(17);
   pairs all;
   for (std::size_t i = 0; i < count; ++i) {
     vec a{r.between(0.5, 1), r.between(-1, 1), r.between(-1, 1)};
@@ -42,39 +50,42 @@ pairs at_angle(double angle, bool from_opposite, int exponent, std::size_t count
   return all;
 }
 
-template <class F>
-bench::implementation over(const char* name, const pairs& input, F f) {
-  return {name, [&input, f](double* out) {
-            for (const auto& [a, b] : input) *out++ = f(a, b);
-          }};
-}
-
 double plain_length(const vec& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 double plain_dot(const vec& a, const vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 vec plain_cross(const vec& a, const vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-void measure(bench::study& s, const std::string& name, const pairs& input) {
+double half_chord(const vec& a, const vec& b) { return std::asin(std::fmin(1.0, plain_length(a - b) / 2)); }
+
+void measure(const bench::study& s, const std::string& name, const pairs& input) {
   bench::distribution d{name, input.size(), 1, {}};
   for (const auto& [a, b] : input) d.exact.push_back(exact_angle(a, b).result());
-  s.panel(
-      d,
-      {over("irg", input, [](const vec& a, const vec& b) { return irg::angle_between(a, b); }),
-       over(
-           "acos of the cosine", input,
-           [](const vec& a, const vec& b) { return std::acos(plain_dot(a, b) / (plain_length(a) * plain_length(b))); }),
-       over("atan2 of the cross product", input,
-            [](const vec& a, const vec& b) { return std::atan2(plain_length(plain_cross(a, b)), plain_dot(a, b)); }),
-       over("Kahan's half angle", input,
-            [](const vec& a, const vec& b) {
+  const auto entry = [&](const char* who, auto f) {
+    return bench::for_each_item(who, input, [f](const pair& p) { return f(p.a, p.b); });
+  };
+  using V = const vec&;
+  std::vector<bench::implementation> all{
+      entry("irg", [](V a, V b) { return irg::angle_between(a, b); }),
+      entry("acos of the cosine",
+            [](V a, V b) { return std::acos(plain_dot(a, b) / (plain_length(a) * plain_length(b))); }),
+      entry("atan2 of the cross product",
+            [](V a, V b) { return std::atan2(plain_length(plain_cross(a, b)), plain_dot(a, b)); }),
+      entry("Kahan's half angle",
+            [](V a, V b) {
               const vec u = a / plain_length(a), v = b / plain_length(b);
               return 2 * std::atan2(plain_length(u - v), plain_length(u + v));
-            })},
-      [&](std::size_t i) {
-        return bench::text_of({input[i].first.x, input[i].first.y, input[i].first.z, input[i].second.x,
-                               input[i].second.y, input[i].second.z});
-      });
+            }),
+      entry("pbrt form (asin of half the chord)", [](V a, V b) {
+        const vec u = a / plain_length(a), v = b / plain_length(b);
+        return plain_dot(u, v) < 0 ? 3.14159265358979323846 - 2 * half_chord(-u, v) : 2 * half_chord(u, v);
+      })};
+#ifdef HAS_GLM
+  all.push_back(entry("GLM angle", [](V a, V b) {
+    return glm::angle(glm::normalize(glm::dvec3(a.x, a.y, a.z)), glm::normalize(glm::dvec3(b.x, b.y, b.z)));
+  }));
+#endif
+  s.panel(d, all, bench::text_of_items(input));
 }
 
 }  // namespace
@@ -85,8 +96,9 @@ int main() {
   const std::size_t n = bench::smoke() ? 16 : 2048;
   measure(s, "any directions", at_angle(1, false, 0, n));
   for (const int e : {-6, -12, -100, -300})
-    measure(s, "1e" + std::to_string(e), at_angle(std::pow(10, e), false, 0, n));
-  measure(s, "pi - 1e-12", at_angle(1e-12, true, 0, n));
+    measure(s, "angles of 1e" + std::to_string(e), at_angle(std::pow(10, e), false, 0, n));
+  for (const int e : {-6, -12})
+    measure(s, "angles of pi - 1e" + std::to_string(e), at_angle(std::pow(10, e), true, 0, n));
   measure(s, "lengths 2^500 and 2^-500", at_angle(1e-3, false, 500, n));
 }
 

@@ -19,6 +19,11 @@
 #include <opencv2/imgproc.hpp>
 #endif
 
+#ifdef IRG_HAVE_CGAL
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Simple_cartesian.h>
+#endif
+
 #ifdef BENCH_HAS_MPFR
 
 namespace {
@@ -36,7 +41,7 @@ real twice_area(const point2& a, const point2& b, const point2& c) {
 // ---- polygons
 
 void polygon(bench::study& s, const std::string& name, double offset, double left) {
-  bench::numbers r(14);
+  bench::random_numbers r(14);
   std::vector<ring> items(static_cast<std::size_t>(count()));
   bench::distribution d{name, items.size(), 1, {}};
   for (ring& polygon : items) {
@@ -63,7 +68,15 @@ void polygon(bench::study& s, const std::string& name, double offset, double lef
   const auto area = [](const std::array<cv::Point2f, 16>& p) { return cv::contourArea(p, true); };
   who.push_back(bench::for_each_item("OpenCV (points in float)", in_float, area, "no"));
 #endif
-  s.panel(d, who);
+#ifdef IRG_HAVE_CGAL
+  using kernel = CGAL::Simple_cartesian<double>;
+  std::vector<std::array<kernel::Point_2, 16>> of_cgal(items.size());
+  for (std::size_t k = 0; k < items.size(); ++k)
+    for (std::size_t i = 0; i < 16; ++i) of_cgal[k][i] = {items[k][i].x, items[k][i].y};
+  who.push_back(bench::for_each_item("CGAL", of_cgal,
+                                     [](const auto& p) { return CGAL::polygon_area_2(p.begin(), p.end(), kernel()); }));
+#endif
+  s.panel(d, who, bench::text_of_items(items));
 }
 
 void polygons() {
@@ -88,7 +101,7 @@ struct triangle_set {
 
 // `away` from the origin; the third corner beside the line of the others, 2^-bits of their distance away from it.
 triangle_set triangles(const std::string& name, double away, int bits) {
-  bench::numbers r(15);
+  bench::random_numbers r(15);
   triangle_set s{name, {}};
   for (int i = 0; i < count(); ++i) {
     const auto any = [&] { return point2{r.between(-1, 1), r.between(-1, 1)}; };
@@ -121,10 +134,7 @@ void corners(const std::vector<triangle_set>& all) {
          entry("irg: signed_triangle_area_fast", [](P a, P b, P c) { return irg::signed_triangle_area_fast(a, b, c); }),
          entry("determinant in double",
                [](P a, P b, P c) { return (a.x * (b.y - c.y) + b.x * (c.y - a.y) + c.x * (a.y - b.y)) / 2; })},
-        [&](std::size_t i) {
-          const auto& p = items[i].p;
-          return bench::text_of({p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y});
-        });
+        bench::text_of_items(items));
   }
 }
 
@@ -157,10 +167,7 @@ void barycentric(const std::vector<triangle_set>& all) {
                                          for (double& x : w) x /= sum;
                                          return irg::vec<double, 3>{w[0], w[1], w[2]};
                                        })},
-            [&](std::size_t i) {
-              const auto& [p, t] = items[i];
-              return bench::text_of({p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, t.x, t.y});
-            });
+            bench::text_of_items(items));
   }
 }
 
@@ -168,7 +175,7 @@ void barycentric(const std::vector<triangle_set>& all) {
 void sides() {
   bench::study s("area from sides", "triangle", bench::error_unit::ulp);
   for (const int power : {0, 5, 10}) {
-    bench::numbers r(16);
+    bench::random_numbers r(16);
     std::vector<std::array<double, 3>> items;
     bench::distribution d{power == 0 ? "any triangle" : "needles of 10^-" + std::to_string(power), 0, 1, {}};
     for (int i = 0; i < count(); ++i) {
@@ -187,7 +194,7 @@ void sides() {
                                   [](const auto& t) {
                                     return irg::triangle_area_from_sides_textbook(t[0], t[1], t[2]).value_or(none);
                                   })},
-            [&](std::size_t i) { return bench::text_of({items[i][0], items[i][1], items[i][2]}); });
+            bench::text_of_items(items));
   }
 }
 

@@ -47,19 +47,38 @@ std::vector<set> sets() {
   const std::size_t n = bench::smoke() ? 16 : 4096;
   std::vector<set> all;
   const auto add = [&](const char* name, auto next) {
-    bench::numbers r(8);
+    bench::random_numbers r(8);
     set s{name, {}};
     for (std::size_t i = 0; i < n; ++i) s.words.push_back(next(r));
     all.push_back(s);
   };
-  add("%.6f", [](bench::numbers& r) { return printed("%.6f", r.between(-100, 100)); });
-  add("%.9g", [](bench::numbers& r) { return printed("%.9g", r.of_exponent(-20, 20)); });
-  add("%.17g", [](bench::numbers& r) { return printed("%.17g", r.of_exponent(-20, 20)); });
-  add("%.17g of all exponents", [](bench::numbers& r) { return printed("%.17g", r.of_exponent(-1020, 1020)); });
-  add("subnormal", [](bench::numbers& r) { return printed("%.17g", r.of_exponent(-1074, -1023)); });
-  add("half a unit and 10^-120", [](bench::numbers& r) { return halfway(r.between(0.5, 1), "1"); });
-  add("800 digits", [](bench::numbers& r) { return halfway(r.between(1, 2), "") + std::string(680, '0') + "1"; });
+  add("%.6f", [](bench::random_numbers& r) { return printed("%.6f", r.between(-100, 100)); });
+  add("%.9g", [](bench::random_numbers& r) { return printed("%.9g", r.of_exponent(-20, 20)); });
+  add("%.17g", [](bench::random_numbers& r) { return printed("%.17g", r.of_exponent(-20, 20)); });
+  add("%.17g of all exponents", [](bench::random_numbers& r) { return printed("%.17g", r.of_exponent(-1020, 1020)); });
+  add("subnormal", [](bench::random_numbers& r) { return printed("%.17g", r.of_exponent(-1074, -1023)); });
+  add("half a unit and 10^-120", [](bench::random_numbers& r) { return halfway(r.between(0.5, 1), "1"); });
+  add("800 digits",
+      [](bench::random_numbers& r) { return halfway(r.between(1, 2), "") + std::string(680, '0') + "1"; });
   return all;
+}
+
+// Digits in double, times a rounded power of ten.
+double naive(const std::string& w) {
+  double digits = 0, exponent = 0;
+  bool point = false;
+  const char* p = w.c_str();
+  const bool negative = *p == '-';
+  for (p += negative ? 1 : 0; *p != 0 && *p != 'e'; ++p) {
+    if (*p == '.') {
+      point = true;
+      continue;
+    }
+    digits = digits * 10 + (*p - '0');
+    exponent -= point ? 1 : 0;
+  }
+  if (*p == 'e') exponent += std::atoi(p + 1);
+  return (negative ? -1 : 1) * digits * std::pow(10.0, exponent);
 }
 
 void parse(const std::vector<set>& all) {
@@ -76,34 +95,20 @@ void parse(const std::vector<set>& all) {
       mpfr_clear(x);
       d.exact.push_back(e);
     }
-    s.panel(d, {bench::for_each_item("irg", one.words,
-                                     [](const std::string& w) {
-                                       return irg::parse_decimal<double>(w.data(), w.data() + w.size()).value;
-                                     }),
-                bench::for_each_item("strtod", one.words,
-                                     [](const std::string& w) { return std::strtod(w.c_str(), nullptr); }),
-                bench::for_each_item("std::from_chars", one.words,
-                                     [](const std::string& w) {
-                                       double v = 0;
-                                       std::from_chars(w.data(), w.data() + w.size(), v);
-                                       return v;
-                                     }),
-                bench::for_each_item("digits times a power of ten", one.words, [](const std::string& w) {
-                  double digits = 0, exponent = 0;
-                  bool point = false;
-                  const char* p = w.c_str();
-                  const bool negative = *p == '-';
-                  for (p += negative ? 1 : 0; *p != 0 && *p != 'e'; ++p) {
-                    if (*p == '.') {
-                      point = true;
-                      continue;
-                    }
-                    digits = digits * 10 + (*p - '0');
-                    exponent -= point ? 1 : 0;
-                  }
-                  if (*p == 'e') exponent += std::atoi(p + 1);
-                  return (negative ? -1 : 1) * digits * std::pow(10.0, exponent);
-                })});
+    s.panel(d,
+            {bench::for_each_item(
+                 "irg", one.words,
+                 [](const std::string& w) { return irg::parse_decimal<double>(w.data(), w.data() + w.size()).value; }),
+             bench::for_each_item("strtod", one.words,
+                                  [](const std::string& w) { return std::strtod(w.c_str(), nullptr); }),
+             bench::for_each_item("std::from_chars", one.words,
+                                  [](const std::string& w) {
+                                    double v = 0;
+                                    std::from_chars(w.data(), w.data() + w.size(), v);
+                                    return v;
+                                  }),
+             bench::for_each_item("digits times a power of ten", one.words, naive)},
+            bench::text_of_items(one.words));
   }
 }
 
@@ -159,16 +164,16 @@ void print_numbers(const char* name, const std::vector<double>& values) {
 void print() {
   std::puts("print double: ns a number, mean length, numbers that do not lead back");
   const auto make = [](auto next) {
-    bench::numbers r(9);
+    bench::random_numbers r(9);
     std::vector<double> values;
     for (int i = 0; i < (bench::smoke() ? 16 : 4096); ++i) values.push_back(next(r));
     return values;
   };
-  print_numbers("whole below 10^6", make([](bench::numbers& r) { return std::floor(r.between(0, 1e6)); }));
-  print_numbers("three places", make([](bench::numbers& r) { return std::round(r.between(-1e5, 1e5)) / 1000; }));
-  print_numbers("in [0, 1]", make([](bench::numbers& r) { return r.between(0, 1); }));
-  print_numbers("all exponents", make([](bench::numbers& r) { return r.of_exponent(-1020, 1020); }));
-  print_numbers("subnormal", make([](bench::numbers& r) { return r.of_exponent(-1074, -1023); }));
+  print_numbers("whole below 10^6", make([](bench::random_numbers& r) { return std::floor(r.between(0, 1e6)); }));
+  print_numbers("three places", make([](bench::random_numbers& r) { return std::round(r.between(-1e5, 1e5)) / 1000; }));
+  print_numbers("in [0, 1]", make([](bench::random_numbers& r) { return r.between(0, 1); }));
+  print_numbers("all exponents", make([](bench::random_numbers& r) { return r.of_exponent(-1020, 1020); }));
+  print_numbers("subnormal", make([](bench::random_numbers& r) { return r.of_exponent(-1074, -1023); }));
 }
 
 }  // namespace

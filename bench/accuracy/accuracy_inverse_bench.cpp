@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Inverses of 4x4 matrices and systems of four equations of growing condition: run time against error. A result that is
 // refused counts as failed.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,10 @@
 #include "accuracy/matrix_peers.hpp"
 #include "accuracy/vector_sets.hpp"
 
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+#include <opencv2/core.hpp>
+#endif
+
 #ifdef BENCH_HAS_MPFR
 
 namespace {
@@ -32,7 +37,7 @@ struct set {
   std::vector<mat4> matrices;
 };
 
-mat4 turned(bench::numbers& r) {
+mat4 turned(bench::random_numbers& r) {
   mat4 a = irg::identity<double, 4>();
   for (int i = 0; i < 4; ++i)
     for (int j = i + 1; j < 4; ++j) {
@@ -47,7 +52,7 @@ mat4 turned(bench::numbers& r) {
 }
 
 // U S V, the logarithms of the singular values between 0 and -power.
-mat4 of_condition(bench::numbers& r, int power) {
+mat4 of_condition(bench::random_numbers& r, int power) {
   mat4 s{};
   for (int i = 0; i < 4; ++i)
     s(i, i) = std::pow(10.0, -power * (i == 0 ? 0.0 : i == 3 ? 1.0 : std::floor(2 * r.unit()) * r.unit()));
@@ -56,7 +61,7 @@ mat4 of_condition(bench::numbers& r, int power) {
 }
 
 // A motion, then a perspective projection whose planes are at 1 and at `far` times that.
-mat4 camera(bench::numbers& r, double away, double far) {
+mat4 camera(bench::random_numbers& r, double away, double far) {
   const mat4 whole = turned(r);
   mat4 motion = irg::identity<double, 4>(), projection{};
   const double c = whole(0, 0), s = std::sqrt(1 - c * c);
@@ -70,29 +75,34 @@ mat4 camera(bench::numbers& r, double away, double far) {
 std::vector<set> sets() {
   std::vector<set> all;
   const auto add = [&](const std::string& name, auto next) {
-    bench::numbers r(8);
+    bench::random_numbers r(8);
     set s{name, {}};
     for (int i = 0; i < (bench::smoke() ? 4 : 256); ++i) s.matrices.push_back(next(r));
     all.push_back(s);
   };
   for (const int power : {0, 4, 8, 12, 16})
-    add("condition 10^" + std::to_string(power), [power](bench::numbers& r) { return of_condition(r, power); });
-  add("Hilbert's segments", [](bench::numbers& r) {
+    add("condition 10^" + std::to_string(power), [power](bench::random_numbers& r) { return of_condition(r, power); });
+  add("Hilbert's segments", [](bench::random_numbers& r) {
     mat4 a{};
     const int first = r.integer(1, 64);
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) a(i, j) = 1.0 / (first + i + j);
     return a;
   });
-  add("permutations", [](bench::numbers& r) {
+  add("permutations", [](bench::random_numbers& r) {
     int order[] = {0, 1, 2, 3};
     for (int k = 3; k > 0; --k) std::swap(order[k], order[r.integer(0, k)]);
     mat4 a{};
     for (int k = 0; k < 4; ++k) a(k, order[k]) = 1;
     return a;
   });
-  add("cameras", [](bench::numbers& r) { return camera(r, 10, 1e3); });
-  add("cameras 10^6 away that see 10^9 far", [](bench::numbers& r) { return camera(r, 1e6, 1e9); });
+  add("whole numbers to 100", [](bench::random_numbers& r) {
+    mat4 a;
+    for (int i = 0; i < 16; ++i) a(i / 4, i % 4) = r.integer(-100, 100);
+    return a;
+  });
+  add("cameras", [](bench::random_numbers& r) { return camera(r, 10, 1e3); });
+  add("cameras 10^6 away that see 10^9 far", [](bench::random_numbers& r) { return camera(r, 1e6, 1e9); });
   return all;
 }
 
@@ -131,6 +141,7 @@ struct numbers_of {
   std::array<double, 16> n;
   double operator[](int i) const { return n[static_cast<std::size_t>(i)]; }
 };
+numbers_of flat(const numbers_of& x) { return x; }
 numbers_of flat(const std::optional<mat4>& x) {
   numbers_of all;
   for (std::size_t i = 0; i < 16; ++i)
@@ -178,14 +189,40 @@ void inverse(const std::vector<set>& all) {
       return x;
     }));
 #endif
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+    who.push_back(entry("OpenCV invert (LU)", [](const mat4& a) {
+      bool regular = true;
+      const auto x = cv::Matx44d(&a.m[0][0]).inv(cv::DECOMP_LU, &regular);
+      numbers_of found;
+      std::copy(x.val, x.val + 16, found.n.begin());
+      return found;
+    }));
+#endif
 #ifdef HAS_EIGEN
     who.push_back(entry("Eigen inverse", [](const mat4& a) { return eigen4(eigen_of(a).inverse()); }));
     who.push_back(
         entry("Eigen PartialPivLU", [](const mat4& a) { return eigen4(eigen_of(a).partialPivLu().inverse()); }));
     who.push_back(entry("Eigen FullPivLU", [](const mat4& a) { return eigen4(eigen_of(a).fullPivLu().inverse()); }));
 #endif
-    s.panel(d, who);
+    s.panel(d, who, bench::text_of_items(m));
   }
+}
+
+// Without pivoting: as it is first taught.
+vec4 eliminated(const mat4& m) {
+  mat4 a = m;
+  vec4 b = right;
+  for (int k = 0; k < 4; ++k)
+    for (int i = k + 1; i < 4; ++i) {
+      const double factor = a(i, k) / a(k, k);
+      for (int j = k; j < 4; ++j) a(i, j) -= factor * a(k, j);
+      b[i] -= factor * b[k];
+    }
+  for (int k = 3; k >= 0; --k) {
+    for (int j = k + 1; j < 4; ++j) b[k] -= a(k, j) * b[j];
+    b[k] /= a(k, k);
+  }
+  return b;
 }
 
 void solve(const std::vector<set>& all) {
@@ -209,7 +246,14 @@ void solve(const std::vector<set>& all) {
         bench::for_each_vector<4>("irg: lu_solve_refined", m,
                                   [](const mat4& a) { return or_nan(irg::lu_solve_refined(a, right)); }),
         bench::for_each_vector<4>("irg: solve_exact", m,
-                                  [](const mat4& a) { return or_nan(irg::solve_exact(a, right)); })};
+                                  [](const mat4& a) { return or_nan(irg::solve_exact(a, right)); }),
+        bench::for_each_vector<4>("Gauss without pivoting", m, eliminated)};
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+    who.push_back(bench::for_each_vector<4>("OpenCV solve (LU)", m, [](const mat4& a) {
+      const auto x = cv::Matx44d(&a.m[0][0]).solve(cv::Vec4d(right.x, right.y, right.z, right.w), cv::DECOMP_LU);
+      return vec4{x(0), x(1), x(2), x(3)};
+    }));
+#endif
 #ifdef HAS_EIGEN
     const Eigen::Vector4d b(right.x, right.y, right.z, right.w);
     who.push_back(bench::for_each_vector<4>(
@@ -217,7 +261,7 @@ void solve(const std::vector<set>& all) {
     who.push_back(bench::for_each_vector<4>(
         "Eigen FullPivLU", m, [b](const mat4& a) { return Eigen::Vector4d(eigen_of(a).fullPivLu().solve(b)); }));
 #endif
-    s.panel(d, who);
+    s.panel(d, who, bench::text_of_items(m));
   }
 }
 

@@ -41,7 +41,7 @@ exact3 times(const exact3& a, const exact3& b) {
 }
 
 // The rotation of a quaternion of integers.
-exact3 rotation(bench::numbers& r) {
+exact3 rotation(bench::random_numbers& r) {
   const auto any = [&] { return static_cast<double>(r.integer(1, 1999) - 1000); };
   const double w = any() + 0.5, x = any(), y = any(), z = any();
   const real n = w * w + x * x + y * y + z * z, two = 2;
@@ -109,7 +109,7 @@ bench::implementation multiplying(const char* name, const std::vector<chain<M>>&
 
 void chains_of(bench::study& s, int power) {
   const auto length = static_cast<std::size_t>(std::pow(10.0, power) + 0.5);
-  bench::numbers r(length);
+  bench::random_numbers r(length);
   std::vector<std::array<exact3, steps>> exact(bench::smoke() ? 2 : length < 10000 ? 32 : 4);
   bench::distribution d{"10^" + std::to_string(power) + " rotations", exact.size(), 9, {}};
   for (auto& turns : exact) {
@@ -123,8 +123,8 @@ void chains_of(bench::study& s, int power) {
   const auto in_words = nearest<irg::mat<double_double, 3, 3>>(
       exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = two_words(x); });
   std::vector<bench::implementation> who{
-      multiplying("irg", in_double, read), multiplying("irg: in float", in_float, read),
-      multiplying("irg: in double_double", in_words, [](const auto& a, int i, int j) { return a(i, j).high; }),
+      multiplying("irg", in_double, read), multiplying("in float", in_float, read),
+      multiplying("in double_double", in_words, [](const auto& a, int i, int j) { return a(i, j).high; }),
       multiplying("orthonormal every 64th", in_double, read, orthonormalize)};
 #ifdef HAS_GLM
   const auto in_glm = nearest<glm::dmat3>(exact, length, [](auto& a, int i, int j, auto& x) { a[j][i] = x.nearest(); });
@@ -135,7 +135,7 @@ void chains_of(bench::study& s, int power) {
       nearest<Eigen::Matrix3d>(exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = x.nearest(); });
   who.push_back(multiplying("Eigen", in_eigen, read));
 #endif
-  s.panel(d, who);
+  s.panel(d, who, [&](std::size_t i) { return "chain " + std::to_string(i) + " of seed " + std::to_string(length); });
 }
 
 }  // namespace

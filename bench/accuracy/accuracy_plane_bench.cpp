@@ -17,6 +17,10 @@
 #include "accuracy/matrix_peers.hpp"
 #include "accuracy/vector_sets.hpp"
 
+#ifdef IRG_HAVE_CGAL
+#include <CGAL/Simple_cartesian.h>
+#endif
+
 #ifdef BENCH_HAS_MPFR
 
 namespace {
@@ -35,7 +39,7 @@ struct set {
 // Corners of a polygon of size 1 on a sloping plane, `away` from the origin and `width` wide; off the plane by up to
 // `bump`. The first three corners have an edge between them that is `first` wide.
 template <std::size_t N>
-corners<N> polygon(bench::numbers& r, double away, double width, double bump, double first) {
+corners<N> polygon(bench::random_numbers& r, double away, double width, double bump, double first) {
   const double u = r.between(-1, 1), v = r.between(-1, 1);
   corners<N> p;
   for (std::size_t k = 0; k < N; ++k) {
@@ -69,7 +73,7 @@ std::vector<set<N>> sets() {
       kinds.push_back(k);
   std::vector<set<N>> all;
   for (const kind& k : kinds) {
-    bench::numbers r(13);
+    bench::random_numbers r(13);
     set<N> s{k.name, {}};
     for (int i = 0; i < (bench::smoke() ? 16 : 1024); ++i)
       s.polygons.push_back(polygon<N>(r, k.away, k.width, k.bump, k.first));
@@ -125,7 +129,22 @@ void three_points() {
       return glm::normalize(glm::cross(of(p[1]) - of(p[0]), of(p[2]) - of(p[0])));
     }));
 #endif
-    s.panel(d, who);
+#ifdef HAS_EIGEN
+    who.push_back(bench::for_each_vector<3>("Eigen Hyperplane::Through", items, [](const auto& p) {
+      const auto of = [](const point3& q) { return Eigen::Vector3d(q.x, q.y, q.z); };
+      const Eigen::Vector3d n = Eigen::Hyperplane<double, 3>::Through(of(p[0]), of(p[2]), of(p[1])).normal();
+      return std::array<double, 3>{n[0], n[1], n[2]};
+    }));
+#endif
+#ifdef IRG_HAVE_CGAL
+    who.push_back(bench::for_each_vector<3>("CGAL Plane_3", items, [](const auto& p) {
+      using kernel = CGAL::Simple_cartesian<double>;
+      const auto of = [](const point3& q) { return kernel::Point_3(q.x, q.y, q.z); };
+      const kernel::Plane_3 h(of(p[0]), of(p[1]), of(p[2]));
+      return irg::normalized_fast(vec3{h.a(), h.b(), h.c()});
+    }));
+#endif
+    s.panel(d, who, bench::text_of_items(items));
   }
 }
 
@@ -141,7 +160,8 @@ void polygons() {
                                        [](const auto& p) { return unit_normal(irg::newell_plane_textbook(p)); }),
              bench::for_each_vector<3>(
                  "first three corners", items,
-                 [](const auto& p) { return unit_normal(irg::plane_through(p[0], p[1], p[2])); }, "no")});
+                 [](const auto& p) { return unit_normal(irg::plane_through(p[0], p[1], p[2])); }, "no")},
+            bench::text_of_items(items));
   }
 }
 

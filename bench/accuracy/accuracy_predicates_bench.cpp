@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-#include <irg/geometry/in_circle.hpp>
-#include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
+#include <irg/math/double_double.hpp>
+#include <irg/math/error_free.hpp>
+#include <irg/math/exact_sum.hpp>
 #include <irg/math/vec.hpp>
 
 #include "accuracy/vector_sets.hpp"
+#include "geometry/decisions.hpp"
 #include "geometry/gmp_signs.hpp"
 #include "geometry/peer_cgal.hpp"
 #include "geometry/predicate_sets.hpp"
@@ -33,68 +34,44 @@ using namespace bench;
 using point2 = irg::point<double, 2>;
 
 template <int N, int D>
-int sign_of(const std::array<irg::point<double, D>, static_cast<std::size_t>(N)>& p) {
-  if constexpr (N == 3)
-    return irg::orient2d(p[0], p[1], p[2]);
-  else if constexpr (N == 4 && D == 3)
-    return irg::orient3d(p[0], p[1], p[2], p[3]);
-  else if constexpr (N == 4)
-    return irg::in_circle(p[0], p[1], p[2], p[3]);
-  else
-    return irg::in_sphere(p[0], p[1], p[2], p[3], p[4]);
-}
-
-// The determinant as textbooks have it: rows of differences from the last point.
-template <class T, int N, int D>
-T textbook(const arguments<double, N, D>& p) {
-  T m[4][4];
-  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-    T squares = 0;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(D); ++j) {
-      m[i][j] = static_cast<T>(p[i][j]) - static_cast<T>(p.back()[j]);
-      squares += m[i][j] * m[i][j];
-    }
-    if (N == D + 2) m[i][D] = squares;
-  }
-  const auto two = [&](int i, int j) { return m[i][0] * m[j][1] - m[j][0] * m[i][1]; };
-  const auto three = [&](int i, int j, int k) {
-    return m[i][2] * two(j, k) + m[j][2] * two(k, i) + m[k][2] * two(i, j);
-  };
-  T value;
-  if constexpr (N == 3)
-    value = two(0, 1);
-  else if constexpr (N == 4)
-    value = three(0, 1, 2);
-  else
-    value = m[3][3] * three(0, 1, 2) - m[2][3] * three(0, 1, 3) + m[1][3] * three(0, 2, 3) - m[0][3] * three(1, 2, 3);
-  return D == 3 ? -value : value;
-}
-
-template <int N, int D>
 void decide(study& s, const point_set<double, N, D>& set) {
   distribution d{set.name, set.calls.size(), 1, {}};
   for (const auto& call : set.calls) d.exact.push_back({static_cast<double>(true_sign<double, N, D>(call)), 0});
-  std::vector<std::array<irg::point<double, D>, static_cast<std::size_t>(N)>> points(set.calls.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t k = 0; k < points[i].size(); ++k)
-      for (int j = 0; j < D; ++j) points[i][k][j] = set.calls[i][k][static_cast<std::size_t>(j)];
+  const auto points = own_points(set);
   std::vector<implementation> who{
-      for_each_item("irg", points, [](const auto& p) { return sign_of<N, D>(p); }),
-      for_each_item("determinant in double", set.calls, [](const auto& p) { return textbook<double, N, D>(p); }),
+      for_each_item("irg", points, [](const auto& p) { return irg_sign<N, D>(p); }),
+      for_each_item("determinant in double", set.calls,
+                    [](const auto& p) { return textbook_determinant<double, double, N, D>(p); }),
       for_each_item("determinant in float", set.calls,
-                    [](const auto& p) { return static_cast<double>(textbook<float, N, D>(p)); })};
+                    [](const auto& p) { return static_cast<double>(textbook_determinant<float, double, N, D>(p)); }),
+      for_each_item("determinant in double_double", set.calls,
+                    [](const auto& p) { return textbook_determinant<irg::double_double, double, N, D>(p).high; })};
+  if constexpr (N == 3) {
+    who.push_back(for_each_item("difference of products", set.calls, [](const auto& p) {
+      return irg::difference_of_products(p[0][0] - p[2][0], p[1][1] - p[2][1], p[1][0] - p[2][0], p[0][1] - p[2][1]);
+    }));
+    who.push_back(for_each_item("exact sum alone", set.calls, [](const auto& p) {
+      irg::exact_accumulator<2> sum;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto &a = p[i], &b = p[(i + 1) % 3];
+        sum.add(a[0], b[1]);
+        sum.subtract(a[1], b[0]);
+      }
+      return sum.sign();
+    }));
+  }
 #ifdef IRG_HAVE_CGAL
   const auto cgal_points = cgal::points_of(set);
   who.push_back(for_each_item("CGAL EPICK", cgal_points, [](const auto& p) { return cgal::sign<N, D>(p); }));
 #endif
-  s.panel(d, who);
+  s.panel(d, who, text_of_items(set.calls));
 }
 
 template <int N, int D>
 void decide_all(const char* kernel, const point_set<double, N, D>& grid) {
   study s(kernel, "call", error_unit::sign);
-  decide<N, D>(s, grid);
   for (const auto& set : common_sets<N, D>()) decide<N, D>(s, set);
+  decide<N, D>(s, grid);
 }
 
 // ---- point in polygon
@@ -106,7 +83,7 @@ struct query {
 
 // A star of 32 corners on a grid of 2^-20, so that its numbers are floats, too.
 query queries(const std::string& name, int difficulty) {
-  numbers r(12);
+  random_numbers r(12);
   query q{name, {}, {}};
   const auto on_grid = [](double x) { return std::floor(x * 0x1p20) * 0x1p-20; };
   for (int i = 0; i < 32; ++i) {
@@ -175,7 +152,7 @@ void locate(study& s, const query& q) {
       "OpenCV (points in float)", q.points,
       [&](const point2& p) { return cv::pointPolygonTest(contour, in_float(p), false); }, "no"));
 #endif
-  s.panel(d, who, [&](std::size_t i) { return text_of({q.points[i].x, q.points[i].y}); });
+  s.panel(d, who, text_of_items(q.points));
 }
 
 }  // namespace

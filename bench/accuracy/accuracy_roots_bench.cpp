@@ -44,7 +44,7 @@ roots_of<std::size_t{N}> with_multiplicity(const irg::real_roots<double, N>& r) 
 
 template <std::size_t N, class F>
 set<N> set_of(const std::string& name, F next) {
-  bench::numbers r(5);
+  bench::random_numbers r(5);
   set<N> s{name, {}};
   for (int i = 0; i < (bench::smoke() ? 16 : 2048); ++i) s.equations.push_back(next(r));
   return s;
@@ -52,7 +52,7 @@ set<N> set_of(const std::string& name, F next) {
 
 // ---- quadratic equations
 
-std::array<double, 3> with_roots(bench::numbers& r, double x, double y) {
+std::array<double, 3> with_roots(bench::random_numbers& r, double x, double y) {
   const double a = r.of_exponent(-3, 3);
   return {a, -(a * (x + y)), a * x * y};
 }
@@ -60,20 +60,20 @@ std::array<double, 3> with_roots(bench::numbers& r, double x, double y) {
 std::vector<set<2>> quadratic_sets() {
   std::vector<set<2>> all;
   for (const int power : {0, 4, 8, 16})
-    all.push_back(set_of<2>("roots 1 to 10^" + std::to_string(power), [power](bench::numbers& r) {
+    all.push_back(set_of<2>("roots 1 to 10^" + std::to_string(power), [power](bench::random_numbers& r) {
       const double x = r.of_exponent(-3, 3);
       return with_roots(r, x, x * (1 + r.unit()) * std::pow(10.0, power));
     }));
   for (const int power : {4, 8, 12})
-    all.push_back(set_of<2>("roots 1 to 1 + 10^-" + std::to_string(power), [power](bench::numbers& r) {
+    all.push_back(set_of<2>("roots 1 to 1 + 10^-" + std::to_string(power), [power](bench::random_numbers& r) {
       const double x = r.of_exponent(-3, 3);
       return with_roots(r, x, x * (1 + (1 + r.unit()) * std::pow(10.0, -power)));
     }));
-  all.push_back(set_of<2>("discriminant 0", [](bench::numbers& r) {
+  all.push_back(set_of<2>("discriminant 0", [](bench::random_numbers& r) {
     const double m = r.integer(1, 1 << 25), n = r.integer(1, 1 << 25), s = std::ldexp(1.0, r.integer(-9, 9));
     return std::array<double, 3>{s * m * m, 2 * s * m * n, s * n * n};
   }));
-  all.push_back(set_of<2>("coefficients 2^-900 to 2^900", [](bench::numbers& r) {
+  all.push_back(set_of<2>("coefficients 2^-900 to 2^900", [](bench::random_numbers& r) {
     return std::array<double, 3>{r.of_exponent(-900, 900), r.of_exponent(-100, 100), r.of_exponent(-900, 900)};
   }));
   return all;
@@ -97,6 +97,27 @@ roots_of<2> pbrt_quadratic(const std::array<double, 3>& p) {
   return {std::min(x, y), std::max(x, y)};
 }
 
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+// The complex roots that iteration finds; those whose imaginary part is below the rounding of the real one are real.
+template <std::size_t N>
+roots_of<N> opencv_roots(const std::array<double, N + 1>& p) {
+  std::array<double, N + 1> lowest_first;
+  std::reverse_copy(p.begin(), p.end(), lowest_first.begin());
+  std::array<cv::Vec2d, N> found;
+  cv::solvePoly(lowest_first, found, 100);
+  roots_of<N> all;
+  all.fill(none);
+  std::size_t count = 0;
+  for (const cv::Vec2d& root : found) {
+    if (std::fabs(root[1]) > 1e-7 * std::fabs(root[0])) continue;
+    std::size_t at = count++;
+    for (; at > 0 && root[0] < all[at - 1]; --at) all[at] = all[at - 1];
+    all[at] = root[0];
+  }
+  return all;
+}
+#endif
+
 void quadratic() {
   bench::study s("quadratic equation", "equation", bench::error_unit::ulp);
   for (const set<2>& one : quadratic_sets()) {
@@ -111,18 +132,22 @@ void quadratic() {
       return bench::for_each_vector<2>(name, items,
                                        [solve](const auto& p) { return with_multiplicity(solve(p[0], p[1], p[2])); });
     };
-    s.panel(d,
-            {entry("irg", [](double a, double b, double c) { return irg::quadratic_roots(a, b, c); }),
-             entry("irg: _fast", [](double a, double b, double c) { return irg::quadratic_roots_fast(a, b, c); }),
-             entry("textbook", [](double a, double b, double c) { return irg::quadratic_roots_textbook(a, b, c); }),
-             bench::for_each_vector<2>("pbrt form", items, pbrt_quadratic)},
-            [&](std::size_t i) { return bench::text_of({items[i][0], items[i][1], items[i][2]}); });
+    std::vector<bench::implementation> who{
+        entry("irg", [](double a, double b, double c) { return irg::quadratic_roots(a, b, c); }),
+        entry("irg: quadratic_roots_fast",
+              [](double a, double b, double c) { return irg::quadratic_roots_fast(a, b, c); }),
+        entry("textbook", [](double a, double b, double c) { return irg::quadratic_roots_textbook(a, b, c); }),
+        bench::for_each_vector<2>("pbrt form", items, pbrt_quadratic)};
+#ifdef IRG_HAVE_OPENCV_IMGPROC
+    who.push_back(bench::for_each_vector<2>("OpenCV solvePoly", items, opencv_roots<2>));
+#endif
+    s.panel(d, who, bench::text_of_items(items));
   }
 }
 
 // ---- cubic equations
 
-std::array<double, 4> with_roots(bench::numbers& r, double x, double y, double z) {
+std::array<double, 4> with_roots(bench::random_numbers& r, double x, double y, double z) {
   const double a = r.of_exponent(-3, 3);
   return {a, -(a * (x + y + z)), a * (x * y + y * z + z * x), -(a * x * y * z)};
 }
@@ -130,24 +155,24 @@ std::array<double, 4> with_roots(bench::numbers& r, double x, double y, double z
 std::vector<set<3>> cubic_sets() {
   std::vector<set<3>> all;
   for (const int power : {0, 3, 6})
-    all.push_back(set_of<3>("roots 1 to 10^" + std::to_string(power), [power](bench::numbers& r) {
+    all.push_back(set_of<3>("roots 1 to 10^" + std::to_string(power), [power](bench::random_numbers& r) {
       const double step = std::pow(10.0, power / 2.0), x = r.of_exponent(-1, 1);
       return with_roots(r, x, r.of_exponent(-1, 1) * step, r.of_exponent(-1, 1) * step * step);
     }));
   for (const int power : {3, 6})
-    all.push_back(set_of<3>("two roots equal to 10^-" + std::to_string(power), [power](bench::numbers& r) {
+    all.push_back(set_of<3>("two roots equal to 10^-" + std::to_string(power), [power](bench::random_numbers& r) {
       const double x = r.of_exponent(-3, 3);
       return with_roots(r, x, x * (1 + (1 + r.unit()) * std::pow(10.0, -power)), r.of_exponent(-3, 3));
     }));
-  all.push_back(set_of<3>("three roots equal to 10^-4", [](bench::numbers& r) {
+  all.push_back(set_of<3>("three roots equal to 10^-4", [](bench::random_numbers& r) {
     const double x = r.of_exponent(-3, 3);
     return with_roots(r, x, x * (1 + 1e-4 * r.unit()), x * (1 - 1e-4 * r.unit()));
   }));
-  all.push_back(set_of<3>("a double root", [](bench::numbers& r) {
+  all.push_back(set_of<3>("a double root", [](bench::random_numbers& r) {
     const double x = r.integer(1, 1 << 16), y = r.integer(-(1 << 16), 0), s = std::ldexp(1.0, r.integer(-9, 9));
     return std::array<double, 4>{s, -s * (2 * x + y), s * (x * x + 2 * x * y), -s * x * x * y};
   }));
-  all.push_back(set_of<3>("any coefficients", [](bench::numbers& r) {
+  all.push_back(set_of<3>("any coefficients", [](bench::random_numbers& r) {
     return std::array<double, 4>{r.of_exponent(-8, 8), r.of_exponent(-8, 8), r.of_exponent(-8, 8),
                                  r.of_exponent(-8, 8)};
   }));
@@ -240,9 +265,9 @@ void cubic() {
         bench::for_each_vector<3>("Cardano and Viete", items, textbook_cubic)};
 #ifdef IRG_HAVE_OPENCV_IMGPROC
     all.push_back(bench::for_each_vector<3>("OpenCV solveCubic", items, opencv_cubic));
+    all.push_back(bench::for_each_vector<3>("OpenCV solvePoly", items, opencv_roots<3>));
 #endif
-    s.panel(d, all,
-            [&](std::size_t i) { return bench::text_of({items[i][0], items[i][1], items[i][2], items[i][3]}); });
+    s.panel(d, all, bench::text_of_items(items));
   }
 }
 

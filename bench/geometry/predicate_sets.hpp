@@ -12,21 +12,9 @@
 #include <irg/core/contraction.hpp>
 
 #include "support/measure.hpp"
+#include "support/random_numbers.hpp"
 
 namespace bench {
-
-/// SplitMix64 (Steele, Lea, Flood 2014).
-struct random_numbers {
-  std::uint64_t state;
-  std::uint64_t next() {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-  int integer(int low, int high) { return low + static_cast<int>(next() % static_cast<std::uint64_t>(high - low + 1)); }
-};
 
 /// The arguments of one call: N points of D coordinates.
 template <class T, int N, int D>

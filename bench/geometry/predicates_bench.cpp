@@ -8,6 +8,7 @@
 #include <irg/geometry/orient3d.hpp>
 #include <irg/math/vec.hpp>
 
+#include "geometry/decisions.hpp"
 #include "geometry/gmp_signs.hpp"
 #include "geometry/peer_cgal.hpp"
 #include "geometry/predicate_sets.hpp"
@@ -35,47 +36,11 @@ judged deciding(const std::string& name, std::vector<Call> calls, F sign, std::v
           ""};
 }
 
-template <class T, int D>
-irg::point<T, D> as_point(const std::array<T, static_cast<std::size_t>(D)>& c) {
-  return irg::generate_coordinates<irg::point<T, D>>([&](int j) { return c[static_cast<std::size_t>(j)]; });
-}
-
-template <int N, int D, class Points>
-int irg_sign(const Points& p) {
-  if constexpr (N == 3)
-    return irg::orient2d(p[0], p[1], p[2]);
-  else if constexpr (N == 4 && D == 3)
-    return irg::orient3d(p[0], p[1], p[2], p[3]);
-  else if constexpr (N == 4)
-    return irg::in_circle(p[0], p[1], p[2], p[3]);
-  else
-    return irg::in_sphere(p[0], p[1], p[2], p[3], p[4]);
-}
-
-// The determinant as textbooks have it, rows of differences from the last point, in the coordinates' own arithmetic.
+// In the coordinates' own arithmetic.
 template <int N, class T, int D>
 int naive_sign(const arguments<T, N, D>& p) {
-  T m[4][4];
-  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-    T squares = 0;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(D); ++j) {
-      m[i][j] = p[i][j] - p.back()[j];
-      squares += m[i][j] * m[i][j];
-    }
-    if (N == D + 2) m[i][D] = squares;
-  }
-  const auto two = [&](int i, int j) { return m[i][0] * m[j][1] - m[j][0] * m[i][1]; };
-  const auto three = [&](int i, int j, int k) {
-    return m[i][2] * two(j, k) + m[j][2] * two(k, i) + m[k][2] * two(i, j);
-  };
-  T value;
-  if constexpr (N == 3)
-    value = two(0, 1);
-  else if constexpr (N == 4)
-    value = three(0, 1, 2);
-  else
-    value = m[3][3] * three(0, 1, 2) - m[2][3] * three(0, 1, 3) + m[1][3] * three(0, 2, 3) - m[0][3] * three(1, 2, 3);
-  return ((value > 0) - (value < 0)) * (D == 3 ? -1 : 1);
+  const T value = textbook_determinant<T, T, N, D>(p);
+  return (value > 0) - (value < 0);
 }
 
 void print_and_report(const std::string& kernel, const std::string& name, const std::vector<judged>& all,
@@ -120,9 +85,7 @@ template <class T, int N, int D>
 void hold(const std::string& kernel, const point_set<T, N, D>& s) {
   std::vector<std::int8_t> signs(s.calls.size());
   std::vector<judged> all;
-  std::vector<std::array<irg::point<T, D>, static_cast<std::size_t>(N)>> points(s.calls.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t k = 0; k < points[i].size(); ++k) points[i][k] = as_point<T, D>(s.calls[i][k]);
+  const auto points = own_points(s);
   all.push_back(deciding("irg", points, [](const auto& p) { return irg_sign<N, D>(p); }, signs));
   if constexpr (std::is_same_v<T, double>) {
 #ifdef IRG_HAVE_CGAL

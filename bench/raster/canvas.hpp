@@ -11,6 +11,8 @@
 #include <irg/colour/pixel.hpp>
 #include <irg/raster/image.hpp>
 
+#include "support/random_numbers.hpp"
+
 namespace bench {
 
 /// Pixels of 32 bits, rows without gaps, starting on a page.
@@ -53,26 +55,5 @@ private:
 /// White, whatever the order of the channels; the canvas is cleared to 0.
 inline constexpr std::uint32_t white = 0xffffffff;
 inline constexpr irg::rgba8 white_rgba{255, 255, 255, 255};
-
-/// SplitMix64 (Steele, Lea, Flood 2014): the same workloads everywhere.
-class random {
-public:
-  explicit random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  /// An integer in [low, high].
-  int integer(int low, int high) {
-    return low + static_cast<int>(next() % static_cast<std::uint64_t>(std::int64_t{high} - low + 1));
-  }
-  /// In [low, high).
-  double real(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53); }
-
-private:
-  std::uint64_t state_;
-};
 
 }  // namespace bench

@@ -61,9 +61,9 @@ inline std::int64_t visible_cells(const canvas& c, const segment& s) {
 
 enum class heading { random, horizontal, vertical, diagonal };
 
-inline segment any_line(random& r, const canvas& c, double length, heading h, int margin) {
+inline segment any_line(random_numbers& r, const canvas& c, double length, heading h, int margin) {
   constexpr double quarter = 1.5707963267948966;
-  double angle = r.real(0, 4 * quarter);
+  double angle = r.between(0, 4 * quarter);
   if (h == heading::horizontal) angle = 2 * quarter * r.integer(0, 1);
   if (h == heading::vertical) angle = quarter + 2 * quarter * r.integer(0, 1);
   if (h == heading::diagonal) angle = quarter / 2 + quarter * r.integer(0, 3);
@@ -74,7 +74,7 @@ inline segment any_line(random& r, const canvas& c, double length, heading h, in
 }
 
 inline std::vector<segment> lines_inside(const canvas& c, int count, double length, heading h) {
-  random r(static_cast<std::uint64_t>(length) * 8 + static_cast<std::uint64_t>(h));
+  random_numbers r(static_cast<std::uint64_t>(length) * 8 + static_cast<std::uint64_t>(h));
   std::vector<segment> out;
   while (static_cast<int>(out.size()) < count) {
     const segment s = any_line(r, c, length, h, 0);
@@ -85,7 +85,7 @@ inline std::vector<segment> lines_inside(const canvas& c, int count, double leng
 
 /// Lines of which about a tenth can be seen: 8 to 12 % of the cells.
 inline std::vector<segment> lines_clipped(const canvas& c, int count, double length) {
-  random r(90);
+  random_numbers r(90);
   std::vector<segment> out;
   while (static_cast<int>(out.size()) < count) {
     const segment s = any_line(r, c, length, heading::random, static_cast<int>(length));
@@ -99,7 +99,7 @@ inline std::vector<segment> lines_clipped(const canvas& c, int count, double len
 enum class passing { far_away, by_a_corner };
 
 inline std::vector<segment> lines_outside(const canvas& c, int count, passing where) {
-  random r(static_cast<std::uint64_t>(100 + static_cast<int>(where)));
+  random_numbers r(static_cast<std::uint64_t>(100 + static_cast<int>(where)));
   std::vector<segment> out;
   while (static_cast<int>(out.size()) < count) {
     const segment s = any_line(r, c, 512, heading::random, 600);

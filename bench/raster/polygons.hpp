@@ -43,20 +43,20 @@ enum class placing { inside, clipped, outside };
 inline polygon_set round_polygons(const canvas& c, int count, int corners, double diameter, int turns = 1,
                                   placing where = placing::inside) {
   constexpr double full_turn = 6.283185307179586;
-  random r(static_cast<std::uint64_t>(diameter) * 100 + static_cast<std::uint64_t>(corners));
+  random_numbers r(static_cast<std::uint64_t>(diameter) * 100 + static_cast<std::uint64_t>(corners));
   polygon_set set{corners};
   set.inside = where == placing::inside;
   if (turns != 1) set.rule = irg::fill_rule::even_odd;
   const double radius = diameter / 2;
   for (int k = 0; k < count; ++k) {
-    double x = r.real(radius, c.width() - radius), y = r.real(radius, c.height() - radius);
+    double x = r.between(radius, c.width() - radius), y = r.between(radius, c.height() - radius);
     if (where == placing::clipped) x = r.integer(0, 1) ? -0.8 * radius : c.width() + 0.8 * radius;
     if (where == placing::outside)
-      x = r.integer(0, 1) ? r.real(-9, -1.1) * radius : c.width() + r.real(1.1, 9) * radius;
-    const double start = r.real(0, full_turn);
+      x = r.integer(0, 1) ? r.between(-9, -1.1) * radius : c.width() + r.between(1.1, 9) * radius;
+    const double start = r.between(0, full_turn);
     std::vector<irg::subpixel> ring;
     for (int i = 0; i < corners; ++i) {
-      const double angle = start + (i + r.real(-0.35, 0.35)) * full_turn / corners;
+      const double angle = start + (i + r.between(-0.35, 0.35)) * full_turn / corners;
       ring.push_back(irg::snap(irg::point<double, 2>{x + radius * std::cos(angle), y + radius * std::sin(angle)}));
     }
     for (int i = 0; i < corners; ++i) set.vertices.push_back(ring[static_cast<std::size_t>(i * turns % corners)]);

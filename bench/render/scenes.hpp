@@ -243,19 +243,20 @@ inline scene random_triangles(const std::string& name, int count, const triangle
   scene s = empty_scene(name, irg::face_culling::none);
   const eye_in_origin eye{0.5f, 1, s.width, s.height};
   s.to_clip = eye.to_clip();
-  random r(20240607);
+  random_numbers r(20240607);
   const double scale = s.width / 1920.0, margin = scale * shape.margin, radius = scale * shape.radius;
   std::vector<double> distances;
-  for (int i = 0; i < count; ++i) distances.push_back(r.real(2, 10));
+  for (int i = 0; i < count; ++i) distances.push_back(r.between(2, 10));
   if (order == drawing::front_to_back) std::sort(distances.begin(), distances.end());
-  const auto channel = [&r] { return static_cast<float>(r.real(0, 1)); };
+  const auto channel = [&r] { return static_cast<float>(r.between(0, 1)); };
   scene_object all;
   for (const double distance : distances) {
-    const double x = r.real(margin, s.width - margin), y = r.real(margin, s.height - margin), start = r.real(0, turn);
+    const double x = r.between(margin, s.width - margin), y = r.between(margin, s.height - margin),
+                 start = r.between(0, turn);
     const auto first = static_cast<std::uint32_t>(s.positions.size());
     for (int k = 0; k < 3; ++k) {
-      const double angle = start + turn * (k / 3.0 + shape.spread * r.real(-0.5, 0.5));
-      const double away = distance * r.real(0.99, 1.01);
+      const double angle = start + turn * (k / 3.0 + shape.spread * r.between(-0.5, 0.5));
+      const double away = distance * r.between(0.99, 1.01);
       s.positions.push_back(eye.at(x + radius * std::cos(angle), y + radius * std::sin(angle), away));
       s.normals.push_back({0, 0, 1});
       s.colours.push_back({channel(), channel(), channel()});

@@ -1,5 +1,5 @@
 # Reads results.csv; writes a picture (SVG) of run time against error for one kernel.
-# Usage: awk -v kernel=line -f plot.awk results.csv
+# Usage: awk -v kernel=line -f svg.awk -f plot.awk results.csv
 BEGIN { FS = ","; panel_width = 480; panel_height = 360; left = 62; top = 44; inner_width = 220; inner_height = 270 }
 $1 != kernel || $2 !~ /^(random|triangle) (8|32|128|512) px 1080p$/ { next }
 {
@@ -15,18 +15,9 @@ $1 != kernel || $2 !~ /^(random|triangle) (8|32|128|512) px 1080p$/ { next }
   else if (match($13, /[0-9]+ (cells|pixels) judged/)) x[p, m] = 1000 * $12 / (substr($13, RSTART, RLENGTH) + 0)
   if (x[p, m] > greatest) greatest = x[p, m]
 }
-function log10(v) { return log(v) / log(10) }
 # Errors from 0 on: nearly linear below 0.1, logarithmic above.
 function across(v) { return left + 8 + (inner_width - 16) * log10(1 + v / 0.1) / log10(1 + greatest / 0.1) }
 function up(v) { return top + inner_height * (1 - (log10(v) - low) / (high - low)) }
-function text(px, py, class, anchor, words) {
-  gsub(/&/, "\\&amp;", words)
-  gsub(/</, "\\&lt;", words)
-  printf "<text x=\"%.1f\" y=\"%.1f\" class=\"%s\" text-anchor=\"%s\">%s</text>\n", px, py, class, anchor, words
-}
-function line(x1, y1, x2, y2, class) {
-  printf "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"%s\"/>\n", x1, y1, x2, y2, class
-}
 function draw_panel(p,    m, i, j, v, e, order, best, at, last, swap) {
   low = 1e9; high = -1e9
   for (m = 1; m <= points[p]; ++m) {

@@ -182,7 +182,8 @@ constexpr coefficient_of<C> evaluate_polynomial_accurate(const C& c,
 /// needs   finite numbers
 /// gives   infinity when the value overflows
 /// exact   correctly rounded for all finite numbers
-/// cost    as evaluate_polynomial_accurate, and an exact sum in integers where that leaves the rounding open
+/// cost    twice evaluate_polynomial_accurate, which gives the same for less but close to a root of high multiplicity:
+///         there it leaves the rounding open, and an exact sum in integers decides
 template <Floating T, std::size_t N>
   requires(N >= 1 && N <= 7)
 constexpr T evaluate_polynomial_exact(const std::array<T, N>& c, std::type_identity_t<T> x) noexcept {
