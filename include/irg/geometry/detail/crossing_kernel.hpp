@@ -103,10 +103,10 @@ IRG_INLINE constexpr crossing_parts<F> refined_crossing(const F& y, const two_pa
   const F wanted = times(dy.value, s.value), way = times(wanted, inverse);
   const F guess = y + way, way_part = guess - y, y_part = guess - way_part;
   const F lost = (y - y_part) + (way - way_part);
-  // dy*s - way*dx: the heads nearly cancel, the rest is small.
-  const F small =
+  // dy*s - way*dx: the heads nearly cancel, the remainder is small.
+  const F remainder =
       product_plus(dy.error, s.value, product_plus(dy.value, s.error, product_minus(dy.value, s.value, wanted)));
-  const F rest = (small - times(way, dx.error)) - product_minus(way, dx.value, wanted);
+  const F rest = (remainder - times(way, dx.error)) - product_minus(way, dx.value, wanted);
   return {guess, product_plus(rest, inverse, lost), way, wanted};
 }
 

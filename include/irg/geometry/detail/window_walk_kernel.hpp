@@ -182,10 +182,10 @@ IRG_INLINE edge_crossings<walk_pair> cross_edge(const double* edge, const walk_p
   const walk_pair above = w.high - place, inner = lesser_lanes(place - w.low, above);
   const walk_pair nearest =
       lesser_lanes(lesser_lanes(size_of_lanes(s.value), size_of_lanes(b - bounds)), size_of_lanes(inner));
-  const lane_mask level = equal_lanes(dy.value, walk_pair{}), far = less_lanes(L::broadcast(w.tolerance), nearest);
+  const lane_mask level = equal_lanes(dy.value, walk_pair{}), clear = less_lanes(L::broadcast(w.tolerance), nearest);
   const lane_mask again = equal_lanes(bounds, last) & equal_lanes(found.at, swapped(last));
   found.outside = negative_lanes(inner), found.above = negative_lanes(above);
-  found.delicate = negative_lanes({reinterpret_cast<walk_pair::storage>(again | ~(far & (rounds | level)))});
+  found.delicate = negative_lanes({reinterpret_cast<walk_pair::storage>(again | ~(clear & (rounds | level)))});
   return found;
 }
 #endif
