@@ -20,7 +20,7 @@ namespace clipping_pictures {
 using namespace enlarging;
 using P = irg::point<double, 2>;
 using Ring = std::vector<P>;
-constexpr irg::rgba8 blue{120, 166, 212, 255}, red{204, 96, 72, 255}, faint{214, 218, 226, 255};
+constexpr irg::rgba8 blue{120, 166, 212, 255}, red{204, 96, 72, 255}, faint{178, 184, 196, 255};
 
 inline P moved(const P& p, double x) { return {p.x + x, p.y}; }
 inline Ring moved(Ring ring, double x) {
@@ -37,8 +37,11 @@ inline Ring round(P centre, double radius, int corners, double dent = 1) {
   return ring;
 }
 
+inline void segment(picture& p, const P& a, const P& b, irg::rgba8 colour) {
+  irg::draw_line_aa(p, a, b, colour, {.width = 384});
+}
 inline void outline(picture& p, const Ring& ring, irg::rgba8 colour) {
-  for (std::size_t i = 0; i < ring.size(); ++i) irg::draw_line_aa(p, ring[i], ring[(i + 1) % ring.size()], colour);
+  for (std::size_t i = 0; i < ring.size(); ++i) segment(p, ring[i], ring[(i + 1) % ring.size()], colour);
 }
 inline void mark(picture& p, const P& at, irg::rgba8 colour) {
   dot(p, {static_cast<int>(at.x), static_cast<int>(at.y)}, 3, colour);
@@ -61,14 +64,14 @@ inline picture lines() {
   outline(p, frame, red);
   outline(p, moved(hexagon, 320), red);
   for (const auto& [a, b] : given) {
-    irg::draw_line_aa(p, a, b, faint);
-    irg::draw_line_aa(p, moved(a, 320), moved(b, 320), faint);
+    segment(p, a, b, faint);
+    segment(p, moved(a, 320), moved(b, 320), faint);
     if (const auto kept = clip_line_liang_barsky(a, b, window)) {
-      irg::draw_line_aa(p, kept->first, kept->second, ink);
+      segment(p, kept->first, kept->second, ink);
       mark(p, kept->first, ink), mark(p, kept->second, ink);
     }
     if (const auto kept = clip_line_cyrus_beck(a, b, hexagon)) {
-      irg::draw_line_aa(p, moved(kept->first, 320), moved(kept->second, 320), ink);
+      segment(p, moved(kept->first, 320), moved(kept->second, 320), ink);
       mark(p, moved(kept->first, 320), ink), mark(p, moved(kept->second, 320), ink);
     }
   }

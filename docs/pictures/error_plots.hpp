@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Errors in units in the last place over how hard the input is, as plots: dot products and quadratic equations.
-// Included by pictures.cpp.
+// Included by number_and_geometry_pages.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The errors of the ways to invert a 4x4 matrix over its condition number, as a plot. Included by pictures.cpp.
+// The errors of the ways to invert a 4x4 matrix over its condition number, as a plot. Included by
+// number_and_geometry_pages.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of lines in geometry: what two segments have in common, the part of a triangle that is nearest, the smallest
-// circle around points. Included by pictures.cpp.
+// circle around points. Included by number_and_geometry_pages.cpp.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 #include <irg/geometry/closest_point.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/smallest_sphere.hpp>
-#include <irg/raster/draw_line.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/raster/line_aa.hpp>
 
 #include "enlarged.hpp"
 
@@ -27,12 +27,7 @@ inline irg::cell cell_of(const point2& p) {
 }
 
 inline void stroke(picture& p, const point2& a, const point2& b, int width, irg::rgba8 colour) {
-  for (int dx = 0; dx < width; ++dx)
-    for (int dy = 0; dy < width; ++dy) {
-      const irg::cell from = cell_of(a), to = cell_of(b);
-      irg::draw_line(p, {from.x + dx - width / 2, from.y + dy - width / 2},
-                     {to.x + dx - width / 2, to.y + dy - width / 2}, colour);
-    }
+  irg::draw_line_aa(p, a, b, colour, {.width = width * irg::one_pixel});
 }
 
 // Pairs of segments, and in red what they have in common.
@@ -74,7 +69,7 @@ inline picture regions() {
   for (const point3& q :
        {point3{60, 280, 0}, {430, 280, 0}, {236, 24, 0}, {240, 300, 0}, {380, 130, 0}, {110, 90, 0}}) {
     const point3 at = irg::closest_point_on_triangle(a, b, c, q)->at;
-    irg::draw_line(p, cell_of({q.x, q.y}), cell_of({at.x, at.y}), red);
+    stroke(p, {q.x, q.y}, {at.x, at.y}, 1, red);
     dot(p, cell_of({q.x, q.y}), 3, red);
     dot(p, cell_of({at.x, at.y}), 3, red);
   }
@@ -89,6 +84,7 @@ inline picture circle() {
     const double angle = i * 2.399963, reach = 16 * std::sqrt(static_cast<double>(i));
     points.push_back({240 + 1.15 * reach * std::cos(angle), 160 + 0.9 * reach * std::sin(angle)});
   }
+  points.push_back({170, 281});
   const auto ball = *irg::smallest_sphere(points);
   point2 last{ball.centre.x + ball.radius, ball.centre.y};
   for (int i = 1; i <= 180; ++i) {

@@ -20,25 +20,18 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
-#include "barycentric.hpp"
-#include "clipping.hpp"
 #include "depths.hpp"
 #include "enlarged.hpp"
-#include "error_plots.hpp"
 #include "fills.hpp"
 #include "fills_aa.hpp"
-#include "inverse_errors.hpp"
 #include "line_kernels.hpp"
 #include "line_teaching.hpp"
 #include "line_variants.hpp"
-#include "lines_geometry.hpp"
 #include "occlusion.hpp"
 #include "occlusion_culling.hpp"
-#include "polygons.hpp"
-#include "predicates.hpp"
 #include "projections.hpp"
+#include "saving.hpp"
 #include "shaders.hpp"
-#include "simulated_simplicity.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
 #include "textbook_fill.hpp"
@@ -48,20 +41,11 @@
 namespace {
 
 using namespace enlarging;
+using namespace saving;
 using vec3 = irg::vec<double, 3>;
 
 constexpr irg::rgba8 blue{92, 142, 196, 255}, red{204, 96, 72, 255}, dark_blue{48, 90, 140, 255},
     dark_red{150, 60, 40, 255};
-
-std::string folder = ".";
-int failures = 0;
-
-void save(const std::string& name, const picture& p) {
-  if (const auto error = irg::write_image(folder + "/" + name + ".png", p)) {
-    std::fprintf(stderr, "pictures: %s: %s\n", error->message, name.c_str());
-    ++failures;
-  }
-}
 
 void shared_edge() {
   picture small(14, 9, paper);
@@ -271,6 +255,7 @@ int main(int argc, char** argv) {
   srgb();
   bezier();
   save("bspline", splines::both());
+  number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());
   save("draw_polyline", line_kernels::polylines());
@@ -286,16 +271,7 @@ int main(int argc, char** argv) {
   save("fill_convex_textbook", textbook_fill::rules());
   save("seed_fill", textbook_fill::seeds());
   save("conformance", textbook_fill::tiling());
-  save("orient2d", predicate_pictures::turns());
-  save("orient3d", predicate_pictures::planes());
-  save("in_circle", predicate_pictures::circles());
-  save("polygon_convexity", textbook_fill::locations());
-  save("point_in_polygon", polygon_pictures::rules());
-  save("convex_hull", polygon_pictures::hull());
-  save("triangulate_monotone", polygon_pictures::triangles());
-  save("split_polygon", polygon_pictures::cut());
-  save("polygons_overlap", polygon_pictures::overlaps());
-  save("polygon_centroid", polygon_pictures::centres());
+  save("point_location", textbook_fill::locations());
   save("edge_walk", fills::edge());
   save("fill_convex", fills::convex());
   save("fill_polygon", fills::rules());
@@ -308,21 +284,12 @@ int main(int argc, char** argv) {
   save("blend_span", fills_aa::run());
   save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
-  failures += inverse_errors::write_plot(folder + "/inverse_errors.svg") ? 0 : 1;
-  failures += error_plots::write_dots(folder + "/dot_errors.svg") ? 0 : 1;
-  failures += error_plots::write_roots(folder + "/root_errors.svg") ? 0 : 1;
   save("view_transform_textbook", viewing::steps());
   save("polar_camera", viewing::orbit());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());
   save("window_to_viewport", projection_pictures::fits());
-  save("clip_line", clipping_pictures::lines());
-  save("clip_sutherland_hodgman", clipping_pictures::polygons());
-  save("clip_weiler_atherton", clipping_pictures::operations());
-  save("intersect_segments", lines_geometry::segments());
-  save("closest_point", lines_geometry::regions());
-  save("smallest_sphere", lines_geometry::circle());
   for (const auto& [name, p] : stages::all()) save(name, p);
   save("attribute_shading", shaders::torus());
   save("texture", shaders::wraps());
@@ -332,8 +299,6 @@ int main(int argc, char** argv) {
   save("draw_transparent", shaders::panes());
   save("occlusion_mask", occlusion_pictures::mask());
   save("visibility_buffer", occlusion_pictures::ids());
-  save("barycentric", barycentric_pictures::weights());
-  save("simulation_of_simplicity", simulated_simplicity::signs());
   save("occlusion_culling", occlusion_culling_pictures::seen_from_above());
   return failures == 0 ? 0 : 1;
 }

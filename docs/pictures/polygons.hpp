@@ -2,54 +2,29 @@
 // Pictures of the polygon algorithms: points against rings, hulls, triangles, cuts, overlaps, centres.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include <irg/colour/pixel.hpp>
 #include <irg/geometry/convex_hull.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
+#include <irg/geometry/polygon.hpp>
 #include <irg/geometry/polygon_centroid.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
 #include <irg/geometry/split_polygon.hpp>
 #include <irg/geometry/triangulate_ear_clipping.hpp>
 #include <irg/geometry/triangulate_monotone.hpp>
-#include <irg/raster/draw_line.hpp>
-#include <irg/raster/fill_polygon.hpp>
 #include <irg/raster/image.hpp>
 
-#include "enlarged.hpp"
+#include "board.hpp"
 
 namespace polygon_pictures {
 
-using namespace enlarging;
-using P = irg::point<double, 2>;
-using ring = std::vector<P>;
+using namespace sketching;
+using P = point2;
 using rings = std::vector<ring>;
-constexpr irg::rgba8 blue{120, 166, 212, 255}, red{204, 96, 72, 255}, light_blue{206, 222, 240, 255},
-    light_red{240, 210, 200, 255};
-
-// A part of a picture in which y points up.
-struct board {
-  picture& p;
-  int left, bottom;
-  double scale;
-  P at(const P& q) const { return {left + q.x * scale, bottom - q.y * scale}; }
-  irg::cell cell(const P& q) const {
-    return {static_cast<int>(std::floor(at(q).x + 0.5)), static_cast<int>(std::floor(at(q).y + 0.5))};
-  }
-  void fill(const rings& polygon, irg::rgba8 colour) const {
-    rings placed = polygon;
-    for (ring& r : placed)
-      for (P& q : r) q = at(q);
-    irg::fill_polygon(p, placed, irg::fill_rule::even_odd, colour);
-  }
-  void outline(const ring& r, irg::rgba8 colour) const {
-    for (std::size_t i = 0; i < r.size(); ++i) irg::draw_line(p, cell(r[i]), cell(r[(i + 1) % r.size()]), colour);
-  }
-  void dots(const ring& r, int radius, irg::rgba8 colour) const {
-    for (const P& q : r) dot(p, cell(q), radius, colour);
-  }
-};
 
 // Two rings that run the same way, and a pentagram: what is inside by either rule.
 inline picture rules() {
@@ -59,14 +34,15 @@ inline picture rules() {
     polygon[0].push_back(
         {6 + 4.6 * std::cos(1.5707963 + i * 2.5132741), 4.6 + 4.6 * std::sin(1.5707963 + i * 2.5132741)});
   for (int k = 0; k < 2; ++k) {
-    const board b{p, 320 * k, 195, 16};
+    const board b{p, 320.0 * k, 195, 16};
     for (double y = 0.5; y < 12; y += 0.75)
       for (double x = 0.5; x < 20; x += 0.75) {
         const auto where =
             irg::point_in_polygon(polygon, P{x, y}, k == 0 ? irg::fill_rule::even_odd : irg::fill_rule::non_zero);
-        dot(p, b.cell({x, y}), 3, where == irg::point_location::inside ? blue : pale);
+        const bool inside = where == irg::point_location::inside;
+        b.dot({x, y}, inside ? 3.5 : 2, inside ? blue : pale);
       }
-    for (const ring& r : polygon) b.outline(r, ink);
+    for (const ring& r : polygon) b.outline(r, 1.5, ink);
   }
   return p;
 }
@@ -87,11 +63,21 @@ inline picture hull() {
     for (const auto i : irg::convex_hull(points, option)) out.push_back(points[i]);
     return out;
   };
-  b.fill({of(irg::side_points::leave_out)}, light_blue);
-  b.outline(of(irg::side_points::leave_out), ink);
+  const ring corners = of(irg::side_points::leave_out), all = of(irg::side_points::keep);
+  // Points that are nearly on a side would look as if they were.
+  std::erase_if(points, [&](const P& q) {
+    if (std::find(all.begin(), all.end(), q) != all.end()) return false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto side = irg::edge_through(corners[i], irg::ring_vertex(corners, i + 1));
+      if (irg::line_value(side, q) < 0.6 * std::hypot(side.a, side.b)) return true;
+    }
+    return false;
+  });
+  b.fill(corners, light_blue);
+  b.outline(corners, 1.5, ink);
   b.dots(points, 3, ink);
-  b.dots(of(irg::side_points::keep), 5, red);
-  b.dots(of(irg::side_points::leave_out), 5, blue);
+  b.dots(all, 5.5, red);
+  b.dots(corners, 5.5, blue);
   return p;
 }
 
@@ -108,9 +94,11 @@ inline picture triangles() {
                         const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     ring all;
     for (const ring& r : polygon) all.insert(all.end(), r.begin(), r.end());
-    b.fill(polygon, light_blue);
-    for (const auto& t : triangles) b.outline({all[t[0]], all[t[1]], all[t[2]]}, blue);
-    for (const ring& r : polygon) b.outline(r, ink);
+    constexpr irg::rgba8 tints[] = {{206, 222, 240, 255}, {176, 204, 232, 255}, {226, 234, 244, 255}};
+    std::size_t k = 0;
+    for (const auto& t : triangles) b.fill({all[t[0]], all[t[1]], all[t[2]]}, tints[k++ % 3]);
+    for (const auto& t : triangles) b.outline({all[t[0]], all[t[1]], all[t[2]]}, 1, blue);
+    for (const ring& r : polygon) b.outline(r, 1.5, ink);
     b.dots(all, 3, ink);
   };
   draw({p, 5, 295, 15}, {star}, irg::triangulate_ear_clipping(star));
@@ -124,14 +112,20 @@ inline picture cut() {
   const ring comb{{1, 1},   {27, 1}, {27, 12}, {23, 12}, {21, 4}, {18, 13},
                   {14, 13}, {13, 5}, {9, 11},  {5, 11},  {4, 3},  {1, 9}};
   const P from{0, 8}, over{28, 5};
-  const board b{p, 10, 235, 15};
-  b.fill({comb}, pale);
-  b.outline(comb, ink);
-  irg::draw_line(p, b.cell(from), b.cell(over), red);
   const auto parts = irg::split_polygon(comb, from, over);
-  const board upper{p, 440, 105, 7}, lower{p, 440, 225, 7};
-  for (const ring& r : parts.front) upper.fill({r}, light_blue), upper.outline(r, ink), upper.dots(r, 2, ink);
-  for (const ring& r : parts.back) lower.fill({r}, light_red), lower.outline(r, ink), lower.dots(r, 2, ink);
+  const board b{p, 10, 235, 15}, upper{p, 440, 105, 7}, lower{p, 440, 225, 7};
+  const auto show = [&](const rings& side, const board& apart, irg::rgba8 colour) {
+    for (const ring& r : side) {
+      b.fill(r, colour);
+      apart.fill(r, colour);
+      apart.outline(r, 1, ink);
+      apart.dots(r, 2.5, ink);
+    }
+  };
+  show(parts.front, upper, light_blue);
+  show(parts.back, lower, light_red);
+  b.outline(comb, 1.5, ink);
+  b.line(from, over, 2, red);
   return p;
 }
 
@@ -140,16 +134,16 @@ inline picture overlaps() {
   const ring bay{{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}};
   const ring tongue{{4.5, 4}, {5.5, 10}, {3.5, 10}};
   for (int k = 0; k < 3; ++k) {
-    const board b{p, 30 + 210 * k, 170, 15};
+    const board b{p, 30 + 210.0 * k, 170, 15};
     ring moved = tongue;
-    for (P& q : moved) q.y -= k;
+    for (P& q : moved) q.y -= k == 2 ? 2.6 : k;
     const auto found = irg::polygons_overlap(bay, moved);
-    b.fill({bay}, light_blue);
-    b.fill({moved}, found == irg::polygon_overlap::separate   ? pale
-                    : found == irg::polygon_overlap::touching ? light_red
-                                                              : red);
-    b.outline(bay, ink);
-    b.outline(moved, ink);
+    b.fill(bay, light_blue);
+    b.fill(moved, found == irg::polygon_overlap::separate   ? pale
+                  : found == irg::polygon_overlap::touching ? light_red
+                                                            : red);
+    b.outline(bay, 1.5, ink);
+    b.outline(moved, 1.5, ink);
   }
   return p;
 }
@@ -161,10 +155,10 @@ inline picture centres() {
                             {{{0, 0}, {11, 0}, {11, 9}, {0, 9}}, {{1, 1}, {1, 8}, {5, 8}, {5, 1}}}};
   int k = 0;
   for (const rings& polygon : polygons) {
-    const board b{p, 30 + 210 * k++, 155, 15};
-    b.fill(polygon, light_blue);
-    for (const ring& r : polygon) b.outline(r, ink);
-    dot(p, b.cell(*irg::polygon_centroid(polygon)), 5, red);
+    const board b{p, 30 + 210.0 * k++, 155, 15};
+    b.fill_rings(polygon, light_blue);
+    for (const ring& r : polygon) b.outline(r, 1.5, ink);
+    b.dot(*irg::polygon_centroid(polygon), 5, red);
   }
   return p;
 }

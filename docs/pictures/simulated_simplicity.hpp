@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Signs of predicates on a lattice, as they are and with simulation of simplicity: no point is left without one.
-// Included by pictures.cpp.
+// Included by number_and_geometry_pages.cpp.
 #pragma once
 
 #include <irg/geometry/simulation_of_simplicity.hpp>
