@@ -152,7 +152,7 @@ TEST_CASE("orient2d: the filter decides 999 of 1000 uniform points, and is right
 #ifdef IRG_HAVE_MPFR
 
 TEST_CASE("orient2d: against GMP, in all distributions, with subnormals and without") {
-  const auto result = test::run_all_trials<predicate>(test::trial_count(20'000, 10'000'000), 20, 1);
+  const auto result = test::run_all_trials<predicate>(test::gmp_trial_count(100'000, 10'000'000), 20, 1);
   CHECK(result.wrong == 0);
   CHECK(result.wrong_flushed == 0);
   CHECK(result.wrong_order == 0);

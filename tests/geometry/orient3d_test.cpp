@@ -136,7 +136,7 @@ TEST_CASE("orient3d: the filter decides 999 of 1000 uniform points, and is right
 #ifdef IRG_HAVE_MPFR
 
 TEST_CASE("orient3d: against GMP, in all distributions, with subnormals and without") {
-  const auto result = test::run_all_trials<predicate>(test::trial_count(5'000, 10'000'000), 30, -1);
+  const auto result = test::run_all_trials<predicate>(test::gmp_trial_count(100'000, 10'000'000), 30, -1);
   CHECK(result.wrong == 0);
   CHECK(result.wrong_flushed == 0);
   CHECK(result.wrong_order == 0);

@@ -38,6 +38,18 @@ inline long trial_count(long few, long release) {
   return std::getenv("IRG_RELEASE_TIER") ? release : few;
 }
 
+// Sanitizers, and runs that repeat a test for other flags (IRG_FEWER_TRIALS), take a tenth of the trials.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool is_sanitized = __has_feature(address_sanitizer);
+#else
+inline constexpr bool is_sanitized = false;
+#endif
+inline long gmp_trial_count(long few, long release) {
+  return trial_count(is_sanitized || std::getenv("IRG_FEWER_TRIALS") ? few / 10 : few, release);
+}
+
 template <int D, class T>
 constexpr irg::point<T, D> to_point(const std::array<T, static_cast<std::size_t>(D)>& c) {
   if constexpr (D == 2)
