@@ -339,10 +339,23 @@ TEST_CASE("the inverse functions stay within their bounds") {
 
 #define IRG_MPFR(operation) [](mpfr_ptr out, mpfr_ptr x) { operation(out, x, MPFR_RNDN); }
 #define IRG_FLOAT_RUN(name, function, reference, operation) \
-  test::check_floats(                                       \
-      name, 0.5001, [](float x) { return function(x); }, [](double x) { return reference(x); }, operation)
+  test::check_floats(name, 0.5, [](float x) { return function(x); }, [](double x) { return reference(x); }, operation)
 
-TEST_CASE("float results are the nearest float, or within 0.5001 ulp") {
+TEST_CASE("the floats whose result is, to double, halfway between two floats") {
+  CHECK_BOTH(irg::sin(0x1.33333p+13f) == -0x1.63f4bap-2f);
+  CHECK_BOTH(irg::sin(-0x1.33333p+13f) == 0x1.63f4bap-2f);
+  CHECK_BOTH(irg::sin_cos(-0x1.33333p+13f).sine == 0x1.63f4bap-2f);
+  CHECK_BOTH(irg::cos(0x1.4555p+51f) == 0x1.115d7ep-1f);
+  CHECK_BOTH(irg::cos(-0x1.4555p+51f) == 0x1.115d7ep-1f);
+  CHECK_BOTH(irg::cos(0x1.3170fp+63f) == 0x1.fe2976p-1f);
+  CHECK_BOTH(irg::sin_cos(0x1.2b9622p+67f).cosine == 0x1.f0285ep-1f);
+  CHECK_BOTH(irg::atan(0x1.1ad646p-4f) == 0x1.1a6386p-4f);
+  CHECK_BOTH(irg::atan(-0x1.1ad646p-4f) == -0x1.1a6386p-4f);
+  CHECK_BOTH(irg::acos(0x1.110b46p-26f) == 0x1.921fb6p+0f);
+  CHECK_BOTH(irg::acos(0x1.04c444p-12f) == 0x1.920f6ap+0f);
+}
+
+TEST_CASE("float results are the nearest float") {
   IRG_FLOAT_RUN("sin", irg::sin, std::sin, IRG_MPFR(mpfr_sin));
   IRG_FLOAT_RUN("cos", irg::cos, std::cos, IRG_MPFR(mpfr_cos));
   IRG_FLOAT_RUN("tan", irg::tan, std::tan, IRG_MPFR(mpfr_tan));
@@ -374,7 +387,7 @@ TEST_CASE("float angles of points with a fixed x are the nearest float, or withi
 
 TEST_CASE("float pairs: angles of points") {
   test::check_float_pairs(
-      "atan2", 0.55, [](float y, float x) { return irg::atan2(y, x); },
+      "atan2", 0.5001, [](float y, float x) { return irg::atan2(y, x); },
       [](double y, double x) { return std::atan2(y, x); },
       [](mpfr_ptr out, mpfr_ptr y, mpfr_ptr x) { mpfr_atan2(out, y, x, MPFR_RNDN); }, 12, 12);
 }

@@ -4,13 +4,14 @@
 #pragma once
 
 #include <irg/math/detail/exponential_kernels.hpp>
+#include <irg/math/detail/hard_floats.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {
 
 /// e^x.
 /// gives   NaN for NaN; infinity beyond 709.78 (float 88.72), 0 below -745.13 (float -103.97)
-/// exact   double within 0.52 ulp, subnormal results too; float within 0.5001 ulp
+/// exact   double within 0.52 ulp, subnormal results too; float the nearest one
 /// cost    a table lookup and about 25 operations
 /// source  Tang 1989 (table and short polynomial); coefficients by scripts/generate
 template <Floating T>
@@ -24,12 +25,13 @@ constexpr T exp(T x) noexcept {
 /// cost    as exp
 template <Floating T>
 constexpr T exp2(T x) noexcept {
-  return detail::narrow<T>(detail::exp2_of(static_cast<double>(x)));
+  return detail::nearest_result<detail::symmetry::none>(x, detail::exp2_of(static_cast<double>(x)),
+                                                        detail::hard_powers_of_two);
 }
 
 /// The natural logarithm of x.
 /// gives   -infinity for 0 and -0, infinity for infinity, NaN for NaN and everything below zero; +0 for 1
-/// exact   double within 0.51 ulp; float within 0.5001 ulp
+/// exact   double within 0.51 ulp; float the nearest one
 /// cost    a table lookup and about 50 operations
 /// source  Tang 1990 (table and short polynomial); coefficients by scripts/generate
 template <Floating T>
@@ -73,7 +75,7 @@ constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
 
 /// The cube root of x.
 /// gives   NaN for NaN; infinities and zeros with their signs
-/// exact   double within 0.501 ulp; float within 0.5001 ulp; perfect cubes exactly
+/// exact   double within 0.501 ulp; float the nearest one; perfect cubes exactly
 /// cost    two divisions, an exact product
 /// source  Halley 1694; the last step compares the exact cube of a 26-bit root
 template <Floating T>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <irg/math/constants.hpp>
+#include <irg/math/detail/hard_floats.hpp>
 #include <irg/math/detail/tangent_kernels.hpp>
 #include <irg/math/detail/trigonometry_kernels.hpp>
 #include <irg/math/detail/trigonometry_single.hpp>
@@ -18,50 +19,64 @@ struct sine_and_cosine {
   friend constexpr bool operator==(const sine_and_cosine&, const sine_and_cosine&) = default;
 };
 
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Floating T, class Angle>
+IRG_INLINE constexpr T nearest_sine(T x, const Angle& angle) noexcept {
+  return nearest_result<symmetry::odd>(x, rounded_sine(angle), hard_sines);
+}
+template <Floating T, class Angle>
+IRG_INLINE constexpr T nearest_cosine(T x, const Angle& angle) noexcept {
+  return nearest_result<symmetry::even>(x, rounded_cosine(angle), hard_cosines);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// The sine and the cosine of x at once.
 /// units   radians
 /// gives   NaN for infinity and NaN; sine -0 for -0
-/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// exact   double within 0.55 ulp for every x up to the largest; float the nearest one
 /// cost    about one and a half sines
 template <Floating T>
 constexpr sine_and_cosine<T> sin_cos(T x) noexcept {
   if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
   const auto angle = detail::reduce_radians(x);
-  return {detail::is_tiny_angle(x) ? x : detail::narrow<T>(detail::rounded_sine(angle)),
-          detail::narrow<T>(detail::rounded_cosine(angle))};
+  return {detail::is_tiny_angle(x) ? x : detail::nearest_sine(x, angle), detail::nearest_cosine(x, angle)};
 }
 
 /// The sine of x.
 /// units   radians
 /// gives   NaN for infinity and NaN; -0 for -0
-/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// exact   double within 0.55 ulp for every x up to the largest; float the nearest one
 /// cost    a table lookup and about 40 operations, 60 more from 2^20 on; float: about 20
 /// source  Payne, Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
 constexpr T sin(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;
   if (!detail::is_finite(x)) return detail::not_a_number<T>;
-  return detail::narrow<T>(detail::rounded_sine(detail::reduce_radians(x)));
+  return detail::nearest_sine(x, detail::reduce_radians(x));
 }
 
 /// The cosine of x.
 /// units   radians
 /// gives   NaN for infinity and NaN
-/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// exact   double within 0.55 ulp for every x up to the largest; float the nearest one
 /// cost    as sin
 /// source  as sin
 template <Floating T>
 constexpr T cos(T x) noexcept {
   if (!detail::is_finite(x)) return detail::not_a_number<T>;
-  return detail::narrow<T>(detail::rounded_cosine(detail::reduce_radians(x)));
+  return detail::nearest_cosine(x, detail::reduce_radians(x));
 }
 
 /// The tangent of x.
 /// units   radians
 /// gives   NaN for infinity and NaN; -0 for -0; never infinity, because no number is an odd multiple of pi/2
-/// exact   double within 0.54 ulp for every x up to the largest; float within 0.5001 ulp
+/// exact   double within 0.54 ulp for every x up to the largest; float the nearest one
 /// cost    that of sin, and a division for every other quadrant; float: a division and two sines
 /// source  Payne, Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
@@ -72,7 +87,7 @@ constexpr T tan(T x) noexcept {
 }
 
 /// The angle of x degrees in radians.
-/// exact   double within 0.51 ulp, subnormal results too; float within 0.5001 ulp
+/// exact   double within 0.51 ulp, subnormal results too; float the nearest one
 template <Floating T>
 constexpr T radians(T x) noexcept {
   return detail::narrow<T>(
@@ -80,7 +95,7 @@ constexpr T radians(T x) noexcept {
 }
 
 /// The angle of x radians in degrees.
-/// exact   double within 0.51 ulp, float within 0.5001 ulp
+/// exact   double within 0.51 ulp, float the nearest one
 template <Floating T>
 constexpr T degrees(T x) noexcept {
   return detail::narrow<T>(
@@ -91,7 +106,7 @@ constexpr T degrees(T x) noexcept {
 /// units   degrees
 /// gives   NaN for infinity and NaN; exactly 0, 1/2 and 1 with their signs where they are due, for every multiple of
 ///         30 degrees; a sine of zero has the sign of x
-/// exact   double within 0.55 ulp for every x up to the largest; float within 0.5001 ulp
+/// exact   double within 0.55 ulp for every x up to the largest; float the nearest one
 /// cost    as sin_cos, and an exact product
 template <Floating T>
 constexpr sine_and_cosine<T> sin_cos_degrees(T x) noexcept {
@@ -137,21 +152,23 @@ constexpr T atan2(T y, T x) noexcept {
 /// The arctangent of x.
 /// units   radians in [-pi/2, pi/2]
 /// gives   NaN for NaN; -0 for -0
-/// exact   double within 0.52 ulp; float within 0.5001 ulp
+/// exact   double within 0.52 ulp; float the nearest one
 /// cost    a table lookup and about 20 operations, and beyond 1 a division and an exact product; float: as atan2
 /// source  as atan2
 template <Floating T>
 constexpr T atan(T x) noexcept {
+  using enum detail::symmetry;
+  if (detail::is_nan(x)) return detail::not_a_number<T>;
   if constexpr (std::is_same_v<T, float>)
-    return atan2(x, T(1));
+    return detail::nearest_result<odd>(x, detail::angle_of(x, T(1)), detail::hard_arctangents);
   else
-    return detail::is_nan(x) ? detail::not_a_number<T> : detail::arctangent(x);
+    return detail::arctangent(x);
 }
 
 /// The angle whose sine is x.
 /// units   radians in [-pi/2, pi/2]
 /// gives   NaN for |x| > 1 and NaN; -0 for -0
-/// exact   double within 0.53 ulp; float within 0.5001 ulp
+/// exact   double within 0.53 ulp; float the nearest one
 /// cost    a table lookup and about 20 operations, and for |x| > 1/2 a root, a division and an exact product; float:
 ///         atan2 and a root
 /// source  as atan2; beyond 1/2 by the half angle, asin(x) = pi/2 - 2 asin(sqrt((1 - x) / 2))
@@ -164,13 +181,13 @@ constexpr T asin(T x) noexcept {
 /// The angle whose cosine is x.
 /// units   radians in [0, pi]
 /// gives   NaN for |x| > 1 and NaN; 0 for 1
-/// exact   double within 0.53 ulp; float within 0.5001 ulp
+/// exact   double within 0.53 ulp; float the nearest one
 /// cost    as asin
 /// source  as asin
 template <Floating T>
 constexpr T acos(T x) noexcept {
   if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
-  return detail::narrow<T>(detail::angle_of_cosine(x));
+  return detail::nearest_result<detail::symmetry::none>(x, detail::angle_of_cosine(x), detail::hard_arccosines);
 }
 
 }  // namespace IRG_ABI

@@ -16,9 +16,9 @@
 
 namespace irg::detail {
 
-// Where a vertex of the first stage lies in y. Being above sets two bits, since they come from two signs: that of being
-// outside, and that of being above. The bit after_corner is added where the result ends at a corner of the window.
-enum class y_place : std::uint8_t { within = 0, below = 1, unknown = 2, above = 3 };
+// Where a vertex of the first stage lies in y: a bit for each boundary that it is beyond. The bit after_corner is added
+// where the result ends at a corner of the window.
+enum class y_place : std::uint8_t { within = 0, below = 1, above = 2, unknown = 3 };
 inline constexpr unsigned after_corner = 4;
 
 // What an edge does in x, and where its end that is within in x lies in y.

@@ -113,12 +113,12 @@ struct walked_window {
   double tolerance, error;
 };
 
-// Where an edge crosses a boundary of x, as y in lane 0, and one of y, as x in lane 1. Bits by lane: the crossing is
-// outside; it is above; it is delicate.
+// Where an edge crosses a boundary of x, as y in lane 0, and one of y, as x in lane 1. The y_place of the former; a bit
+// for each lane that is delicate.
 template <class Pair>
 struct edge_crossings {
   Pair at;
-  unsigned outside, above, delicate;
+  unsigned place, delicate;
 };
 
 // The number to which both ends of the interval around guess + correction are rounded; the numbers are floats.
@@ -138,7 +138,7 @@ IRG_INLINE constexpr bool rounds_to(double guess, double correction, double erro
 template <class T>
 constexpr edge_crossings<plain_pair> cross_edge(const double* edge, const plain_pair& bounds, const plain_pair& last,
                                                 const walked_window<plain_pair>& w, unsigned needed) noexcept {
-  edge_crossings<plain_pair> found{{{0, 0}}, 0, 0, 0};
+  edge_crossings<plain_pair> found{{{0, 0}}, 0, 0};
   for (unsigned k = 0; k < 2; ++k) {
     if ((needed >> k & 1) == 0) continue;
     const double ax = edge[k], ay = edge[1 - k], bx = edge[2 + k], by = edge[3 - k], x = bounds.v[k];
@@ -149,10 +149,9 @@ constexpr edge_crossings<plain_pair> cross_edge(const double* edge, const plain_
         refined_crossing(ay, parts_of_difference(bx, ax), parts_of_difference(by, ay), parts_of_difference(x, ax));
     const bool rounds = rounds_to<T>(parts.guess, parts.correction, w.error, found.at.v[k]) || ay == by;
     const double place = std::is_same_v<T, float> ? found.at.v[k] : parts.guess;
-    const double inner = lesser(place - w.low.v[k], w.high.v[k] - place);
+    const double below = place - w.low.v[k], above = w.high.v[k] - place, inner = lesser(below, above);
     const bool again = x == last.v[k] && found.at.v[k] == last.v[1 - k];
-    if (inner < 0) found.outside |= bit;
-    if (w.high.v[k] < place) found.above |= bit;
+    if (k == 0) found.place = (below < 0 ? 1u : 0u) | (above < 0 ? 2u : 0u);
     if (rounds && !again && magnitude(inner) > w.tolerance) found.delicate ^= bit;
   }
   return found;
@@ -179,13 +178,13 @@ IRG_INLINE edge_crossings<walk_pair> cross_edge(const double* edge, const walk_p
     found.at = parts.guess + parts.correction;
     rounds = equal_lanes(parts.guess + (parts.correction - error), parts.guess + (parts.correction + error));
   }
-  const walk_pair above = w.high - place, inner = lesser_lanes(place - w.low, above);
+  const walk_pair below = place - w.low, above = w.high - place, inner = lesser_lanes(below, above);
   const walk_pair nearest =
       lesser_lanes(lesser_lanes(size_of_lanes(s.value), size_of_lanes(b - bounds)), size_of_lanes(inner));
   const lane_mask level = equal_lanes(dy.value, walk_pair{}), clear = less_lanes(L::broadcast(w.tolerance), nearest);
   const lane_mask again = equal_lanes(bounds, last) & equal_lanes(found.at, swapped(last));
-  found.outside = negative_lanes(inner), found.above = negative_lanes(above);
-  found.delicate = negative_lanes({reinterpret_cast<walk_pair::storage>(again | ~(clear & (rounds | level)))});
+  found.place = negative_lanes(firsts(below, above));
+  found.delicate = ~negative_lanes({reinterpret_cast<walk_pair::storage>(~again & clear & (rounds | level))});
   return found;
 }
 #endif
@@ -242,32 +241,32 @@ IRG_INLINE constexpr std::ptrdiff_t walk_window(const coded_ring& ring, const bo
     const std::uint64_t upto = from >> 4 | next << (4 * (here - 1)), changes = from ^ upto;
     const std::uint64_t by_axis = changes | changes >> 2, beyond = from | from >> 2;
     std::uint64_t edges = (by_axis | (by_axis >> 1 & ~beyond)) & (0x1111111111111111u >> (64 - 4 * here));
-    for (; edges != 0; edges &= edges - 1) {
+    // One loop, also for what is taken again: what two loops would share would have to be kept in memory.
+    for (std::size_t second = 0; edges != 0;) {
       const auto at = static_cast<unsigned>(std::countr_zero(edges));
-      const std::size_t key = (from >> at & 15) | (upto >> at & 15) << 4, edge = 2 * first + at / 2;
-      const edge_kind* kind = &edge_kinds[key];
-      if (!copy_run(edge + 2, static_cast<std::size_t>(std::ptrdiff_t{kind->starts_within}))) return is_delicate;
-      for (;;) {
-        const Pair bounds = load_pair<Pair>(w.corners + kind->bounds);
-        const auto cuts = cross_edge<T>(ring.at + edge, bounds, last, w, kind->needed);
-        delicate |= cuts.delicate & kind->needed;
-        const unsigned cut = (cuts.outside & 1) | (cuts.above & 1) << 1;
-        const edge_output& output = edge_outputs[kind->row + place + cut];
-        first_cut = place == unknown ? cut : first_cut;
-        place = output.place;
-        store_pair(out + to, corner_of(bounds, w.corners[output.corner]));
-        if (output.rare != 0) {
-          if ((output.rare & gives_up) != 0 || to + 16 > end) return is_delicate;
-          if ((output.rare & has_two_corners) != 0)
-            store_pair(out + to + 2, corner_of(bounds, w.corners[output.second_corner]));
-        }
-        store_pair(out + to + output.cut_x, firsts(bounds, cuts.at));
-        store_pair(out + to + output.cut_y, seconds(cuts.at, bounds));
-        to += output.advance;
-        last = load_pair<Pair>(out + (to == 0 ? 0 : to - 2));
-        if ((output.rare & takes_again) == 0) break;
-        kind = &edge_kinds[256 + key];
+      const std::size_t key = second | (from >> at & 15) | (upto >> at & 15) << 4, edge = 2 * first + at / 2;
+      const edge_kind& kind = edge_kinds[key];
+      if (!copy_run(edge + 2, static_cast<std::size_t>(std::ptrdiff_t{kind.starts_within}))) return is_delicate;
+      const Pair bounds = load_pair<Pair>(w.corners + kind.bounds);
+      const auto cuts = cross_edge<T>(ring.at + edge, bounds, last, w, kind.needed);
+      delicate |= cuts.delicate & kind.needed;
+      const edge_output& output = edge_outputs[kind.row + place + cuts.place];
+      first_cut = place == unknown ? cuts.place : first_cut;
+      place = output.place;
+      store_pair(out + to, corner_of(bounds, w.corners[output.corner]));
+      second = 0;
+      std::uint64_t later = edges & (edges - 1);
+      if (output.rare != 0) [[unlikely]] {
+        if ((output.rare & gives_up) != 0 || to + 16 > end) return is_delicate;
+        if ((output.rare & has_two_corners) != 0)
+          store_pair(out + to + 2, corner_of(bounds, w.corners[output.second_corner]));
+        if ((output.rare & takes_again) != 0) second = 256, later = edges;
       }
+      edges = later;
+      store_pair(out + to + output.cut_x, firsts(bounds, cuts.at));
+      store_pair(out + to + output.cut_y, seconds(cuts.at, bounds));
+      to += output.advance;
+      last = load_pair<Pair>(out + (to == 0 ? 0 : to - 2));
     }
   }
   const std::size_t n = ring.count - 1;
