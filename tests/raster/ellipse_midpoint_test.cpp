@@ -109,16 +109,16 @@ void check_curve(int a, int b) {
   for (const cell c : line) good &= at(-c.x, c.y) == 1 && at(c.x, -c.y) == 1;
   good &= test::count_connected(line.front(), at) == line.size();
   if (at(0, 0) == 0) {  // seed fill from the centre must not get out
-    std::vector<cell> todo{{0, 0}};
+    std::vector<cell> unvisited{{0, 0}};
     at(0, 0) = 3;
-    while (!todo.empty() && good) {
-      const cell c = todo.back();
-      todo.pop_back();
+    while (!unvisited.empty() && good) {
+      const cell c = unvisited.back();
+      unvisited.pop_back();
       good &= std::abs(c.x) < a && std::abs(c.y) < b;
       for (const cell d : {cell{1, 0}, cell{-1, 0}, cell{0, 1}, cell{0, -1}})
         if (good && at(c.x + d.x, c.y + d.y) == 0) {
           at(c.x + d.x, c.y + d.y) = 3;
-          todo.push_back({c.x + d.x, c.y + d.y});
+          unvisited.push_back({c.x + d.x, c.y + d.y});
         }
     }
   }

@@ -40,18 +40,18 @@ bool is_as_defined(const irg::cell_window& w, const Line& line, const Spans& spa
 /// shape   at(x, y) refers to the value of a cell
 template <class At>
 std::size_t count_connected(irg::cell from, const At& at) {
-  std::vector<irg::cell> todo{from};
+  std::vector<irg::cell> unvisited{from};
   std::size_t reached = 0;
   at(from.x, from.y) = 2;
-  while (!todo.empty()) {
-    const irg::cell c = todo.back();
-    todo.pop_back();
+  while (!unvisited.empty()) {
+    const irg::cell c = unvisited.back();
+    unvisited.pop_back();
     ++reached;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
         if (at(c.x + dx, c.y + dy) == 1) {
           at(c.x + dx, c.y + dy) = 2;
-          todo.push_back({c.x + dx, c.y + dy});
+          unvisited.push_back({c.x + dx, c.y + dy});
         }
   }
   return reached;
