@@ -1,6 +1,7 @@
 # What the scripts share; source it from the project's root folder.
 #   need_packages PACKAGE...      installs what is missing from the distribution
 #   step TEXT COMMAND...          runs a command as the next of $steps steps, its output going to a log
+#   use_compiler_cache            compiles through ccache from here on, where there is one
 #   fail SENTENCE                 ends the script with one sentence
 
 script_name=scripts/$(basename "$0")
@@ -33,6 +34,14 @@ step() {
   tail -n 40 "$log" >&2
   echo >&2
   fail "the step \"$text\" failed; all it said is in $log."
+}
+
+# Compilations go through ccache where it is installed: a second run compiles what changed.
+use_compiler_cache() {
+  command -v ccache >/dev/null || return 0
+  export IRG_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  # Sound with precompiled headers, whose contents count and whose times do not.
+  export CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_MAXSIZE=${CCACHE_MAXSIZE:-8G}
 }
 
 as_root() {

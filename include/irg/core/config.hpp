@@ -45,7 +45,12 @@
 #define IRG_JOIN(major, isa, fma, checks) IRG_JOIN_EXPANDED(major, isa, fma, checks)
 #define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS)
 
-#if defined(__GNUC__)
+// Where a program is built for one instruction set, IRG_INLINE_AS_USUAL leaves it to the compiler what it inlines: for
+// stepping through with a debugger and for builds with sanitizers, which it makes several times quicker.
+#if defined(__GNUC__) && defined(IRG_INLINE_AS_USUAL)
+#define IRG_INLINE inline
+#define IRG_NOINLINE [[gnu::noinline]]
+#elif defined(__GNUC__)
 #define IRG_INLINE [[gnu::always_inline]] inline
 #define IRG_NOINLINE [[gnu::noinline]]
 #elif defined(_MSC_VER)

@@ -21,6 +21,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
 
 namespace irg {
@@ -93,7 +94,7 @@ struct coordinate_traits<T> {
   template <class... S>
     requires requires(const S&... c) { T{static_cast<scalar>(c)...}; }
   IRG_INLINE static constexpr T make(const S&... c) noexcept(std::is_arithmetic_v<scalar>) {
-    return T{static_cast<scalar>(c)...};
+    return T{converted<scalar>(c)...};
   }
 };
 
@@ -119,7 +120,7 @@ struct coordinate_traits<T> {
   template <class... S>
     requires requires(const S&... c) { T{static_cast<scalar>(c)...}; }
   IRG_INLINE static constexpr T make(const S&... c) noexcept(std::is_arithmetic_v<scalar>) {
-    return T{static_cast<scalar>(c)...};
+    return T{converted<scalar>(c)...};
   }
 };
 

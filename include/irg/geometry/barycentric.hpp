@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/detail/twice_area.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
@@ -38,7 +39,7 @@ IRG_INLINE constexpr plane_axes axes_across(int axis) noexcept {
 
 template <Point P>
 IRG_INLINE constexpr plane_corners corners_in(plane_axes k, const P& a, const P& b, const P& c) noexcept {
-  const auto at = [](const P& p, int i) { return static_cast<double>(coordinate(p, i)); };
+  const auto at = [](const P& p, int i) { return widened(coordinate(p, i)); };
   return {at(a, k.u), at(a, k.v), at(b, k.u), at(b, k.v), at(c, k.u), at(c, k.v)};
 }
 
@@ -66,14 +67,12 @@ constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_in(plane_axes k, const
     if (is_moderate(whole) && is_moderate(t1)) {
       const exact_sum<double> area = twice_area_of_moderate(whole);
       if (area.value == 0) return std::nullopt;
-      const auto weight = [&](const plane_corners& t) {
-        return static_cast<T>(ratio(twice_area_of_moderate(t), area));
-      };
+      const auto weight = [&](const plane_corners& t) { return converted<T>(ratio(twice_area_of_moderate(t), area)); };
       return vec<T, 3>{weight(t1), weight(t2), weight(t3)};
     }
     const exact_accumulator<2> area = exact_twice_area(whole);
     if (area.sign() == 0) return std::nullopt;
-    const auto weight = [&](const plane_corners& t) { return static_cast<T>(ratio(exact_twice_area(t), area)); };
+    const auto weight = [&](const plane_corners& t) { return converted<T>(ratio(exact_twice_area(t), area)); };
     return vec<T, 3>{weight(t1), weight(t2), weight(t3)};
   } else {
     const T area = twice_area_plain(k, a, b, c);
@@ -99,7 +98,7 @@ template <Point P, class S>
 IRG_INLINE constexpr vec<S, 3> scaled_way(const P& from, const P& to, const S& scale) noexcept {
   return generate_coordinates<vec<S, 3>>([&](int i) {
     if constexpr (Floating<scalar_of<P>>)
-      return (static_cast<double>(coordinate(to, i)) * 0.25 - static_cast<double>(coordinate(from, i)) * 0.25) * scale;
+      return (widened(coordinate(to, i)) * 0.25 - widened(coordinate(from, i)) * 0.25) * scale;
     else
       return (coordinate(to, i) - coordinate(from, i)) * scale;
   });
@@ -246,7 +245,7 @@ constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_orthogonal(const P& a,
   const auto square = dot(n, n);
   if (square == 0) return std::nullopt;
   const auto weight = [&](const P& p, const P& q) { return dot(n, cross(way(p, q), way(p, t))) / square; };
-  return vec<T, 3>{static_cast<T>(weight(b, c)), static_cast<T>(weight(c, a)), static_cast<T>(weight(a, b))};
+  return vec<T, 3>{converted<T>(weight(b, c)), converted<T>(weight(c, a)), converted<T>(weight(a, b))};
 }
 
 /// Which part of a triangle of the plane a point lies on: inside, on an edge, at a vertex, or outside.

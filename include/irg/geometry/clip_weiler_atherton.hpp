@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/intersect_lines.hpp>
@@ -171,7 +172,7 @@ constexpr bool cut_pieces(std::vector<boundary_piece<T>>& pieces, T tolerance = 
 template <class T>
 constexpr void winding_beside(const std::vector<boundary_piece<T>>& pieces, std::size_t k, int (&winding)[2]) noexcept {
   const boundary_piece<T>& s = pieces[k];
-  const auto wide = [](T v) { return static_cast<double>(v); };
+  const auto wide = [](T v) { return widened(v); };
   // Whether x, twice the middle's, is beyond: exact.
   const auto is_left_of_middle = [&](T x) {
     exact_accumulator<1> sum;

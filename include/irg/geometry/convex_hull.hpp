@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
@@ -75,7 +76,7 @@ private:
       double farthest[6];
       for (std::uint32_t i = 0; i < n; ++i) {
         const auto p = at(i);
-        const double x = static_cast<double>(coordinate(p, 0)) * 0.5, y = static_cast<double>(coordinate(p, 1)) * 0.5;
+        const double x = widened(coordinate(p, 0)) * 0.5, y = widened(coordinate(p, 1)) * 0.5;
         const double value[6] = {-x - y, -y, x - y, y - x, y, x + y};
         for (int k = 0; k < 6; ++k)
           if (i == 0 || farthest[k] < value[k]) farthest[k] = value[k], inner_[k / 3][1 + k % 3] = i;

@@ -5,6 +5,7 @@
 
 #include <concepts>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/exact_sum.hpp>
@@ -22,8 +23,8 @@ template <Point P>
 constexpr int depth_sign(const P& eye, const P& target, const P& p) noexcept {
   exact_accumulator<2> sum;
   for (int i = 0; i < size_of<P>; ++i) {
-    const auto e = static_cast<double>(coordinate(eye, i)), t = static_cast<double>(coordinate(target, i));
-    const auto q = static_cast<double>(coordinate(p, i));
+    const auto e = widened(coordinate(eye, i)), t = widened(coordinate(target, i));
+    const auto q = widened(coordinate(p, i));
     sum.add(q, t);
     sum.subtract(q, e);
     sum.subtract(e, t);

@@ -3,6 +3,7 @@
 // side is (0 0 0 D). It needs a plane that avoids the origin; plane_through for homogeneous points needs not.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 
 namespace irg {
@@ -39,7 +40,7 @@ constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& 
     return {detail::are_zero(m, 0, 3) ? inversion_outcome::collinear : inversion_outcome::through_origin, {}};
   const auto factor = [&] {
     if constexpr (Floating<T>)
-      return detail::known_number{static_cast<double>(d), 0, 0};
+      return detail::known_number{widened(d), 0, 0};
     else
       return d;
   }();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/geometry/line.hpp>
 #include <irg/math/error_free.hpp>
@@ -61,8 +62,8 @@ inline namespace IRG_ABI {
 template <Point P>
 IRG_INLINE constexpr std::uint64_t not_finite_bit(const P& p) noexcept {
   if constexpr (Floating<scalar_of<P>>) {
-    const auto x = std::bit_cast<std::uint64_t>(static_cast<double>(coordinate(p, 0)));
-    const auto y = std::bit_cast<std::uint64_t>(static_cast<double>(coordinate(p, 1)));
+    const auto x = std::bit_cast<std::uint64_t>(widened(coordinate(p, 0)));
+    const auto y = std::bit_cast<std::uint64_t>(widened(coordinate(p, 1)));
     constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52, one = std::uint64_t{1} << 52;
     return ((x & exponent) + one) | ((y & exponent) + one);
   } else {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/math/compensated.hpp>
@@ -78,7 +79,7 @@ IRG_INLINE constexpr void add_triangle(bounded_area& area, const exact_sum<doubl
 template <PlaneRing R>
 constexpr void add_ring_area(bounded_area& area, const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
-  const auto at = [&](std::size_t i, int k) { return static_cast<double>(coordinate(ring_vertex(ring, i), k)); };
+  const auto at = [&](std::size_t i, int k) { return widened(coordinate(ring_vertex(ring, i), k)); };
   const auto moderate = [](double x) { return is_zero_or_within<-400, 400>(x); };
   if (n < 3) return;
   const double x0 = at(0, 0), y0 = at(0, 1);
@@ -118,7 +119,7 @@ constexpr auto polygon_area(const P& polygon) noexcept {
     // Sums of n terms in two parts, after Ogita, Rump and Oishi; 4 for the parts of each term.
     const double bound = product(product(vertices, vertices) * 0x1p-102, area.size);
     if (area.is_moderate && vertices < 0x1p40 && detail::magnitude(sum) * 0x1p-60 >= bound)
-      return static_cast<T>(sum * 0.5);
+      return converted<T>(sum * 0.5);
   }
   return polygon_area_exact(polygon);
 }

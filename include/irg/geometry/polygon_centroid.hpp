@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/detail/twice_area.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/math/error_free.hpp>
@@ -48,8 +49,8 @@ constexpr auto polygon_centroid(const P& polygon) noexcept {
     if (!detail::is_finite_polygon(polygon)) return centre();
     exact_accumulator<3> x, y, area;
     detail::each_edge(polygon, [&](const auto& p, const auto& q) {
-      const auto x1 = static_cast<double>(coordinate(p, 0)), y1 = static_cast<double>(coordinate(p, 1));
-      const auto x2 = static_cast<double>(coordinate(q, 0)), y2 = static_cast<double>(coordinate(q, 1));
+      const auto x1 = widened(coordinate(p, 0)), y1 = widened(coordinate(p, 1));
+      const auto x2 = widened(coordinate(q, 0)), y2 = widened(coordinate(q, 1));
       detail::add_moment(x, x1, y1, x2, y2, x1, x2);
       detail::add_moment(y, x1, y1, x2, y2, y1, y2);
       area.add(3.0, x1, y2), area.subtract(3.0, x2, y1);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/geometry/sphere.hpp>
 
@@ -113,10 +114,10 @@ struct guessed_side {
 };
 template <Floating T, int N, Point P>
 constexpr guessed_side guess_side(const bounding_sphere<T, N>& ball, const P& p) noexcept {
-  const double radius = static_cast<double>(ball.radius);
+  const double radius = widened(ball.radius);
   double squared = 0, reach = radius;
   for (int i = 0; i < N; ++i) {
-    const double c = static_cast<double>(ball.centre[i]), x = static_cast<double>(coordinate(p, i));
+    const double c = widened(ball.centre[i]), x = widened(coordinate(p, i));
     reach = greater(reach, greater(magnitude(c), magnitude(x)));
     if (!(reach < 0x1p400)) return {};
     squared = squared + product(x - c, x - c);

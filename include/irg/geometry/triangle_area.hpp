@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/math/compensated.hpp>
 #include <irg/math/hypot.hpp>
@@ -49,7 +50,7 @@ constexpr double signed_area_of_doubles(double ax, double ay, double bx, double 
 
 template <class P>
 IRG_INLINE constexpr double signed_area_in_plane(const P& a, const P& b, const P& c, int x, int y) noexcept {
-  const auto at = [](const P& p, int i) { return static_cast<double>(coordinate(p, i)); };
+  const auto at = [](const P& p, int i) { return widened(coordinate(p, i)); };
   return signed_area_of_doubles(at(a, x), at(a, y), at(b, x), at(b, y), at(c, x), at(c, y));
 }
 
@@ -108,8 +109,8 @@ IRG_INLINE constexpr scalar_of<P> signed_triangle_area_fast(const P& a, const P&
 /// source  Kahan 1986, "Miscalculating area and angles of a needle-like triangle"
 template <Floating T>
 constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
-  double x = static_cast<double>(greater(a, greater(b, c))), z = static_cast<double>(lesser(a, lesser(b, c)));
-  double y = static_cast<double>(greater(lesser(a, b), lesser(greater(a, b), c)));
+  double x = widened(greater(a, greater(b, c))), z = widened(lesser(a, lesser(b, c)));
+  double y = widened(greater(lesser(a, b), lesser(greater(a, b), c)));
   if (!(a >= 0 && b >= 0 && c >= 0) || !detail::is_finite(x)) return std::nullopt;
   const bool is_small = x < 0x1p-900;
   if (is_small) x *= 0x1p100, y *= 0x1p100, z *= 0x1p100;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/mesh/normals.hpp>
@@ -171,9 +172,7 @@ template <detail::mesh_in_space M>
 constexpr face_side side_of_face(const M& m, std::size_t f, const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
   const vec<double, 3> normal = detail::newell_sum(detail::edges_of_face(m, f));
   const auto first = mesh_position(m, mesh_face_vertex(m, f, 0));
-  const auto towards = [&](int i) {
-    return static_cast<double>(eye[i]) - product(static_cast<double>(eye.w), static_cast<double>(coordinate(first, i)));
-  };
+  const auto towards = [&](int i) { return widened(eye[i]) - product(widened(eye.w), widened(coordinate(first, i))); };
   return detail::face_side_of_sign(dot(normal, vec<double, 3>{towards(0), towards(1), towards(2)}));
 }
 

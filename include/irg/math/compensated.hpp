@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/math/detail/compensated_terms.hpp>
 #include <irg/math/detail/unrounded.hpp>
@@ -88,11 +89,11 @@ IRG_INLINE constexpr T nearest_dot(std::size_t n, const A& a, const B& b) noexce
 
 template <class T>
 IRG_INLINE constexpr auto doubles_of(std::span<const T> x) noexcept {
-  return [x](std::size_t i) { return static_cast<double>(x[i]); };
+  return [x](std::size_t i) { return widened(x[i]); };
 }
 template <Vector V>
 IRG_INLINE constexpr auto doubles_of(const V& v) noexcept {
-  return [&v](std::size_t i) { return static_cast<double>(coordinate(v, static_cast<int>(i))); };
+  return [&v](std::size_t i) { return widened(coordinate(v, static_cast<int>(i))); };
 }
 
 /// Whether the numbers are so small that bounded_sum does not overflow.

@@ -3,6 +3,7 @@
 // says whether a matrix is singular and whether it turns left into right.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_minors.hpp>
 
 namespace irg {
@@ -16,8 +17,7 @@ template <Floating T, int N>
   requires(N <= 4)
 constexpr T determinant_exact(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return determinant(a);
-  return detail::rounded_once<T>(
-      detail::exact_determinant<N>([&](int r, int c) { return static_cast<double>(a(r, c)); }));
+  return detail::rounded_once<T>(detail::exact_determinant<N>([&](int r, int c) { return widened(a(r, c)); }));
 }
 
 /// The sign of the determinant of `a`: 1, -1 where `a` turns left into right, 0 exactly where it is singular.
@@ -28,7 +28,7 @@ template <Floating T, int N>
   requires(N <= 4)
 constexpr int determinant_sign(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return 0;
-  return detail::exact_determinant<N>([&](int r, int c) { return static_cast<double>(a(r, c)); }).sign();
+  return detail::exact_determinant<N>([&](int r, int c) { return widened(a(r, c)); }).sign();
 }
 
 }  // namespace IRG_ABI

@@ -6,6 +6,7 @@
 
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/float_bits.hpp>
@@ -78,9 +79,9 @@ IRG_INLINE constexpr split_number<T> split(T x) noexcept {
 template <Floating T>
 IRG_INLINE constexpr exact_sum<T> fast_two_product(T a, T b) noexcept {
   if constexpr (std::is_same_v<T, float>) {
-    const double exact = static_cast<double>(a) * static_cast<double>(b);
-    const float value = static_cast<float>(exact);
-    return {value, static_cast<float>(exact - static_cast<double>(value))};
+    const double exact = widened(a) * widened(b);
+    const float value = converted<float>(exact);
+    return {value, converted<float>(exact - widened(value))};
   } else {
     const double value = product(a, b);
 #ifdef IRG_HAS_FMA
@@ -154,8 +155,7 @@ IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
 template <Floating T>
 IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
   if constexpr (std::is_same_v<T, float>) {
-    return static_cast<float>(static_cast<double>(a) * static_cast<double>(b) -
-                              static_cast<double>(c) * static_cast<double>(d));
+    return converted<float>(widened(a) * widened(b) - widened(c) * widened(d));
   } else {
     if (!detail::product_is_moderate(a, b) || !detail::product_is_moderate(c, d))
       return detail::difference_of_products_scaled(a, b, c, d);

@@ -3,6 +3,7 @@
 // instruction set. float arguments are computed in double and rounded once more.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exponential_kernels.hpp>
 #include <irg/math/detail/hard_floats.hpp>
 
@@ -16,7 +17,7 @@ inline namespace IRG_ABI {
 /// source  Tang 1989 (table and short polynomial); coefficients by scripts/generate
 template <Floating T>
 constexpr T exp(T x) noexcept {
-  return detail::narrow<T>(detail::exp_of({static_cast<double>(x), 0.0}));
+  return detail::narrow<T>(detail::exp_of({widened(x), 0.0}));
 }
 
 /// 2^x.
@@ -25,8 +26,7 @@ constexpr T exp(T x) noexcept {
 /// cost    as exp
 template <Floating T>
 constexpr T exp2(T x) noexcept {
-  return detail::nearest_result<detail::symmetry::none>(x, detail::exp2_of(static_cast<double>(x)),
-                                                        detail::hard_powers_of_two);
+  return detail::nearest_result<detail::symmetry::none>(x, detail::exp2_of(widened(x)), detail::hard_powers_of_two);
 }
 
 /// The natural logarithm of x.
@@ -37,7 +37,7 @@ constexpr T exp2(T x) noexcept {
 template <Floating T>
 constexpr T log(T x) noexcept {
   if (!(x > T(0))) return x == T(0) ? -detail::infinity<T> : detail::not_a_number<T>;
-  return x < detail::infinity<T> ? detail::round_to<T>(detail::log_of(static_cast<double>(x))) : x;
+  return x < detail::infinity<T> ? detail::round_to<T>(detail::log_of(widened(x))) : x;
 }
 
 /// The logarithm of x to base 2.
@@ -47,8 +47,8 @@ constexpr T log(T x) noexcept {
 template <Floating T>
 constexpr T log2(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::round_to<T>(detail::multiply(detail::log_of(static_cast<double>(x)),
-                                              {detail::inverse_log_two_high, detail::inverse_log_two_low}));
+  return detail::round_to<T>(
+      detail::multiply(detail::log_of(widened(x)), {detail::inverse_log_two_high, detail::inverse_log_two_low}));
 }
 
 /// The logarithm of x to base 10.
@@ -58,8 +58,8 @@ constexpr T log2(T x) noexcept {
 template <Floating T>
 constexpr T log10(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::round_to<T>(detail::multiply(detail::log_of(static_cast<double>(x)),
-                                              {detail::inverse_log_ten_high, detail::inverse_log_ten_low}));
+  return detail::round_to<T>(
+      detail::multiply(detail::log_of(widened(x)), {detail::inverse_log_ten_high, detail::inverse_log_ten_low}));
 }
 
 /// x to the power y.
@@ -70,7 +70,7 @@ constexpr T log10(T x) noexcept {
 /// source  the logarithm carries 14 bits beyond double
 template <Floating T>
 constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
-  return detail::narrow<T>(detail::pow_of(static_cast<double>(x), static_cast<double>(y)));
+  return detail::narrow<T>(detail::pow_of(widened(x), widened(y)));
 }
 
 /// The cube root of x.
@@ -80,9 +80,9 @@ constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
 /// source  Halley 1694; the last step compares the exact cube of a 26-bit root
 template <Floating T>
 constexpr T cbrt(T x) noexcept {
-  const double size = detail::magnitude(static_cast<double>(x));
+  const double size = detail::magnitude(widened(x));
   if (!(size > 0 && size < detail::infinity<double>)) return x;
-  return detail::narrow<T>(detail::with_sign(detail::cbrt_of(size), static_cast<double>(x)));
+  return detail::narrow<T>(detail::with_sign(detail::cbrt_of(size), widened(x)));
 }
 
 }  // namespace IRG_ABI

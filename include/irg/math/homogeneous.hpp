@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/math/wide_int.hpp>
@@ -38,7 +39,7 @@ constexpr normalized_product normalized_product_of(double a, double b) noexcept 
 template <class T>
 constexpr bool products_equal(const T& a, const T& b, const T& c, const T& d) noexcept {
   if constexpr (std::same_as<T, float>) {
-    return static_cast<double>(a) * static_cast<double>(b) == static_cast<double>(c) * static_cast<double>(d);
+    return widened(a) * widened(b) == widened(c) * widened(d);
   } else if constexpr (std::same_as<T, double>) {
     if (a == 0 || b == 0 || c == 0 || d == 0) return (a == 0 || b == 0) == (c == 0 || d == 0);
     return normalized_product_of(a, b) == normalized_product_of(c, d);

@@ -2,6 +2,7 @@
 // The length of a vector of two or three coordinates, over the whole range of exponents.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/sqrt.hpp>
 
@@ -59,9 +60,9 @@ constexpr T hypot(T x, T y, T z) noexcept {
     return detail::hypotenuse(x, y, z);
   } else {
     // In double the squares are exact and cannot overflow.
-    const double xx = static_cast<double>(x) * static_cast<double>(x);
-    const double yy = static_cast<double>(y) * static_cast<double>(y);
-    const double zz = static_cast<double>(z) * static_cast<double>(z);
+    const double xx = widened(x) * widened(x);
+    const double yy = widened(y) * widened(y);
+    const double zz = widened(z) * widened(z);
     return detail::narrow<T>(sqrt((xx + yy) + zz));
   }
 }

@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/elimination.hpp>
 #include <irg/math/detail/inverse_kernel.hpp>
 #include <irg/math/lu.hpp>
@@ -115,7 +116,7 @@ constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
 /// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
 template <Floating T, int N>
 constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return static_cast<double>(a(r, c)); });
+  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
   const auto s = detail::factor_scaled(wide);
   if (!s) return std::nullopt;
   mat<T, N, N> result{};
@@ -125,7 +126,7 @@ constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) no
     unit[c] = 1;
     if (!detail::refine(*s, unit, x) || !(detail::size_1(x) < largest_column)) return std::nullopt;
     for (int r = 0; r < N; ++r)
-      result(r, c) = static_cast<T>(detail::times_power_of_two(x[r], -s->column_exponent[r] - s->row_exponent[c]));
+      result(r, c) = converted<T>(detail::times_power_of_two(x[r], -s->column_exponent[r] - s->row_exponent[c]));
   }
   if (!detail::entries_finite<T>(result, N, N)) return std::nullopt;
   return result;

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_minors.hpp>
 
 namespace irg {
@@ -21,7 +22,7 @@ template <Floating T, int N>
   requires(N >= 2 && N <= 4)
 constexpr std::optional<mat<T, N, N>> inverse_exact(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
-  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const auto below = detail::exact_determinant<N>(entry);
   if (below.sign() == 0) return std::nullopt;
   const detail::scaled_sum divisor = detail::scaled_parts(below);

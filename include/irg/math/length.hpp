@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/float_bits.hpp>
 #include <irg/math/detail/vector_angle.hpp>
@@ -40,7 +41,7 @@ constexpr scaled_coordinates<size_of<V>> scaled(const V& v) noexcept {
   scaled_coordinates<size_of<V>> s;
   std::uint64_t largest = 0;  // sizes are ordered as their bits are, with infinity and NaN at the end
   for (int i = 0; i < size_of<V>; ++i) {
-    s.c[i] = static_cast<double>(coordinate(v, i));
+    s.c[i] = widened(coordinate(v, i));
     const std::uint64_t size = bits_of(magnitude(s.c[i]));
     largest = size > largest ? size : largest;
   }
@@ -117,7 +118,7 @@ constexpr std::optional<V> try_normalize(const V& v) noexcept {
   const auto s = detail::scaled(v);
   if (!(s.scale > 0)) return std::nullopt;
   const double length = detail::scaled_length<scalar_of<V>>(s);
-  return generate_coordinates<V>([&](int i) { return static_cast<scalar_of<V>>(s.c[i] / length); });
+  return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(s.c[i] / length); });
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -174,11 +175,11 @@ constexpr scalar_of<A> angle_between(const A& a, const B& b) noexcept {
   using T = scalar_of<A>;
   double c[static_cast<std::size_t>(size_of<A>)]{}, d[static_cast<std::size_t>(size_of<A>)]{};
   for (int i = 0; i < size_of<A>; ++i) {
-    c[i] = static_cast<double>(coordinate(a, i));
-    d[i] = static_cast<double>(coordinate(b, i));
+    c[i] = widened(coordinate(a, i));
+    d[i] = widened(coordinate(b, i));
   }
   const bool is_moderate = detail::has_moderate_coordinates(c) && detail::has_moderate_coordinates(d);
-  return static_cast<T>(is_moderate ? detail::angle_between_moderate<T>(c, d) : detail::angle_between_any(a, b));
+  return converted<T>(is_moderate ? detail::angle_between_moderate<T>(c, d) : detail::angle_between_any(a, b));
 }
 
 }  // namespace IRG_ABI

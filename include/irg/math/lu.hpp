@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/mat.hpp>
 
@@ -172,8 +173,8 @@ inline namespace IRG_ABI {
 /// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
 template <Floating T, int N>
 constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return static_cast<double>(a(r, c)); });
-  auto right = generate_coordinates<vec<double, N>>([&](int i) { return static_cast<double>(b[i]); });
+  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
+  auto right = generate_coordinates<vec<double, N>>([&](int i) { return widened(b[i]); });
   const auto s = detail::factor_scaled(wide);
   if (!s || !(reciprocal_condition(s->a, s->factors) > detail::smallest_condition(N))) return std::nullopt;
   for (int i = 0; i < N; ++i)
@@ -182,7 +183,7 @@ constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const
   vec<double, N> x{};
   if (!detail::refine(*s, right, x)) return std::nullopt;
   const auto result = generate_coordinates<vec<T, N>>(
-      [&](int j) { return static_cast<T>(detail::times_power_of_two(x[j], shift - s->column_exponent[j])); });
+      [&](int j) { return converted<T>(detail::times_power_of_two(x[j], shift - s->column_exponent[j])); });
   for (int j = 0; j < N; ++j)
     if (!detail::is_finite(result[j])) return std::nullopt;
   return result;

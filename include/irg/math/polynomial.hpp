@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/math/compensated.hpp>
 
@@ -115,9 +116,9 @@ IRG_NOINLINE constexpr exact_accumulator<static_cast<int>(N)> exact_horner(const
 }
 
 template <Floating T, std::size_t N>
-constexpr std::array<double, N> widened(const std::array<T, N>& c) noexcept {
+constexpr std::array<double, N> all_widened(const std::array<T, N>& c) noexcept {
   std::array<double, N> wide{};
-  for (std::size_t i = 0; i < N; ++i) wide[i] = static_cast<double>(c[i]);
+  for (std::size_t i = 0; i < N; ++i) wide[i] = widened(c[i]);
   return wide;
 }
 
@@ -167,8 +168,8 @@ constexpr coefficient_of<C> evaluate_polynomial_accurate(const C& c,
   using T = coefficient_of<C>;
   const std::size_t n = std::size(c);
   IRG_EXPECTS(n < 500);
-  const auto wide = [&](std::size_t i) { return static_cast<double>(c[i]); };
-  const double at = static_cast<double>(x);
+  const auto wide = [&](std::size_t i) { return widened(c[i]); };
+  const double at = widened(x);
   if (n > 0 && detail::can_be_bounded(n, wide, at)) {
     const detail::compensated_sum sum = detail::bounded_horner(n, wide, at);
     return detail::narrow<T>(sum.value + sum.error);
@@ -187,13 +188,13 @@ constexpr coefficient_of<C> evaluate_polynomial_accurate(const C& c,
 template <Floating T, std::size_t N>
   requires(N >= 1 && N <= 7)
 constexpr T evaluate_polynomial_exact(const std::array<T, N>& c, std::type_identity_t<T> x) noexcept {
-  const std::array<double, N> wide = detail::widened(c);
+  const std::array<double, N> wide = detail::all_widened(c);
   const auto at = [&](std::size_t i) { return wide[i]; };
   T rounded{};
-  if (detail::can_be_bounded(N, at, static_cast<double>(x)) &&
-      detail::round_safely(detail::bounded_horner(N, at, static_cast<double>(x)), rounded))
+  if (detail::can_be_bounded(N, at, widened(x)) &&
+      detail::round_safely(detail::bounded_horner(N, at, widened(x)), rounded))
     return rounded;
-  return detail::rounded_once<T>(detail::exact_horner(wide, static_cast<double>(x)));
+  return detail::rounded_once<T>(detail::exact_horner(wide, widened(x)));
 }
 
 /// -1, 0 or 1: the sign of the polynomial's value at x, for up to seven coefficients.
@@ -203,15 +204,15 @@ constexpr T evaluate_polynomial_exact(const std::array<T, N>& c, std::type_ident
 template <Floating T, std::size_t N>
   requires(N >= 1 && N <= 7)
 constexpr int polynomial_sign(const std::array<T, N>& c, std::type_identity_t<T> x) noexcept {
-  const std::array<double, N> wide = detail::widened(c);
+  const std::array<double, N> wide = detail::all_widened(c);
   const auto at = [&](std::size_t i) { return wide[i]; };
-  if (detail::can_be_bounded(N, at, static_cast<double>(x))) {
-    const detail::compensated_sum sum = detail::bounded_horner(N, at, static_cast<double>(x));
+  if (detail::can_be_bounded(N, at, widened(x))) {
+    const detail::compensated_sum sum = detail::bounded_horner(N, at, widened(x));
     const double value = sum.value + sum.error;
     if (detail::magnitude(value) > 2 * sum.bound) return value < 0 ? -1 : 1;
     if (value == 0 && sum.bound == 0) return 0;
   }
-  return detail::exact_horner(wide, static_cast<double>(x)).sign();
+  return detail::exact_horner(wide, widened(x)).sign();
 }
 
 /// The coefficients of the derivative; 0 for a constant.

@@ -3,6 +3,7 @@
 // digits, for coefficients of any size.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/cubic.hpp>
 
 namespace irg {
@@ -153,7 +154,7 @@ template <Floating T>
 constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
   if (!detail::is_finite(a) || !detail::is_finite(b) || !detail::is_finite(c))
     return detail::no_equation<T, 2>(roots_kind::undefined);
-  return detail::roots_of_quadratic<T, 2>(static_cast<double>(a), static_cast<double>(b), static_cast<double>(c));
+  return detail::roots_of_quadratic<T, 2>(widened(a), widened(b), widened(c));
 }
 
 /// The real roots of a*x^2 + b*x + c = 0 by the stable formula in working precision.
@@ -193,8 +194,7 @@ constexpr real_roots<T, 2> quadratic_roots_textbook(T a, T b, T c) noexcept {
 /// source  Kahan 1986 and Blinn 2006 (starting places); the enclosure by exact signs is irg's own
 template <Floating T>
 constexpr real_roots<T, 3> cubic_roots(T a, T b, T c, T d) noexcept {
-  const detail::cubic_coefficients p{static_cast<double>(d), static_cast<double>(c), static_cast<double>(b),
-                                     static_cast<double>(a)};
+  const detail::cubic_coefficients p{widened(d), widened(c), widened(b), widened(a)};
   if (!detail::all_finite(4, [&](std::size_t i) { return p[i]; }))
     return detail::no_equation<T, 3>(roots_kind::undefined);
   if (a == 0) return detail::roots_of_quadratic<T, 3>(p[2], p[1], p[0]);

@@ -4,6 +4,7 @@
 // solve_exact (math/solve_exact.hpp) decides that exactly for floats.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/mat.hpp>
 
@@ -144,7 +145,7 @@ constexpr system_solution<T, N> solve_gauss(const mat<T, N, M>& a) noexcept {
   const detail::eliminated result =
       detail::solve_rows(rows, N, column, exponents, largest_term, [&](int i) -> W& { return x[i]; });
   if (result.kind != solvability::unique) return {result.kind, result.rank, {}};
-  const auto solution = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
+  const auto solution = generate_coordinates<vec<T, N>>([&](int i) { return converted<T>(x[i]); });
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i)
       if (!detail::is_finite(solution[i])) return {solvability::not_finite, N, {}};

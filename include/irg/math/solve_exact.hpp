@@ -3,6 +3,7 @@
 // correctly rounded, infinitely many, or none.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_minors.hpp>
 #include <irg/math/solve.hpp>
 
@@ -22,7 +23,7 @@ template <Floating T, int N, int M>
   requires(M == N + 1 && N <= 4)
 constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, M)) return {};
-  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const auto below = detail::exact_determinant<N>(entry);
   if (below.sign() == 0) {
     const int rank = detail::exact_rank<N - 1>(N, N, entry);

@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/error_free.hpp>
 
 namespace irg {
@@ -76,7 +77,7 @@ IRG_INLINE constexpr T sqrt(T x) noexcept {
   if (!std::is_constant_evaluated()) return detail::sqrt_instruction(x);
   if (!(x > T(0))) return x == T(0) ? x : detail::not_a_number<T>;
   // A float's root taken in double rounds to the right float: 53 >= 2 * 24 + 2 bits.
-  return detail::is_finite(x) ? static_cast<T>(detail::sqrt_of_positive(static_cast<double>(x))) : x;
+  return detail::is_finite(x) ? converted<T>(detail::sqrt_of_positive(widened(x))) : x;
 }
 
 }  // namespace IRG_ABI

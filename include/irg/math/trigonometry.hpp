@@ -3,6 +3,7 @@
 // instruction set. float arguments are computed in double and rounded once more.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/detail/hard_floats.hpp>
 #include <irg/math/detail/tangent_kernels.hpp>
@@ -90,16 +91,14 @@ constexpr T tan(T x) noexcept {
 /// exact   double within 0.51 ulp, subnormal results too; float the nearest one
 template <Floating T>
 constexpr T radians(T x) noexcept {
-  return detail::narrow<T>(
-      detail::multiply_by_constant(static_cast<double>(x), detail::degree_high, detail::degree_low));
+  return detail::narrow<T>(detail::multiply_by_constant(widened(x), detail::degree_high, detail::degree_low));
 }
 
 /// The angle of x radians in degrees.
 /// exact   double within 0.51 ulp, float the nearest one
 template <Floating T>
 constexpr T degrees(T x) noexcept {
-  return detail::narrow<T>(
-      detail::multiply_by_constant(static_cast<double>(x), detail::radian_high, detail::radian_low));
+  return detail::narrow<T>(detail::multiply_by_constant(widened(x), detail::radian_high, detail::radian_low));
 }
 
 /// The sine and the cosine of an angle in degrees.
@@ -112,7 +111,7 @@ template <Floating T>
 constexpr sine_and_cosine<T> sin_cos_degrees(T x) noexcept {
   if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
   if (detail::is_tiny_angle(x)) return {radians(x), T(1)};
-  const detail::quadrant_angle angle = detail::reduce_degrees(static_cast<double>(x));
+  const detail::quadrant_angle angle = detail::reduce_degrees(widened(x));
   const T sine = detail::narrow<T>(detail::rounded_sine(angle));
   return {sine == 0 && detail::is_negative(x) ? T(-0.0) : sine + T(0),
           detail::narrow<T>(detail::rounded_cosine(angle)) + T(0)};

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/coordinates.hpp>
@@ -98,7 +99,7 @@ struct coordinate_traits<vec<T, N>> {
   IRG_INLINE static constexpr T get(const vec<T, N>& v, int i) noexcept { return v.elements[i]; }
   template <class... S>
   IRG_INLINE static constexpr vec<T, N> make(S... c) noexcept {
-    return {{static_cast<T>(c)...}};
+    return {{converted<T>(c)...}};
   }
 };
 

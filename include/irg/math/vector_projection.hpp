@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/exact_sum.hpp>
 #include <irg/math/length.hpp>
 
@@ -42,7 +43,7 @@ constexpr std::optional<scalar_of<A>> scalar_projection(const A& a, const B& b) 
   const auto t = detail::scaled(b);
   if (!detail::can_project(s, t)) return std::nullopt;
   if (s.scale == 0) return scalar_of<A>(0);
-  return static_cast<scalar_of<A>>(detail::accurate_product(s, t) / detail::scaled_length<double>(t) / s.scale);
+  return converted<scalar_of<A>>(detail::accurate_product(s, t) / detail::scaled_length<double>(t) / s.scale);
 }
 
 /// The part of a along b: the vector with b's direction, or the opposite, that a minus it is at right angles to b.
@@ -59,7 +60,7 @@ constexpr std::optional<B> vector_projection(const A& a, const B& b) noexcept {
     if (!detail::can_project(s, t)) return std::nullopt;
     if (s.scale == 0) return generate_coordinates<B>([](int) { return T(0); });
     const double part = detail::accurate_product(s, t) / detail::accurate_product(t, t);
-    return generate_coordinates<B>([&](int i) { return static_cast<T>(product(part, t.c[i]) / s.scale); });
+    return generate_coordinates<B>([&](int i) { return converted<T>(product(part, t.c[i]) / s.scale); });
   } else {
     const T square = dot(b, b);
     if (square == T(0)) return std::nullopt;
@@ -80,7 +81,7 @@ constexpr std::optional<scalar_of<A>> cosine_between(const A& a, const B& b) noe
   if (!detail::can_project(s, t) || s.scale == 0) return std::nullopt;
   const double cosine =
       detail::accurate_product(s, t) / detail::scaled_length<double>(s) / detail::scaled_length<double>(t);
-  return static_cast<scalar_of<A>>(clamp(cosine, -1.0, 1.0));
+  return converted<scalar_of<A>>(clamp(cosine, -1.0, 1.0));
 }
 
 /// 1, 0 or -1 as the angle between two vectors is below, at or above a right angle; 0 when one is zero.
@@ -90,8 +91,7 @@ template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 constexpr int dot_sign(const A& a, const B& b) noexcept {
   exact_accumulator<2> sum;
-  for (int i = 0; i < size_of<A>; ++i)
-    sum.add(static_cast<double>(coordinate(a, i)), static_cast<double>(coordinate(b, i)));
+  for (int i = 0; i < size_of<A>; ++i) sum.add(widened(coordinate(a, i)), widened(coordinate(b, i)));
   return sum.sign();
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/length.hpp>
@@ -41,8 +42,8 @@ struct polygon_edges {
 
   IRG_INLINE constexpr vec<double, 3> operator()(std::size_t from, std::size_t to) const noexcept {
     return generate_coordinates<vec<double, 3>>([&](int i) {
-      const double a = static_cast<double>(coordinate(position(from), i));
-      const double b = static_cast<double>(coordinate(position(to), i));
+      const double a = widened(coordinate(position(from), i));
+      const double b = widened(coordinate(position(to), i));
       return (product(b, before) - product(a, before)) * after;
     });
   }
@@ -56,7 +57,7 @@ constexpr polygon_edges<Position> edges_of(std::size_t count, const Position& po
   double reach = 0, largest = 0;
   for (std::size_t k = 0; k < count; ++k)
     for (int i = 0; i < 3; ++i) {
-      const double size = magnitude(static_cast<double>(coordinate(position(k), i)));
+      const double size = magnitude(widened(coordinate(position(k), i)));
       if (!is_finite(size)) return {count, position, 1, 0};
       reach = greater(reach, size);
     }
@@ -100,7 +101,7 @@ constexpr double area_scale(const M& m) noexcept {
   double largest = 0;
   for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v)
     for (int i = 0; i < 3; ++i) {
-      const double size = magnitude(static_cast<double>(coordinate(mesh_traits<M>::position(m, v), i)));
+      const double size = magnitude(widened(coordinate(mesh_traits<M>::position(m, v), i)));
       if (is_finite(size)) largest = greater(largest, size);
     }
   return largest > 0 ? power_of_two_for(largest) : 1;
@@ -138,7 +139,7 @@ constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::siz
   using V = detail::mesh_normal<M>;
   const auto unit = try_normalize(detail::newell_sum(detail::edges_of_face(m, f)));
   if (!unit) return std::nullopt;
-  return generate_coordinates<V>([&](int i) { return static_cast<scalar_of<V>>((*unit)[i]); });
+  return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>((*unit)[i]); });
 }
 
 /// The normal at every vertex of a mesh, of length 1: the normals of the faces around it, weighted, summed in the order
@@ -169,7 +170,7 @@ constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m,
     for (std::size_t k = 0; k < edges.count; ++k) {
       if (weight == normal_weight::angle) share = detail::corner_angle(edges, k, *unit);
       V& normal = normals[mesh_traits<M>::face_vertex(m, f, k)];
-      normal += generate_coordinates<V>([&](int i) { return static_cast<scalar_of<V>>(product((*unit)[i], share)); });
+      normal += generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(product((*unit)[i], share)); });
     }
   }
   for (V& normal : normals) normal = normalized(normal);

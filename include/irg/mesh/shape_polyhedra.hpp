@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/mesh/mesh.hpp>
@@ -79,7 +80,7 @@ constexpr mesh<T> shape_octahedron() {
 template <Floating T>
 constexpr mesh<T> shape_icosahedron() {
   const double golden = golden_ratio<double>, length = sqrt(1 + product(golden, golden));
-  const T o = 0, i = static_cast<T>(1 / length), g = static_cast<T>(golden / length);
+  const T o = 0, i = converted<T>(1 / length), g = converted<T>(golden / length);
   mesh<T> m;
   m.positions = {{-i, g, o},  {i, g, o},  {-i, -g, o}, {i, -g, o}, {o, -i, g},  {o, i, g},
                  {o, -i, -g}, {o, i, -g}, {g, o, -i},  {g, o, i},  {-g, o, -i}, {-g, o, i}};

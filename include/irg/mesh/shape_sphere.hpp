@@ -2,6 +2,7 @@
 // The unit sphere and the torus as closed triangle meshes with smooth normals.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/mesh/detail/rings.hpp>
 #include <irg/mesh/mesh.hpp>
 
@@ -33,7 +34,7 @@ constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
   mesh<T> m;
   detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
     const vec<double, 2> across = detail::circle_point(i, slices), down = detail::circle_point(j, 2 * stacks);
-    const vec<T, 3> n{static_cast<T>(down.y * across.x), static_cast<T>(down.x), static_cast<T>(down.y * across.y)};
+    const vec<T, 3> n{converted<T>(down.y * across.x), converted<T>(down.x), converted<T>(down.y * across.y)};
     return detail::surface_vertex<T>{to_point(n), n};
   });
   return m;
@@ -48,16 +49,15 @@ template <Floating T>
 constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
   const int major = detail::clamped(options.major_segments, 3, 4096);
   const int minor = detail::clamped(options.minor_segments, 3, 4096);
-  const double ring_radius = static_cast<double>(options.major_radius),
-               tube_radius = static_cast<double>(options.minor_radius);
+  const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);
   mesh<T> m;
   detail::add_rings(m, major, minor, detail::ring_end::closed, detail::ring_end::closed, [&](int i, int j) {
     const vec<double, 2> across = detail::circle_point(i, major), tube = detail::circle_point(j, minor);
     const double radius = ring_radius + product(tube_radius, tube.x);
     return detail::surface_vertex<T>{
-        {static_cast<T>(radius * across.x), static_cast<T>(0 - product(tube_radius, tube.y)),
-         static_cast<T>(radius * across.y)},
-        {static_cast<T>(tube.x * across.x), static_cast<T>(0 - tube.y), static_cast<T>(tube.x * across.y)}};
+        {converted<T>(radius * across.x), converted<T>(0 - product(tube_radius, tube.y)),
+         converted<T>(radius * across.y)},
+        {converted<T>(tube.x * across.x), converted<T>(0 - tube.y), converted<T>(tube.x * across.y)}};
   });
   return m;
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/raster/depth.hpp>
@@ -104,7 +105,7 @@ struct depth_fixed {
   /// The multiple nearest to z, the greater on a tie; z is limited to [0, 1], NaN is the farthest.
   IRG_INLINE static constexpr stored encode(float z) noexcept {
     // 24 bits by 24: the product, its floor and what is left are exact.
-    const double steps = static_cast<double>(detail::depth_in_range<order>(z)) * double{largest};
+    const double steps = widened(detail::depth_in_range<order>(z)) * double{largest};
     const auto whole = static_cast<std::int32_t>(steps);
     return static_cast<stored>(whole + (steps - static_cast<double>(whole) >= 0.5 ? 1 : 0));
   }

@@ -2,6 +2,7 @@
 // line_aa: the exact area that a line of a given width covers of each pixel.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/line_aa_shape.hpp>
@@ -74,8 +75,8 @@ struct aa_drawing {
 
   // Rows [first, last) between the caps of a line about one pixel wide.
   constexpr void thin_rows(int first, int last) const {
-    const auto slope = static_cast<float>(s.slope), width = static_cast<float>(s.width),
-               change = s.slant <= 1.0 ? 1.0f : slope, left = static_cast<float>(0.5 - 0.5 * (s.slant + s.across));
+    const auto slope = converted<float>(s.slope), width = converted<float>(s.width),
+               change = s.slant <= 1.0 ? 1.0f : slope, left = converted<float>(0.5 - 0.5 * (s.slant + s.across));
     if constexpr (Inside) {
       const aa_walk walk = aa_walk_at(s, first);
       const int y = f.y.at(first), sign_y = f.y.sign(), rows = last - first, base = f.x.at(0), sign = f.x.sign();

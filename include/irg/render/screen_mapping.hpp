@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/raster/draw_triangle.hpp>
@@ -61,9 +62,8 @@ IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen
   const T x = product(product(p.x * up, inverse), m.half_width) + m.centre_x;
   const T y = m.centre_y - product(product(p.y * up, inverse), m.half_height);
   const T most = T(0x1p126) / up;
-  return {{snap(x), snap(y)},
-          static_cast<float>(product(p.z * up, inverse)),
-          static_cast<float>(lesser(inverse, most) * up)};
+  return {
+      {snap(x), snap(y)}, converted<float>(product(p.z * up, inverse)), converted<float>(lesser(inverse, most) * up)};
 }
 
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.

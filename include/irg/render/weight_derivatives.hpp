@@ -11,6 +11,7 @@
 // and with Y alike. Nothing is divided by a w, so vertices may lie behind the eye.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/raster/fragment.hpp>
 #include <irg/render/triangle_batch.hpp>
 
@@ -50,7 +51,7 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // A float, not beyond the range of floats.
-IRG_INLINE constexpr float limited_float(double x) noexcept { return static_cast<float>(clamp(x, -0x1p100, 0x1p100)); }
+IRG_INLINE constexpr float limited_float(double x) noexcept { return converted<float>(clamp(x, -0x1p100, 0x1p100)); }
 
 }  // namespace IRG_ABI
 }  // namespace detail
@@ -68,9 +69,9 @@ constexpr weight_derivatives make_weight_derivatives(const triangle_batch<T>& ba
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
     const hpoint<T, 3> v = clip_position(*batch.vertices, batch.triangles[triangle].v[i]);
-    const double w = static_cast<double>(v.w);
-    p[i] = {product(static_cast<double>(v.x), static_cast<double>(mapping.half_width)),
-            -product(static_cast<double>(v.y), static_cast<double>(mapping.half_height)), w};
+    const double w = widened(v.w);
+    p[i] = {product(widened(v.x), widened(mapping.half_width)), -product(widened(v.y), widened(mapping.half_height)),
+            w};
     largest = greater(largest, w < 0 ? -w : w);
   }
   if (!(0 < largest)) return {};
@@ -83,7 +84,7 @@ constexpr weight_derivatives make_weight_derivatives(const triangle_batch<T>& ba
   for (int i = 0; i < 3; ++i) {
     r.right[i] = detail::limited_float((i == 0 ? c1.x : i == 1 ? c2.x : sum_right) / d);
     r.down[i] = detail::limited_float((i == 0 ? c1.y : i == 1 ? c2.y : sum_down) / d);
-    r.w[i] = static_cast<float>(p[i].z);
+    r.w[i] = converted<float>(p[i].z);
   }
   return r;
 }

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
@@ -117,7 +118,7 @@ constexpr plane_projection_result<typename plane_traits<P>::scalar> projection_o
         const double entry = detail::quotient(n, height);
         if (!(detail::magnitude(entry) <= static_cast<double>((std::numeric_limits<T>::max)())))
           return detail::refused_plane_projection<T>(not_representable);
-        result.matrix(r, c) = static_cast<T>(entry);
+        result.matrix(r, c) = converted<T>(entry);
       } else {
         result.matrix(r, c) = n / height;
       }

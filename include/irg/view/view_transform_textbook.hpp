@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/length.hpp>
@@ -155,10 +156,9 @@ template <class T>
 constexpr std::optional<T> textbook_proportion(T x, T h, T z) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)();
   if constexpr (std::same_as<T, float>) {
-    const double q =
-        static_cast<double>(x) * static_cast<double>(h) / static_cast<double>(z);  // exact but the division
+    const double q = widened(x) * widened(h) / widened(z);  // exact but the division
     if (!(magnitude(q) <= static_cast<double>(most))) return std::nullopt;
-    return static_cast<float>(q);
+    return converted<float>(q);
   } else {
     const auto moderate = [](T v) { return T(0x1p-300) <= v && v <= T(0x1p300); };
     if (x == T(0)) return T(0);

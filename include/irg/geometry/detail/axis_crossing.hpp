@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/detail/crossing_kernel.hpp>
 #include <irg/math/exact_sum.hpp>
 
@@ -55,7 +56,7 @@ constexpr T nearest_by_sign(T low, T high, T guess, const Side& side) noexcept {
 template <Floating T>
 IRG_NOINLINE constexpr T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexcept {
   if (ay == by) return ay + T(0);
-  const auto wide = [](T v) { return static_cast<double>(v); };
+  const auto wide = [](T v) { return widened(v); };
   const double x1 = wide(ax), y1 = wide(ay), x2 = wide(bx), y2 = wide(by), at = wide(x);
   exact_accumulator<2> above, below;  // y = (y1*(x2 - x) + y2*(x - x1))/(x2 - x1)
   above.add(y1, x2), above.subtract(y1, at), above.add(y2, at), above.subtract(y2, x1);
@@ -74,15 +75,15 @@ IRG_NOINLINE constexpr T axis_crossing_exact(T ax, T ay, T bx, T by, T x) noexce
     sum.subtract(wide(q), x2), sum.add(wide(q), x1);
     return below.sign() * sum.sign();
   };
-  return nearest_by_sign(lesser(ay, by), greater(ay, by), static_cast<T>(guess), side);
+  return nearest_by_sign(lesser(ay, by), greater(ay, by), converted<T>(guess), side);
 }
 
 IRG_INLINE constexpr float axis_crossing_of(float ax, float ay, float bx, float by, float x) noexcept {
-  const auto wide = [](float v) { return static_cast<double>(v); };
+  const auto wide = [](float v) { return widened(v); };
   const double part = (wide(x) - wide(ax)) / (wide(bx) - wide(ax));
   const double way = product(wide(by) - wide(ay), part), y = wide(ay) + way;
   const double bound = product(0x1p-50, magnitude(y) + magnitude(way));
-  const float low = static_cast<float>(y - bound), high = static_cast<float>(y + bound);
+  const float low = converted<float>(y - bound), high = converted<float>(y + bound);
   return low == high ? low : axis_crossing_exact(ax, ay, bx, by, x);
 }
 

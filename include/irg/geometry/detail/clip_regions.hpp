@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/detail/axis_crossing.hpp>
@@ -77,19 +78,17 @@ struct half_space_region {
     if constexpr (!Floating<T>) {
       return known_sign(half_space_value<D>(h, x));
     } else {
-      const auto term = [](T a, T b) { return product(static_cast<double>(a), static_cast<double>(b)); };
+      const auto term = [](T a, T b) { return product(widened(a), widened(b)); };
       double value = 0, size = 0;
       const auto add = [&](double t, double s_of_t) { value += t, size += s_of_t; };
       if constexpr (D == 2) {
         const T along[] = {h[3] - h[1], h[2] - h[0]};
-        const auto spread = [](T a, T b) {
-          return static_cast<double>(magnitude(a)) + static_cast<double>(magnitude(b));
-        };
-        add(term(along[1], x[1] - h[1]), product(static_cast<double>(magnitude(along[1])), spread(x[1], h[1])));
-        add(-term(along[0], x[0] - h[0]), product(static_cast<double>(magnitude(along[0])), spread(x[0], h[0])));
+        const auto spread = [](T a, T b) { return widened(magnitude(a)) + widened(magnitude(b)); };
+        add(term(along[1], x[1] - h[1]), product(widened(magnitude(along[1])), spread(x[1], h[1])));
+        add(-term(along[0], x[0] - h[0]), product(widened(magnitude(along[0])), spread(x[0], h[0])));
       } else {
         for (std::size_t i = 0; i < 3; ++i) add(term(h[i], x[i]), magnitude(term(h[i], x[i])));
-        add(static_cast<double>(h[3]), static_cast<double>(magnitude(h[3])));
+        add(widened(h[3]), widened(magnitude(h[3])));
       }
       const double bound = product(size, 4 * static_cast<double>(std::numeric_limits<T>::epsilon()));
       return value > bound ? 1 : -value > bound ? -1 : 0;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <tuple>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/geometry/detail/dyadic.hpp>
 #include <irg/geometry/detail/twofold.hpp>
@@ -33,7 +34,7 @@ IRG_INLINE constexpr bool is_proper(const T& x) noexcept {
 template <class N, class T, std::size_t Size>
 constexpr std::array<N, Size> numbers_of(const std::array<T, Size>& in) noexcept {
   std::array<N, Size> out{};
-  for (std::size_t i = 0; i < Size; ++i) out[i] = N(widened(in[i]));
+  for (std::size_t i = 0; i < Size; ++i) out[i] = N(exactly_widened(in[i]));
   return out;
 }
 
@@ -63,7 +64,7 @@ constexpr auto evaluate(const Formula& formula, const std::array<T, Size>& in) n
     using known_values = decltype(known_of(formula(numbers_of<twofold>(in))));
     bool suits = true, finite = true;
     for (const T& x : in) {
-      suits = suits && suits_twofold(widened(x));
+      suits = suits && suits_twofold(exactly_widened(x));
       finite = finite && is_finite(x);
     }
     if (suits) {
@@ -151,7 +152,7 @@ constexpr known_number root_of(const known_number& a) noexcept {
 /// exact   within 0.501 ulp, where the result is subnormal, too
 template <Floating T>
 constexpr T rounded_to(const known_number& x) noexcept {
-  if (x.exponent == 0 && magnitude(x.high) > 0x1p-1000) return static_cast<T>(x.high);
+  if (x.exponent == 0 && magnitude(x.high) > 0x1p-1000) return converted<T>(x.high);
   const known_number y = normalized_number(x);
   if (y.high == 0) return T(0);
   double value = y.exponent < 0 ? 0.0 : y.high < 0 ? -infinity<double> : infinity<double>;
@@ -163,7 +164,7 @@ constexpr T rounded_to(const known_number& x) noexcept {
     if (magnitude(rest) == power_of_two(-1075 - y.exponent) && y.low != 0 && (rest > 0) == (y.low > 0))
       value = value + (rest > 0 ? 0x1p-1074 : -0x1p-1074);
   }
-  return static_cast<T>(value);
+  return converted<T>(value);
 }
 template <Scalar T>
   requires(!Floating<T>)

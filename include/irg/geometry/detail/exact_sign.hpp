@@ -11,6 +11,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/geometry/detail/dyadic.hpp>
 #include <irg/math/error_free.hpp>
@@ -85,7 +86,7 @@ IRG_INLINE constexpr Number exact_number(const T& x) noexcept {
   if constexpr (std::is_same_v<Number, T>) {
     return x;
   } else if constexpr (Floating<T>) {
-    return Number(widened(x));
+    return Number(exactly_widened(x));
   } else if constexpr (fits_in_double<T>) {
     return Number(static_cast<double>(x));
   } else {
@@ -109,7 +110,7 @@ IRG_INLINE constexpr int sign_of_degree_2(const Formula& formula, const std::arr
     std::array<filtered_input, Size> x{};
     bool suits = true;
     for (std::size_t i = 0; i < Size; ++i) {
-      x[i].value = static_cast<double>(in[i]);
+      x[i].value = widened(in[i]);
       suits = suits && suits_filter(in[i]);
     }
     if (suits) {

@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/scalar.hpp>
@@ -34,7 +35,7 @@ IRG_INLINE constexpr auto table_of(const P& first, const Ps&... others) {
   constexpr int count = 1 + static_cast<int>(sizeof...(Ps)), size = size_of<P>;
   const P* const points[] = {&first, &others...};
   return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return point_table<N, count, size>{{static_cast<N>(coordinate(*points[I / size], I % size))...}};
+    return point_table<N, count, size>{{converted<N>(coordinate(*points[I / size], I % size))...}};
   }(std::make_integer_sequence<int, count * size>{});
 }
 
@@ -48,7 +49,7 @@ IRG_INLINE constexpr point_table<T, M - 1, D> relative_to_last(const point_table
 
 // The same coordinates as numbers N.
 template <class N, class T, int M, int D>
-IRG_INLINE constexpr point_table<N, M, D> widened(const point_table<T, M, D>& t) {
+IRG_INLINE constexpr point_table<N, M, D> as_numbers(const point_table<T, M, D>& t) {
   return [&]<int... I>(std::integer_sequence<int, I...>) {
     return point_table<N, M, D>{{N(t.v[I])...}};
   }(std::make_integer_sequence<int, M * D>{});
@@ -144,7 +145,7 @@ template <int M, int D>
 IRG_INLINE constexpr bool sign_by_words(const point_table<double, M, D>& t, int& sign) noexcept {
   point_table<std::int64_t, M, D> n{};
   if (!to_words(t, n)) return false;
-  sign = difference_determinant(widened<wide_int<1>>(relative_to_last(n))).sign();
+  sign = difference_determinant(as_numbers<wide_int<1>>(relative_to_last(n))).sign();
   return true;
 }
 template <int M, int D>
@@ -180,11 +181,11 @@ IRG_NOINLINE constexpr int sign_beyond_words(X... x) noexcept {
 }
 template <int M, int D, Floating... X>
 IRG_NOINLINE constexpr int exact_predicate(X... x) noexcept {
-  const point_table<double, M, D> t{{widened(x)...}};
+  const point_table<double, M, D> t{{exactly_widened(x)...}};
   int sign = 0;
   if (!in_constant_evaluation()) sign = compensated_sign(t);
   if (sign != 0 || sign_by_words(t, sign)) return sign;
-  return sign_beyond_words<M, D>(widened(x)...);
+  return sign_beyond_words<M, D>(exactly_widened(x)...);
 }
 template <Floating T, int M, int D>
 IRG_INLINE constexpr int exact_predicate_of(const point_table<T, M, D>& t) noexcept {

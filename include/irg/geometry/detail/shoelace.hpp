@@ -5,6 +5,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/math/exact_sum.hpp>
 #include <irg/math/wide_int.hpp>
@@ -32,8 +33,8 @@ constexpr auto shoelace(const P& polygon) noexcept {
   each_edge(polygon, [&](const auto& p, const auto& q) {
     const T x1 = coordinate(p, 0), y1 = coordinate(p, 1), x2 = coordinate(q, 0), y2 = coordinate(q, 1);
     if constexpr (Floating<T>) {
-      twice.add(static_cast<double>(x1), static_cast<double>(y2));
-      twice.subtract(static_cast<double>(x2), static_cast<double>(y1));
+      twice.add(widened(x1), widened(y2));
+      twice.subtract(widened(x2), widened(y1));
     } else if constexpr (std::integral<T> && sizeof(T) <= 4) {
       twice += wide_signed{x1} * y2 - wide_signed{x2} * y1;
     } else if constexpr (std::integral<T>) {

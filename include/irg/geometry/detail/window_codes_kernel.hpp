@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/box.hpp>
@@ -66,7 +67,7 @@ constexpr void code_ring_plainly(const P* points, std::size_t n, const box<T, 2>
   ring.reach = 0, ring.all = 15;
   pack_codes<1>(n, ring.words, [&](std::size_t i) {
     for (int k = 0; k < 2; ++k) {
-      const double x = static_cast<double>(coordinate(points[i], k));
+      const double x = widened(coordinate(points[i], k));
       ring.at[2 * i + static_cast<std::size_t>(k)] = x;
       ring.reach = magnitude(x) < 0x1p200 ? ring.reach + magnitude(x) : std::numeric_limits<double>::infinity();
     }

@@ -12,6 +12,7 @@
 #include <span>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/detail/crossing_kernel.hpp>
 #include <irg/geometry/detail/window_codes_kernel.hpp>
@@ -125,8 +126,8 @@ struct edge_crossings {
 template <class T>
 IRG_INLINE constexpr bool rounds_to(double guess, double correction, double error, double& rounded) noexcept {
   if constexpr (std::is_same_v<T, float>) {
-    const float low = static_cast<float>(guess - error), high = static_cast<float>(guess + error);
-    rounded = static_cast<double>(opaque(static_cast<float>(guess + 0.0)));  // else g++ 12 may leave the rounding out
+    const float low = converted<float>(guess - error), high = converted<float>(guess + error);
+    rounded = widened(converted<float>(guess + 0.0));
     return low == high;
   } else {
     rounded = guess + correction;
@@ -212,7 +213,7 @@ template <class T, class Pair>
 IRG_INLINE constexpr std::ptrdiff_t walk_window(const coded_ring& ring, const box<T, 2>& window, double* const out,
                                                 std::size_t room) noexcept {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const auto wide = [](T x) { return static_cast<double>(x); };
+  const auto wide = [](T x) { return widened(x); };
   const double lx = wide(window.low.x), ly = wide(window.low.y), hx = wide(window.high.x), hy = wide(window.high.y);
   walked_window<Pair> w{{lx, ly, hx, ly, lx, hy, hx, hy},
                         {{ly, lx}},
@@ -312,7 +313,7 @@ IRG_INLINE constexpr std::ptrdiff_t clip_few(std::span<const P> polygon, const b
   const std::ptrdiff_t count = walk_ring(ring, window, to, room);
   if (to == made)
     for (std::size_t i = 0; i < out.size() && static_cast<std::ptrdiff_t>(i) < count; ++i)
-      out[i] = from_coordinates<P>(static_cast<T>(made[2 * i]), static_cast<T>(made[2 * i + 1]));
+      out[i] = from_coordinates<P>(converted<T>(made[2 * i]), converted<T>(made[2 * i + 1]));
   return count;
 }
 

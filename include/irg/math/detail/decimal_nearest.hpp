@@ -11,6 +11,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/decimal_scan.hpp>
 
@@ -64,7 +65,7 @@ template <Floating T>
 constexpr bool nearest_by_double(std::uint64_t mantissa, int exponent, T& value) noexcept {
   const double m = static_cast<double>(mantissa);
   const double d = exponent < 0 ? m / double_powers_of_ten[-exponent] : m * double_powers_of_ten[exponent];
-  value = static_cast<T>(d);
+  value = converted<T>(d);
   if constexpr (sizeof(T) == 4) {
     // d lies between 1e-22 and 1e38, where floats are normal. Its low 29 bits are what the second rounding cuts off.
     return (std::bit_cast<std::uint64_t>(d) & 0x1fffffffu) != 0x10000000u;

@@ -3,6 +3,7 @@
 // sign of its exact error. Rounding upwards is rounding the negative downwards.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/unrounded.hpp>
 
 namespace irg::detail {
@@ -50,9 +51,9 @@ constexpr T product_down(T a, T b) noexcept {
   const bool is_positive = (a < 0) == (b < 0);
   if (!is_finite(a) || !is_finite(b)) return is_positive ? infinity<T> : -infinity<T>;
   if constexpr (std::is_same_v<T, float>) {
-    const double exact = static_cast<double>(a) * static_cast<double>(b);
+    const double exact = widened(a) * widened(b);
     const T value = narrow<T>(exact);
-    return lowered(value, static_cast<double>(value) > exact);
+    return lowered(value, widened(value) > exact);
   } else {
     const auto [value, error] = two_product(a, b);
     return magnitude(value) < 0x1p-960 ? lowered_blindly(value, is_positive) : lowered(value, error < 0);
@@ -67,9 +68,9 @@ constexpr T quotient_down(T a, T b) noexcept {
   const bool is_positive = a > 0;
   if (!is_finite(a)) return is_positive ? infinity<T> : -infinity<T>;
   if constexpr (std::is_same_v<T, float>) {
-    const T value = narrow<T>(static_cast<double>(a) / static_cast<double>(b));
-    const double back = static_cast<double>(value) * static_cast<double>(b);
-    return lowered(value, back > static_cast<double>(a));
+    const T value = narrow<T>(widened(a) / widened(b));
+    const double back = widened(value) * widened(b);
+    return lowered(value, back > widened(a));
   } else {
     const T value = a / b;
     if (!(magnitude(a) > 0x1p-900 && magnitude(a) < 0x1p1020 && magnitude(value) > 0x1p-960 &&
@@ -89,7 +90,7 @@ constexpr T sqrt_directed(T x, bool upwards) noexcept {
   const T root = sqrt(x);
   double rest = 0;
   if constexpr (std::is_same_v<T, float>) {
-    rest = static_cast<double>(x) - static_cast<double>(root) * static_cast<double>(root);
+    rest = widened(x) - widened(root) * widened(root);
   } else {
     const bool is_small = x < 0x1p-900;
     const auto [back, error] = two_product(is_small ? root * 0x1p100 : root, is_small ? root * 0x1p100 : root);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/compensated.hpp>
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/exact_sum.hpp>
@@ -88,7 +89,7 @@ constexpr T quotient_of_sums(const scaled_sum& above, const scaled_sum& below) n
   const int exponent = above.exponent - below.exponent;
   if constexpr (std::same_as<T, float>)
     if (exponent > -120 && exponent < 120) return rounded_once<float>(times_power_of_two(q.value, exponent), q.error);
-  return static_cast<T>(times_power_of_two(q.value, exponent));
+  return converted<T>(times_power_of_two(q.value, exponent));
 }
 
 // Calls visit(chosen) for every choice of k of the numbers 0 to n - 1, until it says true; whether it did.

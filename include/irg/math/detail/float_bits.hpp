@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/scalar.hpp>
 
@@ -61,10 +62,10 @@ IRG_INLINE constexpr bool is_zero_or_within(double x) noexcept {
 }
 
 /// x as a double, made of its bits where the processor might take it for zero.
-IRG_INLINE constexpr double widened(double x) noexcept { return x; }
-IRG_INLINE constexpr double widened(float x) noexcept {
+IRG_INLINE constexpr double exactly_widened(double x) noexcept { return x; }
+IRG_INLINE constexpr double exactly_widened(float x) noexcept {
   const auto bits = std::bit_cast<std::uint32_t>(x);
-  if ((bits >> 23 & 0xff) != 0) return static_cast<double>(x);
+  if ((bits >> 23 & 0xff) != 0) return widened(x);
   const double size = static_cast<double>(bits & 0x7fffff) * 0x1p-149;
   return bits >> 31 != 0 ? -size : size;
 }

@@ -3,6 +3,7 @@
 // nearest to the result is the right one but for about one argument in 2^24.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/tangent_kernels.hpp>
 
 namespace irg::detail {
@@ -18,7 +19,7 @@ inline namespace IRG_ABI {
 /// x modulo pi/2.
 /// needs   x finite
 IRG_INLINE constexpr short_quadrant_angle reduce_radians(float x) noexcept {
-  const double wide = static_cast<double>(x);
+  const double wide = widened(x);
   if (magnitude(wide) >= 0x1p20) {
     const quadrant_angle angle = reduce_huge(wide);
     return {angle.rest.value, angle.quadrant};
@@ -69,22 +70,20 @@ IRG_INLINE constexpr double short_angle_in_first_quadrant(double y, double x) no
 /// atan2.
 /// needs   no NaN
 constexpr double angle_of(float y, float x) noexcept {
-  const double x_size = static_cast<double>(magnitude(x)), y_size = static_cast<double>(magnitude(y));
-  if (!is_finite(x_size) || !is_finite(y_size) || y_size == 0)
-    return angle_of(static_cast<double>(y), static_cast<double>(x));
+  const double x_size = widened(magnitude(x)), y_size = widened(magnitude(y));
+  if (!is_finite(x_size) || !is_finite(y_size) || y_size == 0) return angle_of(widened(y), widened(x));
   const double angle = short_angle_in_first_quadrant(y_size, x_size);
-  return with_sign(is_negative(x) ? straight_angle.value - (angle - straight_angle.error) : angle,
-                   static_cast<double>(y));
+  return with_sign(is_negative(x) ? straight_angle.value - (angle - straight_angle.error) : angle, widened(y));
 }
 
 /// asin and acos.
 /// needs   |x| <= 1
 constexpr double angle_of_sine(float x) noexcept {
-  const double wide = static_cast<double>(x);
+  const double wide = widened(x);
   return with_sign(short_angle_in_first_quadrant(magnitude(wide), sqrt(1 - wide * wide)), wide);
 }
 constexpr double angle_of_cosine(float x) noexcept {
-  const double wide = static_cast<double>(x);
+  const double wide = widened(x);
   const double angle = short_angle_in_first_quadrant(sqrt(1 - wide * wide), magnitude(wide));
   return wide < 0 ? straight_angle.value - (angle - straight_angle.error) : angle;
 }

@@ -3,6 +3,7 @@
 // the last steps of the elementary functions are taken in it. Relative errors are of the order 2^-102.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/sqrt.hpp>
 
@@ -51,7 +52,7 @@ IRG_INLINE constexpr T narrow(double x) noexcept {
     constexpr double first_infinite = 0x1.ffffffp127;
     if (magnitude(x) >= first_infinite) return x > 0 ? infinity<float> : -infinity<float>;
   }
-  return static_cast<T>(x);
+  return converted<T>(x);
 }
 
 /// The T nearest to x + rest, where rest is too small to change the double x.

@@ -67,15 +67,17 @@ template <int N>
 IRG_INLINE triple_lanes<float, N> normalize_lanes(const triple_lanes<float, N>& a) noexcept {
   using wide = typename pack<double, N>::storage;
   using narrow = typename pack<float, N>::storage;
-  const auto widened = [](const pack<float, N>& c) -> pack<double, N> { return {__builtin_convertvector(c.v, wide)}; };
-  const pack<double, N> x = widened(a.x), y = widened(a.y), z = widened(a.z);
+  const auto in_double = [](const pack<float, N>& c) -> pack<double, N> {
+    return {__builtin_convertvector(opaque(c).v, wide)};
+  };
+  const pack<double, N> x = in_double(a.x), y = in_double(a.y), z = in_double(a.z);
   const pack<double, N> square = (x * x + y * y) + z * z;
   const pack<double, N> length = sqrt_lanes(square);
   const auto unit = [&](const pack<double, N>& c) -> pack<float, N> {
     // A square of 0, infinity or NaN: no direction.
     const wide quotient =
         ((square.v > 0) & (square.v < std::numeric_limits<double>::infinity())) ? (c / length).v : wide{};
-    return {__builtin_convertvector(quotient, narrow)};
+    return opaque(pack<float, N>{__builtin_convertvector(quotient, narrow)});
   };
   return {unit(x), unit(y), unit(z)};
 }

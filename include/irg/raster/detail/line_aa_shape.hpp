@@ -8,6 +8,7 @@
 // its own end, and the row in the middle is folded.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/raster/detail/line_aa_kernel.hpp>
 #include <irg/raster/line_aa_options.hpp>
 
@@ -198,10 +199,10 @@ constexpr aa_columns aa_enter_far(aa_cap_row<F>& row, const aa_shape& s, int r) 
     c[e] = aa_cut<double>(s.x[e], s.y[e], s.y_end[e], s.x_per_row[e], r, r + 1, 0.0);
     low[e] = c[e].height > 0.0 ? c[e].low : static_cast<double>(aa_nowhere),
     high[e] = c[e].height > 0.0 ? c[e].high : 0.0;
-    slant[e] = static_cast<float>(c[e].high - c[e].low), height[e] = static_cast<float>(c[e].height);
+    slant[e] = converted<float>(c[e].high - c[e].low), height[e] = converted<float>(c[e].height);
   }
   const aa_columns columns = aa_between(low[0], low[1], high[2], high[3]);
-  for (int e = 0; e < 4; ++e) t[e] = static_cast<float>((columns.first + 1) - c[e].low);
+  for (int e = 0; e < 4; ++e) t[e] = converted<float>((columns.first + 1) - c[e].low);
   for (unsigned e = 0; e < aa_cap_row<F>::parts; ++e) {
     aa_set(row, e, lanes<F>::load(slant + e), lanes<F>::load(height + e));
     row.t[e] = lanes<F>::load(t + e);

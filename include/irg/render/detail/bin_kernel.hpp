@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/executor.hpp>
 #include <irg/render/detail/tile.hpp>
 #include <irg/render/detail/cull_kernel.hpp>
@@ -170,7 +171,7 @@ constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T
   source_weights share[9];
   for (int k = 0; k < left.count; ++k) {
     on_screen[k] = to_screen(left.vertices[k].position, mapping);
-    share[k] = {static_cast<float>(left.vertices[k].attributes[0]), static_cast<float>(left.vertices[k].attributes[1])};
+    share[k] = {converted<float>(left.vertices[k].attributes[0]), converted<float>(left.vertices[k].attributes[1])};
   }
   const auto area_of = [&](int k) {
     return signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);

@@ -17,7 +17,7 @@ struct object_culling {
   frustum<T> picture, guard, depth;
 
   IRG_INLINE constexpr object_culling(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) noexcept
-      : picture(frustum_of(to_clip)), guard(frustum_of(widened(to_clip, mapping.guard))), depth(picture) {
+      : picture(frustum_of(to_clip)), guard(frustum_of(with_guard(to_clip, mapping.guard))), depth(picture) {
     const plane<T> everything{T(0), T(0), T(0), T(1)};
     for (const auto side : {frustum_plane::left, frustum_plane::right, frustum_plane::bottom, frustum_plane::top})
       depth.planes[static_cast<int>(side)] = depth.weights[static_cast<int>(side)] = everything;
@@ -33,7 +33,7 @@ struct object_culling {
 
 private:
   // The matrix of a picture that is wider and higher by the guard factors.
-  IRG_INLINE static constexpr mat<T, 4, 4> widened(mat<T, 4, 4> m, const clip_volume<T>& v) noexcept {
+  IRG_INLINE static constexpr mat<T, 4, 4> with_guard(mat<T, 4, 4> m, const clip_volume<T>& v) noexcept {
     for (int c = 0; c < 4; ++c) {
       m(0, c) = m(0, c) / v.guard_x;
       m(1, c) = m(1, c) / v.guard_y;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
 #include <irg/colour/srgb.hpp>
 #include <irg/colour/srgb_lanes.hpp>
 #include <irg/render/draw_triangles.hpp>
@@ -33,11 +34,11 @@ struct phong_pixel_shader {
   vec<T, 3> normal[3];
 
   IRG_INLINE constexpr auto operator()(const fragment<float>& at) const {
-    const T s = T(at.weight1), t = T(at.weight2);
+    const T s = converted<T>(at.weight1), t = converted<T>(at.weight2);
     const point<T, 3> p = position[0] + ((position[1] - position[0]) * s + (position[2] - position[0]) * t);
     const vec<T, 3> n = normal[0] + ((normal[1] - normal[0]) * s + (normal[2] - normal[0]) * t);
     const rgb<T> light = shader(p, n);
-    return Output{}({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});
+    return Output{}({converted<float>(light.r), converted<float>(light.g), converted<float>(light.b)});
   }
 };
 
@@ -45,7 +46,7 @@ inline namespace IRG_ABI {
 
 template <class T>
 IRG_INLINE constexpr rgb<float> to_float_colour(const rgb<T>& c) noexcept {
-  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+  return {converted<float>(c.r), converted<float>(c.g), converted<float>(c.b)};
 }
 
 // One object of a picture: its triangles, its colours or what they come from.
