@@ -141,10 +141,10 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
   if (const auto refused = detail::refuse_picture_size(width, height)) return *refused;
 
   const bool stored = options.effort == png_options::compression::stored;
-  const detail::png_pixels<> pixels = detail::read_pixels(raster, width, height, options.kept);
-  const std::vector<std::uint8_t> filtered =
-      detail::filter_rows(pixels, stored ? detail::filtering::none : detail::filtering::adaptive);
-  const std::vector<std::uint8_t> stream = detail::zlib_compress(filtered, detail::effort_of(options.effort));
+  // Types that depend on the raster's: what compresses is then instantiated by those who write a picture.
+  const auto pixels = detail::read_pixels(raster, width, height, options.kept);
+  const auto filtered = detail::filter_rows(pixels, stored ? detail::filtering::none : detail::filtering::adaptive);
+  const auto stream = detail::zlib_compress(filtered, detail::effort_of(options.effort));
 
   std::vector<std::uint8_t> file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   detail::append_header(file, pixels);
