@@ -5,6 +5,7 @@
 #include <irg/core/config.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/contraction.hpp>
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/executor.hpp>
 #include <irg/core/interleaved_lanes.hpp>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Conversions between float and double that happen where they are written. g++ 12's straight-line vectorizer drops the
+// rounding of a double to a float that is widened again, at plain -O2 and with the user's call inlined around irg's
+// code: the double goes on unrounded. So no float enters or leaves a formula in doubles but through these.
+#pragma once
+
 #include <irg/core/contraction.hpp>
 
 namespace irg {
