@@ -108,7 +108,7 @@ inline std::vector<areas> exact_areas(const canvas& c, const polygon_set& set, i
   std::vector<areas> all;
   for (int k = 0; k < sample; ++k) {
     const irg::cell_window w = surroundings(c, set, k, 4);
-    if (set.rule == irg::fill_rule::even_odd) {
+    if (set.rule() == irg::fill_rule::even_odd) {
       all.push_back(sampled_areas(set.ring(k), w));
       continue;
     }
@@ -141,7 +141,7 @@ inline std::vector<areas> exact_areas(const canvas& c, const std::vector<segment
 /// White was mixed into black, so a pixel's value is 255 times its coverage. Error: the difference from the exact area,
 /// in 1/256 of a pixel, over all pixels that are touched by the shape or drawn. Wrong: differences of more than 1.
 inline errors judge_coverage(const canvas& c, const std::vector<areas>& due, const drawer& d) {
-  errors e;
+  errors e{0, 0, 0};
   double sum = 0;
   std::int64_t pixels = 0;
   for (std::size_t k = 0; k < due.size(); ++k) {
@@ -191,23 +191,26 @@ drawer limit_coverage_replay(const canvas& c, int items, Trace trace) {
     std::vector<std::uint8_t> coverage{};
     std::vector<std::size_t> ends{0}, coverage_starts{0};
   };
-  auto all = std::make_shared<record>();
-  for (int k = 0; k < items; ++k) {
-    trace(k, [&](irg::coverage_span s) {
-      while (s.coverage && s.x_first < s.x_last && s.coverage[0] == 0) ++s.x_first, ++s.coverage;
-      while (s.coverage && s.x_first < s.x_last && s.coverage[s.x_last - s.x_first - 1] == 0) --s.x_last;
-      if (s.x_first >= s.x_last) return;
-      const auto count = static_cast<std::uint32_t>(s.x_last - s.x_first), blocks = (count + 7) / 8;
-      all->runs.push_back(
-          {static_cast<std::uint32_t>(s.y * c.width() + s.x_first), s.coverage ? blocks : count, !s.coverage});
-      if (!s.coverage) return;
-      for (std::uint32_t i = 0; i < 32 * blocks; ++i) all->coverage.push_back(i / 4 < count ? s.coverage[i / 4] : 0);
-    });
-    all->ends.push_back(all->runs.size());
-    all->coverage_starts.push_back(all->coverage.size());
-  }
-  all->runs.resize(all->runs.size() + runs_ahead);
-  return {"limit:coverage replay", [all, pixels = c.pixels()](int first, int last) {
+  auto& all = keep_lazy([&c, items, trace] {
+    record r;
+    for (int k = 0; k < items; ++k) {
+      trace(k, [&](irg::coverage_span s) {
+        while (s.coverage && s.x_first < s.x_last && s.coverage[0] == 0) ++s.x_first, ++s.coverage;
+        while (s.coverage && s.x_first < s.x_last && s.coverage[s.x_last - s.x_first - 1] == 0) --s.x_last;
+        if (s.x_first >= s.x_last) return;
+        const auto count = static_cast<std::uint32_t>(s.x_last - s.x_first), blocks = (count + 7) / 8;
+        r.runs.push_back(
+            {static_cast<std::uint32_t>(s.y * c.width() + s.x_first), s.coverage ? blocks : count, !s.coverage});
+        if (!s.coverage) return;
+        for (std::uint32_t i = 0; i < 32 * blocks; ++i) r.coverage.push_back(i / 4 < count ? s.coverage[i / 4] : 0);
+      });
+      r.ends.push_back(r.runs.size());
+      r.coverage_starts.push_back(r.coverage.size());
+    }
+    r.runs.resize(r.runs.size() + runs_ahead);
+    return r;
+  });
+  return {"limit:coverage replay", [&all, pixels = c.pixels()](int first, int last) {
             const std::size_t end = all->ends[static_cast<std::size_t>(last)];
             const std::uint8_t* coverage = all->coverage.data() + all->coverage_starts[static_cast<std::size_t>(first)];
             for (std::size_t i = all->ends[static_cast<std::size_t>(first)]; i < end; ++i) {

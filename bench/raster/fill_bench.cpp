@@ -13,24 +13,27 @@ using namespace bench;
 
 using ring = std::span<const irg::subpixel>;
 
-void add_own(std::vector<drawer>& d, const canvas& c, const polygon_set& set, bool convex) {
+void add_own(std::vector<drawer>& d, const canvas& c, const polygon_set& set) {
   const auto view = c.view();
-  if (convex) d.push_back(own("irg", set, [view](ring r) mutable { (void)irg::fill_convex(view, r, white_rgba); }));
-  d.push_back(own(convex ? "irg:polygon" : "irg", set,
-                  [view, rule = set.rule, workspace = irg::fill_workspace{}](ring r) mutable {
+  if (set.convex()) d.push_back(own("irg", set, [view](ring r) mutable { (void)irg::fill_convex(view, r, white_rgba); }));
+  d.push_back(own(set.convex() ? "irg:polygon" : "irg", set,
+                  [view, rule = set.rule(), workspace = irg::fill_workspace{}](ring r) mutable {
                     (void)irg::fill_polygon(view, r, rule, white_rgba, irg::window_of(view), workspace);
                   }));
-  std::vector<ring> rings;
-  for (int k = 0; k < set.size(); ++k) rings.push_back(set.ring(k));
+  auto& rings = keep_lazy([&set] {
+    std::vector<ring> all;
+    for (int k = 0; k < set.size(); ++k) all.push_back(set.ring(k));
+    return all;
+  });
   drawer batch{"irg:batch", {}};
-  batch.draw = [view, rings, rule = set.rule, workspace = irg::fill_workspace{}](int first, int last) mutable {
-    const std::span<const ring> some(rings.data() + first, static_cast<std::size_t>(last - first));
+  batch.draw = [view, &rings, rule = set.rule(), workspace = irg::fill_workspace{}](int first, int last) mutable {
+    const std::span<const ring> some(rings->data() + first, static_cast<std::size_t>(last - first));
     (void)irg::fill_polygons(view, some, rule, white_rgba, irg::window_of(view), workspace);
   };
   batch.promised = promise::nothing_wrong;
   batch.note = "fill_polygons";
   d.push_back(batch);
-  if (convex)
+  if (set.convex())
     d.push_back(own(
         "irg:span sink", set,
         [&c, window = irg::window_of(view)](ring r) {
@@ -41,9 +44,9 @@ void add_own(std::vector<drawer>& d, const canvas& c, const polygon_set& set, bo
         "convex_spans and std::fill_n"));
 }
 
-void add_peers(std::vector<drawer>& d, const canvas& c, const polygon_set& set, bool convex) {
+void add_peers(std::vector<drawer>& d, const canvas& c, const polygon_set& set) {
 #ifdef IRG_HAVE_SDL2
-  if (convex && set.corners < 32) {
+  if (set.convex() && set.corners < 32) {
     d.push_back(sdl::fill(c, set, sdl::calls::one_each));
     d.push_back(sdl::fill(c, set, sdl::calls::one_for_all));
   }
@@ -55,38 +58,34 @@ void add_peers(std::vector<drawer>& d, const canvas& c, const polygon_set& set, 
   d.push_back(antigrain::fill<agg::scanline_bin>(c, set, "AGG scanline_bin"));
 #endif
 #ifdef IRG_HAVE_PIXMAN
-  if (convex) d.push_back(pixman::fill(c, set, PIXMAN_a1));
+  if (set.convex()) d.push_back(pixman::fill(c, set, PIXMAN_a1));
 #endif
 #ifdef IRG_HAVE_OPENCV_IMGPROC
-  if (convex) d.push_back(opencv::fill(c, set, opencv::filler::convex, cv::LINE_8));
+  if (set.convex()) d.push_back(opencv::fill(c, set, opencv::filler::convex, cv::LINE_8));
   d.push_back(opencv::fill(c, set, opencv::filler::general, cv::LINE_8));
 #endif
-  (void)c, (void)d, (void)set, (void)convex;
+  (void)c, (void)d, (void)set;
 }
 
-int run(const canvas& c, const std::string& name, double diameter, const polygon_set& set, bool convex) {
-  contest one{"fill", name + " " + std::to_string(static_cast<int>(diameter)) + " px " + c.name(), "polygon",
-              set.size()};
-  if (!wanted(one.test_case)) return 0;
-  one.cells = covered_pixels(c, set);
-  one.on = &c;
-  one.judge = [&](const drawer& d) { return judge_fill(c, set, diameter, d); };
-  one.error_unit = "px";
-  add_own(one.drawers, c, set, convex);
-  if (convex) one.drawers.push_back(textbook_fill(c, set));
-  add_peers(one.drawers, c, set, convex);
-  if (one.cells > 0) {
-    one.limit = "limit:span replay";
-    one.drawers.push_back(limit_span_replay(c, set, replaying::plain));
-    one.drawers.push_back(limit_span_replay(c, set, replaying::ahead));
-    one.drawers.push_back(limit_memset(c, one.cells));
+void enter_case(const polygon_set& set) {
+  const canvas& c = set.on;
+  std::vector<drawer> d;
+  add_own(d, c, set);
+  if (set.convex()) d.push_back(textbook_fill(c, set));
+  add_peers(d, c, set);
+  if (set.where != placing::outside) {
+    d.push_back(limit_span_replay(c, set, replaying::plain));
+    d.push_back(limit_span_replay(c, set, replaying::ahead));
+    d.push_back(limit_memset(c, covered_pixels(c, set)));
   }
-  return hold(one);
+  enter_drawers(set.with("fill", "px", "limit:span replay"), c, d,
+                [&c, &set](const drawer& who) { return judge_fill(c, set, who); });
 }
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
-  return exit_status(run_fills({20000, 8000, 1500, 150}, 32, run));
+int main(int argc, char** argv) {
+  const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
+  enter_fills(large, small, {20000, 8000, 1500, 150}, 32, enter_case);
+  return run_benchmarks(argc, argv);
 }

@@ -13,7 +13,7 @@ using namespace bench;
 
 irg::subpixel centre(irg::cell c) { return {c.x * 256 + 128, c.y * 256 + 128}; }
 
-void add_own(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
+void add_own(std::vector<drawer>& d, const canvas& c, line_list& lines) {
   d.push_back(own(
       "irg", lines,
       [view = c.view()](irg::cell a, irg::cell b) mutable { (void)irg::draw_line_aa(view, a, b, white_rgba); },
@@ -31,7 +31,7 @@ void add_own(std::vector<drawer>& d, const canvas& c, const std::vector<segment>
       "two cells per step whose coverages add up to 1"));
 }
 
-void add_peers(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
+void add_peers(std::vector<drawer>& d, const canvas& c, line_list& lines) {
 #ifdef IRG_HAVE_OPENCV_IMGPROC
   d.push_back(opencv::lines(c, lines, cv::LINE_AA));
 #endif
@@ -45,34 +45,35 @@ void add_peers(std::vector<drawer>& d, const canvas& c, const std::vector<segmen
   (void)c, (void)d, (void)lines;
 }
 
-int run(const canvas& c, const std::string& name, const std::vector<segment>& lines, heading) {
-  contest one{"line_aa", name + " " + c.name(), "line", static_cast<int>(lines.size())};
-  if (!wanted(one.test_case)) return 0;
-  for (const segment& s : lines) one.cells += visible_cells(c, s);
-  one.on = &c;
-  const double box = lines.empty() ? 1 : std::hypot(lines[0].b.x - lines[0].a.x, lines[0].b.y - lines[0].a.y);
-  const int sample =
-      std::min(one.items, static_cast<int>(std::min(1000.0, 3 + (smoke() ? 1e5 : 6e6) / (box * box / 4))));
-  const std::vector<areas> due = exact_areas(c, lines, sample);
-  one.judge = [&](const drawer& d) { return judge_coverage(c, due, d); };
-  one.error_unit = "1/256";
-  add_own(one.drawers, c, lines);
-  add_peers(one.drawers, c, lines);
-  if (one.cells > 0) {
-    one.limit = "limit:coverage replay";
-    one.drawers.push_back(limit_coverage_replay(c, one.items, [&](int k, auto&& sink) {
-      const segment& s = lines[static_cast<std::size_t>(k)];
+// How many lines to judge, so that it takes no longer than the race.
+int sample_size(const std::vector<segment>& lines) {
+  const double box = std::hypot(lines[0].b.x - lines[0].a.x, lines[0].b.y - lines[0].a.y);
+  return std::min(static_cast<int>(lines.size()),
+                  static_cast<int>(std::min(1000.0, 3 + (smoke() ? 1e5 : 6e6) / (box * box / 4))));
+}
+
+void enter_case(const line_case& one, heading, int) {
+  const canvas& c = one.on;
+  line_list& lines = one.lines;
+  std::vector<drawer> d;
+  add_own(d, c, lines);
+  add_peers(d, c, lines);
+  if (one.any_visible) {
+    d.push_back(limit_coverage_replay(c, one.count, [&c, &lines](int k, auto&& sink) {
+      const segment& s = (*lines)[static_cast<std::size_t>(k)];
       (void)irg::line_aa(centre(s.a), centre(s.b), irg::cell_window{0, 0, c.width(), c.height()}, sink);
     }));
-    one.drawers.push_back(limit_store_per_step(c, lines));
+    d.push_back(limit_store_per_step(c, lines));
   }
-  return hold(one);
+  auto& due = keep_lazy([&c, &lines] { return exact_areas(c, *lines, sample_size(*lines)); });
+  enter_drawers(one.with("line_aa", "1/256", "limit:coverage replay"), c, d,
+                [&c, &due](const drawer& who) { return judge_coverage(c, *due, who); });
 }
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
-  return exit_status(run_lines(large, small, {{20000, 10000, 3000, 800, 300}, 2000, 10000, 128, 128}, run));
+  enter_lines(large, small, {{20000, 10000, 3000, 800, 300}, 2000, 10000, 128, 128}, enter_case);
+  return run_benchmarks(argc, argv);
 }

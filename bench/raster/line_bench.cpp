@@ -22,7 +22,7 @@ auto plotter(const canvas& c) {
   };
 }
 
-void add_own(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
+void add_own(std::vector<drawer>& d, const canvas& c, line_list& lines) {
   const irg::cell_window window{0, 0, c.width(), c.height()};
   d.push_back(own(
       "irg", lines, [view = c.view()](irg::cell a, irg::cell b) mutable { irg::draw_line(view, a, b, white_rgba); },
@@ -47,9 +47,7 @@ void add_own(std::vector<drawer>& d, const canvas& c, const std::vector<segment>
 }
 
 // Algorithms that know no window and have a longest line.
-void add_unclipped(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
-  std::int64_t steps = 0;
-  for (const segment& s : lines) steps = std::max(steps, walk(s).n);
+void add_unclipped(std::vector<drawer>& d, const canvas& c, line_list& lines, int steps) {
   if (steps <= irg::line_dda_steps<float>)
     d.push_back(own(
         "irg:dda float", lines,
@@ -66,7 +64,7 @@ void add_unclipped(std::vector<drawer>& d, const canvas& c, const std::vector<se
   d.push_back(textbook_lines(c, lines));
 }
 
-void add_peers(std::vector<drawer>& d, const canvas& c, const std::vector<segment>& lines) {
+void add_peers(std::vector<drawer>& d, const canvas& c, line_list& lines) {
 #ifdef IRG_HAVE_AGG
   d.push_back(antigrain::lines(c, lines));
 #endif
@@ -82,34 +80,34 @@ void add_peers(std::vector<drawer>& d, const canvas& c, const std::vector<segmen
   (void)c, (void)d, (void)lines;
 }
 
-int run(const canvas& c, const std::string& name, const std::vector<segment>& lines) {
-  contest one{"line", name + " " + c.name(), "line", static_cast<int>(lines.size())};
-  if (!wanted(one.test_case)) return 0;
-  for (const segment& s : lines) one.cells += visible_cells(c, s);
-  one.on = &c;
-  one.judge = [&](const drawer& d) { return judge_lines(c, lines, d); };
-  one.error_unit = "px";
-  add_own(one.drawers, c, lines);
-  if (name.starts_with("random")) add_unclipped(one.drawers, c, lines);
-  add_peers(one.drawers, c, lines);
-  if (one.cells > 0) {
-    one.limit = "limit:store per step";
-    one.drawers.push_back(limit_store_per_step(c, lines));
-    one.drawers.push_back(limit_replay(c, lines, fetching::not_ahead));
-    one.drawers.push_back(limit_replay(c, lines, fetching::ahead));
-    one.drawers.push_back(limit_memset(c, one.cells));
+void enter_case(const line_case& one, int steps) {
+  const canvas& c = one.on;
+  line_list& lines = one.lines;
+  std::vector<drawer> d;
+  add_own(d, c, lines);
+  if (one.name.starts_with("random")) add_unclipped(d, c, lines, steps);
+  add_peers(d, c, lines);
+  if (one.any_visible) {
+    d.push_back(limit_store_per_step(c, lines));
+    d.push_back(limit_replay(c, lines, fetching::not_ahead));
+    d.push_back(limit_replay(c, lines, fetching::ahead));
+    d.push_back(limit_memset(c, one.cells));
   }
-  return hold(one);
+  enter_drawers(one.with("line", "px", "limit:store per step"), c, d,
+                [&c, &lines](const drawer& who) { return judge_lines(c, *lines, who); });
 }
 
 // All lines in one call, for whoever has such a call.
 
-drawer own_batch(const canvas& c, const std::vector<segment>& lines) {
-  std::vector<irg::cell_line> all;
-  for (const segment& s : lines) all.push_back({s.a, s.b});
+drawer own_batch(const canvas& c, line_list& lines) {
+  auto& all = keep_lazy([&lines] {
+    std::vector<irg::cell_line> ends;
+    for (const segment& s : *lines) ends.push_back({s.a, s.b});
+    return ends;
+  });
   drawer d{"irg", {}};
-  d.draw = [view = c.view(), all, memory = irg::line_batch{}](int first, int last) mutable {
-    const std::span<const irg::cell_line> some(all.data() + first, static_cast<std::size_t>(last - first));
+  d.draw = [view = c.view(), &all, memory = irg::line_batch{}](int first, int last) mutable {
+    const std::span<const irg::cell_line> some(all->data() + first, static_cast<std::size_t>(last - first));
     irg::draw_lines(view, some, white_rgba, irg::window_of(view), irg::line_options{}, memory);
   };
   d.promised = promise::nothing_wrong;
@@ -118,17 +116,20 @@ drawer own_batch(const canvas& c, const std::vector<segment>& lines) {
 }
 
 /// The cells known beforehand and sorted by tiles of 256 x 64 pixels.
-drawer limit_replay_by_tile(const canvas& c, const std::vector<segment>& lines) {
-  const auto tile = [width = c.width() / 256 + 1](irg::cell p) { return p.y / 64 * width + p.x / 256; };
-  std::vector<std::vector<std::uint32_t>> tiles(static_cast<std::size_t>(tile({c.width() - 1, c.height() - 1})) + 1);
-  for (const segment& s : lines)
-    walk(s).cells(c, [&](irg::cell p) {
-      tiles[static_cast<std::size_t>(tile(p))].push_back(static_cast<std::uint32_t>(p.y * c.width() + p.x));
-    });
-  std::vector<std::uint32_t> offsets;
-  for (const auto& t : tiles) offsets.insert(offsets.end(), t.begin(), t.end());
-  return {"limit:replay by tile", [offsets, pixels = c.pixels()](int, int) {
-            for (const std::uint32_t offset : offsets) pixels[offset] = white;
+drawer limit_replay_by_tile(const canvas& c, line_list& lines) {
+  auto& offsets = keep_lazy([&c, &lines] {
+    const auto tile = [width = c.width() / 256 + 1](irg::cell p) { return p.y / 64 * width + p.x / 256; };
+    std::vector<std::vector<std::uint32_t>> tiles(static_cast<std::size_t>(tile({c.width() - 1, c.height() - 1})) + 1);
+    for (const segment& s : *lines)
+      walk(s).cells(c, [&](irg::cell p) {
+        tiles[static_cast<std::size_t>(tile(p))].push_back(static_cast<std::uint32_t>(p.y * c.width() + p.x));
+      });
+    std::vector<std::uint32_t> all;
+    for (const auto& t : tiles) all.insert(all.end(), t.begin(), t.end());
+    return all;
+  });
+  return {"limit:replay by tile", [&offsets, pixels = c.pixels()](int, int) {
+            for (const std::uint32_t offset : *offsets) pixels[offset] = white;
           }};
 }
 
@@ -145,43 +146,41 @@ errors judge_batch(const canvas& c, const std::vector<segment>& lines, const dra
   return e;
 }
 
-int run_batch(const canvas& c, const std::string& name, const std::vector<segment>& lines) {
-  contest one{"line_batch", name + " " + c.name(), "line", static_cast<int>(lines.size())};
-  if (!wanted(one.test_case)) return 0;
-  for (const segment& s : lines) one.cells += visible_cells(c, s);
-  one.on = &c;
-  one.judge = [&](const drawer& d) { return judge_batch(c, lines, d); };
-  one.error_unit = "px";
-  one.drawers.push_back(own_batch(c, lines));
-  one.drawers.push_back(own(
+void enter_batch(const line_case& one) {
+  const canvas& c = one.on;
+  line_list& lines = one.lines;
+  std::vector<drawer> d;
+  d.push_back(own_batch(c, lines));
+  d.push_back(own(
       "irg:one by one", lines,
       [view = c.view()](irg::cell a, irg::cell b) mutable { irg::draw_line(view, a, b, white_rgba); },
       promise::nothing_wrong));
 #ifdef IRG_HAVE_OPENCV_IMGPROC
-  one.drawers.push_back(opencv::line_batch(c, lines));
+  d.push_back(opencv::line_batch(c, lines));
 #endif
-  add_peers(one.drawers, c, lines);
-  if (one.cells > 0) {
-    one.limit = "limit:replay by tile";
-    one.drawers.push_back(limit_replay_by_tile(c, lines));
-    one.drawers.push_back(limit_replay(c, lines, fetching::not_ahead));
-    one.drawers.push_back(limit_replay(c, lines, fetching::ahead));
-    one.drawers.push_back(limit_store_per_step(c, lines));
+  add_peers(d, c, lines);
+  if (one.any_visible) {
+    d.push_back(limit_replay_by_tile(c, lines));
+    d.push_back(limit_replay(c, lines, fetching::not_ahead));
+    d.push_back(limit_replay(c, lines, fetching::ahead));
+    d.push_back(limit_store_per_step(c, lines));
   }
-  return hold(one);
+  enter_drawers(one.with("line_batch", "px", "limit:replay by tile"), c, d,
+                [&c, &lines](const drawer& who) { return judge_batch(c, *lines, who); });
 }
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
   const line_cases cases{{50000, 30000, 10000, 4000, 2000}, 4000, 20000, 32, 512};
-  const auto both = [](const canvas& c, const std::string& name, const std::vector<segment>& lines, heading h) {
-    const int broken = run(c, name, lines);
-    return h == heading::random ? broken + run_batch(c, name, lines) : broken;
-  };
-  int broken = run_lines(large, small, cases, both);
-  broken += run(large, "outside by a corner", lines_outside(large, smoke() ? 202 : 20000, passing::by_a_corner));
-  return exit_status(broken);
+  enter_lines(large, small, cases, [](const line_case& one, heading h, int length) {
+    enter_case(one, length);
+    if (h == heading::random) enter_batch(one);
+  });
+  const int count = smoke() ? 202 : 20000;
+  enter_case(make_line_case(large, "outside by a corner", count,
+                            [&large, count] { return lines_outside(large, count, passing::by_a_corner); }),
+             0);
+  return run_benchmarks(argc, argv);
 }

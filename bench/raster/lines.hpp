@@ -19,6 +19,7 @@ namespace bench {
 struct segment {
   irg::cell a, b;
 };
+using line_list = lazy<std::vector<segment>>;
 
 /// The definition: n steps along the longer axis, m aside; step i goes to the cell nearest to i * m / n, on a tie to the
 /// one on the side of a.
@@ -118,17 +119,44 @@ struct line_cases {
   int shortest, longest;
 };
 
-/// The cases of all contests of lines. run(canvas, name, lines, heading) holds one and gives how many promises were
-/// broken.
+/// The lines of a contest, and how many cells of theirs can be seen.
+struct line_case {
+  const canvas& on;
+  std::string name;
+  int count;
+  line_list& lines;
+  lazy<std::int64_t>& cells;
+  bool any_visible;
+
+  contest with(const char* kernel, const char* unit, const char* limit) const {
+    return {kernel, name + " " + on.name() + build_suffix(), "line", count, unit, any_visible ? limit : ""};
+  }
+};
+
+template <class Make>
+line_case make_line_case(const canvas& c, std::string name, int count, Make make) {
+  line_list& lines = keep_lazy(std::function<std::vector<segment>()>(make));
+  auto& cells = keep_lazy([&c, &lines] {
+    std::int64_t sum = 0;
+    for (const segment& s : *lines) sum += visible_cells(c, s);
+    return sum;
+  });
+  const bool any_visible = !name.starts_with("outside");
+  return {c, std::move(name), count, lines, cells, any_visible};
+}
+
+/// The cases of all contests of lines; run(case, heading, steps) enters one of lines of
+/// at most so many steps.
 template <class Run>
-int run_lines(const canvas& large, const canvas& small, const line_cases& cases, Run run) {
+void enter_lines(const canvas& large, const canvas& small, const line_cases& cases, Run run) {
   const auto items = [](int n) { return smoke() ? n / 100 + 2 : n; };
-  int broken = 0;
   for (std::size_t i = 0; i < cases.counts.size(); ++i) {
     const int length = std::array{8, 32, 128, 512, 1500}[i];
     const auto on = [&](const canvas& c, const std::string& name, heading h) {
-      const std::vector<segment> lines = lines_inside(c, items(cases.counts[i]), length, h);
-      broken += run(c, name + " " + std::to_string(length) + " px", lines, h);
+      const int n = items(cases.counts[i]);
+      run(make_line_case(c, name + " " + std::to_string(length) + " px", n,
+                         [&c, n, length, h] { return lines_inside(c, n, length, h); }),
+          h, length);
     };
     on(large, "random", heading::random);
     if (length <= 512) on(small, "random", heading::random);
@@ -137,18 +165,21 @@ int run_lines(const canvas& large, const canvas& small, const line_cases& cases,
     on(large, "vertical", heading::vertical);
     on(large, "diagonal", heading::diagonal);
   }
-  broken += run(large, "clipped 90 % 1280 px", lines_clipped(large, items(cases.clipped), 1280), heading::random);
-  broken += run(large, "outside", lines_outside(large, items(cases.outside), passing::far_away), heading::random);
-  return broken;
+  const int clipped = items(cases.clipped), outside = items(cases.outside);
+  run(make_line_case(large, "clipped 90 % 1280 px", clipped, [&large, clipped] { return lines_clipped(large, clipped, 1280); }),
+      heading::random, 1280);
+  run(make_line_case(large, "outside", outside,
+                     [&large, outside] { return lines_outside(large, outside, passing::far_away); }),
+      heading::random, 512);
 }
 
 /// A contender of irg: draw(a, b) for each line.
 template <class Draw>
-drawer own(std::string name, const std::vector<segment>& lines, Draw draw, promise promised, std::string note = {}) {
+drawer own(std::string name, line_list& lines, Draw draw, promise promised, std::string note = {}) {
   return {std::move(name),
           [&lines, draw](int first, int last) mutable {
-            for (int k = first; k < last; ++k)
-              draw(lines[static_cast<std::size_t>(k)].a, lines[static_cast<std::size_t>(k)].b);
+            const segment* all = lines->data();
+            for (int k = first; k < last; ++k) draw(all[k].a, all[k].b);
           },
           true, std::move(note), promised};
 }
@@ -159,7 +190,7 @@ drawer own(std::string name, const std::vector<segment>& lines, Draw draw, promi
 inline errors judge_lines(const canvas& c, const std::vector<segment>& lines, const drawer& d) {
   constexpr int reach = 4;
   const int sample = std::min(static_cast<int>(lines.size()), smoke() ? 60 : 1000);
-  errors e;
+  errors e{0, 0, 0};
   std::int64_t cells = 0, other_way = 0;
   double sum = 0;
   const auto judge_step = [&](const walk& w, std::int64_t i) {
@@ -203,25 +234,28 @@ inline errors judge_lines(const canvas& c, const std::vector<segment>& lines, co
 // Limits.
 
 /// One store per step along the longer axis, without a step aside: the least that writes as many pixels in as many rows.
-inline drawer limit_store_per_step(const canvas& c, const std::vector<segment>& lines) {
+inline drawer limit_store_per_step(const canvas& c, line_list& lines) {
   struct run {
     std::uint32_t* first = nullptr;
     std::ptrdiff_t step = 0;
     std::int64_t count = 0;
   };
-  std::vector<run> runs;
-  for (const segment& s : lines) {
-    const walk w(s);
-    run r{nullptr, w.sign_along * std::ptrdiff_t{w.steep ? c.width() : 1}, 0};
-    w.cells(c, [&](irg::cell p) {
-      if (!r.first) r.first = &c.at(p.x, p.y);
-      ++r.count;
-    });
-    runs.push_back(r);
-  }
-  return {"limit:store per step", [runs](int first, int last) {
+  auto& runs = keep_lazy([&c, &lines] {
+    std::vector<run> all;
+    for (const segment& s : *lines) {
+      const walk w(s);
+      run r{nullptr, w.sign_along * std::ptrdiff_t{w.steep ? c.width() : 1}, 0};
+      w.cells(c, [&](irg::cell p) {
+        if (!r.first) r.first = &c.at(p.x, p.y);
+        ++r.count;
+      });
+      all.push_back(r);
+    }
+    return all;
+  });
+  return {"limit:store per step", [&runs](int first, int last) {
             for (int k = first; k < last; ++k) {
-              const run& r = runs[static_cast<std::size_t>(k)];
+              const run& r = (*runs)[static_cast<std::size_t>(k)];
               std::uint32_t* p = r.first;
               for (std::int64_t i = 0; i < r.count; ++i) {
                 *p = white;
@@ -235,19 +269,22 @@ inline drawer limit_store_per_step(const canvas& c, const std::vector<segment>& 
 /// The cells known beforehand. `ahead`: fetched ahead of time, which an algorithm can do, too.
 enum class fetching { not_ahead, ahead };
 
-inline drawer limit_replay(const canvas& c, const std::vector<segment>& lines, fetching how) {
+inline drawer limit_replay(const canvas& c, line_list& lines, fetching how) {
   constexpr std::size_t cells_ahead = 64;
   struct record {
     std::vector<std::uint32_t> offsets{};
     std::vector<std::size_t> ends{0};
   };
-  auto all = std::make_shared<record>();
-  for (const segment& s : lines) {
-    walk(s).cells(c, [&](irg::cell p) { all->offsets.push_back(static_cast<std::uint32_t>(p.y * c.width() + p.x)); });
-    all->ends.push_back(all->offsets.size());
-  }
-  all->offsets.resize(all->offsets.size() + cells_ahead);
-  const auto range = [all](int first, int last) {
+  auto& all = keep_lazy([&c, &lines] {
+    record r;
+    for (const segment& s : *lines) {
+      walk(s).cells(c, [&](irg::cell p) { r.offsets.push_back(static_cast<std::uint32_t>(p.y * c.width() + p.x)); });
+      r.ends.push_back(r.offsets.size());
+    }
+    r.offsets.resize(r.offsets.size() + cells_ahead);
+    return r;
+  });
+  const auto range = [&all](int first, int last) {
     return std::span(all->offsets.data() + all->ends[static_cast<std::size_t>(first)],
                      all->offsets.data() + all->ends[static_cast<std::size_t>(last)]);
   };
@@ -264,7 +301,7 @@ inline drawer limit_replay(const canvas& c, const std::vector<segment>& lines, f
 }
 
 /// Bresenham's loop in integers as it is usually printed, with a test of each cell against the canvas.
-inline drawer textbook_lines(const canvas& c, const std::vector<segment>& lines) {
+inline drawer textbook_lines(const canvas& c, line_list& lines) {
   const auto draw = [&c](irg::cell a, const irg::cell& b) {
     const int dx = std::abs(b.x - a.x), dy = -std::abs(b.y - a.y);
     const int sx = a.x < b.x ? 1 : -1, sy = a.y < b.y ? 1 : -1;

@@ -37,21 +37,21 @@ struct target {
   const agg::rgba8 colour{255, 255, 255, 255};
 };
 
-inline drawer lines(const canvas& c, const std::vector<segment>& lines) {
+inline drawer lines(const canvas& c, line_list& lines) {
   struct state : target {
     explicit state(const canvas& on) : target(on), pen(renderer) { pen.line_color(colour); }
     agg::renderer_primitives<base> pen;
   };
   return {"AGG renderer_primitives", [p = std::make_shared<state>(c), &lines](int first, int last) {
             for (int k = first; k < last; ++k) {
-              const segment& s = lines[static_cast<std::size_t>(k)];
+              const segment& s = (*lines)[static_cast<std::size_t>(k)];
               // From centre to centre, in 1/256 pixel.
               p->pen.line(s.a.x * 256 + 128, s.a.y * 256 + 128, s.b.x * 256 + 128, s.b.y * 256 + 128, true);
             }
           }};
 }
 
-inline drawer lines_outline_aa(const canvas& c, const std::vector<segment>& lines) {
+inline drawer lines_outline_aa(const canvas& c, line_list& lines) {
   struct state : target {
     explicit state(const canvas& on)
         : target(on), profile(1.0, agg::gamma_none()), outline(renderer, profile), pen(outline) {
@@ -64,7 +64,7 @@ inline drawer lines_outline_aa(const canvas& c, const std::vector<segment>& line
   drawer d{"AGG outline_aa", {}};
   d.draw = [p = std::make_shared<state>(c), &lines](int first, int last) {
     for (int k = first; k < last; ++k) {
-      const segment& s = lines[static_cast<std::size_t>(k)];
+      const segment& s = (*lines)[static_cast<std::size_t>(k)];
       p->pen.move_to_d(s.a.x + 0.5, s.a.y + 0.5);
       p->pen.line_to_d(s.b.x + 0.5, s.b.y + 0.5);
       p->pen.render(false);
@@ -74,7 +74,7 @@ inline drawer lines_outline_aa(const canvas& c, const std::vector<segment>& line
   return d;
 }
 
-inline drawer lines_stroke_aa(const canvas& c, const std::vector<segment>& lines) {
+inline drawer lines_stroke_aa(const canvas& c, line_list& lines) {
   struct state : target {
     using target::target;
     agg::rasterizer_scanline_aa<> rasterizer{};
@@ -86,7 +86,7 @@ inline drawer lines_stroke_aa(const canvas& c, const std::vector<segment>& lines
             stroke.width(1);
             stroke.line_cap(agg::butt_cap);
             for (int k = first; k < last; ++k) {
-              const segment& s = lines[static_cast<std::size_t>(k)];
+              const segment& s = (*lines)[static_cast<std::size_t>(k)];
               p->path.remove_all();
               p->path.move_to(s.a.x + 0.5, s.a.y + 0.5);
               p->path.line_to(s.b.x + 0.5, s.b.y + 0.5);
@@ -106,8 +106,8 @@ drawer fill(const canvas& c, const polygon_set& set, std::string name) {
     Scanline scanline{};
   };
   auto p = std::make_shared<state>(c);
-  p->rasterizer.filling_rule(set.rule == irg::fill_rule::even_odd ? agg::fill_even_odd : agg::fill_non_zero);
-  if (!set.inside) p->rasterizer.clip_box(0, 0, c.width(), c.height());
+  p->rasterizer.filling_rule(set.rule() == irg::fill_rule::even_odd ? agg::fill_even_odd : agg::fill_non_zero);
+  if (set.where != placing::inside) p->rasterizer.clip_box(0, 0, c.width(), c.height());
   drawer d{std::move(name), {}};
   d.draw = [p, &set](int first, int last) {
     agg::renderer_scanline_bin_solid<base> solid(p->renderer);

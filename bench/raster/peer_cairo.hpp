@@ -25,11 +25,11 @@ inline std::shared_ptr<cairo_t> context(const canvas& c, cairo_antialias_t antia
   return {to, cairo_destroy};
 }
 
-inline drawer lines(const canvas& c, const std::vector<segment>& lines, cairo_antialias_t antialias) {
+inline drawer lines(const canvas& c, line_list& lines, cairo_antialias_t antialias) {
   return {antialias == CAIRO_ANTIALIAS_NONE ? "Cairo stroke aliased" : "Cairo stroke",
           [to = context(c, antialias), &lines](int first, int last) {
             for (int k = first; k < last; ++k) {
-              const segment& s = lines[static_cast<std::size_t>(k)];
+              const segment& s = (*lines)[static_cast<std::size_t>(k)];
               cairo_move_to(to.get(), s.a.x + 0.5, s.a.y + 0.5);
               cairo_line_to(to.get(), s.b.x + 0.5, s.b.y + 0.5);
               cairo_stroke(to.get());
@@ -40,7 +40,7 @@ inline drawer lines(const canvas& c, const std::vector<segment>& lines, cairo_an
 inline drawer fill(const canvas& c, const polygon_set& set, cairo_antialias_t antialias) {
   auto to = context(c, antialias);
   cairo_set_fill_rule(to.get(),
-                      set.rule == irg::fill_rule::even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+                      set.rule() == irg::fill_rule::even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
   return {antialias == CAIRO_ANTIALIAS_NONE ? "Cairo fill aliased" : "Cairo fill", [to, &set](int first, int last) {
             for (int k = first; k < last; ++k) {
               const auto ring = set.ring(k);

@@ -18,11 +18,11 @@ inline cv::Mat wrap(const canvas& c) {
 
 inline cv::Scalar colour() { return cv::Scalar::all(255); }
 
-inline drawer lines(const canvas& c, const std::vector<segment>& lines, cv::LineTypes type) {
+inline drawer lines(const canvas& c, line_list& lines, cv::LineTypes type) {
   drawer d{type == cv::LINE_AA ? "OpenCV LINE_AA" : "OpenCV line", {}};
   d.draw = [m = wrap(c), &lines, type](int first, int last) mutable {
     for (int k = first; k < last; ++k) {
-      const segment& s = lines[static_cast<std::size_t>(k)];
+      const segment& s = (*lines)[static_cast<std::size_t>(k)];
       cv::line(m, {s.a.x, s.a.y}, {s.b.x, s.b.y}, colour(), 1, type);
     }
   };
@@ -31,12 +31,15 @@ inline drawer lines(const canvas& c, const std::vector<segment>& lines, cv::Line
 }
 
 /// All lines as open polygons of two points, in one call.
-inline drawer line_batch(const canvas& c, const std::vector<segment>& lines) {
-  std::vector<cv::Point> points;
-  for (const segment& s : lines) points.insert(points.end(), {cv::Point(s.a.x, s.a.y), cv::Point(s.b.x, s.b.y)});
-  return {"OpenCV polylines", [m = wrap(c), points](int first, int last) mutable {
+inline drawer line_batch(const canvas& c, line_list& lines) {
+  auto& points = keep_lazy([&lines] {
+    std::vector<cv::Point> all;
+    for (const segment& s : *lines) all.insert(all.end(), {cv::Point(s.a.x, s.a.y), cv::Point(s.b.x, s.b.y)});
+    return all;
+  });
+  return {"OpenCV polylines", [m = wrap(c), &points](int first, int last) mutable {
             std::vector<const cv::Point*> starts;
-            for (int k = first; k < last; ++k) starts.push_back(points.data() + 2 * k);
+            for (int k = first; k < last; ++k) starts.push_back(points->data() + 2 * k);
             const std::vector<int> counts(starts.size(), 2);
             cv::polylines(m, starts.data(), counts.data(), static_cast<int>(starts.size()), false, colour());
           }};
@@ -46,12 +49,15 @@ enum class filler { convex, general };
 
 /// OpenCV puts pixel centres at integers.
 inline drawer fill(const canvas& c, const polygon_set& set, filler how, cv::LineTypes type) {
-  std::vector<cv::Point> points;
-  for (const irg::subpixel& v : set.vertices) points.emplace_back(v.x - irg::half_pixel, v.y - irg::half_pixel);
+  auto& points = keep_lazy([&set] {
+    std::vector<cv::Point> all;
+    for (const irg::subpixel& v : *set.vertices) all.emplace_back(v.x - irg::half_pixel, v.y - irg::half_pixel);
+    return all;
+  });
   drawer d{how == filler::convex ? "OpenCV fillConvexPoly" : "OpenCV fillPoly", {}};
-  d.draw = [m = wrap(c), points, n = set.corners, how, type](int first, int last) mutable {
+  d.draw = [m = wrap(c), &points, n = set.corners, how, type](int first, int last) mutable {
     for (int k = first; k < last; ++k) {
-      const cv::Point* ring = points.data() + k * n;
+      const cv::Point* ring = points->data() + k * n;
       if (how == filler::convex)
         cv::fillConvexPoly(m, ring, n, colour(), type, irg::subpixel_bits);
       else

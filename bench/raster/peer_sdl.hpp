@@ -4,6 +4,7 @@
 // 512 items, so that it stays small, and behind the last one.
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include <SDL2/SDL.h>
@@ -53,14 +54,23 @@ private:
   void* own_pixels_ = nullptr;
 };
 
-inline drawer lines(const canvas& c, const std::vector<segment>& lines) {
-  return {"SDL2 RenderDrawLine", [t = std::make_shared<target>(c), &lines](int first, int last) {
+/// The one that draws on this canvas, made when it is first asked for.
+inline const target& target_on(const canvas& c) {
+  static std::map<const canvas*, std::unique_ptr<target>> all;
+  auto& t = all[&c];
+  if (!t) t = std::make_unique<target>(c);
+  return *t;
+}
+
+inline drawer lines(const canvas& c, line_list& lines) {
+  return {"SDL2 RenderDrawLine", [&c, &lines](int first, int last) {
+            const target& t = target_on(c);
             for (int k = first; k < last; ++k) {
-              const segment& s = lines[static_cast<std::size_t>(k)];
-              SDL_RenderDrawLine(t->renderer(), s.a.x, s.a.y, s.b.x, s.b.y);
-              t->flush_after(k);
+              const segment& s = (*lines)[static_cast<std::size_t>(k)];
+              SDL_RenderDrawLine(t.renderer(), s.a.x, s.a.y, s.b.x, s.b.y);
+              t.flush_after(k);
             }
-            t->flush();
+            t.flush();
           }};
 }
 
@@ -69,36 +79,38 @@ enum class calls { one_each, one_for_all };
 
 inline drawer fill(const canvas& c, const polygon_set& set, calls how) {
   struct data {
-    explicit data(const canvas& on) : to(on) {}
-    target to;
     std::vector<SDL_Vertex> vertices{};
     std::vector<int> fan{}, all{};
   };
-  auto p = std::make_shared<data>(c);
-  const int n = set.corners;
-  for (const irg::subpixel& v : set.vertices) {
-    const SDL_FPoint at{static_cast<float>(v.x) / 256, static_cast<float>(v.y) / 256};
-    p->vertices.push_back({at, {255, 255, 255, 255}, {0, 0}});
-  }
-  for (int i = 2; i < n; ++i) p->fan.insert(p->fan.end(), {0, i - 1, i});
-  for (int k = 0; k < set.size(); ++k)
-    for (const int i : p->fan) p->all.push_back(k * n + i);
+  auto& p = keep_lazy([&set] {
+    data d;
+    for (const irg::subpixel& v : *set.vertices) {
+      const SDL_FPoint at{static_cast<float>(v.x) / 256, static_cast<float>(v.y) / 256};
+      d.vertices.push_back({at, {255, 255, 255, 255}, {0, 0}});
+    }
+    for (int i = 2; i < set.corners; ++i) d.fan.insert(d.fan.end(), {0, i - 1, i});
+    for (int k = 0; k < set.size(); ++k)
+      for (const int i : d.fan) d.all.push_back(k * set.corners + i);
+    return d;
+  });
   drawer d{how == calls::one_each ? "SDL2 RenderGeometry" : "SDL2 RenderGeometry batch", {}};
   d.note = "whole-pixel vertices";
-  const int indices = static_cast<int>(p->fan.size());
+  const int n = set.corners, indices = 3 * (n - 2);
   if (how == calls::one_each)
-    d.draw = [p, n, indices](int first, int last) {
+    d.draw = [&c, &p, n, indices](int first, int last) {
+      const target& t = target_on(c);
       for (int k = first; k < last; ++k) {
-        SDL_RenderGeometry(p->to.renderer(), nullptr, p->vertices.data() + k * n, n, p->fan.data(), indices);
-        p->to.flush_after(k);
+        SDL_RenderGeometry(t.renderer(), nullptr, p->vertices.data() + k * n, n, p->fan.data(), indices);
+        t.flush_after(k);
       }
-      p->to.flush();
+      t.flush();
     };
   else
-    d.draw = [p, indices](int first, int last) {
-      SDL_RenderGeometry(p->to.renderer(), nullptr, p->vertices.data(), static_cast<int>(p->vertices.size()),
+    d.draw = [&c, &p, indices](int first, int last) {
+      const target& t = target_on(c);
+      SDL_RenderGeometry(t.renderer(), nullptr, p->vertices.data(), static_cast<int>(p->vertices.size()),
                          p->all.data() + first * indices, (last - first) * indices);
-      p->to.flush();
+      t.flush();
     };
   return d;
 }

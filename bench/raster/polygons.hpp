@@ -21,63 +21,74 @@
 
 namespace bench {
 
-/// Rings of equally many vertices, in 1/256 pixel.
-struct polygon_set {
-  int corners = 0;
-  std::vector<irg::subpixel> vertices{};
-  irg::fill_rule rule = irg::fill_rule::non_zero;
-  bool inside = true;  // no polygon leaves the canvas
-
-  int size() const { return static_cast<int>(vertices.size()) / corners; }
-  std::span<const irg::subpixel> ring(int k) const {
-    const auto n = static_cast<std::size_t>(corners);
-    return {vertices.data() + static_cast<std::size_t>(k) * n, n};
-  }
-};
-
 enum class placing { inside, clipped, outside };
 
 /// Polygons with their vertices on a circle of `diameter` pixels, in every n-th part of it one, shifted by up to 35 % of
-/// the part; `turns` coprime to n makes stars that cross themselves. Clipped ones have about a tenth of their
-/// circle's box on the canvas.
-inline polygon_set round_polygons(const canvas& c, int count, int corners, double diameter, int turns = 1,
-                                  placing where = placing::inside) {
-  constexpr double full_turn = 6.283185307179586;
-  random_numbers r(static_cast<std::uint64_t>(diameter) * 100 + static_cast<std::uint64_t>(corners));
-  polygon_set set{corners};
-  set.inside = where == placing::inside;
-  if (turns != 1) set.rule = irg::fill_rule::even_odd;
-  const double radius = diameter / 2;
-  for (int k = 0; k < count; ++k) {
-    double x = r.between(radius, c.width() - radius), y = r.between(radius, c.height() - radius);
-    if (where == placing::clipped) x = r.integer(0, 1) ? -0.8 * radius : c.width() + 0.8 * radius;
-    if (where == placing::outside)
-      x = r.integer(0, 1) ? r.between(-9, -1.1) * radius : c.width() + r.between(1.1, 9) * radius;
-    const double start = r.between(0, full_turn);
-    std::vector<irg::subpixel> ring;
-    for (int i = 0; i < corners; ++i) {
-      const double angle = start + (i + r.between(-0.35, 0.35)) * full_turn / corners;
-      ring.push_back(irg::snap(irg::point<double, 2>{x + radius * std::cos(angle), y + radius * std::sin(angle)}));
+/// the part; `turns` coprime to n makes stars that cross themselves. Clipped ones have about a tenth of their circle's
+/// box on the canvas. In 1/256 pixel.
+struct round_polygons {
+  const canvas& on;
+  int count, corners;
+  double diameter;
+  int turns;
+  placing where;
+
+  std::vector<irg::subpixel> vertices() const {
+    constexpr double full_turn = 6.283185307179586;
+    random_numbers r(static_cast<std::uint64_t>(diameter) * 100 + static_cast<std::uint64_t>(corners));
+    const double radius = diameter / 2;
+    std::vector<irg::subpixel> all;
+    for (int k = 0; k < count; ++k) {
+      double x = r.between(radius, on.width() - radius), y = r.between(radius, on.height() - radius);
+      if (where == placing::clipped) x = r.integer(0, 1) ? -0.8 * radius : on.width() + 0.8 * radius;
+      if (where == placing::outside)
+        x = r.integer(0, 1) ? r.between(-9, -1.1) * radius : on.width() + r.between(1.1, 9) * radius;
+      const double start = r.between(0, full_turn);
+      std::vector<irg::subpixel> ring;
+      for (int i = 0; i < corners; ++i) {
+        const double angle = start + (i + r.between(-0.35, 0.35)) * full_turn / corners;
+        ring.push_back(irg::snap(irg::point<double, 2>{x + radius * std::cos(angle), y + radius * std::sin(angle)}));
+      }
+      for (int i = 0; i < corners; ++i) all.push_back(ring[static_cast<std::size_t>(i * turns % corners)]);
     }
-    for (int i = 0; i < corners; ++i) set.vertices.push_back(ring[static_cast<std::size_t>(i * turns % corners)]);
+    return all;
   }
-  return set;
-}
+};
+
+/// Rings of equally many vertices, made when they are first asked for.
+struct polygon_set : round_polygons {
+  std::string name;
+  lazy<std::vector<irg::subpixel>>& vertices;
+
+  int size() const { return count; }
+  bool convex() const { return turns == 1; }
+  irg::fill_rule rule() const { return convex() ? irg::fill_rule::non_zero : irg::fill_rule::even_odd; }
+  std::span<const irg::subpixel> ring(int k) const {
+    const auto n = static_cast<std::size_t>(corners);
+    return {vertices->data() + static_cast<std::size_t>(k) * n, n};
+  }
+  contest with(const char* kernel, const char* unit, const char* limit) const {
+    return {kernel,
+            name + " " + std::to_string(static_cast<int>(diameter)) + " px " + on.name() + build_suffix(),
+            "polygon",
+            count,
+            unit,
+            where == placing::outside ? "" : limit};
+  }
+};
 
 /// The cases of all contests of fills: `counts` polygons of 8, 32, 128 and 512 pixels; those of up to `small_corners` on
-/// the small canvas, too. run(canvas, name, diameter, set, convex) holds one and gives how many promises were broken.
+/// the small canvas, too. run(set) enters one.
 template <class Run>
-int run_fills(const std::array<int, 4>& counts, int small_corners, Run run) {
-  const canvas large(1920, 1080, "1080p"), small(640, 640, "640x640");
+void enter_fills(const canvas& large, const canvas& small, const std::array<int, 4>& counts, int small_corners, Run run) {
   struct shape {
     int corners;
     const char* name;
   };
-  int broken = 0;
   const auto on = [&](const canvas& c, const char* name, double diameter, int n, int corners, int turns = 1,
                       placing where = placing::inside) {
-    const int count = smoke() ? n / 200 + 2 : n;
-    broken += run(c, name, diameter, round_polygons(c, count, corners, diameter, turns, where), turns == 1);
+    const round_polygons what{c, smoke() ? n / 200 + 2 : n, corners, diameter, turns, where};
+    run(keep(polygon_set{what, name, keep_lazy([what] { return what.vertices(); })}));
   };
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double diameter = std::array{8, 32, 128, 512}[i];
@@ -90,7 +101,6 @@ int run_fills(const std::array<int, 4>& counts, int small_corners, Run run) {
   }
   on(large, "triangle clipped 90 %", 128, counts[2], 3, 1, placing::clipped);
   on(large, "triangle outside", 128, counts[2], 3, 1, placing::outside);
-  return broken;
 }
 
 /// A contender of irg: draw(ring) for each polygon.
@@ -128,8 +138,8 @@ void exact_rows(const polygon_set& set, int k, const irg::cell_window& w, Sink&&
     std::sort(crossings.begin(), crossings.end(), [](auto& a, auto& b) { return a.column < b.column; });
     int winding = 0;
     for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-      winding += set.rule == irg::fill_rule::even_odd ? 1 : crossings[i].direction;
-      const bool in = set.rule == irg::fill_rule::even_odd ? winding % 2 != 0 : winding != 0;
+      winding += set.rule() == irg::fill_rule::even_odd ? 1 : crossings[i].direction;
+      const bool in = set.rule() == irg::fill_rule::even_odd ? winding % 2 != 0 : winding != 0;
       const irg::span_of_cells s{y, std::max(crossings[i].column, w.x_first),
                                  std::min(crossings[i + 1].column, w.x_last)};
       if (in && s.x_first < s.x_last) emit(s);
@@ -147,17 +157,19 @@ inline irg::cell_window surroundings(const canvas& c, const polygon_set& set, in
                         {0, 0, c.width(), c.height()});
 }
 
-inline std::int64_t covered_pixels(const canvas& c, const polygon_set& set) {
-  std::int64_t count = 0;
-  for (int k = 0; k < set.size(); ++k)
-    exact_rows(set, k, surroundings(c, set, k, 0), [&](const irg::span_of_cells& s) { count += s.x_last - s.x_first; });
-  return count;
+inline lazy<std::int64_t>& covered_pixels(const canvas& c, const polygon_set& set) {
+  return keep_lazy([&c, &set] {
+    std::int64_t count = 0;
+    for (int k = 0; k < set.size(); ++k)
+      exact_rows(set, k, surroundings(c, set, k, 0), [&](const irg::span_of_cells& s) { count += s.x_last - s.x_first; });
+    return count;
+  });
 }
 
 /// How many items to judge, so that it takes no longer than the race.
-inline int sample_size(const polygon_set& set, double diameter) {
+inline int sample_size(const polygon_set& set) {
   const double pixels = smoke() ? 1e5 : 6e6;
-  return std::min(set.size(), static_cast<int>(std::min(1000.0, 3 + pixels / (diameter * diameter))));
+  return std::min(set.size(), static_cast<int>(std::min(1000.0, 3 + pixels / (set.diameter * set.diameter))));
 }
 
 /// From a pixel's centre to the nearest point of the ring, in pixels.
@@ -175,12 +187,12 @@ inline double distance_to_ring(std::span<const irg::subpixel> ring, int x, int y
 
 /// Wrong: pixels that are drawn but not covered by the definition, or covered but not drawn. Error: how far the centre
 /// of such a pixel is from the polygon's outline, in pixels; 0 for the right ones, which the mean counts, too.
-inline errors judge_fill(const canvas& c, const polygon_set& set, double diameter, const drawer& d) {
-  errors e;
+inline errors judge_fill(const canvas& c, const polygon_set& set, const drawer& d) {
+  errors e{0, 0, 0};
   double sum = 0;
   std::int64_t pixels = 0, too_many = 0;
   std::vector<std::uint8_t> due;
-  const int sample = sample_size(set, diameter);
+  const int sample = sample_size(set);
   for (int k = 0; k < sample; ++k) {
     const irg::cell_window w = surroundings(c, set, k, 4);
     if (w.empty()) continue;
@@ -228,16 +240,19 @@ inline drawer limit_span_replay(const canvas& c, const polygon_set& set, replayi
     std::vector<run> runs{};
     std::vector<std::size_t> ends{0};
   };
-  auto all = std::make_shared<record>();
-  for (int k = 0; k < set.size(); ++k) {
-    exact_rows(set, k, surroundings(c, set, k, 0), [&](const irg::span_of_cells& s) {
-      all->runs.push_back(
-          {static_cast<std::uint32_t>(s.y * c.width() + s.x_first), static_cast<std::uint32_t>(s.x_last - s.x_first)});
-    });
-    all->ends.push_back(all->runs.size());
-  }
-  all->runs.resize(all->runs.size() + runs_ahead);
-  const auto range = [all](int first, int last) {
+  auto& all = keep_lazy([&c, &set] {
+    record r;
+    for (int k = 0; k < set.size(); ++k) {
+      exact_rows(set, k, surroundings(c, set, k, 0), [&](const irg::span_of_cells& s) {
+        r.runs.push_back({static_cast<std::uint32_t>(s.y * c.width() + s.x_first),
+                          static_cast<std::uint32_t>(s.x_last - s.x_first)});
+      });
+      r.ends.push_back(r.runs.size());
+    }
+    r.runs.resize(r.runs.size() + runs_ahead);
+    return r;
+  });
+  const auto range = [&all](int first, int last) {
     return std::span(all->runs.data() + all->ends[static_cast<std::size_t>(first)],
                      all->runs.data() + all->ends[static_cast<std::size_t>(last)]);
   };
