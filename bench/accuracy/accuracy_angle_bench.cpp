@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <irg/math/length.hpp>
@@ -58,9 +59,11 @@ vec plain_cross(const vec& a, const vec& b) {
 
 double half_chord(const vec& a, const vec& b) { return std::asin(std::fmin(1.0, plain_length(a - b) / 2)); }
 
-void measure(const bench::study& s, const std::string& name, const pairs& input) {
-  bench::distribution d{name, input.size(), 1, {}};
-  for (const auto& [a, b] : input) d.exact.push_back(exact_angle(a, b).result());
+void measure(const bench::study& s, const std::string& name, pairs made) {
+  const pairs& input = bench::keep(std::move(made));
+  const bench::distribution d{
+      name, input.size(), 1,
+      bench::exact_for(input, [](const pair& p, bench::exact_results& out) { out.push_back(exact_angle(p.a, p.b).result()); })};
   const auto entry = [&](const char* who, auto f) {
     return bench::for_each_item(who, input, [f](const pair& p) { return f(p.a, p.b); });
   };
@@ -90,8 +93,7 @@ void measure(const bench::study& s, const std::string& name, const pairs& input)
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   bench::study s("angle", "angle", bench::error_unit::ulp);
   const std::size_t n = bench::smoke() ? 16 : 2048;
   measure(s, "any directions", at_angle(1, false, 0, n));
@@ -100,6 +102,7 @@ int main() {
   for (const int e : {-6, -12})
     measure(s, "angles of pi - 1e" + std::to_string(e), at_angle(std::pow(10, e), true, 0, n));
   measure(s, "lengths 2^500 and 2^-500", at_angle(1e-3, false, 500, n));
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

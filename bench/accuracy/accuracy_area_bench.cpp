@@ -42,8 +42,7 @@ real twice_area(const point2& a, const point2& b, const point2& c) {
 
 void polygon(bench::study& s, const std::string& name, double offset, double left) {
   bench::random_numbers r(14);
-  std::vector<ring> items(static_cast<std::size_t>(count()));
-  bench::distribution d{name, items.size(), 1, {}};
+  auto& items = bench::keep(std::vector<ring>(static_cast<std::size_t>(count())));
   for (ring& polygon : items) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const double t = 0.39269908169872414 * static_cast<double>(i), radius = 1 + r.unit();
@@ -51,26 +50,29 @@ void polygon(bench::study& s, const std::string& name, double offset, double lef
     }
     if (left < 1)  // the way back, at nearly the same places
       for (std::size_t i = 8; i < 16; ++i) polygon[i] = {polygon[15 - i].x * (1 + left * r.unit()), polygon[15 - i].y};
-    real sum = 0;
-    for (std::size_t i = 2; i < 16; ++i) sum = sum + twice_area(polygon[0], polygon[i - 1], polygon[i]);
-    d.exact.push_back((sum / real(2)).result());
   }
+  const auto exact = [](const ring& p, bench::exact_results& out) {
+    real sum = 0;
+    for (std::size_t i = 2; i < 16; ++i) sum = sum + twice_area(p[0], p[i - 1], p[i]);
+    out.push_back((sum / real(2)).result());
+  };
+  const bench::distribution d{name, items.size(), 1, bench::exact_for(items, exact)};
   std::vector<bench::implementation> who{
       bench::for_each_item("irg", items, [](const ring& p) { return irg::polygon_area(p); }),
       bench::for_each_item("irg: polygon_area_fast", items, [](const ring& p) { return irg::polygon_area_fast(p); }),
       bench::for_each_item("irg: polygon_area_exact", items, [](const ring& p) { return irg::polygon_area_exact(p); }),
       bench::for_each_item("textbook", items, [](const ring& p) { return irg::polygon_area_textbook(p); })};
 #ifdef IRG_HAVE_OPENCV_IMGPROC
-  std::vector<std::array<cv::Point2f, 16>> in_float(items.size());
+  auto& in_float = bench::keep(std::vector<std::array<cv::Point2f, 16>>(items.size()));
   for (std::size_t k = 0; k < items.size(); ++k)
     for (std::size_t i = 0; i < 16; ++i)
       in_float[k][i] = {static_cast<float>(items[k][i].x), static_cast<float>(items[k][i].y)};
   const auto area = [](const std::array<cv::Point2f, 16>& p) { return cv::contourArea(p, true); };
-  who.push_back(bench::for_each_item("OpenCV (points in float)", in_float, area, "no"));
+  who.push_back(bench::for_each_item("OpenCV (points in float)", in_float, area, false));
 #endif
 #ifdef IRG_HAVE_CGAL
   using kernel = CGAL::Simple_cartesian<double>;
-  std::vector<std::array<kernel::Point_2, 16>> of_cgal(items.size());
+  auto& of_cgal = bench::keep(std::vector<std::array<kernel::Point_2, 16>>(items.size()));
   for (std::size_t k = 0; k < items.size(); ++k)
     for (std::size_t i = 0; i < 16; ++i) of_cgal[k][i] = {items[k][i].x, items[k][i].y};
   who.push_back(bench::for_each_item("CGAL", of_cgal,
@@ -122,8 +124,10 @@ triangle_set triangles(const std::string& name, double away, int bits) {
 void corners(const std::vector<triangle_set>& all) {
   bench::study s("area of a triangle", "triangle", bench::error_unit::ulp);
   for (const auto& [name, items] : all) {
-    bench::distribution d{name, items.size(), 1, {}};
-    for (const triangle& t : items) d.exact.push_back((twice_area(t.p[0], t.p[1], t.p[2]) / real(2)).result());
+    const auto exact = [](const triangle& t, bench::exact_results& out) {
+      out.push_back((twice_area(t.p[0], t.p[1], t.p[2]) / real(2)).result());
+    };
+    const bench::distribution d{name, items.size(), 1, bench::exact_for(items, exact)};
     const auto entry = [&](const char* who, auto area) {
       return bench::for_each_item(who, items, [area](const triangle& t) { return area(t.p[0], t.p[1], t.p[2]); });
     };
@@ -141,12 +145,13 @@ void corners(const std::vector<triangle_set>& all) {
 void barycentric(const std::vector<triangle_set>& all) {
   bench::study s("barycentric coordinates", "point", bench::error_unit::ulp);
   for (const auto& [name, items] : all) {
-    bench::distribution d{name, items.size(), 3, {}};
-    for (const auto& [p, t] : items) {
+    const auto exact = [](const triangle& one, bench::exact_results& out) {
+      const auto& [p, t] = one;
       const real whole = twice_area(p[0], p[1], p[2]);
       for (std::size_t k = 0; k < 3; ++k)
-        d.exact.push_back((twice_area(p[(k + 1) % 3], p[(k + 2) % 3], t) / whole).result());
-    }
+        out.push_back((twice_area(p[(k + 1) % 3], p[(k + 2) % 3], t) / whole).result());
+    };
+    const bench::distribution d{name, items.size(), 3, bench::exact_for(items, exact)};
     s.panel(d,
             {bench::for_each_vector<3>("irg", items,
                                        [](const triangle& t) {
@@ -176,16 +181,18 @@ void sides() {
   bench::study s("area from sides", "triangle", bench::error_unit::ulp);
   for (const int power : {0, 5, 10}) {
     bench::random_numbers r(16);
-    std::vector<std::array<double, 3>> items;
-    bench::distribution d{power == 0 ? "any triangle" : "needles of 10^-" + std::to_string(power), 0, 1, {}};
+    auto& items = bench::keep(std::vector<std::array<double, 3>>());
     for (int i = 0; i < count(); ++i) {
       const double part = std::pow(10.0, -power), a = r.between(1, 2),
                    b = i % 2 == 0 ? a * (1 + part * r.unit() / 2) : r.between(1, 2);
       items.push_back({a, b, i % 2 == 0 ? a * part : (a + b) * (1 - part * r.between(0.1, 0.2))});
-      const real x = items.back()[0], y = items.back()[1], z = items.back()[2];
-      d.exact.push_back((sqrt((x + y + z) * (x + y - z) * (x - y + z) * (y - x + z)) / real(4)).result());
     }
-    d.items = items.size();
+    const auto exact = [](const std::array<double, 3>& side, bench::exact_results& out) {
+      const real x = side[0], y = side[1], z = side[2];
+      out.push_back((sqrt((x + y + z) * (x + y - z) * (x - y + z) * (y - x + z)) / real(4)).result());
+    };
+    const bench::distribution d{power == 0 ? "any triangle" : "needles of 10^-" + std::to_string(power), items.size(), 1,
+                                bench::exact_for(items, exact)};
     s.panel(d,
             {bench::for_each_item(
                  "irg", items,
@@ -200,14 +207,15 @@ void sides() {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   polygons();
-  const std::vector<triangle_set> all{triangles("any triangle", 0, 0), triangles("10^6 away", 1e6, 0),
-                                      triangles("2^-20 wide", 0, 20), triangles("2^-45 wide", 0, 45)};
+  const auto& all =
+      bench::keep(std::vector<triangle_set>{triangles("any triangle", 0, 0), triangles("10^6 away", 1e6, 0),
+                                            triangles("2^-20 wide", 0, 20), triangles("2^-45 wide", 0, 45)});
   corners(all);
   sides();
   barycentric(all);
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -129,23 +129,21 @@ ends opencv_clip(const point2& a, const point2& b) {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   bench::study s("clip of a line by a window", "segment", bench::error_unit::ulp);
-  for (const set& one : sets()) {
+  for (const set& one : bench::keep(sets())) {
     const auto& items = one.segments;
     const box2& w = one.window;
     const std::array<point2, 4> ring{w.low, {w.high.x, w.low.y}, w.high, {w.low.x, w.high.y}};
-    bench::distribution d{one.name, items.size(), 4, {}};
-    for (const auto& [a, b] : items) {
-      std::vector<bench::exact_result> found;
-      liang_barsky<real>(w, a, b, [&](const real& x) {
-        found.push_back(x.result());
+    const auto exact = [w](const std::array<point2, 2>& p, bench::exact_results& out) {
+      const std::size_t before = out.size();
+      liang_barsky<real>(w, p[0], p[1], [&](const real& x) {
+        out.push_back(x.result());
         return 0.0;
       });
-      found.resize(4, bench::exact_result{none});
-      d.exact.insert(d.exact.end(), found.begin(), found.end());
-    }
+      out.resize(before + 4, bench::exact_result{none});
+    };
+    const bench::distribution d{one.name, items.size(), 4, bench::exact_for(items, exact)};
     const auto entry = [&](const char* name, auto clip) {
       return bench::for_each_vector<4>(name, items, [clip](const auto& p) { return ends_of(clip(p[0], p[1])); });
     };
@@ -168,10 +166,11 @@ int main() {
 #ifdef IRG_HAVE_OPENCV_IMGPROC
     if (w.high.x == 1)
       who.push_back(bench::for_each_vector<4>(
-          "OpenCV clipLine (2^-20 grid)", items, [](const auto& p) { return opencv_clip(p[0], p[1]); }, "no"));
+          "OpenCV clipLine (2^-20 grid)", items, [](const auto& p) { return opencv_clip(p[0], p[1]); }, false));
 #endif
     s.panel(d, who, bench::text_of_items(items));
   }
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -84,8 +84,7 @@ double naive(const std::string& w) {
 void parse(const std::vector<set>& all) {
   bench::study s("parse double", "number", bench::error_unit::ulp);
   for (const set& one : all) {
-    bench::distribution d{one.name, one.words.size(), 1, {}};
-    for (const std::string& w : one.words) {
+    const auto exact = [](const std::string& w, bench::exact_results& out) {
       mpfr_t x;
       mpfr_init2(x, 3000);
       mpfr_set_str(x, w.c_str(), 10, MPFR_RNDN);
@@ -93,8 +92,9 @@ void parse(const std::vector<set>& all) {
       mpfr_sub_d(x, x, e.value, MPFR_RNDN);
       e.rest = mpfr_get_d(x, MPFR_RNDN);
       mpfr_clear(x);
-      d.exact.push_back(e);
-    }
+      out.push_back(e);
+    };
+    const bench::distribution d{one.name, one.words.size(), 1, bench::exact_for(one.words, exact)};
     s.panel(d,
             {bench::for_each_item(
                  "irg", one.words,
@@ -127,42 +127,30 @@ const printer printers[] = {
      [](char* text, double v) { return static_cast<std::size_t>(std::snprintf(text, 40, "%.17g", v)); }},
 };
 
-void print_numbers(const char* name, const std::vector<double>& values) {
-  std::vector<char> room(values.size() * 40);
-  std::vector<std::size_t> lengths(values.size());
-  std::vector<bench::contender> racers;
-  for (const printer& one : printers)
-    racers.push_back({one.name, [&] {
-                        for (std::size_t i = 0; i < values.size(); ++i)
-                          lengths[i] = one.print(room.data() + 40 * i, values[i]);
-                      }});
-  bench::race(racers, 11, 0.002);
-  std::printf("  %s\n    %-26s %10s %10s %12s %9s\n", name, "", "ns", "least", "bytes", "wrong");
-  for (bench::contender& c : racers) {
-    c.run();
-    double bytes = 0;
-    int wrong = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      bytes += static_cast<double>(lengths[i]);
-      wrong += std::strtod(std::string(room.data() + 40 * i, lengths[i]).c_str(), nullptr) == values[i] ? 0 : 1;
-    }
-    const double count = static_cast<double>(values.size()), ns = c.median() * 1e9 / count;
-    std::printf("    %-26s %10.4g %10.4g %12.4g %9d\n", c.name.c_str(), ns, c.percentile(0) * 1e9 / count,
-                bytes / count, wrong);
-    bench::report({.kernel = "print double",
-                   .test_case = name,
-                   .implementation = c.name,
-                   .ns_per_item = ns,
-                   .items = static_cast<std::int64_t>(values.size()),
-                   .item = "number",
-                   .mean_error = bench::number(bytes / count),
-                   .error_unit = "bytes",
-                   .wrong = std::to_string(wrong)});
+void print_numbers(const char* name, const std::vector<double>& made) {
+  const auto& values = bench::keep(std::vector<double>(made));
+  const bench::contest c{"print double", name, "number", static_cast<std::int64_t>(values.size()), "bytes"};
+  for (const printer& one : printers) {
+    auto& room = bench::keep(std::vector<char>(values.size() * 40));
+    auto& lengths = bench::keep(std::vector<std::size_t>(values.size()));
+    bench::contender who{one.name, [&] {
+                           for (std::size_t i = 0; i < values.size(); ++i)
+                             lengths[i] = one.print(room.data() + 40 * i, values[i]);
+                         }};
+    who.judge = [&] {
+      bench::errors e;
+      e.mean = e.wrong = 0;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        e.mean += static_cast<double>(lengths[i]) / static_cast<double>(values.size());
+        e.wrong += std::strtod(std::string(room.data() + 40 * i, lengths[i]).c_str(), nullptr) == values[i] ? 0 : 1;
+      }
+      return e;
+    };
+    bench::enter(c, std::move(who));
   }
 }
 
 void print() {
-  std::puts("print double: ns a number, mean length, numbers that do not lead back");
   const auto make = [](auto next) {
     bench::random_numbers r(9);
     std::vector<double> values;
@@ -178,10 +166,10 @@ void print() {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
-  parse(sets());
+int main(int argc, char** argv) {
+  parse(bench::keep(sets()));
   print();
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -67,17 +67,20 @@ struct named {
 };
 
 template <class T, class Exact, class... Fs>
-void compare_in(const bench::study& s, arguments a, Exact exact, const named<Fs>&... who) {
+void compare_in(const bench::study& s, arguments made, Exact exact, const named<Fs>&... who) {
   constexpr bool in_float = sizeof(T) == 4;
-  if (in_float && a.name.find("double") != std::string::npos) return;
+  if (in_float && made.name.find("double") != std::string::npos) return;
+  arguments& a = bench::keep(std::move(made));
   for (double& v : a.x) v = static_cast<double>(static_cast<T>(v));
   for (double& v : a.y) v = static_cast<double>(static_cast<T>(v));
-  const std::vector<T> x(a.x.begin(), a.x.end());
-  std::vector<T> y(a.y.begin(), a.y.end());
+  const auto& x = bench::keep(std::vector<T>(a.x.begin(), a.x.end()));
+  auto& y = bench::keep(std::vector<T>(a.y.begin(), a.y.end()));
   y.resize(x.size());
-  bench::distribution d{a.name + (in_float ? " (float)" : ""), x.size(), 1, {}, in_float};
-  for (std::size_t i = 0; i < x.size(); ++i)
-    d.exact.push_back(exact(static_cast<double>(x[i]), static_cast<double>(y[i])).result());
+  const auto find_exact = [&x, &y, exact](bench::exact_results& out) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      out.push_back(exact(static_cast<double>(x[i]), static_cast<double>(y[i])).result());
+  };
+  const bench::distribution d{a.name + (in_float ? " (float)" : ""), x.size(), 1, find_exact, in_float};
   const auto over = [&](const auto& one) {
     return bench::implementation{one.name, [&x, &y, f = one.f](double* out) {
                                    for (std::size_t i = 0; i < x.size(); ++i)
@@ -85,7 +88,7 @@ void compare_in(const bench::study& s, arguments a, Exact exact, const named<Fs>
                                  }};
   };
   s.panel(d, {over(who)...},
-          [&](std::size_t i) { return bench::text_of(a.x[i]) + (a.y.empty() ? "" : " " + bench::text_of(a.y[i])); });
+          [&a](std::size_t i) { return bench::text_of(a.x[i]) + (a.y.empty() ? "" : " " + bench::text_of(a.y[i])); });
 }
 
 // A study of one function in both precisions.
@@ -130,8 +133,7 @@ void square_roots(const std::vector<arguments>& sets) {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   const arguments turn = uniform(-3.1415926, 3.1415926, "-pi to pi"), million = uniform(-1e6, 1e6, "up to 1e6"),
                   huge = of_exponents(20, 1023, "up to 2^1023 (double)"),
                   tiny = of_exponents(-120, -10, "2^-120 to 2^-10"), unit = uniform(-1, 1, "-1 to 1"),
@@ -162,6 +164,7 @@ int main() {
             pairs("like sizes", uniform(1, 2, ""), uniform(1, 2, "")));
   COMPARE_2(pow, mpfr_pow, pairs("1/10 to 10 to the -20 to 20", positive(uniform(0.1, 10, "")), uniform(-20, 20, "")),
             pairs("beside 1 to large powers (double)", uniform(0.999, 1.001, ""), uniform(-1e5, 1e5, "")));
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -141,7 +141,7 @@ struct numbers_of {
   std::array<double, 16> n;
   double operator[](int i) const { return n[static_cast<std::size_t>(i)]; }
 };
-numbers_of flat(const numbers_of& x) { return x; }
+[[maybe_unused]] numbers_of flat(const numbers_of& x) { return x; }
 numbers_of flat(const std::optional<mat4>& x) {
   numbers_of all;
   for (std::size_t i = 0; i < 16; ++i)
@@ -168,9 +168,10 @@ void inverse(const std::vector<set>& all) {
   bench::study s("inverse of 4x4", "matrix", bench::error_unit::relative_u);
   for (const set& one : all) {
     const auto& m = one.matrices;
-    bench::distribution d{one.name, m.size(), 16, {}};
-    for (const mat4& a : m)
-      for (const real& x : true_inverse(a)) d.exact.push_back(x.result());
+    const auto exact = [](const mat4& a, bench::exact_results& out) {
+      for (const real& x : true_inverse(a)) out.push_back(x.result());
+    };
+    const bench::distribution d{one.name, m.size(), 16, bench::exact_for(m, exact)};
     const auto entry = [&](const char* name, auto f) {
       return bench::for_each_vector<16>(name, m, [f](const mat4& a) { return flat(f(a)); });
     };
@@ -229,12 +230,12 @@ void solve(const std::vector<set>& all) {
   bench::study s("solution of 4 equations", "system", bench::error_unit::relative_u);
   for (const set& one : all) {
     const auto& m = one.matrices;
-    bench::distribution d{one.name, m.size(), 4, {}};
-    for (const mat4& a : m) {
+    const auto exact = [](const mat4& a, bench::exact_results& out) {
       const auto x = true_inverse(a);
       for (std::size_t r = 0; r < 16; r += 4)
-        d.exact.push_back((x[r] * right.x + x[r + 1] * right.y + x[r + 2] * right.z + x[r + 3] * right.w).result());
-    }
+        out.push_back((x[r] * right.x + x[r + 1] * right.y + x[r + 2] * right.z + x[r + 3] * right.w).result());
+    };
+    const bench::distribution d{one.name, m.size(), 4, bench::exact_for(m, exact)};
     std::vector<bench::implementation> who{
         bench::for_each_vector<4>("irg: lu_solve", m,
                                   [](const mat4& a) {
@@ -267,11 +268,11 @@ void solve(const std::vector<set>& all) {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
-  const auto all = sets();
+int main(int argc, char** argv) {
+  const auto& all = bench::keep(sets());
   inverse(all);
   solve(all);
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -60,6 +60,8 @@ std::vector<set> sets() {
   return all;
 }
 
+real true_length(const vec3& v) { return sqrt(real(v.x) * v.x + real(v.y) * v.y + real(v.z) * v.z); }
+
 auto eigen_of(const vec3& v) {
 #ifdef HAS_EIGEN
   return Eigen::Vector3d(v.x, v.y, v.z);
@@ -95,8 +97,8 @@ void lengths(const std::vector<set>& all) {
   bench::study s("length", "length", bench::error_unit::ulp);
   for (const set& one : all) {
     const auto& v = one.vectors;
-    bench::distribution d{one.name, v.size(), 1, {}};
-    for (const vec3& x : v) d.exact.push_back(sqrt(real(x.x) * x.x + real(x.y) * x.y + real(x.z) * x.z).result());
+    const auto exact = [](const vec3& x, bench::exact_results& out) { out.push_back(true_length(x).result()); };
+    const bench::distribution d{one.name, v.size(), 1, bench::exact_for(v, exact)};
     std::vector<bench::implementation> who{
         bench::for_each_item("irg", v, [](const vec3& x) { return irg::length(x); }),
         bench::for_each_item("irg: length_fast", v, [](const vec3& x) { return irg::length_fast(x); }),
@@ -120,11 +122,11 @@ void unit_vectors(const std::vector<set>& all) {
   bench::study s("normalise", "unit vector", bench::error_unit::ulp);
   for (const set& one : all) {
     const auto& v = one.vectors;
-    bench::distribution d{one.name, v.size(), 3, {}};
-    for (const vec3& x : v) {
-      const real length = sqrt(real(x.x) * x.x + real(x.y) * x.y + real(x.z) * x.z);
-      for (int k = 0; k < 3; ++k) d.exact.push_back((real(x[k]) / length).result());
-    }
+    const auto exact = [](const vec3& x, bench::exact_results& out) {
+      const real length = true_length(x);
+      for (int k = 0; k < 3; ++k) out.push_back((real(x[k]) / length).result());
+    };
+    const bench::distribution d{one.name, v.size(), 3, bench::exact_for(v, exact)};
     std::vector<bench::implementation> who{
         bench::for_each_vector<3>("irg", v, [](const vec3& x) { return irg::normalized(x); }),
         bench::for_each_vector<3>("irg: normalized_fast", v, [](const vec3& x) { return irg::normalized_fast(x); })};
@@ -145,11 +147,11 @@ void unit_vectors(const std::vector<set>& all) {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
-  const auto all = sets();
+int main(int argc, char** argv) {
+  const auto& all = bench::keep(sets());
   lengths(all);
   unit_vectors(all);
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -70,8 +70,8 @@ double_double two_words(const real& x) {
 }
 
 template <class M, class F>
-std::vector<chain<M>> nearest(const std::vector<std::array<exact3, steps>>& all, std::size_t length, F entry) {
-  std::vector<chain<M>> chains(all.size());
+const std::vector<chain<M>>& nearest(const std::vector<std::array<exact3, steps>>& all, std::size_t length, F entry) {
+  auto& chains = bench::keep(std::vector<chain<M>>(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {
     chains[i].length = length;
     for (std::size_t k = 0; k < steps; ++k)
@@ -110,40 +110,42 @@ bench::implementation multiplying(const char* name, const std::vector<chain<M>>&
 void chains_of(bench::study& s, int power) {
   const auto length = static_cast<std::size_t>(std::pow(10.0, power) + 0.5);
   bench::random_numbers r(length);
-  std::vector<std::array<exact3, steps>> exact(bench::smoke() ? 2 : length < 10000 ? 32 : 4);
-  bench::distribution d{"10^" + std::to_string(power) + " rotations", exact.size(), 9, {}};
-  for (auto& turns : exact) {
+  auto& exact = bench::keep(std::vector<std::array<exact3, steps>>(bench::smoke() ? 2 : length < 10000 ? 32 : 4));
+  for (auto& turns : exact)
     for (exact3& turn : turns) turn = rotation(r);
-    for (const real& x : product_of(turns, length)) d.exact.push_back(x.result());
-  }
+  const auto product = [length](const std::array<exact3, steps>& turns, bench::exact_results& out) {
+    for (const real& x : product_of(turns, length)) out.push_back(x.result());
+  };
+  const bench::distribution d{"10^" + std::to_string(power) + " rotations", exact.size(), 9,
+                              bench::exact_for(exact, product)};
   const auto read = [](const auto& a, int i, int j) { return a(i, j); };
-  const auto in_double = nearest<mat3>(exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = x.nearest(); });
-  const auto in_float = nearest<irg::mat<float, 3, 3>>(
+  const auto& in_double = nearest<mat3>(exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = x.nearest(); });
+  const auto& in_float = nearest<irg::mat<float, 3, 3>>(
       exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = static_cast<float>(x.nearest()); });
-  const auto in_words = nearest<irg::mat<double_double, 3, 3>>(
+  const auto& in_words = nearest<irg::mat<double_double, 3, 3>>(
       exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = two_words(x); });
   std::vector<bench::implementation> who{
       multiplying("irg", in_double, read), multiplying("in float", in_float, read),
       multiplying("in double_double", in_words, [](const auto& a, int i, int j) { return a(i, j).high; }),
       multiplying("orthonormal every 64th", in_double, read, orthonormalize)};
 #ifdef HAS_GLM
-  const auto in_glm = nearest<glm::dmat3>(exact, length, [](auto& a, int i, int j, auto& x) { a[j][i] = x.nearest(); });
+  const auto& in_glm = nearest<glm::dmat3>(exact, length, [](auto& a, int i, int j, auto& x) { a[j][i] = x.nearest(); });
   who.push_back(multiplying("GLM", in_glm, [](const auto& a, int i, int j) { return a[j][i]; }));
 #endif
 #ifdef HAS_EIGEN
-  const auto in_eigen =
+  const auto& in_eigen =
       nearest<Eigen::Matrix3d>(exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = x.nearest(); });
   who.push_back(multiplying("Eigen", in_eigen, read));
 #endif
-  s.panel(d, who, [&](std::size_t i) { return "chain " + std::to_string(i) + " of seed " + std::to_string(length); });
+  s.panel(d, who, [length](std::size_t i) { return "chain " + std::to_string(i) + " of seed " + std::to_string(length); });
 }
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   bench::study s("chain of rotations", "chain", bench::error_unit::relative_u);
   for (int power = 1; power <= (bench::smoke() ? 3 : 6); ++power) chains_of(s, power);
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -84,7 +84,7 @@ std::vector<set<N>> sets() {
 
 // Newell's sum; for three points it is their cross product.
 template <std::size_t N>
-void add_true_normal(const corners<N>& p, std::vector<bench::exact_result>& exact) {
+void add_true_normal(const corners<N>& p, bench::exact_results& exact) {
   std::array<real, 3> n;
   for (std::size_t i = 0; i < N; ++i) {
     const point3 &a = p[i], &b = p[(i + 1) % N];
@@ -111,10 +111,10 @@ vec3 by_determinants(const point3& p, const point3& q, const point3& r) {
 
 void three_points() {
   bench::study s("plane through three points", "unit normal", bench::error_unit::relative_u);
-  for (const auto& one : sets<3>()) {
+  for (const auto& one : bench::keep(sets<3>())) {
     const auto& items = one.polygons;
-    bench::distribution d{one.name, items.size(), 3, {}};
-    for (const auto& p : items) add_true_normal(p, d.exact);
+    const auto exact = [](const auto& p, bench::exact_results& out) { add_true_normal(p, out); };
+    const bench::distribution d{one.name, items.size(), 3, bench::exact_for(items, exact)};
     std::vector<bench::implementation> who{
         bench::for_each_vector<3>("irg", items,
                                   [](const auto& p) { return unit_normal(irg::plane_through(p[0], p[1], p[2])); }),
@@ -150,27 +150,27 @@ void three_points() {
 
 void polygons() {
   bench::study s("plane of a polygon", "unit normal of 6 corners", bench::error_unit::relative_u);
-  for (const auto& one : sets<6>()) {
+  for (const auto& one : bench::keep(sets<6>())) {
     const auto& items = one.polygons;
-    bench::distribution d{one.name, items.size(), 3, {}};
-    for (const auto& p : items) add_true_normal(p, d.exact);
+    const auto exact = [](const auto& p, bench::exact_results& out) { add_true_normal(p, out); };
+    const bench::distribution d{one.name, items.size(), 3, bench::exact_for(items, exact)};
     s.panel(d,
             {bench::for_each_vector<3>("irg", items, [](const auto& p) { return unit_normal(irg::newell_plane(p)); }),
              bench::for_each_vector<3>("textbook", items,
                                        [](const auto& p) { return unit_normal(irg::newell_plane_textbook(p)); }),
              bench::for_each_vector<3>(
                  "first three corners", items,
-                 [](const auto& p) { return unit_normal(irg::plane_through(p[0], p[1], p[2])); }, "no")},
+                 [](const auto& p) { return unit_normal(irg::plane_through(p[0], p[1], p[2])); }, false)},
             bench::text_of_items(items));
   }
 }
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   three_points();
   polygons();
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -34,10 +34,13 @@ using namespace bench;
 using point2 = irg::point<double, 2>;
 
 template <int N, int D>
-void decide(study& s, const point_set<double, N, D>& set) {
-  distribution d{set.name, set.calls.size(), 1, {}};
-  for (const auto& call : set.calls) d.exact.push_back({static_cast<double>(true_sign<double, N, D>(call)), 0});
-  const auto points = own_points(set);
+void decide(study& s, const point_set<double, N, D>& made) {
+  const auto& set = keep(point_set<double, N, D>(made));
+  const auto exact = [](const auto& call, exact_results& out) {
+    out.push_back({static_cast<double>(true_sign<double, N, D>(call)), 0});
+  };
+  const distribution d{set.name, set.calls.size(), 1, exact_for(set.calls, exact)};
+  const auto& points = keep(own_points(set));
   std::vector<implementation> who{
       for_each_item("irg", points, [](const auto& p) { return irg_sign<N, D>(p); }),
       for_each_item("determinant in double", set.calls,
@@ -61,7 +64,7 @@ void decide(study& s, const point_set<double, N, D>& set) {
     }));
   }
 #ifdef IRG_HAVE_CGAL
-  const auto cgal_points = cgal::points_of(set);
+  const auto& cgal_points = keep(cgal::points_of(set));
   who.push_back(for_each_item("CGAL EPICK", cgal_points, [](const auto& p) { return cgal::sign<N, D>(p); }));
 #endif
   s.panel(d, who, text_of_items(set.calls));
@@ -127,38 +130,40 @@ int crossings(const std::vector<point2>& ring, const point2& p) {
   return inside ? 1 : -1;
 }
 
-void locate(study& s, const query& q) {
-  distribution d{q.name, q.points.size(), 1, {}};
-  for (const point2& p : q.points) d.exact.push_back({static_cast<double>(true_location(q.ring, p)), 0});
+void locate(study& s, query made) {
+  const query& q = keep(std::move(made));
+  const auto exact = [&q](const point2& p, exact_results& out) {
+    out.push_back({static_cast<double>(true_location(q.ring, p)), 0});
+  };
+  const distribution d{q.name, q.points.size(), 1, exact_for(q.points, exact)};
   std::vector<implementation> who{
       for_each_item("irg", q.points,
-                    [&](const point2& p) {
+                    [&q](const point2& p) {
                       const auto where = irg::point_in_polygon(q.ring, p);
                       return where == irg::point_location::inside ? 1 : where == irg::point_location::outside ? -1 : 0;
                     }),
-      for_each_item("crossings in double", q.points, [&](const point2& p) { return crossings(q.ring, p); })};
+      for_each_item("crossings in double", q.points, [&q](const point2& p) { return crossings(q.ring, p); })};
 #ifdef IRG_HAVE_CGAL
-  std::vector<cgal::epick::Point_2> ring;
+  auto& ring = keep(std::vector<cgal::epick::Point_2>());
   for (const point2& v : q.ring) ring.emplace_back(v.x, v.y);
-  who.push_back(for_each_item("CGAL EPICK", q.points, [&](const point2& p) {
+  who.push_back(for_each_item("CGAL EPICK", q.points, [&ring](const point2& p) {
     return CGAL::bounded_side_2(ring.begin(), ring.end(), cgal::epick::Point_2(p.x, p.y), cgal::epick());
   }));
 #endif
 #ifdef IRG_HAVE_OPENCV_IMGPROC
-  std::vector<cv::Point2f> contour;
+  auto& contour = keep(std::vector<cv::Point2f>());
   const auto in_float = [](const point2& p) { return cv::Point2f(static_cast<float>(p.x), static_cast<float>(p.y)); };
   for (const point2& v : q.ring) contour.push_back(in_float(v));
   who.push_back(for_each_item(
       "OpenCV (points in float)", q.points,
-      [&](const point2& p) { return cv::pointPolygonTest(contour, in_float(p), false); }, "no"));
+      [&contour, in_float](const point2& p) { return cv::pointPolygonTest(contour, in_float(p), false); }, false));
 #endif
   s.panel(d, who, text_of_items(q.points));
 }
 
 }  // namespace
 
-int main() {
-  stay_on_this_processor();
+int main(int argc, char** argv) {
   decide_all<3, 2>("orient2d", ulp_grid<3, 2>("grid of ulps", {{{0.5, 0.5}, {12, 12}, {24, 24}}}, 0, 64));
   decide_all<4, 3>(
       "orient3d", ulp_grid<4, 3>("grid of ulps", {{{0.5, 0.5, 0.5}, {12, 12, 12}, {24, 24, 24}, {12, 24, 18}}}, 0, 16));
@@ -172,6 +177,7 @@ int main() {
   locate(s, queries("beside edges to 2^-20", 1));
   locate(s, queries("beside edges to an ulp", 2));
   locate(s, queries("on edges and corners or an ulp off", 3));
+  return run_benchmarks(argc, argv);
 }
 
 #else

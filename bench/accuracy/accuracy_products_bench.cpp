@@ -81,9 +81,11 @@ double in_double_double(const products& p) {
 
 void difference_of_products() {
   bench::study s("difference of products", "a*b - c*d", bench::error_unit::ulp);
-  for (const auto& [name, items] : product_sets()) {
-    bench::distribution d{name, items.size(), 1, {}};
-    for (const products& p : items) d.exact.push_back((real(p.a) * p.b - real(p.c) * p.d).result());
+  for (const auto& [name, items] : bench::keep(product_sets())) {
+    const auto exact = [](const products& p, bench::exact_results& out) {
+      out.push_back((real(p.a) * p.b - real(p.c) * p.d).result());
+    };
+    const bench::distribution d{name, items.size(), 1, bench::exact_for(items, exact)};
     s.panel(d,
             {bench::for_each_item("irg", items,
                                   [](const products& p) { return irg::difference_of_products(p.a, p.b, p.c, p.d); }),
@@ -120,17 +122,17 @@ std::vector<pair_of<vec4>> cancelling(int bits) {
 void dot_product() {
   bench::study s("dot product", "dot of 4 coordinates", bench::error_unit::ulp);
   for (const int bits : {0, 20, 40, 90, 1000}) {
-    auto items = cancelling(bits < 1000 ? bits : 0);
-    bench::distribution d{bits == 0      ? "any vectors"
-                          : bits == 1000 ? "exactly 0"
-                                         : "cancels to 2^-" + std::to_string(bits),
-                          items.size(),
-                          1,
-                          {}};
+    auto& items = bench::keep(cancelling(bits < 1000 ? bits : 0));
     if (bits == 1000)
       for (auto& [a, b] : items) b = {a.y, -a.x, a.w, -a.z};
-    for (const auto& [a, b] : items)
-      d.exact.push_back((real(a.x) * b.x + real(a.y) * b.y + real(a.z) * b.z + real(a.w) * b.w).result());
+    const auto exact = [](const pair_of<vec4>& p, bench::exact_results& out) {
+      const auto& [a, b] = p;
+      out.push_back((real(a.x) * b.x + real(a.y) * b.y + real(a.z) * b.z + real(a.w) * b.w).result());
+    };
+    const bench::distribution d{bits == 0      ? "any vectors"
+                                : bits == 1000 ? "exactly 0"
+                                               : "cancels to 2^-" + std::to_string(bits),
+                                items.size(), 1, bench::exact_for(items, exact)};
     std::vector<bench::implementation> all{
         bench::for_each_item("irg", items, [](const auto& p) { return irg::dot(p.a, p.b); }),
         bench::for_each_item("irg: dot_fast", items, [](const auto& p) { return irg::dot_fast(p.a, p.b); }),
@@ -169,20 +171,19 @@ std::vector<pair_of<vec3>> nearly_parallel(int bits) {
 void cross_product() {
   bench::study s("cross product", "cross", bench::error_unit::ulp);
   for (const int bits : {0, 20, 45, 1000}) {
-    auto items = nearly_parallel(bits < 1000 ? bits : 0);
-    bench::distribution d{bits == 0      ? "any vectors"
-                          : bits == 1000 ? "a vector and itself"
-                                         : "parallel to 2^-" + std::to_string(bits),
-                          items.size(),
-                          3,
-                          {}};
+    auto& items = bench::keep(nearly_parallel(bits < 1000 ? bits : 0));
     if (bits == 1000)
       for (auto& [a, b] : items) b = a;
-    for (const auto& [a, b] : items)
+    const auto exact = [](const pair_of<vec3>& p, bench::exact_results& out) {
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        d.exact.push_back((real(a[j]) * b[k] - real(a[k]) * b[j]).result());
+        out.push_back((real(p.a[j]) * p.b[k] - real(p.a[k]) * p.b[j]).result());
       }
+    };
+    const bench::distribution d{bits == 0      ? "any vectors"
+                                : bits == 1000 ? "a vector and itself"
+                                               : "parallel to 2^-" + std::to_string(bits),
+                                items.size(), 3, bench::exact_for(items, exact)};
     std::vector<bench::implementation> all{
         bench::for_each_vector<3>("irg", items, [](const auto& p) { return irg::cross(p.a, p.b); }),
         bench::for_each_vector<3>("irg: cross_fast", items, [](const auto& p) { return irg::cross_fast(p.a, p.b); }),
@@ -213,11 +214,11 @@ void cross_product() {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   difference_of_products();
   dot_product();
   cross_product();
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -120,14 +120,14 @@ roots_of<N> opencv_roots(const std::array<double, N + 1>& p) {
 
 void quadratic() {
   bench::study s("quadratic equation", "equation", bench::error_unit::ulp);
-  for (const set<2>& one : quadratic_sets()) {
+  for (const set<2>& one : bench::keep(quadratic_sets())) {
     const auto& items = one.equations;
-    bench::distribution d{one.name, items.size(), 2, {}};
-    for (const auto& p : items) {
+    const auto exact = [](const std::array<double, 3>& p, bench::exact_results& out) {
       std::size_t count = 0;
       const auto roots = true_roots(p, count);
-      for (std::size_t k = 0; k < 2; ++k) d.exact.push_back(k < count ? roots[k].result() : bench::exact_result{none});
-    }
+      for (std::size_t k = 0; k < 2; ++k) out.push_back(k < count ? roots[k].result() : bench::exact_result{none});
+    };
+    const bench::distribution d{one.name, items.size(), 2, bench::exact_for(items, exact)};
     const auto entry = [&](const char* name, auto solve) {
       return bench::for_each_vector<2>(name, items,
                                        [solve](const auto& p) { return with_multiplicity(solve(p[0], p[1], p[2])); });
@@ -216,7 +216,7 @@ R discriminant_of(const R& a, const R& b, const R& c, const R& d) {
   return R(18) * a * b * c * d - R(4) * b * b * b * d + b * b * c * c - R(4) * a * c * c * c - R(27) * a * a * d * d;
 }
 
-void add_true_roots(const std::array<double, 4>& p, std::vector<bench::exact_result>& exact) {
+void add_true_roots(const std::array<double, 4>& p, bench::exact_results& exact) {
   const real a = p[0], b = p[1], c = p[2], d = p[3];
   std::array<real, 3> t;
   const auto is_root = by_formulas(
@@ -255,10 +255,9 @@ roots_of<3> opencv_cubic(const std::array<double, 4>& p) {
 
 void cubic() {
   bench::study s("cubic equation", "equation", bench::error_unit::ulp);
-  for (const set<3>& one : cubic_sets()) {
+  for (const set<3>& one : bench::keep(cubic_sets())) {
     const auto& items = one.equations;
-    bench::distribution d{one.name, items.size(), 3, {}};
-    for (const auto& p : items) add_true_roots(p, d.exact);
+    const bench::distribution d{one.name, items.size(), 3, bench::exact_for(items, add_true_roots)};
     std::vector<bench::implementation> all{
         bench::for_each_vector<3>(
             "irg", items, [](const auto& p) { return with_multiplicity(irg::cubic_roots(p[0], p[1], p[2], p[3])); }),
@@ -273,10 +272,10 @@ void cubic() {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   quadratic();
   cubic();
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -65,13 +65,13 @@ double kahan_sum(const numbers& n) {
 
 void sums() {
   bench::study s("sum of 64 numbers", "sum", bench::error_unit::ulp);
-  for (const auto& [name, items] : number_sets()) {
-    bench::distribution d{name, items.size(), 1, {}};
-    for (const numbers& n : items) {
+  for (const auto& [name, items] : bench::keep(number_sets())) {
+    const auto exact = [](const numbers& n, bench::exact_results& out) {
       real sum = 0;
       for (const double x : n) sum = sum + real(x);
-      d.exact.push_back(sum.result());
-    }
+      out.push_back(sum.result());
+    };
+    const bench::distribution d{name, items.size(), 1, bench::exact_for(items, exact)};
     std::vector<bench::implementation> who{
         bench::for_each_item("irg: sum_accurate", items,
                              [](const numbers& n) { return irg::sum_accurate(std::span<const double>(n)); }),
@@ -141,13 +141,13 @@ double fused_horner(const polynomial& p) {
 
 void polynomials() {
   bench::study s("polynomial of degree 6", "value", bench::error_unit::ulp);
-  for (const auto& [name, items] : polynomial_sets()) {
-    bench::distribution d{name, items.size(), 1, {}};
-    for (const polynomial& p : items) {
+  for (const auto& [name, items] : bench::keep(polynomial_sets())) {
+    const auto exact = [](const polynomial& p, bench::exact_results& out) {
       real value = 0;
       for (std::size_t k = p.c.size(); k-- > 0;) value = value * real(p.x) + real(p.c[k]);
-      d.exact.push_back(value.result());
-    }
+      out.push_back(value.result());
+    };
+    const bench::distribution d{name, items.size(), 1, bench::exact_for(items, exact)};
     s.panel(d,
             {bench::for_each_item("irg", items, [](const polynomial& p) { return irg::evaluate_polynomial(p.c, p.x); }),
              bench::for_each_item("irg: evaluate_polynomial_accurate", items,
@@ -162,10 +162,10 @@ void polynomials() {
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   sums();
   polynomials();
+  return bench::run_benchmarks(argc, argv);
 }
 
 #else

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Run time against error: implementations of one kernel compute the same items, of one distribution after the other;
-// each is timed in turn with the others and compared with an oracle. What comes out goes to the table on standard
-// output, to results.csv (IRG_BENCH_CSV) and, in more detail and with the worst inputs, to accuracy.csv
-// (IRG_ACCURACY_CSV).
+// each is timed in turn with the others and compared with an oracle. From the counters and worst inputs scripts/bench
+// makes accuracy.csv, besides the rows of results.csv.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "support/measure.hpp"
-
-#ifndef IRG_BENCH_BUILD
-#define IRG_BENCH_BUILD "unknown flags"  // the compiler and its flags
-#endif
 
 namespace bench {
 
@@ -26,6 +21,7 @@ namespace bench {
 struct exact_result {
   double value = 0, rest = 0;
 };
+using exact_results = std::vector<exact_result>;
 
 /// What errors are counted in.
 enum class error_unit {
@@ -38,17 +34,25 @@ enum class error_unit {
 struct implementation {
   std::string name;
   std::function<void(double*)> run;
-  std::string same_work = "yes";
+  bool same_work = true;
 };
 
 /// The items of one distribution.
 struct distribution {
   std::string name;
   std::size_t items = 0;
-  int results = 1;                  // numbers an item has
-  std::vector<exact_result> exact;  // items * results of them
-  bool in_float = false;            // the type of the results; they are doubles otherwise
+  int results = 1;                                  // numbers an item has
+  std::function<void(exact_results&)> find_exact;   // appends items * results of them
+  bool in_float = false;                            // the type of the results; they are doubles otherwise
 };
+
+/// The oracle over all items: one(item, results) appends what an item has.
+template <class Items, class F>
+std::function<void(exact_results&)> exact_for(const Items& items, F one) {
+  return [&items, one](exact_results& out) {
+    for (const auto& item : items) one(item, out);
+  };
+}
 
 struct score {
   double worst = 0, mean = 0, centile_99 = 0, exact_share = 0, failed_share = 0;
@@ -66,7 +70,7 @@ inline double last_place(const exact_result& e, bool in_float) {
 inline int sign(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
 /// The errors of the results; those that are NaN or infinite where the exact ones are not count as failures only.
-inline score judge(const distribution& d, const std::vector<double>& got, error_unit unit) {
+inline score judge(const distribution& d, const exact_results& true_ones, const std::vector<double>& got, error_unit unit) {
   score s;
   std::vector<double> errors;
   std::size_t exact = 0, failed = 0;
@@ -76,9 +80,9 @@ inline score judge(const distribution& d, const std::vector<double>& got, error_
   const auto per_item = static_cast<std::size_t>(d.results);
   for (std::size_t i = 0; i < d.items; ++i) {
     double largest = 0;
-    for (std::size_t k = 0; k < per_item; ++k) largest = std::max(largest, std::fabs(d.exact[i * per_item + k].value));
+    for (std::size_t k = 0; k < per_item; ++k) largest = std::max(largest, std::fabs(true_ones[i * per_item + k].value));
     for (std::size_t k = 0; k < per_item; ++k) {
-      const exact_result& e = d.exact[i * per_item + k];
+      const exact_result& e = true_ones[i * per_item + k];
       const double g = got[i * per_item + k];
       double error = 0, half_a_place = 0;
       if (unit == error_unit::sign) {
@@ -120,34 +124,37 @@ inline score judge(const distribution& d, const std::vector<double>& got, error_
 class study {
 public:
   study(std::string kernel, std::string item, error_unit unit)
-      : kernel_(std::move(kernel)), item_(std::move(item)), unit_(unit) {
-    std::printf("%s: ns a %s, errors in %s\n", kernel_.c_str(), item_.c_str(), unit_name());
-  }
-  study(const study&) = delete;
-  study& operator=(const study&) = delete;
+      : kernel_(std::move(kernel)), item_(std::move(item)), unit_(unit) {}
 
-  /// Measures all implementations on one distribution. input(item) is the item as text without commas; with the exact
-  /// results it is what a regression test needs.
+  /// Enters all implementations on one distribution. input(item) is the item as text without commas; with the exact
+  /// results it is what a regression test needs. What they refer to has to be kept.
   void panel(const distribution& d, const std::vector<implementation>& all,
              const std::function<std::string(std::size_t)>& input) const {
-    std::vector<std::vector<double>> results(all.size(),
-                                             std::vector<double>(d.items * static_cast<std::size_t>(d.results)));
-    std::vector<contender> racers;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      racers.push_back({all[i].name, [&results, &all, i] { all[i].run(results[i].data()); }});
-    race(racers, 11, 0.002);
-    std::printf("  %s\n    %-30s %10s %10s %12s %12s %9s %9s\n", d.name.c_str(), "", "ns", "least", "max error",
-                "mean error", "exact %", "failed %");
-    const double per = 1e9 / static_cast<double>(d.items);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const score s = judge(d, results[i], unit_);
-      std::printf("    %-30s %10.4g %10.4g %12.4g %12.4g %9.4g %9.4g\n", all[i].name.c_str(), racers[i].median() * per,
-                  racers[i].percentile(0) * per, s.worst, s.mean, 100 * s.exact_share, 100 * s.failed_share);
-      write(d, all[i], racers[i], s, input(s.worst_item) + " gives" + exact_text(d, s.worst_item));
+    auto& exact = keep_lazy([find = d.find_exact] {
+      exact_results found;
+      find(found);
+      return found;
+    });
+    const contest c{kernel_, d.name, item_, static_cast<std::int64_t>(d.items), unit_name()};
+    for (const implementation& one : all) {
+      auto results = std::make_shared<std::vector<double>>(d.items * static_cast<std::size_t>(d.results));
+      contender who{one.name, [results, run = one.run] { run(results->data()); }};
+      who.same_work = one.same_work;
+      who.judge = [d, &exact, results, input, unit = unit_] {
+        const score s = judge(d, *exact, *results, unit);
+        errors e{s.worst, s.mean, s.failed_share * static_cast<double>(results->size())};
+        char percent[40];
+        std::snprintf(percent, sizeof percent, "%.4g %% exact", 100 * s.exact_share);
+        e.note = percent;
+        e.worst_input = input(s.worst_item) + " gives" + exact_text(d, *exact, s.worst_item);
+        e.more = {{"p99_error", s.centile_99},
+                  {"exact_percent", 100 * s.exact_share},
+                  {"failed_percent", 100 * s.failed_share}};
+        return e;
+      };
+      enter(c, std::move(who));
     }
   }
-
-  ~study() { std::printf("\n"); }
 
 private:
   const char* unit_name() const {
@@ -159,40 +166,15 @@ private:
     return "";
   }
 
-  static std::string exact_text(const distribution& d, std::size_t item) {
+  static std::string exact_text(const distribution& d, const exact_results& exact, std::size_t item) {
     std::string text;
     char word[40];
     const auto results = static_cast<std::size_t>(d.results);
     for (std::size_t k = item * results; k < (item + 1) * results; ++k) {
-      std::snprintf(word, sizeof word, " %a", d.exact[k].value);
+      std::snprintf(word, sizeof word, " %a", exact[k].value);
       text += word;
     }
     return text;
-  }
-
-  void write(const distribution& d, const implementation& m, const contender& c, const score& s,
-             const std::string& worst_input) const {
-    const double per = 1e9 / static_cast<double>(d.items);
-    report({.kernel = kernel_,
-            .test_case = d.name,
-            .implementation = m.name,
-            .same_work = m.same_work,
-            .ns_per_item = c.median() * per,
-            .items = static_cast<std::int64_t>(d.items),
-            .item = item_,
-            .max_error = number(s.worst),
-            .mean_error = number(s.mean),
-            .error_unit = unit_name(),
-            .wrong = number(s.failed_share * static_cast<double>(d.items) * d.results),
-            .note = number(100 * s.exact_share) + " % exact"});
-    const char* path = std::getenv("IRG_ACCURACY_CSV");
-    std::FILE* file = path ? std::fopen(path, "a") : nullptr;
-    if (!file) return;
-    std::fprintf(file, "%s,%s,%s,%zu,%.6g,%.6g,%.6g,%.6g,%s,%.6g,%.6g,%.6g,%.6g,%.6g,%s,%s\n", kernel_.c_str(),
-                 d.name.c_str(), m.name.c_str(), d.items, c.percentile(0) * per, c.median() * per,
-                 c.percentile(0.025) * per, c.percentile(0.975) * per, unit_name(), s.worst, s.mean, s.centile_99,
-                 100 * s.exact_share, 100 * s.failed_share, worst_input.c_str(), IRG_BENCH_BUILD);
-    std::fclose(file);
   }
 
   std::string kernel_, item_;

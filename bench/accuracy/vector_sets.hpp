@@ -14,12 +14,12 @@ namespace bench {
 
 /// f(item) for every item, one number each.
 template <class Items, class F>
-implementation for_each_item(std::string name, const Items& items, F f, std::string same_work = "yes") {
+implementation for_each_item(std::string name, const Items& items, F f, bool same_work = true) {
   return {std::move(name),
           [&items, f](double* out) {
             for (const auto& item : items) *out++ = static_cast<double>(f(item));
           },
-          std::move(same_work)};
+          same_work};
 }
 
 template <class V>
@@ -32,7 +32,7 @@ double component(const V& v, int k) {
 
 /// f(item) for every item, `N` numbers each, which operator[] of the result gives.
 template <int N, class Items, class F>
-implementation for_each_vector(std::string name, const Items& items, F f, std::string same_work = "yes") {
+implementation for_each_vector(std::string name, const Items& items, F f, bool same_work = true) {
   return {std::move(name),
           [&items, f](double* out) {
             for (const auto& item : items) {
@@ -40,7 +40,7 @@ implementation for_each_vector(std::string name, const Items& items, F f, std::s
               for (int k = 0; k < N; ++k) *out++ = component(v, k);
             }
           },
-          std::move(same_work)};
+          same_work};
 }
 
 }  // namespace bench

@@ -18,12 +18,11 @@
 #ifdef IRG_HAVE_POLYCLIPPING
 #include <polyclipping/clipper.hpp>
 #endif
-#if __has_include(<boost/geometry.hpp>)
+#ifdef IRG_HAVE_BOOST
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
-#define WITH_BOOST 1
 #endif
 #ifdef IRG_HAVE_OPENCV_IMGPROC
 #include <opencv2/imgproc.hpp>
@@ -116,17 +115,11 @@ double exact_area(const polygon& given, const irg::box<double, 2>& w) {
   return static_cast<double>(area);
 }
 
-struct judged {
-  bench::contender racer;
-  std::string same_work, note;
-  std::vector<double>* areas;
-};
-
 void polygons(int corners) {
   std::mt19937_64 random(static_cast<std::uint64_t>(corners));
   std::uniform_real_distribution<double> unit(0, 1);
   const std::size_t count = bench::smoke() ? 50 : 1000;
-  std::vector<polygon> given(count);
+  auto& given = bench::keep(std::vector<polygon>(count));
   for (polygon& ring : given) {
     const P centre{1000 * unit(random), 1000 * unit(random)};
     const double radius = 50 + 300 * unit(random), turn = 6.283185307179586 * unit(random);
@@ -135,31 +128,38 @@ void polygons(int corners) {
       ring.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
     }
   }
-  std::vector<judged> all;
-  std::vector<std::vector<double>> areas(8, std::vector<double>(count));
-  const auto add = [&](const char* name, const char* same_work, const char* note, auto area_of) {
-    std::vector<double>& mine = areas[all.size()];
-    all.push_back({{name,
-                    [&mine, count, area_of] {
-                      for (std::size_t i = 0; i < count; ++i) mine[i] = area_of(i);
-                      asm volatile("" : : "r"(mine.data()) : "memory");
-                    }},
-                   same_work,
-                   note,
-                   &mine});
+  const bench::contest c{"clip", "polygon " + std::to_string(corners), "polygon", static_cast<std::int64_t>(count), "area"};
+  const auto add = [&given, count, c](const char* name, bool same_work, const char* note, auto area_of) {
+    auto& areas = bench::keep(std::vector<double>(count));
+    bench::contender who{name, [&areas, count, area_of]() mutable {
+                           for (std::size_t i = 0; i < count; ++i) areas[i] = area_of(i);
+                           asm volatile("" : : "r"(areas.data()) : "memory");
+                         }};
+    who.judge = [&areas, &given, count] {
+      bench::errors e{0, 0, 0};
+      for (std::size_t i = 0; i < count; ++i) {
+        const double exact = exact_area(given[i], window), off = std::abs(areas[i] - exact) / 2;
+        e.max = std::max(e.max, off), e.mean += off / static_cast<double>(count);
+        e.wrong += off > 1e-3 * (1 + std::abs(exact));
+      }
+      return e;
+    };
+    who.same_work = same_work;
+    who.note = note;
+    bench::enter(c, std::move(who));
   };
-  std::vector<P> out(200), room(200);
-  add("irg", "yes", "cuts correctly rounded", [&](std::size_t i) {
+  add("irg", true, "cuts correctly rounded", [&given, out = std::vector<P>(200)](std::size_t i) mutable {
     const std::size_t n = clip_sutherland_hodgman(given[i], window, out);
     return n == 0 ? 0.0 : twice_area(out, n);
   });
-  add("textbook", "yes", "fixed memory; boundaries that the box keeps are skipped", [&](std::size_t i) {
-    const std::size_t n = textbook_clip(given[i], window, out.data(), room.data());
-    return n == 0 ? 0.0 : twice_area(out, n);
-  });
+  add("textbook", true, "fixed memory; boundaries that the box keeps are skipped",
+      [&given, out = std::vector<P>(200), room = std::vector<P>(200)](std::size_t i) mutable {
+        const std::size_t n = textbook_clip(given[i], window, out.data(), room.data());
+        return n == 0 ? 0.0 : twice_area(out, n);
+      });
 #ifdef IRG_HAVE_POLYCLIPPING
   const double grid = 0x1p20;
-  std::vector<ClipperLib::Path> paths;
+  auto& paths = bench::keep(std::vector<ClipperLib::Path>());
   for (const polygon& ring : given) {
     paths.emplace_back();
     for (const P& p : ring)
@@ -168,7 +168,7 @@ void polygons(int corners) {
   }
   const ClipperLib::Path frame{
       {200 << 20, 200 << 20}, {800 << 20, 200 << 20}, {800 << 20, 800 << 20}, {200 << 20, 800 << 20}};
-  add("Clipper 6.4", "yes", "on a grid of 2^-20", [&](std::size_t i) {
+  add("Clipper 6.4", true, "on a grid of 2^-20", [&paths, frame, grid](std::size_t i) {
     ClipperLib::Clipper clipper;
     clipper.AddPath(paths[i], ClipperLib::ptSubject, true);
     clipper.AddPath(frame, ClipperLib::ptClip, true);
@@ -179,17 +179,17 @@ void polygons(int corners) {
     return area / (grid * grid);
   });
 #endif
-#ifdef WITH_BOOST
+#ifdef IRG_HAVE_BOOST
   namespace bg = boost::geometry;
   using boost_point = bg::model::d2::point_xy<double>;
   using boost_polygon = bg::model::polygon<boost_point, false, false>;
   const bg::model::box<boost_point> boost_window({200, 200}, {800, 800});
-  std::vector<boost_polygon> boost_given;
+  auto& boost_given = bench::keep(std::vector<boost_polygon>());
   for (const polygon& ring : given) {
     boost_given.emplace_back();
     for (const P& p : ring) bg::append(boost_given.back().outer(), boost_point(p.x, p.y));
   }
-  add("Boost.Geometry", "yes", "", [&](std::size_t i) {
+  add("Boost.Geometry", true, "", [&boost_given, boost_window](std::size_t i) {
     std::vector<boost_polygon> result;
     bg::intersection(boost_given[i], boost_window, result);
     double area = 0;
@@ -198,45 +198,17 @@ void polygons(int corners) {
   });
 #endif
 #ifdef IRG_HAVE_OPENCV_IMGPROC
-  std::vector<std::vector<cv::Point2f>> cv_given;
+  auto& cv_given = bench::keep(std::vector<std::vector<cv::Point2f>>());
   for (const polygon& ring : given) {
     cv_given.emplace_back();
     for (const P& p : ring) cv_given.back().emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
   }
   const std::vector<cv::Point2f> cv_window{{200, 200}, {800, 200}, {800, 800}, {200, 800}};
-  add("OpenCV", "no", "intersectConvexConvex; float", [&](std::size_t i) {
+  add("OpenCV", false, "intersectConvexConvex; float", [&cv_given, cv_window](std::size_t i) {
     std::vector<cv::Point2f> result;
     return 2 * static_cast<double>(cv::intersectConvexConvex(cv_given[i], cv_window, result));
   });
 #endif
-  std::vector<bench::contender> racers;
-  for (const judged& j : all) racers.push_back(j.racer);
-  bench::race(racers, 21, 1e-3);
-  const std::string name = "polygon " + std::to_string(corners);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    double most = 0, sum = 0;
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double exact = exact_area(given[i], window), off = std::abs((*all[k].areas)[i] - exact) / 2;
-      most = std::max(most, off), sum += off;
-      wrong += off > 1e-3 * (1 + std::abs(exact)) ? 1u : 0u;
-    }
-    const double ns = racers[k].median() / static_cast<double>(count) * 1e9;
-    std::printf("  %-12s %-26s %9.1f ns   %6.3f of it   area off by %.2g at most, %zu wrong\n", name.c_str(),
-                racers[k].name.c_str(), ns, racers[0].median() / racers[k].median(), most, wrong);
-    bench::report({.kernel = "clip",
-                   .test_case = name,
-                   .implementation = racers[k].name,
-                   .same_work = all[k].same_work,
-                   .ns_per_item = ns,
-                   .items = static_cast<std::int64_t>(count),
-                   .item = "polygon",
-                   .max_error = bench::number(most),
-                   .mean_error = bench::number(sum / static_cast<double>(count)),
-                   .error_unit = "area",
-                   .wrong = std::to_string(wrong),
-                   .note = all[k].note});
-  }
 }
 
 // ---- Segments. The error is the distance of a cut coordinate from the exact one in ulp; wrong are ends outside the
@@ -265,49 +237,84 @@ cut_line textbook_line(T x1, T y1, T x2, T y2) {
   return {true, wide(x1 + low * dx), wide(y1 + low * dy), wide(x1 + high * dx), wide(y1 + high * dy)};
 }
 
+using segment = std::array<P, 2>;
+
+bench::errors judge_segments(const std::vector<segment>& given, const std::vector<cut_line>& results) {
+  const auto off_in_ulp = [](double x, long double exact) {
+    const double ulp = std::nextafter(std::abs(x), 1e300) - std::abs(x);
+    return static_cast<double>(std::abs(static_cast<long double>(x) - exact) / static_cast<long double>(ulp));
+  };
+  bench::errors e{0, 0, 0};
+  double visible = 0;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const cut_line& c = results[i];
+    const auto exact = clip_line_liang_barsky(given[i][0], given[i][1], window);
+    e.wrong += c.visible == exact.has_value() ? 0 : 1;
+    if (!c.visible || !exact) continue;
+    ++visible;
+    const double ends[2][2] = {{c.x1, c.y1}, {c.x2, c.y2}};
+    for (int end = 0; end < 2; ++end) {
+      e.wrong += irg::contains(window, P{ends[end][0], ends[end][1]}) ? 0 : 1;
+      const P right = end == 0 ? exact->first : exact->second;
+      for (int axis = 0; axis < 2; ++axis) {
+        // The exact coordinate in long double, from the boundary that the line is cut at.
+        const P a = given[i][0], b = given[i][1];
+        long double there = right[axis];
+        const int other = 1 - axis;
+        if (!(right == a) && !(right == b) &&
+            (right[other] == window.low[other] || right[other] == window.high[other])) {
+          using L = long double;
+          there = L(a[axis]) +
+                  (L(b[axis]) - L(a[axis])) * ((L(right[other]) - L(a[other])) / (L(b[other]) - L(a[other])));
+        }
+        const double off = off_in_ulp(ends[end][axis], there);
+        e.max = std::max(e.max, off), e.mean += off;
+      }
+    }
+  }
+  e.mean /= 4 * visible;
+  return e;
+}
+
 void segments() {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> unit(0, 1000);
   const std::size_t count = bench::smoke() ? 200 : 4000;
-  std::vector<std::array<P, 2>> given(count);
+  auto& given = bench::keep(std::vector<segment>(count));
   for (auto& s : given)
     for (P& p : s) p.x = unit(random), p.y = unit(random);
-  struct entry {
-    bench::contender racer;
-    std::string same_work, note;
-  };
-  std::vector<entry> all;
-  std::vector<std::vector<cut_line>> results(8, std::vector<cut_line>(count));
-  const auto add = [&](const char* name, const char* same_work, const char* note, auto clip) {
-    std::vector<cut_line>& mine = results[all.size()];
-    all.push_back({{name,
-                    [&mine, &given, count, clip] {
-                      for (std::size_t i = 0; i < count; ++i) mine[i] = clip(given[i][0], given[i][1]);
-                      asm volatile("" : : "r"(mine.data()) : "memory");
-                    }},
-                   same_work,
-                   note});
+  const bench::contest c{"clip", "segment", "segment", static_cast<std::int64_t>(count), "ulp"};
+  const auto add = [&given, c](const char* name, bool same_work, const char* note, auto clip) {
+    auto& results = bench::keep(std::vector<cut_line>(given.size()));
+    bench::contender who{name, [&results, &given, clip] {
+                           for (std::size_t i = 0; i < given.size(); ++i) results[i] = clip(given[i][0], given[i][1]);
+                           asm volatile("" : : "r"(results.data()) : "memory");
+                         }};
+    who.judge = [&results, &given] { return judge_segments(given, results); };
+    who.same_work = same_work;
+    who.note = note;
+    bench::enter(c, std::move(who));
   };
   const auto plain = [](const auto& kept) {
     if (!kept) return cut_line{false, 0, 0, 0, 0};
     return cut_line{true, kept->first.x, kept->first.y, kept->second.x, kept->second.y};
   };
   const std::array<P, 4> ring{P{200, 200}, P{800, 200}, P{800, 800}, P{200, 800}};
-  add("irg:liang_barsky", "yes", "",
-      [&](const P& a, const P& b) { return plain(clip_line_liang_barsky(a, b, window)); });
-  add("irg:cohen_sutherland", "yes", "",
-      [&](const P& a, const P& b) { return plain(clip_line_cohen_sutherland(a, b, window)); });
-  add("irg:nicholl_lee_nicholl", "yes", "",
-      [&](const P& a, const P& b) { return plain(clip_line_nicholl_lee_nicholl(a, b, window)); });
-  add("irg:cyrus_beck", "yes", "any convex polygon",
-      [&](const P& a, const P& b) { return plain(clip_line_cyrus_beck(a, b, ring)); });
-  add("textbook", "yes", "Liang-Barsky in double",
+  add("irg:liang_barsky", true, "",
+      [plain](const P& a, const P& b) { return plain(clip_line_liang_barsky(a, b, window)); });
+  add("irg:cohen_sutherland", true, "",
+      [plain](const P& a, const P& b) { return plain(clip_line_cohen_sutherland(a, b, window)); });
+  add("irg:nicholl_lee_nicholl", true, "",
+      [plain](const P& a, const P& b) { return plain(clip_line_nicholl_lee_nicholl(a, b, window)); });
+  add("irg:cyrus_beck", true, "any convex polygon",
+      [plain, ring](const P& a, const P& b) { return plain(clip_line_cyrus_beck(a, b, ring)); });
+  add("textbook", true, "Liang-Barsky in double",
       [](const P& a, const P& b) { return textbook_line(a.x, a.y, b.x, b.y); });
-#ifdef WITH_BOOST
+#ifdef IRG_HAVE_BOOST
   namespace bg = boost::geometry;
   using boost_point = bg::model::d2::point_xy<double>;
   const bg::model::box<boost_point> boost_window({200, 200}, {800, 800});
-  add("Boost.Geometry", "yes", "intersection of linestring and box", [&](const P& a, const P& b) {
+  add("Boost.Geometry", true, "intersection of linestring and box", [boost_window](const P& a, const P& b) {
     bg::model::linestring<boost_point> line;
     line.emplace_back(a.x, a.y), line.emplace_back(b.x, b.y);
     std::vector<bg::model::linestring<boost_point>> kept;
@@ -317,73 +324,19 @@ void segments() {
   });
 #endif
 #ifdef IRG_HAVE_OPENCV_IMGPROC
-  add("OpenCV", "no", "clipLine; integers", [](const P& a, const P& b) {
+  add("OpenCV", false, "clipLine; integers", [](const P& a, const P& b) {
     cv::Point p(static_cast<int>(a.x), static_cast<int>(a.y)), q(static_cast<int>(b.x), static_cast<int>(b.y));
     const bool visible = cv::clipLine(cv::Rect(200, 200, 601, 601), p, q);
     return cut_line{visible, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(q.x),
                     static_cast<double>(q.y)};
   });
 #endif
-  std::vector<bench::contender> racers;
-  for (const entry& e : all) racers.push_back(e.racer);
-  bench::race(racers, 21, 1e-3);
-  const auto off_in_ulp = [](double x, long double exact) {
-    const double ulp = std::nextafter(std::abs(x), 1e300) - std::abs(x);
-    return static_cast<double>(std::abs(static_cast<long double>(x) - exact) / static_cast<long double>(ulp));
-  };
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    double most = 0, sum = 0;
-    std::size_t wrong = 0, visible = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const cut_line& c = results[k][i];
-      const auto exact = clip_line_liang_barsky(given[i][0], given[i][1], window);
-      wrong += c.visible == exact.has_value() ? 0u : 1u;
-      if (!c.visible || !exact) continue;
-      ++visible;
-      const double ends[2][2] = {{c.x1, c.y1}, {c.x2, c.y2}};
-      for (int e = 0; e < 2; ++e) {
-        wrong += irg::contains(window, P{ends[e][0], ends[e][1]}) ? 0u : 1u;
-        const P right = e == 0 ? exact->first : exact->second;
-        for (int axis = 0; axis < 2; ++axis) {
-          // The exact coordinate in long double, from the boundary that the line is cut at.
-          const P a = given[i][0], b = given[i][1];
-          long double there = right[axis];
-          const int other = 1 - axis;
-          if (!(right == a) && !(right == b) &&
-              (right[other] == window.low[other] || right[other] == window.high[other])) {
-            using L = long double;
-            there = L(a[axis]) +
-                    (L(b[axis]) - L(a[axis])) * ((L(right[other]) - L(a[other])) / (L(b[other]) - L(a[other])));
-          }
-          const double off = off_in_ulp(ends[e][axis], there);
-          most = std::max(most, off), sum += off;
-        }
-      }
-    }
-    const double ns = racers[k].median() / static_cast<double>(count) * 1e9;
-    const double mean = sum / (4 * static_cast<double>(visible));
-    std::printf("  %-12s %-26s %9.1f ns   off by %.3g ulp at most, %.2g on average, %zu wrong\n", "segment",
-                racers[k].name.c_str(), ns, most, mean, wrong);
-    bench::report({.kernel = "clip",
-                   .test_case = "segment",
-                   .implementation = racers[k].name,
-                   .same_work = all[k].same_work,
-                   .ns_per_item = ns,
-                   .items = static_cast<std::int64_t>(count),
-                   .item = "segment",
-                   .max_error = bench::number(most),
-                   .mean_error = bench::number(mean),
-                   .error_unit = "ulp",
-                   .wrong = std::to_string(wrong),
-                   .note = all[k].note});
-  }
 }
 
 }  // namespace
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   for (const int corners : {4, 8, 64}) polygons(corners);
   segments();
-  return 0;
+  return bench::run_benchmarks(argc, argv);
 }

@@ -43,41 +43,32 @@ variant<Input> variant_of(const char* name, F f) {
 
 /// `error` tells how far off an answer is, and is NaN for one that is no answer.
 template <class Input, class Error>
-void compare(const char* kernel, const std::string& test_case, const char* unit, const std::vector<Input>& in,
+void compare(const char* kernel, const std::string& test_case, const char* unit, std::vector<Input> made,
              const Error& error, const std::vector<variant<Input>>& variants) {
-  std::vector<triple> out(in.size());
-  std::vector<contender> contenders;
-  for (const auto& v : variants) contenders.push_back({v.name, [&] { v.run(in, out); }});
-  race(contenders, 31, 2e-4);
-  std::printf("%s, %s\n", kernel, test_case.c_str());
-  for (std::size_t k = 0; k < variants.size(); ++k) {
-    row r;
-    r.kernel = kernel;
-    r.test_case = test_case;
-    r.implementation = variants[k].name;
-    r.ns_per_item = contenders[k].median() * 1e9 / static_cast<double>(in.size());
-    r.items = static_cast<std::int64_t>(in.size());
-    r.item = "call";
-    variants[k].run(in, out);
-    double largest = 0, sum = 0;
-    int wrong = 0, right = 0;
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      const double e = error(in[i], out[i]);
-      if (!(e < 1e300)) {
-        ++wrong;
-        continue;
-      }
-      largest = std::max(largest, e), sum += e, ++right;
-    }
-    std::printf("  %-28s %8.1f ns  max %9.3g %s  mean %9.3g  wrong %d\n", r.implementation.c_str(), r.ns_per_item,
-                largest, unit, right > 0 ? sum / right : 0.0, wrong);
+  const auto& in = keep(std::move(made));
+  const contest c{kernel, test_case, "call", static_cast<std::int64_t>(in.size()), unit};
+  for (const auto& v : variants) {
+    auto& out = keep(std::vector<triple>(in.size()));
+    contender who{v.name, [&in, &out, run = v.run] { run(in, out); }};
 #ifdef IRG_HAVE_MPFR
-    r.max_error = number(largest);
-    r.mean_error = number(right > 0 ? sum / right : 0.0);
-    r.error_unit = unit;
-    r.wrong = number(wrong);
+    who.judge = [&in, &out, error] {
+      errors e{0, 0, 0};
+      double sum = 0, right = 0;
+      for (std::size_t i = 0; i < in.size(); ++i) {
+        const double off = error(in[i], out[i]);
+        if (!(off < 1e300)) {
+          ++e.wrong;
+          continue;
+        }
+        e.max = std::max(e.max, off), sum += off, ++right;
+      }
+      e.mean = right > 0 ? sum / right : 0;
+      return e;
+    };
+#else
+    static_cast<void>(error);
 #endif
-    report(r);
+    enter(c, std::move(who));
   }
 }
 
@@ -220,8 +211,8 @@ void lines() {
 }  // namespace
 }  // namespace bench
 
-int main() {
-  bench::stay_on_this_processor();
+int main(int argc, char** argv) {
   bench::planes();
   bench::lines();
+  return bench::run_benchmarks(argc, argv);
 }

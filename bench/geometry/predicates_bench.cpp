@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// orient2d, one by one and in batches, orient3d, in_circle and in_sphere: time per call and wrong signs, on easy points and on degenerate ones.
-#include <numeric>
+// orient2d, one by one and in batches, orient3d, in_circle and in_sphere: time per call and wrong signs, on easy points
+// and on degenerate ones.
+#include <functional>
 
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/orient2d.hpp>
@@ -17,24 +18,53 @@
 namespace {
 
 using namespace bench;
-int broken = 0;
+// A contest of deciding the signs of the calls of one set.
+template <class T, int N, int D>
+class deciders {
+public:
+  deciders(const std::string& kernel, const point_set<T, N, D>& s)
+      : what_{kernel, s.name, "call", static_cast<std::int64_t>(s.calls.size()), "", "limit:read the coordinates"},
+        signs_(keep(std::vector<std::int8_t>(s.calls.size()))), truth_(keep_lazy([&s] {
+          std::vector<std::int8_t> all;
+#ifdef IRG_HAVE_MPFR
+          for (const auto& call : s.calls) all.push_back(static_cast<std::int8_t>(true_sign<T, N, D>(call)));
+#endif
+          return all;
+        })) {}
 
-// One implementation; it is timed with its signs written one by one.
-struct judged {
-  contender racer;
-  std::string note;
-  bool exact = true, judge = true, same_work = true;
+  std::vector<std::int8_t>& signs() const { return signs_; }
+
+  /// Who writes signs(). Of exact ones none may be wrong; nobody judges a limit.
+  void enter(const std::string& name, std::function<void()> run, bool exact = true) const {
+    contender who{name, std::move(run)};
+    who.same_work = exact;
+    if (!name.starts_with("limit:"))
+      who.judge = [&signs = signs_, &truth = truth_, exact] {
+        errors e;
+        if (truth->empty()) return e;
+        e.wrong = 0;
+        for (std::size_t i = 0; i < signs.size(); ++i) e.wrong += signs[i] != (*truth)[i];
+        if (exact && e.wrong != 0) e.broken = "a sign is wrong";
+        return e;
+      };
+    bench::enter(what_, std::move(who));
+  }
+
+  /// One by one: sign(call).
+  template <class Call, class F>
+  void enter_each(const std::string& name, std::vector<Call> calls, F sign, bool exact = true) const {
+    const auto run = [calls = std::move(calls), sign, &signs = signs_] {
+      for (std::size_t i = 0; i < calls.size(); ++i) signs[i] = static_cast<std::int8_t>(sign(calls[i]));
+      asm volatile("" : : "r"(signs.data()) : "memory");
+    };
+    enter(name, run, exact);
+  }
+
+private:
+  contest what_;
+  std::vector<std::int8_t>& signs_;
+  lazy<std::vector<std::int8_t>>& truth_;
 };
-
-template <class Call, class F>
-judged deciding(const std::string& name, std::vector<Call> calls, F sign, std::vector<std::int8_t>& signs) {
-  return {{name,
-           [calls = std::move(calls), sign, &signs] {
-             for (std::size_t i = 0; i < calls.size(); ++i) signs[i] = static_cast<std::int8_t>(sign(calls[i]));
-             asm volatile("" : : "r"(signs.data()) : "memory");
-           }},
-          ""};
-}
 
 // In the coordinates' own arithmetic.
 template <int N, class T, int D>
@@ -43,69 +73,23 @@ int naive_sign(const arguments<T, N, D>& p) {
   return (value > 0) - (value < 0);
 }
 
-void print_and_report(const std::string& kernel, const std::string& name, const std::vector<judged>& all,
-                      const std::vector<std::int64_t>& wrong, std::int64_t calls, std::int64_t zeros) {
-  const auto ns = [&](const judged& c) { return c.racer.median() * 1e9 / static_cast<double>(calls); };
-  std::printf("%s / %s: %lld calls, %lld of them 0\n", kernel.c_str(), name.c_str(), static_cast<long long>(calls),
-              static_cast<long long>(zeros));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string count = wrong[i] < 0 ? "" : std::to_string(wrong[i]);
-    const double limit = ns(all.back()) / ns(all[i]);
-    std::printf("  %-34s %9.2f ns   %s%s\n", all[i].racer.name.c_str(), ns(all[i]), count.c_str(),
-                count.empty() ? "" : " wrong");
-    report({kernel, name, all[i].racer.name, all[i].same_work ? "yes" : "no", ns(all[i]), calls, "call", number(limit),
-            "", "", "", count, all[i].note});
-    if (all[i].exact && wrong[i] > 0) ++broken;
-  }
-}
-
-// Judges all, races them and reports.
 template <class T, int N, int D>
-void hold(const std::string& kernel, const point_set<T, N, D>& s, std::vector<judged>& all,
-          const std::vector<std::int8_t>& signs) {
-  std::vector<std::int8_t> truth;
-#ifdef IRG_HAVE_MPFR
-  for (const auto& call : s.calls) truth.push_back(static_cast<std::int8_t>(true_sign<T, N, D>(call)));
-#endif
-  std::vector<std::int64_t> wrong;
-  std::vector<contender> racers;
-  for (const judged& c : all) {
-    c.racer.run();
-    wrong.push_back(c.judge && !truth.empty() ? 0 : -1);
-    for (std::size_t i = 0; i < truth.size() && c.judge; ++i) wrong.back() += signs[i] != truth[i];
-    racers.push_back(c.racer);
-  }
-  race(racers, 9, 3e-3, warming::one_run);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].racer = racers[i];
-  print_and_report(kernel, s.name, all, wrong, static_cast<std::int64_t>(s.calls.size()),
-                   std::count(truth.begin(), truth.end(), std::int8_t{0}));
-}
-
-template <class T, int N, int D>
-void hold(const std::string& kernel, const point_set<T, N, D>& s) {
-  std::vector<std::int8_t> signs(s.calls.size());
-  std::vector<judged> all;
-  const auto points = own_points(s);
-  all.push_back(deciding("irg", points, [](const auto& p) { return irg_sign<N, D>(p); }, signs));
+void enter_set(const std::string& kernel, const point_set<T, N, D>& made) {
+  const auto& s = keep(point_set<T, N, D>(made));
+  const deciders<T, N, D> all(kernel, s);
+  all.enter_each("irg", own_points(s), [](const auto& p) { return irg_sign<N, D>(p); });
   if constexpr (std::is_same_v<T, double>) {
 #ifdef IRG_HAVE_CGAL
-    all.push_back(deciding("CGAL EPICK", cgal::points_of(s), [](const auto& p) { return cgal::sign<N, D>(p); }, signs));
+    all.enter_each("CGAL EPICK", cgal::points_of(s), [](const auto& p) { return cgal::sign<N, D>(p); });
 #endif
-    all.push_back(deciding("naive double", s.calls, [](const auto& p) { return naive_sign<N, T, D>(p); }, signs));
-    all.back().exact = all.back().same_work = false;
+    all.enter_each("naive double", s.calls, [](const auto& p) { return naive_sign<N, T, D>(p); }, false);
   }
-  all.push_back(deciding(
-      "limit:read the coordinates", s.calls,
-      [](const auto& p) {
-        std::uint64_t sum = 0;
-        for (const auto& point : p)
-          for (const T c : point) sum += std::bit_cast<std::uint64_t>(c);
-        return static_cast<int>(sum & 1);
-      },
-      signs));
-  all.back().exact = all.back().judge = false;
-
-  hold(kernel, s, all, signs);
+  all.enter_each("limit:read the coordinates", s.calls, [](const auto& p) {
+    std::uint64_t sum = 0;
+    for (const auto& point : p)
+      for (const T c : point) sum += std::bit_cast<std::uint64_t>(c);
+    return static_cast<int>(sum & 1);
+  });
 }
 
 // Triples in columns, and all third points against the first line.
@@ -119,89 +103,78 @@ struct in_columns {
   std::vector<double> c[3][2];
 };
 
-void hold_batch(point_set<double, 3, 2> s, bool one_line) {
+void enter_batch(point_set<double, 3, 2> made, bool one_line) {
   if (one_line)
-    for (auto& call : s.calls) call[0] = s.calls[0][0], call[1] = s.calls[0][1];
-  const in_columns columns(s);
-  std::vector<std::int8_t> signs(s.calls.size());
-  const std::size_t n = signs.size();
-  const auto fence = [&] { asm volatile("" : : "r"(signs.data()) : "memory"); };
+    for (auto& call : made.calls) call[0] = made.calls[0][0], call[1] = made.calls[0][1];
+  made.name += one_line ? " (one line)" : " (a line for each)";
+  const auto& s = keep(std::move(made));
+  const auto& columns = keep(in_columns(s));
+  const deciders<double, 3, 2> all("orient2d_batch", s);
+  auto& signs = all.signs();
   const irg::point<double, 2> a = as_point<double, 2>(s.calls[0][0]), b = as_point<double, 2>(s.calls[0][1]);
-  std::vector<judged> all;
-  all.push_back({{"irg",
-                  [&] {
-                    if (one_line)
-                      irg::orient2d_batch(a, b, columns.of(2), signs);
-                    else
-                      irg::orient2d_batch(columns.of(0), columns.of(1), columns.of(2), signs);
-                    fence();
-                  }},
-                 ""});
-  const auto one_by_one = [&](const auto& sign) {
-    return [&, sign] {
-      for (std::size_t i = 0; i < n; ++i) {
+  all.enter("irg", [&columns, &signs, a, b, one_line] {
+    if (one_line)
+      irg::orient2d_batch(a, b, columns.of(2), signs);
+    else
+      irg::orient2d_batch(columns.of(0), columns.of(1), columns.of(2), signs);
+    asm volatile("" : : "r"(signs.data()) : "memory");
+  });
+  const auto one_by_one = [&columns, &signs, one_line](const auto& sign) {
+    return [&columns, &signs, one_line, sign] {
+      for (std::size_t i = 0; i < signs.size(); ++i) {
         const auto at = [&](std::size_t k, std::size_t j) { return columns.c[k][j][one_line && k < 2 ? 0 : i]; };
         signs[i] = static_cast<std::int8_t>(sign(at(0, 0), at(0, 1), at(1, 0), at(1, 1), at(2, 0), at(2, 1)));
       }
-      fence();
+      asm volatile("" : : "r"(signs.data()) : "memory");
     };
   };
-  all.push_back({{"irg:one by one", one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
-                    using point = irg::point<double, 2>;
-                    return irg::orient2d(point{ax, ay}, point{bx, by}, point{cx, cy});
-                  })},
-                 ""});
+  all.enter("irg:one by one", one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
+              using point = irg::point<double, 2>;
+              return irg::orient2d(point{ax, ay}, point{bx, by}, point{cx, cy});
+            }));
 #ifdef IRG_HAVE_CGAL
-  all.push_back({{"CGAL EPICK", one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
-                    using point = cgal::epick::Point_2;
-                    return cgal::sign<3, 2>(std::array<point, 3>{point(ax, ay), point(bx, by), point(cx, cy)});
-                  })},
-                 ""});
+  all.enter("CGAL EPICK", one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
+              using point = cgal::epick::Point_2;
+              return cgal::sign<3, 2>(std::array<point, 3>{point(ax, ay), point(bx, by), point(cx, cy)});
+            }));
 #endif
-  all.push_back({{"naive double", one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
-                    const double area = (ax - cx) * (by - cy) - (ay - cy) * (bx - cx);
-                    return (area > 0) - (area < 0);
-                  })},
-                 ""});
-  all.back().exact = all.back().same_work = false;
-  all.push_back(
-      {{"limit:read the coordinates", one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
-          return ((ax < bx) ^ (ay < by)) ^ ((cx < ax) ^ (cy < by));
-        })},
-       ""});
-  all.back().exact = all.back().judge = false;
-  s.name += one_line ? " (one line)" : " (a line for each)";
-  hold("orient2d_batch", s, all, signs);
+  all.enter("naive double", one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
+              const double area = (ax - cx) * (by - cy) - (ay - cy) * (bx - cx);
+              return (area > 0) - (area < 0);
+            }),
+            false);
+  all.enter("limit:read the coordinates",
+            one_by_one([](double ax, double ay, double bx, double by, double cx, double cy) {
+              return ((ax < bx) ^ (ay < by)) ^ ((cx < ax) ^ (cy < by));
+            }));
 }
 
 template <int N, int D>
-void hold_common(const std::string& kernel) {
-  for (const auto& s : common_sets<N, D>()) hold(kernel, s);
-  hold(kernel, set_of<std::int64_t, N, D>("int64", any_int64));
-  hold(kernel,
+void enter_common(const std::string& kernel) {
+  for (const auto& s : common_sets<N, D>()) enter_set(kernel, s);
+  enter_set(kernel, set_of<std::int64_t, N, D>("int64", any_int64));
+  enter_set(kernel,
        set_of<std::int64_t, N, D>("int64 lattice", [](random_numbers& r) { return std::int64_t{r.integer(0, 255)}; }));
 }
 
 }  // namespace
 
-int main() {
-  stay_on_this_processor();
-  hold("orient2d", ulp_grid<3, 2>("classroom 12 24", {{{0.5, 0.5}, {12, 12}, {24, 24}}}, 0, 256));
-  hold("orient2d", ulp_grid<3, 2>("classroom 8.8 12.1",
+int main(int argc, char** argv) {
+  enter_set("orient2d", ulp_grid<3, 2>("classroom 12 24", {{{0.5, 0.5}, {12, 12}, {24, 24}}}, 0, 256));
+  enter_set("orient2d", ulp_grid<3, 2>("classroom 8.8 12.1",
                                   {{{0.5, 0.5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}, 0, 256));
-  hold("orient2d", ulp_grid<3, 2>("classroom 17.3 24",
+  enter_set("orient2d", ulp_grid<3, 2>("classroom 17.3 24",
                                   {{{0.50000000000002531, 0.5000000000000171},
                                     {17.300000000000001, 17.300000000000001},
                                     {24.00000000000005, 24.0000000000000517765}}},
                                   0, 256));
-  hold_common<3, 2>("orient2d");
+  enter_common<3, 2>("orient2d");
   for (const bool one_line : {true, false})
-    for (const auto& s : common_sets<3, 2>()) hold_batch(s, one_line);
-  hold("orient3d", ulp_grid<4, 3>("ulp grid", {{{0.5, 0.5, 0.5}, {12, 12, 12}, {24, 24, 24}, {12, 24, 18}}}, 0, 40));
-  hold_common<4, 3>("orient3d");
-  hold("in_circle", ulp_grid<4, 2>("ulp grid", {{{24, 0.5}, {24, 12}, {0.5, 12}, {0.5, 0.5}}}, 3, 256));
-  hold_common<4, 2>("in_circle");
-  hold_common<5, 3>("in_sphere");
-  if (broken > 0) std::printf("%d of the exact ones gave a wrong sign\n", broken);
-  return broken == 0 ? 0 : 1;
+    for (const auto& s : common_sets<3, 2>()) enter_batch(s, one_line);
+  enter_set("orient3d", ulp_grid<4, 3>("ulp grid", {{{0.5, 0.5, 0.5}, {12, 12, 12}, {24, 24, 24}, {12, 24, 18}}}, 0, 40));
+  enter_common<4, 3>("orient3d");
+  enter_set("in_circle", ulp_grid<4, 2>("ulp grid", {{{24, 0.5}, {24, 12}, {0.5, 12}, {0.5, 0.5}}}, 3, 256));
+  enter_common<4, 2>("in_circle");
+  enter_common<5, 3>("in_sphere");
+  return run_benchmarks(argc, argv);
 }

@@ -40,10 +40,10 @@ struct vec_mat_input {
 /// One implementation of one kernel.
 struct vec_mat_entry {
   std::string kernel, name;
-  std::function<void()> run;                     // all items `repeats` times
-  std::function<std::vector<double>()> results;  // of one run, one behind the other
-  int repeats = 1;
-  std::string same_work = "yes";
+  std::size_t items;
+  std::function<void()> run;
+  std::function<std::vector<double>()> results;  // of the last run, one behind the other
+  bool same_work = true;
 };
 using vec_mat_entries = std::vector<vec_mat_entry>;
 
@@ -67,19 +67,16 @@ template <class R, loop Kind = loop::as_compiled, class Operation, class Get>
 void enter(vec_mat_entries& to, const std::string& kernel, const std::string& name, std::size_t items, int count,
            Operation operation, Get get) {
   auto out = std::make_shared<line_vector<R>>(items);
-  const int repeats = items <= 256 ? 16 : 1;
-  to.push_back({kernel, name,
+  to.push_back({kernel, name, items,
                 [=] {
-                  for (int k = 0; k < repeats; ++k) {
-                    R* const to_here = out->data();
-                    for (std::size_t i = 0; i < items; ++i) {
-                      if constexpr (Kind == loop::one_at_a_time) asm("" : "+r"(i));
-                      to_here[i] = operation(i);
-                    }
-                    clobber();
+                  R* const to_here = out->data();
+                  for (std::size_t i = 0; i < items; ++i) {
+                    if constexpr (Kind == loop::one_at_a_time) asm("" : "+r"(i));
+                    to_here[i] = operation(i);
                   }
+                  clobber();
                 },
-                [=] { return numbers_of(*out, count, get); }, repeats});
+                [=] { return numbers_of(*out, count, get); }});
 }
 
 /// The same, all items at once: operation(out).
@@ -87,15 +84,12 @@ template <class R, class Operation, class Get>
 void enter_batch(vec_mat_entries& to, const std::string& kernel, const std::string& name, std::size_t items, int count,
                  Operation operation, Get get) {
   auto out = std::make_shared<line_vector<R>>(items);
-  const int repeats = items <= 256 ? 16 : 1;
-  to.push_back({kernel, name,
+  to.push_back({kernel, name, items,
                 [=] {
-                  for (int k = 0; k < repeats; ++k) {
-                    operation(*out);
-                    clobber();
-                  }
+                  operation(*out);
+                  clobber();
                 },
-                [=] { return numbers_of(*out, count, get); }, repeats});
+                [=] { return numbers_of(*out, count, get); }});
 }
 
 template <class To, class From, class Make>

@@ -164,7 +164,7 @@ void enter_irg_variants(vec_mat_entries& to, const vec_mat_input<T>& in) {
         for (const auto& s : *out) all.push_back(static_cast<double>(s[i]));
       return all;
     };
-    to.push_back({kernel, "irg:streams",
+    to.push_back({kernel, "irg:streams", p->size(),
                   [=] {
                     irg::transform_points(affine, irg::point_streams<const T>{*x, *y, *z},
                                           irg::point_streams<T>{(*out)[0], (*out)[1], (*out)[2]});
@@ -174,14 +174,14 @@ void enter_irg_variants(vec_mat_entries& to, const vec_mat_input<T>& in) {
     auto copy = std::make_shared<streams>(*out);
     to.push_back({kernel,
                   "limit:memcpy",
+                  p->size(),
                   [=] {
                     for (std::size_t k = 0; k < 3; ++k)
                       std::memcpy((*copy)[k].data(), (k == 0 ? *x : k == 1 ? *y : *z).data(), x->size() * sizeof(T));
                     clobber();
                   },
                   {},
-                  1,
-                  "no"});
+                  false});
   };
   transform("transform 4096", in.points_4096);
   transform("transform 1000000", in.points_million);
@@ -215,8 +215,11 @@ vec_mat_input<T> make_input() {
 struct truth {
   std::vector<wide> values, sizes;
   bool in_ulps = false;
-  std::string unit;
 };
+
+std::string unit_of(const std::string& kernel) {
+  return kernel == "normalize" ? "ulp" : kernel == "inverse4" ? "u x largest entry" : "u x sum of |terms|";
+}
 
 wide magnitude(wide x) { return x < 0 ? -x : x; }
 
@@ -272,7 +275,6 @@ void add_inverse(truth& t, const std::array<T, 16>& m) {
 template <class T>
 truth true_results(const std::string& kernel, const vec_mat_input<T>& in) {
   truth t;
-  t.unit = "u x sum of |terms|";
   const std::size_t items = in.a.size();
   if (kernel.starts_with("transform")) {
     for (const auto& p : kernel == "transform 4096" ? in.points_4096 : in.points_million)
@@ -296,7 +298,6 @@ truth true_results(const std::string& kernel, const vec_mat_input<T>& in) {
       }
     } else if (kernel == "normalize") {
       t.in_ulps = true;
-      t.unit = "ulp";
       wide square = 0;
       for (const T x : a) square += static_cast<wide>(x) * static_cast<wide>(x);
       for (const T x : a) add(t, static_cast<wide>(x) / square_root(square), magnitude(static_cast<wide>(x)));
@@ -307,21 +308,16 @@ truth true_results(const std::string& kernel, const vec_mat_input<T>& in) {
       for (std::size_t r = 0; r < 16; ++r)
         add_sum(t, 4, [&](std::size_t k) { return m[r / 4 * 4 + k]; }, [&](std::size_t k) { return n[4 * k + r % 4]; });
     } else {
-      t.unit = "u x largest entry";
       add_inverse(t, m);
     }
   }
   return t;
 }
 
-struct error_summary {
-  double max = 0, mean = 0, sum = 0;
-};
-
 template <class T>
-error_summary errors_of(const std::vector<double>& results, const truth& t) {
+errors errors_of(const std::vector<double>& results, const truth& t) {
   const double u = sizeof(T) == 4 ? 0x1p-24 : 0x1p-53;
-  error_summary e;
+  errors e{0, 0};
   for (std::size_t i = 0; i < results.size(); ++i) {
     const double error = static_cast<double>(magnitude(static_cast<wide>(results[i]) - t.values[i]));
     const double size = static_cast<double>(t.in_ulps ? magnitude(t.values[i]) : t.sizes[i]);
@@ -329,67 +325,14 @@ error_summary errors_of(const std::vector<double>& results, const truth& t) {
     if (!(unit > 0)) continue;
     e.max = std::max(e.max, error / unit);
     e.mean += error / unit;
-    e.sum += results[i];
   }
   e.mean /= static_cast<double>(results.size());
   return e;
 }
 
-/// One kernel's race, its table and its rows.
 template <class T>
-void hold(const std::string& kernel, vec_mat_entries& all, const vec_mat_input<T>& in) {
-  std::vector<contender> racers;
-  std::vector<vec_mat_entry*> entries;
-  for (vec_mat_entry& e : all)
-    if (e.kernel == kernel) {
-      entries.push_back(&e);
-      racers.push_back({e.name, e.run});
-    }
-  std::string type = sizeof(T) == 4 ? "float" : "double";
-#if defined(__x86_64__) && !defined(__SSE3__)
-  type += " (plain x86-64)";
-#endif
-  const truth t = true_results(kernel, in);
-  const std::size_t items = kernel == "transform 4096"      ? in.points_4096.size()
-                            : kernel == "transform 1000000" ? in.points_million.size()
-                                                            : in.a.size();
-  race(racers, items > 100000 ? 11 : 31, items > 100000 ? 8e-3 : 5e-4, warming::one_run);
-  double best_peer = 0, limit = 0;
-  for (const contender& r : racers) {
-    if (r.name == "limit:memcpy") limit = r.median();
-    if (r.name.starts_with("irg") || r.name.starts_with("limit") || r.name == "plain struct") continue;
-    const double ns = r.median();
-    if (best_peer == 0 || ns < best_peer) best_peer = ns;
-  }
-  std::printf("\n%s, %s: errors in %s\n", kernel.c_str(), type.c_str(), t.unit.c_str());
-  std::printf("  %-16s %9s %9s %10s %10s %10s %14s\n", "", "ns", "least ns", "x peer", "max error", "mean err.",
-              "checksum");
-  for (std::size_t i = 0; i < racers.size(); ++i) {
-    const double per = 1e9 / (static_cast<double>(items) * entries[i]->repeats), ns = racers[i].median() * per;
-    row r{.kernel = kernel, .test_case = type, .implementation = racers[i].name};
-    r.same_work = entries[i]->same_work;
-    r.ns_per_item = ns;
-    r.items = static_cast<std::int64_t>(items);
-    r.item = kernel.starts_with("transform") ? "point" : "operation";
-    if (limit > 0) r.limit_fraction = number(limit / racers[i].median());
-    std::printf("  %-16s %9.3f %9.3f %10.2f", racers[i].name.c_str(), ns, racers[i].percentile(0) * per,
-                best_peer > 0 ? racers[i].median() / best_peer : 0.0);
-    if (entries[i]->results) {
-      const error_summary e = errors_of<T>(entries[i]->results(), t);
-      r.max_error = number(e.max);
-      r.mean_error = number(e.mean);
-      r.error_unit = t.unit;
-      std::printf(" %10.3g %10.3g %14.8g", e.max, e.mean, e.sum);
-    }
-    std::printf("\n");
-    report(r);
-  }
-  std::fflush(stdout);
-}
-
-template <class T>
-void hold_all() {
-  const vec_mat_input<T> in = make_input<T>();
+void enter_all() {
+  const vec_mat_input<T>& in = keep(make_input<T>());
   vec_mat_entries all;
   enter_library<irg_library<T>>(all, in, "irg");
   enter_irg_variants(all, in);
@@ -398,20 +341,32 @@ void hold_all() {
   enter_eigen(all, in);
   enter_library<plain_library<T>>(all, in, "plain struct");
   for (const char* kernel :
-       {"dot3", "cross", "normalize", "mat4*vec4", "mat4*mat4", "inverse4", "transform 4096", "transform 1000000"})
-    if (const char* part = std::getenv("IRG_BENCH_CASE"); !part || std::strstr(kernel, part)) hold<T>(kernel, all, in);
+       {"dot3", "cross", "normalize", "mat4*vec4", "mat4*mat4", "inverse4", "transform 4096", "transform 1000000"}) {
+    auto& exact = keep_lazy([kernel, &in] { return true_results(kernel, in); });
+    const bool points = std::string(kernel).starts_with("transform");
+    contest c{kernel,
+              std::string(sizeof(T) == 4 ? "float" : "double") + build_suffix(),
+              points ? "point" : "operation",
+              0,
+              unit_of(kernel),
+              points ? "limit:memcpy" : ""};
+    for (const vec_mat_entry& e : all) {
+      if (e.kernel != kernel) continue;
+      c.items = static_cast<std::int64_t>(e.items);
+      contender who{e.name, e.run};
+      who.same_work = e.same_work;
+      if (e.results)
+        who.judge = [results = e.results, &exact] { return errors_of<T>(results(), *exact); };
+      enter(c, std::move(who));
+    }
+  }
 }
 
 }  // namespace
 }  // namespace bench
 
-int main() {
-  bench::stay_on_this_processor();
-#ifdef __clang__
-  std::printf("clang %d; with CXX=g++ this is built by g++\n", __clang_major__);
-#else
-  std::printf("g++ %d; with CXX=clang++-19 this is built by clang\n", __GNUC__);
-#endif
-  bench::hold_all<float>();
-  bench::hold_all<double>();
+int main(int argc, char** argv) {
+  bench::enter_all<float>();
+  bench::enter_all<double>();
+  return bench::run_benchmarks(argc, argv);
 }

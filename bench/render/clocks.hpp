@@ -3,6 +3,12 @@
 // alone shows what threads are good for.
 #pragma once
 
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include <ctime>
+
 #include "support/measure.hpp"
 
 namespace bench {
@@ -11,6 +17,13 @@ namespace bench {
 struct elapsed {
   double processor = 0, wall = 0;  // seconds
 };
+
+/// Seconds of processor time this process has used, all threads together.
+inline double processor_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
 
 inline double wall_seconds() {
   timespec t{};
@@ -35,12 +48,6 @@ inline void use_all_processors() {
   for (std::size_t i = 0; i < CPU_SETSIZE; ++i) CPU_SET(i, &set);
   sched_setaffinity(0, sizeof set, &set);
 #endif
-}
-
-/// Programs that want to run now, on average over the last minute; negative when unknown.
-inline double load() {
-  double average[1] = {-1};
-  return getloadavg(average, 1) == 1 ? average[0] : -1;
 }
 
 }  // namespace bench

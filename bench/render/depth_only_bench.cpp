@@ -1,82 +1,72 @@
 // SPDX-License-Identifier: MIT
 // Depth without colour, as for shadows and occlusion: clear, transform, cull, rasterize, depth test. Coverage is exact;
 // the errors are those of the depths. A mask's are not nearer than they should be, and may be a little farther.
-#include "raster/contest.hpp"
-#include "render/race.hpp"
+#include "render/frames.hpp"
 
 namespace {
 
 using namespace bench;
 
-frame_contender own_depth(stage& on, int threads) {
-  frame_contender c{"irg", threads};
-  c.draw = timed(threads, [&on, threads] { on.draw_depth(threads); });
-  c.judge = [&on, draw = c.draw] {
+void enter_depth(const frame_contest& c, const stage_access& on, int threads) {
+  contender who{"irg", {}};
+  who.seconds = timed(threads, [on, threads] { on().renderer.draw_depth(on().to.depth, threads); });
+  c.enter_judged(threads, who, [on, draw = who.seconds] {
     draw();
-    return judge_depth(on.what, on.exact, on.depth.data());
-  };
-  return c;
+    return judge_depth(on().what, *on().exact, on().to.depth.data());
+  });
 }
 
 // Slivers are as far as their farthest vertex.
 constexpr double mask_error = 0x1p12;
 
-frame_contender own_mask(stage& on, irg::occlusion_mask<>& mask, int threads) {
-  frame_contender c{"irg:occlusion_mask", threads};
-  c.draw = timed(threads, [&on, &mask, threads] {
-    if (threads == 1)
-      on.renderer.draw_mask(mask);
-    else
-      on.renderer.draw_mask(mask, irg::parallel{threads});
-  });
-  c.allowed = mask_error;
-  c.judge = [&on, &mask, draw = c.draw] {
-    draw();
-    on.renderer.draw_depth(on.depth);
-    std::int64_t nearer = 0;
-    for (int y = 0; y < on.what.height; ++y)
-      for (int x = 0; x < on.what.width; ++x) {
-        const float there = mask.depth(x, y);
-        nearer += there > on.depth(x, y);
-        on.depth(x, y) = there;
-      }
-    verdict v = judge_depth(on.what, on.exact, on.depth.data());
-    v.wrong += nearer;
-    return v;
-  };
-  c.note = "wrong counts pixels that are nearer than drawn, too";
-  return c;
+// Wrong are pixels that are nearer than drawn, too.
+verdict judge_mask(stage& on, const irg::occlusion_mask<>& mask) {
+  irg::image<float>& depth = on.to.depth;
+  on.renderer.draw_depth(depth, 1);
+  std::int64_t nearer = 0;
+  for (int y = 0; y < on.what.height; ++y)
+    for (int x = 0; x < on.what.width; ++x) {
+      const float there = mask.depth(x, y);
+      nearer += there > depth(x, y);
+      depth(x, y) = there;
+    }
+  verdict v = judge_depth(on.what, *on.exact, depth.data());
+  v.wrong += nearer;
+  return v;
 }
 
-int run(const scene& s) {
-  if (!wanted(s.name)) return 0;
-  stage on(s);
-  print_statistics(on);
-  irg::occlusion_mask<> mask(s.width, s.height);
-  std::vector<frame_contender> all{own_mask(on, mask, 1), own_mask(on, mask, 2), own_depth(on, 1), own_depth(on, 2)};
-  all.push_back({"limit:clear", 1, timed(1, [&on] {
-                   std::memset(on.depth.data(), 0, 4 * on.what.pixel_count());
-                   asm volatile("" : : "r"(on.depth.data()) : "memory");
-                 })});
+void enter_mask(const frame_contest& c, const stage_access& on, int threads) {
+  auto& mask = keep_lazy([on] { return irg::occlusion_mask<>(on().what.width, on().what.height); });
+  contender who{"irg:occlusion_mask", {}};
+  who.seconds = timed(threads, [on, &mask, threads] { on().renderer.draw_mask(*mask, threads); });
+  who.note = "wrong counts pixels that are nearer than drawn; too";
+  const auto judge = [on, &mask, draw = who.seconds] {
+    draw();
+    return judge_mask(on(), *mask);
+  };
+  c.enter_judged(threads, who, judge, {}, mask_error);
+}
+
+void enter_scene(const scene_plan& plan) {
+  const frame_contest c{"depth", plan.name, "limit:clear", "2^-24", 4};
+  const stage_access on = stage_of(plan);
+  for (const int threads : {1, 2}) {
+    enter_mask(c, on, threads);
+    enter_depth(c, on, threads);
 #ifdef IRG_HAVE_OSMESA
-  llvmpipe_process one(s, 1), two(s, 2);
-  if (one.ok() && two.ok()) {
-    all.push_back(llvmpipe_contender(on, one, 1, peer_task::draw_depth));
-    all.push_back(llvmpipe_contender(on, two, 2, peer_task::draw_depth));
-  }
+    enter_llvmpipe(c, on, threads, peer_task::draw_depth);
 #endif
-  race(all, frame_rounds());
-  return publish({"depth", s.name, "limit:clear", "2^-24", 4}, all);
+  }
+  const auto clear = [on] {
+    std::memset(on().to.depth.data(), 0, 4 * on().what.pixel_count());
+    asm volatile("" : : "r"(on().to.depth.data()) : "memory");
+  };
+  enter_limit(c, "limit:clear", clear, [on] { return on().statistics(); });
 }
 
 }  // namespace
 
-int main() {
-  print_conditions();
-  int broken = run(scene_a0());
-  broken += run(scene_a());
-  broken += run(scene_b(drawing::random_order));
-  broken += run(scene_c());
-  if (broken) std::printf("irg was wrong in %d cases\n", broken);
-  return broken != 0;
+int main(int argc, char** argv) {
+  for (const scene_plan& plan : {scene_a0(), scene_a(), scene_b(drawing::random_order), scene_c()}) enter_scene(plan);
+  return run_benchmarks(argc, argv);
 }

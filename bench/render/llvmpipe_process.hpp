@@ -19,7 +19,7 @@
 namespace bench {
 
 /// What llvmpipe is to do.
-enum class peer_task : char { draw, draw_depth, clear, show_picture, show_depth, show_ids };
+enum class peer_task : char { draw, draw_depth, clear, show_picture, show_depth, show_ids, stop };
 
 class llvmpipe_process {
 public:
@@ -42,7 +42,8 @@ public:
     renderer_ = ok_ ? hello.renderer : "";
   }
   ~llvmpipe_process() {
-    if (socket_ >= 0) close(socket_);
+    // Closing the socket would not end it: processes that were forked later hold it, too.
+    if (socket_ >= 0) (void)!write(socket_, &stop, 1), close(socket_);
     if (child_ > 0) waitpid(child_, nullptr, 0);
     if (shared_ != MAP_FAILED) munmap(shared_, bytes());
   }
@@ -80,6 +81,7 @@ private:
     return true;
   }
   std::size_t bytes() const { return 4 * pixels_; }
+  static constexpr peer_task stop = peer_task::stop;
 
   // Every triangle with vertices of its own that have its number for a colour.
   static void load_ids(llvmpipe& peer, const scene& s) {
@@ -112,6 +114,7 @@ private:
         case peer_task::draw: peer.draw(cull, {}); break;
         case peer_task::draw_depth: peer.draw_depth(cull); break;
         case peer_task::clear: peer.clear({}); break;
+        case peer_task::stop: return;
         case peer_task::show_picture: peer.draw(cull, {}); break;
         case peer_task::show_depth: peer.draw_depth(cull); break;
         case peer_task::show_ids:

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -53,6 +56,12 @@ inline scene empty_scene(std::string name, irg::face_culling culling) {
   return {.name = std::move(name), .width = smoke() ? 480 : 1920, .height = smoke() ? 270 : 1080, .culling = culling};
 }
 
+/// A scene that can be made: its name is known before it is.
+struct scene_plan {
+  std::string name;
+  std::function<scene()> make;
+};
+
 inline constexpr double turn = 6.283185307179586;
 
 inline float aspect_of(const scene& s) { return static_cast<float>(s.width) / static_cast<float>(s.height); }
@@ -60,15 +69,6 @@ inline float aspect_of(const scene& s) { return static_cast<float>(s.width) / st
 // ---------------------------------------------------------------------------------------------------- bodies
 
 using body = irg::drawable<float>;
-
-/// A model by the name of its file, or nothing.
-inline std::optional<body> load_model([[maybe_unused]] const char* file) {
-#ifdef IRG_MODELS_DIR
-  if (const auto text = irg::read_file((std::string(IRG_MODELS_DIR "/") + file).c_str()))
-    if (auto mesh = irg::read_obj<float>({text->data(), text->size()})) return irg::make_drawable(*std::move(mesh));
-#endif
-  return std::nullopt;
-}
 
 /// A sphere with dents and bumps: as uneven as a model, of 2 * slices * (stacks - 1) triangles.
 inline body dented_sphere(int slices, int stacks) {
@@ -82,19 +82,28 @@ inline body dented_sphere(int slices, int stacks) {
   return irg::make_drawable(std::move(m));
 }
 
-struct named_body {
+struct body_plan {
   std::string name;
-  body shape;
+  std::function<body()> make;
 };
 
 /// The model, or a sphere of about as many triangles in its place.
-inline named_body model_or_sphere(const std::string& name, const std::string& file, int stand_in_stacks) {
-  if (auto model = load_model(file.c_str())) return {name, *std::move(model)};
-  std::printf("There is no %s; a dented sphere of as many triangles stands in for it.\n", file.c_str());
-  return {name + " stand-in", dented_sphere(2 * stand_in_stacks, stand_in_stacks)};
+inline body_plan model_or_sphere(const std::string& name, const char* file, int stand_in_stacks) {
+#ifdef IRG_MODELS_DIR
+  const std::string path = std::string(IRG_MODELS_DIR "/") + file;
+  if (std::ifstream(path))
+    return {name, [path] {
+              const auto text = irg::read_file(path.c_str());
+              auto mesh = text ? irg::read_obj<float>({text->data(), text->size()}) : std::nullopt;
+              if (!mesh) std::fprintf(stderr, "%s cannot be read\n", path.c_str()), std::abort();
+              return irg::make_drawable(*std::move(mesh));
+            }};
+#endif
+  static_cast<void>(file);
+  return {name + " stand-in", [stand_in_stacks] { return dented_sphere(2 * stand_in_stacks, stand_in_stacks); }};
 }
 
-inline named_body bunny() { return model_or_sphere("bunny", "stanford-bunny.obj", 132); }
+inline body_plan bunny() { return model_or_sphere("bunny", "stanford-bunny.obj", 132); }
 
 /// Each triangle cut into four at the middles of its edges, which neighbours share.
 inline body subdivided(const body& from) {
@@ -210,23 +219,28 @@ inline scene body_scene(const std::string& name, const body& b, double share, co
 inline constexpr double bunny_share = 0.91709;
 
 /// a0: a scanned body of 69,451 triangles.
-inline scene scene_a0() {
-  const named_body b = bunny();
-  return body_scene("a0 " + b.name, b.shape, bunny_share, "69451 triangles of 16 px; 553870 px drawn");
+inline scene_plan scene_a0() {
+  const body_plan b = bunny();
+  const std::string name = "a0 " + b.name;
+  return {name, [=] { return body_scene(name, b.make(), bunny_share, "69451 triangles of 16 px; 553870 px drawn"); }};
 }
 
 /// a: the same, each triangle cut into 16.
-inline scene scene_a() {
-  const named_body b = bunny();
-  const body once = subdivided(b.shape);
-  return body_scene("a " + b.name + " x16", smoke() ? once : subdivided(once), bunny_share,
-                    "1111216 triangles of 1.01 px; 553868 px drawn");
+inline scene_plan scene_a() {
+  const body_plan b = bunny();
+  const std::string name = "a " + b.name + " x16";
+  return {name, [=] {
+            const body once = subdivided(b.make());
+            return body_scene(name, smoke() ? once : subdivided(once), bunny_share,
+                              "1111216 triangles of 1.01 px; 553868 px drawn");
+          }};
 }
 
 /// a1: a sculpted body of 124,008 triangles.
-inline scene scene_a1() {
-  const named_body b = model_or_sphere("ogre", "ogre.obj", 176);
-  return body_scene("a1 " + b.name, b.shape, 0.9, "about 100000 triangles of 7 px; 280000 px drawn");
+inline scene_plan scene_a1() {
+  const body_plan b = model_or_sphere("ogre", "ogre.obj", 176);
+  const std::string name = "a1 " + b.name;
+  return {name, [=] { return body_scene(name, b.make(), 0.9, "about 100000 triangles of 7 px; 280000 px drawn"); }};
 }
 
 /// In which order triangles are drawn.
@@ -272,23 +286,26 @@ inline scene random_triangles(const std::string& name, int count, const triangle
 }
 
 /// b: 20,000 triangles of 830 px, one over the other eight times.
-inline scene scene_b(drawing order) {
-  const bool sorted = order == drawing::front_to_back;
-  return random_triangles(sorted ? "b' 20k front to back" : "b 20k random order", smoke() ? 1000 : 20000,
-                          {41.64, 41.7, 1}, order, "20000 triangles of 830 px; depth complexity 8.0; 1974908 px drawn");
+inline scene_plan scene_b(drawing order) {
+  const std::string name = order == drawing::front_to_back ? "b' 20k front to back" : "b 20k random order";
+  return {name, [=] {
+            return random_triangles(name, smoke() ? 1000 : 20000, {41.64, 41.7, 1}, order,
+                                    "20000 triangles of 830 px; depth complexity 8.0; 1974908 px drawn");
+          }};
 }
 
 /// c: 200 triangles of a third of the picture.
-inline scene scene_c() {
-  return random_triangles("c 200 large", smoke() ? 20 : 200, {845, 300, 0.1}, drawing::random_order,
-                          "200 triangles of 766000 px; depth complexity 74; 2070255 px drawn");
+inline scene_plan scene_c() {
+  return {"c 200 large", [] {
+            return random_triangles("c 200 large", smoke() ? 20 : 200, {845, 300, 0.1}, drawing::random_order,
+                                    "200 triangles of 766000 px; depth complexity 74; 2070255 px drawn");
+          }};
 }
 
 /// Twenty bodies in a ring about the eye, of which two, a tenth, are in view and whole.
-inline scene scene_frustum() {
-  const named_body b = bunny();
-  const body shape = fitted_body(b.shape);
-  scene s = empty_scene("frustum 20 x " + b.name, irg::face_culling::back);
+inline scene make_scene_frustum(const std::string& name, const body& b) {
+  const body shape = fitted_body(b);
+  scene s = empty_scene(name, irg::face_culling::back);
   const eye_in_origin eye{0.18f, 0.1f, s.width, s.height};  // 36 degrees wide: a tenth of the ring
   s.to_clip = eye.to_clip();
   constexpr int count = 20;
@@ -300,18 +317,21 @@ inline scene scene_frustum() {
   s.meant = "a tenth of the triangles in view";
   return s;
 }
+inline scene_plan scene_frustum() {
+  const body_plan b = bunny();
+  const std::string name = "frustum 20 x " + b.name;
+  return {name, [=] { return make_scene_frustum(name, b.make()); }};
+}
 
 /// What keeps the rest of the visible-scenes from being seen.
 enum class hidden_by { wall, picture_border };
 
 /// A hundred bodies in ten columns of ten, `percent` of them visible: 100, 50, 10, 1 or 0. The others stand behind a
 /// wall, which is drawn first, or outside of the picture.
-inline scene scene_visible(int percent, hidden_by what) {
+inline scene make_scene_visible(const std::string& name, int percent, hidden_by what) {
   const bool wall = what == hidden_by::wall;
-  const named_body b = model_or_sphere("spot", "spot.obj", 39);
-  const body shape = fitted_body(b.shape);
-  scene s =
-      empty_scene("visible " + std::to_string(percent) + " % " + (wall ? "wall" : "border"), irg::face_culling::back);
+  const body shape = fitted_body(model_or_sphere("spot", "spot.obj", 39).make());
+  scene s = empty_scene(name, irg::face_culling::back);
   const eye_in_origin eye{0.15f, 1, s.width, s.height};
   s.to_clip = eye.to_clip();
   constexpr double distance = 10;
@@ -347,6 +367,11 @@ inline scene scene_visible(int percent, hidden_by what) {
     }
   s.meant = std::to_string(percent) + " of 100 bodies visible";
   return s;
+}
+inline scene_plan scene_visible(int percent, hidden_by what) {
+  const std::string name =
+      "visible " + std::to_string(percent) + " % " + (what == hidden_by::wall ? "wall" : "border");
+  return {name, [=] { return make_scene_visible(name, percent, what); }};
 }
 
 }  // namespace bench

@@ -2,12 +2,8 @@
 // Where the time of a frame goes: the stages of the pipeline one by one, on one thread, beside the counters. The stages
 // are told apart from outside, by an executor that looks at the clock: each of them hands its work to the executor once.
 // Within a tile colours begin when the shading is first asked for attributes.
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
-#include <span>
-#include <string>
 #include <vector>
 
 #include <irg/raster/image.hpp>
@@ -62,15 +58,14 @@ struct clock_colours : own::vertex_colours {
   }
 };
 
-enum stage { project, cull, sort_lists, visibility, shading, whole, stage_count };
-constexpr const char* names[] = {"vertices to the screen",           "cull, clip, list by tiles",
-                                 "lay the lists together",           "which triangle each pixel shows",
-                                 "clear and colour what is visible", "whole frame, nobody looking at the clock"};
-using milliseconds = std::array<double, stage_count>;
+enum stage_of_frame { project, cull, sort_lists, visibility, shading, whole, stage_count };
+constexpr const char* names[] = {"irg:vertices to the screen", "irg:cull and clip and list by tiles",
+                                 "irg:lay the lists together", "irg:which triangle each pixel shows",
+                                 "irg:clear and colour what is visible", "irg"};  // a whole frame without a clock in it
+using seconds_of_stages = std::array<double, stage_count>;
 
 struct measured {
-  milliseconds ms{};
-  irg::render_stats stats;
+  irg::render_stats stats{};
   bool agree = true;
 };
 
@@ -80,7 +75,7 @@ public:
       : scene_(s), mapping_(irg::map_to_screen<float>(s.width, s.height)), picture_(s.width, s.height),
         depth_(s.width, s.height) {}
 
-  milliseconds draw(measured& out) {
+  seconds_of_stages draw(measured& out) {
     timeline times;
     draw_with(clock_colours{{scene_}, &times}, clock_executor{&times}, out);
     const double start = processor_seconds();
@@ -89,9 +84,7 @@ public:
     out.agree = out.agree && times.laps.size() == 4 && out.stats.pixels.shaded == out.stats.drawn;
     if (!out.agree) return {};
     const double tiles = times.laps[3], colours = tiles * times.colours / times.tiles;
-    milliseconds ms{times.laps[0], times.laps[1], times.laps[2], tiles - colours, colours, end - start};
-    for (double& t : ms) t *= 1e3;
-    return ms;
+    return {times.laps[0], times.laps[1], times.laps[2], tiles - colours, colours, end - start};
   }
 
 private:
@@ -112,58 +105,47 @@ private:
   irg::draw_workspace workspace_{};
 };
 
-measured measure(const scene& s) {
-  frame f(s);
-  measured out;
-  std::array<std::vector<double>, stage_count> all;
-  for (int round = smoke() ? 0 : -2; round < (smoke() ? 1 : 21); ++round) {
-    const milliseconds ms = f.draw(out);
-    for (std::size_t i = 0; i < stage_count && round >= 0; ++i) all[i].push_back(ms[i]);
-  }
-  for (std::size_t i = 0; i < stage_count; ++i) {
-    std::sort(all[i].begin(), all[i].end());
-    out.ms[i] = all[i][all[i].size() / 2];
-  }
-  return out;
-}
+class frames {
+public:
+  explicit frames(scene s) : scene_(std::move(s)), frame_(scene_) {}
+  frames(const frames&) = delete;
+  frames& operator=(const frames&) = delete;
 
-void print_row(const char* name, std::span<const measured> all, const auto& value, const char* format) {
-  std::printf("| %s |", name);
-  for (const measured& m : all) std::printf(format, value(m));
-  std::puts("");
-}
+  double draw(stage_of_frame s) { return frame_.draw(last_)[s]; }
+  errors found() const {
+    errors e;
+    if (!last_.agree) e.broken = "the pipeline hands out its work in other portions than this program expects";
+    const irg::render_stats& s = last_.stats;
+    const auto count = [&](const char* name, std::int64_t n) { e.more.push_back({name, static_cast<double>(n)}); };
+    count("triangles", s.triangles);
+    count("skipped_frustum", s.skipped.frustum);
+    count("skipped_backface", s.skipped.backface);
+    count("skipped_tiny", s.skipped.tiny);
+    count("skipped_occluded", s.skipped.occluded);
+    count("pixels_tested", s.pixels.tested);
+    count("pixels_ties", s.pixels.ties);
+    count("pixels_shaded", s.pixels.shaded);
+    count("drawn", s.drawn);
+    return e;
+  }
+
+private:
+  scene scene_;
+  frame frame_;
+  measured last_{};
+};
 
 }  // namespace
 
-int main() {
-  stay_on_this_processor();
-  std::vector<scene> scenes;
-  scenes.push_back(scene_a());
-  scenes.push_back(scene_b(drawing::random_order));
-  scenes.push_back(scene_c());
-  std::vector<measured> all;
-  for (const scene& s : scenes) all.push_back(measure(s));
-  std::printf("Processor time of one thread, in milliseconds; %.2f programs wanted to run.\n\n| |", load());
-  for (const scene& s : scenes) std::printf(" %s |", s.name.c_str());
-  std::printf("\n|---|");
-  for (std::size_t i = 0; i < scenes.size(); ++i) std::printf("---|");
-  std::puts("");
-  for (std::size_t i = 0; i < stage_count; ++i)
-    print_row(names[i], all, [i](const measured& m) { return m.ms[i]; }, " %.2f |");
-  const auto count = [&](const char* name, const auto& of) {
-    print_row(name, all, [&](const measured& m) { return static_cast<long long>(of(m.stats)); }, " %lld |");
-  };
-  using stats = irg::render_stats;
-  count("`triangles`", [](const stats& s) { return s.triangles; });
-  count("`skipped.frustum`", [](const stats& s) { return s.skipped.frustum; });
-  count("`skipped.backface`", [](const stats& s) { return s.skipped.backface; });
-  count("`skipped.tiny`", [](const stats& s) { return s.skipped.tiny; });
-  count("`skipped.occluded`", [](const stats& s) { return s.skipped.occluded; });
-  count("`pixels.tested`", [](const stats& s) { return s.pixels.tested; });
-  count("`pixels.ties`", [](const stats& s) { return s.pixels.ties; });
-  count("`pixels.shaded`", [](const stats& s) { return s.pixels.shaded; });
-  count("`drawn`", [](const stats& s) { return s.drawn; });
-  if (std::all_of(all.begin(), all.end(), [](const measured& m) { return m.agree; })) return 0;
-  std::puts("The stages do not add up: the pipeline hands out its work in other portions than this program expects.");
-  return 1;
+int main(int argc, char** argv) {
+  for (const scene_plan& plan : {scene_a(), scene_b(drawing::random_order), scene_c()}) {
+    auto& of_scene = keep_lazy([plan] { return std::make_unique<frames>(plan.make()); });
+    for (int i = 0; i < stage_count; ++i) {
+      const auto s = static_cast<stage_of_frame>(i);
+      contender who{names[i], {}, [&of_scene] { return (*of_scene)->found(); }};
+      who.seconds = [&of_scene, s] { return (*of_scene)->draw(s); };
+      enter({"stages", plan.name, "frame"}, who);
+    }
+  }
+  return run_benchmarks(argc, argv);
 }

@@ -3,26 +3,19 @@
 // wall that is drawn first, or outside of the picture. What is seen, drawn alone, says how much is for the wall.
 #include <algorithm>
 
-#include "raster/contest.hpp"
-#include "render/race.hpp"
+#include "render/frames.hpp"
 
 namespace {
 
 using namespace bench;
 
-// Milliseconds at each share, to be compared with those at 100 %.
-struct series {
-  std::string name;
-  std::vector<double> milliseconds{};
-};
-
 // The objects that show a pixel, alone: what is left to do where the others cost nothing.
 scene seen_alone(stage& on) {
   const scene& s = on.what;
-  on.renderer.draw_ids(on.ids, on.depth);
+  on.renderer.draw_ids(on.to.ids, on.to.depth);
   std::vector<bool> seen(s.triangles.size(), false);
   for (std::size_t i = 0; i < s.pixel_count(); ++i)
-    if (on.ids.data()[i] != 0) seen[on.ids.data()[i] - 1] = true;
+    if (on.to.ids.data()[i] != 0) seen[on.to.ids.data()[i] - 1] = true;
   scene alone = empty_scene(s.name + " seen alone", s.culling);
   alone.to_clip = s.to_clip;
   for (scene_object o : s.objects) {
@@ -45,62 +38,30 @@ scene seen_alone(stage& on) {
   return alone;
 }
 
-int run(const scene& s, std::vector<series>& times) {
-  stage on(s);
-  print_statistics(on);
-  const scene alone = seen_alone(on);
-  own::renderer draw_alone(alone);
-  std::vector<frame_contender> all{own_contender(on, "irg", 1, irg::skip_options{}),
-                                   own_contender(on, "irg:no skips", 1, irg::skip_nothing)};
-  all.push_back({"limit:seen alone", 1, timed(1, [&] { draw_alone.draw(on.picture, on.depth); })});
-  all.push_back({"limit:clear", 1, timed(1, [&on] { clear_both(on.picture, on.depth); })});
-#ifdef IRG_HAVE_OSMESA
-  llvmpipe_process one(s, 1);
-  if (one.ok()) {
-    all.push_back(llvmpipe_contender(on, one, 1, peer_task::draw));
-    all.push_back({"limit:llvmpipe clear", 1, [&one] { return one(peer_task::clear); }, nullptr,
-                   "part of llvmpipe's time: clear and copy out"});
-  }
-#endif
-  race(all, frame_rounds());
-  const int broken = publish({"visible", s.name, "limit:clear", "1/255", 0.51}, all);
-  on.draw(1);
-  own::print_skips(on.stats);
-  save_picture(s, "irg", on.picture.data());
-  times.resize(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    times[i].name = all[i].name;
-    times[i].milliseconds.push_back(all[i].median() * 1e3);
-  }
-  return broken;
-}
+struct seen {
+  scene alone;
+  own::renderer renderer;
+  explicit seen(stage& on) : alone(seen_alone(on)), renderer(alone) {}
+};
 
-int run_all(hidden_by what) {
-  constexpr int shares[] = {100, 50, 10, 1, 0};
-  std::vector<series> times;
-  int broken = 0;
-  for (const int percent : shares) broken += run(scene_visible(percent, what), times);
-  std::printf("\nHidden by %s: ms at each visible share, and %% of the time at 100 %%\n%-24s",
-              what == hidden_by::wall ? "a wall" : "the picture's border", "");
-  for (const int percent : shares) std::printf(" %15d %%", percent);
-  for (const series& of : times) {
-    std::printf("\n%-24s", of.name.c_str());
-    for (const double ms : of.milliseconds) std::printf(" %9.3f %5.1f %%", ms, 100 * ms / of.milliseconds[0]);
-  }
-  std::printf("\n%-24s", "irg for what is hidden");
-  for (std::size_t i = 0; i < std::size(shares); ++i) {
-    const double ms = times[0].milliseconds[i] - times[2].milliseconds[i];
-    std::printf(" %9.3f %5.1f %%", ms, 100 * ms / times[0].milliseconds[0]);
-  }
-  std::puts("");
-  return broken;
+void enter_scene(const scene_plan& plan) {
+  const frame_contest c{"visible", plan.name, "limit:clear", "1/255", 0.51};
+  const stage_access on = stage_of(plan);
+  auto& alone = keep_lazy([on] { return std::make_unique<seen>(on()); });
+  enter_own(c, on, "irg", 1);
+  enter_own(c, on, "irg:no skips", 1, irg::skip_nothing);
+  enter_limit(c, "limit:seen alone", [on, &alone] { (*alone)->renderer.draw(on().to.picture, on().to.depth, {}, 1); });
+  enter_limit(
+      c, "limit:clear", [on] { clear_both(on().to.picture, on().to.depth); }, [on] { return on().statistics(); });
+#ifdef IRG_HAVE_OSMESA
+  enter_llvmpipe(c, on, 1, peer_task::draw);
+#endif
 }
 
 }  // namespace
 
-int main() {
-  print_conditions();
-  const int broken = run_all(hidden_by::wall) + run_all(hidden_by::picture_border);
-  if (broken) std::printf("irg was wrong in %d cases\n", broken);
-  return broken != 0;
+int main(int argc, char** argv) {
+  for (const hidden_by what : {hidden_by::wall, hidden_by::picture_border})
+    for (const int percent : {100, 50, 10, 1, 0}) enter_scene(scene_visible(percent, what));
+  return run_benchmarks(argc, argv);
 }

@@ -57,16 +57,19 @@ void judge(entry& e) {
   std::fprintf(stderr, "%s: broken promise: %s\n", name_of(e.where, e.who.name).c_str(), e.found.broken.c_str());
 }
 
-// What the counters cannot say, for the table and for results.py: item|unit of the errors|same work|note
+// What the counters cannot say, for the table and for results.py: item|unit of the errors|same work|worst input|note
 std::string label_of(const entry& e) {
   const std::string &a = e.who.note, &b = e.found.note;
-  return e.where.item + "|" + (e.who.judge ? e.where.error_unit : "") + (e.who.same_work ? "|yes|" : "|no|") + a +
+  return e.where.item + "|" + (e.who.judge ? e.where.error_unit : "") + (e.who.same_work ? "|yes|" : "|no|") +
+         e.found.worst_input + "|" + a +
          (a.empty() || b.empty() ? "" : "; ") + b;
 }
 
-// Each turn begins with a run that is not measured, so that nobody pays for what the one before left in the caches.
+// Each turn begins with a run that is not measured, so that nobody pays for what the one before left in the caches; who
+// says how long it took has one of them in all.
 void measure(benchmark::State& state, entry& e) {
   if (e.who.seconds) {
+    if (!e.judged && !smoke()) (void)e.who.seconds();
     for (auto _ : state) {
       const double taken = e.who.seconds();
       if (!(taken >= 0)) return state.SkipWithError("cannot run here");
@@ -153,7 +156,15 @@ public:
   }
   void ReportRuns(const run_list& runs) override { all_.insert(all_.end(), runs.begin(), runs.end()); }
   void Finalize() override {
-    std::stable_sort(all_.begin(), all_.end(), [](const Run& a, const Run& b) { return a.family_index < b.family_index; });
+    std::map<std::string, std::int64_t> first;  // of a contest's contenders, which need not have been entered in a row
+    for (const Run& r : all_) {
+      auto& least = first.try_emplace(name_of(contest_of(r), ""), r.family_index).first->second;
+      least = std::min(least, r.family_index);
+    }
+    std::stable_sort(all_.begin(), all_.end(), [&](const Run& a, const Run& b) {
+      return std::pair(first[name_of(contest_of(a), "")], a.family_index) <
+             std::pair(first[name_of(contest_of(b), "")], b.family_index);
+    });
     const auto counts = [](const Run& r) {
       return r.aggregate_name == "median" || (r.repetitions == 1 && !r.error_occurred);
     };
@@ -161,8 +172,7 @@ public:
     for (const Run& r : all_)
       if (counts(r)) medians[r.run_name.function_name] = r.counters.at("ns_per_item");
     for (Run& r : all_) {
-      const contest& where = entries.at(r.run_name.function_name)->where;
-      const auto limit = medians.find(name_of(where, where.limit));
+      const auto limit = medians.find(name_of(contest_of(r), contest_of(r).limit));
       if (counts(r) && limit != medians.end()) r.counters["limit_share"] = limit->second / r.counters.at("ns_per_item");
     }
     to_->ReportRuns(all_);
@@ -170,6 +180,8 @@ public:
   }
 
 private:
+  static const contest& contest_of(const Run& r) { return entries.at(r.run_name.function_name)->where; }
+
   std::unique_ptr<BenchmarkReporter> to_;
   run_list all_{};
 };
@@ -182,7 +194,7 @@ void enter(const contest& c, contender who) {
   if (!entries.emplace(name, e).second) std::fprintf(stderr, "%s: entered twice\n", name.c_str()), std::abort();
   auto* made = benchmark::RegisterBenchmark(name.c_str(), [e](benchmark::State& state) { measure(state, *e); });
   if (e->who.seconds)
-    made->UseManualTime();
+    made->UseManualTime()->Iterations(1);
   else
     made->MeasureProcessCPUTime();
 }

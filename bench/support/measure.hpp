@@ -25,6 +25,7 @@ inline constexpr double not_said = std::numeric_limits<double>::quiet_NaN();
 struct errors {
   double max = not_said, mean = not_said, wrong = not_said;
   std::string note{};
+  std::string worst_input{};
   std::string broken{};  // the promise that the results break, in words: the program ends with an error
   std::vector<std::pair<std::string, double>> more{};  // counters that only this study has
 };
