@@ -113,9 +113,10 @@ public:
       const auto& [where, who, found, judged] = *entries.at(r.run_name.function_name);
       const std::string here = where.kernel + " / " + where.test_case;
       if (here != title) {
-        print("\n%s: %lld %ss%s%s\n  %-34s %10s %6s %9s %10s %10s %8s\n", here.c_str(),
-              static_cast<long long>(where.items), where.item.c_str(), where.error_unit.empty() ? "" : "; errors in ",
-              where.error_unit.c_str(), "", "ns", "+- %", "of limit", "max error", "mean error", "wrong");
+        print("\n%s: time of a %s, %lld in a run%s%s\n  %-34s %10s %6s %9s %10s %10s %8s\n", here.c_str(),
+              where.item.c_str(), static_cast<long long>(where.items),
+              where.error_unit.empty() ? "" : "; errors in ", where.error_unit.c_str(), "", "ns", "+- %", "of limit",
+              "max error", "mean error", "wrong");
         title = here;
       }
       print("  %-34s", (who.name + (r.run_name.time_type == "real_time" ? " (wall)" : "")).c_str());
