@@ -61,9 +61,10 @@ double half_chord(const vec& a, const vec& b) { return std::asin(std::fmin(1.0, 
 
 void measure(const bench::study& s, const std::string& name, pairs made) {
   const pairs& input = bench::keep(std::move(made));
-  const bench::distribution d{
-      name, input.size(), 1,
-      bench::exact_for(input, [](const pair& p, bench::exact_results& out) { out.push_back(exact_angle(p.a, p.b).result()); })};
+  const bench::distribution d{name, input.size(), 1,
+                              bench::exact_for(input, [](const pair& p, bench::exact_results& out) {
+                                out.push_back(exact_angle(p.a, p.b).result());
+                              })};
   const auto entry = [&](const char* who, auto f) {
     return bench::for_each_item(who, input, [f](const pair& p) { return f(p.a, p.b); });
   };

@@ -191,8 +191,8 @@ void sides() {
       const real x = side[0], y = side[1], z = side[2];
       out.push_back((sqrt((x + y + z) * (x + y - z) * (x - y + z) * (y - x + z)) / real(4)).result());
     };
-    const bench::distribution d{power == 0 ? "any triangle" : "needles of 10^-" + std::to_string(power), items.size(), 1,
-                                bench::exact_for(items, exact)};
+    const bench::distribution d{power == 0 ? "any triangle" : "needles of 10^-" + std::to_string(power), items.size(),
+                                1, bench::exact_for(items, exact)};
     s.panel(d,
             {bench::for_each_item(
                  "irg", items,

@@ -129,7 +129,8 @@ void chains_of(bench::study& s, int power) {
       multiplying("in double_double", in_words, [](const auto& a, int i, int j) { return a(i, j).high; }),
       multiplying("orthonormal every 64th", in_double, read, orthonormalize)};
 #ifdef HAS_GLM
-  const auto& in_glm = nearest<glm::dmat3>(exact, length, [](auto& a, int i, int j, auto& x) { a[j][i] = x.nearest(); });
+  const auto& in_glm =
+      nearest<glm::dmat3>(exact, length, [](auto& a, int i, int j, auto& x) { a[j][i] = x.nearest(); });
   who.push_back(multiplying("GLM", in_glm, [](const auto& a, int i, int j) { return a[j][i]; }));
 #endif
 #ifdef HAS_EIGEN
@@ -137,7 +138,8 @@ void chains_of(bench::study& s, int power) {
       nearest<Eigen::Matrix3d>(exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = x.nearest(); });
   who.push_back(multiplying("Eigen", in_eigen, read));
 #endif
-  s.panel(d, who, [length](std::size_t i) { return "chain " + std::to_string(i) + " of seed " + std::to_string(length); });
+  s.panel(d, who,
+          [length](std::size_t i) { return "chain " + std::to_string(i) + " of seed " + std::to_string(length); });
 }
 
 }  // namespace

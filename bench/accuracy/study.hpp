@@ -70,7 +70,8 @@ inline double last_place(const exact_result& e, bool in_float) {
 inline int sign(double x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
 /// The errors of the results; those that are NaN or infinite where the exact ones are not count as failures only.
-inline score judge(const distribution& d, const exact_results& true_ones, const std::vector<double>& got, error_unit unit) {
+inline score judge(const distribution& d, const exact_results& true_ones, const std::vector<double>& got,
+                   error_unit unit) {
   score s;
   std::vector<double> errors;
   std::size_t exact = 0, failed = 0;
@@ -80,7 +81,8 @@ inline score judge(const distribution& d, const exact_results& true_ones, const 
   const auto per_item = static_cast<std::size_t>(d.results);
   for (std::size_t i = 0; i < d.items; ++i) {
     double largest = 0;
-    for (std::size_t k = 0; k < per_item; ++k) largest = std::max(largest, std::fabs(true_ones[i * per_item + k].value));
+    for (std::size_t k = 0; k < per_item; ++k)
+      largest = std::max(largest, std::fabs(true_ones[i * per_item + k].value));
     for (std::size_t k = 0; k < per_item; ++k) {
       const exact_result& e = true_ones[i * per_item + k];
       const double g = got[i * per_item + k];

@@ -128,7 +128,8 @@ void polygons(int corners) {
       ring.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
     }
   }
-  const bench::contest c{"clip", "polygon " + std::to_string(corners), "polygon", static_cast<std::int64_t>(count), "area"};
+  const bench::contest c{"clip", "polygon " + std::to_string(corners), "polygon", static_cast<std::int64_t>(count),
+                         "area"};
   const auto add = [&given, count, c](const char* name, bool same_work, const char* note, auto area_of) {
     auto& areas = bench::keep(std::vector<double>(count));
     bench::contender who{name, [&areas, count, area_of]() mutable {
@@ -264,8 +265,8 @@ bench::errors judge_segments(const std::vector<segment>& given, const std::vecto
         if (!(right == a) && !(right == b) &&
             (right[other] == window.low[other] || right[other] == window.high[other])) {
           using L = long double;
-          there = L(a[axis]) +
-                  (L(b[axis]) - L(a[axis])) * ((L(right[other]) - L(a[other])) / (L(b[other]) - L(a[other])));
+          there =
+              L(a[axis]) + (L(b[axis]) - L(a[axis])) * ((L(right[other]) - L(a[other])) / (L(b[other]) - L(a[other])));
         }
         const double off = off_in_ulp(ends[end][axis], there);
         e.max = std::max(e.max, off), e.mean += off;

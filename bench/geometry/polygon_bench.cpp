@@ -154,11 +154,13 @@ void locations() {
     points.push_back({x, random.unit() * 2 - 1});
   }
   const auto number = [](irg::point_location l) { return static_cast<int>(l); };
-  contest("point_in_convex", "1000 edges",
-          {add("irg", points, [=, &circle](const P& p) { return number(irg::point_in_convex_polygon_log(circle, p)); }),
-           add("irg:by_edges", points, [=, &circle](const P& p) { return number(irg::point_in_convex_polygon(circle, p)); }),
-           add("irg:any_polygon", points, [=, &circle](const P& p) { return number(irg::point_in_polygon(circle, p)); })},
-          points.size(), "point");
+  contest(
+      "point_in_convex", "1000 edges",
+      {add("irg", points, [=, &circle](const P& p) { return number(irg::point_in_convex_polygon_log(circle, p)); }),
+       add("irg:by_edges", points,
+           [=, &circle](const P& p) { return number(irg::point_in_convex_polygon(circle, p)); }),
+       add("irg:any_polygon", points, [=, &circle](const P& p) { return number(irg::point_in_polygon(circle, p)); })},
+      points.size(), "point");
 }
 
 void hulls() {
@@ -170,8 +172,9 @@ void hulls() {
   }
   auto& hull = bench::keep(std::vector<std::uint32_t>(points.size()));
   std::vector<candidate> list;
-  list.push_back(
-      {"irg", [&points, &hull] { return static_cast<double>(irg::convex_hull(points, std::span<std::uint32_t>(hull))); }});
+  list.push_back({"irg", [&points, &hull] {
+                    return static_cast<double>(irg::convex_hull(points, std::span<std::uint32_t>(hull)));
+                  }});
 #ifdef IRG_HAVE_CGAL
   list.push_back({"CGAL", [cgal = cgal_points(points)] {
                     std::vector<kernel::Point_2> out;

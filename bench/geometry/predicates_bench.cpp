@@ -30,7 +30,8 @@ public:
           for (const auto& call : s.calls) all.push_back(static_cast<std::int8_t>(true_sign<T, N, D>(call)));
 #endif
           return all;
-        })) {}
+        })) {
+  }
 
   std::vector<std::int8_t>& signs() const { return signs_; }
 
@@ -153,8 +154,8 @@ template <int N, int D>
 void enter_common(const std::string& kernel) {
   for (const auto& s : common_sets<N, D>()) enter_set(kernel, s);
   enter_set(kernel, set_of<std::int64_t, N, D>("int64", any_int64));
-  enter_set(kernel,
-       set_of<std::int64_t, N, D>("int64 lattice", [](random_numbers& r) { return std::int64_t{r.integer(0, 255)}; }));
+  enter_set(kernel, set_of<std::int64_t, N, D>("int64 lattice",
+                                               [](random_numbers& r) { return std::int64_t{r.integer(0, 255)}; }));
 }
 
 }  // namespace
@@ -162,16 +163,17 @@ void enter_common(const std::string& kernel) {
 int main(int argc, char** argv) {
   enter_set("orient2d", ulp_grid<3, 2>("classroom 12 24", {{{0.5, 0.5}, {12, 12}, {24, 24}}}, 0, 256));
   enter_set("orient2d", ulp_grid<3, 2>("classroom 8.8 12.1",
-                                  {{{0.5, 0.5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}, 0, 256));
+                                       {{{0.5, 0.5}, {8.8000000000000007, 8.8000000000000007}, {12.1, 12.1}}}, 0, 256));
   enter_set("orient2d", ulp_grid<3, 2>("classroom 17.3 24",
-                                  {{{0.50000000000002531, 0.5000000000000171},
-                                    {17.300000000000001, 17.300000000000001},
-                                    {24.00000000000005, 24.0000000000000517765}}},
-                                  0, 256));
+                                       {{{0.50000000000002531, 0.5000000000000171},
+                                         {17.300000000000001, 17.300000000000001},
+                                         {24.00000000000005, 24.0000000000000517765}}},
+                                       0, 256));
   enter_common<3, 2>("orient2d");
   for (const bool one_line : {true, false})
     for (const auto& s : common_sets<3, 2>()) enter_batch(s, one_line);
-  enter_set("orient3d", ulp_grid<4, 3>("ulp grid", {{{0.5, 0.5, 0.5}, {12, 12, 12}, {24, 24, 24}, {12, 24, 18}}}, 0, 40));
+  enter_set("orient3d",
+            ulp_grid<4, 3>("ulp grid", {{{0.5, 0.5, 0.5}, {12, 12, 12}, {24, 24, 24}, {12, 24, 18}}}, 0, 40));
   enter_common<4, 3>("orient3d");
   enter_set("in_circle", ulp_grid<4, 2>("ulp grid", {{{24, 0.5}, {24, 12}, {0.5, 12}, {0.5, 0.5}}}, 3, 256));
   enter_common<4, 2>("in_circle");

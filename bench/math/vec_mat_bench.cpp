@@ -355,8 +355,7 @@ void enter_all() {
       c.items = static_cast<std::int64_t>(e.items);
       contender who{e.name, e.run};
       who.same_work = e.same_work;
-      if (e.results)
-        who.judge = [results = e.results, &exact] { return errors_of<T>(results(), *exact); };
+      if (e.results) who.judge = [results = e.results, &exact] { return errors_of<T>(results(), *exact); };
       enter(c, std::move(who));
     }
   }

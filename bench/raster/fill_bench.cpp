@@ -15,7 +15,8 @@ using ring = std::span<const irg::subpixel>;
 
 void add_own(std::vector<drawer>& d, const canvas& c, const polygon_set& set) {
   const auto view = c.view();
-  if (set.convex()) d.push_back(own("irg", set, [view](ring r) mutable { (void)irg::fill_convex(view, r, white_rgba); }));
+  if (set.convex())
+    d.push_back(own("irg", set, [view](ring r) mutable { (void)irg::fill_convex(view, r, white_rgba); }));
   d.push_back(own(set.convex() ? "irg:polygon" : "irg", set,
                   [view, rule = set.rule(), workspace = irg::fill_workspace{}](ring r) mutable {
                     (void)irg::fill_polygon(view, r, rule, white_rgba, irg::window_of(view), workspace);

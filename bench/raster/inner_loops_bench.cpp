@@ -30,8 +30,8 @@ void enter_spans(const canvas& c, int length) {
   random_numbers r(static_cast<std::uint64_t>(length));
   auto& offsets = keep(std::vector<std::uint32_t>());
   for (int i = 0; i < 256; ++i)
-    offsets.push_back(static_cast<std::uint32_t>(r.integer(0, c.height() - 1) * c.width() +
-                                                 r.integer(0, c.width() - length)));
+    offsets.push_back(
+        static_cast<std::uint32_t>(r.integer(0, c.height() - 1) * c.width() + r.integer(0, c.width() - length)));
   const contest what{"span_fill", std::to_string(length) + " px" + build_suffix(), "span", 256, "", "limit:memset"};
   std::vector<std::uint32_t> due(c.pixel_count());
   for (const std::uint32_t o : offsets) std::fill_n(due.begin() + o, length, white);
@@ -52,9 +52,8 @@ void enter_spans(const canvas& c, int length) {
 
 void enter_walks(const canvas& c, int length) {
   const int count = 128;
-  const line_case one = make_line_case(c, std::to_string(length) + " steps", count, [&c, length] {
-    return lines_inside(c, count, length, heading::random);
-  });
+  const line_case one = make_line_case(c, std::to_string(length) + " steps", count,
+                                       [&c, length] { return lines_inside(c, count, length, heading::random); });
   line_list& lines = one.lines;
   const irg::cell_window window{0, 0, c.width(), c.height()};
   const auto write = [&c](irg::cell p) { c.at(p.x, p.y) = white; };
@@ -76,7 +75,7 @@ void enter_walks(const canvas& c, int length) {
 }
 
 void enter_clears(const canvas& c) {
-  const contest what{"clear", c.name() + build_suffix(), "pixel", static_cast<std::int64_t>(c.pixel_count()), "",
+  const contest what{"clear",       c.name() + build_suffix(), "pixel", static_cast<std::int64_t>(c.pixel_count()), "",
                      "limit:memset"};
   const auto add = [&](const char* name, auto clear) {
     const auto run = [&c, clear]() mutable {
@@ -84,8 +83,7 @@ void enter_clears(const canvas& c) {
       asm volatile("" : : "r"(c.pixels()) : "memory");
     };
     contender who{name, run};
-    if (what.limit != name)
-      who.judge = judging_pixels(c, run, std::vector<std::uint32_t>(c.pixel_count(), 0xff030201));
+    if (what.limit != name) who.judge = judging_pixels(c, run, std::vector<std::uint32_t>(c.pixel_count(), 0xff030201));
     enter(what, std::move(who));
   };
   add("irg", [view = c.view()]() mutable { irg::clear(view, irg::rgba8{1, 2, 3, 255}); });

@@ -166,7 +166,8 @@ void enter_lines(const canvas& large, const canvas& small, const line_cases& cas
     on(large, "diagonal", heading::diagonal);
   }
   const int clipped = items(cases.clipped), outside = items(cases.outside);
-  run(make_line_case(large, "clipped 90 % 1280 px", clipped, [&large, clipped] { return lines_clipped(large, clipped, 1280); }),
+  run(make_line_case(large, "clipped 90 % 1280 px", clipped,
+                     [&large, clipped] { return lines_clipped(large, clipped, 1280); }),
       heading::random, 1280);
   run(make_line_case(large, "outside", outside,
                      [&large, outside] { return lines_outside(large, outside, passing::far_away); }),

@@ -68,19 +68,17 @@ struct polygon_set : round_polygons {
     return {vertices->data() + static_cast<std::size_t>(k) * n, n};
   }
   contest with(const char* kernel, const char* unit, const char* limit) const {
-    return {kernel,
-            name + " " + std::to_string(static_cast<int>(diameter)) + " px " + on.name() + build_suffix(),
-            "polygon",
-            count,
-            unit,
-            where == placing::outside ? "" : limit};
+    return {kernel,    name + " " + std::to_string(static_cast<int>(diameter)) + " px " + on.name() + build_suffix(),
+            "polygon", count,
+            unit,      where == placing::outside ? "" : limit};
   }
 };
 
 /// The cases of all contests of fills: `counts` polygons of 8, 32, 128 and 512 pixels; those of up to `small_corners` on
 /// the small canvas, too. run(set) enters one.
 template <class Run>
-void enter_fills(const canvas& large, const canvas& small, const std::array<int, 4>& counts, int small_corners, Run run) {
+void enter_fills(const canvas& large, const canvas& small, const std::array<int, 4>& counts, int small_corners,
+                 Run run) {
   struct shape {
     int corners;
     const char* name;
@@ -161,7 +159,8 @@ inline lazy<std::int64_t>& covered_pixels(const canvas& c, const polygon_set& se
   return keep_lazy([&c, &set] {
     std::int64_t count = 0;
     for (int k = 0; k < set.size(); ++k)
-      exact_rows(set, k, surroundings(c, set, k, 0), [&](const irg::span_of_cells& s) { count += s.x_last - s.x_first; });
+      exact_rows(set, k, surroundings(c, set, k, 0),
+                 [&](const irg::span_of_cells& s) { count += s.x_last - s.x_first; });
     return count;
   });
 }

@@ -41,9 +41,8 @@ struct frame_memory {
   irg::image<std::uint32_t> ids;
 
   static frame_memory& of(const scene& s) {
-    static frame_memory all{
-        irg::image<irg::rgba8>(s.width, s.height), irg::image<float>(s.width, s.height),
-        irg::image<std::uint32_t>(s.width, s.height)};
+    static frame_memory all{irg::image<irg::rgba8>(s.width, s.height), irg::image<float>(s.width, s.height),
+                            irg::image<std::uint32_t>(s.width, s.height)};
     return all;
   }
 };
@@ -141,7 +140,8 @@ inline void save_picture(const scene& s, const std::string& who, const irg::rgba
       picture(x, y) = {p.r, p.g, p.b};
     }
   const std::string path = std::string(folder) + "/" + name + ".png";
-  if (const auto error = irg::write_image(path, picture)) std::fprintf(stderr, "%s: %s\n", error->message, path.c_str());
+  if (const auto error = irg::write_image(path, picture))
+    std::fprintf(stderr, "%s: %s\n", error->message, path.c_str());
 }
 
 /// irg drawing whole frames in colour.

@@ -369,8 +369,7 @@ inline scene make_scene_visible(const std::string& name, int percent, hidden_by 
   return s;
 }
 inline scene_plan scene_visible(int percent, hidden_by what) {
-  const std::string name =
-      "visible " + std::to_string(percent) + " % " + (what == hidden_by::wall ? "wall" : "border");
+  const std::string name = "visible " + std::to_string(percent) + " % " + (what == hidden_by::wall ? "wall" : "border");
   return {name, [=] { return make_scene_visible(name, percent, what); }};
 }
 

@@ -194,7 +194,9 @@ void enter_tile(const std::string& name, drawing order) {
             "draw_depth: with the vertices and the list of the tile"});
   enter(c, {"irg:draw_triangle", [&on] { (*on)->draw_one_by_one(); }, [&on] { return (*on)->judge(); },
             "writes colours; too"});
-  enter(c, {"limit:depth tests", [&on] { stream_depth_tests((*on)->picture, (*on)->depth, count * 64 * 64); }, {},
+  enter(c, {"limit:depth tests",
+            [&on] { stream_depth_tests((*on)->picture, (*on)->depth, count * 64 * 64); },
+            {},
             "writes colours; too"});
 }
 

@@ -61,8 +61,7 @@ void judge(entry& e) {
 std::string label_of(const entry& e) {
   const std::string &a = e.who.note, &b = e.found.note;
   return e.where.item + "|" + (e.who.judge ? e.where.error_unit : "") + (e.who.same_work ? "|yes|" : "|no|") +
-         e.found.worst_input + "|" + a +
-         (a.empty() || b.empty() ? "" : "; ") + b;
+         e.found.worst_input + "|" + a + (a.empty() || b.empty() ? "" : "; ") + b;
 }
 
 // Each turn begins with a run that is not measured, so that nobody pays for what the one before left in the caches; who
@@ -114,9 +113,8 @@ public:
       const std::string here = where.kernel + " / " + where.test_case;
       if (here != title) {
         print("\n%s: time of a %s, %lld in a run%s%s\n  %-34s %10s %6s %9s %10s %10s %8s\n", here.c_str(),
-              where.item.c_str(), static_cast<long long>(where.items),
-              where.error_unit.empty() ? "" : "; errors in ", where.error_unit.c_str(), "", "ns", "+- %", "of limit",
-              "max error", "mean error", "wrong");
+              where.item.c_str(), static_cast<long long>(where.items), where.error_unit.empty() ? "" : "; errors in ",
+              where.error_unit.c_str(), "", "ns", "+- %", "of limit", "max error", "mean error", "wrong");
         title = here;
       }
       print("  %-34s", (who.name + (r.run_name.time_type == "real_time" ? " (wall)" : "")).c_str());
@@ -126,7 +124,8 @@ public:
       }
       print(" %10.4g", static_cast<double>(r.counters.at("ns_per_item")));
       print(variation.count(r.run_name.function_name) ? " %6.1f" : " %6s", 100 * variation[r.run_name.function_name]);
-      for (const auto& [name, width] : {std::pair{"limit_share", 9}, {"max_error", 10}, {"mean_error", 10}, {"wrong", 8}}) {
+      for (const auto& [name, width] :
+           {std::pair{"limit_share", 9}, {"max_error", 10}, {"mean_error", 10}, {"wrong", 8}}) {
         const auto found_counter = r.counters.find(name);
         if (found_counter == r.counters.end())
           print(" %*s", width, "");

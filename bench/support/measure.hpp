@@ -33,8 +33,8 @@ struct errors {
 /// One implementation of the same work: irg, irg:<variant>, limit:<name>, or the name of a peer.
 struct contender {
   std::string name;
-  std::function<void()> run;         // all items once
-  std::function<errors()> judge{};   // once, after a run and apart from the time
+  std::function<void()> run;  // all items once
+  std::function<errors()> judge{};  // once, after a run and apart from the time
   std::string note{};
   bool same_work = true;
   std::function<double()> seconds{};  // instead of run: does the work and says how long it took; NaN: cannot run here
