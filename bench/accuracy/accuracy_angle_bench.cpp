@@ -12,7 +12,7 @@
 #include "accuracy/matrix_peers.hpp"
 #include "accuracy/vector_sets.hpp"
 
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/vector_angle.hpp>
 #endif
@@ -84,7 +84,7 @@ void measure(const bench::study& s, const std::string& name, pairs made) {
         const vec u = a / plain_length(a), v = b / plain_length(b);
         return plain_dot(u, v) < 0 ? 3.14159265358979323846 - 2 * half_chord(-u, v) : 2 * half_chord(u, v);
       })};
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
   all.push_back(entry("GLM angle", [](V a, V b) {
     return glm::angle(glm::normalize(glm::dvec3(a.x, a.y, a.z)), glm::normalize(glm::dvec3(b.x, b.y, b.z)));
   }));

@@ -154,7 +154,7 @@ vec4 or_nan(const std::optional<vec4>& x) {
 }
 vec4 or_nan(const irg::system_solution<double, 4>& s) { return or_nan(s ? std::optional(s.x) : std::nullopt); }
 
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
 using eigen4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 auto eigen_of(const mat4& a) { return Eigen::Map<const eigen4>(&a.m[0][0]); }
 numbers_of flat(const eigen4& x) {
@@ -180,7 +180,7 @@ void inverse(const std::vector<set>& all) {
         entry("irg: inverse_fast", [](const mat4& a) { return std::optional(irg::inverse_fast(a)); }),
         entry("irg: inverse_accurate", [](const mat4& a) { return irg::inverse_accurate(a); }),
         entry("irg: inverse_exact", [](const mat4& a) { return irg::inverse_exact(a); })};
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
     who.push_back(bench::for_each_vector<16>("GLM", m, [](const mat4& a) {
       glm::dmat4 g;
       for (int i = 0; i < 16; ++i) g[i % 4][i / 4] = a(i / 4, i % 4);
@@ -199,7 +199,7 @@ void inverse(const std::vector<set>& all) {
       return found;
     }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     who.push_back(entry("Eigen inverse", [](const mat4& a) { return eigen4(eigen_of(a).inverse()); }));
     who.push_back(
         entry("Eigen PartialPivLU", [](const mat4& a) { return eigen4(eigen_of(a).partialPivLu().inverse()); }));
@@ -255,7 +255,7 @@ void solve(const std::vector<set>& all) {
       return vec4{x(0), x(1), x(2), x(3)};
     }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     const Eigen::Vector4d b(right.x, right.y, right.z, right.w);
     who.push_back(bench::for_each_vector<4>(
         "Eigen PartialPivLU", m, [b](const mat4& a) { return Eigen::Vector4d(eigen_of(a).partialPivLu().solve(b)); }));

@@ -63,7 +63,7 @@ std::vector<set> sets() {
 real true_length(const vec3& v) { return sqrt(real(v.x) * v.x + real(v.y) * v.y + real(v.z) * v.z); }
 
 auto eigen_of(const vec3& v) {
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
   return Eigen::Vector3d(v.x, v.y, v.z);
 #else
   return v;
@@ -106,10 +106,10 @@ void lengths(const std::vector<set>& all) {
         bench::for_each_item("divided by the largest", v, by_largest),
         bench::for_each_item("float and Newton", v, by_newton),
         bench::for_each_item("in double_double", v, in_double_double)};
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
     who.push_back(bench::for_each_item("GLM", v, [](const vec3& x) { return glm::length(glm::dvec3(x.x, x.y, x.z)); }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     who.push_back(bench::for_each_item("Eigen norm", v, [](const vec3& x) { return eigen_of(x).norm(); }));
     who.push_back(bench::for_each_item("Eigen stableNorm", v, [](const vec3& x) { return eigen_of(x).stableNorm(); }));
     who.push_back(bench::for_each_item("Eigen blueNorm", v, [](const vec3& x) { return eigen_of(x).blueNorm(); }));
@@ -130,11 +130,11 @@ void unit_vectors(const std::vector<set>& all) {
     std::vector<bench::implementation> who{
         bench::for_each_vector<3>("irg", v, [](const vec3& x) { return irg::normalized(x); }),
         bench::for_each_vector<3>("irg: normalized_fast", v, [](const vec3& x) { return irg::normalized_fast(x); })};
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
     who.push_back(
         bench::for_each_vector<3>("GLM", v, [](const vec3& x) { return glm::normalize(glm::dvec3(x.x, x.y, x.z)); }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     const auto plain = [](const auto& e) { return std::array<double, 3>{e[0], e[1], e[2]}; };
     who.push_back(bench::for_each_vector<3>("Eigen normalized", v,
                                             [=](const vec3& x) { return plain(eigen_of(x).normalized()); }));

@@ -128,12 +128,12 @@ void chains_of(bench::study& s, int power) {
       multiplying("irg", in_double, read), multiplying("in float", in_float, read),
       multiplying("in double_double", in_words, [](const auto& a, int i, int j) { return a(i, j).high; }),
       multiplying("orthonormal every 64th", in_double, read, orthonormalize)};
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
   const auto& in_glm =
       nearest<glm::dmat3>(exact, length, [](auto& a, int i, int j, auto& x) { a[j][i] = x.nearest(); });
   who.push_back(multiplying("GLM", in_glm, [](const auto& a, int i, int j) { return a[j][i]; }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
   const auto& in_eigen =
       nearest<Eigen::Matrix3d>(exact, length, [](auto& a, int i, int j, auto& x) { a(i, j) = x.nearest(); });
   who.push_back(multiplying("Eigen", in_eigen, read));

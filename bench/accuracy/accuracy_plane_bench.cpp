@@ -123,13 +123,13 @@ void three_points() {
             [](const auto& p) { return unit_normal(irg::plane_through_accurate(p[0], p[1], p[2])); }),
         bench::for_each_vector<3>("determinants in double", items,
                                   [](const auto& p) { return by_determinants(p[0], p[1], p[2]); })};
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
     who.push_back(bench::for_each_vector<3>("GLM cross and normalize", items, [](const auto& p) {
       const auto of = [](const point3& q) { return glm::dvec3(q.x, q.y, q.z); };
       return glm::normalize(glm::cross(of(p[1]) - of(p[0]), of(p[2]) - of(p[0])));
     }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     who.push_back(bench::for_each_vector<3>("Eigen Hyperplane::Through", items, [](const auto& p) {
       const auto of = [](const point3& q) { return Eigen::Vector3d(q.x, q.y, q.z); };
       const Eigen::Vector3d n = Eigen::Hyperplane<double, 3>::Through(of(p[0]), of(p[2]), of(p[1])).normal();

@@ -138,12 +138,12 @@ void dot_product() {
         bench::for_each_item("irg: dot_fast", items, [](const auto& p) { return irg::dot_fast(p.a, p.b); }),
         bench::for_each_item("irg: dot_accurate", items, [](const auto& p) { return irg::dot_accurate(p.a, p.b); }),
         bench::for_each_item("irg: dot_exact", items, [](const auto& p) { return irg::dot_exact(p.a, p.b); })};
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
     all.push_back(bench::for_each_item("GLM", items, [](const auto& p) {
       return glm::dot(glm::dvec4(p.a.x, p.a.y, p.a.z, p.a.w), glm::dvec4(p.b.x, p.b.y, p.b.z, p.b.w));
     }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     all.push_back(bench::for_each_item("Eigen", items, [](const auto& p) {
       return Eigen::Vector4d(p.a.x, p.a.y, p.a.z, p.a.w).dot(Eigen::Vector4d(p.b.x, p.b.y, p.b.z, p.b.w));
     }));
@@ -196,12 +196,12 @@ void cross_product() {
       return std::array<double, 3>{c.x(), c.y(), c.z()};
     }));
 #endif
-#ifdef HAS_GLM
+#ifdef IRG_HAVE_GLM
     all.push_back(bench::for_each_vector<3>("GLM", items, [](const auto& p) {
       return glm::cross(glm::dvec3(p.a.x, p.a.y, p.a.z), glm::dvec3(p.b.x, p.b.y, p.b.z));
     }));
 #endif
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     all.push_back(bench::for_each_vector<3>("Eigen", items, [](const auto& p) {
       const Eigen::Vector3d a(p.a.x, p.a.y, p.a.z), b(p.b.x, p.b.y, p.b.z);
       const Eigen::Vector3d c = a.cross(b);

@@ -79,7 +79,7 @@ void sums() {
                              [](const numbers& n) { return irg::sum_exact(std::span<const double>(n)); }),
         bench::for_each_item("one after the other", items, plain_sum),
         bench::for_each_item("Kahan's compensated sum", items, kahan_sum)};
-#ifdef HAS_EIGEN
+#ifdef IRG_HAVE_EIGEN
     who.push_back(bench::for_each_item("Eigen sum", items, [](const numbers& n) {
       return Eigen::Map<const Eigen::Matrix<double, 64, 1>>(n.data()).sum();
     }));

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The libraries of vectors and matrices that the studies are compared with, where they are installed: HAS_GLM, HAS_EIGEN.
+// The libraries of vectors and matrices that the studies are compared with, where they are installed.
 #pragma once
 
-#if __has_include(<glm/glm.hpp>)
+#ifdef IRG_HAVE_GLM
 #include <glm/glm.hpp>
-#define HAS_GLM 1
 #endif
-#if __has_include(<eigen3/Eigen/LU>)
+#ifdef IRG_HAVE_EIGEN
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12's own header for AVX-512, which Eigen calls
 #endif
-#include <eigen3/Eigen/Core>
-#include <eigen3/Eigen/Geometry>
-#include <eigen3/Eigen/LU>
-#define HAS_EIGEN 1
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #endif

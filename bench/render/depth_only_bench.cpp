@@ -53,9 +53,7 @@ void enter_scene(const scene_plan& plan) {
   for (const int threads : {1, 2}) {
     enter_mask(c, on, threads);
     enter_depth(c, on, threads);
-#ifdef IRG_HAVE_OSMESA
-    enter_llvmpipe(c, on, threads, peer_task::draw_depth);
-#endif
+    enter_llvmpipe(c, on, threads, drawn::depths);
   }
   const auto clear = [on] {
     std::memset(on().to.depth.data(), 0, 4 * on().what.pixel_count());

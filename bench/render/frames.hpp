@@ -2,37 +2,20 @@
 // Contenders that draw whole frames and time themselves: on one processor by its time, on several by the wall's.
 #pragma once
 
-#include <cstdio>
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
-
-#include <irg/io/image_file.hpp>
 
 #include "render/clocks.hpp"
 #include "render/irg_draw.hpp"
 #include "render/limits.hpp"
 #include "render/oracle.hpp"
-#ifdef IRG_HAVE_OSMESA
-#include "render/llvmpipe_process.hpp"
-#endif
 
 namespace bench {
 
 /// One frame by the clock that counts. A single thread stays on its processor.
-inline std::function<double()> timed(int threads, std::function<void()> call) {
-  return [threads, call = std::move(call)] {
-    if (threads > 1)
-      use_all_processors();
-    else
-      stay_on_this_processor();
-    const clocks started;
-    call();
-    const elapsed e = started.since();
-    return threads > 1 ? e.wall : e.processor;
-  };
-}
+std::function<double()> timed(int threads, std::function<void()> call);
 
 /// The memory that everybody in this process draws into.
 struct frame_memory {
@@ -40,11 +23,7 @@ struct frame_memory {
   irg::image<float> depth;
   irg::image<std::uint32_t> ids;
 
-  static frame_memory& of(const scene& s) {
-    static frame_memory all{irg::image<irg::rgba8>(s.width, s.height), irg::image<float>(s.width, s.height),
-                            irg::image<std::uint32_t>(s.width, s.height)};
-    return all;
-  }
+  static frame_memory& of(const scene& s);
 };
 
 /// A scene, what its picture has to be, and irg with the memory that it draws into.
@@ -67,26 +46,9 @@ struct stage {
   }
 
   /// Judges what stands in the picture. Every way of drawing has to leave the same bytes as the first that was judged.
-  verdict judge_own() {
-    renderer.draw_ids(to.ids, to.depth);
-    verdict v = judge(what, snapped, *exact, to.ids.data(), to.picture.data());
-    if (first_.empty()) first_.assign(to.picture.data(), to.picture.data() + what.pixel_count());
-    for (std::size_t i = 0; i < first_.size(); ++i) v.wrong += !(first_[i] == to.picture.data()[i]);
-    return v;
-  }
-
+  verdict judge_own();
   /// What the scene is, and what it was meant to be.
-  std::string statistics() {
-    const auto n = static_cast<double>(what.triangles.size());
-    const double covered = static_cast<double>(exact->covered), pixels = static_cast<double>(what.pixel_count());
-    char text[300];
-    std::snprintf(text, sizeof text, "%.0f triangles of %.4g px; depth complexity %.3g; %lld px drawn (meant: %s)", n,
-                  covered / n, covered / pixels, static_cast<long long>(exact->drawn),
-                  smoke() ? "a smaller scene" : what.meant.c_str());
-    std::string all = text;
-    if (exact->not_judged) all += "; " + std::to_string(exact->not_judged) + " would be clipped and judge nobody";
-    return all;
-  }
+  std::string statistics();
 
 private:
   std::vector<irg::rgba8> first_{};
@@ -94,112 +56,31 @@ private:
 
 /// The stage of a plan, set up when it is first asked for.
 using stage_access = std::function<stage&()>;
-inline stage_access stage_of(const scene_plan& plan) {
-  auto& all = keep_lazy([plan] { return std::make_unique<stage>(plan.make()); });
-  return [&all]() -> stage& { return **all; };
-}
+stage_access stage_of(const scene_plan& plan);
 
 /// Frames of one scene; several threads are a case of their own, without a limit.
 struct frame_contest {
   std::string kernel, scene, limit, error_unit;
   double allowed = 0;  // how large irg's error may be
 
-  contest with(int threads) const {
-    if (threads == 1) return {kernel, scene, "frame", 1, error_unit, limit};
-    return {kernel, scene + " " + std::to_string(threads) + " threads", "frame", 1, error_unit, {}};
-  }
-  void enter(int threads, contender who) const { bench::enter(with(threads), std::move(who)); }
-
+  void enter(int threads, contender who) const;
   /// Who is judged by a verdict. irg must not have a wrong pixel, nor a larger error than `most`.
   void enter_judged(int threads, contender who, std::function<verdict()> judge, std::function<std::string()> note = {},
-                    double most = 0) const {
-    const bool own = who.name.starts_with("irg");
-    who.judge = [judge = std::move(judge), note = std::move(note), own, most = std::max(most, allowed)] {
-      const verdict v = judge();
-      errors e{v.max, v.mean, static_cast<double>(v.wrong)};
-      e.note = std::to_string(v.close) + " px too close to tell" + (note ? "; " + note() : "");
-      if (own && v.wrong != 0) e.broken = "no pixel may be wrong, nor differ from irg's other ways to draw";
-      if (own && v.max > most) e.broken = "the error is larger than " + std::to_string(most);
-      return e;
-    };
-    enter(threads, std::move(who));
-  }
+                    double most = 0) const;
 };
 
-/// IRG_BENCH_PICTURES names a folder that gets the pictures.
-inline void save_picture(const scene& s, const std::string& who, const irg::rgba8* pixels) {
-  const char* folder = std::getenv("IRG_BENCH_PICTURES");
-  if (!folder) return;
-  std::string name = s.name + "-" + who;
-  for (char& letter : name)
-    if (letter == ' ' || letter == ':' || letter == '/' || letter == '%' || letter == '\'') letter = '_';
-  irg::image<irg::rgb8> picture(s.width, s.height);
-  for (int y = 0; y < s.height; ++y)
-    for (int x = 0; x < s.width; ++x) {
-      const irg::rgba8 p = pixels[std::ptrdiff_t{y} * s.width + x];
-      picture(x, y) = {p.r, p.g, p.b};
-    }
-  const std::string path = std::string(folder) + "/" + name + ".png";
-  if (const auto error = irg::write_image(path, picture))
-    std::fprintf(stderr, "%s: %s\n", error->message, path.c_str());
-}
-
-/// irg drawing whole frames in colour.
-inline void enter_own(const frame_contest& c, const stage_access& on, const std::string& name, int threads,
-                      const irg::skip_options& skip = {}) {
-  contender who{name, {}};
-  who.seconds = timed(threads, [on, threads, skip] { on().draw(threads, skip); });
-  const auto judge = [on, name, draw = who.seconds] {
-    draw();
-    save_picture(on().what, name, on().to.picture.data());
-    return on().judge_own();
-  };
-  c.enter_judged(threads, who, judge, [on] { return own::skips_of(on().stats); });
-}
+/// irg drawing whole frames in colour. IRG_BENCH_PICTURES names a folder that gets the pictures.
+void enter_own(const frame_contest& c, const stage_access& on, const std::string& name, int threads,
+               const irg::skip_options& skip = {});
 
 /// A limit of frames on one thread.
-inline void enter_limit(const frame_contest& c, const std::string& name, std::function<void()> call,
-                        std::function<std::string()> note = {}) {
-  contender who{name, {}};
-  who.seconds = timed(1, std::move(call));
-  if (note) who.judge = [note] { return errors{not_said, not_said, not_said, note()}; };
-  c.enter(1, std::move(who));
-}
+void enter_limit(const frame_contest& c, const std::string& name, std::function<void()> call,
+                 std::function<std::string()> note = {});
 
-#ifdef IRG_HAVE_OSMESA
-/// llvmpipe as a contender.
-inline void enter_llvmpipe(const frame_contest& c, const stage_access& on, int threads, peer_task task) {
-  auto& process = keep_lazy([on, threads] { return std::make_unique<llvmpipe_process>(on().what, threads); });
-  const auto seconds = [&process, threads](peer_task what) {
-    llvmpipe_process& peer = **process;
-    const elapsed e = peer(what);
-    return !peer.ok() ? not_said : threads > 1 ? e.wall : e.processor;
-  };
-  contender who{"llvmpipe", {}};
-  who.note = "transforms and snaps by itself; 24-bit depth";
-  who.seconds = [seconds, task] { return seconds(task); };
-  c.enter_judged(threads, who, [on, &process, task] {
-    llvmpipe_process& peer = **process;
-    if (task == peer_task::draw_depth) {
-      peer(peer_task::show_depth);
-      return judge_depth(on().what, *on().exact, peer.depth());
-    }
-    std::vector<std::uint32_t> ids;
-    peer(peer_task::show_ids);
-    for (std::size_t i = 0; i < on().what.pixel_count(); ++i) {
-      const irg::rgba8 p = peer.picture()[i];
-      ids.push_back(p.r | static_cast<std::uint32_t>(p.g) << 8 | static_cast<std::uint32_t>(p.b) << 16);
-    }
-    peer(peer_task::show_picture);
-    save_picture(on().what, "llvmpipe", peer.picture());
-    return judge(on().what, on().snapped, *on().exact, ids.data(), peer.picture());
-  });
-  if (threads > 1 || task != peer_task::draw) return;
-  contender clear{"limit:llvmpipe clear", {}};
-  clear.note = "part of llvmpipe's time: clear and copy out";
-  clear.seconds = [seconds] { return seconds(peer_task::clear); };
-  c.enter(1, std::move(clear));
-}
-#endif
+/// What llvmpipe is to draw.
+enum class drawn { colours, depths };
+
+/// llvmpipe as a contender, where it was found.
+void enter_llvmpipe(const frame_contest& c, const stage_access& on, int threads, drawn what);
 
 }  // namespace bench

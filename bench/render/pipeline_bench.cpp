@@ -19,10 +19,8 @@ void enter_scene(const scene_plan& plan) {
   enter_limit(
       c, "limit:depth tests", [on] { stream_depth_tests(on().to.picture, on().to.depth, on().exact->tested); },
       [] { return "clears and tests as many pixels in tiles"; });
-#ifdef IRG_HAVE_OSMESA
-  enter_llvmpipe(c, on, 1, peer_task::draw);
-  enter_llvmpipe(c, on, 2, peer_task::draw);
-#endif
+  enter_llvmpipe(c, on, 1, drawn::colours);
+  enter_llvmpipe(c, on, 2, drawn::colours);
 }
 
 }  // namespace

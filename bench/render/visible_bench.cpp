@@ -53,9 +53,7 @@ void enter_scene(const scene_plan& plan) {
   enter_limit(c, "limit:seen alone", [on, &alone] { (*alone)->renderer.draw(on().to.picture, on().to.depth, {}, 1); });
   enter_limit(
       c, "limit:clear", [on] { clear_both(on().to.picture, on().to.depth); }, [on] { return on().statistics(); });
-#ifdef IRG_HAVE_OSMESA
-  enter_llvmpipe(c, on, 1, peer_task::draw);
-#endif
+  enter_llvmpipe(c, on, 1, drawn::colours);
 }
 
 }  // namespace
