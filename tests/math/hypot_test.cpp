@@ -47,6 +47,7 @@ TEST_CASE("infinity outweighs NaN") {
 TEST_CASE("constant evaluation and run time give the same bits") {
   CHECK_SAME_LIVES_2(irg::hypot, 0.1, 0.7);
   CHECK_SAME_LIVES_2(irg::hypot, 1.1e-310, 3.3e-309);
+  CHECK_SAME_LIVES_2(irg::hypot, 1.3e-308, 1.9e-308);
   CHECK_SAME_LIVES_2(irg::hypot, 1.1e307, -3.3e305);
   CHECK_SAME_LIVES_2(irg::hypot, 0.1f, -3.3e5f);
 }
@@ -113,6 +114,37 @@ TEST_CASE("float pairs: lengths") {
       "hypot", 0.5001, [](float x, float y) { return irg::hypot(x, y); },
       [](double x, double y) { return std::hypot(x, y); },
       [](mpfr_ptr out, mpfr_ptr x, mpfr_ptr y) { mpfr_hypot(out, x, y, MPFR_RNDN); }, 10, 10);
+}
+
+TEST_CASE_TEMPLATE("lengths stay within their bound where they are subnormal, and for mixed magnitudes", T, double,
+                   float) {
+  constexpr int lowest = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;  // of the smallest
+  constexpr int normal = std::numeric_limits<T>::min_exponent - 1, highest = std::numeric_limits<T>::max_exponent - 1;
+  test::random r(21);
+  // A number of random bits whose exponent is anything from `low` to `high`.
+  const auto number = [&](int low, int high) {
+    const auto k = static_cast<int>(r.integer(low, high));
+    return test::either_sign(r, static_cast<double>(std::ldexp(static_cast<T>(1 + r.unit()), k)));
+  };
+  test::real exact, square;
+  double worst = 0;
+  const int n = test::count_of(100'000);
+  for (int i = 0; i < n; ++i) {
+    const int low = i % 4 == 0 ? lowest : i % 4 == 1 ? normal - 3 : lowest - 1;
+    const int high = i % 4 == 0 ? highest : i % 4 == 1 ? normal + 1 : normal;
+    double c[3] = {number(low, high), number(low, high), i % 3 == 0 ? 0 : number(low, high)};
+    mpfr_set_zero(exact, 1);
+    for (const double x : c) {
+      mpfr_set_d(square, x, MPFR_RNDN);
+      mpfr_sqr(square, square, MPFR_RNDN);
+      mpfr_add(exact, exact, square, MPFR_RNDN);
+    }
+    mpfr_sqrt(exact, exact, MPFR_RNDN);
+    const T got = irg::hypot(static_cast<T>(c[0]), static_cast<T>(c[1]), static_cast<T>(c[2]));
+    worst = std::fmax(worst, test::ulp_error(got, exact));
+  }
+  MESSAGE("hypot, subnormal and mixed: ", worst, " ulp on ", n, " vectors");
+  CHECK(worst <= (sizeof(T) == 4 ? 0.5001 : 0.501));
 }
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }

@@ -12,13 +12,13 @@ namespace detail {
 inline namespace IRG_ABI {
 
 /// The square root of the sum of the squares of three numbers, the first of them the largest.
-/// needs   2^-400 <= largest <= 2^500; the others may be anything from 0 up to it
-IRG_INLINE constexpr double length_of_moderate(double largest, double y, double z) noexcept {
+/// needs   2^-400 <= largest <= 2^500, the others anything from 0 up to it; or all of them multiples of 2^-474
+IRG_INLINE constexpr unrounded length_of_moderate(double largest, double y, double z) noexcept {
   // A coordinate below 2^-460 adds nothing to the others, so the underflow of its square's error does not matter.
   const unrounded xx = fast_two_product(largest, largest);
   const unrounded yy = fast_two_product(y, y);
   const unrounded zz = fast_two_product(z, z);
-  return round(unrounded_sqrt(add(add(xx, yy), zz)));
+  return unrounded_sqrt(add(add(xx, yy), zz));
 }
 
 /// needs   finite arguments
@@ -31,13 +31,18 @@ constexpr double hypotenuse(double x, double y, double z) noexcept {
   };
   exchange(largest, middle);
   exchange(largest, last);
-  if (largest >= 0x1p-400 && largest <= 0x1p500) return length_of_moderate(largest, middle, last);
+  if (largest >= 0x1p-400 && largest <= 0x1p500) return round(length_of_moderate(largest, middle, last));
   if (largest == 0) return 0;
-  const bool is_large = largest > 1;
-  const double near_one = is_large ? 0x1p-540 : 0x1p540;
-  const double result = length_of_moderate(largest * near_one, middle * near_one, last * near_one);
-  if (!is_large) return result * 0x1p-540;
-  return result >= 0x1p484 ? infinity<double> : result * 0x1p540;
+  if (largest > 1) {
+    const double result = round(length_of_moderate(largest * 0x1p-540, middle * 0x1p-540, last * 0x1p-540));
+    return result >= 0x1p484 ? infinity<double> : result * 0x1p540;
+  }
+  const unrounded result = length_of_moderate(largest * 0x1p600, middle * 0x1p600, last * 0x1p600);
+  constexpr double first_normal =
+      0x1p-422;  // whose last place is 2^-474: what becomes subnormal is rounded by it, once
+  if (result.value >= first_normal) return round(result) * 0x1p-600;
+  const unrounded sum = fast_two_sum(first_normal, result.value);
+  return ((sum.value + (sum.error + result.error)) - first_normal) * 0x1p-600;
 }
 
 }  // namespace IRG_ABI

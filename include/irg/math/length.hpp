@@ -99,8 +99,8 @@ IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
 
 /// The length of v over the whole range of its numbers, subnormal to largest.
 /// gives   infinity when a coordinate is infinite or the length is beyond the range, else NaN when one is NaN
-/// exact   within 0.501 ulp for up to three coordinates, half an ulp more for each further one, and within 1 ulp where
-///         the result is subnormal; a vector along an axis has its exact length
+/// exact   within 0.501 ulp for up to three coordinates, half an ulp more for each further one, subnormal results too;
+///         a vector along an axis has its exact length
 /// cost    that of hypot
 template <Vector V>
   requires Floating<scalar_of<V>>
