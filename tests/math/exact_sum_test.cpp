@@ -104,6 +104,42 @@ TEST_CASE("exact_accumulator: many terms") {
   CHECK(minus.rounded() == -5000 * v);
 }
 
+TEST_CASE("exact_accumulator: a sum times a number is the sum of the products with it") {
+  test::random r(31);
+  const auto any = [&] {
+    for (;;) {
+      const auto bits = r.integer(0, 3) == 0 ? r.next() & 0x800fffffffffffffu : r.next();
+      if (const auto x = std::bit_cast<double>(bits); x - x == 0) return r.integer(0, 9) == 0 ? 0 : x;
+    }
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const double x = i == 0 ? std::numeric_limits<double>::max() : any();
+    irg::exact_accumulator<2> sum;
+    irg::exact_accumulator<3> all;
+    for (int k = 0; k < 1 + i % 5; ++k) {
+      const double a = i == 0 ? x : any(), b = i == 0 ? x : i % 3 == 0 ? 1 : any();
+      sum.add(a, b);
+      all.add(a, b, x);
+    }
+    irg::exact_accumulator<3> product;
+    product.add(1.0);
+    product.add(sum, x);
+    all.add(1.0);
+    REQUIRE((same_bits(product.rounded(), all.rounded()) && product.sign() == all.sign()));
+    product.add(sum, -x);
+    product.subtract(1.0);
+    REQUIRE(product.sign() == 0);
+  }
+  constexpr auto negative = [] {
+    irg::exact_accumulator<1> sum;
+    sum.add(1.0), sum.subtract(0x1p64);
+    irg::exact_accumulator<2> product;
+    product.add(sum, -3.0);
+    return product.rounded();
+  };
+  CHECK_BOTH(negative() == 0x1p64 * 3);
+}
+
 TEST_CASE("exact_accumulator: against 128-bit integers") {
   test::random random(8);
   for (int i = 0; i < 100'000; ++i) {

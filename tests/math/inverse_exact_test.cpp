@@ -2,7 +2,13 @@
 // The errors of inverse_exact are measured beside those of the other tiers, in inverse_test.cpp.
 #include <irg/math/inverse_exact.hpp>
 
+#include <cmath>
+#include <limits>
+
+#include <irg/math/inverse.hpp>
+
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/random.hpp"
 
 using irg::inverse_exact;
@@ -35,3 +41,48 @@ TEST_CASE("inverse_exact: a matrix of integers and determinant 1 has an inverse 
     CHECK(inverse_exact(a) == undo);
   }
 }
+
+#ifdef IRG_HAVE_MPFR
+
+// The inverse of a triangle of ones on the diagonal has a*b - c in its corner: as long as both factors together.
+TEST_CASE_TEMPLATE("inverse_exact: ties go to even, subnormal ones too", T, double, float) {
+  using test::big_rational;
+  constexpr int digits = std::numeric_limits<T>::digits, least = std::numeric_limits<T>::min_exponent - digits;
+  test::random r(2);
+  const int count = test::trials(10'000);
+  int wrong = 0, ties = 0;
+  for (int i = 0; i < count; ++i) {
+    mat<T, 3, 3> a = irg::identity<T, 3>();
+    const bool is_subnormal = i % 2 != 0;
+    const auto factor = [&] {  // the product has one bit more than a number, or one less or two more
+      const std::int64_t size = std::int64_t{1} << (is_subnormal ? r.integer(1, digits / 2 - 1) : (digits + 1) / 2);
+      return static_cast<T>(r.integer(size / 2, size + size / 2));
+    };
+    a(0, 1) = factor(), a(1, 2) = factor(), a(0, 2) = static_cast<T>(r.integer(-2, 2));
+    if (i % 3 == 0) a(0, 2) = std::ldexp(a(0, 2), static_cast<int>(-r.integer(1, digits + 30)));  // a bit off a tie
+    // Column 0 and row 2 times a power: the corner is a few halves of the smallest number.
+    const int power = is_subnormal ? static_cast<int>(r.integer(1, 3)) - least : 0, half = power / 2;
+    for (int k = 0; k < 3; ++k) {
+      a(k, 0) = std::ldexp(a(k, 0), half);
+      a(2, k) = std::ldexp(a(2, k), power - half);
+    }
+    const auto x = inverse_exact(a);
+    const auto exact = irg::inverse(irg::detail::filled_mat<big_rational, 3, 3>(
+        [&](int p, int q) { return big_rational(static_cast<double>(a(p, q))); }));
+    bool is_large = false;
+    for (int p = 0; p < 3; ++p)
+      for (int q = 0; q < 3; ++q) {
+        const T nearest = test::nearest<T>((*exact)(p, q));
+        is_large = is_large || std::isinf(nearest);
+        if (!x || std::isinf(nearest)) continue;
+        wrong += (*x)(p, q) == nearest ? 0 : 1;
+        ties += test::error_in_ulp(nearest, (*exact)(p, q)) == 0.5 ? 1 : 0;
+      }
+    wrong += x.has_value() == is_large ? 1 : 0;
+  }
+  MESSAGE("ties ", ties, "; wrong ", wrong);
+  CHECK(wrong == 0);
+  CHECK(ties > count / 10);
+}
+
+#endif

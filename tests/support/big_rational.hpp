@@ -65,6 +65,22 @@ inline double distance(double got, const big_rational& exact) {
   return std::fabs(static_cast<double>(big_rational(got) - exact));
 }
 
+/// The T nearest to x, ties to even, subnormal and infinite ones too.
+template <class T>
+T nearest(const big_rational& x) {
+  const big_rational size = abs(x);
+  const double down = std::fmin(size.rounded(), static_cast<double>((std::numeric_limits<T>::max)()));
+  T low = static_cast<T>(down);
+  if (static_cast<double>(low) > down) low = std::nextafter(low, T(0));
+  const T high = std::nextafter(low, std::numeric_limits<T>::infinity());
+  const big_rational step = std::isinf(high) ? big_rational(static_cast<double>(low - std::nextafter(low, T(0))))
+                                             : big_rational(static_cast<double>(high - low));
+  const big_rational twice_over = (size - big_rational(static_cast<double>(low))) * 2 - step;
+  const bool is_odd = std::fmod(static_cast<double>(low) / static_cast<double>(step.rounded()), 2) != 0;
+  const bool up = twice_over.sign() > 0 || (twice_over.sign() == 0 && is_odd);
+  return std::copysign(up ? high : low, static_cast<T>(x.sign()));
+}
+
 /// |got - want| in units in the last place of want, at least the smallest number; 0 for an infinity that is right, 1e9
 /// for NaN and wrong infinities.
 template <class T>

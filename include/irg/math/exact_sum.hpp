@@ -178,6 +178,29 @@ public:
     detail::accumulate_product(word_, range_, factors, sizeof...(X), lowest, true);
   }
 
+  /// Adds the sum v times x.
+  /// needs   x finite
+  template <int L>
+    requires(L < K)
+  constexpr void add(const exact_accumulator<L>& v, double x) noexcept {
+    const detail::integer_double factor = detail::integer_parts(x);
+    const int sign = v.sign();
+    if (sign == 0 || factor.significand == 0) return;
+    std::uint64_t magnitude[static_cast<unsigned>(words)];
+    int n = 0;
+    std::uint64_t carry = sign < 0 ? 1 : 0;
+    for (int i = v.range_.first; i < v.range_.last; ++i) {
+      magnitude[n] = (sign < 0 ? ~v.word_[i] : v.word_[i]) + carry;
+      carry = carry != 0 && magnitude[n] == 0 ? 1 : 0;
+      ++n;
+    }
+    detail::multiply_in(magnitude, n++, factor.significand);
+    while (magnitude[n - 1] == 0) --n;
+    detail::accumulate(word_, range_, magnitude, n,
+                       64 * v.range_.first + exact_accumulator<L>::lowest - lowest - 1074 + factor.place,
+                       (sign < 0) != factor.negative);
+  }
+
   /// -1, 0 or 1, as the sum is negative, zero or positive.
   IRG_INLINE constexpr int sign() const noexcept { return detail::sign_of_words(word_, range_); }
 
@@ -208,8 +231,12 @@ public:
   }
 
 private:
+  template <int L>
+    requires(L >= 1 && L <= 7)
+  friend class exact_accumulator;
+
   static constexpr int lowest = -1074 * K;
-  static constexpr int words = (2098 * K + 64 + 63) / 64 + 1;
+  static constexpr int words = (2098 * K + 64 + 63) / 64 + 2;
 
   // Words outside of the range are not initialised: what is not used costs nothing.
   std::uint64_t word_[static_cast<unsigned>(words)];

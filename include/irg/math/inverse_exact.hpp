@@ -14,8 +14,7 @@ inline namespace IRG_ABI {
 /// The matrix that undoes `a`, for the exact values of its entries.
 /// gives   nothing exactly when the determinant is zero, when an entry is NaN or infinite, or when the inverse has an
 ///         entry that is too large for T
-/// exact   every entry is the T nearest to the exact one, whatever the condition: either of two that are equally near
-///         within 2^-100 of the entry; within 1 ulp where it is subnormal
+/// exact   every entry is correctly rounded, ties to even, subnormal ones too, whatever the condition
 /// cost    the exact determinant and N^2 exact minors. Up to a condition of 10^12 inverse_accurate gives the same
 ///         sooner: this is for worse matrices and for singular ones
 template <Floating T, int N>
@@ -25,7 +24,7 @@ constexpr std::optional<mat<T, N, N>> inverse_exact(const mat<T, N, N>& a) noexc
   const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const auto below = detail::exact_determinant<N>(entry);
   if (below.sign() == 0) return std::nullopt;
-  const detail::scaled_sum divisor = detail::scaled_parts(below);
+  const auto divisor = detail::scaled_parts(below);
   mat<T, N, N> x{};
   for (int r = 0; r < N; ++r)
     for (int c = 0; c < N; ++c) {

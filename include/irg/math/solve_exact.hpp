@@ -13,9 +13,8 @@ inline namespace IRG_ABI {
 /// The solution of a(i, 0) x_0 + ... = a(i, N) for the exact values of the numbers.
 /// gives   unique, dependent or inconsistent, never wrongly; not_finite when a number is NaN or infinite, or when a
 ///         component of the solution is too large for T
-/// exact   the decision and the rank, for all finite numbers; each component of the solution is the T
-///         nearest to the exact one, however close to singular the system is; either of two that are equally near
-///         within 2^-100 of the component; within 1 ulp where it is subnormal
+/// exact   the decision and the rank, for all finite numbers; each component of the solution is correctly rounded,
+///         ties to even, subnormal ones too, however close to singular the system is
 /// cost    N + 1 exact determinants of N! products: about 10 times solve_gauss for N = 3; singular systems take longer.
 ///         Up to a condition of 10^12 lu_solve_refined gives the same sooner: this is for worse and for singular ones
 /// source  Cramer 1750, in exact sums
@@ -30,7 +29,7 @@ constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
     const bool is_consistent = detail::exact_rank<N>(N, M, entry) == rank;
     return {is_consistent ? solvability::dependent : solvability::inconsistent, rank, {}};
   }
-  const detail::scaled_sum divisor = detail::scaled_parts(below);
+  const auto divisor = detail::scaled_parts(below);
   system_solution<T, N> s{solvability::unique, N, {}};
   for (int k = 0; k < N; ++k) {
     const auto above = detail::exact_determinant<N>([&](int r, int c) { return entry(r, c == k ? N : c); });

@@ -45,51 +45,33 @@ constexpr exact_accumulator<K> exact_determinant(const E& entry) noexcept {
   return sum;
 }
 
-// Takes x * 2^e from the sum.
-// needs   1 <= |x| <= 2, e the exponent of the sum or one less
+// A sum that is not zero, and the same as parts * 2^exponent, 1 <= |parts.value| <= 2.
 template <int K>
-constexpr void subtract_scaled(exact_accumulator<K>& sum, double x, int e) noexcept {
-  double factor[static_cast<std::size_t>(K)]{};
-  for (int i = 1; i < K; ++i) {
-    const int step = clamp(e, -1074, 1023);
-    factor[i] = power_of_two(step);
-    e -= step;
-  }
-  // A sum of products of the largest doubles may be beyond K such factors: it is taken in parts.
-  int parts = 1;
-  for (; e > 1022; --e) parts *= 2;
-  factor[0] = times_power_of_two(x, e);
-  for (int i = 0; i < parts; ++i)
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      sum.subtract(factor[I]...);
-    }(std::make_index_sequence<static_cast<std::size_t>(K)>{});
-}
-
-// A sum as (value + rest) * 2^exponent, 1 <= |value| <= 2, value being rounded to nearest and so is the rest.
 struct scaled_sum {
-  double value, rest;
+  exact_accumulator<K> sum;
+  unrounded parts;
   int exponent;
 };
 template <int K>
-constexpr scaled_sum scaled_parts(exact_accumulator<K> sum) noexcept {
+constexpr scaled_sum<K> scaled_parts(const exact_accumulator<K>& sum) noexcept {
   const int e = sum.exponent();
-  const double value = sum.rounded(-e);
-  subtract_scaled(sum, value, e);
-  return {value, sum.rounded(-e), e};
+  return {sum, sum.rounded_parts(-e), e};
 }
 
-// above / below, correctly rounded, but either neighbour where the quotient is within 2^-100 of itself of the middle
-// between two Ts; subnormal quotients are rounded twice.
-template <Floating T>
-constexpr T quotient_of_sums(const scaled_sum& above, const scaled_sum& below) noexcept {
-  const double head = above.value / below.value;
-  const auto p = two_product(head, below.value);
-  const double rest = (((above.value - p.value) - p.error) + (above.rest - product(head, below.rest))) / below.value;
-  const auto q = two_sum(head, rest);
-  const int exponent = above.exponent - below.exponent;
-  if constexpr (std::same_as<T, float>)
-    if (exponent > -120 && exponent < 120) return rounded_once<float>(times_power_of_two(q.value, exponent), q.error);
-  return converted<T>(times_power_of_two(q.value, exponent));
+// above / below, correctly rounded, ties to even.
+template <Floating T, int K, int L>
+constexpr T quotient_of_sums(const scaled_sum<K>& above, const scaled_sum<L>& below) noexcept {
+  const unrounded quotient = renormalised(divide(above.parts, below.parts));  // within 2^-100 of itself
+  const auto side = [&](double t, double step) {
+    exact_accumulator<greater(K, L) + 1> difference;  // 2 above - (2t + step) below
+    difference.add(above.sum, 2.0);
+    difference.add(below.sum, -t);
+    difference.add(below.sum, -t);
+    difference.add(below.sum, -step);
+    const int sign = difference.sign() * below.sum.sign();
+    return step < 0 ? -sign : sign;
+  };
+  return nearest_scaled<T>(quotient, above.exponent - below.exponent, side);
 }
 
 // Calls visit(chosen) for every choice of k of the numbers 0 to n - 1, until it says true; whether it did.

@@ -89,5 +89,26 @@ IRG_INLINE constexpr scaled_number decompose(double x) noexcept {
   return {from_bits((bits & 0x800fffffffffffffu) | 0x3ff0000000000000u), biased - 1023 - (is_subnormal ? 54 : 0)};
 }
 
+/// The exponent e of x: 2^e <= |x| < 2^(e + 1).
+/// needs   x finite and not zero
+IRG_INLINE constexpr int exponent_of(double x) noexcept {
+  const int field = static_cast<int>((bits_of(x) >> 52) & 0x7ff);
+  return field != 0 ? field - 1023 : decompose(x).exponent;
+}
+
+/// x * 2^e for any e, rounded once.
+IRG_INLINE constexpr double times_power_of_two(double x, int e) noexcept {
+  const int field = static_cast<int>((bits_of(x) >> 52) & 0x7ff);
+  if (field != 0 && field + e > 0 && field < 0x7ff && field + e < 0x7ff)
+    return from_bits(bits_of(x) + (static_cast<std::uint64_t>(e) << 52));
+  if (x == 0 || !is_finite(x)) return x;
+  const scaled_number parts = decompose(x);
+  const int exponent = parts.exponent + e;
+  if (exponent > 1023) return with_sign(infinity<double>, x);
+  if (exponent >= -1074) return parts.significand * power_of_two(exponent);
+  if (exponent < -1075) return with_sign(0.0, x);
+  return parts.significand * 0.5 * 0x1p-1074;
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg::detail
