@@ -186,6 +186,7 @@ public:
     const detail::integer_double factor = detail::integer_parts(x);
     const int sign = v.sign();
     if (sign == 0 || factor.significand == 0) return;
+    const int place = 64 * v.range_.first + exact_accumulator<L>::lowest - lowest - 1074 + factor.place;
     std::uint64_t magnitude[static_cast<unsigned>(words)];
     int n = 0;
     std::uint64_t carry = sign < 0 ? 1 : 0;
@@ -195,10 +196,9 @@ public:
       ++n;
     }
     detail::multiply_in(magnitude, n++, factor.significand);
+    detail::multiply_in(magnitude, n++, std::uint64_t{1} << (place % 64));  // so that no word too many is touched
     while (magnitude[n - 1] == 0) --n;
-    detail::accumulate(word_, range_, magnitude, n,
-                       64 * v.range_.first + exact_accumulator<L>::lowest - lowest - 1074 + factor.place,
-                       (sign < 0) != factor.negative);
+    detail::accumulate(word_, range_, magnitude, n, place - place % 64, (sign < 0) != factor.negative);
   }
 
   /// -1, 0 or 1, as the sum is negative, zero or positive.
@@ -236,7 +236,7 @@ private:
   friend class exact_accumulator;
 
   static constexpr int lowest = -1074 * K;
-  static constexpr int words = (2098 * K + 64 + 63) / 64 + 2;
+  static constexpr int words = (2098 * K + 64 + 63) / 64 + 1;
 
   // Words outside of the range are not initialised: what is not used costs nothing.
   std::uint64_t word_[static_cast<unsigned>(words)];

@@ -67,6 +67,37 @@ IRG_INLINE constexpr bool inverse_is_easy(const mat<T, N, N>& a, mat<T, N, N>& x
   return true;
 }
 
+// Puts the inverse of a into x, s being a scaled and factored; false when double cannot tell a from a singular matrix.
+template <Floating T, int N>
+constexpr bool refined_inverse(const scaled_system<N>& s, const mat<double, N, N>& a, mat<T, N, N>& x) noexcept {
+  if (!s.has_factors) return false;
+  mat<double, N, N> scaled{};
+  const double size = norm_1(s.a), largest_column = 1 / smallest_condition(N) / size;
+  double condition = 0;
+  for (int c = 0; c < N; ++c) {
+    vec<double, N> unit{}, column{}, tail{};
+    unit[c] = 1;
+    if (!refine(s, unit, column, tail) || !(size_1(column) < largest_column)) return false;
+    condition = greater(condition, product(size, size_1(column)));
+    for (int r = 0; r < N; ++r) {
+      scaled(r, c) = column[r];
+      x(r, c) = scaled_back<T>(column[r], tail[r], -s.column_exponent[r] - s.row_exponent[c]);
+    }
+  }
+  if constexpr (N <= 4)
+    if (s.sizes.is_mixed()) {
+      unsigned which = 0;
+      for (int c = 0; c < N; ++c) {
+        double largest = 0;
+        for (int r = 0; r < N; ++r) largest = greater(largest, magnitude(scaled(r, c)));
+        for (int r = 0; r < N; ++r)
+          which |= is_doubtful(scaled(r, c), largest, condition, s.sizes) ? 1u << (r * N + c) : 0;
+      }
+      if (which != 0) return put_exact_inverse(a, which, smallest_condition(N), x);
+    }
+  return true;
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -108,25 +139,28 @@ constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
 /// The matrix that undoes `a`, right to the last place however close to singular `a` is, up to a limit.
 /// gives   nothing where double cannot tell the matrix from a singular one: when its condition number, rows and columns
 ///         scaled by powers of two to be of one size, reaches 1/(4 N u), 5e14 for N = 4 (u = 2^-53, float too); when an
-///         entry is NaN or infinite; when the inverse has an entry that is too large for T
+///         entry is NaN or infinite; when the inverse has an entry that is too large for T. Up to N = 4 it is the best
+///         of all scalings that counts
 /// exact   the error of an entry is at most 1.1 u times the largest entry of its column (after the scaling of rows); up
-///         to a condition of 1e12, entries that are not below 2^-8 of that are within 0.51 ulp
+///         to a condition of 1e12, entries that are not below 2^-8 of that are within 0.51 ulp; up to N = 4 all that
+///         after any scaling that leaves the condition number below the limit
 /// cost    about 35 times that of `inverse`: elimination in double, then each column is corrected with residuals in
 ///         twice the precision; floats are inverted in double
 /// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
 template <Floating T, int N>
 constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
-  const auto s = detail::factor_scaled(wide);
-  if (!s) return std::nullopt;
+  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return static_cast<double>(a(r, c)); });
+  if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
+  const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);
   mat<T, N, N> result{};
-  const double largest_column = 1 / detail::smallest_condition(N) / norm_1(s->a);
-  for (int c = 0; c < N; ++c) {
-    vec<double, N> unit{}, x{};
-    unit[c] = 1;
-    if (!detail::refine(*s, unit, x) || !(detail::size_1(x) < largest_column)) return std::nullopt;
-    for (int r = 0; r < N; ++r)
-      result(r, c) = converted<T>(detail::times_power_of_two(x[r], -s->column_exponent[r] - s->row_exponent[c]));
+  if (!detail::refined_inverse(s, wide, result)) {
+    if (!s.sizes.may_hide_regular()) return std::nullopt;
+    if constexpr (N <= 4) {
+      const double part = detail::smallest_condition(N);
+      if (!detail::put_exact_inverse(wide, detail::all_of<N * N>, part, result)) return std::nullopt;
+    } else if (!detail::refined_inverse(detail::factor_scaled(wide, detail::scaling::by_means), wide, result)) {
+      return std::nullopt;
+    }
   }
   if (!detail::entries_finite<T>(result, N, N)) return std::nullopt;
   return result;

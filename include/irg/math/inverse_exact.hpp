@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include <irg/core/conversion.hpp>
-#include <irg/math/detail/exact_minors.hpp>
+#include <irg/math/detail/exact_system.hpp>
+#include <irg/math/mat.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -21,19 +21,12 @@ template <Floating T, int N>
   requires(N >= 2 && N <= 4)
 constexpr std::optional<mat<T, N, N>> inverse_exact(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
-  const auto entry = [&](int r, int c) { return widened(a(r, c)); };
-  const auto below = detail::exact_determinant<N>(entry);
-  if (below.sign() == 0) return std::nullopt;
-  const auto divisor = detail::scaled_parts(below);
+  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const detail::exact_system<N, decltype(entry)> system(entry);
+  if (system.is_singular()) return std::nullopt;
   mat<T, N, N> x{};
   for (int r = 0; r < N; ++r)
-    for (int c = 0; c < N; ++c) {
-      const auto minor =
-          detail::exact_determinant<N - 1>([&](int i, int j) { return entry(i < c ? i : i + 1, j < r ? j : j + 1); });
-      if (minor.sign() == 0) continue;
-      const T size = detail::quotient_of_sums<T>(detail::scaled_parts(minor), divisor);
-      x(r, c) = (r + c) % 2 == 0 ? size : -size;
-    }
+    for (int c = 0; c < N; ++c) x(r, c) = system.template inverse_entry<T>(r, c);
   if (!detail::entries_finite<T>(x, N, N)) return std::nullopt;
   return x;
 }

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include <irg/core/conversion.hpp>
+#include <irg/math/detail/exact_system.hpp>
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/mat.hpp>
 
@@ -123,22 +123,26 @@ constexpr T reciprocal_condition(const mat<T, N, N>& a) noexcept {
 namespace detail {
 inline namespace IRG_ABI {
 
+// a scaled, and its factors if it has any.
+// needs   finite entries
 template <int N>
-constexpr std::optional<scaled_system<N>> factor_scaled(const mat<double, N, N>& a) noexcept {
-  if (!entries_finite<double>(a, N, N)) return std::nullopt;
-  scaled_system<N> s{a, {}, {}, {}};
-  equilibrate(s.a, N, s.row_exponent, s.column_exponent);
-  const std::optional<lu_factors<double, N>> factors = lu_factor(s.a);
-  if (!factors) return std::nullopt;
-  s.factors = *factors;
+constexpr scaled_system<N> factor_scaled(const mat<double, N, N>& a, scaling way) noexcept {
+  scaled_system<N> s;
+  s.a = a;
+  s.sizes = equilibrate(s.a, N, s.row_exponent, s.column_exponent, way);
+  if (const std::optional<lu_factors<double, N>> factors = lu_factor(s.a)) {
+    s.factors = *factors;
+    s.has_factors = true;
+  }
   return s;
 }
 
-// The x with s.a * x = b, corrected until it is right beyond the last place; false when the corrections do not become
-// smaller, that is when the matrix is singular for double.
+// The x with s.a * x = b, corrected until x + tail is right beyond the last place of x; false when the corrections do
+// not become smaller, that is when the matrix is singular for double.
 template <int N>
-constexpr bool refine(const scaled_system<N>& s, const vec<double, N>& b, vec<double, N>& x) noexcept {
-  vec<double, N> tail{};
+constexpr bool refine(const scaled_system<N>& s, const vec<double, N>& b, vec<double, N>& x,
+                      vec<double, N>& tail) noexcept {
+  tail = {};
   x = lu_solve(s.factors, b);
   double last = infinity<double>;
   for (int step = 0; step < 100; ++step) {
@@ -159,6 +163,46 @@ constexpr bool refine(const scaled_system<N>& s, const vec<double, N>& b, vec<do
   return false;
 }
 
+// The T nearest to (x + tail) * 2^e.
+template <Floating T>
+IRG_INLINE constexpr T scaled_back(double x, double tail, int e) noexcept {
+  const double rounded = times_power_of_two(x, e);
+  if (std::same_as<T, float> || x == 0 || magnitude(rounded) >= 0x1p-1022) return narrow<T>(rounded);
+  return static_cast<T>(nearest_scaled<double>({x, tail}, e, [](double, double) { return 0; }));
+}
+
+// Whether refine, or the scaling, may have left little of x beside the largest of its column: where the matrix is of
+// one size only differences of equal terms are that small. Then condition is what spoils the small ones.
+IRG_INLINE constexpr bool is_doubtful(double x, double largest, double condition, const scaled_sizes& sizes) noexcept {
+  if (!sizes.is_mixed() || (x == 0 && !sizes.has_small())) return false;
+  return magnitude(x) < product(largest, lesser(product(condition, 0x1p-40), 0x1p-8));
+}
+
+// The solution of a * x = b, s being a scaled and factored.
+template <Floating T, int N>
+constexpr std::optional<vec<T, N>> refined_solution(const scaled_system<N>& s, const mat<double, N, N>& a,
+                                                    const vec<double, N>& b) noexcept {
+  if (!s.has_factors) return std::nullopt;
+  const double part = reciprocal_condition(s.a, s.factors);
+  if (!(part > smallest_condition(N))) return std::nullopt;
+  vec<double, N> right = b, x{}, tail{};
+  scaled_sizes sizes = s.sizes;
+  const int shift = scale_right_side(N, [&](int i) -> double& { return right[i]; }, s.row_exponent);
+  if (!refine(s, right, x, tail)) return std::nullopt;
+  vec<T, N> result{};
+  for (int i = 0; i < N; ++i) result[i] = scaled_back<T>(x[i], tail[i], shift - s.column_exponent[i]);
+  if constexpr (N <= 4)
+    if (sizes.is_mixed()) {
+      for (int i = 0; i < N; ++i)
+        if (is_small_beside_largest(b[i], right[i])) sizes.least = 0;
+      const double largest = largest_of(x);
+      unsigned which = 0;
+      for (int i = 0; i < N; ++i) which |= is_doubtful(x[i], largest, 1 / part, sizes) ? 1u << i : 0;
+      if (which != 0 && !put_exact_solution(a, b, which, smallest_condition(N), result)) return std::nullopt;
+    }
+  return result;
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -167,26 +211,32 @@ inline namespace IRG_ABI {
 /// The x with a * x = b, right to the last place.
 /// gives   nothing when the condition number of `a`, its rows and columns scaled by powers of two to be of one size,
 ///         reaches 1/(4 N u) with u = 2^-53 (so a singular matrix gives nothing), when a number is NaN or infinite, or
-///         when the solution is too large for T
-/// exact   every component that is no less than 2^-8 of the largest (after the scaling of columns) within 0.51 ulp
+///         when the solution is too large for T. Up to N = 4 it is the best of all scalings that counts
+/// exact   every component that is no less than 2^-8 of the largest (after the scaling of columns) within 0.51 ulp; up
+///         to N = 4 after any scaling that leaves the condition number below that limit
 /// cost    about 3 corrections, each N^2 exact products; floats are solved in double
 /// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
 template <Floating T, int N>
 constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
-  auto right = generate_coordinates<vec<double, N>>([&](int i) { return widened(b[i]); });
-  const auto s = detail::factor_scaled(wide);
-  if (!s || !(reciprocal_condition(s->a, s->factors) > detail::smallest_condition(N))) return std::nullopt;
+  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return static_cast<double>(a(r, c)); });
+  const auto right = generate_coordinates<vec<double, N>>([&](int i) { return static_cast<double>(b[i]); });
+  if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   for (int i = 0; i < N; ++i)
     if (!detail::is_finite(right[i])) return std::nullopt;
-  const int shift = detail::scale_right_side(N, [&](int i) -> double& { return right[i]; }, s->row_exponent);
-  vec<double, N> x{};
-  if (!detail::refine(*s, right, x)) return std::nullopt;
-  const auto result = generate_coordinates<vec<T, N>>(
-      [&](int j) { return converted<T>(detail::times_power_of_two(x[j], shift - s->column_exponent[j])); });
-  for (int j = 0; j < N; ++j)
-    if (!detail::is_finite(result[j])) return std::nullopt;
-  return result;
+  const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);
+  auto x = detail::refined_solution<T>(s, wide, right);
+  if (!x && s.sizes.may_hide_regular()) {
+    if constexpr (N <= 4) {
+      x.emplace();
+      const double part = detail::smallest_condition(N);
+      if (!detail::put_exact_solution(wide, right, detail::all_of<N>, part, *x)) return std::nullopt;
+    } else {
+      x = detail::refined_solution<T>(detail::factor_scaled(wide, detail::scaling::by_means), wide, right);
+    }
+  }
+  for (int j = 0; x && j < N; ++j)
+    if (!detail::is_finite((*x)[j])) return std::nullopt;
+  return x;
 }
 
 }  // namespace IRG_ABI

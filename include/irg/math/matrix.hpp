@@ -196,6 +196,33 @@ constexpr matrix_result<T> inverse(const matrix<T>& a) {
   return right;
 }
 
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The column of the n numbers x(i), or why there is none.
+template <Real T, class X>
+constexpr matrix_result<T> solution_column(solvability kind, int n, const X& x) {
+  if (kind == solvability::dependent) return matrix_error::dependent;
+  if (kind == solvability::inconsistent) return matrix_error::inconsistent;
+  if (kind == solvability::not_finite) return matrix_error::not_finite;
+  matrix<T> solution = filled_matrix<T>(n, 1, [&](int r, int) { return static_cast<T>(x(r)); });
+  if (!entries_finite<T>(solution, n, 1)) return matrix_error::not_finite;
+  return solution;
+}
+
+template <Floating T, int N, class E>
+constexpr matrix_result<T> solve_of_size(const E& entry) {
+  const auto s = solve_gauss(filled_mat<T, N, N + 1>([&](int r, int c) { return static_cast<T>(entry(r, c)); }));
+  return solution_column<T>(s.kind, N, [&](int i) { return s.x[i]; });
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
 /// The column x with a * x = b.
 /// gives   size_mismatch when b is no column of as many rows as a, not_square; dependent, inconsistent and not_finite
 ///         as solve_gauss
@@ -206,19 +233,20 @@ constexpr matrix_result<T> solve(const matrix<T>& a, const matrix<T>& b) {
   if (n != a.columns()) return matrix_error::not_square;
   if (b.columns() != 1 || b.rows() != n) return matrix_error::size_mismatch;
   using W = std::conditional_t<std::same_as<T, float>, double, T>;
-  auto rows =
-      detail::filled_matrix<W>(n, n + 1, [&](int r, int c) { return static_cast<W>(c < n ? a(r, c) : b(r, 0)); });
+  const auto entry = [&](int r, int c) { return static_cast<W>(c < n ? a(r, c) : b(r, 0)); };
+  if constexpr (Floating<T>) {
+    if (n == 2) return detail::solve_of_size<T, 2>(entry);
+    if (n == 3) return detail::solve_of_size<T, 3>(entry);
+    if (n == 4) return detail::solve_of_size<T, 4>(entry);
+  }
+  auto rows = detail::filled_matrix<W>(n, n + 1, entry);
+  if (!detail::entries_finite<W>(rows, n, n + 1)) return matrix_error::not_finite;
   std::vector<int> numbers(4 * static_cast<std::size_t>(n), 0);
   std::vector<W> largest_term(static_cast<std::size_t>(n), W(0));
   matrix<W> x(n, 1);
-  const detail::eliminated found = detail::solve_rows(rows, n, numbers.data(), numbers.data() + 2 * n,
+  const detail::eliminated found = detail::solve_rows(rows, entry, n, numbers.data(), numbers.data() + 2 * n,
                                                       largest_term.data(), [&](int i) -> W& { return x(i, 0); });
-  if (found.kind == solvability::dependent) return matrix_error::dependent;
-  if (found.kind == solvability::inconsistent) return matrix_error::inconsistent;
-  if (found.kind == solvability::not_finite) return matrix_error::not_finite;
-  matrix<T> solution = detail::filled_matrix<T>(n, 1, [&](int r, int) { return static_cast<T>(x(r, 0)); });
-  if (!detail::entries_finite<T>(solution, n, 1)) return matrix_error::not_finite;
-  return solution;
+  return detail::solution_column<T>(found.kind, n, [&](int i) { return x(i, 0); });
 }
 
 }  // namespace IRG_ABI

@@ -4,7 +4,7 @@
 // solve_exact (math/solve_exact.hpp) decides that exactly for floats.
 #pragma once
 
-#include <irg/core/conversion.hpp>
+#include <irg/math/detail/exact_system.hpp>
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/mat.hpp>
 
@@ -93,32 +93,107 @@ constexpr T substituted(const M& a, int i, int n, const X& x) noexcept {
 // Part of its size by which a system of doubles may differ from a singular one and be taken for it.
 constexpr double smallest_pivot(int n) noexcept { return 4.0 * n * 0x1p-53; }
 
-// Solves n rows of n + 1 entries by elimination: the solution goes to x(0) to x(n - 1). Work space: column and
-// exponents, of 2 n numbers each, and largest_term.
+// The solution of n rows that elimination has left, in the order of `column`.
 template <class T, class M, class X>
-constexpr eliminated solve_rows(M& a, int n, int* column, int* exponents, T* largest_term, const X& x) noexcept {
-  int shift = 0;
-  if constexpr (Floating<T>) {
-    static_assert(std::same_as<T, double>, "floats are solved in double");
-    if (!entries_finite<T>(a, n, n + 1)) return {solvability::not_finite, 0};
-    equilibrate(a, n, exponents, exponents + n);
-    shift = scale_right_side(n, [&](int i) -> T& { return a(i, n); }, exponents);
-  }
-  const T smallest = [&] {
-    if constexpr (Floating<T>)
-      return smallest_pivot(n);
-    else
-      return T(0);
-  }();
-  const eliminated result = eliminate_fully(a, n, column, largest_term, smallest);
-  if (result.kind != solvability::unique) return result;
+constexpr void substitute(const M& a, int n, const int* column, const X& x) noexcept {
   for (int i = n - 1; i >= 0; --i) x(column[i]) = substituted<T>(a, i, n, [&](int j) { return x(column[j]); });
-  if constexpr (Floating<T>)
-    for (int i = 0; i < n; ++i) {
-      x(i) = times_power_of_two(x(i), shift - exponents[n + i]);
-      if (!is_finite(x(i))) return {solvability::not_finite, n};
+}
+
+// Undoes the scaling of the columns, and of the right side.
+template <class X>
+constexpr void scale_solution(int n, int shift, const int* column_exponent, const X& x) noexcept {
+  for (int i = 0; i < n; ++i) x(i) = times_power_of_two(x(i), shift - column_exponent[i]);
+}
+
+// Solves n rows of n + 1 finite numbers entry(r, c), which `a` holds, by elimination: the solution goes to x(0) to
+// x(n - 1). Work space: column and exponents, of 2 n numbers each, and largest_term.
+template <class T, class M, class E, class X>
+constexpr eliminated solve_rows(M& a, const E& entry, int n, int* column, int* exponents, T* largest_term,
+                                const X& x) noexcept {
+  if constexpr (!Floating<T>) {
+    const eliminated result = eliminate_fully(a, n, column, largest_term, T(0));
+    if (result.kind == solvability::unique) substitute<T>(a, n, column, x);
+    return result;
+  } else {
+    static_assert(std::same_as<T, double>, "floats are solved in double");
+    const auto right = [&](int i) -> T& { return a(i, n); };
+    const scaled_sizes sizes = equilibrate(a, n, exponents, exponents + n);
+    int shift = scale_right_side(n, right, exponents);
+    eliminated result = eliminate_fully(a, n, column, largest_term, smallest_pivot(n));
+    if (result.kind != solvability::unique && sizes.may_hide_regular()) {
+      for (int r = 0; r < n; ++r)
+        for (int c = 0; c <= n; ++c) a(r, c) = entry(r, c);
+      equilibrate(a, n, exponents, exponents + n, scaling::by_means);
+      shift = scale_right_side(n, right, exponents);
+      result = eliminate_fully(a, n, column, largest_term, smallest_pivot(n));
     }
-  return result;
+    if (result.kind != solvability::unique) return result;
+    substitute<T>(a, n, column, x);
+    scale_solution(n, shift, exponents + n, x);
+    return result;
+  }
+}
+
+// Whether x solves equations that differ from those of `a` by few roundings of each number: then its error is as small
+// as any scaling of rows and columns lets one expect (Oettli and Prager 1964). What is below `least` has lost digits.
+template <int N>
+constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, double least) noexcept {
+  bool all = true;
+  for (int r = 0; r < N; ++r) {
+    double rest = a(r, N), size = magnitude(a(r, N));
+    for (int c = 0; c < N; ++c) {
+      const double term = product(a(r, c), x[c]);
+      rest = rest - term;
+      size = size + magnitude(term);
+    }
+    all = all && magnitude(rest) <= product(size, 8 * 0x1p-53) && size >= least;
+  }
+  return all;
+}
+
+// What N equations with finite doubles entry(r, c) have whose determinant is 0.
+template <Floating T, int N, class E>
+constexpr system_solution<T, N> singular_solution(const E& entry) noexcept {
+  const int rank = exact_rank<N - 1>(N, N, entry);
+  const bool is_consistent = exact_rank<N>(N, N + 1, entry) == rank;
+  return {is_consistent ? solvability::dependent : solvability::inconsistent, rank, {}};
+}
+
+// What elimination found of up to four equations, or what they have exactly where that is another thing: where it does
+// not fit every row, or where another scaling shows that they are not singular.
+template <Floating T, int N, class E>
+IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system_solution<T, N>& found) noexcept {
+  const exact_system<N, E> system(entry);
+  if (system.is_singular()) return singular_solution<T, N>(entry);
+  if (!system.is_regular_within(smallest_pivot(N))) return found;
+  system_solution<T, N> s{solvability::unique, N, {}};
+  for (int k = 0; k < N; ++k) s.x[k] = system.template component<T>([&](int r) { return entry(r, N); }, k);
+  return s;
+}
+
+template <Floating T, int N>
+constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noexcept {
+  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  auto rows = filled_mat<double, N, N + 1>(entry);
+  if (!entries_finite<double>(rows, N, N + 1)) return {};
+  int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
+  double largest_term[static_cast<std::size_t>(N)]{}, x[static_cast<std::size_t>(N)]{};
+  const auto unknown = [&](int i) -> double& { return x[i]; };
+  const scaled_sizes sizes = equilibrate(rows, N, exponents, exponents + N);
+  const int shift = scale_right_side(N, [&](int i) -> double& { return rows(i, N); }, exponents);
+  const mat<double, N, N + 1> scaled = rows;
+  const eliminated result = eliminate_fully(rows, N, column, largest_term, smallest_pivot(N));
+  system_solution<T, N> found{result.kind, result.rank, {}};
+  bool is_doubtful = sizes.may_hide_regular();
+  if (found) {
+    substitute<double>(rows, N, column, unknown);
+    bool has_small = sizes.has_small();
+    for (int i = 0; i < N; ++i) has_small = has_small || is_small_beside_largest(entry(i, N), scaled(i, N));
+    is_doubtful = !fits_every_row(scaled, x, has_small ? 0x1p-400 : 0);
+    scale_solution(N, shift, exponents + N, unknown);
+    found.x = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
+  }
+  return is_doubtful ? mended<T, N>(entry, found) : found;
 }
 
 }  // namespace IRG_ABI
@@ -129,9 +204,11 @@ inline namespace IRG_ABI {
 /// The solution of the equations row * (x, 1) with the last column as right side: a(i, 0) x_0 + ... = a(i, N).
 /// gives   dependent or inconsistent for a singular system. In floats that is one whose largest possible pivot, rows
 ///         and columns scaled by powers of two to be of one size, is at most 4 N u of the first (u = 2^-53, float too):
-///         equations that are merely small, or of different sizes, are not singular. not_finite for NaN and infinity
+///         equations that are merely small, or of different sizes, are not singular. Up to N = 4 it is the best of all
+///         scalings that counts. not_finite for NaN and infinity
 /// exact   in rationals. In floats the error of a component is a few u times the condition number times the largest
-///         component (columns of one size); lu_solve_refined and solve_exact are right to the last place
+///         component, rows and columns of one size; up to N = 4, whatever their size. lu_solve_refined and solve_exact
+///         are right to the last place
 /// cost    2/3 N^3 operations, N^3/3 comparisons; floats are solved in double. lu_solve has the same error in a quarter
 ///         of the time: this is for systems that may be singular, or whose equations are of very different sizes
 /// source  Gauss; Wilkinson 1961 (full pivoting)
@@ -139,17 +216,24 @@ template <Real T, int N, int M>
   requires(M == N + 1)
 constexpr system_solution<T, N> solve_gauss(const mat<T, N, M>& a) noexcept {
   using W = std::conditional_t<std::same_as<T, float>, double, T>;
-  auto rows = detail::filled_mat<W, N, M>([&](int r, int c) { return static_cast<W>(a(r, c)); });
-  int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
-  W largest_term[static_cast<std::size_t>(N)]{}, x[static_cast<std::size_t>(N)]{};
-  const detail::eliminated result =
-      detail::solve_rows(rows, N, column, exponents, largest_term, [&](int i) -> W& { return x[i]; });
-  if (result.kind != solvability::unique) return {result.kind, result.rank, {}};
-  const auto solution = generate_coordinates<vec<T, N>>([&](int i) { return converted<T>(x[i]); });
+  system_solution<T, N> s{};
+  if constexpr (Floating<T> && N <= 4) {
+    s = detail::solve_up_to_four<T, N>(a);
+  } else {
+    const auto entry = [&](int r, int c) { return static_cast<W>(a(r, c)); };
+    auto rows = detail::filled_mat<W, N, M>(entry);
+    if (!detail::entries_finite<W>(rows, N, M)) return {};
+    int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
+    W largest_term[static_cast<std::size_t>(N)]{}, x[static_cast<std::size_t>(N)]{};
+    const detail::eliminated found =
+        detail::solve_rows(rows, entry, N, column, exponents, largest_term, [&](int i) -> W& { return x[i]; });
+    s = {found.kind, found.rank, {}};
+    if (s) s.x = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
+  }
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i)
-      if (!detail::is_finite(solution[i])) return {solvability::not_finite, N, {}};
-  return {solvability::unique, N, solution};
+      if (!detail::is_finite(s.x[i])) return {solvability::not_finite, N, {}};
+  return s;
 }
 
 /// The solution of a * x = b.

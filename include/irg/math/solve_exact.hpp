@@ -3,8 +3,7 @@
 // correctly rounded, infinitely many, or none.
 #pragma once
 
-#include <irg/core/conversion.hpp>
-#include <irg/math/detail/exact_minors.hpp>
+#include <irg/math/detail/exact_system.hpp>
 #include <irg/math/solve.hpp>
 
 namespace irg {
@@ -22,18 +21,12 @@ template <Floating T, int N, int M>
   requires(M == N + 1 && N <= 4)
 constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, M)) return {};
-  const auto entry = [&](int r, int c) { return widened(a(r, c)); };
-  const auto below = detail::exact_determinant<N>(entry);
-  if (below.sign() == 0) {
-    const int rank = detail::exact_rank<N - 1>(N, N, entry);
-    const bool is_consistent = detail::exact_rank<N>(N, M, entry) == rank;
-    return {is_consistent ? solvability::dependent : solvability::inconsistent, rank, {}};
-  }
-  const auto divisor = detail::scaled_parts(below);
+  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const detail::exact_system<N, decltype(entry)> system(entry);
+  if (system.is_singular()) return detail::singular_solution<T, N>(entry);
   system_solution<T, N> s{solvability::unique, N, {}};
   for (int k = 0; k < N; ++k) {
-    const auto above = detail::exact_determinant<N>([&](int r, int c) { return entry(r, c == k ? N : c); });
-    if (above.sign() != 0) s.x[k] = detail::quotient_of_sums<T>(detail::scaled_parts(above), divisor);
+    s.x[k] = system.template component<T>([&](int r) { return entry(r, N); }, k);
     if (!detail::is_finite(s.x[k])) return {solvability::not_finite, N, {}};
   }
   return s;

@@ -48,30 +48,36 @@ constexpr exact_accumulator<K> exact_determinant(const E& entry) noexcept {
 // A sum that is not zero, and the same as parts * 2^exponent, 1 <= |parts.value| <= 2.
 template <int K>
 struct scaled_sum {
-  exact_accumulator<K> sum;
-  unrounded parts;
-  int exponent;
+  const exact_accumulator<K>* sum = nullptr;
+  unrounded parts{};
+  int exponent = 0;
 };
 template <int K>
 constexpr scaled_sum<K> scaled_parts(const exact_accumulator<K>& sum) noexcept {
   const int e = sum.exponent();
-  return {sum, sum.rounded_parts(-e), e};
+  return {&sum, sum.rounded_parts(-e), e};
+}
+
+// The sign of above / below - (t + step / 2).
+template <int K, int L>
+IRG_NOINLINE constexpr int compare_quotient(const exact_accumulator<K>& above, const exact_accumulator<L>& below,
+                                            double t, double step) noexcept {
+  exact_accumulator<greater(K, L) + 1> difference;
+  difference.add(above, 2.0);
+  difference.add(below, -t);
+  difference.add(below, -t);
+  difference.add(below, -step);
+  return difference.sign() * below.sign();
 }
 
 // above / below, correctly rounded, ties to even.
 template <Floating T, int K, int L>
 constexpr T quotient_of_sums(const scaled_sum<K>& above, const scaled_sum<L>& below) noexcept {
   const unrounded quotient = renormalised(divide(above.parts, below.parts));  // within 2^-100 of itself
-  const auto side = [&](double t, double step) {
-    exact_accumulator<greater(K, L) + 1> difference;  // 2 above - (2t + step) below
-    difference.add(above.sum, 2.0);
-    difference.add(below.sum, -t);
-    difference.add(below.sum, -t);
-    difference.add(below.sum, -step);
-    const int sign = difference.sign() * below.sum.sign();
+  return nearest_scaled<T>(quotient, above.exponent - below.exponent, [&](double t, double step) {
+    const int sign = compare_quotient(*above.sum, *below.sum, t, step);
     return step < 0 ? -sign : sign;
-  };
-  return nearest_scaled<T>(quotient, above.exponent - below.exponent, side);
+  });
 }
 
 // Calls visit(chosen) for every choice of k of the numbers 0 to n - 1, until it says true; whether it did.

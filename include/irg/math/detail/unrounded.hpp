@@ -95,26 +95,22 @@ constexpr double scale(const unrounded& x, int k) noexcept {
   return with_sign(units * 0x1p-1022 * power_of_two(k + 1022), x.value);
 }
 
-/// The T nearest to x * 2^e, ties to even, subnormal results too.
-/// needs   a value that is the number rounded, not zero. Where x is within 2^-40 of the last place of the middle between
-///         two Ts, side(t, step) says whether the true number is nearer to 0 than the middle of t and t + step, or
-///         farther: -1, 1, or 0 for a tie
+/// What nearest_scaled does where rounding x.value first might not do.
 template <Floating T, class Side>
-constexpr T nearest_scaled(const unrounded& x, int e, const Side& side) noexcept {
+IRG_NOINLINE constexpr T nearest_in_units(const unrounded& x, int e, const Side& side) noexcept {
   constexpr int digits = std::numeric_limits<T>::digits, lowest = std::numeric_limits<T>::min_exponent - digits;
   scaled_number parts = decompose(x.value);
   double rest = times_power_of_two(x.value < 0 ? -x.error : x.error, -parts.exponent);
   double size = magnitude(parts.significand);
   if (size == 1 && rest < 0) size = 2, rest = 2 * rest, --parts.exponent;
-  // What is less than 2^places units in the last place of the result.
+  // In units of the last place of the result.
   const int exponent = parts.exponent + e;
   const int last = exponent - (digits - 1) < lowest ? lowest : exponent - (digits - 1), places = exponent - last;
   if (places < -2) return static_cast<T>(with_sign(0.0, x.value));
   const double scaled = size * power_of_two(places);
   double units = scaled < 0x1p52 ? (scaled + 0x1p52) - 0x1p52 : scaled;
   rest = (scaled - units) + rest * power_of_two(places);
-  const double unit = with_sign(1.0, x.value);
-  const auto number = [&](double n) { return times_power_of_two(n * unit, last); };
+  const auto number = [&](double n) { return times_power_of_two(with_sign(n, x.value), last); };
   if (magnitude(magnitude(rest) - 0.5) < 0x1p-40) {
     const double lower = rest < 0 ? units - 1 : units;
     const int beyond = side(number(lower), number(1));
@@ -124,6 +120,19 @@ constexpr T nearest_scaled(const unrounded& x, int e, const Side& side) noexcept
     units = rest < 0 ? units - 1 : units + 1;
   }
   return narrow<T>(number(units));
+}
+
+/// The T nearest to x * 2^e, ties to even, subnormal results too.
+/// needs   a value that is the number rounded, not zero. Where x is within 2^-40 of the last place of the middle between
+///         two Ts, side(t, step) says whether the true number is nearer to 0 than the middle of t and t + step, or
+///         farther: -1, 1, or 0 for a tie
+template <Floating T, class Side>
+IRG_INLINE constexpr T nearest_scaled(const unrounded& x, int e, const Side& side) noexcept {
+  const double rounded = times_power_of_two(x.value, e);
+  const double widest = product(x.error, 1 + 0x1p-35);
+  if constexpr (std::is_same_v<T, double>)
+    if (magnitude(rounded) >= 0x1p-1022 && is_finite(rounded) && x.value + widest == x.value) return rounded;
+  return nearest_in_units<T>(x, e, side);
 }
 
 }  // namespace IRG_ABI

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Systems and matrices that are well conditioned although their numbers are of all sizes: entries that are negligible
+// or zero beside others, rows and columns times powers of two over the whole range of exponents. What matters is that no
+// entry, and no scaling, hides a good column: nothing may be refused, nothing wrong.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <irg/math/inverse.hpp>
+#include <irg/math/lu.hpp>
+#include <irg/math/matrix.hpp>
+#include <irg/math/solve.hpp>
+#include <irg/math/solve_exact.hpp>
+
+#include "support/check_both.hpp"
+#include "support/exact.hpp"
+
+using irg::inverse_accurate;
+using irg::lu_solve_refined;
+using irg::mat;
+using irg::solvability;
+using irg::solve_gauss;
+using irg::vec;
+
+TEST_CASE("mixed systems: a negligible entry hides no good column") {
+  constexpr mat<double, 3, 4> hidden{{{2, 1, 1, 1}, {1, 6e-17, 1, 2}, {1, 4e-33, 3, 3}}};  // condition 22.5
+  CHECK_BOTH((solve_gauss(hidden).x == vec<double, 3>{1.5, -2.5, 0.5}));
+  constexpr mat<double, 3, 4> refused{{{0.7, 1.1, 0.3, 1}, {1.3, 1e-15, 1.7, 2}, {0.9, 1e-300, 2.1, 3}}};  // 14
+  constexpr mat<double, 3, 3> matrix{{{0.7, 1.1, 0.3}, {1.3, 1e-15, 1.7}, {0.9, 1e-300, 2.1}}};
+  CHECK_BOTH(solve_gauss(refused).kind == solvability::unique);
+  CHECK_BOTH(*lu_solve_refined(matrix, vec<double, 3>{1, 2, 3}) == irg::solve_exact(refused).x);
+  CHECK_BOTH(inverse_accurate(matrix).has_value());
+  // A component that is small only as the columns are: in units of its own it is as good as the other one.
+  constexpr mat<double, 2, 3> two{{{1, 2, 1}, {0, 1, 0x1p-1000}}};
+  CHECK_BOTH(solve_gauss(two).x == vec<double, 2>{1, 0x1p-1000});
+  CHECK_BOTH(*lu_solve_refined(mat<double, 2, 2>{{{1, 2}, {0, 1}}}, vec<double, 2>{1, 0x1p-1000}) ==
+             vec<double, 2>{1, 0x1p-1000});
+  // A triangle's inverse has zeros, and one entry far below the others.
+  constexpr mat<double, 3, 3> triangle{{{1, 3, 0x1p-900}, {0, 7, 0x1p-900}, {0, 0, 0x1p-900}}};
+  constexpr auto back = *inverse_accurate(triangle);
+  CHECK_BOTH((back(1, 0) == 0 && back(2, 0) == 0 && back(2, 1) == 0 && back(2, 2) == 0x1p900));
+}
+
+#ifdef IRG_HAVE_MPFR
+
+namespace {
+
+using test::big_rational;
+
+// b_ij * 2^(row_i + column_j), and on the right b_i * 2^row_i: b is of condition 1 to 10^12 and has entries of all sizes
+// below 1, the powers are of any size. Where numbers underflow b is what is left of them.
+template <class T, int N>
+struct mixed_system {
+  mat<T, N, N> a{};
+  vec<T, N> b{};
+  int row[N]{}, column[N]{};
+
+  mixed_system(test::random& r, int kind) {
+    constexpr bool is_double = sizeof(T) == 8;
+    const int span = kind % 2 == 0 ? 0 : is_double ? 480 : 40, depth = is_double ? 996 : 100;
+    const auto number = [&](std::int64_t rare) {
+      const double x = 2 * r.unit() - 1;
+      const auto fate = r.integer(0, 3 * rare);
+      return fate == 0 ? 0 : fate < rare ? std::ldexp(x, -static_cast<int>(r.integer(0, depth))) : x;
+    };
+    for (int i = 0; i < N; ++i) row[i] = static_cast<int>(r.integer(-span, span));
+    for (int i = 0; i < N; ++i) column[i] = static_cast<int>(r.integer(-span, span));
+    double exact[N][N];
+    for (auto& line : exact)
+      for (double& entry : line) entry = number(1 + kind % 3);
+    if (kind % 5 == 4) {  // a row near another one
+      const double step = std::ldexp(1.0, -static_cast<int>(r.integer(1, is_double ? 38 : 16)));
+      for (int c = 0; c < N; ++c)
+        exact[N - 1][c] = static_cast<double>(static_cast<T>(exact[0][c] + step * exact[N - 1][c]));
+    }
+    for (int i = 0; i < N; ++i) {
+      for (int j = 0; j < N; ++j) a(i, j) = static_cast<T>(std::ldexp(exact[i][j], row[i] + column[j]));
+      b[i] = static_cast<T>(std::ldexp(number(kind % 7 == 0 ? 1 : 100), row[i]));
+    }
+  }
+  mat<big_rational, N, N> exact() const {
+    return irg::detail::filled_mat<big_rational, N, N>([&](int i, int j) {
+      return big_rational(static_cast<double>(a(i, j))).times_power_of_two(-row[i] - column[j]);
+    });
+  }
+  big_rational exact_right(int i) const { return big_rational(static_cast<double>(b[i])).times_power_of_two(-row[i]); }
+};
+
+template <int N>
+double norm_of(const mat<big_rational, N, N>& a) {
+  return irg::norm_1(irg::detail::filled_mat<double, N, N>([&](int i, int j) { return a(i, j).rounded(); }));
+}
+
+// What the runs found. Errors of solve_gauss are in units of u times the condition times the largest component, u of
+// double; those of the others in ulp, of entries that are no less than 2^-8 of the largest.
+struct tally {
+  int tested = 0, refused = 0, wrong = 0;
+  double gauss = 0, refined = 0, inverted = 0, plain = 0;
+};
+
+template <class T, int N>
+void judge(const mixed_system<T, N>& s, tally& t) {
+  constexpr double unit = std::numeric_limits<T>::epsilon() / 2;
+  const auto exact = s.exact();
+  const auto undo = inverse(exact);
+  if (!undo) return;
+  const double condition = norm_of(exact) * norm_of(*undo);
+  if (!(condition < 1e12)) return;
+  ++t.tested;
+  big_rational x[N];
+  double largest = 0;
+  for (int i = 0; i < N; ++i) {
+    x[i] = 0;
+    for (int j = 0; j < N; ++j) x[i] = x[i] + (*undo)(i, j) * s.exact_right(j);
+    largest = std::fmax(largest, std::fabs(x[i].rounded()));
+  }
+  const auto solution = solve_gauss(s.a, s.b);
+  const auto refined = lu_solve_refined(s.a, s.b);
+  const auto inverted = inverse_accurate(s.a);
+  bool fits = true, inverse_fits = true;
+  for (int i = 0; i < N; ++i) {
+    const big_rational truth = x[i].times_power_of_two(-s.column[i]);
+    fits = fits && std::isfinite(test::nearest<T>(truth));
+    if (solution) {
+      const big_rational got = big_rational(static_cast<double>(solution.x[i])).times_power_of_two(s.column[i]);
+      const double off = std::fabs((got - x[i]).rounded()) - unit * std::fabs(x[i].rounded()) -
+                         std::ldexp(static_cast<double>(std::numeric_limits<T>::denorm_min()), s.column[i]);
+      if (off > 0) t.gauss = std::fmax(t.gauss, off * 0x1p53 / condition / largest);
+    }
+    if (refined && std::fabs(x[i].rounded()) >= largest * 0x1p-8)
+      t.refined = std::fmax(t.refined, test::error_in_ulp((*refined)[i], truth));
+  }
+  for (int j = 0; j < N; ++j) {
+    double largest_of_column = 0;
+    for (int i = 0; i < N; ++i) largest_of_column = std::fmax(largest_of_column, std::fabs((*undo)(i, j).rounded()));
+    for (int i = 0; i < N; ++i) {
+      const big_rational truth = (*undo)(i, j).times_power_of_two(-s.column[i] - s.row[j]);
+      inverse_fits = inverse_fits && std::isfinite(test::nearest<T>(truth));
+      if (inverted && std::fabs((*undo)(i, j).rounded()) >= largest_of_column * 0x1p-8)
+        t.inverted = std::fmax(t.inverted, test::error_in_ulp((*inverted)(i, j), truth));
+    }
+  }
+  t.wrong += (solution && !fits) || (refined && !fits) || (inverted && !inverse_fits) ? 1 : 0;
+  t.refused += (!solution && fits) || (!refined && fits) || (!inverted && inverse_fits) ? 1 : 0;
+}
+
+template <class T, int N>
+tally judge_many(int count, int kinds) {
+  test::random r(40 + N);
+  tally t;
+  for (int i = 0; i < count; ++i) judge(mixed_system<T, N>(r, kinds * i), t);
+  MESSAGE(N, " unknowns, ", t.tested, " systems: refused ", t.refused, ", wrong ", t.wrong, "; errors: solve_gauss ",
+          t.gauss, " u*condition, refined ", t.refined, " ulp, inverse_accurate ", t.inverted, " ulp");
+  return t;
+}
+
+void check(const tally& t) {
+  CHECK((t.refused == 0 && t.wrong == 0));
+  CHECK(t.gauss <= 8);
+  CHECK(t.refined <= 0.51);
+  CHECK(t.inverted <= 0.51);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("mixed systems: none refused, none wrong, against rationals", T, double, float) {
+  const int count = test::trials(5000);
+  check(judge_many<T, 2>(count, 1));
+  check(judge_many<T, 3>(count, 1));
+  check(judge_many<T, 4>(count, 1));
+  check(judge_many<T, 5>(count / 10, 2));  // rows and columns as they are
+}
+
+#endif
