@@ -67,34 +67,49 @@ IRG_INLINE constexpr bool inverse_is_easy(const mat<T, N, N>& a, mat<T, N, N>& x
   return true;
 }
 
+// The entries of x, the inverse of s.a, that have to be found in another way, as bits r N + c: those that are doubtful,
+// unless they are rounding errors of terms so large that no scaling makes more of them: below 4 N u of |x| * |s.a| * |x|.
+template <int N>
+constexpr unsigned doubtful_entries(const scaled_system<N>& s, const mat<double, N, N>& x, double condition) noexcept {
+  const auto sizes = [](const mat<double, N, N>& m) {
+    return filled_mat<double, N, N>([&](int r, int c) { return magnitude(m(r, c)); });
+  };
+  unsigned which = 0;
+  double largest[static_cast<std::size_t>(N)]{};
+  for (int c = 0; c < N; ++c) {
+    for (int r = 0; r < N; ++r) largest[c] = greater(largest[c], magnitude(x(r, c)));
+    for (int r = 0; r < N; ++r) which |= is_doubtful(x(r, c), largest[c], condition, s.sizes) ? 1u << (r * N + c) : 0;
+  }
+  if (which == 0) return 0;
+  const mat<double, N, N> terms = sizes(x) * sizes(s.a) * sizes(x);
+  for (int i = 0; i < N * N; ++i) {
+    const double error = product(largest[i % N], product(condition, 0x1p-110));
+    if (magnitude(x(i / N, i % N)) + error < product(terms(i / N, i % N), smallest_condition(N))) which &= ~(1u << i);
+  }
+  return which;
+}
+
 // Puts the inverse of a into x, s being a scaled and factored; false when double cannot tell a from a singular matrix.
 template <Floating T, int N>
 constexpr bool refined_inverse(const scaled_system<N>& s, const mat<double, N, N>& a, mat<T, N, N>& x) noexcept {
   if (!s.has_factors) return false;
   mat<double, N, N> scaled{};
   const double size = norm_1(s.a), largest_column = 1 / smallest_condition(N) / size;
-  double condition = 0;
+  double largest = 0;
   for (int c = 0; c < N; ++c) {
     vec<double, N> unit{}, column{}, tail{};
     unit[c] = 1;
     if (!refine(s, unit, column, tail) || !(size_1(column) < largest_column)) return false;
-    condition = greater(condition, product(size, size_1(column)));
+    largest = greater(largest, size_1(column));
     for (int r = 0; r < N; ++r) {
       scaled(r, c) = column[r];
       x(r, c) = scaled_back<T>(column[r], tail[r], -s.column_exponent[r] - s.row_exponent[c]);
     }
   }
   if constexpr (N <= 4)
-    if (s.sizes.is_mixed()) {
-      unsigned which = 0;
-      for (int c = 0; c < N; ++c) {
-        double largest = 0;
-        for (int r = 0; r < N; ++r) largest = greater(largest, magnitude(scaled(r, c)));
-        for (int r = 0; r < N; ++r)
-          which |= is_doubtful(scaled(r, c), largest, condition, s.sizes) ? 1u << (r * N + c) : 0;
-      }
-      if (which != 0) return put_exact_inverse(a, which, smallest_condition(N), x);
-    }
+    if (s.sizes.is_mixed())
+      if (const unsigned which = doubtful_entries(s, scaled, product(size, largest)); which != 0)
+        return put_exact_inverse(a, which, smallest_condition(N), x);
   return true;
 }
 

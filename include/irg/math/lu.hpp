@@ -132,9 +132,25 @@ constexpr scaled_system<N> factor_scaled(const mat<double, N, N>& a, scaling way
   s.sizes = equilibrate(s.a, N, s.row_exponent, s.column_exponent, way);
   if (const std::optional<lu_factors<double, N>> factors = lu_factor(s.a)) {
     s.factors = *factors;
+    for (int i = 0; i < N; ++i) s.inverse_pivot[i] = 1 / s.factors.lu(i, i);
     s.has_factors = true;
   }
   return s;
+}
+
+// lu_solve without divisions, which is as good for corrections.
+template <int N>
+constexpr vec<double, N> roughly_solved(const scaled_system<N>& s, const vec<double, N>& b) noexcept {
+  vec<double, N> x{};
+  for (int i = 0; i < N; ++i) {
+    x[i] = b[s.factors.order[i]];
+    for (int j = 0; j < i; ++j) x[i] = x[i] - product(s.factors.lu(i, j), x[j]);
+  }
+  for (int i = N - 1; i >= 0; --i) {
+    for (int j = i + 1; j < N; ++j) x[i] = x[i] - product(s.factors.lu(i, j), x[j]);
+    x[i] = product(x[i], s.inverse_pivot[i]);
+  }
+  return x;
 }
 
 // The x with s.a * x = b, corrected until x + tail is right beyond the last place of x; false when the corrections do
@@ -143,10 +159,10 @@ template <int N>
 constexpr bool refine(const scaled_system<N>& s, const vec<double, N>& b, vec<double, N>& x,
                       vec<double, N>& tail) noexcept {
   tail = {};
-  x = lu_solve(s.factors, b);
+  x = roughly_solved(s, b);
   double last = infinity<double>;
   for (int step = 0; step < 100; ++step) {
-    const vec<double, N> d = lu_solve(s.factors, residual_of(s.a, b, x, tail));
+    const vec<double, N> d = roughly_solved(s, residual_of(s.a, b, x, tail));
     const double size = largest_of(x), change = largest_of(d);
     if (!is_finite(size) || !is_finite(change)) return false;
     const bool is_smaller = change <= 0.5 * last && change <= 0.5 * size;
@@ -171,11 +187,11 @@ IRG_INLINE constexpr T scaled_back(double x, double tail, int e) noexcept {
   return static_cast<T>(nearest_scaled<double>({x, tail}, e, [](double, double) { return 0; }));
 }
 
-// Whether refine, or the scaling, may have left little of x beside the largest of its column: where the matrix is of
-// one size only differences of equal terms are that small. Then condition is what spoils the small ones.
+// Whether x is so small beside the largest of its column that the last correction, whose error is the same for all, may
+// have spoiled it; where the matrix is of one size, only differences of equal terms are that small.
 IRG_INLINE constexpr bool is_doubtful(double x, double largest, double condition, const scaled_sizes& sizes) noexcept {
   if (!sizes.is_mixed() || (x == 0 && !sizes.has_small())) return false;
-  return magnitude(x) < product(largest, lesser(product(condition, 0x1p-40), 0x1p-8));
+  return magnitude(x) < product(largest, lesser(product(condition, 0x1p-56), 0x1p-8));
 }
 
 // The solution of a * x = b, s being a scaled and factored.

@@ -135,10 +135,12 @@ constexpr eliminated solve_rows(M& a, const E& entry, int n, int* column, int* e
 }
 
 // Whether x solves equations that differ from those of `a` by few roundings of each number: then its error is as small
-// as any scaling of rows and columns lets one expect (Oettli and Prager 1964). What is below `least` has lost digits.
-template <int N>
-constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, double least) noexcept {
+// as any scaling of rows and columns lets one expect (Oettli and Prager 1964). False, too, where all terms of an equation
+// are so small that underflow has cost digits, if has_small() says that there were numbers of very different sizes.
+template <int N, class S>
+constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, const S& has_small) noexcept {
   bool all = true;
+  double least = 1;
   for (int r = 0; r < N; ++r) {
     double rest = a(r, N), size = magnitude(a(r, N));
     for (int c = 0; c < N; ++c) {
@@ -146,9 +148,10 @@ constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, d
       rest = rest - term;
       size = size + magnitude(term);
     }
-    all = all && magnitude(rest) <= product(size, 8 * 0x1p-53) && size >= least;
+    all &= magnitude(rest) <= product(size, smallest_pivot(N));
+    least = lesser(size, least);
   }
-  return all;
+  return all && (least >= 0x1p-400 || !has_small());
 }
 
 // What N equations with finite doubles entry(r, c) have whose determinant is 0.
@@ -167,7 +170,7 @@ IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system
   if (system.is_singular()) return singular_solution<T, N>(entry);
   if (!system.is_regular_within(smallest_pivot(N))) return found;
   system_solution<T, N> s{solvability::unique, N, {}};
-  for (int k = 0; k < N; ++k) s.x[k] = system.template component<T>([&](int r) { return entry(r, N); }, k);
+  for (int k = 0; k < N; ++k) s.x[k] = system.template component<T>(k);
   return s;
 }
 
@@ -187,9 +190,11 @@ constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noex
   bool is_doubtful = sizes.may_hide_regular();
   if (found) {
     substitute<double>(rows, N, column, unknown);
-    bool has_small = sizes.has_small();
-    for (int i = 0; i < N; ++i) has_small = has_small || is_small_beside_largest(entry(i, N), scaled(i, N));
-    is_doubtful = !fits_every_row(scaled, x, has_small ? 0x1p-400 : 0);
+    is_doubtful = !fits_every_row(scaled, x, [&] {
+      bool any = sizes.has_small();
+      for (int i = 0; i < N; ++i) any = any || is_small_beside_largest(entry(i, N), scaled(i, N));
+      return any;
+    });
     scale_solution(N, shift, exponents + N, unknown);
     found.x = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
   }

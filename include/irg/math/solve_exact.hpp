@@ -26,7 +26,7 @@ constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
   if (system.is_singular()) return detail::singular_solution<T, N>(entry);
   system_solution<T, N> s{solvability::unique, N, {}};
   for (int k = 0; k < N; ++k) {
-    s.x[k] = system.template component<T>([&](int r) { return entry(r, N); }, k);
+    s.x[k] = system.template component<T>(k);
     if (!detail::is_finite(s.x[k])) return {solvability::not_finite, N, {}};
   }
   return s;

@@ -3,6 +3,9 @@
 // inverse_exact consist of, and what the solvers in double go back to where rounding may have spoiled a result.
 #pragma once
 
+#include <bit>
+#include <cstddef>
+
 #include <irg/math/detail/exact_minors.hpp>
 #include <irg/math/mat.hpp>
 
@@ -13,7 +16,7 @@ inline namespace IRG_ABI {
 template <int N>
 inline constexpr unsigned all_of = (1u << N) - 1;
 
-// A matrix of finite doubles E: entry(row, column), and its determinant.
+// A matrix of finite doubles entry(row, column), and its determinant; column N is a right side.
 template <int N, class E>
 class exact_system {
 public:
@@ -23,12 +26,12 @@ public:
 
   constexpr bool is_singular() const noexcept { return sum_.sign() == 0; }
 
-  /// Component k of the solution for the right side b(row), correctly rounded.
+  /// Component k of the solution, correctly rounded.
   /// needs   a matrix that is not singular
   /// source  Cramer 1750
-  template <Floating T, class B>
-  constexpr T component(const B& b, int k) const noexcept {
-    return nearest<T>(exact_determinant<N>([&](int r, int c) { return c == k ? b(r) : entry_(r, c); }));
+  template <Floating T>
+  IRG_NOINLINE constexpr T component(int k) const noexcept {
+    return nearest<T>(exact_determinant<N>([&](int r, int c) { return entry_(r, c == k ? N : c); }));
   }
 
   /// An entry of the inverse, correctly rounded.
@@ -84,23 +87,45 @@ private:
 template <Floating T, int N>
 IRG_NOINLINE constexpr bool put_exact_solution(const mat<double, N, N>& a, const vec<double, N>& b, unsigned which,
                                                double part, vec<T, N>& x) noexcept {
-  const auto entry = [&](int r, int c) { return a(r, c); };
+  const auto entry = [&](int r, int c) { return c < N ? a(r, c) : b[r]; };
   const exact_system<N, decltype(entry)> system(entry);
   if (system.is_singular()) return false;
   if (which == all_of<N> && !system.is_regular_within(part)) return false;
   for (int k = 0; k < N; ++k)
-    if ((which >> k & 1) != 0) x[k] = system.template component<T>([&](int r) { return b[r]; }, k);
+    if ((which >> k & 1) != 0) x[k] = system.template component<T>(k);
   return true;
+}
+
+// Whether the minor beside row r and column c of N x N numbers is zero because each of its products has a factor that
+// is: whether some rows have fewer columns than they are that are not zero (Hall 1935). Bit j of nonzero[i] is column j.
+template <int N>
+constexpr bool is_zero_by_pattern(const unsigned (&nonzero)[static_cast<std::size_t>(N)], int r, int c) noexcept {
+  for (unsigned rows = 1; rows < 1u << N; ++rows) {
+    if ((rows >> r & 1) != 0) continue;
+    unsigned columns = 0;
+    for (int i = 0; i < N; ++i)
+      if ((rows >> i & 1) != 0) columns |= nonzero[i];
+    if (std::popcount(columns & ~(1u << c)) < std::popcount(rows)) return true;
+  }
+  return false;
 }
 
 // The same for the entries of the inverse; entry (r, c) is bit r N + c.
 template <Floating T, int N>
 IRG_NOINLINE constexpr bool put_exact_inverse(const mat<double, N, N>& a, unsigned which, double part,
                                               mat<T, N, N>& x) noexcept {
+  unsigned nonzero[static_cast<std::size_t>(N)]{};
+  for (int i = 0; i < N * N; ++i) nonzero[i / N] |= a(i / N, i % N) != 0 ? 1u << (i % N) : 0;
+  const bool is_certain = which != all_of<N * N>;
+  for (int i = 0; is_certain && i < N * N; ++i)
+    if ((which >> i & 1) != 0 && is_zero_by_pattern<N>(nonzero, i % N, i / N)) {
+      x(i / N, i % N) = T(0);
+      which &= ~(1u << i);
+    }
+  if (which == 0) return true;
   const auto entry = [&](int r, int c) { return a(r, c); };
   const exact_system<N, decltype(entry)> system(entry);
-  if (system.is_singular()) return false;
-  if (which == all_of<N * N> && !system.is_regular_within(part)) return false;
+  if (system.is_singular() || !(is_certain || system.is_regular_within(part))) return false;
   for (int i = 0; i < N * N; ++i)
     if ((which >> i & 1) != 0) x(i / N, i % N) = system.template inverse_entry<T>(i / N, i % N);
   return true;

@@ -40,6 +40,7 @@ template <int N>
 struct scaled_system {
   mat<double, N, N> a{};
   lu_factors<double, N> factors{};
+  double inverse_pivot[static_cast<std::size_t>(N)]{};
   int row_exponent[static_cast<std::size_t>(N)]{}, column_exponent[static_cast<std::size_t>(N)]{};
   scaled_sizes sizes;
   bool has_factors = false;
