@@ -87,6 +87,10 @@ TEST_CASE("triangulate_monotone: at compile time as at run time") {
     return irg::triangulate_monotone(ring{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
   };
   CHECK_BOTH(l_shape().triangles.size() == 4);
+  constexpr auto spiked = [] {
+    return irg::triangulate_monotone(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, -1}, {4, 8}, {0, 8}}).state;
+  };
+  CHECK_BOTH(spiked() == triangulation_state::crossing);
   constexpr auto constant = digest(l_shape());
   CHECK(digest(l_shape()) == constant);
   constexpr auto frame = [] {
@@ -258,7 +262,7 @@ TEST_CASE("triangulate_monotone: every ring of five vertices on a small lattice:
   for (int code = 0; code < 9 * 9 * 9 * 9 * 9; code += step) {
     const ring r{at(code % 9), at(code / 9 % 9), at(code / 81 % 9), at(code / 729 % 9), at(code / 6561)};
     const auto t = irg::triangulate_monotone(r);
-    // without the spikes and the steps to the same place, which count for nothing
+    // without the spikes and the steps to the same place, which go as triangles without area
     ring core = r;
     for (std::size_t i = 0; i < core.size() && core.size() > 2;) {
       const std::size_t n = core.size();
@@ -271,13 +275,9 @@ TEST_CASE("triangulate_monotone: every ring of five vertices on a small lattice:
         ++i;
       }
     }
-    bool crosses = false;
-    for (std::size_t i = 0; i < core.size(); ++i)
-      for (std::size_t j = i + 1; j < core.size(); ++j)
-        crosses =
-            crosses || test::cross_properly(core[i], core[(i + 1) % core.size()], core[j], core[(j + 1) % core.size()]);
+    const bool crosses = test::ways_cross({r});
     if (crosses) REQUIRE(t.state == triangulation_state::crossing);
-    if (test::is_simple(core)) REQUIRE(t.state == triangulation_state::complete);
+    if (test::is_simple(core) && !crosses) REQUIRE(t.state == triangulation_state::complete);
     if (t.state != triangulation_state::complete) {
       ++crossing;
       continue;
@@ -294,6 +294,66 @@ TEST_CASE("triangulate_monotone: every ring of five vertices on a small lattice:
   MESSAGE(complete, " complete, ", crossing, " crossing");
 }
 
+TEST_CASE("triangulate_monotone: a spike through a side crosses it, a spike up to it does not") {
+  const auto state = [](const auto& polygon) { return irg::triangulate_monotone(polygon).state; };
+  const auto spiked = [](const I& tip) { return ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, tip, {4, 8}, {0, 8}}; };
+  CHECK(state(spiked({4, 3})) == triangulation_state::complete);
+  CHECK(state(spiked({4, 0})) == triangulation_state::complete);  // up to a side
+  CHECK(state(spiked({4, -1})) == triangulation_state::crossing);  // through it
+  CHECK(state(spiked({0, 0})) == triangulation_state::complete);  // up to a vertex
+  CHECK(state(spiked({-4, -8})) == triangulation_state::crossing);
+  CHECK(state(spiked({4, 20})) == triangulation_state::complete);  // outwards
+  CHECK(state(spiked({20, 8})) == triangulation_state::complete);  // along a side
+  // a spike of two links, whose bend lies on a side
+  CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 0}, {5, -3}, {4, 0}, {4, 8}, {0, 8}}) ==
+        triangulation_state::crossing);
+  CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 0}, {5, 3}, {4, 0}, {4, 8}, {0, 8}}) ==
+        triangulation_state::complete);
+  // two spikes, apart and across each other; a flat ring through a side
+  CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 2}, {4, 8}, {0, 8}, {0, 4}, {4, 4}, {0, 4}}) ==
+        triangulation_state::complete);
+  CHECK(state(ring{{0, 0}, {8, 0}, {8, 8}, {4, 8}, {4, 2}, {4, 8}, {0, 8}, {0, 4}, {7, 4}, {0, 4}}) ==
+        triangulation_state::crossing);
+  const ring square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+  CHECK(state(rings{square, {{2, 2}, {12, 2}, {2, 2}, {12, 2}}}) == triangulation_state::crossing);
+  CHECK(state(rings{square, {{2, 2}, {8, 2}, {2, 2}, {5, 2}}}) == triangulation_state::complete);
+}
+
+TEST_CASE("triangulate_monotone: random simple polygons with spikes, pauses and straight vertices") {
+  test::random random(75);
+  const int rounds = std::getenv("IRG_RELEASE_TIER") ? 300'000 : 5000;
+  int complete = 0, crossing = 0;
+  for (int i = 0; i < rounds; ++i) {
+    ring r =
+        test::random_simple(random, static_cast<int>(random.integer(3, 9)), static_cast<int>(random.integer(4, 12)));
+    if (r.empty()) continue;
+    for (auto extra = random.integer(1, 3); extra > 0; --extra) {
+      const auto vertex = [&] { return random.integer(0, static_cast<std::int64_t>(r.size()) - 1); };
+      const auto any = [&] {
+        const int x = static_cast<int>(random.integer(-1, 12));
+        return I{x, static_cast<int>(random.integer(-1, 12))};
+      };
+      const auto at = r.begin() + vertex() + 1;
+      const I root = at[-1], tip = random.integer(0, 2) == 0 ? r[static_cast<std::size_t>(vertex())] : any();
+      const auto kind = random.integer(0, 3);
+      if (kind == 0)
+        r.insert(at, root);
+      else if (kind == 1)
+        r.insert(at, {tip, any(), tip, root});
+      else
+        r.insert(at, {tip, root});
+    }
+    if (i % 2 == 0) r = turned_round(r);
+    const auto t = irg::triangulate_monotone(r);
+    const bool crosses = test::ways_cross({r});
+    REQUIRE((t.state == triangulation_state::crossing) == crosses);
+    ++(crosses ? crossing : complete);
+    if (!crosses) check({r}, corners::may_touch, r.size() - 2);
+  }
+  MESSAGE(complete, " complete, ", crossing, " crossing");
+  CHECK((complete > rounds / 10 && crossing > rounds / 10));
+}
+
 TEST_CASE("triangulate_monotone: random rings that cross or touch: whatever is cut is right") {
   test::random random(73);
   const int rounds = std::getenv("IRG_RELEASE_TIER") ? 300'000 : 5000;
@@ -307,6 +367,7 @@ TEST_CASE("triangulate_monotone: random rings that cross or touch: whatever is c
       }
     const auto t = irg::triangulate_monotone(polygon);
     ++(t.state == triangulation_state::complete ? complete : crossing);
+    if (test::ways_cross(polygon)) REQUIRE(t.state == triangulation_state::crossing);
     if (t.state == triangulation_state::complete) check(polygon, corners::may_touch, t.triangles.size());
   }
   MESSAGE(complete, " complete, ", crossing, " crossing");

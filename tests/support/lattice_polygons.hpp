@@ -59,6 +59,52 @@ inline bool is_simple(const lattice_ring& r) {
   return true;
 }
 
+/// A ring without the places where it stands still.
+inline lattice_ring without_pauses(const lattice_ring& r) {
+  lattice_ring out;
+  for (const lattice_point& p : r)
+    if (out.empty() || !(out.back() == p)) out.push_back(p);
+  while (out.size() > 1 && out.front() == out.back()) out.pop_back();
+  return out;
+}
+
+/// Whether two edges cross within both, or a way through a vertex leads from one side of an edge, or of another way
+/// through that place, to the other side. Ways that share a direction only touch. By looking at all pairs.
+inline bool ways_cross(const std::vector<lattice_ring>& polygon) {
+  struct way {
+    lattice_point from, at, to;
+  };
+  std::vector<way> ways;
+  for (const lattice_ring& whole : polygon) {
+    const lattice_ring r = without_pauses(whole);
+    const std::size_t n = r.size();
+    for (std::size_t i = 0; n > 1 && i < n; ++i) ways.push_back({r[i], r[(i + 1) % n], r[(i + 2) % n]});
+  }
+  const auto same_direction = [](const lattice_point& a, const lattice_point& b, const lattice_point& c) {
+    const std::int64_t along =
+        (std::int64_t{b.x} - a.x) * (std::int64_t{c.x} - a.x) + (std::int64_t{b.y} - a.y) * (std::int64_t{c.y} - a.y);
+    return cross(a, b, c) == 0 && along > 0;
+  };
+  // whether p is met on the way round `at`, counter-clockwise, from `from` to `to`
+  const auto between = [](const way& w, const lattice_point& p) {
+    const int to = turn(w.at, w.from, w.to), left = turn(w.at, w.from, p), right = turn(w.at, p, w.to);
+    return to > 0 ? left > 0 && right > 0 : to < 0 ? left > 0 || right > 0 : left > 0;
+  };
+  for (const way& v : ways)
+    for (const way& w : ways) {
+      if (cross_properly(v.from, v.at, w.from, w.at)) return true;
+      const bool inside_edge =
+          cross(w.from, w.at, v.at) == 0 && !(v.at == w.at) && !(v.at == w.from) && meet(v.at, v.at, w.from, w.at);
+      if (inside_edge && turn(w.from, w.at, v.from) * turn(w.from, w.at, v.to) < 0) return true;
+      if (!(v.at == w.at)) continue;
+      bool share = same_direction(v.at, v.from, v.to) || same_direction(v.at, w.from, w.to);
+      for (const lattice_point& p : {v.from, v.to})
+        for (const lattice_point& q : {w.from, w.to}) share = share || same_direction(v.at, p, q);
+      if (!share && between(v, w.from) != between(v, w.to)) return true;
+    }
+  return false;
+}
+
 /// Random vertices, untangled by reversing the run between two edges that meet; empty when that does not end.
 inline lattice_ring random_simple(random& numbers, int n, int extent) {
   lattice_ring r;

@@ -35,12 +35,13 @@ inline namespace IRG_ABI {
 ///         vertices, and 2 more for each hole than its number of vertices; each vertex of a ring with area is a corner.
 ///         In a polygon without repeated vertices whose edges meet at their ends only, every triangle has area
 /// needs   fewer than 2^31 vertices
-/// gives   `crossing` when edges cross; what only touches does not: collinear and repeated vertices, vertices on edges,
-///         edges that coincide in part (bridges to holes, holes at the rim), spikes, which go as triangles without
-///         area. Nothing for rings of fewer than three vertices; triangles without area for rings without area
+/// gives   `crossing` when edges cross, those of spikes too; what only touches does not: collinear and repeated
+///         vertices, vertices on edges, edges that coincide in part (bridges to holes, holes at the rim), spikes that
+///         end on an edge or before it, which go as triangles without area. Nothing for rings of fewer than three vertices; triangles without area for rings without area
 /// exact   for all finite floats and all integers: the triangles have the polygon's area to the last bit and cover it
 ///         once (even-odd)
-/// cost    O(n log n); some 50 bytes for a vertex and 80 for each edge that one level line meets, beside the triangles
+/// cost    O(n log n); some 50 bytes for a vertex and 80 for each edge that one level line meets, beside the triangles;
+///         about twice the time where rings turn back on themselves
 /// source  Lee and Preparata 1977; Garey, Johnson, Preparata and Tarjan 1978; de Berg et al., Computational Geometry,
 ///         chapter 3. Here both passes are one, and ties are broken by the rings themselves
 template <PlanePolygon P>

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/geometry/detail/crossing_search.hpp>
 #include <irg/geometry/detail/fold.hpp>
 #include <irg/geometry/detail/monotone_chains.hpp>
 #include <irg/geometry/detail/sweep_order.hpp>
@@ -35,14 +36,17 @@ public:
       next_.push_back(first + (i + 1 < n ? i + 1 : 0));
       previous_.push_back(first + (i > 0 ? i - 1 : n - 1));
     }
-    if (n < 3)
+    if (n < 3) {
       for (std::uint32_t i = 0; i < n; ++i) next_[first + i] = none;
-    else
-      remove_folds(first, n);
+      return;
+    }
+    rings_.push_back({first, n});
+    remove_folds(first, n);
   }
 
   /// Whether no edges cross.
   constexpr bool run() {
+    if (has_folds_ && whole_rings_cross()) return false;
     for (std::uint32_t i = 0; i < points_.size(); ++i)
       if (next_[i] != none) events_.push_back(i);
     std::sort(events_.begin(), events_.end(),
@@ -63,8 +67,14 @@ private:
     open_gap gap;  // to the right, where that is inside
   };
 
+  struct ring_range {
+    std::uint32_t first, size;
+  };
+
   std::vector<point<T, 2>> points_;
   std::vector<std::uint32_t> next_, previous_;  // next_ is none for a vertex that has been removed
+  std::vector<ring_range> rings_;
+  bool has_folds_ = false;
   monotone_chains<T> chains_;
   std::vector<triangle>* out_;
   std::vector<std::uint32_t> events_, arriving_;  // the edges that come to a vertex from its neighbours
@@ -81,6 +91,13 @@ private:
     return orient2d(points_[i], points_[j], points_[k]);
   }
 
+  // The sweep sees the rings without their folds, which may cross what is left.
+  constexpr bool whole_rings_cross() const {
+    crossing_search<T> search;
+    for (const ring_range& r : rings_) search.add_ring(points_, r.first, r.size);
+    return search.run();
+  }
+
   // Vertices where the ring stands still or turns back go, as triangles without area.
   constexpr void remove_folds(std::uint32_t first, std::uint32_t n) {
     std::uint32_t left = n;
@@ -91,6 +108,7 @@ private:
         i = after;
         continue;
       }
+      has_folds_ = true;
       out_->push_back({before, i, after});
       next_[before] = after;
       previous_[after] = before;
