@@ -148,7 +148,7 @@ constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, c
       rest = rest - term;
       size = size + magnitude(term);
     }
-    all &= magnitude(rest) <= product(size, smallest_pivot(N));
+    all &= magnitude(rest) <= product(size, 4 * 0x1p-53);
     least = lesser(size, least);
   }
   return all && (least >= 0x1p-400 || !has_small());
@@ -163,12 +163,14 @@ constexpr system_solution<T, N> singular_solution(const E& entry) noexcept {
 }
 
 // What elimination found of up to four equations, or what they have exactly where that is another thing: where it does
-// not fit every row, or where another scaling shows that they are not singular.
+// not fit every row, or where another scaling shows that they are not singular. What kind of singular elimination finds
+// is trusted where the entries are not too different.
 template <Floating T, int N, class E>
-IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system_solution<T, N>& found) noexcept {
+IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system_solution<T, N>& found,
+                                                    const scaled_sizes& sizes) noexcept {
   const exact_system<N, E> system(entry);
-  if (system.is_singular()) return singular_solution<T, N>(entry);
-  if (!system.is_regular_within(smallest_pivot(N))) return found;
+  if (system.is_singular() && (found || sizes.are_apart())) return singular_solution<T, N>(entry);
+  if (system.is_singular() || !system.is_regular_within(smallest_pivot(N))) return found;
   system_solution<T, N> s{solvability::unique, N, {}};
   for (int k = 0; k < N; ++k) s.x[k] = system.template component<T>(k);
   return s;
@@ -198,7 +200,7 @@ constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noex
     scale_solution(N, shift, exponents + N, unknown);
     found.x = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
   }
-  return is_doubtful ? mended<T, N>(entry, found) : found;
+  return is_doubtful ? mended<T, N>(entry, found, sizes) : found;
 }
 
 }  // namespace IRG_ABI
