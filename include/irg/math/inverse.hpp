@@ -164,7 +164,7 @@ constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
 /// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
 template <Floating T, int N>
 constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return static_cast<double>(a(r, c)); });
+  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);
   mat<T, N, N> result{};

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_system.hpp>
 #include <irg/math/mat.hpp>
 
@@ -21,7 +22,7 @@ template <Floating T, int N>
   requires(N >= 2 && N <= 4)
 constexpr std::optional<mat<T, N, N>> inverse_exact(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
-  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const detail::exact_system<N, decltype(entry)> system(entry);
   if (system.is_singular()) return std::nullopt;
   mat<T, N, N> x{};

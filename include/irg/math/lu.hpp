@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_system.hpp>
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/mat.hpp>
@@ -184,7 +185,7 @@ template <Floating T>
 IRG_INLINE constexpr T scaled_back(double x, double tail, int e) noexcept {
   const double rounded = times_power_of_two(x, e);
   if (std::same_as<T, float> || x == 0 || magnitude(rounded) >= 0x1p-1022) return narrow<T>(rounded);
-  return static_cast<T>(nearest_scaled<double>({x, tail}, e, [](double, double) { return 0; }));
+  return converted<T>(nearest_scaled<double>({x, tail}, e, [](double, double) { return 0; }));
 }
 
 // Whether x is so small beside the largest of its column that the last correction, whose error is the same for all, may
@@ -234,8 +235,8 @@ inline namespace IRG_ABI {
 /// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
 template <Floating T, int N>
 constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
-  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return static_cast<double>(a(r, c)); });
-  const auto right = generate_coordinates<vec<double, N>>([&](int i) { return static_cast<double>(b[i]); });
+  const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
+  const auto right = generate_coordinates<vec<double, N>>([&](int i) { return widened(b[i]); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   for (int i = 0; i < N; ++i)
     if (!detail::is_finite(right[i])) return std::nullopt;

@@ -4,6 +4,7 @@
 // solve_exact (math/solve_exact.hpp) decides that exactly for floats.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_system.hpp>
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/mat.hpp>
@@ -178,7 +179,7 @@ IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system
 
 template <Floating T, int N>
 constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noexcept {
-  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   auto rows = filled_mat<double, N, N + 1>(entry);
   if (!entries_finite<double>(rows, N, N + 1)) return {};
   int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
@@ -198,7 +199,7 @@ constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noex
       return any;
     });
     scale_solution(N, shift, exponents + N, unknown);
-    found.x = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
+    found.x = generate_coordinates<vec<T, N>>([&](int i) { return converted<T>(x[i]); });
   }
   return is_doubtful ? mended<T, N>(entry, found, sizes) : found;
 }
@@ -235,7 +236,7 @@ constexpr system_solution<T, N> solve_gauss(const mat<T, N, M>& a) noexcept {
     const detail::eliminated found =
         detail::solve_rows(rows, entry, N, column, exponents, largest_term, [&](int i) -> W& { return x[i]; });
     s = {found.kind, found.rank, {}};
-    if (s) s.x = generate_coordinates<vec<T, N>>([&](int i) { return static_cast<T>(x[i]); });
+    if (s) s.x = generate_coordinates<vec<T, N>>([&](int i) { return converted<T>(x[i]); });
   }
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i)

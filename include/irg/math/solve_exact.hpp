@@ -3,6 +3,7 @@
 // correctly rounded, infinitely many, or none.
 #pragma once
 
+#include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_system.hpp>
 #include <irg/math/solve.hpp>
 
@@ -21,7 +22,7 @@ template <Floating T, int N, int M>
   requires(M == N + 1 && N <= 4)
 constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, M)) return {};
-  const auto entry = [&](int r, int c) { return static_cast<double>(a(r, c)); };
+  const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const detail::exact_system<N, decltype(entry)> system(entry);
   if (system.is_singular()) return detail::singular_solution<T, N>(entry);
   system_solution<T, N> s{solvability::unique, N, {}};

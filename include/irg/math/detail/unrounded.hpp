@@ -106,7 +106,7 @@ IRG_NOINLINE constexpr T nearest_in_units(const unrounded& x, int e, const Side&
   // In units of the last place of the result.
   const int exponent = parts.exponent + e;
   const int last = exponent - (digits - 1) < lowest ? lowest : exponent - (digits - 1), places = exponent - last;
-  if (places < -2) return static_cast<T>(with_sign(0.0, x.value));
+  if (places < -2) return converted<T>(with_sign(0.0, x.value));
   const double scaled = size * power_of_two(places);
   double units = scaled < 0x1p52 ? (scaled + 0x1p52) - 0x1p52 : scaled;
   rest = (scaled - units) + rest * power_of_two(places);
