@@ -34,8 +34,8 @@ constexpr std::array<N, D> part_of(const std::array<N, Size>& x, std::size_t fir
 }
 
 template <class N, std::size_t D>
-constexpr std::array<N, D> difference_of(const std::array<N, D>& a, const std::array<N, D>& b) noexcept {
-  std::array<N, D> difference{};
+constexpr auto difference_of(const std::array<N, D>& a, const std::array<N, D>& b) noexcept {
+  std::array<std::remove_cvref_t<decltype(a[0] - b[0])>, D> difference{};
   for (std::size_t i = 0; i < D; ++i) difference[i] = a[i] - b[i];
   return difference;
 }

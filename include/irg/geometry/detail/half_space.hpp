@@ -9,6 +9,7 @@
 #include <irg/core/contract.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/nearest_quotient.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/plane.hpp>
 
@@ -21,8 +22,9 @@ struct half_space {
   std::array<T, 4> numbers{};
 };
 
-template <int D, class N>
-constexpr N half_space_value(const std::array<N, 4>& h, const std::array<N, static_cast<std::size_t>(D)>& v) noexcept {
+template <int D, class N, class M>
+constexpr auto half_space_value(const std::array<N, 4>& h,
+                                const std::array<M, static_cast<std::size_t>(D)>& v) noexcept {
   if constexpr (D == 2)
     return (h[2] - h[0]) * (v[1] - h[1]) - (h[3] - h[1]) * (v[0] - h[0]);
   else
@@ -37,13 +39,8 @@ constexpr int half_space_side(const half_space<T, D>& h, const P& p) noexcept {
     return orient2d(V{h.numbers[0], h.numbers[1]}, V{h.numbers[2], h.numbers[3]},
                     V{coordinate(p, 0), coordinate(p, 1)});
   } else {
-    const auto value = evaluate<2>(
-        [](const auto& x) {
-          using N = std::remove_cvref_t<decltype(x[0])>;
-          return std::array<N, 1>{half_space_value<3>(part_of<4>(x, 0), part_of<3>(x, 4))};
-        },
-        joined(h.numbers, gathered<T>(p)));
-    return value ? known_sign((*value)[0]) : 0;
+    const auto& [x, y, z, d] = h.numbers;
+    return static_cast<int>(side_of(plane<T>{x, y, z, d}, p));
   }
 }
 
@@ -65,8 +62,9 @@ constexpr int compare_half_space_crossings(const P& a, const P& b, const half_sp
   return value ? sides * known_sign((*value)[0]) : 0;
 }
 
-// Where the segment from a to b meets the boundary, and its parameter: quotients of exact sums, rounded at the end, and
-// kept between a and b. The same for b to a.
+// Where the line from a to b meets the boundary, and its parameter: correctly rounded, and so between a and b where
+// these lie on both sides, and at one place for b to a.
+// needs   a line that is not parallel to the boundary
 template <class T, Point P>
 struct half_space_meeting {
   P at{};
@@ -74,31 +72,19 @@ struct half_space_meeting {
 };
 template <class T, int D, Point P>
 constexpr half_space_meeting<T, P> meet_half_space(const P& a, const P& b, const half_space<T, D>& h) noexcept {
-  bool swapped = false;
-  for (int i = D - 1; i >= 0; --i)
-    if (coordinate(a, i) < coordinate(b, i) || coordinate(b, i) < coordinate(a, i))
-      swapped = coordinate(b, i) < coordinate(a, i);
-  const P& p = swapped ? b : a;
-  const P& q = swapped ? a : b;
-  const auto known = evaluate<3>(
+  const auto found = nearest_quotients<3>(
       [](const auto& x) {
         constexpr std::size_t d = static_cast<std::size_t>(D);
         using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto low = part_of<d>(x, 4), high = part_of<d>(x, 4 + d);
-        const N at_low = half_space_value<D>(part_of<4>(x, 0), low),
-                at_high = half_space_value<D>(part_of<4>(x, 0), high);
-        return joined(std::array<N, 3>{at_low - at_high, at_low, -at_high},
-                      difference_of(multiple_of(high, at_low), multiple_of(low, at_high)));
+        const auto from = part_of<d>(x, 4), to = part_of<d>(x, 4 + d);
+        const N at_from = half_space_value<D>(part_of<4>(x, 0), from),
+                at_to = half_space_value<D>(part_of<4>(x, 0), to);
+        return joined(std::array<N, 2>{at_from - at_to, at_from},
+                      difference_of(multiple_of(to, at_from), multiple_of(from, at_to)));
       },
-      joined(h.numbers, gathered<T>(p, q)));
-  IRG_EXPECTS(known.has_value());
-  const auto& v = *known;
-  const auto over = [&](std::size_t i) { return rounded_to<T>(v[i] / v[0]); };
-  const P at = generate_coordinates<P>([&](int i) {
-    const T low = lesser(coordinate(a, i), coordinate(b, i)), high = greater(coordinate(a, i), coordinate(b, i));
-    return clamp<T>(over(3 + static_cast<std::size_t>(i)), low, high);
-  });
-  return {at, over(swapped ? 2 : 1)};
+      joined(h.numbers, gathered<T>(a, b)));
+  IRG_EXPECTS(found.has_value());
+  return {generate_coordinates<P>([&](int i) { return (*found)[1 + static_cast<std::size_t>(i)]; }), (*found)[0]};
 }
 
 // The boundaries of a convex polygon, counter-clockwise or clockwise, one by one; none when it has no area.

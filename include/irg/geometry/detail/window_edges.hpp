@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What to do with an edge of a polygon at a window: two tables that stand for the decisions of polygon_pipe's two
+// What to do with an edge of a polygon at a window: two tables that stand for the decisions of window_pipe's two
 // stages, so that a walk along the polygon needs no branch that could not be foretold.
 //
 // The first stage, x, leaves the edge's part between the window's left and right boundary, and joins where the polygon

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Polygons of few plain points against a window: one walk from edge to edge that passes over a boundary; vertices
-// between are copied. The result is that of polygon_pipe, in a fraction of its time. What is delicate only has to be
+// between are copied. The result is that of window_pipe, in a fraction of its time. What is delicate only has to be
 // noticed: a vertex on or next to a boundary that its edge crosses, a cut next to a corner of the window, two cuts at
 // one place, a cut that is hard to round. The pipe does it then.
 #pragma once

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Corners of a polygon that is cut by the boundaries of a convex region, each known by what it is: a given vertex, or
+// where a boundary meets a given edge or another boundary. Its side of a boundary is decided exactly, from given
+// numbers alone; its position is rounded once, correctly, and nothing is cut between rounded positions.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <irg/core/conversion.hpp>
+#include <irg/geometry/attributed_point.hpp>
+#include <irg/geometry/detail/boundary_meeting.hpp>
+#include <irg/geometry/detail/half_space.hpp>
+#include <irg/geometry/parametric_plane.hpp>
+
+namespace irg::detail {
+
+// Lines have numbers: first the given edges, then the stretches along boundaries. `onward` leads to the next corner.
+// `line` and `boundary` meet here, or `boundary` is none: a given vertex. `side` is that of the boundary in turn. No
+// coordinate is further than `error` from `about`.
+template <class V>
+struct clipped_corner {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  V vertex{};
+  std::size_t onward = 0, line = none, boundary = none;
+  std::array<double, static_cast<std::size_t>(size_of<vertex_position<V>>)> about{};
+  double error = 0;
+  int side = 0;
+};
+
+inline namespace IRG_ABI {
+
+// Whether points of the half-space round to p. The corner of those that do is midway to the neighbour further inside.
+template <Floating T, int D, Point P>
+constexpr bool reaches(const half_space<T, D>& boundary, const P& p) noexcept {
+  const auto& h = boundary.numbers;
+  const auto neighbour = generate_coordinates<P>([&](int i) {
+    const int inwards = D == 3   ? compare_scalars(h[static_cast<std::size_t>(i)], T(0))
+                        : i == 0 ? compare_scalars(h[1], h[3])
+                                 : compare_scalars(h[2], h[0]);
+    const T x = coordinate(p, i), next = float_at<T>(ordinal_of(x) + static_cast<float_ordinal<T>>(inwards));
+    return is_finite(next) ? next : x;
+  });
+  const auto twice_midway = [](const auto& x) {
+    constexpr std::size_t d = static_cast<std::size_t>(D);
+    return half_space_value<D>(part_of<4>(x, 0), part_of<d>(x, 4)) +
+           half_space_value<D>(part_of<4>(x, 0), part_of<d>(x, 4 + d));
+  };
+  return sign_of_degree_2(twice_midway, joined(h, gathered<T>(p, neighbour))) >= 0;
+}
+
+// boundary(k) is the region's half_space<T, D> with number k.
+template <int D, PolygonVertex V, class Boundary, class F>
+class convex_clipper {
+public:
+  using T = vertex_scalar<V>;
+  using P = vertex_position<V>;
+  using corner = clipped_corner<V>;
+
+  constexpr convex_clipper(std::span<const V> polygon, const Boundary& boundary, const F& interpolate) noexcept
+      : polygon_(polygon), boundary_(boundary), interpolate_(interpolate) {}
+
+  constexpr std::size_t along(std::size_t k) const noexcept { return polygon_.size() + k; }
+  constexpr corner given(std::size_t i) const noexcept {
+    corner c{polygon_[i], i};
+    if constexpr (Floating<T>)
+      for (int k = 0; k < D; ++k) c.about[static_cast<std::size_t>(k)] = widened(coordinate(position_of(c.vertex), k));
+    return c;
+  }
+
+  // 1 inside boundary k, 0 on it, -1 outside.
+  constexpr int side(const corner& c, std::size_t k) const noexcept {
+    const auto h = boundary_(k);
+    if constexpr (Floating<T>)
+      if (c.boundary != corner::none) {
+        if (c.line == along(k)) return 0;
+        if (const int s = side_about(c, h); s != 0) return s;
+        return as_meeting(c, [&](auto degree, const auto& meeting, const auto& in) {
+          return exact_side<decltype(degree)::value + 1>(meeting, in, h);
+        });
+      }
+    return half_space_side(h, position_of(c.vertex));
+  }
+
+  // Where the line from one corner to the next passes boundary k.
+  constexpr corner cut(const corner& from, const corner& to, std::size_t k) {
+    corner c{from.vertex, from.onward, from.onward, k};
+    if constexpr (Floating<T>) {
+      if (D == 3 && is_stretch(c) && flat_[0] == flat_[1]) find_plane();
+      if (Point<V> || is_stretch(c))
+        as_meeting(c, [&](auto, const auto& meeting, const auto& in) { place_about(c, meeting, in); });
+      if constexpr (D == 3)
+        if (is_stretch(c) && polygon_.size() > 3 && !fits(c, from, to)) stand_upright(c, from, to);
+    }
+    if constexpr (!Floating<T> || !Point<V>) interpolate(c, from, to);
+    return c;
+  }
+
+  // The corner as it comes out.
+  constexpr V vertex_of(const corner& c) const noexcept {
+    if constexpr (Point<V>)
+      return place(c);
+    else
+      return c.vertex;
+  }
+
+  // Whether the vertices are points of the region, rounded: of each half-space, of which number k is the first that
+  // some are not in; what is not in the region itself must be `near`, too.
+  template <class Near>
+  constexpr bool keeps_all(const std::vector<corner>& vertices, std::size_t k, std::size_t boundaries,
+                           const Near& near) const noexcept {
+    for (const corner& c : vertices)
+      if (c.side < 0 && !(touches(k, position_of(c.vertex)) && near(position_of(c.vertex)))) return false;
+    for (const corner& c : vertices)
+      for (std::size_t i = k + 1; i < boundaries; ++i)
+        if (const P& p = position_of(c.vertex); side(c, i) < 0 && !(touches(i, p) && near(p))) return false;
+    return true;
+  }
+
+private:
+  constexpr bool is_stretch(const corner& c) const noexcept { return c.line >= polygon_.size(); }
+  constexpr bool touches(std::size_t k, const P& p) const noexcept {
+    if constexpr (Floating<T>)
+      return reaches(boundary_(k), p);
+    else
+      return half_space_side(boundary_(k), p) >= 0;
+  }
+
+  // use(degree, meeting, numbers): what the corner is, and the degree of its coordinates.
+  template <class Use>
+  constexpr auto as_meeting(const corner& c, const Use& use) const noexcept {
+    if constexpr (D == 3)
+      if (is_stretch(c)) return use(std::integral_constant<int, 5>{}, plane_meeting{}, planes_of(c));
+    const auto [a, b] = ends_of(c.line);
+    return use(std::integral_constant<int, 3>{}, line_meeting<D>{},
+               joined(boundary_(c.boundary).numbers, gathered<T>(a, b)));
+  }
+  // A vertex that carries more than its place, or that is as exact as its numbers, is made at once.
+  constexpr void interpolate(corner& c, const corner& from, const corner& to) const {
+    const V *a = &from.vertex, *b = &to.vertex;
+    if (!is_stretch(c)) a = &polygon_[c.line], b = &polygon_[c.line + 1 < polygon_.size() ? c.line + 1 : 0];
+    if (comes_before(position_of(*b), position_of(*a))) std::swap(a, b);
+    const P &p = position_of(*a), &q = position_of(*b);
+    half_space_meeting<T, P> m;
+    if (!Floating<T> || !is_stretch(c))
+      m = meet_half_space(p, q, boundary_(c.boundary));
+    else
+      m.at = place(c), m.t = part_of_way(p, q, m.at);
+    if constexpr (Point<V>)
+      c.vertex = m.at;
+    else
+      c.vertex = placed_at(V(interpolate_(*a, *b, m.t)), m.at);
+    if constexpr (Floating<T>)
+      stay_about(c, m.at);
+    else
+      c.boundary = corner::none;
+  }
+  static constexpr void stay_about(corner& c, const P& at) noexcept {
+    double most = 0;
+    for (std::size_t i = 0; i < c.about.size(); ++i) {
+      c.about[i] = widened(coordinate(at, static_cast<int>(i)));
+      most = greater(most, magnitude(c.about[i]));
+    }
+    const auto wide = [](T x) { return widened(x); };
+    c.error = most < 0x1p80 ? most * wide(std::numeric_limits<T>::epsilon()) + wide((std::numeric_limits<T>::min)())
+                            : infinity<double>;
+  }
+  // Two points of an edge, or of a boundary in the plane.
+  constexpr std::pair<P, P> ends_of(std::size_t line) const noexcept {
+    const std::size_t n = polygon_.size();
+    if (line < n) return {position_of(polygon_[line]), position_of(polygon_[line + 1 < n ? line + 1 : 0])};
+    const auto h = boundary_(line - n).numbers;
+    const auto from = [&](std::size_t k) {
+      return generate_coordinates<P>([&](int i) { return h[k + static_cast<std::size_t>(i)]; });
+    };
+    return {from(0), from(2)};
+  }
+  constexpr std::array<T, 17> planes_of(const corner& c) const noexcept {
+    const auto at = [&](std::size_t i) { return position_of(polygon_[flat_[i]]); };
+    return joined(joined(boundary_(c.line - polygon_.size()).numbers, boundary_(c.boundary).numbers),
+                  gathered<T>(at(0), at(1), at(2)));
+  }
+
+  // A given vertex, a common corner of two boundaries, or rounded.
+  constexpr P place(const corner& c) const noexcept {
+    if constexpr (Floating<T>) {
+      if (c.boundary == corner::none) return position_of(c.vertex);
+      if constexpr (D == 2)
+        if (is_stretch(c)) {
+          const auto first = ends_of(c.line), second = ends_of(along(c.boundary));
+          if (at_one_place(first.second, second.first)) return first.second;
+          if (at_one_place(first.first, second.second)) return first.first;
+        }
+      const auto found = rounded(c);
+      IRG_EXPECTS(found.has_value());
+      return *found;
+    } else {
+      return position_of(c.vertex);
+    }
+  }
+  constexpr std::optional<P> rounded(const corner& c) const noexcept {
+    return as_meeting(c, [](auto degree, const auto& meeting, const auto& in) {
+      return rounded_place<decltype(degree)::value, P>(meeting, in);
+    });
+  }
+
+  // The polygon's plane: that through three vertices, a third of the way round apart or next to each other.
+  constexpr void find_plane() noexcept {
+    const std::size_t n = polygon_.size();
+    const auto at = [&](std::size_t i) { return position_of(polygon_[flat_[i]]); };
+    for (const std::size_t step : {n / 3, std::size_t{1}})
+      for (std::size_t i = 0; i < n; ++i) {
+        flat_ = {i, (i + step) % n, (i + 2 * step) % n};
+        if (spans_plane(at(0), at(1), at(2))) return;
+      }
+  }
+  // Whether a corner in the plane of a polygon that need not be flat is between two others and in the region so far.
+  constexpr bool fits(const corner& c, const corner& from, const corner& to) const noexcept {
+    const double error = (c.error + from.error + to.error) * 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = from.about[i], y = to.about[i], z = c.about[i];
+      if (z + error < lesser(x, y) || greater(x, y) < z - error) return false;
+    }
+    for (std::size_t k = 0; k < c.boundary; ++k)
+      if (side(c, k) < 0) return false;
+    return c.error < infinity<double> || rounded(c);
+  }
+  // It is not: as if the polygon stood upright on the stretch, along the normal's longest axis.
+  constexpr void stand_upright(corner& c, const corner& from, const corner& to) const noexcept {
+    const P p = place(from), q = place(to);
+    const auto first = boundary_(c.line - polygon_.size()).numbers, second = boundary_(c.boundary).numbers;
+    const std::size_t k = std::exchange(c.boundary, corner::none);
+    const auto steep = [&](std::size_t i) { return greater(first[i], -first[i]); };
+    const std::size_t lower = steep(0) < steep(1) ? 1 : 0, up = steep(lower) < steep(2) ? 2 : lower;
+    const P over = generate_coordinates<P>([&](int i) {
+      const T x = coordinate(p, i);
+      return static_cast<std::size_t>(i) != up ? x : x == T(0) ? T(1) : T(0);
+    });
+    const auto found = rounded_place<5, P>(plane_meeting{}, joined(joined(first, second), gathered<T>(p, q, over)));
+    P at = found ? *found : p;
+    for (std::size_t i = 0; i <= k; ++i)
+      if (!touches(i, at)) at = from.side < 0 ? q : p;
+    c.vertex = placed_at(c.vertex, at);
+    stay_about(c, at);
+  }
+  // How far from a to b a place between them is, on the axis where they are farthest apart.
+  static constexpr T part_of_way(const P& a, const P& b, const P& at) noexcept {
+    const auto extent = [&](int i) {
+      const T x = coordinate(a, i), y = coordinate(b, i);
+      return greater(x, y) / 2 - lesser(x, y) / 2;
+    };
+    int axis = 0;
+    for (int i = 1; i < D; ++i) axis = extent(axis) < extent(i) ? i : axis;
+    return extent(axis) == T(0) ? T(0) : parameter_of(coordinate(a, axis), coordinate(b, axis), coordinate(at, axis));
+  }
+
+  std::span<const V> polygon_;
+  const Boundary& boundary_;
+  const F& interpolate_;
+  std::array<std::size_t, 3> flat_{};
+};
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
