@@ -37,7 +37,8 @@ inline namespace IRG_ABI {
 /// needs   fewer than 2^31 vertices
 /// gives   `crossing` when edges cross, those of spikes too; what only touches does not: collinear and repeated
 ///         vertices, vertices on edges, edges that coincide in part (bridges to holes, holes at the rim), spikes that
-///         end on an edge or before it, which go as triangles without area. Nothing for rings of fewer than three vertices; triangles without area for rings without area
+///         end on an edge or before it, which go as triangles without area. Nothing for rings of fewer than three
+///         vertices; triangles without area for rings without area
 /// exact   for all finite floats and all integers: the triangles have the polygon's area to the last bit and cover it
 ///         once (even-odd)
 /// cost    O(n log n); some 50 bytes for a vertex and 80 for each edge that one level line meets, beside the triangles;

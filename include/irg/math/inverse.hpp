@@ -68,7 +68,8 @@ IRG_INLINE constexpr bool inverse_is_easy(const mat<T, N, N>& a, mat<T, N, N>& x
 }
 
 // The entries of x, the inverse of s.a, that have to be found in another way, as bits r N + c: those that are doubtful,
-// unless they are rounding errors of terms so large that no scaling makes more of them: below 4 N u of |x| * |s.a| * |x|.
+// unless they are rounding errors of terms so large that no scaling makes more of them: below
+// 4 N u of |x| * |s.a| * |x|.
 template <int N>
 constexpr unsigned doubtful_entries(const scaled_system<N>& s, const mat<double, N, N>& x, double condition) noexcept {
   const auto sizes = [](const mat<double, N, N>& m) {

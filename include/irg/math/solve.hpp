@@ -136,8 +136,9 @@ constexpr eliminated solve_rows(M& a, const E& entry, int n, int* column, int* e
 }
 
 // Whether x solves equations that differ from those of `a` by few roundings of each number: then its error is as small
-// as any scaling of rows and columns lets one expect (Oettli and Prager 1964). False, too, where all terms of an equation
-// are so small that underflow has cost digits, if has_small() says that there were numbers of very different sizes.
+// as any scaling of rows and columns lets one expect (Oettli and Prager 1964). False, too, where all terms of an
+// equation are so small that underflow has cost digits, if has_small() says that there were numbers of very
+// different sizes.
 template <int N, class S>
 constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, const S& has_small) noexcept {
   bool all = true;

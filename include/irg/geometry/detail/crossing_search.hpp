@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether rings cross themselves or each other at a point, whatever touches or coincides: a sweep from the lowest vertex
-// up that keeps the edges in their order (Shamos and Hoey 1976) and, at each vertex, sees whether two ways lead through
-// each other.
+// Whether rings cross themselves or each other at a point, whatever touches or coincides: a sweep from the lowest
+// vertex up that keeps the edges in their order (Shamos and Hoey 1976) and, at each vertex, sees whether two ways
+// lead through each other.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +40,8 @@ public:
     }
   }
 
-  /// Whether two edges cross within both, or a way through a vertex crosses an edge or another way there. Ways that have
-  /// a stretch in common only touch.
+  /// Whether two edges cross within both, or a way through a vertex crosses an edge or another way there. Ways that
+  /// have a stretch in common only touch.
   constexpr bool run() {
     std::vector<std::uint32_t> events;
     for (std::uint32_t i = 0; i < vertices_.size(); ++i) events.push_back(i);

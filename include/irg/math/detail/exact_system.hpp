@@ -96,8 +96,9 @@ IRG_NOINLINE constexpr bool put_exact_solution(const mat<double, N, N>& a, const
   return true;
 }
 
-// Whether the minor beside row r and column c of N x N numbers is zero because each of its products has a factor that
-// is: whether some rows have fewer columns than they are that are not zero (Hall 1935). Bit j of nonzero[i] is column j.
+// Whether the minor beside row r and column c of N x N numbers is zero because each of its products has a factor
+// that is: whether some rows have fewer columns than they are that are not zero (Hall 1935). Bit j of nonzero[i] is
+// column j.
 template <int N>
 constexpr bool is_zero_by_pattern(const unsigned (&nonzero)[static_cast<std::size_t>(N)], int r, int c) noexcept {
   for (unsigned rows = 1; rows < 1u << N; ++rows) {

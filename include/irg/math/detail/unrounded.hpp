@@ -123,9 +123,9 @@ IRG_NOINLINE constexpr T nearest_in_units(const unrounded& x, int e, const Side&
 }
 
 /// The T nearest to x * 2^e, ties to even, subnormal results too.
-/// needs   a value that is the number rounded, not zero. Where x is within 2^-40 of the last place of the middle between
-///         two Ts, side(t, step) says whether the true number is nearer to 0 than the middle of t and t + step, or
-///         farther: -1, 1, or 0 for a tie
+/// needs   a value that is the number rounded, not zero. Where x is within 2^-40 of the last place of the middle
+///         between two Ts, side(t, step) says whether the true number is nearer to 0 than the middle of t and t +
+///         step, or farther: -1, 1, or 0 for a tie
 template <Floating T, class Side>
 IRG_INLINE constexpr T nearest_scaled(const unrounded& x, int e, const Side& side) noexcept {
   const double rounded = times_power_of_two(x.value, e);
