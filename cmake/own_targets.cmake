@@ -9,6 +9,10 @@ target_compile_options(irg_own INTERFACE
   # g++ 12 sees overlapping copies in std::string's own operator+ (its bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 
+# A compiler cache asks that precompiled headers do not hold the time they were made.
+target_compile_options(irg_own INTERFACE
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+
 # irg_models: defines IRG_MODELS_DIR where there is a folder of models, which are not part of the project. What needs them
 # says so and skips when it is undefined.
 add_library(irg_models INTERFACE)

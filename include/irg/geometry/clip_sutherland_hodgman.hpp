@@ -22,7 +22,7 @@ inline namespace IRG_ABI {
 // outside, and adds a cut wherever the line between two of them passes from one side to the other; what leaves the
 // region comes back along the boundary. Where nothing is inside, what is on the boundary has no area.
 template <class Clipper, class Corners, class Near>
-constexpr void clip_corners(Clipper& clipper, Corners& corners, std::size_t boundaries, const Near& near) {
+constexpr void clip_corners(Clipper& clipper, Corners& corners, std::size_t boundaries, const Near& is_near) {
   Corners kept;
   bool is_whole = true;
   for (std::size_t k = 0; k < boundaries; ++k) {
@@ -33,7 +33,7 @@ constexpr void clip_corners(Clipper& clipper, Corners& corners, std::size_t boun
       any_outside = any_outside || c.side < 0;
     }
     if (!any_outside) continue;
-    if (std::exchange(is_whole, false) && clipper.keeps_all(corners, k, boundaries, near)) return;
+    if (std::exchange(is_whole, false) && clipper.keeps_all(corners, k, boundaries, is_near)) return;
     kept.clear();
     kept.reserve(2 * corners.size() + 1);
     for (std::size_t i = 0; i < corners.size() && any_inside; ++i) {
@@ -158,12 +158,12 @@ constexpr void clip_by_window(std::span<const V> polygon, const box<vertex_scala
 
 template <int D, class V, class Boundary, class F, class Sink, class Near>
 constexpr void clip_by_half_spaces(std::span<const V> polygon, std::size_t boundaries, const Boundary& boundary,
-                                   const F& interpolate, Sink& sink, const Near& near) {
+                                   const F& interpolate, Sink& sink, const Near& is_near) {
   convex_clipper<D, V, Boundary, F> clipper(polygon, boundary, interpolate);
   std::vector<clipped_corner<V>> corners;
   corners.reserve(2 * polygon.size() + boundaries);
   for (std::size_t i = 0; i < polygon.size(); ++i) corners.push_back(clipper.given(i));
-  clip_corners(clipper, corners, boundaries, near);
+  clip_corners(clipper, corners, boundaries, is_near);
   for (const auto& c : corners) sink.put(clipper.vertex_of(c), c.line != c.none);
 }
 

@@ -113,12 +113,12 @@ public:
   // some are not in; what is not in the region itself must be `near`, too.
   template <class Near>
   constexpr bool keeps_all(const std::vector<corner>& vertices, std::size_t k, std::size_t boundaries,
-                           const Near& near) const noexcept {
+                           const Near& is_near) const noexcept {
     for (const corner& c : vertices)
-      if (c.side < 0 && !(touches(k, position_of(c.vertex)) && near(position_of(c.vertex)))) return false;
+      if (c.side < 0 && !(touches(k, position_of(c.vertex)) && is_near(position_of(c.vertex)))) return false;
     for (const corner& c : vertices)
       for (std::size_t i = k + 1; i < boundaries; ++i)
-        if (const P& p = position_of(c.vertex); side(c, i) < 0 && !(touches(i, p) && near(p))) return false;
+        if (const P& p = position_of(c.vertex); side(c, i) < 0 && !(touches(i, p) && is_near(p))) return false;
     return true;
   }
 
