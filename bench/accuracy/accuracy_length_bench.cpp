@@ -62,7 +62,7 @@ std::vector<set> sets() {
 
 real true_length(const vec3& v) { return sqrt(real(v.x) * v.x + real(v.y) * v.y + real(v.z) * v.z); }
 
-auto eigen_of(const vec3& v) {
+[[maybe_unused]] auto eigen_of(const vec3& v) {
 #ifdef IRG_HAVE_EIGEN
   return Eigen::Vector3d(v.x, v.y, v.z);
 #else

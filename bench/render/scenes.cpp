@@ -47,9 +47,11 @@ static body_plan model_or_sphere(const std::string& name, const char* file, int 
   if (std::ifstream(path))
     return {name, [path] {
               const auto text = irg::read_file(path.c_str());
-              auto mesh = text ? irg::read_obj<float>({text->data(), text->size()}) : std::nullopt;
-              if (!mesh) std::fprintf(stderr, "%s cannot be read\n", path.c_str()), std::abort();
-              return irg::make_drawable(*std::move(mesh));
+              if (text)
+                if (auto mesh = irg::read_obj<float>({text->data(), text->size()}))
+                  return irg::make_drawable(*std::move(mesh));
+              std::fprintf(stderr, "%s cannot be read\n", path.c_str());
+              std::abort();
             }};
 #endif
   static_cast<void>(file);

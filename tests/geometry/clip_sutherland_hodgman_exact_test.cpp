@@ -99,27 +99,6 @@ mpq q(T x) {
   return mpq(static_cast<double>(x));
 }
 
-// The nearest T, ties to even.
-template <class T>
-T nearest(const mpq& exact) {
-  constexpr T most = std::numeric_limits<T>::max();
-  T x = static_cast<T>(exact.rounded());
-  if (!(std::abs(x) <= most)) x = x < 0 ? -most : most;
-  for (;;) {
-    const T next = std::nextafter(x, q(x) < exact ? most : -most);
-    const int order = (abs(q(next) - exact) - abs(q(x) - exact)).sign();
-    const auto even = [](T v) {
-      if constexpr (sizeof(T) == 8)
-        return std::bit_cast<std::uint64_t>(v) % 2 == 0;
-      else
-        return std::bit_cast<std::uint32_t>(v) % 2 == 0;
-    };
-    if (q(x) == exact || order > 0 || (order == 0 && even(x))) return x + T(0);
-    x = next;
-    if (order == 0) return x + T(0);
-  }
-}
-
 template <class P>
 void leave_out_twins(std::vector<P>& places) {
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -156,7 +135,7 @@ std::vector<P> visible_ends(const std::vector<P>& polygon, std::size_t boundarie
     const auto at = [&](const mpq& t) {
       return irg::generate_coordinates<P>([&](int axis) {
         const mpq &from = irg::coordinate(a, axis), &to = irg::coordinate(b, axis);
-        return nearest<T>(from + t * (to - from));
+        return nearest<T>(from + t * (to - from)) + T(0);
       });
     };
     if (starts_inside) ends.push_back(polygon[i]);
@@ -432,7 +411,7 @@ void judge(const solid_case<T>& c, verdict& v) {
       const E at{a.x + s * u.x + t * w.x, a.y + s * u.y + t * w.y, a.z + s * u.z + t * w.z};
       bool inside = true;
       for (std::size_t l = 0; l < c.planes.size(); ++l) inside = inside && value(l, at).sign() >= 0;
-      if (inside) inner.push_back({nearest<T>(at.x), nearest<T>(at.y), nearest<T>(at.z)});
+      if (inside) inner.push_back({nearest<T>(at.x) + T(0), nearest<T>(at.y) + T(0), nearest<T>(at.z) + T(0)});
     }
   const auto is_inner = [&](const P& p) { return std::find(inner.begin(), inner.end(), p) != inner.end(); };
   const auto without_inner = [&](std::vector<P> places) {

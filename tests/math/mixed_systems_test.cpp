@@ -53,7 +53,7 @@ template <class T, int N>
 struct mixed_system {
   mat<T, N, N> a{};
   vec<T, N> b{};
-  int row[N]{}, column[N]{};
+  int row[static_cast<unsigned>(N)]{}, column[static_cast<unsigned>(N)]{};
 
   mixed_system(test::random& r, int kind) {
     constexpr bool is_double = sizeof(T) == 8;
@@ -65,7 +65,7 @@ struct mixed_system {
     };
     for (int i = 0; i < N; ++i) row[i] = static_cast<int>(r.integer(-span, span));
     for (int i = 0; i < N; ++i) column[i] = static_cast<int>(r.integer(-span, span));
-    double exact[N][N];
+    double exact[static_cast<unsigned>(N)][static_cast<unsigned>(N)];
     for (auto& line : exact)
       for (double& entry : line) entry = number(1 + kind % 3);
     if (kind % 5 == 4) {  // a row near another one
@@ -107,7 +107,7 @@ void judge(const mixed_system<T, N>& s, tally& t) {
   const double condition = norm_of(exact) * norm_of(*undo);
   if (!(condition < 1e12)) return;
   ++t.tested;
-  big_rational x[N];
+  big_rational x[static_cast<unsigned>(N)];
   double largest = 0;
   for (int i = 0; i < N; ++i) {
     x[i] = 0;

@@ -189,10 +189,10 @@ public:
     const int place = 64 * v.range_.first + exact_accumulator<L>::lowest - lowest - 1074 + factor.place;
     std::uint64_t magnitude[static_cast<unsigned>(words)];
     int n = 0;
-    std::uint64_t carry = sign < 0 ? 1 : 0;
+    std::uint64_t carry = sign < 0 ? 1u : 0u;
     for (int i = v.range_.first; i < v.range_.last; ++i) {
       magnitude[n] = (sign < 0 ? ~v.word_[i] : v.word_[i]) + carry;
-      carry = carry != 0 && magnitude[n] == 0 ? 1 : 0;
+      carry = carry != 0 && magnitude[n] == 0 ? 1u : 0u;
       ++n;
     }
     detail::multiply_in(magnitude, n++, factor.significand);
