@@ -100,7 +100,7 @@ struct tally {
 
 template <class T, int N>
 void judge(const mixed_system<T, N>& s, tally& t) {
-  constexpr double unit = std::numeric_limits<T>::epsilon() / 2;
+  constexpr double unit = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
   const auto exact = s.exact();
   const auto undo = inverse(exact);
   if (!undo) return;
