@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -123,7 +124,22 @@ TEST_CASE("convex_coverage: flat and steep edges that reach far") {
       p.push_back(flat ? subpixel{along, aside} : subpixel{aside, along});
     }
     const coverages c = by_spans(p, 24, 12);
-    REQUIRE(worst_error(p, c) < 0.00220);  // edges of 4 million rows: their error of 2^-18 shows
+    REQUIRE(worst_error(p, c) < 0.00198);
+    REQUIRE(fills_agree(p, c));
+  }
+}
+
+TEST_CASE("convex_coverage: vertices at all distances up to the reach (oracle)") {
+  test::random r(21);
+  const int rounds = release_tier() ? 100000 : 2000;
+  for (int i = 0; i < rounds; ++i) {
+    const double reach = std::exp2(21 * r.unit());
+    ring places;
+    for (auto n = r.integer(3, 6); n > 0; --n) places.push_back(test::place_within(r, reach));
+    if (i % 2 == 0) std::tie(places[0], places[1]) = test::nearly_level(r, reach);
+    const ring p = test::convex_hull(places);
+    const coverages c = by_spans(p, 24, 12);
+    REQUIRE(worst_error(p, c) < 0.00198);
     REQUIRE(fills_agree(p, c));
   }
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include <irg/colour/pixel.hpp>
@@ -113,6 +114,19 @@ TEST_CASE("polygon_coverage: edges that reach far") {
       q.push_back(i % 3 == 0 ? subpixel{x / 4096, y} : i % 3 == 1 ? subpixel{x, y / 4096} : subpixel{x, y});
     }
     REQUIRE(worst_error({q}, fill_rule::even_odd, by_spans(q, fill_rule::even_odd, 5, 5)) < 0.00198);
+  }
+}
+
+TEST_CASE("polygon_coverage: vertices at all distances up to the reach (oracle)") {
+  test::random r(22);
+  const int rounds = release_tier() ? 20000 : 500;
+  for (int i = 0; i < rounds; ++i) {
+    const double reach = std::exp2(21 * r.unit());
+    ring q;
+    for (auto n = r.integer(3, 6); n > 0; --n) q.push_back(test::place_within(r, reach));
+    if (i % 2 == 0) std::tie(q[0], q[1]) = test::nearly_level(r, reach);
+    for (const fill_rule rule : {fill_rule::even_odd, fill_rule::non_zero})
+      REQUIRE(worst_error({q}, rule, by_spans(q, rule, 7, 5)) < 0.00198);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include <irg/raster/image.hpp>
 
+#include "support/area_oracle.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 
@@ -167,6 +168,28 @@ TEST_CASE("line_aa: lines across the whole domain, seen through a small window")
       for (int u = -5; u < 5; ++u)
         worst = std::max(worst, std::fabs(got.seen(x + u, y + v) - 255 * area_in_pixel(shape, u, v)));
     REQUIRE(worst <= allowed);
+  }
+}
+
+TEST_CASE("line_aa: ends at all distances up to the reach, seen beside (0, 0) and beside both ends") {
+  random_lines random{test::random(33)};
+  const int trials = std::getenv("IRG_RELEASE_TIER") ? 100000 : 1500;
+  for (int i = 0; i < trials; ++i) {
+    const double reach = std::exp2(21 * random.random.unit());
+    auto [a, b] = test::nearly_level(random.random, reach);
+    if (i % 2 == 0) a = test::place_within(random.random, reach), b = test::place_within(random.random, reach);
+    if (i % 4 == 1) std::swap(a.x, a.y), std::swap(b.x, b.y);
+    const line_aa_options o = random.options();
+    for (const subpixel& at : {subpixel{0, 0}, a, b}) {
+      const int x = at.x >> 8, y = at.y >> 8;
+      auto got = covered(a, b, {x - 5, y - 4, x + 5, y + 4}, o);
+      const auto shape = rectangle(a, b, o, x, y);
+      real worst = 0;
+      for (int v = -4; v < 4; ++v)
+        for (int u = -5; u < 5; ++u)
+          worst = std::max(worst, std::fabs(got.seen(x + u, y + v) - 255 * area_in_pixel(shape, u, v)));
+      REQUIRE(worst <= allowed);
+    }
   }
 }
 

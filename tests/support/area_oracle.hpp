@@ -4,12 +4,34 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include <irg/raster/subpixel.hpp>
 
+#include "support/random.hpp"
+
 namespace test {
+
+/// A point within 16 pixels of (0, 0) or up to `reach` away, as often between 2^k and 2^(k + 1) pixels for each k.
+inline irg::subpixel place_within(random& r, double reach) {
+  const auto coordinate = [&] {
+    const double size = std::exp2(r.unit() * std::log2(reach * irg::one_pixel));
+    const auto far = static_cast<std::int32_t>(r.integer(0, 1) == 0 ? -size : size);
+    return r.integer(0, 2) == 0 ? static_cast<std::int32_t>(r.integer(-4096, 4096)) : far;
+  };
+  const std::int32_t x = coordinate();
+  return {x, coordinate()};
+}
+/// The ends of an edge that passes by (0, 0), nearly level, up to `reach` long on either side.
+inline std::pair<irg::subpixel, irg::subpixel> nearly_level(random& r, double reach) {
+  const auto away = [&] { return static_cast<std::int32_t>(std::exp2(r.unit() * std::log2(reach * irg::one_pixel))); };
+  const auto height = [&] { return static_cast<std::int32_t>(r.integer(-2000, 2000)); };
+  const irg::subpixel a{-away(), height()};
+  return {a, {away(), r.integer(0, 1) == 0 ? height() : a.y + height() / 16}};
+}
 
 struct real_point {
   long double x, y;

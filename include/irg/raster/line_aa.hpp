@@ -45,11 +45,12 @@ struct aa_drawing {
   // Rows [first, last) that caps reach into.
   IRG_INLINE constexpr void cap_rows(int first, int last) const {
     if (first >= last) return;
-    aa_cap_row<four> row;
     if (s.small_numbers) {
+      aa_cap_row<four> row;
       const aa_near_edges<four> edges(s);
       for (int r = first; r < last; ++r) write<four>(r, edges.enter(row, r), row);
     } else {
+      aa_cap_row<four, true> row;
       for (int r = first; r < last; ++r) write<four>(r, aa_enter_far(row, s, r), row);
     }
   }
@@ -57,7 +58,7 @@ struct aa_drawing {
   // The row in the middle of a line that is its own image under a half turn.
   constexpr void middle_row(int r) const {
     if (f.y.at(r) < w.y_first || f.y.at(r) >= w.y_last) return;
-    aa_cap_row<four> row;
+    aa_cap_row<four, true> row;
     const aa_columns columns = aa_enter_far(row, s, r);
     row.fold = static_cast<float>(s.turned_x - 2 * columns.first);
     write<four>(r, columns, row);

@@ -9,7 +9,8 @@
 // Where edges cross the bounds of rows is kept in 24.40 fixed point, as a function of the edge and the row alone; so no
 // window changes a pixel. The error is below 2^-40 of a pixel per row, 2^-18 for the longest edge. In a row, an edge's
 // leftmost point and its reach are cut to multiples of 2^-20.
-// Areas are floats, within 2^-18; each is a function of the edge in its row and of the column alone.
+// Areas are floats, within 2^-18, of doubles where an edge passes over many columns of a row; each is a function of the
+// row's edges on its side and of the column alone.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +29,9 @@ inline constexpr float area_rounding = 0.5f + 0x1p-10f;
 
 inline constexpr std::int64_t area_one = std::int64_t{1} << 40;  // one column in fixed point
 
+// Floats hold the columns of edges that reach over this many of a row to 2^-18. Longer reaches are computed in doubles.
+inline constexpr std::int64_t area_float_reach = 64 * area_one;
+
 // An edge in a row, or the part of one: where it is leftmost, how far it reaches from there, how high it is. The
 // columns are whole numbers.
 struct area_piece {
@@ -36,6 +40,7 @@ struct area_piece {
   float rest;  // its leftmost point within the column
   float width, height;
   float scale;  // height / (2 * width)
+  double wide;  // its width
 };
 
 inline namespace IRG_ABI {
@@ -97,7 +102,9 @@ struct edge_pieces_row {
   area_piece piece[most];
   int count = 0;
   int first = 0, end = 0;
+  bool is_wide = false;
 
+  IRG_INLINE constexpr void clear() noexcept { count = 0, is_wide = false; }
   IRG_INLINE constexpr void add(std::int64_t a, std::int64_t b, std::int32_t height, float scale) noexcept {
     const std::int64_t low = a < b ? a : b, reach = area_cut(a < b ? b - a : a - b);
     const int from = area_column(low), to = area_column_up(area_cut(low) + reach);
@@ -106,6 +113,8 @@ struct edge_pieces_row {
     p.span = static_cast<float>(to - from);
     p.rest = area_fraction(area_rest(low));
     p.width = static_cast<float>(reach) * 0x1p-40f;
+    p.wide = static_cast<double>(reach) * 0x1p-40;
+    is_wide = is_wide || reach > area_float_reach;
     p.height = static_cast<float>(height) * 0x1p-8f;
     p.scale = scale;
     first = count == 0 ? from : lesser(first, from);
@@ -115,6 +124,8 @@ struct edge_pieces_row {
 
   template <class F>
   IRG_INLINE constexpr F uncovered(int column, const F& ramp) const noexcept {
+    if (is_wide) [[unlikely]]
+      return uncovered_wide(column, ramp);
     const auto all = [](float x) { return lanes<F>::broadcast(x); };
     const auto by = [&](const area_piece& p, const F& columns) {
       return uncovered_by(columns - all(p.first), all(p.span), all(p.rest), all(p.width), all(p.scale), all(p.height));
@@ -123,6 +134,22 @@ struct edge_pieces_row {
     F sum = by(piece[0], columns);
     for (int i = 1; i < count; ++i) sum = sum + by(piece[i], columns);
     return sum;
+  }
+  template <class F>
+  IRG_NOINLINE constexpr F uncovered_wide(int column, const F& ramp) const noexcept {
+    float each[static_cast<unsigned>(lanes<F>::count)] = {};
+    lanes<F>::store(each, ramp);
+    for (float& x : each) {
+      const double at = column + static_cast<double>(x);
+      double sum = 0;
+      for (int i = 0; i < count; ++i) {
+        const area_piece& p = piece[i];
+        sum += uncovered_near<double>(at - static_cast<double>(p.first), static_cast<double>(p.rest), p.wide,
+                                      static_cast<double>(p.scale), static_cast<double>(p.height));
+      }
+      x = static_cast<float>(sum);
+    }
+    return lanes<F>::load(each);
   }
 };
 
@@ -140,11 +167,15 @@ struct area_edge {
     scale = dx == 0 ? 0.0f : static_cast<float>(0.5 * dy / (dx < 0 ? -dx : dx));
     if (row_first > row_last) return;
     const double slope = dx / dy;
-    advance = static_cast<std::int64_t>(slope * 0x1p40);
+    if (row_first < row_last) advance = static_cast<std::int64_t>(slope * 0x1p40);  // no more than 2^62 then
     const auto below = static_cast<double>(row_first * one_pixel - a.y);
     position = area_position(a.x) + static_cast<std::int64_t>(product(below, slope) * 0x1p32);
   }
 
+  // Whether floats do for the rows that it crosses from top to bottom.
+  IRG_INLINE constexpr bool suits_floats() const noexcept {
+    return advance <= area_float_reach && -advance <= area_float_reach;
+  }
   // Where it meets the upper bound of a row.
   IRG_INLINE constexpr std::int64_t enters(int row) const noexcept {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(position) +
@@ -184,7 +215,7 @@ struct area_side : area_edge {
   // The edges between the heights y and y_last of a row.
   IRG_INLINE constexpr void pieces(int row, std::int32_t y, std::int32_t y_last, edge_pieces_row& out) {
     const std::int32_t upper = row * one_pixel, lower = upper + one_pixel;
-    out.count = 0;
+    out.clear();
     while (y < y_last) {
       if (b.y <= y) lead_on(y);
       const std::int32_t stop = lesser(b.y, y_last);

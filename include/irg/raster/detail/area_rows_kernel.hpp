@@ -215,7 +215,7 @@ IRG_INLINE constexpr void area_rows(const Vertices& vertex, std::size_t n, const
     if (left.b.y <= y) left.lead_on(y);
     if (right.b.y <= y) right.lead_on(y);
     const int stop = lesser(lesser(left.row_last, right.row_last), row_last);
-    if (left.row_first <= row && right.row_first <= row && row < stop) {
+    if (left.row_first <= row && right.row_first <= row && row < stop && left.suits_floats() && right.suits_floats()) {
       whole_rows<F>(target, whole_edge_rows<F>(left, row), whole_edge_rows<F>(right, row), row, stop, w);
       row = stop;
     } else {

@@ -127,15 +127,18 @@ IRG_INLINE pack<float, 4> aa_sums(const pack<float, 4>& a, const pack<float, 4>&
 #endif
 
 // A row with edges that end in it: four edges, those on the right side with negative factors. F is float, or four lanes
-// with an edge each.
-template <class F>
+// with an edge each. Far: of a row of any length. The columns' part of t, a whole number, is kept apart then, so that
+// an edge far from the row's first pixel is as exact as one beside it.
+template <class F, bool Far = false>
 struct aa_cap_row {
   static constexpr unsigned parts = 4u / static_cast<unsigned>(lanes<F>::count);
   static_assert(parts == 1 || parts == 4);
   F t[parts] = {}, lo[parts] = {}, hi[parts] = {}, both[parts] = {}, square[parts] = {}, linear[parts] = {};
+  F columns[Far ? parts : 1] = {};
   float fold = 0x1p30f;  // pixel k is as pixel fold - k
 
   IRG_INLINE constexpr F part(int e, F k) const noexcept {
+    if constexpr (Far) k = k + columns[e];
     const aa_moments<F> m = aa_edge(k + t[e], lo[e], hi[e], both[e]);
     return product(m.square, square[e]) + product(m.linear - lo[e], linear[e]);
   }

@@ -132,8 +132,8 @@ IRG_INLINE constexpr aa_edge_in_row<T> aa_cut(T x, T y, T y_end, T x_per_row, T 
 inline constexpr float aa_sides[4] = {aa_full, aa_full, -aa_full, -aa_full};
 
 // The row's factors for edges e and following.
-template <class F>
-IRG_INLINE constexpr void aa_set(aa_cap_row<F>& row, unsigned e, F slant, F height) noexcept {
+template <class F, bool Far>
+IRG_INLINE constexpr void aa_set(aa_cap_row<F, Far>& row, unsigned e, F slant, F height) noexcept {
   const F one = lanes<F>::broadcast(1.0f), s = high_of(slant, lanes<F>::broadcast(aa_least_slant)), inverse = one / s,
           weight = product(height, lanes<F>::load(aa_sides + e));
   row.lo[e] = low_of(s, one), row.hi[e] = high_of(s, one), row.both[e] = s + one;
@@ -191,9 +191,9 @@ struct aa_near_edges {
 
 // Row r of any shape.
 template <class F>
-constexpr aa_columns aa_enter_far(aa_cap_row<F>& row, const aa_shape& s, int r) noexcept {
+constexpr aa_columns aa_enter_far(aa_cap_row<F, true>& row, const aa_shape& s, int r) noexcept {
   double low[4] = {}, high[4] = {};
-  float slant[4] = {}, height[4] = {}, t[4] = {};
+  float slant[4] = {}, height[4] = {}, t[4] = {}, whole[4] = {};
   aa_edge_in_row<double> c[4] = {};
   for (int e = 0; e < 4; ++e) {
     c[e] = aa_cut<double>(s.x[e], s.y[e], s.y_end[e], s.x_per_row[e], r, r + 1, 0.0);
@@ -202,10 +202,14 @@ constexpr aa_columns aa_enter_far(aa_cap_row<F>& row, const aa_shape& s, int r) 
     slant[e] = converted<float>(c[e].high - c[e].low), height[e] = converted<float>(c[e].height);
   }
   const aa_columns columns = aa_between(low[0], low[1], high[2], high[3]);
-  for (int e = 0; e < 4; ++e) t[e] = converted<float>((columns.first + 1) - c[e].low);
+  for (int e = 0; e < 4; ++e) {
+    if (!(c[e].height > 0.0)) continue;
+    const auto column = static_cast<int>(c[e].low);
+    whole[e] = static_cast<float>(columns.first + 1 - column), t[e] = static_cast<float>(column - c[e].low);
+  }
   for (unsigned e = 0; e < aa_cap_row<F>::parts; ++e) {
     aa_set(row, e, lanes<F>::load(slant + e), lanes<F>::load(height + e));
-    row.t[e] = lanes<F>::load(t + e);
+    row.columns[e] = lanes<F>::load(whole + e), row.t[e] = lanes<F>::load(t + e);
   }
   return columns;
 }
