@@ -57,11 +57,12 @@ void judge(entry& e) {
   std::fprintf(stderr, "%s: broken promise: %s\n", name_of(e.where, e.who.name).c_str(), e.found.broken.c_str());
 }
 
-// What the counters cannot say, for the table and for results.py: item|unit of the errors|same work|worst input|note
+// What the counters cannot say, for the table and for results.py, with tabs between: item, unit of the errors, whether
+// it is the same work, worst input, note.
 std::string label_of(const entry& e) {
   const std::string &a = e.who.note, &b = e.found.note;
-  return e.where.item + "|" + (e.who.judge ? e.where.error_unit : "") + (e.who.same_work ? "|yes|" : "|no|") +
-         e.found.worst_input + "|" + a + (a.empty() || b.empty() ? "" : "; ") + b;
+  return e.where.item + "\t" + (e.who.judge ? e.where.error_unit : "") + (e.who.same_work ? "\tyes\t" : "\tno\t") +
+         e.found.worst_input + "\t" + a + (a.empty() || b.empty() ? "" : "; ") + b;
 }
 
 // Each turn begins with a run that is not measured, so that nobody pays for what the one before left in the caches; who
@@ -117,13 +118,13 @@ public:
               where.error_unit.c_str(), "", "ns", "+- %", "of limit", "max error", "mean error", "wrong");
         title = here;
       }
-      print("  %-34s", (who.name + (r.run_name.time_type == "real_time" ? " (wall)" : "")).c_str());
+      print("  %-34s", who.name.c_str());
       if (r.error_occurred) {
         print(" %s\n", r.error_message.c_str());
         continue;
       }
-      print(" %10.4g", static_cast<double>(r.counters.at("ns_per_item")));
-      print(variation.count(r.run_name.function_name) ? " %6.1f" : " %6s", 100 * variation[r.run_name.function_name]);
+      print(" %10.4g %6.1f", static_cast<double>(r.counters.at("ns_per_item")),
+            100 * variation[r.run_name.function_name]);
       for (const auto& [name, width] :
            {std::pair{"limit_share", 9}, {"max_error", 10}, {"mean_error", 10}, {"wrong", 8}}) {
         const auto found_counter = r.counters.find(name);
@@ -132,7 +133,7 @@ public:
         else
           print(" %*.4g", width, static_cast<double>(found_counter->second));
       }
-      print("%s%s\n", "  ", r.report_label.substr(r.report_label.rfind('|') + 1).c_str());
+      print("%s%s\n", "  ", r.report_label.substr(r.report_label.rfind('\t') + 1).c_str());
     }
   }
 
@@ -191,7 +192,11 @@ private:
 void enter(const contest& c, contender who) {
   const std::string name = name_of(c, who.name);
   auto e = std::make_shared<entry>(entry{c, std::move(who)});
-  if (!entries.emplace(name, e).second) std::fprintf(stderr, "%s: entered twice\n", name.c_str()), std::abort();
+  const bool whole = std::count(name.begin(), name.end(), '/') == 2;
+  if (!whole || !entries.emplace(name, e).second) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), whole ? "entered twice" : "a name has a slash");
+    std::abort();
+  }
   auto* made = benchmark::RegisterBenchmark(name.c_str(), [e](benchmark::State& state) { measure(state, *e); });
   if (e->who.seconds)
     made->UseManualTime()->Iterations(1);

@@ -40,7 +40,7 @@ struct contender {
   std::function<double()> seconds{};  // instead of run: does the work and says how long it took; NaN: cannot run here
 };
 
-/// What the contenders have in common. No name has a slash or a comma.
+/// What the contenders have in common. No name has a slash, a comma or a tab.
 struct contest {
   std::string kernel, test_case, item;
   std::int64_t items = 1;

@@ -46,7 +46,7 @@ def main(results_name, accuracy_name, cpu, commit, *files):
         accuracy.write(ACCURACY + "\n")
         for times, median, build in contenders(files):
             kernel, case, who = median["run_name"].split("/")[:3]
-            item, unit, same_work, worst_input, note = median["label"].split("|", 4)
+            item, unit, same_work, worst_input, note = median["label"].split("\t", 4)
 
             def figure(name, digits):
                 return f"{median[name]:.{digits}g}" if name in median else ""
