@@ -47,6 +47,18 @@ IRG_INLINE constexpr void keep_affine(const mat<T, N, N>& a, mat<T, N, N>& x) no
   }
 }
 
+// Whether some entry that is not zero is below 2^-16 of another one.
+template <Floating T, int N>
+constexpr bool has_mixed_sizes(const mat<T, N, N>& a) noexcept {
+  T least = infinity<T>, largest = T(0);
+  for (int i = 0; i < N * N; ++i) {
+    const T size = magnitude(a(i / N, i % N));
+    largest = greater(size, largest);
+    if (size != T(0)) least = lesser(size, least);
+  }
+  return least < largest * static_cast<T>(0x1p-16);
+}
+
 // Puts the inverse by cofactors into x, and says whether it is one: whether a * x differs from the identity by no more
 // than 3 u times the condition number. False for numbers of a size that the cofactors, or a * x, might not fit.
 template <Floating T, int N>
@@ -131,6 +143,9 @@ constexpr mat<T, N, N> inverse_fast(const mat<T, N, N>& a) noexcept {
   return detail::inverse_by_cofactors(a, T(0));
 }
 
+template <Floating T, int N>
+constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept;
+
 /// The matrix that undoes `a`.
 /// gives   nothing for a singular matrix. In floats also nothing when the result would have no correct digit (see
 ///         `exact`), when an entry is NaN or infinite, or when the inverse has an entry that is too large for T
@@ -139,7 +154,8 @@ constexpr mat<T, N, N> inverse_fast(const mat<T, N, N>& a) noexcept {
 ///         inverse, must stay below 1/(2 N u). It does not depend on how rows and columns are scaled.
 ///         An affine matrix, one whose last row is 0 ... 0 1, has an inverse with exactly this last row
 /// cost    in floats up to size 4 that of inverse_fast and of a matrix product, which shows whether the result is good
-///         enough; where it is not, and for others, Gauss-Jordan elimination with partial pivoting, 2 N^3 operations
+///         enough; where it is not, and for others, Gauss-Jordan elimination with partial pivoting, 2 N^3 operations;
+///         where that fails and entries differ by more than 2^16, inverse_accurate
 /// source  Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 14; condition after Bauer, 1963
 template <Real T, int N>
 constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
@@ -147,9 +163,12 @@ constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
     if (mat<T, N, N> x{}; detail::inverse_is_easy(a, x)) return x;
   if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
   mat<T, N, N> left = a, right = identity<T, N>();
-  if (!detail::gauss_jordan<T>(left, right, N)) return std::nullopt;
-  if (!detail::entries_finite<T>(right, N, N) || !detail::inverse_has_digits<T>(a, right, N)) return std::nullopt;
-  return right;
+  if (detail::gauss_jordan<T>(left, right, N) && detail::entries_finite<T>(right, N, N) &&
+      detail::inverse_has_digits<T>(a, right, N))
+    return right;
+  if constexpr (Floating<T>)
+    if (detail::has_mixed_sizes(a)) return inverse_accurate(a);
+  return std::nullopt;
 }
 
 /// The matrix that undoes `a`, right to the last place however close to singular `a` is, up to a limit.
