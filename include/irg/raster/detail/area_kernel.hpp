@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>
@@ -144,10 +145,10 @@ struct edge_pieces_row {
       double sum = 0;
       for (int i = 0; i < count; ++i) {
         const area_piece& p = piece[i];
-        sum += uncovered_near<double>(at - static_cast<double>(p.first), static_cast<double>(p.rest), p.wide,
-                                      static_cast<double>(p.scale), static_cast<double>(p.height));
+        sum +=
+            uncovered_near<double>(at - widened(p.first), widened(p.rest), p.wide, widened(p.scale), widened(p.height));
       }
-      x = static_cast<float>(sum);
+      x = converted<float>(sum);
     }
     return lanes<F>::load(each);
   }
@@ -164,7 +165,7 @@ struct area_edge {
   IRG_INLINE constexpr area_edge(const subpixel& a, const subpixel& b) noexcept
       : row_first((a.y + (one_pixel - 1)) >> subpixel_bits), row_last(b.y >> subpixel_bits) {
     const double dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
-    scale = dx == 0 ? 0.0f : static_cast<float>(0.5 * dy / (dx < 0 ? -dx : dx));
+    scale = dx == 0 ? 0.0f : converted<float>(0.5 * dy / (dx < 0 ? -dx : dx));
     if (row_first > row_last) return;
     const double slope = dx / dy;
     if (row_first < row_last) advance = static_cast<std::int64_t>(slope * 0x1p40);  // no more than 2^62 then

@@ -205,7 +205,7 @@ constexpr aa_columns aa_enter_far(aa_cap_row<F, true>& row, const aa_shape& s, i
   for (int e = 0; e < 4; ++e) {
     if (!(c[e].height > 0.0)) continue;
     const auto column = static_cast<int>(c[e].low);
-    whole[e] = static_cast<float>(columns.first + 1 - column), t[e] = static_cast<float>(column - c[e].low);
+    whole[e] = static_cast<float>(columns.first + 1 - column), t[e] = converted<float>(column - c[e].low);
   }
   for (unsigned e = 0; e < aa_cap_row<F>::parts; ++e) {
     aa_set(row, e, lanes<F>::load(slant + e), lanes<F>::load(height + e));
