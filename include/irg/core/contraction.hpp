@@ -38,10 +38,12 @@ inline namespace IRG_ABI {
 
 /// The value, unchanged, as something the optimiser may not look into: no operation on either side can be fused or
 /// regrouped across it.
+/// needs   a number or a vector of the compiler's own, not a class around one: clang finds no register for that
 /// exact   the identity; in constant evaluation, where nothing is fused, it does nothing
 template <class T>
 IRG_INLINE constexpr T opaque(T value) noexcept {
 #if defined(__GNUC__) && !defined(__wasm__)
+  static_assert(!std::is_class_v<T>);
   // wasm has no fused instruction to fear. In constant evaluation the statement is skipped: it is no constant there.
   if (!std::is_constant_evaluated()) {
     if constexpr (sizeof(T) <= IRG_FLOAT_REGISTER_BYTES)

@@ -68,7 +68,7 @@ IRG_INLINE triple_lanes<float, N> normalize_lanes(const triple_lanes<float, N>& 
   using wide = typename pack<double, N>::storage;
   using narrow = typename pack<float, N>::storage;
   const auto in_double = [](const pack<float, N>& c) -> pack<double, N> {
-    return {__builtin_convertvector(opaque(c).v, wide)};
+    return {__builtin_convertvector(opaque(c.v), wide)};
   };
   const pack<double, N> x = in_double(a.x), y = in_double(a.y), z = in_double(a.z);
   const pack<double, N> square = (x * x + y * y) + z * z;
@@ -77,7 +77,7 @@ IRG_INLINE triple_lanes<float, N> normalize_lanes(const triple_lanes<float, N>& 
     // A square of 0, infinity or NaN: no direction.
     const wide quotient =
         ((square.v > 0) & (square.v < std::numeric_limits<double>::infinity())) ? (c / length).v : wide{};
-    return opaque(pack<float, N>{__builtin_convertvector(quotient, narrow)});
+    return {opaque(__builtin_convertvector(quotient, narrow))};
   };
   return {unit(x), unit(y), unit(z)};
 }
