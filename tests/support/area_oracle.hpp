@@ -50,6 +50,7 @@ inline long double signed_area(const std::vector<real_point>& p) {
 /// The part of a ring where sign * (coordinate - at) >= 0; its signed area is right for every ring.
 inline std::vector<real_point> clipped(const std::vector<real_point>& p, bool in_x, long double at, int sign) {
   std::vector<real_point> out;
+  out.reserve(p.size() + 4);
   const auto side = [&](const real_point& v) { return sign * ((in_x ? v.x : v.y) - at); };
   for (std::size_t i = 0; i < p.size(); ++i) {
     const real_point &a = p[i], &b = p[(i + 1) % p.size()];
@@ -67,6 +68,7 @@ inline std::vector<real_point> clipped(const std::vector<real_point>& p, bool in
 
 inline std::vector<real_point> in_pixels(const std::vector<irg::subpixel>& ring, long double x, long double y) {
   std::vector<real_point> p;
+  p.reserve(ring.size());
   for (const irg::subpixel& v : ring) p.push_back({v.x / 256.0L - x, v.y / 256.0L - y});
   return p;
 }

@@ -46,9 +46,10 @@ public:
   }
 
 private:
-  // A code as the list of its words: (length, value) per symbol, values counted up in canonical order.
+  // A code in canonical order: for each length the first of its words, and the symbols that have one, in order.
   struct code {
-    std::vector<unsigned> length, value;
+    unsigned first[16] = {};
+    std::vector<unsigned> symbols[16];
   };
 
   void fail(const char* why) {
@@ -63,15 +64,18 @@ private:
     return n;
   }
   code make_code(const std::vector<unsigned>& length) {
-    code c{length, std::vector<unsigned>(length.size(), 0)};
+    code c;
     unsigned next = 0, kraft = 0;
-    for (unsigned l = 1; l <= 15; ++l, next <<= 1)
+    for (unsigned l = 1; l <= 15; ++l) {
+      c.first[l] = next <<= 1;
       for (std::size_t s = 0; s < length.size(); ++s)
         if (length[s] == l) {
-          c.value[s] = next++;
+          c.symbols[l].push_back(static_cast<unsigned>(s));
+          ++next;
           kraft += 1u << (15 - l);
           if (static_cast<int>(l) > out_.longest_code) out_.longest_code = static_cast<int>(l);
         }
+    }
     if (kraft != 1u << 15) fail("code is not complete");
     return c;
   }
@@ -79,8 +83,7 @@ private:
     unsigned value = 0;
     for (unsigned l = 1; l <= 15 && out_.error == nullptr; ++l) {
       value = value << 1 | bits(1);
-      for (std::size_t s = 0; s < c.length.size(); ++s)
-        if (c.length[s] == l && c.value[s] == value) return static_cast<unsigned>(s);
+      if (value >= c.first[l] && value - c.first[l] < c.symbols[l].size()) return c.symbols[l][value - c.first[l]];
     }
     return fail("no such code"), 0;
   }
