@@ -248,6 +248,20 @@ TEST_CASE("obj O10: continuation lines") {
   const mesh named = of(with_square("g two \\\nwords \\\nf 1 2 3 4"));
   CHECK(named.face_count() == 0);
   CHECK(of(with_square("g two\\\nwords\\\n\nf 1 2 3 4")).parts[0].group == "two words");
+
+  // A comment behind any statement, whether it is read, skipped or a name, ends with its line.
+  for (const text statement : {"", "v 0 0 0", "vn 0 0 1", "vt 0 0", "f 1 2 3", "mtllib a.mtl", "s 1", "s off", "l 1 2", "p 1",
+                               "usemtl a", "usemtl", "o a b", "o", "g a", "g", "curv 0 1", "deg 3"})
+    for (const text comment : {" #\\", " # C:\\models\\", "\t# # \\", " #a b\\\\", " \\\n # x\\"})
+      for (const text end : {"\n", "\r", "\r\n"}) {
+        const std::string spelled = std::string(statement) + std::string(comment) + std::string(end) + "f 1 2 3 4";
+        CAPTURE(spelled);
+        CHECK(of(with_square(spelled)).face_count() == (statement == "f 1 2 3" ? 2u : 1u));
+      }
+  CHECK(of(with_square("s 1#2 \\\nf 9 9 9\nf 1 2 3 4")) == expected);  // no comment: no word begins there
+  CHECK(of(with_square("usemtl red #5\\\nf 1 2 3 4")).parts[0].material == "red #5\\");
+  CHECK(of(with_square("usemtl red\\\n#5\\\nf 1 2 3 4")).parts[0].material == "red #5\\");
+  CHECK(of(with_square("usemtl red#5\\\nand 6\nf 1 2 3 4")).parts[0].material == "red#5 and 6");
 }
 
 TEST_CASE("obj O11: long comments, faces and tokens") {
