@@ -90,25 +90,25 @@ private:
   mpfr_t value_;
 };
 
-/// |got - exact| in units in the last place of exact, rounded to T; 1e9 when one is finite and the other is not.
+/// |got - by_mpfr| in units in the last place of by_mpfr, rounded to T; 1e9 when one is finite and the other is not.
 template <class T>
-double ulp_error(T got, mpfr_ptr exact) {
+double ulp_error(T got, mpfr_ptr by_mpfr) {
   const T nearest =
-      sizeof(T) == 4 ? static_cast<T>(mpfr_get_flt(exact, MPFR_RNDN)) : static_cast<T>(mpfr_get_d(exact, MPFR_RNDN));
+      sizeof(T) == 4 ? static_cast<T>(mpfr_get_flt(by_mpfr, MPFR_RNDN)) : static_cast<T>(mpfr_get_d(by_mpfr, MPFR_RNDN));
   if (!std::isfinite(nearest) || !std::isfinite(got)) return same(nearest, got) ? 0 : 1e9;
   int exponent = 0;
   std::frexp(nearest, &exponent);
   const int lowest = sizeof(T) == 4 ? -149 : -1074;
   const int last_place = exponent - std::numeric_limits<T>::digits;
   static real difference;
-  mpfr_sub_d(difference, exact, static_cast<double>(got), MPFR_RNDN);
+  mpfr_sub_d(difference, by_mpfr, static_cast<double>(got), MPFR_RNDN);
   mpfr_mul_2si(difference, difference, -(last_place < lowest ? lowest : last_place), MPFR_RNDN);
   return std::fabs(mpfr_get_d(difference, MPFR_RNDN));
 }
 
 /// The largest error of function(x, y) on `count` arguments of generate(random&), printed and compared with the bound.
 template <class F, class Exact, class Generate>
-void check_ulp(const char* what, double bound, F function, Exact exact, Generate generate, int count) {
+void check_ulp(const char* what, double bound, F function, Exact by_mpfr, Generate generate, int count) {
   random r(0x5eed);
   double worst = 0;
   pair_of_doubles where;
@@ -117,7 +117,7 @@ void check_ulp(const char* what, double bound, F function, Exact exact, Generate
     const pair_of_doubles p = generate(r);
     mpfr_set_d(x, p.x, MPFR_RNDN);
     mpfr_set_d(y, p.y, MPFR_RNDN);
-    exact(result, x, y);
+    by_mpfr(result, x, y);
     const double error = ulp_error(function(p.x, p.y), result);
     if (error > worst) worst = error, where = p;
   }
@@ -127,11 +127,11 @@ void check_ulp(const char* what, double bound, F function, Exact exact, Generate
 }
 
 /// Counts results that are not the nearest float. `want` is double's function, good enough but near the middle of two
-/// floats, where MPFR decides: exact(out).
+/// floats, where MPFR decides: by_mpfr(out).
 class float_results {
 public:
   template <class Exact>
-  void judge(float got, double want, Exact exact) {
+  void judge(float got, double want, Exact by_mpfr) {
     ++tested_;
     const float low = static_cast<float>(want - std::fabs(want) * 0x1p-40);
     const float high = static_cast<float>(want + std::fabs(want) * 0x1p-40);
@@ -140,7 +140,7 @@ public:
       wrong_kind_ += same(got, static_cast<float>(want)) ? 0u : 1u;
       return;
     }
-    exact(result_);
+    by_mpfr(result_);
     const double error = ulp_error(got, result_);
     if (error > 0.5) ++misrounded_;
     if (error > worst_) worst_ = error;
@@ -159,7 +159,7 @@ private:
 
 /// Runs over the floats that floats_to_test names.
 template <class F, class Reference, class Exact>
-void check_floats(const char* what, double bound, F function, Reference reference, Exact exact) {
+void check_floats(const char* what, double bound, F function, Reference reference, Exact by_mpfr) {
   const float_range range = floats_to_test(99991);
   float_results results;
   real x;
@@ -167,7 +167,7 @@ void check_floats(const char* what, double bound, F function, Reference referenc
     const float argument = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
     results.judge(function(argument), reference(static_cast<double>(argument)), [&](mpfr_ptr out) {
       mpfr_set_flt(x, argument, MPFR_RNDN);
-      exact(out, x);
+      by_mpfr(out, x);
     });
   }
   results.check(what, bound);
@@ -176,7 +176,7 @@ void check_floats(const char* what, double bound, F function, Reference referenc
 /// Runs over 10^9 pairs of floats in the release tier, 20,000 else, a piece of them where IRG_SWEEP names one: pairs of
 /// any bits, and pairs of positive and negative numbers within a factor of 2^span of 1.
 template <class F, class Reference, class Exact>
-void check_float_pairs(const char* what, double bound, F function, Reference reference, Exact exact, int span_x,
+void check_float_pairs(const char* what, double bound, F function, Reference reference, Exact by_mpfr, int span_x,
                        int span_y) {
   const float_range all = floats_to_test(1);
   const bool sweep = all.first != 0 || all.last != std::uint64_t{1} << 32;
@@ -197,7 +197,7 @@ void check_float_pairs(const char* what, double bound, F function, Reference ref
     results.judge(function(x, y), reference(static_cast<double>(x), static_cast<double>(y)), [&](mpfr_ptr out) {
       mpfr_set_flt(a, x, MPFR_RNDN);
       mpfr_set_flt(b, y, MPFR_RNDN);
-      exact(out, a, b);
+      by_mpfr(out, a, b);
     });
   }
   results.check(what, bound);
