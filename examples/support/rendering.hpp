@@ -98,7 +98,7 @@ struct render_settings {
     else if (word == "--threads")
       threads = line.integer(word, 1, 256);
     else if (word.size() > 1 && word[0] == '-')
-      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
+      line.refuse(word);
     else if (model.empty())
       model = word;
     else

@@ -333,7 +333,7 @@ template <Floating T = double>
 constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {
   if (static_cast<std::uint64_t>(text.size()) >> 32 != 0) return parse_error{0, 0, "text is longer than 4 GiB"};
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    return parse_error{1, 1, "text is UTF-16, but OBJ must be ASCII or UTF-8"};
+    return parse_error{0, 0, "text is UTF-16, but OBJ must be ASCII or UTF-8"};
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
     return detail::error_at(text, text.data() + nul, "byte 0 stands in the text");
