@@ -9,7 +9,11 @@
 
 #include <irg/raster/image.hpp>
 
-int main() {
+#include "support/step.hpp"
+
+int main(int argc, char** argv) {
+  program::step(argc, argv, "01_pixel",
+                "an image is a rectangle of pixels of any type; (0, 0) is at the top left, y points down");
   irg::image<char> picture(5, 3, '.');
   picture(3, 1) = '@';
 

@@ -10,7 +10,10 @@
 
 #include <irg/raster/line_bresenham.hpp>
 
-int main() {
+#include "support/step.hpp"
+
+int main(int argc, char** argv) {
+  program::step(argc, argv, "02_line", "a line is a stream of cells; draw it into anything that accepts cells");
   char rows[3][6] = {".....", ".....", "....."};
   irg::line_bresenham({0, 0}, {5, 2}, {0, 0, 5, 3}, [&](irg::cell c) { rows[c.y][c.x] = '@'; });
   for (const auto& row : rows) std::puts(row);

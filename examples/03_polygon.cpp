@@ -11,6 +11,8 @@
 #include <irg/raster/fill_polygon.hpp>
 #include <irg/raster/image.hpp>
 
+#include "support/step.hpp"
+
 namespace {
 
 using point = irg::point<double, 2>;
@@ -32,7 +34,8 @@ void print(const ids& picture) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  program::step(argc, argv, "03_polygon", "a frame and a star: rings, holes, and two ways to say what is inside");
   // A polygon is one ring or several; a ring inside another is a hole. Pixels are of any type: here they are numbers.
   const point frame[2][4] = {{{1, 1}, {21, 1}, {21, 9}, {1, 9}}, {{4, 3}, {18, 3}, {18, 7}, {4, 7}}};
   ids picture(22, 10, 0);

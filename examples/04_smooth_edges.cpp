@@ -14,6 +14,8 @@
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_aa.hpp>
 
+#include "support/step.hpp"
+
 namespace {
 
 using point = irg::point<double, 2>;
@@ -35,7 +37,9 @@ void print(const coverage& picture) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  program::step(argc, argv, "04_smooth_edges",
+                "coverage is an area: pixels that a shape covers in part get a part of its paint");
   // A diamond with diagonals of 16 and 8 pixels has an area of 64.
   const point diamond[] = {{2, 5}, {10, 1}, {18, 5}, {10, 9}};
   coverage filled(20, 10, 0);

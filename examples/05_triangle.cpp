@@ -16,7 +16,11 @@
 #include <irg/raster/image.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 
-int main() {
+#include "support/step.hpp"
+
+int main(int argc, char** argv) {
+  program::step(argc, argv, "05_triangle",
+                "two triangles that share an edge: every pixel of the square belongs to exactly one of them");
   irg::image<char> picture(8, 8, '.');
   const irg::subpixel corner[4] = {{0, 0}, {8 * 256, 0}, {8 * 256, 8 * 256}, {0, 8 * 256}};
   int drawn = 0;

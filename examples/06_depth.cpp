@@ -13,7 +13,11 @@
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
 
-int main() {
+#include "support/step.hpp"
+
+int main(int argc, char** argv) {
+  program::step(argc, argv, "06_depth",
+                "two triangles that pass through each other: the depth buffer decides pixel by pixel");
   irg::image<char> picture(10, 5, '.');
   irg::image<float> depth(10, 5, irg::nearer_is_greater::farthest);  // reversed depth: 1 is near, 0 is far
 

@@ -11,7 +11,12 @@
 #include <irg/render/draw_triangles.hpp>
 #include <irg/scene/camera.hpp>
 
-int main() {
+#include "support/step.hpp"
+
+int main(int argc, char** argv) {
+  program::step(argc, argv, "07_cube",
+                "from space to the screen: a camera's matrix, clip space, the division by w, the viewport; faces that "
+                "turn away are left out");
   const irg::mesh<double> cube = irg::shape_cube<double>();  // 8 vertices, 12 triangles, counter-clockwise from outside
   irg::camera<double> camera;
   camera.eye = {2.4, 2.1, 3.0};

@@ -9,7 +9,10 @@
 #include <irg/raster/image.hpp>
 #include <irg/render/render.hpp>
 
+#include "support/step.hpp"
+
 int main(int argc, char** argv) {
+  const std::string file = program::step(argc, argv, "08_teapot", "the Utah teapot, lit, as a PNG", "teapot.png");
   irg::scene<double> scene;
   scene.objects.push_back({irg::shape_teapot<double>()});
   scene.objects[0].surface = {{0.1, 0.2, 0.3}, {0.25, 0.5, 0.75}, {0.4, 0.4, 0.4}, 50.0};  // ambient, diffuse, specular
@@ -25,10 +28,9 @@ int main(int argc, char** argv) {
   irg::image<float> depth(640, 480);
   const irg::render_stats stats = irg::render(scene, picture, depth, {.style = irg::picture_style::phong});
 
-  const char* path = argc > 1 ? argv[1] : "teapot.png";
-  if (const auto error = irg::write_image(path, picture)) return std::printf("%s: %s\n", error->message, path), 1;
+  if (const auto error = irg::write_image(file, picture)) program::fail("08_teapot", error->message + (": " + file));
   std::printf("%lld triangles, %lld of them facing away; %lld pixels drawn; %s\n",
               static_cast<long long>(stats.triangles), static_cast<long long>(stats.skipped.backface),
-              static_cast<long long>(stats.drawn), path);
+              static_cast<long long>(stats.drawn), file.c_str());
   return stats.drawn > 50000 && stats.skipped.backface > stats.triangles / 3 ? 0 : 1;
 }

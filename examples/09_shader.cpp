@@ -13,6 +13,8 @@
 #include <irg/render/draw_triangles.hpp>
 #include <irg/scene/camera.hpp>
 
+#include "support/step.hpp"
+
 using batch = irg::triangle_batch<double>;
 
 // The shader. A vertex has two angles and a brightness; a pixel is light or dark by the angles at it.
@@ -31,6 +33,9 @@ struct chequers {
 };
 
 int main(int argc, char** argv) {
+  const std::string file = program::step(
+      argc, argv, "09_shader", "pixels by a function of one's own: a torus whose chequers are computed, not painted",
+      "shader.png");
   constexpr int around = 96, across = 32;  // the last row and column repeat the first: angle 1, not 0
   std::vector<irg::point<double, 3>> positions;
   std::vector<std::array<float, 3>> vertices;
@@ -60,12 +65,12 @@ int main(int argc, char** argv) {
   const auto stats = irg::draw_batches<irg::nearer_is_greater, double>(picture, depth, torus, mapping,
                                                                        chequers{vertices}, {}, workspace);
 
-  const char* path = argc > 1 ? argv[1] : "shader.png";
-  if (const auto error = irg::write_image(path, picture)) return std::printf("%s: %s\n", error->message, path), 1;
+  if (const auto error = irg::write_image(file, picture)) program::fail("09_shader", error->message + (": " + file));
   int dark = 0;
   for (int y = 0; y < 360; ++y)
     for (int x = 0; x < 480; ++x) dark += picture(x, y).b > picture(x, y).r ? 1 : 0;
-  std::printf("%lld pixels shaded, %d of them dark; %s\n", static_cast<long long>(stats.pixels.shaded), dark, path);
+  std::printf("%lld pixels shaded, %d of them dark; %s\n", static_cast<long long>(stats.pixels.shaded), dark,
+              file.c_str());
   const long long third = stats.pixels.shaded / 3;
   return stats.pixels.shaded > 40000 && dark > third && dark < 2 * third ? 0 : 1;
 }

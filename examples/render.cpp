@@ -24,7 +24,7 @@ void run(program::command_line& line) {
   program::stopwatch watch;
 
   irg::scene<double> world;
-  world.objects.push_back({program::load_model(line, s.model)});
+  world.objects.push_back({program::load_model(line, s)});
   world.objects[0].surface = {{0.75, 0.42, 0.20}, {0.75, 0.42, 0.20}, {0.30, 0.30, 0.30}, 40};
   world.view = program::camera_of(line, s, world.objects[0].shape);
   world.lights = s.lights.empty() ? std::vector{program::shoulder_light(world.view)} : s.lights;

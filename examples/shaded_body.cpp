@@ -96,7 +96,7 @@ void run(program::command_line& line) {
   program::stopwatch watch;
 
   irg::scene<double> world;
-  world.objects.push_back({program::load_model(line, s.model)});
+  world.objects.push_back({program::load_model(line, s)});
   world.objects[0].surface = {grey(ambient_share), grey(diffuse_share), {}, 1};
   world.view = program::camera_of(line, s, world.objects[0].shape);
   world.lights = s.lights.empty() ? std::vector{program::shoulder_light(world.view)} : s.lights;

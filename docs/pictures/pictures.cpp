@@ -11,6 +11,7 @@
 #include <irg/curve/bezier.hpp>
 #include <irg/io/image_file.hpp>
 #include <irg/math/trigonometry.hpp>
+#include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/draw_triangle.hpp>
@@ -174,6 +175,38 @@ irg::mesh<double> faceted(irg::mesh<double> m) {
   return m;
 }
 
+// A drum of 20 sides: every edge smooth, the sharp ones sharp, every edge sharp.
+void creases() {
+  constexpr int sides = 20;
+  irg::mesh<double> drum;
+  for (int i = 0; i < 2 * sides; ++i) {
+    const double angle = (i / 2) * irg::two_pi<double> / sides;
+    drum.positions.push_back({irg::cos(angle), i % 2 ? 0.8 : -0.8, irg::sin(angle)});
+  }
+  std::vector<int> lid, bottom;
+  for (int i = 0; i < sides; ++i) {
+    const int a = 2 * i, b = 2 * ((i + 1) % sides);
+    irg::add_face(drum, std::array{a, a + 1, b + 1, b});
+    lid.insert(lid.begin(), a + 1);
+    bottom.push_back(a);
+  }
+  irg::add_face(drum, lid);
+  irg::add_face(drum, bottom);
+  irg::scene<double> s = scene_of(drum, {0.3, 0.7, 1.2}, 840, 280);
+  s.objects.clear();
+  for (const double crease : {180.0, 60.0, 0.0}) {
+    irg::object<double> o;
+    o.shape = drum;
+    irg::assign_crease_normals(o.shape, irg::radians(crease));
+    o.placement = irg::translation(vec3{crease == 180 ? -2.6 : crease == 0 ? 2.6 : 0.0, 0, 0});
+    o.surface = {{0.10, 0.20, 0.30}, {0.25, 0.50, 0.75}, {0.40, 0.40, 0.40}, 50.0};
+    s.objects.push_back(std::move(o));
+  }
+  s.view = irg::camera_around(irg::point<double, 3>{0, 0, 0}, 1.4, vec3{0.0, 0.6, 1.0}, irg::radians(30.0), 3.0);
+  s.view.near_distance = 0.1;
+  save("crease_normals", render(s, 840, 280, {.style = irg::picture_style::phong}));
+}
+
 void shapes() {
   irg::scene<double> s = scene_of(irg::shape_sphere<double>({.slices = 48, .stacks = 32}), {0.5, 0.7, 1.6}, 800, 360);
   const auto add = [&](irg::mesh<double> shape, vec3 place, irg::rgb<double> colour) {
@@ -251,6 +284,7 @@ int main(int argc, char** argv) {
   shading();
   materials();
   shapes();
+  creases();
   projections();
   srgb();
   bezier();

@@ -31,7 +31,7 @@ public:
   command_line(int argc, char** argv, std::string_view name, std::string_view help)
       : name_(name), words_(argv + (argc > 0), argv + argc) {
     for (const std::string_view word : words_)
-      if (word == "--help") {
+      if (word == "--help" || word == "-h") {
         std::fwrite(help.data(), 1, help.size(), stdout);
         std::exit(0);
       }
@@ -46,7 +46,25 @@ public:
     return take();
   }
 
+  /// The name of a file, which is no option.
+  std::string take_file() {
+    const std::string_view word = take();
+    if (word.starts_with('-')) refuse(word);
+    return std::string(word);
+  }
+
   [[noreturn]] void fail(std::string_view what) const { program::fail(name_, what); }
+
+  /// One line on standard error beside a result that may surprise.
+  void hint(std::string_view what) const {
+    std::fprintf(stderr, "%s: %s\n", std::string(name_).c_str(), std::string(what).c_str());
+  }
+
+  /// Ends the program because of a word that it does not know.
+  [[noreturn]] void refuse(std::string_view word) const {
+    if (word.starts_with('-')) fail("unknown option '" + std::string(word) + "'; --help lists them");
+    fail("unexpected word '" + std::string(word) + "'; --help tells how");
+  }
 
   /// One of a list of words, as its place in the list.
   std::size_t choice(std::string_view option, const std::vector<std::string_view>& supported) {

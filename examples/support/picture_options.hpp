@@ -75,7 +75,7 @@ struct drawing_options {
     } else if (word == "--size") {
       size = read_size(line);
     } else {
-      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
+      line.refuse(word);
     }
   }
 

@@ -53,6 +53,8 @@ void draw_scene(const command_line& line, const render_settings& s, const irg::s
   const irg::render_stats stats =
       irg::render(world, picture, depth, s.options, {}, irg::parallel{s.threads},
                   [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
+  if (stats.drawn == 0)
+    line.hint("the picture is empty: nothing of the model is in view; without --eye and --target all of it is");
   const auto old_picture = irg::read_file(s.stats.empty() ? std::string() : s.out);
   watch.lap();
   if (!s.out.empty()) write_picture(line, s.out, picture);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/mesh/crease_normals.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/render/render.hpp>
 #include <irg/view/axonometry.hpp>
@@ -38,6 +39,7 @@ inline constexpr std::string_view render_options_help =
   --style STYLE        gouraud, wire, flat, phong
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
   --cull WHAT          back, none
+  --crease DEG         edges sharper than this stay sharp where the model has no normals (60)
   --skip SWITCH        on, off: leave out work that cannot change the picture
   --threads N          1 to 256 (1)
 )";
@@ -52,7 +54,7 @@ struct render_settings {
   int threads = 1;
   std::optional<irg::point<double, 3>> eye, target;
   irg::vec<double, 3> up{0, 1, 0};
-  double angle = 40;
+  double angle = 40, crease = 60;  // degrees
   view_kind project = view_kind::perspective;
   std::vector<irg::light<double>> lights;
   irg::render_options options;
@@ -93,12 +95,15 @@ struct render_settings {
     else if (word == "--cull")
       options.culling =
           std::array{irg::face_culling::back, irg::face_culling::none}[line.choice(word, {"back", "none"})];
-    else if (word == "--skip")
+    else if (word == "--crease") {
+      crease = line.numbers(word, 1)[0];
+      if (!(crease >= 0 && crease <= 180)) line.fail("option --crease needs an angle from 0 to 180 degrees");
+    } else if (word == "--skip")
       options.skip = std::array{irg::skip_options{}, irg::skip_nothing}[line.choice(word, {"on", "off"})];
     else if (word == "--threads")
       threads = line.integer(word, 1, 256);
     else if (word.size() > 1 && word[0] == '-')
-      line.fail("unknown option '" + std::string(word) + "'; --help lists them");
+      line.refuse(word);
     else if (model.empty())
       model = word;
     else
@@ -112,10 +117,11 @@ struct render_settings {
   }
 };
 
-/// The model of that name, which has to have faces.
-inline irg::mesh<double> load_model(const command_line& line, const std::string& model) {
-  auto mesh = read_model(line, model);
-  if (mesh.face_count() == 0) line.fail("the model has no faces: " + model);
+/// The model that the options name, which has to have faces, with normals everywhere.
+inline irg::mesh<double> load_model(const command_line& line, const render_settings& s) {
+  auto mesh = read_model(line, s.model);
+  if (mesh.face_count() == 0) line.fail("the model has no faces: " + s.model);
+  irg::assign_crease_normals(mesh, irg::radians(s.crease));
   return mesh;
 }
 

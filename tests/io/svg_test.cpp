@@ -43,7 +43,8 @@ TEST_CASE("svg: by hand") {
   picture(2, 0) = {0, 0, 0, 128};
   picture(0, 1) = {0, 0, 0, 0};
   CHECK(text_of(picture) ==
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"3\" height=\"2\" shape-rendering=\"crispEdges\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"3\" height=\"2\" viewBox=\"0 0 3 2\" "
+        "shape-rendering=\"crispEdges\">\n"
         "<rect x=\"0\" y=\"0\" width=\"2\" height=\"1\" fill=\"#ff000a\"/>\n"
         "<rect x=\"2\" y=\"0\" width=\"1\" height=\"1\" fill=\"#000000\" fill-opacity=\"0.501\"/>\n"
         "<rect x=\"1\" y=\"1\" width=\"2\" height=\"1\" fill=\"#ff000a\"/>\n"
@@ -72,7 +73,8 @@ TEST_CASE("svg: pictures without pixels are refused, and it is written while com
   CHECK_BOTH(!irg::encode_svg(irg::image<std::uint8_t>(3, 0)));
   CHECK_BOTH([] {
     constexpr std::string_view expected =
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"1\" shape-rendering=\"crispEdges\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"1\" viewBox=\"0 0 2 1\" "
+        "shape-rendering=\"crispEdges\">\n"
         "<rect x=\"0\" y=\"0\" width=\"2\" height=\"1\" fill=\"#c8c8c8\"/>\n</svg>\n";
     const auto bytes = irg::encode_svg(irg::image<std::uint8_t>(2, 1, 200));
     return bytes && std::equal(bytes->begin(), bytes->end(), expected.begin(), expected.end());

@@ -207,7 +207,7 @@ check "no standard input: one line" is "$(wc -l <.err)" 1
 
 # ---- options that are wrong
 refused "an unknown option" "--help lists them" "$course" --depth 3
-refused "a word" "--help lists them" "$course" line.txt
+refused "a word" "unexpected word 'line.txt'; --help tells how" "$course" line.txt
 refused "an unknown method" "supported: integer, symmetric, textbook, seed" "$course" --method dda
 refused "a method missing" "needs a value" "$course" --method
 refused "a window of three" "not '0,0,1'" "$course" --window 0,0,1

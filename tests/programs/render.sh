@@ -297,6 +297,15 @@ refused "two models" "sphere" cube sphere -o x.png
 refused "an eye out of range" "too far" cube -o x.png --eye 1e200,0,0
 refused "a target out of range" "too far" cube -o x.png --target 1e300,0,0 --project orthographic
 
+run "" cube $small -o empty.png --eye 0,0,9 --target 0,0,20
+check "an empty picture is a picture: exit 0" is "$status" 0
+check "an empty picture comes with a hint: $err" has "$err" "render: the picture is empty"
+run "" cube $small -o full.png
+check "a picture of the model comes without" is "$err" ""
+printf '\377\376v\0' >utf16.obj
+refused "a text of another kind" "UTF-8: utf16.obj" utf16.obj -o x.png
+check "what is wrong with a whole file has no position: $err" ends "$err" ": utf16.obj"
+
 # A picture that stood there before stays when the new one cannot be drawn.
 cp picture.png kept.png
 refused "a failure beside an old picture" "missing.obj" missing.obj -o kept.png

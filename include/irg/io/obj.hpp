@@ -244,17 +244,26 @@ struct obj_reader {
     return true;
   }
 
+  /// Moves to the end of the line, over its continuations, and returns where the last word ends. Behind a `#` where a
+  /// word could begin may stand a comment, which no backslash continues.
+  constexpr const char* rest_of_line() noexcept {
+    const char* end = at;
+    bool between_words = true, is_comment = false;
+    while (at != last && !is_line_break(*at)) {
+      is_comment = is_comment || (between_words && *at == '#');
+      const int length = is_comment ? 0 : continuation(at);
+      between_words = length != 0 || is_blank(*at);
+      at += length != 0 ? length : 1;
+      if (!between_words) end = at;
+    }
+    return end;
+  }
+
   /// Takes the rest of the line, without the blanks around it, as a name.
   constexpr bool name(std::string_view& into) noexcept {
     skip_blanks();
     const char* const start = at;
-    const char* end = at;
-    while (at != last && !is_line_break(*at)) {
-      const int length = continuation(at);
-      at += length != 0 ? length : 1;
-      if (length == 0 && !is_blank(at[-1])) end = at;
-    }
-    into = {start, static_cast<std::size_t>(end - start)};
+    into = {start, static_cast<std::size_t>(rest_of_line() - start)};
     names_changed = true;
     return true;
   }
@@ -262,8 +271,9 @@ struct obj_reader {
   /// The name with blanks for its continuations.
   constexpr part_name spelled(std::string_view name) const {
     part_name s;
-    for (const char* p = name.data(); p != name.data() + name.size();) {
-      const int length = continuation(p);
+    const char* const end = name.data() + name.size();
+    for (const char* p = name.data(); p != end;) {
+      const int length = continuation(p) < end - p ? continuation(p) : 0;  // the last word is none
       s.push_back(length != 0 ? ' ' : *p);
       p += length != 0 ? length : 1;
     }
@@ -290,7 +300,7 @@ struct obj_reader {
     for (; !at_token_end(); ++at)
       if (!is_letter(*at) && !is_digit(*at) && *at != '_') return fail(start, "expected a statement");
     if (options.unused == obj_unused::refuse) return fail(start, "statement has no place in a mesh");
-    while (at != last && !is_line_break(*at)) at += continuation(at) != 0 ? continuation(at) : 1;
+    rest_of_line();
     return true;
   }
 
@@ -323,7 +333,7 @@ template <Floating T = double>
 constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {
   if (static_cast<std::uint64_t>(text.size()) >> 32 != 0) return parse_error{0, 0, "text is longer than 4 GiB"};
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    return parse_error{1, 1, "text is UTF-16, but OBJ must be ASCII or UTF-8"};
+    return parse_error{0, 0, "text is UTF-16, but OBJ must be ASCII or UTF-8"};
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
     return detail::error_at(text, text.data() + nul, "byte 0 stands in the text");

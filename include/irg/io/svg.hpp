@@ -90,6 +90,10 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_svg(const R& ra
   detail::append_number(out, width);
   detail::append_text(out, "\" height=\"");
   detail::append_number(out, height);
+  detail::append_text(out, "\" viewBox=\"0 0 ");  // so that it scales with a width and height that its page gives it
+  detail::append_number(out, width);
+  detail::append_text(out, " ");
+  detail::append_number(out, height);
   detail::append_text(out, "\" shape-rendering=\"crispEdges\">\n");
   for (int y = 0, y_end = 0; y < height; y = y_end) {
     y_end = detail::end_of_equal_rows(raster, y);

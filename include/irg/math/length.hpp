@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
@@ -54,20 +55,19 @@ constexpr scaled_coordinates<size_of<V>> scaled(const V& v) noexcept {
 
 /// The length of the vector of N coordinates c(i).
 template <class T, int N, class C>
-constexpr T folded_length(const C& c) noexcept {
-  if constexpr (N == 1) return magnitude(c(0));
-  if constexpr (N == 2) return hypot(c(0), c(1), T(0));
-  if constexpr (N >= 3) {
-    T length = hypot(c(0), c(1), c(2));
-    for (int i = 3; i < N; ++i) length = hypot(length, c(i));
-    return length;
-  }
+IRG_INLINE constexpr T length_of(const C& c) noexcept {
+  if constexpr (N == 1)
+    return magnitude(c(0));
+  else
+    return [&]<int... I>(std::integer_sequence<int, I...>) {
+      return hypot_of<T>(c(I)...);
+    }(std::make_integer_sequence<int, N>{});
 }
 
 /// The length of scaled coordinates: float's in double, where their squares are exact.
 template <class T, int N>
 constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
-  if constexpr (std::same_as<T, double>) return folded_length<double, N>([&](int i) { return s.c[i]; });
+  if constexpr (std::same_as<T, double>) return length_of<double, N>([&](int i) { return s.c[i]; });
   double sum = 0;
   for (const double c : s.c) sum = sum + product(c, c);
   return sqrt(sum);
@@ -99,13 +99,12 @@ IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
 
 /// The length of v over the whole range of its numbers, subnormal to largest.
 /// gives   infinity when a coordinate is infinite or the length is beyond the range, else NaN when one is NaN
-/// exact   within 0.501 ulp for up to three coordinates, half an ulp more for each further one, subnormal results too;
-///         a vector along an axis has its exact length
+/// exact   within 0.501 ulp, subnormal results too; a vector along an axis has its exact length
 /// cost    that of hypot
 template <Vector V>
   requires Floating<scalar_of<V>>
 constexpr scalar_of<V> length(const V& v) noexcept {
-  return detail::folded_length<scalar_of<V>, size_of<V>>([&](int i) { return coordinate(v, i); });
+  return detail::length_of<scalar_of<V>, size_of<V>>([&](int i) { return coordinate(v, i); });
 }
 
 /// The vector of length 1 in the direction of v.

@@ -107,6 +107,28 @@ constexpr double area_scale(const M& m) noexcept {
   return largest > 0 ? power_of_two_for(largest) : 1;
 }
 
+/// Calls f(face, k, unit, share) for every corner of every face that has a normal: the face's unit normal, and how much
+/// it counts for the vertex.
+template <class M, class F>
+constexpr void for_weighted_corners(const M& m, normal_weight weight, const F& f) {
+  const double scale = weight == normal_weight::area ? area_scale(m) : 1;
+  for (std::size_t face = 0; face < mesh_traits<M>::face_count(m); ++face) {
+    const auto edges = edges_of_face(m, face);
+    const vec<double, 3> sum = newell_sum(edges);
+    const auto unit = try_normalize(sum);
+    if (!unit) continue;
+    double share = 1;
+    if (weight == normal_weight::area) {
+      const double ratio = scale / edges.before / edges.after;
+      share = length(sum) * ratio * ratio;
+    }
+    for (std::size_t k = 0; k < edges.count; ++k) {
+      if (weight == normal_weight::angle) share = corner_angle(edges, k, *unit);
+      f(face, k, *unit, share);
+    }
+  }
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -155,24 +177,11 @@ template <detail::mesh_in_space M>
 constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m,
                                                              normal_weight weight = normal_weight::average) {
   using V = detail::mesh_normal<M>;
-  const double scale = weight == normal_weight::area ? detail::area_scale(m) : 1;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});
-  for (std::size_t f = 0; f < mesh_traits<M>::face_count(m); ++f) {
-    const auto edges = detail::edges_of_face(m, f);
-    const vec<double, 3> sum = detail::newell_sum(edges);
-    const auto unit = try_normalize(sum);
-    if (!unit) continue;
-    double share = 1;
-    if (weight == normal_weight::area) {
-      const double ratio = scale / edges.before / edges.after;
-      share = length(sum) * ratio * ratio;
-    }
-    for (std::size_t k = 0; k < edges.count; ++k) {
-      if (weight == normal_weight::angle) share = detail::corner_angle(edges, k, *unit);
-      V& normal = normals[mesh_traits<M>::face_vertex(m, f, k)];
-      normal += generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(product((*unit)[i], share)); });
-    }
-  }
+  detail::for_weighted_corners(m, weight, [&](std::size_t f, std::size_t k, const vec<double, 3>& unit, double share) {
+    V& normal = normals[mesh_traits<M>::face_vertex(m, f, k)];
+    normal += generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(product(unit[i], share)); });
+  });
   for (V& normal : normals) normal = normalized(normal);
   return normals;
 }

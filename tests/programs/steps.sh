@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The steps 01 to 09 and their command lines; and -h of every program.
+# shellcheck disable=SC2154 # status, out, err and program come from programs.sh
+. "$(dirname "$0")/../support/programs.sh" 01_pixel "$@"
+folder=$(dirname "$program")
+
+steps=0
+for program in "$folder"/[0-9][0-9]_*; do
+  [ -f "$program" ] || continue
+  name=$(basename "$program")
+  steps=$((steps + 1))
+  for word in --help -h; do
+    run "" "$word"
+    check "$name $word: exit 0" is "$status" 0
+    check "$name $word: nothing on standard error" is "$err" ""
+    check "$name $word: says what it is" begins "$out" "$name: "
+    check "$name $word: says how it is called" has "$out" "usage: $name"
+  done
+  check "$name --help leaves no file" is "$(files)" ""
+  fails "$name: an option that it has not" "" --size 3x3
+  check "$name: the option is named: $err" has "$err" "unknown option '--size'"
+  fails "$name: words too many" "" one.png two.png
+  check "$name: the word is named: $err" has "$err" "unexpected word"
+done
+check "there are nine steps, not $steps" is $steps 9
+
+for name in 08_teapot 09_shader; do
+  program=$folder/$name
+  fails "$name: a folder that is not there" "" missing/picture.png
+  check "$name: the file is named, without a position: $err" ends "$err" ": missing/picture.png"
+  run "" picture.png
+  check "$name FILE: exit 0, not $status: $err" is "$status" 0
+  check "$name FILE: a PNG" has "$(head -c 4 picture.png)" PNG
+  rm -f picture.png
+done
+
+programs=0
+for program in "$folder"/[a-z]*; do
+  [ -f "$program" ] && [ -x "$program" ] || continue
+  name=$(basename "$program")
+  programs=$((programs + 1))
+  run "" --help
+  help=$out
+  run "" -h
+  check "$name -h: exit 0" is "$status" 0
+  check "$name -h is --help" is "$out" "$help"
+  check "$name --help names the program" has "$help" "$name"
+done
+check "there are programs, not $programs" [ "$programs" -ge 7 ]
+conclude
