@@ -17,7 +17,7 @@ namespace detail {
 /// Corners of a mesh in groups, each known by its lowest corner.
 class corner_groups {
 public:
-  constexpr explicit corner_groups(std::size_t count) : above_(count) {
+  constexpr explicit corner_groups(std::size_t count) : above_(count, 0) {
     std::iota(above_.begin(), above_.end(), std::uint32_t{0});
   }
   constexpr std::uint32_t of(std::uint32_t corner) noexcept {
@@ -46,10 +46,10 @@ inline namespace IRG_ABI {
 /// The ends of all edges, by the position that they are at, those of one edge side by side.
 template <class T>
 constexpr std::vector<edge_end> edge_ends(const mesh<T>& m) {
-  std::vector<std::size_t> next(m.positions.size() + 1);  // where the next end at a position goes
+  std::vector<std::size_t> next(m.positions.size() + 1, 0);  // where the next end at a position goes
   for (const mesh_corner& c : m.corners) next[c.position + std::size_t{1}] += 2;
   for (std::size_t v = 0; v < m.positions.size(); ++v) next[v + 1] += next[v];
-  std::vector<edge_end> ends(2 * m.corners.size());
+  std::vector<edge_end> ends(2 * m.corners.size(), edge_end{});
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const std::size_t count = m.face_size(f), first = m.face_starts[f];
     for (std::size_t k = 0; k < count; ++k) {
@@ -84,7 +84,7 @@ template <Floating T>
 constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle) {
   if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != mesh_corner::none; })) return;
   const std::size_t count = m.corners.size();
-  std::vector<vec<double, 3>> unit(count), weighted(count);
+  std::vector<vec<double, 3>> unit(count, vec<double, 3>{}), weighted(count, vec<double, 3>{});
   detail::for_weighted_corners(m, weight, [&](std::size_t f, std::size_t k, const vec<double, 3>& n, double share) {
     unit[m.face_starts[f] + k] = n;
     weighted[m.face_starts[f] + k] = generate_coordinates<vec<double, 3>>([&](int i) { return product(n[i], share); });
@@ -100,7 +100,7 @@ constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight 
     if (unit[a] != none && unit[b] != none && angle_between(unit[a], unit[b]) <= widened(crease)) groups.join(a, b);
   }
 
-  std::vector<vec<double, 3>> sum(count);
+  std::vector<vec<double, 3>> sum(count, vec<double, 3>{});
   for (std::uint32_t c = 0; c < count; ++c) sum[groups.of(c)] += weighted[c];
   std::vector<std::uint32_t> normal_of(count, mesh_corner::none);
   for (std::uint32_t c = 0; c < count; ++c) {
