@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// curve: Bezier curves and surfaces, tessellation.
+// curve: Bezier curves and surfaces, B-splines, NURBS.
 #pragma once
 
 #include <irg/curve/bezier.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hidden: back faces, painter, Warnock, BSP order, the textbook z-buffer, hidden lines, floating horizon, grid surfaces.
+// hidden: back faces; the textbook z-buffer, its depths and its memory.
 #pragma once
 
 #include <irg/hidden/back_faces.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// io: OBJ, PPM, PNG, SVG; reads from memory, writes any raster; nothing else touches files.
+// io: OBJ read from memory; PPM, PNG, SVG of any raster; nothing else touches files.
 #pragma once
 
 #include <irg/io/file.hpp>

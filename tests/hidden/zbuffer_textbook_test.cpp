@@ -133,14 +133,24 @@ TEST_CASE("zbuffer_textbook: exact depths, in rasters that have nothing but get 
   CHECK_BOTH(go());
 }
 
-TEST_CASE("zbuffer_textbook: clear without a depth takes the order's farthest one") {
+TEST_CASE("zbuffer_textbook: clear without a depth takes the farthest number there is, so that nothing is behind it") {
   image<int> screen(2, 1, 9);
   image<float> depth(2, 1, 5);
-  zbuffer_textbook{nearer_is_less{}, screen, depth}.clear(1);
-  CHECK(depth(1, 0) == 1.0f);
-  zbuffer_textbook{nearer_is_greater{}, screen, depth}.clear(2);
-  CHECK(depth(1, 0) == 0.0f);
+  zbuffer_textbook distances{nearer_is_less{}, screen, depth};
+  distances.clear(1);
+  CHECK(depth(1, 0) == std::numeric_limits<float>::infinity());
+  CHECK(distances.set_pixel(0, 0, 1e38f, 3));
+  zbuffer_textbook heights{nearer_is_greater{}, screen, depth};
+  heights.clear(2);
+  CHECK(depth(1, 0) == -std::numeric_limits<float>::infinity());
   CHECK(screen(1, 0) == 2);
+  CHECK(heights.set_pixel(0, 0, 0.0f, 3));
+  CHECK(heights.set_pixel(1, 0, -1e38f, 4));
+  image<short> whole(2, 1, short{5});
+  zbuffer_textbook{nearer_is_greater{}, screen, whole}.clear(2);
+  CHECK(whole(1, 0) == -32768);
+  zbuffer_textbook{nearer_is_less{}, screen, whole}.clear(2);
+  CHECK(whole(1, 0) == 32767);
 }
 
 P random_corner(test::random& r, int size, int height) {

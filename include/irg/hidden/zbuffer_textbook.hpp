@@ -55,6 +55,19 @@ struct reference_of<R> {
 
 inline namespace IRG_ABI {
 
+// The farthest number of a type of depths; the order's own for types without limits.
+template <class Order, class Z>
+constexpr Z farthest_depth() noexcept {
+  using limits = std::numeric_limits<Z>;
+  const bool is_greater = Order::nearer(1, 0);
+  if constexpr (limits::has_infinity)
+    return is_greater ? -limits::infinity() : limits::infinity();
+  else if constexpr (limits::is_specialized)
+    return is_greater ? limits::lowest() : (limits::max)();
+  else
+    return static_cast<Z>(Order::farthest);
+}
+
 template <WritableRaster R, class Z, PixelValue<R, Z> V>
 IRG_INLINE constexpr void put_value(R& raster, int x, int y, const Z& z, const V& value) {
   if constexpr (std::convertible_to<const V&, pixel_of<R>>)
@@ -103,9 +116,9 @@ public:
   }
 
   /// Every pixel of the screen becomes the background, every depth that of the back plane: Zmin where nearer is
-  /// greater.
+  /// greater. Without a back plane it is the farthest number there is, infinity or an integer's last one.
   IRG_INLINE constexpr void clear(const pixel_of<Screen>& background,
-                                  const depth_type& back_plane = static_cast<depth_type>(Order::farthest)) const
+                                  const depth_type& back_plane = detail::farthest_depth<Order, depth_type>()) const
     requires(!has_references)
   {
     irg::clear(*screen_, background);
