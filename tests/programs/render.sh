@@ -17,14 +17,20 @@ refused() {
   check "$what: no full stop or trace" is "${err%.}" "$err"
 }
 
-# drawn "what" arguments...: the picture p.ppm and s.json come out, silently.
+# drawn "what" arguments...: the picture p.ppm and s.json come out, silently but for a hint beside an empty picture.
 drawn() {
   local what=$1
   shift
   rm -f p.ppm s.json
   run "" "$@" -o p.ppm --stats s.json
   check "$what: exit 0, not $status: $err" is "$status" 0
-  check "$what: silent" is "$(cat .out .err | wc -c)" 0
+  check "$what: silent" is "$(wc -c <.out)" 0
+  if grep -q '"pixels_drawn": 0,' s.json; then
+    check "$what: the hint alone: $err" begins "$err" "render: the picture is empty"
+    check "$what: the hint is a line" is "$(wc -l <.err)" 1
+  else
+    check "$what: silent on standard error: $err" is "$err" ""
+  fi
   check "$what: a picture" test -s p.ppm
   check "$what: a hash" is_not "$(hash_in s.json)" ""
 }
@@ -147,17 +153,19 @@ done
 
 # ---- what options do
 hash_with() { drawn "$*" "$@" && hash_in s.json; }
-plain=$(hash_with cube $small)
-for option in "--style wire" "--style flat" "--style phong" "--fov 60" "--up 1,0,0" "--up -1,0.5,0" "--light -3,2,-4" \
+pillow="cube $small --crease 120" # whose smooth styles differ
+plain=$(hash_with $pillow)
+for option in "--crease 60" "--crease 0" "--style wire" "--style flat" "--style phong" "--fov 60" "--up 1,0,0" \
+  "--up -1,0.5,0" "--light -3,2,-4" \
   "--project orthographic" "--project isometric" "--project dimetric" "--project trimetric" "--project oblique" \
   "--eye 3,2,5" "--eye -3,2,-5" "--target 0.5,0.75,0.5" "--size 36x48"; do
-  check "$option changes the picture" is_not "$(hash_with cube $small $option)" "$plain"
+  check "$option changes the picture" is_not "$(hash_with $pillow $option)" "$plain"
 done
 check "two lights are not one" is_not "$(hash_with cube $small --light 3,4,5 --light -3,0,5)" "$(hash_with cube $small --light 3,4,5)"
 check "the order of options does not matter" is "$(hash_with --fov 50 $small --eye 3,2,5 cube)" "$(hash_with cube --eye 3,2,5 --fov 50 $small)"
 check "an eye without a target looks at the centre" is "$(hash_with cube $small --eye 3,2,5)" \
   "$(hash_with cube $small --eye 3,2,5 --target 0.5,0.5,0.5)"
-check "the last of two wins" is "$(hash_with cube --size 9x9 $small)" "$plain"
+check "the last of two wins" is "$(hash_with cube --size 9x9 $small --crease 10 --crease 120)" "$plain"
 
 # The sphere around a model touches the picture: a square picture of a sphere is filled from border to border.
 for project in perspective orthographic isometric dimetric trimetric oblique; do
@@ -264,6 +272,7 @@ for option in --eye --target --up --light; do
     refused "$option '$value'" "$option" cube -o x.png --stats x.json $option "$value"
   done
 done
+for value in -1 181 nan x "" 1,2; do refused "--crease '$value'" "--crease" cube -o x.png --crease "$value"; done
 for value in 0 180 -1 1e-310 nan inf x "" 1,2; do refused "--fov '$value'" "--fov" cube -o x.png --stats x.json --fov "$value"; done
 for value in 0 -1 257 1.5 1e300 nan x ""; do refused "--threads '$value'" "--threads" cube -o x.png --stats x.json --threads "$value"; done
 refused_choice() { # option value supported...
