@@ -12,6 +12,7 @@
 #include "support/number_input.hpp"
 #include "support/number_output.hpp"
 #include "support/picture_options.hpp"
+#include "support/run_or_fail.hpp"
 #include "support/sketch.hpp"
 
 namespace {

@@ -17,6 +17,7 @@
 #include "support/command_line.hpp"
 #include "support/number_input.hpp"
 #include "support/picture_options.hpp"
+#include "support/run_or_fail.hpp"
 
 namespace {
 

@@ -20,6 +20,7 @@
 #include "support/number_input.hpp"
 #include "support/number_output.hpp"
 #include "support/picture_options.hpp"
+#include "support/run_or_fail.hpp"
 
 namespace {
 

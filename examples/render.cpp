@@ -4,6 +4,7 @@
 
 #include "support/command_line.hpp"
 #include "support/rendering.hpp"
+#include "support/run_or_fail.hpp"
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "support/command_line.hpp"
 #include "support/number_output.hpp"
 #include "support/rendering.hpp"
+#include "support/run_or_fail.hpp"
 
 namespace {
 

@@ -2,10 +2,8 @@
 // What the example programs share: options, numbers, and the one way they fail: one line on standard error, exit 2.
 #pragma once
 
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -117,19 +115,6 @@ inline std::string with_place(const irg::parse_error& e, std::string_view file) 
   std::string text = std::string(e.message) + ": " + std::string(file);
   if (e.line > 0) text += ":" + std::to_string(e.line) + ":" + std::to_string(e.column);
   return text;
-}
-
-/// The body of main: run(line), whose memory may end. `size` names what takes it, for the message.
-template <class Run>
-void run_or_fail(command_line&& line, std::string_view size, const Run& run) {
-#ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN);  // a full quota is a failed write, which is cleaned up after, not the program's end
-#endif
-  try {
-    run(line);
-  } catch (const std::bad_alloc&) {
-    line.fail("there is not enough memory for " + std::string(size));
-  }
 }
 
 }  // namespace program

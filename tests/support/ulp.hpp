@@ -93,8 +93,8 @@ private:
 /// |got - by_mpfr| in units in the last place of by_mpfr, rounded to T; 1e9 when one is finite and the other is not.
 template <class T>
 double ulp_error(T got, mpfr_ptr by_mpfr) {
-  const T nearest =
-      sizeof(T) == 4 ? static_cast<T>(mpfr_get_flt(by_mpfr, MPFR_RNDN)) : static_cast<T>(mpfr_get_d(by_mpfr, MPFR_RNDN));
+  const T nearest = sizeof(T) == 4 ? static_cast<T>(mpfr_get_flt(by_mpfr, MPFR_RNDN))
+                                   : static_cast<T>(mpfr_get_d(by_mpfr, MPFR_RNDN));
   if (!std::isfinite(nearest) || !std::isfinite(got)) return same(nearest, got) ? 0 : 1e9;
   int exponent = 0;
   std::frexp(nearest, &exponent);
