@@ -6,12 +6,15 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_cells.hpp>
 #include <irg/raster/line_run_slice.hpp>
+#include <irg/raster/line_seed.hpp>
 #include <irg/raster/line_textbook.hpp>
 
 #include "support/command_line.hpp"
@@ -40,14 +43,13 @@ Reads x1 y1 x2 y2, whole numbers from -2147483648 to 2147483647, from standard i
   --size WxH           pixels of the picture (640x480)
 
 Prints how many cells there are, and how many of them differ from the reference line's, moved back by 20 rows. The
-reference is drawn run by run.
+reference is drawn run by run, beside seed cell by cell in whole numbers. All are counted: 2^32 take half a minute.
 )";
 
 enum class line_method { integer, symmetric, textbook, seed };
 
 constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
 constexpr std::int64_t longest_textbook_line = std::int64_t{1} << 20;
-constexpr std::int64_t longest_compared_line = std::int64_t{1} << 24;
 constexpr int reference_offset = 20;
 
 // Cells with both borders included: unlike irg::cell_window it can hold the greatest int.
@@ -112,15 +114,43 @@ problem read_problem(program::command_line& line, const settings& s) {
   return p;
 }
 
-// Calls use(range) with all cells of the line. In exact numbers the printed procedure gives the half-open line; doubles
-// would add nothing but rounding errors.
+// Fractions that are exact as long as their numbers fit: the printed procedure needs those over 4 (x2 - x1).
+struct fraction {
+  std::int64_t over = 0, under = 1;
+
+  fraction() = default;
+  explicit fraction(std::int64_t whole) : over(whole) {}
+  fraction(std::int64_t above, std::int64_t below) : over(above), under(below) {}
+  friend bool operator==(const fraction&, const fraction&) = default;
+  fraction operator-() const { return {-over, under}; }
+  friend fraction operator+(const fraction& a, const fraction& b) {
+    if (a.under == b.under) return {a.over + b.over, a.under};
+    if (b.under == 1) return {a.over + b.over * a.under, a.under};
+    const std::int64_t common = std::lcm(a.under, b.under);
+    return {a.over * (common / a.under) + b.over * (common / b.under), common};
+  }
+  friend fraction operator-(const fraction& a, const fraction& b) { return a + -b; }
+  friend fraction operator*(const fraction& a, const fraction& b) { return {a.over * b.over, a.under * b.under}; }
+  // Of the slope and the half, so that distance and slope have one denominator from the start.
+  friend fraction operator/(const fraction& a, const fraction& b) { return {4 * a.over * b.under, 4 * a.under * b.over}; }
+  friend bool operator<(const fraction& a, const fraction& b) {
+    return a.over == 0 ? b.over > 0 : (a - b).over < 0;
+  }
+};
+
+// Calls emit(cell) for the cells of the procedure as it is printed, computed without rounding.
+template <class Emit>
+void draw_as_printed(const problem& p, const Emit& emit) {
+  irg::line_bresenham_seed<fraction>(p.a, p.b, emit);
+}
+
+// Calls use(range) with all cells of a line; with those that the printed procedure should draw for that.
 template <class Use>
 auto with_cells(const problem& p, line_method method, const Use& use) {
   if (method != line_method::textbook)
-    return use(irg::line_cells(
-        p.a, p.b,
-        {.ends = method == line_method::seed ? irg::line_ends::half_open : irg::line_ends::closed,
-         .ties = method == line_method::symmetric ? irg::line_ties::symmetric : irg::line_ties::start_side}));
+    return use(irg::line_cells(p.a, p.b,
+                               {.ties = method == line_method::symmetric ? irg::line_ties::symmetric
+                                                                         : irg::line_ties::start_side}));
   std::vector<irg::cell> cells;
   irg::line_bresenham_textbook<double>(p.a, p.b, [&](irg::cell c) { cells.push_back(c); });
   return use(cells);
@@ -150,50 +180,46 @@ steps steps_in(const Cells& cells, const closed_window& w) {
 // Cells of a run, in its order.
 template <class Emit>
 void each_cell(const irg::line_run& run, const Emit& emit) {
-  const int dx = (run.last.x > run.first.x) - (run.last.x < run.first.x);
-  const int dy = (run.last.y > run.first.y) - (run.last.y < run.first.y);
   irg::cell c = run.first;
   emit(c);
+  if (c == run.last) return;
+  const int dx = (run.last.x > c.x) - (run.last.x < c.x), dy = (run.last.y > c.y) - (run.last.y < c.y);
   while (c != run.last) {
     c = {c.x + dx, c.y + dy};
     emit(c);
   }
 }
 
-// Steps whose cell is not the reference line's, where either cell is in the window: compared one by one.
-std::int64_t count_differing(const problem& p, const settings& s) {
-  return with_cells(p, s.method, [&](const auto& cells) {
-    std::int64_t differing = 0;
-    auto next = cells.begin();
-    irg::line_run_slice(p.a, p.b, [&](const irg::line_run& run) {
-      each_cell(run, [&](irg::cell reference) {
-        if (next == cells.end()) {
-          differing += s.window.holds(reference);
-        } else if (const irg::cell c = *next++; c != reference) {
-          differing += s.window.holds(c) || s.window.holds(reference);
-        }
-      });
+// Calls emit(cell) for the line's cells in the window, in drawing order.
+template <class Emit>
+void each_cell_in(const problem& p, line_method method, const closed_window& window, const Emit& emit) {
+  if (method == line_method::seed)
+    return draw_as_printed(p, [&](irg::cell c) {
+      if (window.holds(c)) emit(c);
     });
-    return differing;
+  with_cells(p, method, [&](const auto& cells) {
+    const steps visible = steps_in(cells, window);
+    for (std::int64_t i = visible.first; i < visible.last; ++i) emit(*(cells.begin() + i));
   });
 }
 
-// The same by counting, for lines too long to walk. `seed` lacks one cell; `symmetric` differs at exact ties of lines
-// that run against their canonical direction. With a period of n / gcd(n, m) steps, ties are half-way through it.
-std::int64_t derive_differing(const problem& p, const settings& s) {
-  if (s.method == line_method::seed) return s.window.holds(p.b);
-  const std::int64_t dx = std::int64_t{p.b.x} - p.a.x, dy = std::int64_t{p.b.y} - p.a.y;
-  const bool by_x = std::abs(dx) > std::abs(dy), against = by_x ? dx < 0 : dy < 0;
-  const std::int64_t period = steps_of(p) / std::gcd(dx, dy);
-  if (s.method != line_method::symmetric || !against || period % 2 != 0) return 0;
-  const auto visible = [&](line_method method) {
-    return with_cells(p, method, [&](const auto& cells) { return steps_in(cells, s.window); });
-  };
-  const auto ties_before = [&](std::int64_t step) { return (step + period / 2 - 1) / period; };
-  const auto ties_in = [&](const steps& k) { return k.count() == 0 ? 0 : ties_before(k.last) - ties_before(k.first); };
-  const steps mine = visible(line_method::symmetric), other = visible(line_method::integer);
-  const steps both{std::max(mine.first, other.first), std::min(mine.last, other.last)};
-  return ties_in(mine) + ties_in(other) - ties_in(both);
+// The first and the last of the line's cells in a window, or its start twice.
+std::pair<irg::cell, irg::cell> ends_in(const problem& p, line_method method, const closed_window& window) {
+  irg::cell first = p.a, last = p.a;
+  if (method == line_method::seed) {
+    bool any = false;
+    each_cell_in(p, method, window, [&](irg::cell c) {
+      if (!any) first = c;
+      any = true;
+      last = c;
+    });
+    return {first, last};
+  }
+  return with_cells(p, method, [&](const auto& cells) {
+    const steps visible = steps_in(cells, window);
+    if (visible.count() == 0) return std::pair{p.a, p.a};
+    return std::pair{*(cells.begin() + visible.first), *(cells.begin() + (visible.last - 1))};
+  });
 }
 
 // Where the picture shows what: `zoom` pixels a cell; the line's box in the middle, or else its first visible cell.
@@ -232,10 +258,12 @@ closed_window intersect(const closed_window& a, const closed_window& b) {
           std::min(a.y_last, b.y_last)};
 }
 
-// The reference line's cells in a window that is smaller than the whole of int. Where the window reaches the greatest
-// int, which irg::cell_window cannot hold, the line is drawn mirrored.
+// The reference line's cells in a window that holds the whole line or is not all of int from side to side. Where the
+// window reaches the greatest int, which irg::cell_window cannot hold, the line is drawn mirrored.
 template <class Emit>
 void each_reference_cell(const problem& p, const closed_window& w, const Emit& emit) {
+  const auto each = [&](const irg::line_run& run) { each_cell(run, emit); };
+  if (w.holds(p.a) && w.holds(p.b)) return irg::line_run_slice(p.a, p.b, each);
   if (w.x_first > w.x_last || w.y_first > w.y_last) return;
   const bool mirror_x = w.x_last == most, mirror_y = w.y_last == most;
   const auto mirrored = [&](irg::cell c) { return irg::cell{mirror_x ? ~c.x : c.x, mirror_y ? ~c.y : c.y}; };
@@ -245,34 +273,68 @@ void each_reference_cell(const problem& p, const closed_window& w, const Emit& e
                       [&](const irg::line_run& run) { each_cell(run, [&](irg::cell c) { emit(mirrored(c)); }); });
 }
 
+// A box around the steps that the window leaves along the driving axis: the same steps of both lines. All of int from
+// side to side only where the whole line is.
+closed_window strip_of(const problem& p, const closed_window& window) {
+  const std::int64_t dx = std::int64_t{p.b.x} - p.a.x, dy = std::int64_t{p.b.y} - p.a.y;
+  const bool by_x = std::abs(dx) > std::abs(dy);
+  closed_window strip{std::min(p.a.x, p.b.x), std::min(p.a.y, p.b.y), std::max(p.a.x, p.b.x), std::max(p.a.y, p.b.y)};
+  strip = intersect(strip, by_x ? closed_window{window.x_first, least, window.x_last, most}
+                                : closed_window{least, window.y_first, most, window.y_last});
+  if (std::abs(dx) != std::abs(dy) || strip.y_first > strip.y_last) return strip;
+  const auto diagonal = [&](int y) {
+    return static_cast<int>(p.a.x + (dx < 0 ? -1 : 1) * std::abs(std::int64_t{y} - p.a.y));
+  };
+  std::tie(strip.x_first, strip.x_last) = std::minmax({diagonal(strip.y_first), diagonal(strip.y_last)});
+  return strip;
+}
+
+// The line's cells in the window, and steps whose cell is not the reference line's, where either is in the window.
+struct tally {
+  std::int64_t cells = 0, differing = 0;
+};
+
+// Counted one by one, up to 2^32 of them; in one piece, so that walks and comparison keep their numbers in registers.
+[[gnu::flatten]] tally count_cells(const problem& p, const settings& s) {
+  return with_cells(p, s.method, [&](const auto& cells) {
+    tally count;
+    auto next = cells.begin();
+    const auto compare_with_next = [&](irg::cell c) {
+      const irg::cell other = *next;
+      ++next;
+      if (c != other) count.differing += s.window.holds(c) || s.window.holds(other);
+    };
+    if (s.method == line_method::seed) {  // whose own cells come one after the other, without the last
+      draw_as_printed(p, [&](irg::cell c) {
+        count.cells += s.window.holds(c);
+        compare_with_next(c);
+      });
+      count.differing += s.window.holds(*next);
+      return count;
+    }
+    count.cells = steps_in(cells, s.window).count();
+    const closed_window strip = strip_of(p, s.window);
+    next += steps_in(cells, strip).first;
+    each_reference_cell(p, strip, compare_with_next);
+    return count;
+  });
+}
+
 irg::image<irg::rgba8> picture_of(const problem& p, const settings& s) {
   constexpr irg::rgba8 paper{250, 249, 246, 255}, blue{48, 90, 140, 255}, red{204, 96, 72, 255};
   irg::image<irg::rgba8> picture(s.size.width, s.size.height, paper);
-  with_cells(p, s.method, [&](const auto& cells) {
-    const steps all = steps_in(cells, s.window);
-    const bool any = all.count() > 0;
-    const camera view(any ? *(cells.begin() + all.first) : p.a, any ? *(cells.begin() + (all.last - 1)) : p.a, s.size);
-    each_reference_cell(p, intersect(s.window, view.cells(s.size, reference_offset)),
-                        [&](irg::cell c) { view.paint(picture, c.x, std::int64_t{c.y} + reference_offset, red); });
-    const steps seen = steps_in(cells, intersect(s.window, view.cells(s.size, 0)));
-    for (std::int64_t i = seen.first; i < seen.last; ++i) {
-      const irg::cell c = *(cells.begin() + i);
-      view.paint(picture, c.x, c.y, blue);
-    }
-  });
+  const auto [first, last] = ends_in(p, s.method, s.window);
+  const camera view(first, last, s.size);
+  each_reference_cell(p, intersect(s.window, view.cells(s.size, reference_offset)),
+                      [&](irg::cell c) { view.paint(picture, c.x, std::int64_t{c.y} + reference_offset, red); });
+  each_cell_in(p, s.method, intersect(s.window, view.cells(s.size, 0)),
+               [&](irg::cell c) { view.paint(picture, c.x, c.y, blue); });
   return picture;
 }
 
 void print_cells(const problem& p, const settings& s) {
-  with_cells(p, s.method, [&](const auto& cells) {
-    const steps visible = steps_in(cells, s.window);
-    if (visible.count() == 0) return;
-    const auto end = cells.begin() + visible.last;
-    for (auto at = cells.begin() + visible.first; at != end; ++at) {
-      const irg::cell c = *at;
-      if (std::printf("%d %d\n", c.x, c.y) < 0) return;
-    }
-  });
+  bool written = true;
+  each_cell_in(p, s.method, s.window, [&](irg::cell c) { written = written && std::printf("%d %d\n", c.x, c.y) >= 0; });
 }
 
 void run(program::command_line& line) {
@@ -282,9 +344,9 @@ void run(program::command_line& line) {
   if (s.list) {
     print_cells(p, s);
   } else {
-    const auto count = with_cells(p, s.method, [&](const auto& cells) { return steps_in(cells, s.window).count(); });
-    const auto differing = steps_of(p) <= longest_compared_line ? count_differing(p, s) : derive_differing(p, s);
-    std::printf("cells: %lld\ndiffering: %lld\n", static_cast<long long>(count), static_cast<long long>(differing));
+    const tally count = count_cells(p, s);
+    std::printf("cells: %lld\ndiffering: %lld\n", static_cast<long long>(count.cells),
+                static_cast<long long>(count.differing));
   }
   program::finish_output(line, s.out);
 }

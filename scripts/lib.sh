@@ -42,6 +42,8 @@ use_compiler_cache() {
   export IRG_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
   # Sound with precompiled headers, whose contents count and whose times do not.
   export CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_MAXSIZE=${CCACHE_MAXSIZE:-8G}
+  # The compiler's list of what it read says what counts, so that nothing is preprocessed a second time.
+  export CCACHE_DEPEND=1
 }
 
 as_root() {
