@@ -76,6 +76,26 @@ TEST_CASE("polyhedra: regular, closed, outward") {
   CHECK(irregularity(shape_icosahedron<float>()) < 3e-7);
 }
 
+TEST_CASE("polyhedra: every corner has the normal of its face") {
+  const auto check = []<class T>(const mesh<T>& m, std::size_t normals, double tolerance) {
+    CHECK(m.normals.size() == normals);
+    for (std::size_t f = 0; f < m.face_count(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        REQUIRE(m.corner(f, k).normal < normals);
+        CHECK(static_cast<double>(length(m.normals[m.corner(f, k).normal] - *face_normal(m, f))) <= tolerance);
+      }
+  };
+  check(shape_cube<double>(), 6, 0);
+  check(shape_cube<float>(), 6, 0);
+  check(shape_tetrahedron<double>(), 4, 3e-16);
+  check(shape_octahedron<double>(), 8, 3e-16);
+  check(shape_octahedron<float>(), 8, 2e-7);
+  check(shape_icosahedron<double>(), 20, 3e-16);
+  check(shape_icosahedron<float>(), 20, 2e-7);
+  CHECK_BOTH(shape_octahedron<int>().normals[7] == vec<int, 3>{1, -1, -1});
+  CHECK_BOTH(shape_cube<int>().normals[shape_cube<int>().corner(10, 0).normal] == vec<int, 3>{0, 0, 1});
+}
+
 TEST_CASE("polyhedra: the grid") {
   const mesh<float> m = shape_grid<float>({3, 2});
   CHECK(m.positions.size() == 12);
