@@ -9,7 +9,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/sqrt.hpp>
-#include <irg/math/vec.hpp>
+#include <irg/math/length.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {
