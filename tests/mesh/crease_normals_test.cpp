@@ -11,6 +11,7 @@
 #include <irg/mesh/validate.hpp>
 
 #include "support/check_both.hpp"
+#include "support/mesh_facts.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -47,9 +48,9 @@ constexpr mesh<double> bent(double x, double y) {
   return m;
 }
 
-static_assert(creased(irg::shape_cube<double>(), 60).normals.size() == 24);
-static_assert(is_faceted(creased(irg::shape_cube<double>(), 60)));
-static_assert(creased(irg::shape_cube<double>(), 91).normals.size() == 8);
+static_assert(creased(test::without_normals(irg::shape_cube<double>()), 60).normals.size() == 24);
+static_assert(is_faceted(creased(test::without_normals(irg::shape_cube<double>()), 60)));
+static_assert(creased(test::without_normals(irg::shape_cube<double>()), 91).normals.size() == 8);
 static_assert(creased(mesh<double>{}, 60).normals.empty());
 static_assert(creased(bent(-1, 0), 0).normals.size() == 4);
 static_assert(creased(bent(0, 1), 89).normals.size() == 6);
@@ -91,7 +92,7 @@ TEST_CASE("crease normals: the groups are those of the definition") {
   test::random r(60);
   int smooth = 0, sharp = 0;
   for (int trial = 0; trial < 40; ++trial) {
-    mesh<double> m = trial % 2 ? irg::shape_icosahedron<double>() : irg::shape_cube<double>();
+    mesh<double> m = trial % 2 ? test::without_normals(irg::shape_icosahedron<double>()) : test::without_normals(irg::shape_cube<double>());
     for (auto& p : m.positions) p = {p.x + 0.6 * r.unit(), p.y + 0.6 * r.unit(), p.z + 0.6 * r.unit()};
     if (trial % 5 == 0) m.face_starts.pop_back(), m.corners.resize(m.face_starts.back());  // a hole
     if (trial % 7 == 0) irg::add_face(m, std::array{0, 1, 2});  // more than two at an edge
@@ -120,8 +121,8 @@ TEST_CASE("crease normals: the groups are those of the definition") {
 }
 
 TEST_CASE("crease normals: bodies") {
-  for (const auto& body : {irg::shape_cube<double>(), irg::shape_tetrahedron<double>(), irg::shape_octahedron<double>(),
-                           irg::shape_icosahedron<double>()}) {
+  for (const auto& body : {test::without_normals(irg::shape_cube<double>()), test::without_normals(irg::shape_tetrahedron<double>()), test::without_normals(irg::shape_octahedron<double>()),
+                           test::without_normals(irg::shape_icosahedron<double>())}) {
     mesh<double> bare = body;
     bare.normals.clear();
     for (mesh_corner& c : bare.corners) c.normal = mesh_corner::none;
@@ -137,7 +138,7 @@ TEST_CASE("crease normals: bodies") {
 }
 
 TEST_CASE("crease normals: only corners without a normal get one") {
-  mesh<double> m = irg::shape_cube<double>();
+  mesh<double> m = test::without_normals(irg::shape_cube<double>());
   m.normals = {vec<double, 3>{0, 0, 5}};
   m.corners[0].normal = 0;
   m.corners[7].normal = 0;
@@ -152,7 +153,7 @@ TEST_CASE("crease normals: only corners without a normal get one") {
 TEST_CASE_TEMPLATE("crease normals: hostile meshes", T, float, double) {
   constexpr T largest = std::numeric_limits<T>::max(), smallest = std::numeric_limits<T>::denorm_min();
   for (const T size : {largest, T(1), smallest * 16}) {
-    mesh<T> m = irg::shape_cube<T>();
+    mesh<T> m = test::without_normals(irg::shape_cube<T>());
     for (auto& p : m.positions)
       for (int i = 0; i < 3; ++i) p[i] = p[i] > 0 ? size : size == largest ? -largest : T(0);
     CHECK(is_faceted(creased(m, 60)));

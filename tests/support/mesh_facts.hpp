@@ -12,6 +12,14 @@
 
 namespace test {
 
+/// The mesh without its normals.
+template <class T>
+constexpr irg::mesh<T> without_normals(irg::mesh<T> m) {
+  m.normals.clear();
+  for (irg::mesh_corner& c : m.corners) c.normal = irg::mesh_corner::none;
+  return m;
+}
+
 struct mesh_facts {
   std::size_t vertices = 0;         // positions that a face uses
   std::size_t border_edges = 0;     // directed edges without their opposite
