@@ -132,10 +132,10 @@ struct fraction {
   friend fraction operator-(const fraction& a, const fraction& b) { return a + -b; }
   friend fraction operator*(const fraction& a, const fraction& b) { return {a.over * b.over, a.under * b.under}; }
   // Of the slope and the half, so that distance and slope have one denominator from the start.
-  friend fraction operator/(const fraction& a, const fraction& b) { return {4 * a.over * b.under, 4 * a.under * b.over}; }
-  friend bool operator<(const fraction& a, const fraction& b) {
-    return a.over == 0 ? b.over > 0 : (a - b).over < 0;
+  friend fraction operator/(const fraction& a, const fraction& b) {
+    return {4 * a.over * b.under, 4 * a.under * b.over};
   }
+  friend bool operator<(const fraction& a, const fraction& b) { return a.over == 0 ? b.over > 0 : (a - b).over < 0; }
 };
 
 // Calls emit(cell) for the cells of the procedure as it is printed, computed without rounding.
@@ -148,9 +148,8 @@ void draw_as_printed(const problem& p, const Emit& emit) {
 template <class Use>
 auto with_cells(const problem& p, line_method method, const Use& use) {
   if (method != line_method::textbook)
-    return use(irg::line_cells(p.a, p.b,
-                               {.ties = method == line_method::symmetric ? irg::line_ties::symmetric
-                                                                         : irg::line_ties::start_side}));
+    return use(irg::line_cells(
+        p.a, p.b, {.ties = method == line_method::symmetric ? irg::line_ties::symmetric : irg::line_ties::start_side}));
   std::vector<irg::cell> cells;
   irg::line_bresenham_textbook<double>(p.a, p.b, [&](irg::cell c) { cells.push_back(c); });
   return use(cells);

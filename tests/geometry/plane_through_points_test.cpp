@@ -53,6 +53,18 @@ TEST_CASE("plane_at: a point and a normal") {
   CHECK_BOTH(!plane_at(P{1, not_a_number, 3}, vec<double, 3>{0, 1, 0}));
 }
 
+TEST_CASE("plane_at: what has no plane, and other numbers") {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  CHECK_BOTH(!plane_at(P{1, 2, 3}, vec<double, 3>{0, infinite, 0}));
+  CHECK_BOTH(!plane_at(P{infinite, 2, 3}, vec<double, 3>{0, 0, 1}));
+  CHECK_BOTH(plane_at(P{0, 0, 0}, vec<double, 3>{0, 0, 5e-324}) == L{0, 0, 5e-324, 0});
+  CHECK_BOTH(plane_at(P{1, 10, 100}, vec<double, 3>{2, 3, 4}) == L{2, 3, 4, -432});
+  // 1 + 2^-53 - 1: where a sum in doubles loses what is left.
+  CHECK_BOTH(plane_at(P{1, 0x1p-53, -1}, vec<double, 3>{1, 1, 1}) == L{1, 1, 1, -0x1p-53});
+  CHECK_BOTH(plane_at(point<rational, 3>{1, {1, 3}, 2}, vec<rational, 3>{3, 1, {1, 2}}) ==
+             plane<rational>{3, 1, {1, 2}, {-13, 3}});
+}
+
 TEST_CASE("plane_through_accurate: ends of the range") {
   constexpr auto wide = *plane_through_accurate(P{huge, 0, 0}, P{0, huge, 0}, P{0, 0, huge});
   CHECK_BOTH(wide.a == wide.b);
@@ -67,6 +79,30 @@ TEST_CASE("plane_through_accurate: ends of the range") {
 }
 
 #ifdef IRG_HAVE_MPFR
+TEST_CASE("plane_at: d is half an ulp from the exact one, at mixed magnitudes") {
+  using E = test::exact;
+  test::random r(6);
+  double worst = 0;
+  int planes = 0;
+  const auto mixed = [&] { return std::ldexp(2 * r.unit() - 1, static_cast<int>(r.integer(-300, 300))); };
+  for (int i = 0; i < test::trials(3000); ++i) {
+    P p;
+    vec<double, 3> n;
+    for (int k = 0; k < 3; ++k) p[k] = mixed(), n[k] = mixed();
+    if (i % 3 == 0) p[2] = -(p[0] * n[0] + p[1] * n[1]) / n[2];  // all but cancelled
+    E d = 0;
+    for (int k = 0; k < 3; ++k) d = d - E(p[k]) * E(n[k]);
+    const auto got = plane_at(p, n);
+    if (!got) continue;
+    ++planes;
+    CHECK((got->a == n[0] && got->b == n[1] && got->c == n[2]));
+    if (d.sign() == 0 ? got->d != 0 : std::isfinite(d.rounded()) && std::fabs(d.rounded()) > 1e-307)
+      worst = std::fmax(worst, test::error_in_ulp(got->d, d));
+  }
+  CHECK(worst <= 0.501);
+  CHECK(planes > 2900);
+}
+
 TEST_CASE("plane_through_accurate: half an ulp from the exact coefficients") {
   using E = test::exact;
   test::random r(5);

@@ -36,6 +36,44 @@ static_assert(!irg::DepthFormat<float> && !irg::DepthFormat<irg::nearer_is_less>
 static_assert(sizeof(depth_unorm16::stored) == 2 && sizeof(depth_unorm24::stored) == 4);
 static_assert(noexcept(depth_unorm24::encode(0.5f)));
 
+// Each lacks one thing that a depth format has.
+struct without_encode : depth_float {
+  static constexpr double encode(float);
+};
+struct without_decode : depth_float {
+  static constexpr double decode(stored);
+};
+struct without_nearer : depth_float {
+  static constexpr int nearer(stored, stored);
+};
+struct without_farthest : depth_float {
+  static constexpr struct {
+  } farthest{};
+};
+struct without_nearest : depth_float {
+  static constexpr struct {
+  } nearest{};
+};
+struct without_depth_at : depth_float {
+  static constexpr float depth_at(double, double, double);
+};
+struct without_scale : depth_float {
+  static constexpr float scale(double, double);
+};
+struct without_step_below : depth_float {
+  static constexpr float step_below(double);
+};
+struct without_order : depth_float {
+  struct order {};
+};
+struct derived_from_one : depth_float {};
+static_assert(irg::DepthFormat<derived_from_one>);
+static_assert(!irg::DepthFormat<without_encode> && !irg::DepthFormat<without_decode> &&
+              !irg::DepthFormat<without_nearer> && !irg::DepthFormat<without_farthest> &&
+              !irg::DepthFormat<without_nearest> && !irg::DepthFormat<without_depth_at> &&
+              !irg::DepthFormat<without_scale> && !irg::DepthFormat<without_step_below> &&
+              !irg::DepthFormat<without_order>);
+
 bool release() { return std::getenv("IRG_RELEASE_TIER") != nullptr; }
 
 TEST_CASE("depth formats: ends, NaN and what lies beyond the range") {

@@ -264,3 +264,29 @@ TEST_CASE("intensity_shader: the course's Gouraud triangle, GOLDEN 7") {
 }
 
 }  // namespace
+
+TEST_CASE("draw_triangle: 32 bits are taken just as long as every pixel of the widened window stays within 2^30") {
+  using irg::cell_window;
+  constexpr auto fits = [](std::int64_t at_origin, int right, int down, const cell_window& w, int margin) {
+    irg::triangle_coverage t{};
+    t.edge[1] = {at_origin, right, down, 0};
+    return irg::detail::fits_32_bits(t, w, margin);
+  };
+  constexpr std::int64_t limit = std::int64_t{1} << 30;
+  constexpr cell_window w{10, 20, 30, 50};
+  constexpr int last_x = 30 + 8, last_y = 50, first_x = 10 - 8, first_y = 20;
+  // The greatest and the least F are at corners of [2, 38] x [20, 50].
+  for (const int right : {0, 3, -3, 1000})
+    for (const int down : {0, 7, -7, 5000}) {
+      const std::int64_t greatest =
+          std::int64_t{right} * (right > 0 ? last_x : first_x) + std::int64_t{down} * (down > 0 ? last_y : first_y);
+      const std::int64_t least =
+          std::int64_t{right} * (right > 0 ? first_x : last_x) + std::int64_t{down} * (down > 0 ? first_y : last_y);
+      CHECK(fits(limit - greatest, right, down, w, 8));
+      CHECK(!fits(limit - greatest + 1, right, down, w, 8));
+      CHECK(fits(-limit - least, right, down, w, 8));
+      CHECK(!fits(-limit - least - 1, right, down, w, 8));
+    }
+  CHECK_BOTH(fits(limit, 0, 0, w, 8));
+  CHECK_BOTH(!fits(limit + 1, 0, 0, w, 8));
+}

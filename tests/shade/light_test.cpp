@@ -23,6 +23,8 @@ TEST_CASE("light: plain aggregates") {
   CHECK_BOTH(light{}.position == irg::hpoint<double, 3>{0, 0, 0, 1});
   CHECK_BOTH(irg::lighting<float>{}.lights.empty());
   CHECK_BOTH(irg::lighting<float>{}.distance == irg::distance_term::none);
+  CHECK_BOTH(irg::lighting<float>{}.k == 1.0f);
+  CHECK_BOTH(irg::lighting<double>{}.k == 1.0);
   // lights of any contiguous container
   constexpr static std::array<light, 2> two{};
   CHECK_BOTH(irg::lighting<double, double>{0.0, two}.lights.size() == 2);
