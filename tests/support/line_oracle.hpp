@@ -33,7 +33,7 @@ constexpr std::int64_t magnitude(std::int64_t v) { return v < 0 ? -v : v; }
 /// Whether a cell belongs to the line from a to b: whether 2 * distance across < 1, or = 1 on the side ties go to, and
 /// it lies between the ends.
 constexpr bool on_line(irg::cell a, irg::cell b, irg::cell c, irg::line_options options) {
-  __extension__ using wide = __int128;
+  __extension__ using product_type = __int128;
   const bool canonical_swap = [&] {
     const std::int64_t w = magnitude(std::int64_t{b.x} - a.x), h = magnitude(std::int64_t{b.y} - a.y);
     return options.ties == irg::line_ties::symmetric && (w > h ? b.x < a.x : b.y < a.y);
@@ -47,7 +47,7 @@ constexpr bool on_line(irg::cell a, irg::cell b, irg::cell c, irg::line_options 
   if (reach < 0 ? along > 0 || along < reach : along < 0 || along > reach) return false;
   // across: how far the cell is beyond the line on the shorter axis, away from `from`, times n.
   const std::int64_t rise = by_x ? dy : dx, aside = by_x ? y : x;
-  wide across = wide{aside} * n - wide{rise} * (reach < 0 ? -along : along);
+  product_type across = product_type{aside} * n - product_type{rise} * (reach < 0 ? -along : along);
   if (rise < 0) across = -across;
   return n == 0 ? c == a : 2 * across < n && 2 * across >= -n;
 }

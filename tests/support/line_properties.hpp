@@ -30,7 +30,7 @@ constexpr std::int64_t line_steps(irg::cell a, irg::cell b) {
 /// Which criterion the cells of the whole line from a to b, in drawing order, break; nullptr when they meet all.
 constexpr const char* line_fault(irg::cell a, irg::cell b, const cells& line,
                                  irg::line_ends ends = irg::line_ends::closed) {
-  __extension__ using wide = __int128;
+  __extension__ using product_type = __int128;
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y, n = line_steps(a, b);
   const bool closed = ends == irg::line_ends::closed, by_x = (dx < 0 ? -dx : dx) > (dy < 0 ? -dy : dy);
   if (line.size() != static_cast<std::size_t>(closed ? n + 1 : n)) return "density: one cell per driving step";
@@ -39,7 +39,7 @@ constexpr const char* line_fault(irg::cell a, irg::cell b, const cells& line,
   if (closed && line.back() != b) return "ends: the last cell";
   for (std::size_t i = 0; i < line.size(); ++i) {
     const std::int64_t x = std::int64_t{line[i].x} - a.x, y = std::int64_t{line[i].y} - a.y;
-    const wide across = 2 * (wide{dx} * y - wide{dy} * x);
+    const product_type across = 2 * (product_type{dx} * y - product_type{dy} * x);
     if ((across < 0 ? -across : across) > n) return "straight: at most half a cell off";
     const std::int64_t along = by_x ? (dx < 0 ? -x : x) : (dy < 0 ? -y : y);
     if (along != static_cast<std::int64_t>(i)) return "density: each step one further along";
