@@ -153,7 +153,24 @@ done
 
 # ---- what options do
 hash_with() { drawn "$*" "$@" && hash_in s.json; }
-pillow="cube $small --crease 120" # whose smooth styles differ
+# A cube without normals, which a wide crease makes a pillow: its smooth styles differ.
+cat >bare.obj <<END
+v 0 0 0
+v 0 0 1
+v 1 0 0
+v 1 0 1
+v 1 1 0
+v 1 1 1
+v 0 1 0
+v 0 1 1
+f 1 3 4 2
+f 3 5 6 4
+f 5 7 8 6
+f 7 1 2 8
+f 1 7 5 3
+f 2 4 6 8
+END
+pillow="bare.obj $small --crease 120"
 plain=$(hash_with $pillow)
 for option in "--crease 60" "--crease 0" "--style wire" "--style flat" "--style phong" "--fov 60" "--up 1,0,0" \
   "--up -1,0.5,0" "--light -3,2,-4" \
@@ -165,7 +182,9 @@ check "two lights are not one" is_not "$(hash_with cube $small --light 3,4,5 --l
 check "the order of options does not matter" is "$(hash_with --fov 50 $small --eye 3,2,5 cube)" "$(hash_with cube --eye 3,2,5 --fov 50 $small)"
 check "an eye without a target looks at the centre" is "$(hash_with cube $small --eye 3,2,5)" \
   "$(hash_with cube $small --eye 3,2,5 --target 0.5,0.5,0.5)"
-check "the last of two wins" is "$(hash_with cube --size 9x9 $small --crease 10 --crease 120)" "$plain"
+check "the last of two wins" is "$(hash_with bare.obj --size 9x9 $small --crease 10 --crease 120)" "$plain"
+check "the built-in cube has the normals of its faces" is "$(hash_with cube $small --crease 120)" "$(hash_with cube $small)"
+check "and is shaded as one without, creased" is "$(hash_with cube $small --crease 120)" "$(hash_with bare.obj $small)"
 
 # The sphere around a model touches the picture: a square picture of a sphere is filled from border to border.
 for project in perspective orthographic isometric dimetric trimetric oblique; do
