@@ -12,8 +12,7 @@
 #include <irg/math/polynomial.hpp>
 #include <irg/math/vec.hpp>
 
-#include "support/big_rational.hpp"
-#include "support/ulp.hpp"
+#include "support/mixed_magnitudes.hpp"
 
 #ifdef IRG_HAVE_MPFR
 
@@ -22,42 +21,12 @@ namespace {
 using irg::vec;
 using test::big_rational;
 
-enum class sizes { all, one_apart, subnormal, roots_of_largest };
-constexpr sizes all_sizes[] = {sizes::all, sizes::one_apart, sizes::subnormal, sizes::roots_of_largest};
-
-template <class T>
-T number(test::random& r, sizes which) {
-  constexpr int low = std::numeric_limits<T>::min_exponent - std::numeric_limits<T>::digits;
-  constexpr int high = std::numeric_limits<T>::max_exponent - 2;
-  std::int64_t k = 0;
-  switch (which) {
-    case sizes::all: k = r.integer(low, high); break;
-    case sizes::one_apart: k = r.integer(0, 3) == 0 ? r.integer(low, high) : 0; break;
-    case sizes::subnormal: k = r.integer(low, low + 60); break;
-    case sizes::roots_of_largest: k = r.integer(high / 2 - 60, high / 2); break;
-  }
-  return std::ldexp(static_cast<T>(2 * r.unit() - 1), static_cast<int>(k));
-}
-template <class T, int N>
-vec<T, N> vector(test::random& r, sizes which) {
-  return irg::generate_coordinates<vec<T, N>>([&](int) { return number<T>(r, which); });
-}
-template <class T>
-big_rational rational(T x) {
-  return big_rational(static_cast<double>(x));
-}
-
-// The largest of error(random, sizes) over the trials.
-template <class F>
-void sweep(const std::string& what, double bound, F error) {
-  test::random r(0x5eed);
-  const int count = test::count_of(10'000);
-  double worst = 0;
-  for (int i = 0; i < count; ++i) worst = std::fmax(worst, error(r, all_sizes[i % 4]));
-  MESSAGE(what, ": ", worst, " ulp on ", count, " arguments");
-  INFO(what);
-  CHECK(worst <= bound);
-}
+using test::mixed::all_sizes;
+using test::mixed::number;
+using test::mixed::rational;
+using test::mixed::sizes;
+using test::mixed::sweep;
+using test::mixed::vector;
 
 template <class T, int N>
 void sweep_vectors(const std::string& type, double length_bound, double unit_bound) {
