@@ -111,6 +111,7 @@ TEST_CASE("bezier: Bernstein polynomials, golden and by their sum") {
   CHECK_BOTH((bernstein(5, 0, 0.0) == 1 && bernstein(5, 5, 1.0) == 1 && bernstein(5, 2, 0.0) == 0));
   CHECK_BOTH((bernstein(5, -1, 0.5) == 0 && bernstein(5, 6, 0.5) == 0));
   CHECK_BOTH(bernstein_basis<4>(0.5) == std::array{0.0625, 0.25, 0.375, 0.25, 0.0625});
+  CHECK_BOTH(bernstein_basis<0>(0.25) == std::array{1.0});
   test::random r(1);
   for (int k = 0; k < 1000; ++k) {
     const double t = r.unit();

@@ -27,6 +27,16 @@ TEST_CASE("orientation_of: degenerate polygons") {
   CHECK_BOTH(irg::orientation_textbook(V{{0, 0}, {2, 0}, {4, 0}, {4, 4}}) == polygon_orientation::degenerate);
 }
 
+TEST_CASE("orientation_textbook: three vertices at a time") {
+  using V = std::vector<I>;
+  // A pentagram turns one way at every vertex, whichever way round its corners lie.
+  CHECK_BOTH(irg::orientation_textbook(V{{10, 0}, {-8, 6}, {3, -10}, {3, 10}, {-8, -6}}) ==
+             polygon_orientation::counter_clockwise);
+  CHECK_BOTH(irg::orientation_textbook(V{{-8, -6}, {3, 10}, {3, -10}, {-8, 6}, {10, 0}}) ==
+             polygon_orientation::clockwise);
+  CHECK_BOTH(irg::orientation_textbook(V{{0, 0}, {4, 0}, {2, 1}, {4, 4}, {0, 4}}) == polygon_orientation::degenerate);
+}
+
 TEST_CASE("make_counter_clockwise: GOLDEN 3, the reversed list and its edges") {
   static constexpr auto repaired = [] {
     auto ring = course;
