@@ -26,6 +26,10 @@ struct counter {
   constexpr void operator()(irg::cell) { ++n; }
 };
 
+static_assert(irg::cell{} == irg::cell{0, 0} && irg::span_of_cells{} == irg::span_of_cells{0, 0, 0});
+static_assert(irg::coverage_span{}.y == 0 && irg::coverage_span{}.x_first == 0 && irg::coverage_span{}.x_last == 0 &&
+              irg::coverage_span{}.coverage == nullptr);
+
 static_assert(irg::CellSink<decltype(takes_cell)> && irg::CellSink<decltype(takes_anything)> && irg::CellSink<counter>);
 static_assert(irg::CellSink<counter&> && irg::CellSink<void (*)(irg::cell)> && irg::CellSink<archetype::cell_sink>);
 static_assert(!irg::CellSink<const counter>);  // it changes when called
