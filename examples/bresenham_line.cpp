@@ -121,7 +121,7 @@ struct fraction {
   fraction() = default;
   explicit fraction(std::int64_t whole) : over(whole) {}
   fraction(std::int64_t above, std::int64_t below) : over(above), under(below) {}
-  friend bool operator==(const fraction&, const fraction&) = default;
+  [[maybe_unused]] friend bool operator==(const fraction&, const fraction&) = default;
   fraction operator-() const { return {-over, under}; }
   friend fraction operator+(const fraction& a, const fraction& b) {
     if (a.under == b.under) return {a.over + b.over, a.under};
@@ -130,7 +130,9 @@ struct fraction {
     return {a.over * (common / a.under) + b.over * (common / b.under), common};
   }
   friend fraction operator-(const fraction& a, const fraction& b) { return a + -b; }
-  friend fraction operator*(const fraction& a, const fraction& b) { return {a.over * b.over, a.under * b.under}; }
+  [[maybe_unused]] friend fraction operator*(const fraction& a, const fraction& b) {
+    return {a.over * b.over, a.under * b.under};
+  }
   // Of the slope and the half, so that distance and slope have one denominator from the start.
   friend fraction operator/(const fraction& a, const fraction& b) {
     return {4 * a.over * b.under, 4 * a.under * b.over};
