@@ -92,7 +92,8 @@ TEST_CASE("crease normals: the groups are those of the definition") {
   test::random r(60);
   int smooth = 0, sharp = 0;
   for (int trial = 0; trial < 40; ++trial) {
-    mesh<double> m = trial % 2 ? test::without_normals(irg::shape_icosahedron<double>()) : test::without_normals(irg::shape_cube<double>());
+    mesh<double> m = trial % 2 ? test::without_normals(irg::shape_icosahedron<double>())
+                               : test::without_normals(irg::shape_cube<double>());
     for (auto& p : m.positions) p = {p.x + 0.6 * r.unit(), p.y + 0.6 * r.unit(), p.z + 0.6 * r.unit()};
     if (trial % 5 == 0) m.face_starts.pop_back(), m.corners.resize(m.face_starts.back());  // a hole
     if (trial % 7 == 0) irg::add_face(m, std::array{0, 1, 2});  // more than two at an edge
@@ -121,8 +122,10 @@ TEST_CASE("crease normals: the groups are those of the definition") {
 }
 
 TEST_CASE("crease normals: bodies") {
-  for (const auto& body : {test::without_normals(irg::shape_cube<double>()), test::without_normals(irg::shape_tetrahedron<double>()), test::without_normals(irg::shape_octahedron<double>()),
-                           test::without_normals(irg::shape_icosahedron<double>())}) {
+  for (const auto& body :
+       {test::without_normals(irg::shape_cube<double>()), test::without_normals(irg::shape_tetrahedron<double>()),
+        test::without_normals(irg::shape_octahedron<double>()),
+        test::without_normals(irg::shape_icosahedron<double>())}) {
     mesh<double> bare = body;
     bare.normals.clear();
     for (mesh_corner& c : bare.corners) c.normal = mesh_corner::none;

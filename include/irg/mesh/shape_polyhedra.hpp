@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies with flat faces: the cube of the course, three Platonic bodies, and a plane grid. Each corner has the normal of
-// its face, so that smooth shading shows the edges.
+// Bodies with flat faces: the cube of the course, three Platonic bodies, and a plane grid. Each corner has the normal
+// of its face, so that smooth shading shows the edges.
 #pragma once
 
 #include <cstddef>
