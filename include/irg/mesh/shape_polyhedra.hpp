@@ -8,8 +8,8 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/math/constants.hpp>
-#include <irg/math/sqrt.hpp>
 #include <irg/math/length.hpp>
+#include <irg/math/sqrt.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {
