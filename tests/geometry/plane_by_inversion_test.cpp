@@ -54,6 +54,12 @@ TEST_CASE("plane_by_inversion: where there is none") {
              inversion_outcome::invalid);
 }
 
+TEST_CASE("plane_by_inversion: a subnormal last coefficient") {
+  constexpr double least = 0x1p-1074;
+  CHECK_BOTH(gives(H{1, 0, 0, 0x1p40}, H{0, 2, 0, 0x1p41}, H{0, 0, 1, 0x1p30}, least,
+                   {-0x1p-1034, -0x1p-1034, -0x1p-1044, least}));
+}
+
 TEST_CASE("plane_by_inversion: the equations hold in rationals") {
   test::random r(9);
   int planes = 0, wrong = 0;

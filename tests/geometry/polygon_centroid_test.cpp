@@ -56,6 +56,21 @@ TEST_CASE("polygon_centroid: polygons without area, no numbers, all exponents") 
              P{0, 0});
 }
 
+TEST_CASE("polygon_centroid: subnormal coordinates are rounded once, lengths of subnormal edges in the end alone") {
+  constexpr double least = 0x1p-1074;
+  // y is 2/3 and 4/3 of the smallest number
+  CHECK_BOTH(irg::polygon_centroid(std::array{P{0, 0}, P{3, 0}, P{0, 2 * least}}) == P{1, least});
+  CHECK_BOTH(irg::polygon_centroid(std::array{P{0, 0}, P{3, 0}, P{0, 4 * least}}) == P{1, least});
+  CHECK_BOTH(irg::polygon_centroid(std::array{P{0, 0x1p-1022}, P{0x1p-1000, 0x1p-1022}, P{0, 0x1p-1022 + 2 * least}}) ==
+             P{0x1p-1000 / 3, 0x1p-1022 + least});
+  // four edges of 1.414 each
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{0, least}, P{-least, 0}, P{0, -least}, P{least, 0}}) == 6 * least);
+  // a third of the smallest number is lost, not two thirds
+  constexpr std::array found{P{-0x33fap-1074, -0x2083208b3a6p-1074}, P{0x1cbp-1074, 0x1cp-1074},
+                             P{0x16d25p-1074, -0x8e7p-1074}, P{0x1965f1f645bp-1074, -0xc9p-1074}};
+  CHECK_BOTH(irg::polygon_centroid(found)->y == -0xad6602e9c7p-1074);
+}
+
 TEST_CASE("polygon_centroid: far from the origin, against rationals") {
   test::random random(101);
   double worst = 0, worst_fast = 0;

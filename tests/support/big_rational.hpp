@@ -40,6 +40,12 @@ public:
   explicit operator double() const { return rounded(); }
   double rounded() const { return mpq_get_d(value_); }
   int sign() const { return mpq_sgn(value_); }
+  /// An e with 2^(e-1) < |x| < 2^(e+1).
+  /// needs   a number that is not zero
+  int exponent() const {
+    return static_cast<int>(mpz_sizeinbase(mpq_numref(value_), 2)) -
+           static_cast<int>(mpz_sizeinbase(mpq_denref(value_), 2));
+  }
   friend big_rational abs(const big_rational& a) { return a.sign() < 0 ? -a : a; }
   big_rational times_power_of_two(int k) const {
     big_rational r = *this;

@@ -46,9 +46,9 @@ big_rational rational(T x) {
 
 // The largest of error(random, sizes) over the trials.
 template <class F>
-void sweep(const std::string& what, double bound, F error) {
+void sweep(const std::string& what, double bound, F error, int per_commit = 10'000) {
   random r(0x5eed);
-  const int count = count_of(10'000);
+  const int count = count_of(per_commit);
   double worst = 0;
   for (int i = 0; i < count; ++i) worst = std::fmax(worst, error(r, all_sizes[i % 4]));
   MESSAGE(what, ": ", worst, " ulp on ", count, " arguments");

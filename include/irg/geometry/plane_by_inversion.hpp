@@ -39,10 +39,12 @@ constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& 
   if (detail::known_sign(m[3]) == 0)
     return {detail::are_zero(m, 0, 3) ? inversion_outcome::collinear : inversion_outcome::through_origin, {}};
   const auto factor = [&] {
-    if constexpr (Floating<T>)
-      return detail::known_number{widened(d), 0, 0};
-    else
+    if constexpr (Floating<T>) {
+      const auto [significand, exponent] = detail::decompose(widened(d));  // subnormals are no known numbers
+      return detail::known_number{significand, 0, exponent};
+    } else {
       return d;
+    }
   }();
   const auto coefficient = [&](std::size_t i) { return detail::rounded_to<T>(m[i] * factor / m[3]); };
   return {inversion_outcome::plane, {coefficient(0), coefficient(1), coefficient(2), d}};

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include <irg/math/detail/unrounded.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/exact_sum.hpp>
 
@@ -57,13 +58,17 @@ IRG_INLINE constexpr double ratio(const exact_sum<double>& n, const exact_sum<do
   return q + rest / d.value;
 }
 
-// n / d within 0.51 ulp, whatever their exponents; beyond 2^960 within 1.5 ulp.
+// n / d within 0.51 ulp, whatever their exponents and the quotient's; infinity where that is beyond the range.
 // needs   d != 0
 template <int K>
 constexpr double ratio(const exact_accumulator<K>& n, const exact_accumulator<K>& d) noexcept {
   const int shift = -d.exponent();
   const exact_sum<double> parts = n.rounded_parts(shift), one_to_two = d.rounded_parts(shift);
-  return magnitude(parts.value) < 0x1p960 ? ratio(parts, one_to_two) : parts.value / one_to_two.value;
+  const double size = magnitude(parts.value);
+  if ((size > 0x1p-960 && size < 0x1p960) || n.sign() == 0) return ratio(parts, one_to_two);
+  // The quotient, or the product that tells what it lacks, may leave the range: from 1/2 to 2, and scaled in the end.
+  const int up = -n.exponent();
+  return scale(divide(n.rounded_parts(up), one_to_two), shift - up);
 }
 
 }  // namespace IRG_ABI
