@@ -304,6 +304,12 @@ TEST_CASE("barycentric: float, rounded once") {
   }
 }
 
+TEST_CASE("barycentric: a weight near the smallest normal number is rounded once") {
+  constexpr auto t = barycentric(P2{0, 0}, P2{1, 0}, P2{0, 0x1.76076f46a54cap+501}, P2{0.5, 0x1.d4c31b03b5b33p-521});
+  CHECK_BOTH(t.has_value());
+  CHECK_BOTH(t->z == 0x1.40d6c905d9504p-1022);
+}
+
 TEST_CASE("barycentric: the worst input of the accuracy study, a triangle 2^-45 wide") {
   constexpr auto t =
       barycentric(P2{-0x1.b3622be84627cp-2, -0x1.40850485d37ap-4}, P2{0x1.b9ac5b5a7abcp-3, -0x1.05dcc1e355508p-3},

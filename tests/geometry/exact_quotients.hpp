@@ -3,6 +3,10 @@
 // of numbers of all sizes take long.
 #pragma once
 
+<<<<<<< HEAD
+=======
+#include <algorithm>
+>>>>>>> wsweepG
 #include <cmath>
 #include <limits>
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The error bounds of geometric functions where coordinates are of all sizes: each a random number times 2^k, k from
 // the whole range of exponents, or one coordinate far below or above the others.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <irg/geometry/barycentric.hpp>
 #include <irg/geometry/barycentric_textbook.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/geometry/clip_homogeneous.hpp>
+#include <irg/geometry/clip_line_cyrus_beck.hpp>
 #include <irg/geometry/closest_point.hpp>
 #include <irg/geometry/distance.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
@@ -26,6 +30,7 @@
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/polygon_centroid.hpp>
 #include <irg/geometry/sphere.hpp>
+#include <irg/geometry/split_polygon.hpp>
 #include <irg/geometry/triangle_area.hpp>
 
 #include "geometry/exact_quotients.hpp"
@@ -107,32 +112,44 @@ TEST_CASE_TEMPLATE("mixed magnitudes: areas of triangles", T, double, float) {
     const bool is_subnormal = std::fabs(got) < std::numeric_limits<T>::min();
     return off_from_area(got, twice) / (is_subnormal ? 1.6 : 1.1);
   };
-  sweep(named<T>("signed_triangle_area, of its bound"), 1, [&](test::random& r, sizes which) {
-    const auto p = points<T, 2, 3>(r, which);
-    return share(signed_triangle_area(p[0], p[1], p[2]), twice_area(p[0], p[1], p[2]));
-  });
-  sweep(named<T>("triangle_area in the plane, of its bound"), 1, [&](test::random& r, sizes which) {
-    const auto p = points<T, 2, 3>(r, which);
-    return share(triangle_area(p[0], p[1], p[2]), abs(twice_area(p[0], p[1], p[2])));
-  });
-  sweep(named<T>("triangle_area in space"), 2, [&](test::random& r, sizes which) {
-    const auto p = points<T, 3, 3>(r, which);
-    const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]);
-    return root_error(triangle_area(p[0], p[1], p[2]), gram(b - a, c - a), E(4));
-  });
-  sweep(named<T>("triangle_area_from_sides"), 6, [&](test::random& r, sizes which) {
-    T a = std::fabs(number<T>(r, which)), b = r.integer(0, 2) == 0 ? a : std::fabs(number<T>(r, which));
-    T c = r.integer(0, 1) == 0 ? a + b : std::fabs(number<T>(r, which));
-    if (r.integer(0, 1) == 0) c = std::nextafter(c, T(0));
-    if (r.integer(0, 1) == 0) std::swap(a, c);
-    if (!std::isfinite(a) || !std::isfinite(c)) return 0.0;
-    const auto got = irg::triangle_area_from_sides(a, b, c);
-    const E x = of(a), y = of(b), z = of(c);
-    const bool exists = !(x + y < z || y + z < x || z + x < y);
-    if (exists != got.has_value()) return wrong;
-    if (!got) return 0.0;
-    return root_error(*got, (x + y + z) * (x + y - z) * (x - y + z) * (y + z - x), E(16));
-  });
+  sweep(
+      named<T>("signed_triangle_area, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 2, 3>(r, which);
+        return share(signed_triangle_area(p[0], p[1], p[2]), twice_area(p[0], p[1], p[2]));
+      },
+      3000);
+  sweep(
+      named<T>("triangle_area in the plane, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 2, 3>(r, which);
+        return share(triangle_area(p[0], p[1], p[2]), abs(twice_area(p[0], p[1], p[2])));
+      },
+      3000);
+  sweep(
+      named<T>("triangle_area in space"), 2,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 3>(r, which);
+        const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]);
+        return root_error(triangle_area(p[0], p[1], p[2]), gram(b - a, c - a), E(4));
+      },
+      3000);
+  sweep(
+      named<T>("triangle_area_from_sides"), 6,
+      [&](test::random& r, sizes which) {
+        T a = std::fabs(number<T>(r, which)), b = r.integer(0, 2) == 0 ? a : std::fabs(number<T>(r, which));
+        T c = r.integer(0, 1) == 0 ? a + b : std::fabs(number<T>(r, which));
+        if (r.integer(0, 1) == 0) c = std::nextafter(c, T(0));
+        if (r.integer(0, 1) == 0) std::swap(a, c);
+        if (!std::isfinite(a) || !std::isfinite(c)) return 0.0;
+        const auto got = irg::triangle_area_from_sides(a, b, c);
+        const E x = of(a), y = of(b), z = of(c);
+        const bool exists = !(x + y < z || y + z < x || z + x < y);
+        if (exists != got.has_value()) return wrong;
+        if (!got) return 0.0;
+        return root_error(*got, (x + y + z) * (x + y - z) * (x - y + z) * (y + z - x), E(16));
+      },
+      3000);
 }
 
 namespace {
@@ -159,75 +176,93 @@ E twice_area(const std::vector<point<T, 2>>& ring) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("mixed magnitudes: areas of polygons", T, double, float) {
-  sweep(named<T>("polygon_area"), 0.51, [&](test::random& r, sizes which) {
-    const auto ring = any_ring<T>(r, which);
-    return error_in_ulp(irg::polygon_area(ring), twice_area(ring).times_power_of_two(-1));
-  });
-  sweep(named<T>("polygon_area_exact"), 0, [&](test::random& r, sizes which) {
-    const auto ring = any_ring<T>(r, which);
-    return irg::polygon_area_exact(ring) == test::nearest<T>(twice_area(ring).times_power_of_two(-1)) ? 0.0 : wrong;
-  });
-  sweep(named<T>("polygon_centroid"), 0.52, [&](test::random& r, sizes which) {
-    const auto ring = any_ring<T>(r, which);
-    const E twice = twice_area(ring);
-    const auto got = irg::polygon_centroid(ring);
-    if (got.has_value() != (twice.sign() != 0)) return wrong;
-    if (!got) return 0.0;
-    E moment[2] = {0, 0};
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto &p = ring[i], &q = after(ring, i);
-      const E dx = of(p.x) - of(q.x), dy = of(q.y) - of(p.y);
-      moment[0] = moment[0] + dy * (of(p.x) * of(p.x) + of(p.x) * of(q.x) + of(q.x) * of(q.x));
-      moment[1] = moment[1] + dx * (of(p.y) * of(p.y) + of(p.y) * of(q.y) + of(q.y) * of(q.y));
-    }
-    double worst = 0;
-    for (int k = 0; k < 2; ++k) {
-      worst = std::fmax(worst, quotient_error((*got)[k], moment[k], twice * 3));
-    }
-    return worst;
-  });
+  sweep(
+      named<T>("polygon_area"), 0.51,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        return error_in_ulp(irg::polygon_area(ring), twice_area(ring).times_power_of_two(-1));
+      },
+      2000);
+  sweep(
+      named<T>("polygon_area_exact"), 0,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        return irg::polygon_area_exact(ring) == test::nearest<T>(twice_area(ring).times_power_of_two(-1)) ? 0.0 : wrong;
+      },
+      2000);
+  sweep(
+      named<T>("polygon_centroid"), 0.52,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        const E twice = twice_area(ring);
+        const auto got = irg::polygon_centroid(ring);
+        if (got.has_value() != (twice.sign() != 0)) return wrong;
+        if (!got) return 0.0;
+        E moment[2] = {0, 0};
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto &p = ring[i], &q = after(ring, i);
+          const E dx = of(p.x) - of(q.x), dy = of(q.y) - of(p.y);
+          moment[0] = moment[0] + dy * (of(p.x) * of(p.x) + of(p.x) * of(q.x) + of(q.x) * of(q.x));
+          moment[1] = moment[1] + dx * (of(p.y) * of(p.y) + of(p.y) * of(q.y) + of(q.y) * of(q.y));
+        }
+        double worst = 0;
+        for (int k = 0; k < 2; ++k) {
+          worst = std::fmax(worst, quotient_error((*got)[k], moment[k], twice * 3));
+        }
+        return worst;
+      },
+      2000);
   test::real sum, x, y;
-  sweep(named<T>("polygon_perimeter"), 2, [&](test::random& r, sizes which) {
-    const auto ring = any_ring<T>(r, which);
-    mpfr_set_zero(sum, 1);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto &p = ring[i], &q = after(ring, i);
-      if (!std::isfinite(q.x - p.x) || !std::isfinite(q.y - p.y)) return 0.0;
-      mpfr_set_d(x, static_cast<double>(q.x), MPFR_RNDN), mpfr_sub_d(x, x, static_cast<double>(p.x), MPFR_RNDN);
-      mpfr_set_d(y, static_cast<double>(q.y), MPFR_RNDN), mpfr_sub_d(y, y, static_cast<double>(p.y), MPFR_RNDN);
-      mpfr_hypot(x, x, y, MPFR_RNDN);
-      mpfr_add(sum, sum, x, MPFR_RNDN);
-    }
-    return test::ulp_error(irg::polygon_perimeter(ring), sum);
-  });
+  sweep(
+      named<T>("polygon_perimeter"), 2,
+      [&](test::random& r, sizes which) {
+        const auto ring = any_ring<T>(r, which);
+        mpfr_set_zero(sum, 1);
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto &p = ring[i], &q = after(ring, i);
+          if (!std::isfinite(q.x - p.x) || !std::isfinite(q.y - p.y)) return 0.0;
+          mpfr_set_d(x, static_cast<double>(q.x), MPFR_RNDN), mpfr_sub_d(x, x, static_cast<double>(p.x), MPFR_RNDN);
+          mpfr_set_d(y, static_cast<double>(q.y), MPFR_RNDN), mpfr_sub_d(y, y, static_cast<double>(p.y), MPFR_RNDN);
+          mpfr_hypot(x, x, y, MPFR_RNDN);
+          mpfr_add(sum, sum, x, MPFR_RNDN);
+        }
+        return test::ulp_error(irg::polygon_perimeter(ring), sum);
+      },
+      2000);
 }
 
 TEST_CASE_TEMPLATE("mixed magnitudes: edges and boxes", T, double, float) {
-  sweep(named<T>("edge_through"), 1, [](test::random& r, sizes which) {
-    const auto p = points<T, 2, 2>(r, which);
-    const auto e = irg::edge_through(p[0], p[1]);
-    const E c = of(p[0].x) * of(p[1].y) - of(p[1].x) * of(p[0].y);
-    if (e.a != test::nearest<T>(of(p[0].y) - of(p[1].y)) || e.b != test::nearest<T>(of(p[1].x) - of(p[0].x)))
-      return wrong;
-    const bool underflows = abs(c) < of(std::numeric_limits<T>::min());
-    return error_in_ulp(e.c, c) - (underflows ? 2 : 0);
-  });
-  sweep(named<T>("box: size, centre and sphere"), 2, [](test::random& r, sizes which) {
-    const auto p = points<T, 3, 2>(r, which);
-    irg::box<T, 3> b;
-    for (const auto& q : p) b = enclosing_box(b, q);
-    const auto s = size(b);
-    const auto middle = centre(b);
-    E squared = 0;
-    for (int k = 0; k < 3; ++k) {
-      const E low = of(b.low[k]), high = of(b.high[k]), half = (low + high).times_power_of_two(-1);
-      if (s[k] != test::nearest<T>(high - low)) return wrong;
-      if (error_in_ulp(middle[k], half) > 0.5) return wrong;
-      const E up = high - of(middle[k]), down = of(middle[k]) - low;
-      squared = squared + (up < down ? down * down : up * up);
-    }
-    return root_error(sphere_around(b).radius, squared, E(1));
-  });
+  sweep(
+      named<T>("edge_through"), 1,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 2, 2>(r, which);
+        const auto e = irg::edge_through(p[0], p[1]);
+        const E c = of(p[0].x) * of(p[1].y) - of(p[1].x) * of(p[0].y);
+        if (e.a != test::nearest<T>(of(p[0].y) - of(p[1].y)) || e.b != test::nearest<T>(of(p[1].x) - of(p[0].x)))
+          return wrong;
+        const bool underflows = abs(c) < of(std::numeric_limits<T>::min());
+        return error_in_ulp(e.c, c) - (underflows ? 2 : 0);
+      },
+      3000);
+  sweep(
+      named<T>("box: size, centre and sphere"), 2,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 2>(r, which);
+        irg::box<T, 3> b;
+        for (const auto& q : p) b = enclosing_box(b, q);
+        const auto s = size(b);
+        const auto middle = centre(b);
+        E squared = 0;
+        for (int k = 0; k < 3; ++k) {
+          const E low = of(b.low[k]), high = of(b.high[k]), half = (low + high).times_power_of_two(-1);
+          if (s[k] != test::nearest<T>(high - low)) return wrong;
+          if (error_in_ulp(middle[k], half) > 0.5) return wrong;
+          const E up = high - of(middle[k]), down = of(middle[k]) - low;
+          squared = squared + (up < down ? down * down : up * up);
+        }
+        return root_error(sphere_around(b).radius, squared, E(1));
+      },
+      3000);
 }
 
 TEST_CASE_TEMPLATE("mixed magnitudes: barycentric coordinates", T, double, float) {
@@ -247,25 +282,32 @@ TEST_CASE_TEMPLATE("mixed magnitudes: barycentric coordinates", T, double, float
     const double first = share(got->x, twice_area(t, b, c), whole), second = share(got->y, twice_area(a, t, c), whole);
     return std::fmax(first, std::fmax(second, share(got->z, twice_area(a, b, t), whole)));
   };
-  sweep(named<T>("barycentric, of its bound"), 1, [&](test::random& r, sizes which) {
-    const auto p = points<T, 2, 4>(r, which);
-    return compare(barycentric(p[0], p[1], p[2], p[3]), p[0], p[1], p[2], p[3]);
-  });
-  sweep(named<T>("barycentric in space, of its bound"), 1, [&](test::random& r, sizes which) {
-    const auto p = points<T, 3, 4>(r, which);
-    P2 seen[3][4];
-    E size[3];
-    int best = 0;
-    for (int k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 4; ++i) seen[k][i] = {p[i][(k + 1) % 3], p[i][(k + 2) % 3]};
-      size[k] = abs(twice_area(seen[k][0], seen[k][1], seen[k][2]));
-      if (size[best] < size[k]) best = k;
-    }
-    if (widest_view(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best))) return wrong;
-    const P2* s = seen[best];
-    if (barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3])) return wrong;
-    return compare(barycentric(p[0], p[1], p[2], p[3]), s[0], s[1], s[2], s[3]);
-  });
+  sweep(
+      named<T>("barycentric, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 2, 4>(r, which);
+        return compare(barycentric(p[0], p[1], p[2], p[3]), p[0], p[1], p[2], p[3]);
+      },
+      2000);
+  sweep(
+      named<T>("barycentric in space, of its bound"), 1,
+      [&](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        P2 seen[3][4];
+        E size[3];
+        int best = 0;
+        for (int k = 0; k < 3; ++k) {
+          for (std::size_t i = 0; i < 4; ++i) seen[k][i] = {p[i][(k + 1) % 3], p[i][(k + 2) % 3]};
+          size[k] = abs(twice_area(seen[k][0], seen[k][1], seen[k][2]));
+          if (size[best] < size[k]) best = k;
+        }
+        if (widest_view(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
+          return wrong;
+        const P2* s = seen[best];
+        if (barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3])) return wrong;
+        return compare(barycentric(p[0], p[1], p[2], p[3]), s[0], s[1], s[2], s[3]);
+      },
+      2000);
 }
 
 namespace {
@@ -513,7 +555,7 @@ quotient squared_distance_of_segments(const std::array<point<T, N>, 4>& p) {
     const lines_foot lines(a, b, c, d);
     if (lines.is_inside() && lines.squared < least) least = lines.squared;
   } else {
-    const auto turn = [&](int i, int j, int k) { return twice_area(p[i], p[j], p[k]).sign(); };
+    const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) { return twice_area(p[i], p[j], p[k]).sign(); };
     if (turn(0, 1, 2) * turn(0, 1, 3) < 0 && turn(2, 3, 0) * turn(2, 3, 1) < 0) least = {E(0), E(1)};
   }
   return least;
@@ -675,6 +717,359 @@ TEST_CASE_TEMPLATE("mixed magnitudes: nearest points", T, double, float) {
         return std::fmax(first, second);
       },
       1000);
+}
+
+namespace {
+
+// Cramer's rule: column k of the rows replaced by the right side.
+E replaced(std::array<std::array<E, 3>, 3> rows, const std::array<E, 3>& right, std::size_t k) {
+  for (std::size_t i = 0; i < 3; ++i) rows[i][k] = right[i];
+  return determinant(rows[0], rows[1], rows[2]);
+}
+E replaced(std::array<std::array<E, 2>, 2> rows, const std::array<E, 2>& right, std::size_t k) {
+  for (std::size_t i = 0; i < 2; ++i) rows[i][k] = right[i];
+  return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
+}
+
+// The sphere through points that are not in general position otherwise, by the equations of its centre: 2 (p_i - p_0) x
+// = |p_i|^2 - |p_0|^2, and in space for a circle that it lies in the plane of the three.
+template <class T, int N, std::size_t Count>
+double off_from_sphere(test::random& r, sizes which) {
+  constexpr std::size_t D = static_cast<std::size_t>(N);
+  const auto p = points<T, N, Count>(r, which);
+  const auto got = [&] {
+    if constexpr (Count == 2) return sphere_through(p[0], p[1]);
+    if constexpr (Count == 3) return sphere_through(p[0], p[1], p[2]);
+    if constexpr (Count == 4) return sphere_through(p[0], p[1], p[2], p[3]);
+  }();
+  const auto o = exactly(p[0]);
+  place<D> over;  // the centre times whole
+  E whole = 2;
+  if constexpr (Count == 2) {
+    const auto q = exactly(p[1]);
+    for (std::size_t k = 0; k < D; ++k) over[k] = o[k] + q[k];
+    if (p[0] == p[1]) whole = 0;
+  } else {
+    std::array<std::array<E, D>, D> rows;
+    std::array<E, D> right, unit{};
+    for (std::size_t i = 0; i + 1 < Count; ++i) {
+      const auto q = exactly(p[i + 1]);
+      for (std::size_t k = 0; k < D; ++k) rows[i][k] = (q[k] - o[k]) * 2;
+      right[i] = dot(q, q) - dot(o, o);
+    }
+    if constexpr (N == 3 && Count == 3) rows[2] = minors(rows[0], rows[1]), right[2] = dot(rows[2], o);
+    for (std::size_t i = 0; i < D; ++i) unit[i] = rows[i][0];
+    whole = replaced(rows, unit, 0);
+    for (std::size_t k = 0; k < D; ++k) over[k] = replaced(rows, right, k);
+  }
+  if (got.has_value() != (whole.sign() != 0)) return wrong;
+  if (!got) return 0;
+  double worst = 0;
+  place<D> way;
+  for (std::size_t k = 0; k < D; ++k) {
+    worst = std::fmax(worst, quotient_error(got->centre[static_cast<int>(k)], over[k], whole));
+    way[k] = over[k] - o[k] * whole;
+  }
+  return std::fmax(worst, root_error(got->radius, dot(way, way), whole * whole));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("mixed magnitudes: spheres", T, double, float) {
+  sweep(named<T>("sphere_through, 2 points of the plane"), 0.501, off_from_sphere<T, 2, 2>, 1000);
+  sweep(named<T>("sphere_through, 3 points of the plane"), 0.501, off_from_sphere<T, 2, 3>, 1000);
+  sweep(named<T>("sphere_through, 2 points"), 0.501, off_from_sphere<T, 3, 2>, 1000);
+  sweep(named<T>("sphere_through, 3 points"), 0.501, off_from_sphere<T, 3, 3>, 500);
+  sweep(named<T>("sphere_through, 4 points"), 0.501, off_from_sphere<T, 3, 4>, 500);
+}
+
+TEST_CASE_TEMPLATE("mixed magnitudes: nearest points of segments", T, double, float) {
+  // Inside of both segments, or an end and the point nearest to it: an end as near as any, but for 2^-60.
+  sweep(
+      named<T>("closest_points_of_segments"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const auto got = closest_points_of_segments(p[0], p[1], p[2], p[3]);
+        const quotient least = squared_distance_of_segments(p);
+        if (!got) return wrong;
+        if (least.p.sign() == 0) return got->first == got->second ? 0.0 : wrong;
+        const place<3> e[4] = {exactly(p[0]), exactly(p[1]), exactly(p[2]), exactly(p[3])};
+        const lines_foot lines(e[0], e[1], e[2], e[3]);
+        const auto off = [&](const quotient& t, const quotient& s) {
+          const double first = std::fmax(quotient_error(got->t, t.p, t.q), off_between(got->first, p[0], p[1], t));
+          const double second = std::fmax(quotient_error(got->s, s.p, s.q), off_between(got->second, p[2], p[3], s));
+          return std::fmax(first, second);
+        };
+        const quotient enough{least.p * (E(1) + E(0x1p-60)), least.q};
+        double best = lines.is_inside() ? off(lines.t, lines.s) : wrong;
+        for (std::size_t i = 0; i < 4; ++i) {
+          const std::size_t other = i < 2 ? 2 : 0;
+          const segment_foot foot(e[other], e[other + 1], e[i]);
+          if (enough < foot.squared) continue;
+          const quotient end{E(static_cast<int>(i % 2)), E(1)};
+          best = std::fmin(best, i < 2 ? off(end, foot.t) : off(foot.t, end));
+        }
+        return best;
+      },
+      1000);
+}
+
+TEST_CASE_TEMPLATE("mixed magnitudes: intersections", T, double, float) {
+  sweep(
+      named<T>("intersect_segments"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 2, 4>(r, which);
+        const auto got = intersect_segments(p[0], p[1], p[2], p[3]);
+        const auto area = [&](std::size_t i, std::size_t j, std::size_t k) { return twice_area(p[i], p[j], p[k]); };
+        const E c = area(0, 1, 2), d = area(0, 1, 3), a = area(2, 3, 0), b = area(2, 3, 1);
+        if (c == d) return 0.0;  // parallel
+        const bool meet = c.sign() * d.sign() <= 0 && a.sign() * b.sign() <= 0;
+        if (meet != (got.relation == irg::segment_relation::point)) return wrong;
+        if (!meet) return 0.0;
+        const quotient t{a, a - b}, s{c, c - d};
+        const double parameters = std::fmax(quotient_error(got.t, t.p, t.q), quotient_error(got.s, s.p, s.q));
+        return std::fmax(parameters, off_between(got.first, p[0], p[1], t));
+      },
+      3000);
+  sweep(
+      named<T>("intersect_plane_line, parametric"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 5>(r, which);
+        const place<3> u = exactly(p[0]), v = exactly(p[1]), o = exactly(p[2]), a = exactly(p[3]), w = exactly(p[4]);
+        const auto got = intersect_plane_line(irg::parametric_plane<T>{to_vec(p[0]), to_vec(p[1]), p[2]},
+                                              irg::parametric_line<T, 3>{p[3], to_vec(p[4])});
+        // s1 u + s2 v - t w = a - o
+        const std::array<std::array<E, 3>, 3> rows{{{u[0], v[0], w[0]}, {u[1], v[1], w[1]}, {u[2], v[2], w[2]}}};
+        const E whole = determinant(rows[0], rows[1], rows[2]);
+        using irg::plane_line_relation;
+        if ((got.relation == plane_line_relation::crossing) != (whole.sign() != 0)) return wrong;
+        if (whole.sign() == 0) return 0.0;
+        const E t = -replaced(rows, a - o, 2);
+        const double first = quotient_error(got.s1, replaced(rows, a - o, 0), whole);
+        const double second = quotient_error(got.s2, replaced(rows, a - o, 1), whole);
+        double worst = std::fmax(std::fmax(first, second), quotient_error(got.t, t, whole));
+        for (std::size_t k = 0; k < 3; ++k)
+          worst = std::fmax(worst, quotient_error(got.at[static_cast<int>(k)], a[k] * whole + w[k] * t, whole));
+        return worst;
+      },
+      1000);
+  sweep(
+      named<T>("intersect_planes, the line"), 0.501,
+      [](test::random& r, sizes which) {
+        auto c = numbers<T, 8>(r, which);
+        if (r.integer(0, 2) == 0) c[4] = c[0], c[5] = c[1];
+        const auto e = rationals(c);
+        const std::array<E, 3> n{e[0], e[1], e[2]}, m{e[4], e[5], e[6]}, u = minors(n, m);
+        const auto got = intersect_planes(irg::plane<T>{c[0], c[1], c[2], c[3]}, irg::plane<T>{c[4], c[5], c[6], c[7]});
+        if ((got.relation == irg::planes_relation::crossing) != !all_zero(u)) return wrong;
+        if (all_zero(u)) return 0.0;
+        const auto& along = got.line.direction;
+        double worst = error_together<T, 3>({along.x, along.y, along.z}, u, 3);
+        const E whole = determinant(n, m, u);
+        const std::array<std::array<E, 3>, 3> rows{{n, m, u}};
+        for (std::size_t k = 0; k < 3; ++k) {
+          const E over = replaced(rows, {-e[3], -e[7], E(0)}, k);
+          worst = std::fmax(worst, quotient_error(got.line.origin[static_cast<int>(k)], over, whole));
+        }
+        return worst;
+      },
+      1000);
+  sweep(
+      named<T>("intersect_planes_hungarian"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 6>(r, which);
+        place<3> e[6];
+        for (std::size_t i = 0; i < 6; ++i) e[i] = exactly(p[i]);
+        const irg::parametric_plane<T> one{to_vec(p[0]), to_vec(p[1]), p[2]}, two{to_vec(p[3]), to_vec(p[4]), p[5]};
+        const auto got = intersect_planes_hungarian(one, two);
+        const auto n = minors(e[0], e[1]);
+        const bool exist = !all_zero(n) && !all_zero(minors(e[3], e[4]));
+        const bool crossing = exist && !(dot(n, e[3]).sign() == 0 && dot(n, e[4]).sign() == 0);
+        if ((got.relation == irg::planes_relation::crossing) != crossing) return wrong;
+        if (!crossing) return 0.0;
+        const bool hold_s4 = dot(n, e[3]).sign() != 0;
+        const place<3>&along = e[hold_s4 ? 3 : 4], &held = e[hold_s4 ? 4 : 3];
+        const E whole = dot(n, along);
+        double worst = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const E zero = e[5][k] * whole + along[k] * dot(n, e[2] - e[5]);
+          const E one_held = zero + held[k] * whole - along[k] * dot(n, held);
+          worst = std::fmax(worst, quotient_error(got.at_zero[static_cast<int>(k)], zero, whole));
+          worst = std::fmax(worst, quotient_error(got.at_one[static_cast<int>(k)], one_held, whole));
+        }
+        return worst;
+      },
+      1000);
+}
+
+TEST_CASE_TEMPLATE("mixed magnitudes: cuts", T, double, float) {
+  sweep(
+      named<T>("clip_line_cyrus_beck"), 0.501,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 2, 5>(r, which);
+        const std::array<point<T, 2>, 3> region{p[2], p[3], p[4]};
+        const auto got = clip_line_cyrus_beck(p[0], p[1], region);
+        const int turn = twice_area(p[2], p[3], p[4]).sign();
+        quotient low{E(0), E(1)}, high{E(1), E(1)};
+        bool visible = turn != 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const auto &from = region[i], &to = region[(i + 1) % 3];
+          const E at_a = twice_area(from, to, p[0]) * turn, at_b = twice_area(from, to, p[1]) * turn;
+          if (at_a.sign() < 0 && at_b.sign() < 0) visible = false;
+          if (at_a.sign() < 0 && at_b.sign() >= 0) low = std::max(low, quotient{-at_a, at_b - at_a});
+          if (at_a.sign() >= 0 && at_b.sign() < 0) high = std::min(high, quotient{at_a, at_a - at_b});
+        }
+        visible = visible && !(high < low);
+        if (visible != got.has_value()) return wrong;
+        if (!got) return 0.0;
+        const double first =
+            std::fmax(quotient_error(got->t_first, low.p, low.q), off_between(got->first, p[0], p[1], low));
+        const double second =
+            std::fmax(quotient_error(got->t_second, high.p, high.q), off_between(got->second, p[0], p[1], high));
+        return std::fmax(first, second);
+      },
+      2000);
+  sweep(
+      named<T>("split_polygon"), 1,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 3>(r, which);
+        const auto c = numbers<T, 4>(r, which);
+        const auto e = rationals(c);
+        struct crossing {
+          point<T, 3> front, back;
+          quotient t;
+        };
+        std::vector<crossing> crossings;
+        double worst = 0;
+        const auto note = [&](const point<T, 3>& front, const point<T, 3>& back, T t) {
+          const auto height = [&](const point<T, 3>& q) {
+            return e[0] * of(q.x) + e[1] * of(q.y) + e[2] * of(q.z) + e[3];
+          };
+          const E at_front = height(front), at_back = height(back);
+          crossings.push_back({front, back, {at_front, at_front - at_back}});
+          worst = std::fmax(worst, quotient_error(t, at_front, at_front - at_back));
+          return front;
+        };
+        const std::vector<point<T, 3>> ring(p.begin(), p.end());
+        const auto parts = split_polygon(ring, irg::plane<T>{c[0], c[1], c[2], c[3]}, note);
+        for (const auto* side : {&parts.front, &parts.back})
+          for (const auto& part : *side)
+            for (const auto& q : part) {
+              if (q == p[0] || q == p[1] || q == p[2]) continue;
+              double off = wrong;
+              for (const auto& x : crossings) off = std::fmin(off, off_between(q, x.front, x.back, x.t));
+              worst = std::fmax(worst, off);
+            }
+        return worst;
+      },
+      2000);
+  // Positions against attributes that are the positions: as shares of guard * (16u * the largest coordinate + 2 * the
+  // smallest number).
+  sweep(
+      named<T>("clip_homogeneous, of its bound"), 1,
+      [](test::random& r, sizes which) {
+        irg::clip_vertex<T, 4> corners[3];
+        irg::clip_volume<T> volume;
+        volume.guard_x = volume.guard_y = static_cast<T>(1 + 7 * r.unit());
+        E largest = 0;
+        for (auto& v : corners)
+          for (int k = 0; k < 4; ++k) {
+            v.position[k] = v.attributes[k] = number<T>(r, which) / 8;
+            if (largest < abs(of(v.position[k]))) largest = abs(of(v.position[k]));
+          }
+        double worst = 0;
+        const E guard = of(volume.guard_x), smallest = of(std::numeric_limits<T>::denorm_min());
+        const E bound = guard * (largest * of(8 * std::numeric_limits<T>::epsilon()) + smallest * 2);
+        for (const auto& v : clip_homogeneous(corners, volume))
+          for (int k = 0; k < 4; ++k) {
+            const test::quotients::near_number off(of(v.position[k]) - of(v.attributes[k])), unit(bound);
+            worst = std::fmax(worst, std::fabs(std::ldexp(off.value / unit.value, off.exponent - unit.exponent)));
+          }
+        return worst;
+      },
+      3000);
+}
+
+TEST_CASE_TEMPLATE("mixed magnitudes: barycentric coordinates by equations", T, double, float) {
+  sweep(
+      named<T>("barycentric_direct"), 0.5,
+      [](test::random& r, sizes which) {
+        const auto p = points<T, 3, 4>(r, which);
+        const auto got = barycentric_direct(p[0], p[1], p[2], p[3]);
+        const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]), t = exactly(p[3]);
+        const E whole = determinant(a, b, c),
+                over[3] = {determinant(t, b, c), determinant(a, t, c), determinant(a, b, t)};
+        bool is_beyond = whole.sign() == 0;
+        for (const E& v : over) is_beyond = is_beyond || abs(whole) * test::quotients::largest<T>() < abs(v);
+        if (!got) return is_beyond ? 0.0 : wrong;
+        double worst = is_beyond ? wrong : 0;
+        for (int k = 0; k < 3; ++k) worst = std::fmax(worst, quotient_error((*got)[k], over[k], whole));
+        return worst;
+      },
+      2000);
+}
+
+namespace {
+
+// |got - exact| over the bound u * factor * size.
+template <class T>
+double share_of(T got, const E& exact, double factor, const E& size) {
+  if (!std::isfinite(got)) return wrong;
+  const test::quotients::near_number off(of(got) - exact), unit(size * E(factor));
+  if (off.value == 0) return 0;
+  const int place = std::numeric_limits<T>::digits;
+  return std::fabs(std::ldexp(off.value / unit.value, off.exponent - unit.exponent + place));
+}
+// Whether terms stay in the range.
+template <class T>
+bool in_range(const E& term) {
+  return term.sign() == 0 || (term.exponent() > std::numeric_limits<T>::min_exponent + 2 &&
+                              term.exponent() < std::numeric_limits<T>::max_exponent - 4);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("mixed magnitudes: plain formulas, of their bounds", T, double, float) {
+  sweep(
+      named<T>("line_value and plane_value"), 1,
+      [](test::random& r, sizes which) {
+        const auto c = numbers<T, 7>(r, which);
+        const auto e = rationals(c);
+        const E terms[4] = {e[0] * e[4], e[1] * e[5], e[2] * e[6], e[3]};
+        bool fits = true;
+        E sum = 0, size = 0;
+        for (const E& term : terms) {
+          fits = fits && in_range<T>(term);
+          sum = sum + term, size = size + abs(term);
+        }
+        if (!fits) return 0.0;
+        const T in_space = plane_value(irg::plane<T>{c[0], c[1], c[2], c[3]}, point<T, 3>{c[4], c[5], c[6]});
+        const T in_plane = line_value(irg::line<T>{c[0], c[1], c[3]}, point<T, 2>{c[4], c[5]});
+        return std::fmax(share_of(in_space, sum, 4, size), share_of(in_plane, sum - terms[2], 3, size - abs(terms[2])));
+      },
+      3000);
+  sweep(
+      named<T>("polygon_area_fast and _textbook"), 1,
+      [](test::random& r, sizes) {
+        std::vector<point<T, 2>> ring(static_cast<std::size_t>(r.integer(3, 6)));
+        const int reach = sizeof(T) == 4 ? 30 : 250;
+        for (auto& p : ring)
+          for (int k = 0; k < 2; ++k)
+            p[k] = static_cast<T>(std::ldexp(2 * r.unit() - 1, static_cast<int>(r.integer(-reach, reach))));
+        E triangles = 0, products = 0;  // in size
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto &p = ring[i], &q = after(ring, i);
+          products = products + abs(of(p.x) * of(q.y)) + abs(of(q.x) * of(p.y));
+          const E ux = of(p.x) - of(ring[0].x), uy = of(p.y) - of(ring[0].y);
+          const E vx = of(q.x) - of(ring[0].x), vy = of(q.y) - of(ring[0].y);
+          triangles = triangles + (abs(ux * vy) + abs(uy * vx)).times_power_of_two(-1);
+        }
+        const E area = twice_area(ring).times_power_of_two(-1);
+        const auto n = static_cast<double>(ring.size());
+        return std::fmax(share_of(irg::polygon_area_fast(ring), area, n + 4, triangles),
+                         share_of(irg::polygon_area_textbook(ring), area, n + 1, products));
+      },
+      3000);
 }
 
 #endif

@@ -132,7 +132,8 @@ inline namespace IRG_ABI {
 /// needs   one or more control points; scratch at least as long, its contents are lost. t outside [0, 1] continues the
 ///         polynomial
 /// exact   the first and last control point bit for bit at t = 0 and 1; within [0, 1] the error is below
-///         3*degree*u*max(abs b) in each coordinate (degree 20, measured: 5 u), to first order
+///         3*degree*u*max(abs b) in each coordinate (degree 20, measured: 5 u), to first order and where nothing
+///         underflows
 /// cost    degree*(degree + 1)/2 blends
 /// source  de Casteljau 1959; S0 6.2 of the course
 template <ControlPoints R>
@@ -214,7 +215,7 @@ constexpr detail::control_point<R> bezier_point_wozny_chudy(const R& points, par
 }
 
 /// The values of the N + 1 Bernstein polynomials of degree N at t.
-/// exact   within [0, 1] each is not negative and has relative error below 2*N*u
+/// exact   within [0, 1] each is not negative and has relative error below 2*N*u, unless it underflows
 /// cost    N*(N + 1)/2 steps
 /// source  Bernstein 1912; the recursion b_{i,n} = (1 - t) b_{i,n-1} + t b_{i-1,n-1}
 template <int N, Real T>

@@ -264,8 +264,8 @@ inline namespace IRG_ABI {
 ///         0, 0, 0, 0 stand for no position and are left out; without the sides, points at infinity (w = 0) may stay
 /// exact   in rationals. In floats clip_code decides which vertices are inside. A cut's coordinate at its plane is
 ///         exact; every coordinate is within 16u * guard * the polygon's largest coordinate of what the interpolated
-///         attributes say (found: 7u). Clipping again changes no bit; polygons that share an edge get the same bits on
-///         it
+///         attributes say (found: 7u; where that underflows, 2 * guard of the smallest numbers). Clipping again changes
+///         no bit; polygons that share an edge get the same bits on it
 /// cost    a polygon all inside or all outside costs its codes; each plane that cuts costs one pass
 /// source  Sutherland and Hodgman, Reentrant polygon clipping, 1974; Blinn and Newell, Clipping using homogeneous
 ///         coordinates, 1978

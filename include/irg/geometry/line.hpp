@@ -97,8 +97,8 @@ constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const l
 }
 
 /// a*x + b*y + c: the distance of p from the line times the length of (a, b), positive on the left.
-/// exact   in integers and rationals; in floats off by at most 3u times the sum of the absolute values of the terms.
-///         side_of_line and orient2d decide sides exactly
+/// exact   in integers and rationals; in floats, where nothing over- or underflows, off by at most 3u times the sum of
+///         the absolute values of the terms. side_of_line and orient2d decide sides exactly
 /// source  2.3 (S0) of the course
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)

@@ -88,8 +88,8 @@ constexpr std::optional<plane<scalar_of<typename ring_traits<R>::point>>> newell
 }
 
 /// a*x + b*y + c*z + d: the distance of p from the plane times the length of its normal, positive above.
-/// exact   in integers and rationals; in floats off by at most 4u times the sum of the absolute values of the four
-///         terms, so that its sign may be wrong for points nearer to the plane than that
+/// exact   in integers and rationals; in floats, where nothing over- or underflows, off by at most 4u times the sum of
+///         the absolute values of the four terms, so that its sign may be wrong for points nearer than that
 template <Plane P, Point Q>
   requires(size_of<Q> == 3 && std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
 IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {

@@ -126,8 +126,9 @@ constexpr auto polygon_area(const P& polygon) noexcept {
 
 /// The signed area by the sum of triangles from each ring's first vertex, in plain arithmetic.
 /// gives   no NaN while coordinates are below 2^510 (float: 2^62) in size
-/// exact   off by at most (n + 4) u times the triangles' areas together, each taken positive (u = 2^-53, float 2^-24),
-///         where nothing underflows: distance from the origin costs no more than the differences' own rounding
+/// exact   off by at most (n + 4) u times the sizes of both products of each triangle, halved, together (u = 2^-53,
+///         float 2^-24), where nothing underflows: thin triangles may lose their digits, but distance from the origin
+///         costs no more than the differences' own rounding
 /// cost    about 2 ns for a vertex
 template <PlanePolygon P>
   requires Floating<scalar_of<polygon_point<P>>>

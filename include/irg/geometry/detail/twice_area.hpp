@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <irg/math/detail/unrounded.hpp>
+#include <irg/geometry/detail/evaluate.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/exact_sum.hpp>
 
@@ -66,9 +66,11 @@ constexpr double ratio(const exact_accumulator<K>& n, const exact_accumulator<K>
   const exact_sum<double> parts = n.rounded_parts(shift), one_to_two = d.rounded_parts(shift);
   const double size = magnitude(parts.value);
   if ((size > 0x1p-960 && size < 0x1p960) || n.sign() == 0) return ratio(parts, one_to_two);
-  // The quotient, or the product that tells what it lacks, may leave the range: from 1/2 to 2, and scaled in the end.
+  // The quotient, or the product that tells what it lacks, may leave the range: known numbers have exponents apart.
   const int up = -n.exponent();
-  return scale(divide(n.rounded_parts(up), one_to_two), shift - up);
+  const exact_sum<double> scaled = n.rounded_parts(up);
+  return rounded_to<double>(known_number{scaled.value, scaled.error, shift - up} /
+                            known_number{one_to_two.value, one_to_two.error, 0});
 }
 
 }  // namespace IRG_ABI
