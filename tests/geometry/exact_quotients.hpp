@@ -3,10 +3,7 @@
 // of numbers of all sizes take long.
 #pragma once
 
-<<<<<<< HEAD
-=======
 #include <algorithm>
->>>>>>> wsweepG
 #include <cmath>
 #include <limits>
 
