@@ -67,6 +67,13 @@ TEST_CASE("double_double: ends of the range") {
   CHECK_BOTH(dd(largest, 0x1p969) / 4.0 == dd(largest / 4, 0x1p967));
   CHECK_BOTH(dd(0x1p-1074) + dd(0x1p-1074) == dd(0x1p-1073));
   CHECK_BOTH(dd(0x1p-1074) * dd(0x1p1000, 0x1p940) == dd(0x1p-74, 0x1p-134));
+  // What is left of a division, and of a root, is known also where the products in it would lose bits or overflow.
+  CHECK_BOTH(dd(0x1p-1000) / dd(0x3p-500) == dd(0x1.5555555555555p-502, 0x1.5555555555555p-556));
+  CHECK_BOTH(dd(largest) / dd(3) == dd(0x1.5555555555555p1022, -0x1.5555555555555p968));
+  CHECK_BOTH(dd(0x3p-1074) / dd(0x1p-1074) == dd(3));
+  CHECK_BOTH(sqrt(dd(0x1p-999)) * 0x1p500 == sqrt(dd(2)));
+  CHECK_BOTH(ff(0x1p-100f) / ff(0x3p-50f) == ff(0x1.555556p-52f, -0x1.555556p-77f));
+  CHECK_BOTH(sqrt(ff(0x1p-140f)) == ff(0x1p-70f));
   const dd overflowed = dd(test::at_run_time(largest)) * 2.0;
   CHECK(overflowed == dd(inf));
   CHECK(overflowed.low == 0);

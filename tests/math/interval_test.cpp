@@ -45,6 +45,12 @@ TEST_CASE("interval: by hand") {
   CHECK_BOTH(contains(fval(16777217), fval(16777216.0f, 16777218.0f)));
 }
 
+TEST_CASE("interval: quotients of very small numbers have the nearest ends") {
+  CHECK_BOTH(ival(0x1p-1000) / ival(0x1p-500) == ival(0x1p-500));
+  CHECK_BOTH(ival(0x1p-1074) / ival(0x3p-1074) == ival(0x1.5555555555555p-2, 0x1.5555555555556p-2));
+  CHECK_BOTH(ival(-0x7p-1074) / ival(0x1p-1074) == ival(-7));
+}
+
 TEST_CASE("interval: comparisons are certain or possible") {
   CHECK_BOTH(ival(1, 2) < ival(3, 4));
   CHECK_BOTH(!(ival(1, 3) < ival(3, 4)));

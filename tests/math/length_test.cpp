@@ -158,6 +158,10 @@ TEST_CASE("length: angles by hand") {
   CHECK_BOTH(angle_between(vec<float, 3>{0, 0, 1}, vec<float, 3>{0, 5, 0}) == pi<float> / 2);
   CHECK_BOTH(angle_between(vec<double, 3>{largest, 0, 0}, vec<double, 3>{smallest, smallest, 0}) == pi_ / 4);
   CHECK_BOTH(angle_between(vec<double, 3>{1, 0, 0}, vec<double, 3>{1, 0, 1e-300}) == 1e-300);
+  // No power of two brings a subnormal vector near 1; its small angle to another one keeps all digits.
+  constexpr double small_angle =
+      angle_between(vec<double, 2>{0x1.a4179babfc687p-660, 0x1p320}, vec<double, 2>{0, 5 * smallest});
+  CHECK_BOTH(irg::detail::magnitude(small_angle - 0x1.a4179babfc687p-980) <= 0x4p-1032);
   CHECK_BOTH(angle_between(vec<double, 3>{}, vec<double, 3>{1, 0, 0}) == 0);
   CHECK(std::isnan(angle_between(vec<double, 3>{nan_, 0, 0}, vec<double, 3>{1, 0, 0})));
   CHECK(std::isnan(angle_between(vec<double, 3>{1, 0, 0}, vec<double, 3>{1, inf, 0})));

@@ -39,6 +39,9 @@ TEST_CASE("roots: quadratic by hand") {
   CHECK_BOTH(quadratic_roots_fast(1.0, 2.0, 1.0) == one(-1));
   CHECK_BOTH(quadratic_roots_textbook(1.0, 0.0, 1.0) == none);
   CHECK_BOTH(quadratic_roots_fast(1.0, 0.0, 0.0) == one(0));
+  // Floats whose discriminant is beyond their range, at both ends.
+  CHECK_BOTH(quadratic_roots_fast(0x1p127f, 0.0f, -0x1p127f).root[1] == 1);
+  CHECK_BOTH(quadratic_roots_fast(0x1p-80f, 0.0f, -0x1p-80f).count == 2);
 }
 
 TEST_CASE("roots: what is wrong with the textbook's formula") {

@@ -29,6 +29,15 @@ IRG_INLINE constexpr double_word<T> normalised_words(T high, T low) noexcept {
   return {sum, is_finite(sum) ? low - (sum - high) : T(0)};
 }
 
+// Between these sizes a product of words has an error that is a number; a dividend or radicand beyond is scaled first.
+template <Floating T>
+inline constexpr T least_of_exact_words = std::is_same_v<T, double> ? T(0x1p-914) : T(0x1p-77f);
+template <Floating T>
+inline constexpr T most_of_exact_words = std::is_same_v<T, double> ? T(0x1p1000) : T(0x1p120f);
+
+template <Floating T>
+constexpr double_word<T> scaled_quotient(const double_word<T>& x, const double_word<T>& y) noexcept;
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -116,6 +125,9 @@ public:
   IRG_INLINE friend constexpr double_word operator/(const double_word& x, const double_word& y) noexcept {
     const T quotient = x.high / y.high;
     if (!detail::is_finite(quotient) || quotient == 0 || !detail::is_finite(y.high)) return quotient;
+    const T size = detail::magnitude(x.high);
+    if (size < detail::least_of_exact_words<T> || size > detail::most_of_exact_words<T>)
+      return detail::scaled_quotient(x, y);
     const double_word back = y * quotient;
     const T rest = (x.high - back.high) + (x.low - back.low);
     return detail::normalised_words(quotient, rest / y.high);
@@ -142,6 +154,25 @@ public:
 
 using double_double = double_word<double>;
 
+namespace detail {
+inline namespace IRG_ABI {
+
+/// x/y for an x near an end of the range: x, or both of them, go to the middle by 2^537 or 2^-537 (float: 2^72).
+template <Floating T>
+constexpr double_word<T> scaled_quotient(const double_word<T>& x, const double_word<T>& y) noexcept {
+  constexpr bool is_double = std::is_same_v<T, double>;
+  constexpr T up = is_double ? T(0x1p537) : T(0x1p72f), down = is_double ? T(0x1p-537) : T(0x1p-72f);
+  const bool is_small = magnitude(x.high) < 1;
+  const T there = is_small ? up : down, back = is_small ? down : up;
+  const double_word<T> dividend{x.high * there, x.low * there};
+  if ((magnitude(y.high) < 1) == is_small) return dividend / double_word<T>{y.high * there, y.low * there};
+  const double_word<T> quotient = dividend / y;
+  return normalised_words(quotient.high * back, quotient.low * back);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// The square root.
@@ -152,6 +183,12 @@ template <Floating T>
 constexpr double_word<T> sqrt(const double_word<T>& x) noexcept {
   const T root = sqrt(x.high);
   if (!(root > 0) || !detail::is_finite(root)) return root;
+  if (x.high < detail::least_of_exact_words<T>) {
+    constexpr bool is_double = std::is_same_v<T, double>;
+    constexpr T up = is_double ? T(0x1p600) : T(0x1p80f), back = is_double ? T(0x1p-300) : T(0x1p-40f);
+    const double_word<T> scaled = sqrt(double_word<T>{x.high * up, x.low * up});
+    return {scaled.high * back, scaled.low * back};
+  }
   const auto [square, error] = two_product(root, root);
   return detail::normalised_words(root, (((x.high - square) - error) + x.low) / (2 * root));
 }

@@ -73,13 +73,21 @@ constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
   return sqrt(sum);
 }
 
+/// The coordinates brought near 1 where `scaled` could not: 2^1023, the largest power, leaves subnormal ones below.
+template <int N>
+constexpr void enlarge_subnormal(scaled_coordinates<N>& s) noexcept {
+  if (s.scale == 0x1p1023)
+    for (double& c : s.c) c = c * 0x1p51;
+}
+
 /// angle_between of vectors with very large, very small or infinite coordinates or NaN among them.
 template <Vector A, Vector B>
 constexpr double angle_between_any(const A& a, const B& b) noexcept {
-  const auto s = scaled(a);
-  const auto t = scaled(b);
+  auto s = scaled(a);
+  auto t = scaled(b);
   if (s.scale != s.scale || t.scale != t.scale) return not_a_number<double>;
   if (s.scale == 0 || t.scale == 0) return 0;
+  enlarge_subnormal(s), enlarge_subnormal(t);
   if (has_moderate_coordinates(s.c) && has_moderate_coordinates(t.c)) return angle_between_moderate<double>(s.c, t.c);
   return angle_between_extreme(s.c, t.c);
 }

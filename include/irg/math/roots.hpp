@@ -165,12 +165,15 @@ constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
 template <Floating T>
 constexpr real_roots<T, 2> quadratic_roots_fast(T a, T b, T c) noexcept {
   real_roots<T, 2> roots;
-  const T discriminant = difference_of_products(b, b, 4 * a, c);
+  // The products of floats are exact in double and within its range.
+  const double p = widened(a), q = widened(b), r = widened(c);
+  const double discriminant =
+      std::is_same_v<T, float> ? product(q, q) - product(4 * p, r) : difference_of_products(q, q, 4 * p, r);
   if (!(discriminant >= 0)) return roots;
-  const T root = sqrt(discriminant);
-  const T sum = T(-0.5) * (b < 0 ? b - root : b + root);
-  const T x = sum / a, y = sum == 0 ? T(0) : c / sum;
-  return detail::two_real_roots(x, y, discriminant == 0);
+  const double root = sqrt(discriminant);
+  const double sum = -0.5 * (q < 0 ? q - root : q + root);
+  const double x = sum / p, y = sum == 0 ? 0 : r / sum;
+  return detail::two_real_roots(detail::narrow<T>(x), detail::narrow<T>(y), discriminant == 0);
 }
 
 /// The real roots of a*x^2 + b*x + c = 0 by the formula of the textbooks, (-b +- sqrt(b*b - 4*a*c)) / (2*a).

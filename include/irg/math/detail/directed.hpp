@@ -73,11 +73,13 @@ constexpr T quotient_down(T a, T b) noexcept {
     return lowered(value, back > widened(a));
   } else {
     const T value = a / b;
-    if (!(magnitude(a) > 0x1p-900 && magnitude(a) < 0x1p1020 && magnitude(value) > 0x1p-960 &&
-          magnitude(value) < 0x1p1020))
+    if (!(magnitude(a) < 0x1p1020 && magnitude(value) > 0x1p-960 && magnitude(value) < 0x1p1020))
       return lowered_blindly(value, is_positive);
-    const auto [back, error] = two_product(value, b);
-    const T rest = (a - back) - error;  // exact, as the remainder of every division
+    // A dividend near the smallest number, and the smaller one of the factors, are scaled so that the error is a number.
+    const T up = magnitude(a) > 0x1p-900 ? T(1) : T(0x1p200);
+    const bool is_large = magnitude(value) > 1;
+    const auto [back, error] = two_product(is_large ? value : value * up, is_large ? b * up : b);
+    const T rest = (a * up - back) - error;  // exact, as the remainder of every division
     return lowered(value, rest < 0);
   }
 }

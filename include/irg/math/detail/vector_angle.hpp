@@ -96,8 +96,8 @@ IRG_INLINE constexpr double angle_between_moderate(const double (&a)[N], const d
   return angle_of_quotient(quotient, product(miss, inverse), is_steep, is_backward);
 }
 
-/// angle_between_moderate for coordinates from the smallest number up to 4, by operations that look at their arguments'
-/// exponents one by one.
+/// angle_between_moderate for coordinates from the smallest number up to 2^52, by operations that look at their
+/// arguments' exponents one by one.
 constexpr double angle_between_extreme(const double (&a)[2], const double (&b)[2]) noexcept {
   const double across = irg::difference_of_products(a[0], b[1], a[1], b[0]);
   return angle_of(magnitude(across), irg::sum_of_products(a[0], b[0], a[1], b[1]));
