@@ -392,7 +392,7 @@ void sweep_intervals() {
 // Whether x is 0 or neither near the smallest nor near the largest numbers.
 template <class T>
 bool is_inside(const big_rational& x) {
-  constexpr T least = std::numeric_limits<T>::min() * 0x1p60f, most = std::numeric_limits<T>::max() * 0x1p-4f;
+  constexpr T least = std::numeric_limits<T>::min() * T(0x1p60f), most = std::numeric_limits<T>::max() * T(0x1p-4f);
   return x.sign() == 0 || (rational(least) < abs(x) && abs(x) < rational(most));
 }
 
@@ -576,7 +576,7 @@ void sweep_homogeneous() {
 template <int N, class Entry>
 void set_determinant(mpfr_ptr out, Entry entry) {
   static test::real product;
-  int order[N];
+  int order[static_cast<std::size_t>(N)];
   for (int i = 0; i < N; ++i) order[i] = i;
   mpfr_set_zero(out, 1);
   do {
