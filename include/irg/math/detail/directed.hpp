@@ -75,7 +75,7 @@ constexpr T quotient_down(T a, T b) noexcept {
     const T value = a / b;
     if (!(magnitude(a) < 0x1p1020 && magnitude(value) > 0x1p-960 && magnitude(value) < 0x1p1020))
       return lowered_blindly(value, is_positive);
-    // A dividend near the smallest number, and the smaller one of the factors, are scaled so that the error is a number.
+    // A dividend near the smallest number and the smaller factor are scaled, so that the error is a number.
     const T up = magnitude(a) > 0x1p-900 ? T(1) : T(0x1p200);
     const bool is_large = magnitude(value) > 1;
     const auto [back, error] = two_product(is_large ? value : value * up, is_large ? b * up : b);
