@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include <irg/raster/draw_triangle.hpp>
-#include <irg/render/projected_vertices.hpp>
+#include <irg/raster/projected_vertices.hpp>
 
 #include "render/frames.hpp"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <irg/geometry/orient2d_batch.hpp>
+#include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/point_in_convex_polygon.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon.hpp>

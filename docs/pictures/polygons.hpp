@@ -9,6 +9,7 @@
 
 #include <irg/colour/pixel.hpp>
 #include <irg/geometry/convex_hull.hpp>
+#include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/polygon_centroid.hpp>

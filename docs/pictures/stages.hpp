@@ -12,7 +12,7 @@
 #include <irg/mesh/shape_sphere.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/draw_triangle.hpp>
-#include <irg/render/screen_mapping.hpp>
+#include <irg/raster/screen_mapping.hpp>
 #include <irg/shade/shading.hpp>
 #include <irg/view/affine.hpp>
 #include <irg/view/camera_frame.hpp>

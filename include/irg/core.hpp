@@ -8,6 +8,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/executor.hpp>
+#include <irg/core/facing.hpp>
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/core/mesh_concept.hpp>

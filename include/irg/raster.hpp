@@ -7,6 +7,7 @@
 #include <irg/raster/depth.hpp>
 #include <irg/raster/depth_format.hpp>
 #include <irg/raster/depth_options.hpp>
+#include <irg/raster/draw_counts.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/draw_lines.hpp>
 #include <irg/raster/draw_polyline.hpp>
@@ -22,7 +23,6 @@
 #include <irg/raster/fill_rule.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/foreign_view.hpp>
-#include <irg/raster/fragment.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_aa.hpp>
 #include <irg/raster/line_aa_options.hpp>
@@ -39,9 +39,15 @@
 #include <irg/raster/line_thick.hpp>
 #include <irg/raster/line_wu.hpp>
 #include <irg/raster/paint.hpp>
+#include <irg/raster/pixel_weights.hpp>
+#include <irg/raster/projected_vertices.hpp>
+#include <irg/raster/screen_mapping.hpp>
+#include <irg/raster/screen_vertex.hpp>
 #include <irg/raster/seed_fill.hpp>
 #include <irg/raster/subpixel.hpp>
+#include <irg/raster/triangle_batch.hpp>
 #include <irg/raster/triangle_coverage.hpp>
+#include <irg/raster/vertex_lanes.hpp>
 #include <irg/raster/view_opencv.hpp>
 #include <irg/raster/view_sdl.hpp>
 #include <irg/raster/window.hpp>

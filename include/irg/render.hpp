@@ -11,11 +11,8 @@
 #include <irg/render/occlusion_culling.hpp>
 #include <irg/render/occlusion_mask.hpp>
 #include <irg/render/options.hpp>
-#include <irg/render/projected_vertices.hpp>
 #include <irg/render/render.hpp>
-#include <irg/render/screen_mapping.hpp>
 #include <irg/render/textured_shading.hpp>
-#include <irg/render/triangle_batch.hpp>
 #include <irg/render/visibility_buffer.hpp>
 #include <irg/render/weight_derivatives.hpp>
 #include <irg/render/wireframe.hpp>

@@ -22,6 +22,7 @@
 #include <irg/raster/seed_fill.hpp>
 
 #include <irg/colour/srgb.hpp>
+#include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/geometry/polygon_orientation.hpp>

@@ -17,6 +17,7 @@
 #include <irg/geometry/clip_line_cyrus_beck.hpp>
 #include <irg/geometry/closest_point.hpp>
 #include <irg/geometry/distance.hpp>
+#include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/geometry/intersect_planes.hpp>
 #include <irg/geometry/intersect_segments.hpp>

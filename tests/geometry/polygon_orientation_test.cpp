@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <irg/geometry/polygon_orientation.hpp>
+#include <irg/geometry/edge_equation.hpp>
 
 #include <algorithm>
 #include <array>

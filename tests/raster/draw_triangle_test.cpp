@@ -133,7 +133,7 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
     };
     irg::image<recorder> weights(60, 60);
     irg::image<float> depth(60, 60, -1.0f);
-    const auto record = [](const irg::fragment<float>& f) { return recorder{f.weight1, f.weight2}; };
+    const auto record = [](const irg::pixel_weights<float>& f) { return recorder{f.weight1, f.weight2}; };
     irg::draw_triangle(weights, depth, v[0], v[1], v[2], record);
     const long double area =
         static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
@@ -167,7 +167,7 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
 TEST_CASE("draw_triangle: Z13, weights stay accurate when inverse_w differs by 1e5") {
   irg::image<float> weight(64, 64), depth(64, 64, -1.0f);
   const screen_vertex v[3] = {{{0, 0}, 0.5f, 1.0f}, {{64 * 256, 0}, 0.5f, 1e-5f}, {{0, 64 * 256}, 0.5f, 1.0f}};
-  irg::draw_triangle(weight, depth, v[0], v[1], v[2], [](const irg::fragment<float>& f) { return f.weight1; });
+  irg::draw_triangle(weight, depth, v[0], v[1], v[2], [](const irg::pixel_weights<float>& f) { return f.weight1; });
   for (int x = 0; x < 63; ++x) {
     const long double b1 = (x + 0.5L) / 64, q = (1 - b1) + b1 * static_cast<long double>(1e-5f);
     CHECK(std::fabs(static_cast<long double>(weight(x, 0)) - b1 * static_cast<long double>(1e-5f) / q) < 1e-9L);
@@ -260,7 +260,7 @@ TEST_CASE("intensity_shader: the course's Gouraud triangle, GOLDEN 7") {
   CHECK_BOTH(drawn(0, 3) == 70.0f);
   CHECK_BOTH(drawn(0, 0) == 10.0f);
   CHECK_BOTH(drawn(2, 2) == -1.0f);  // on the right edge: not covered; the formula there:
-  CHECK_BOTH(irg::fragment<float>{0.5f, 0.5f, 0.0f}.interpolate(10, 50, 90) == 70.0f);
+  CHECK_BOTH(irg::pixel_weights<float>{0.5f, 0.5f, 0.0f}.interpolate(10, 50, 90) == 70.0f);
 }
 
 }  // namespace

@@ -65,10 +65,10 @@ static_assert(!irg::AttributeShading<irg::solid_shader<rgba8>, batch>);
 
 TEST_CASE("interpolate_attributes: weights of the second and third vertex, constants as they are") {
   constexpr float a[] = {1, 0.1f}, b[] = {3, 0.1f}, c[] = {1, 0.1f};
-  CHECK_BOTH(irg::interpolate_attributes<2>(irg::fragment<float>{0.25f, 0.5f, 0}, a, b, c) ==
+  CHECK_BOTH(irg::interpolate_attributes<2>(irg::pixel_weights<float>{0.25f, 0.5f, 0}, a, b, c) ==
              std::array<float, 2>{1.5f, 0.1f});
-  CHECK_BOTH(irg::interpolate_attributes<2>(irg::fragment<float>{0.3f, 0.7f, 0}, a, b, c)[1] == 0.1f);
-  CHECK_BOTH(irg::interpolate_attributes<2>(irg::fragment<float>{0, 0, 0}, a, b, c)[0] == 1);
+  CHECK_BOTH(irg::interpolate_attributes<2>(irg::pixel_weights<float>{0.3f, 0.7f, 0}, a, b, c)[1] == 0.1f);
+  CHECK_BOTH(irg::interpolate_attributes<2>(irg::pixel_weights<float>{0, 0, 0}, a, b, c)[0] == 1);
 }
 
 // ---- the fast way against the plain one

@@ -36,7 +36,9 @@ struct mark {
 struct mark_shader {
   std::uint32_t triangle;
   irg::facing side;
-  constexpr mark operator()(const irg::fragment<float>& at) const { return {triangle, side, at.weight1, at.weight2}; }
+  constexpr mark operator()(const irg::pixel_weights<float>& at) const {
+    return {triangle, side, at.weight1, at.weight2};
+  }
 };
 
 struct marks {

@@ -111,7 +111,7 @@ struct level_maker {
   struct shader {
     irg::mip_textured_shader of;
     int size;
-    float operator()(const irg::fragment<float>& at) const { return of.level(at, size, size); }
+    float operator()(const irg::pixel_weights<float>& at) const { return of.level(at, size, size); }
   };
   shader operator()(const batch& b, std::uint32_t triangle, irg::facing side) const {
     return {of(b, triangle, side), size};

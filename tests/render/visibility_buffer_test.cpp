@@ -70,7 +70,7 @@ void like_the_shaders(std::uint64_t seed, int scenes) {
     irg::image<float> depth(width, height, 0.0f);
     irg::draw_workspace workspace;
     const auto shader = [](const irg::triangle_batch<T>& batch, std::uint32_t k, irg::facing) {
-      return [number = batch.first_number + k](const irg::fragment<float>& at) {
+      return [number = batch.first_number + k](const irg::pixel_weights<float>& at) {
         return mark{number, at.weight1, at.weight2, at.depth};
       };
     };

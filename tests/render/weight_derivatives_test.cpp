@@ -69,7 +69,7 @@ TEST_CASE("weight_derivatives: a triangle that faces the eye, by hand") {
 }
 
 TEST_CASE("weight_derivatives: seen from the edge, without size, in the eye: 0") {
-  constexpr irg::fragment<float> at{0.25f, 0.5f, 0.5f};
+  constexpr irg::pixel_weights<float> at{0.25f, 0.5f, 0.5f};
   constexpr auto edge = derivatives_of({0, 0, -2}, {0, 0, -3}, {0, 0, -4})(at);
   CHECK_BOTH((edge.right(0, 1, 2) == 0 && edge.down(0, 1, 2) == 0));
   constexpr auto point_of_it = derivatives_of({1, 1, -2}, {1, 1, -2}, {1, 1, -2})(at);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Triples x y z x y z ... in memory, such as arrays of points, as packs of x, of y and of z, and back: three registers
-// are read or written whole and their lanes sorted, where one load a coordinate would take N times as many.
+// are read or written whole and their lanes sorted, where one load a coordinate would take N times as many. And
+// quadruples of 32-bit words from anywhere in memory: one load each, where gathering words takes four.
 #pragma once
 
 #include <cstring>
@@ -15,6 +16,12 @@ inline namespace IRG_ABI {
 template <class T, int N>
 struct triple_lanes {
   pack<T, N> x, y, z;
+};
+
+/// The words of N quadruples, a lane each; `w` is the fourth.
+template <int N>
+struct quadruple_lanes {
+  pack<float, N> x, y, z, w;
 };
 
 namespace lanes_detail {
@@ -151,6 +158,87 @@ IRG_INLINE void store_triples(T* p, const triple_lanes<T, N>& t, const Store& st
 template <class T, int N>
 IRG_INLINE void store_triples(T* p, const triple_lanes<T, N>& t) noexcept {
   store_triples(p, t, [](T* to, const auto& f) { lanes<std::remove_cvref_t<decltype(f)>>::store(to, f); });
+}
+
+/// N quadruples of 32-bit words, lane i those from address_of(i) on.
+template <int N, class AddressOf>
+IRG_INLINE quadruple_lanes<N> load_quadruples(const AddressOf& address_of) noexcept {
+#if defined(IRG_LANES_VECTOR) && __has_builtin(__builtin_shufflevector)
+  const auto row = [&](int i) {
+    pack<float, 4> words;
+    std::memcpy(&words.v, address_of(i), sizeof words.v);
+    return words.v;
+  };
+  if constexpr (N == 4) {
+    const auto r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+    const auto xy01 = __builtin_shufflevector(r0, r1, 0, 4, 1, 5), xy23 = __builtin_shufflevector(r2, r3, 0, 4, 1, 5),
+               zw01 = __builtin_shufflevector(r0, r1, 2, 6, 3, 7), zw23 = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
+    return {{__builtin_shufflevector(xy01, xy23, 0, 1, 4, 5)},
+            {__builtin_shufflevector(xy01, xy23, 2, 3, 6, 7)},
+            {__builtin_shufflevector(zw01, zw23, 0, 1, 4, 5)},
+            {__builtin_shufflevector(zw01, zw23, 2, 3, 6, 7)}};
+  }
+  if constexpr (N == 8) {
+    // Lanes i and i + 4 in the two halves of a register, so that no word has to cross over later.
+    const auto rows = [&](int i) { return __builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7); };
+    const auto r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
+    const auto xy01 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13),
+               xy23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13),
+               zw01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15),
+               zw23 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
+    return {{__builtin_shufflevector(xy01, xy23, 0, 1, 8, 9, 4, 5, 12, 13)},
+            {__builtin_shufflevector(xy01, xy23, 2, 3, 10, 11, 6, 7, 14, 15)},
+            {__builtin_shufflevector(zw01, zw23, 0, 1, 8, 9, 4, 5, 12, 13)},
+            {__builtin_shufflevector(zw01, zw23, 2, 3, 10, 11, 6, 7, 14, 15)}};
+  }
+#endif
+  quadruple_lanes<N> q;
+  for (int i = 0; i < N; ++i) {
+    float words[4];
+    std::memcpy(words, address_of(i), sizeof words);
+    q.x.v[i] = words[0];
+    q.y.v[i] = words[1];
+    q.z.v[i] = words[2];
+    q.w.v[i] = words[3];
+  }
+  return q;
+}
+
+/// The reverse, one behind the other: 16 * N bytes from `to` on.
+template <int N>
+IRG_INLINE void store_quadruples(void* to, const quadruple_lanes<N>& q) noexcept {
+#if defined(IRG_LANES_VECTOR) && __has_builtin(__builtin_shufflevector)
+  const auto x = q.x.v, y = q.y.v, z = q.z.v, w = q.w.v;
+  if constexpr (N == 4) {
+    const auto xy01 = __builtin_shufflevector(x, y, 0, 4, 1, 5), xy23 = __builtin_shufflevector(x, y, 2, 6, 3, 7),
+               zw01 = __builtin_shufflevector(z, w, 0, 4, 1, 5), zw23 = __builtin_shufflevector(z, w, 2, 6, 3, 7);
+    const typename pack<float, N>::storage rows[4] = {
+        __builtin_shufflevector(xy01, zw01, 0, 1, 4, 5), __builtin_shufflevector(xy01, zw01, 2, 3, 6, 7),
+        __builtin_shufflevector(xy23, zw23, 0, 1, 4, 5), __builtin_shufflevector(xy23, zw23, 2, 3, 6, 7)};
+    std::memcpy(to, rows, sizeof rows);
+    return;
+  }
+  if constexpr (N == 8) {
+    const auto xy01 = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13),
+               xy23 = __builtin_shufflevector(x, y, 2, 10, 3, 11, 6, 14, 7, 15),
+               zw01 = __builtin_shufflevector(z, w, 0, 8, 1, 9, 4, 12, 5, 13),
+               zw23 = __builtin_shufflevector(z, w, 2, 10, 3, 11, 6, 14, 7, 15);
+    const auto store = [&](int i, const auto& rows) {  // quadruples i and i + 4
+      char* const at = static_cast<char*>(to) + 16 * i;
+      std::memcpy(at, &rows, 16);
+      std::memcpy(at + 64, reinterpret_cast<const char*>(&rows) + 16, 16);
+    };
+    store(0, __builtin_shufflevector(xy01, zw01, 0, 1, 8, 9, 4, 5, 12, 13));
+    store(1, __builtin_shufflevector(xy01, zw01, 2, 3, 10, 11, 6, 7, 14, 15));
+    store(2, __builtin_shufflevector(xy23, zw23, 0, 1, 8, 9, 4, 5, 12, 13));
+    store(3, __builtin_shufflevector(xy23, zw23, 2, 3, 10, 11, 6, 7, 14, 15));
+    return;
+  }
+#endif
+  for (int i = 0; i < N; ++i) {
+    const float words[4] = {q.x.v[i], q.y.v[i], q.z.v[i], q.w.v[i]};
+    std::memcpy(static_cast<char*>(to) + 16 * i, words, sizeof words);
+  }
 }
 
 }  // namespace IRG_ABI

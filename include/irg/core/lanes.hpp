@@ -280,6 +280,15 @@ IRG_INLINE pack<float, N> to_float(const pack<std::int32_t, N>& i) noexcept {
 #endif
 }
 
+/// The bits of every lane, read as numbers of another type of the same size.
+template <class T, class U, int N>
+IRG_INLINE pack<T, N> bits_as(const pack<U, N>& x) noexcept {
+  static_assert(sizeof(T) == sizeof(U));
+  pack<T, N> r;
+  std::memcpy(&r.v, &x.v, sizeof r.v);
+  return r;
+}
+
 /// Lane i of a number or a pack.
 template <class T>
 IRG_INLINE constexpr T lane(T x, int) noexcept {

@@ -40,7 +40,7 @@ inline namespace IRG_ABI {
 /// gives   nothing when the points are equal, or a coordinate is NaN or infinite
 /// exact   in integers (without overflow) and rationals; in floats each coefficient within 0.501 ulp; all are
 ///         multiplied by one power of two where they are beyond the range
-/// cost    some 100 ns; edge_through (polygon.hpp) is the plain formula
+/// cost    some 100 ns; edge_through (edge_equation.hpp) is the plain formula
 /// source  formula 2.6 (S0) of the course, expanded
 template <Point P>
   requires(size_of<P> == 2)

@@ -8,32 +8,12 @@
 
 #include <irg/core/lanes.hpp>
 #include <irg/raster/depth.hpp>
-#include <irg/raster/fragment.hpp>
+#include <irg/raster/draw_counts.hpp>
+#include <irg/raster/pixel_weights.hpp>
+#include <irg/raster/screen_vertex.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {
-
-/// A vertex on the screen: where it was snapped to, its depth, and one over its weight (1 for an affine picture).
-struct screen_vertex {
-  subpixel position;
-  float depth = 0.0f;
-  float inverse_w = 1.0f;
-};
-
-/// What drawing did. Sums over triangles and windows; independent of lanes and threads.
-struct draw_counts {
-  std::int64_t tested = 0;  // covered pixels, each a depth test
-  std::int64_t shaded = 0;  // of these, nearer than what was there: written
-  std::int64_t ties = 0;    // of these, exactly as far as what was there: kept as it was
-
-  IRG_INLINE constexpr draw_counts& operator+=(const draw_counts& o) noexcept {
-    tested += o.tested;
-    shaded += o.shaded;
-    ties += o.ties;
-    return *this;
-  }
-  constexpr bool operator==(const draw_counts&) const = default;
-};
 
 namespace detail {
 inline namespace IRG_ABI {
@@ -103,8 +83,8 @@ IRG_INLINE constexpr triangle_setup set_up(const triangle_coverage& t, const scr
 
 // The perspective-correct weights of a pixel from its barycentric ones.
 template <class F>
-IRG_INLINE constexpr fragment<F> perspective_weights(const triangle_setup& s, const F& b0, const F& b1, const F& b2,
-                                                     const F& depth) noexcept {
+IRG_INLINE constexpr pixel_weights<F> perspective_weights(const triangle_setup& s, const F& b0, const F& b1,
+                                                          const F& b2, const F& depth) noexcept {
   using f = lanes<F>;
   const screen_weights<F> weights{b0, b1, b2};
   const F inverse = f::broadcast(1.0f) / weights(s.inverse_w[0], s.inverse_w[1], s.inverse_w[2]);
@@ -144,7 +124,7 @@ IRG_INLINE constexpr std::int64_t total(const I& counter) noexcept {
 
 // Writes the shaded colour of every lane whose bit is set.
 template <class F, class P, class Shader>
-IRG_INLINE constexpr void shade_pixels(P* row, unsigned bits, const fragment<F>& at, const Shader& shader) {
+IRG_INLINE constexpr void shade_pixels(P* row, unsigned bits, const pixel_weights<F>& at, const Shader& shader) {
   if constexpr (LaneShader<Shader, P>) {
     const auto light = shader.light(at);
     float r[lanes<F>::count]{}, g[lanes<F>::count]{}, b[lanes<F>::count]{};
@@ -158,7 +138,7 @@ IRG_INLINE constexpr void shade_pixels(P* row, unsigned bits, const fragment<F>&
   } else {
     for (; bits != 0; bits &= bits - 1) {
       const int i = std::countr_zero(bits);
-      row[i] = shader(fragment<float>{lane(at.weight1, i), lane(at.weight2, i), lane(at.depth, i)});
+      row[i] = shader(pixel_weights<float>{lane(at.weight1, i), lane(at.weight2, i), lane(at.depth, i)});
     }
   }
 }
@@ -195,7 +175,8 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, int y,
   }
   count_up(shaded, visible);
 
-  const fragment<F> where = perspective_weights(s, s.weight<F>(0, f0), s.weight<F>(1, f1), s.weight<F>(2, f2), depth);
+  const pixel_weights<F> where =
+      perspective_weights(s, s.weight<F>(0, f0), s.weight<F>(1, f1), s.weight<F>(2, f2), depth);
   shade_pixels(colour_row + x, mask_bits(visible), where, shader);
 }
 

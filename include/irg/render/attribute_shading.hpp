@@ -10,8 +10,8 @@
 
 #include <irg/colour/pixel.hpp>
 #include <irg/core/lanes.hpp>
-#include <irg/raster/fragment.hpp>
-#include <irg/render/triangle_batch.hpp>
+#include <irg/raster/pixel_weights.hpp>
+#include <irg/raster/triangle_batch.hpp>
 
 namespace irg {
 
@@ -32,7 +32,7 @@ inline namespace IRG_ABI {
 
 /// The attributes at a pixel of a triangle whose vertices have a, b and c.
 template <int K, class F>
-IRG_INLINE constexpr std::array<F, static_cast<std::size_t>(K)> interpolate_attributes(const fragment<F>& at,
+IRG_INLINE constexpr std::array<F, static_cast<std::size_t>(K)> interpolate_attributes(const pixel_weights<F>& at,
                                                                                        const float* a, const float* b,
                                                                                        const float* c) noexcept {
   std::array<F, static_cast<std::size_t>(K)> v{};
@@ -49,7 +49,7 @@ template <class Shading>
 struct attribute_pixel_shader {
   const Shading& shading;
   const float *a, *b, *c;
-  IRG_INLINE constexpr auto operator()(const fragment<float>& at) const {
+  IRG_INLINE constexpr auto operator()(const pixel_weights<float>& at) const {
     return shading.pixel(interpolate_attributes<Shading::attribute_count>(at, a, b, c));
   }
 };

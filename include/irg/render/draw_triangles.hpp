@@ -13,7 +13,7 @@
 #include <irg/render/detail/attribute_kernel.hpp>
 #include <irg/render/detail/streamed_rows.hpp>
 #include <irg/render/options.hpp>
-#include <irg/render/triangle_batch.hpp>
+#include <irg/raster/triangle_batch.hpp>
 
 namespace irg {
 

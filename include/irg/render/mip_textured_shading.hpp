@@ -27,14 +27,14 @@ struct mip_textured_shader {
   weight_derivatives derivatives;
 
   /// The level at a pixel for a texture of width x height texels: mip_level of how u and v change there.
-  IRG_INLINE constexpr float level(const fragment<float>& at, int width, int height) const noexcept {
+  IRG_INLINE constexpr float level(const pixel_weights<float>& at, int width, int height) const noexcept {
     const weight_changes change = derivatives(at);
     return mip_level({change.right(a[0], b[0], c[0]), change.right(a[1], b[1], c[1]), change.down(a[0], b[0], c[0]),
                       change.down(a[1], b[1], c[1])},
                      width, height);
   }
 
-  IRG_INLINE constexpr rgba8 operator()(const fragment<float>& at) const {
+  IRG_INLINE constexpr rgba8 operator()(const pixel_weights<float>& at) const {
     const auto [u, v, r, g, b_, number] = interpolate_attributes<textured_shading::attribute_count>(at, a, b, c);
     if (textures.empty()) return encode({r, g, b_});
     const texture_pyramid& t = textures[detail::texture_index(number, textures.size())];

@@ -10,7 +10,7 @@
 
 #include <irg/geometry/box.hpp>
 #include <irg/render/detail/occlusion_view.hpp>
-#include <irg/render/triangle_batch.hpp>
+#include <irg/raster/triangle_batch.hpp>
 
 namespace irg {
 

@@ -53,9 +53,9 @@ constexpr render_stats draw_visibility(Ids& ids, Depth& depth, const projected_v
 namespace detail {
 inline namespace IRG_ABI {
 
-// The fragment of three vertices on the screen at a pixel.
-constexpr std::optional<fragment<float>> fragment_at(const screen_vertex& a, const screen_vertex& b,
-                                                     const screen_vertex& c, int x, int y) noexcept {
+// The weights of three vertices on the screen at a pixel.
+constexpr std::optional<pixel_weights<float>> weights_of_pixel(const screen_vertex& a, const screen_vertex& b,
+                                                               const screen_vertex& c, int x, int y) noexcept {
   const triangle_coverage coverage = cover_triangle(a.position, b.position, c.position);
   if (!covers(coverage, x, y)) return std::nullopt;
   const triangle_setup s = set_up(coverage, a, b, c);
@@ -78,23 +78,23 @@ inline namespace IRG_ABI {
 /// exact   the bits that draw_batches gives to pixel shaders
 /// cost    one triangle set up; clipped ones are clipped again, which allocates
 template <DepthOrder Order = nearer_is_greater, Floating T>
-constexpr std::optional<fragment<float>> barycentrics_at(const triangle_batch<T>& batch,
-                                                         const screen_mapping<T>& mapping, std::uint32_t number, int x,
-                                                         int y) {
+constexpr std::optional<pixel_weights<float>> barycentrics_at(const triangle_batch<T>& batch,
+                                                              const screen_mapping<T>& mapping, std::uint32_t number,
+                                                              int x, int y) {
   const std::uint32_t i = number - batch.first_number;
   if (number < batch.first_number || i >= batch.triangles.size()) return std::nullopt;
-  if (!detail::has_vertices(batch, i)) return std::nullopt;
+  if (!has_vertices(batch, i)) return std::nullopt;
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
   if ((v.codes[a] | v.codes[b] | v.codes[c]).cut == 0)
-    return detail::fragment_at(v.screen[a], v.screen[b], v.screen[c], x, y);
+    return detail::weights_of_pixel(v.screen[a], v.screen[b], v.screen[c], x, y);
   const detail::picture_tiles grid(static_cast<int>(mapping.half_width * T(2)),
                                    static_cast<int>(mapping.half_height * T(2)));
   detail::bin_portion portion = detail::scratch_portion(grid);
   detail::list_alone(portion, batch, i, mapping, grid, face_culling::none);
-  std::optional<fragment<float>> nearest;
+  std::optional<pixel_weights<float>> nearest;
   for (const detail::clipped_piece& p : portion.pieces) {
-    const auto at = detail::fragment_at(p.v[0], p.v[1], p.v[2], x, y);
+    const auto at = detail::weights_of_pixel(p.v[0], p.v[1], p.v[2], x, y);
     if (at && (!nearest || Order::nearer(at->depth, nearest->depth))) nearest = detail::in_source(*at, p.weights);
   }
   return nearest;
@@ -102,7 +102,7 @@ constexpr std::optional<fragment<float>> barycentrics_at(const triangle_batch<T>
 
 /// The same for the triangle of this number among several batches.
 template <DepthOrder Order = nearer_is_greater, Floating T>
-constexpr std::optional<fragment<float>> barycentrics_at(
+constexpr std::optional<pixel_weights<float>> barycentrics_at(
     std::type_identity_t<std::span<const triangle_batch<T>>> batches, const screen_mapping<T>& mapping,
     std::uint32_t number, int x, int y) {
   if (batches.empty()) return std::nullopt;

@@ -12,8 +12,8 @@
 #pragma once
 
 #include <irg/core/conversion.hpp>
-#include <irg/raster/fragment.hpp>
-#include <irg/render/triangle_batch.hpp>
+#include <irg/raster/pixel_weights.hpp>
+#include <irg/raster/triangle_batch.hpp>
 
 namespace irg {
 
@@ -38,8 +38,8 @@ struct weight_derivatives {
   float w[3]{};  // of the vertices; on a scale on which the largest is 1, as the others are
 
   /// The derivatives at a pixel's centre.
-  /// exact   four roundings of a float, relative to |g'| w and |b g'| w, and those of the fragment's weights
-  IRG_INLINE constexpr weight_changes operator()(const fragment<float>& at) const noexcept {
+  /// exact   four roundings of a float, relative to |g'| w and |b g'| w, and those of the pixel's weights
+  IRG_INLINE constexpr weight_changes operator()(const pixel_weights<float>& at) const noexcept {
     const float here = at.interpolate(w[0], w[1], w[2]);
     const auto change = [&](float own, float weight, float all) { return product(here, own - product(weight, all)); };
     return {change(right[0], at.weight1, right[2]), change(right[1], at.weight2, right[2]),

@@ -3,10 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include <irg/core/executor.hpp>
@@ -14,17 +11,18 @@
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/render/options.hpp>
-#include <irg/render/projected_vertices.hpp>
+#include <irg/raster/projected_vertices.hpp>
 
 namespace irg {
 
-/// An edge between two vertices, the smaller index first: the same line for both faces that share it.
-struct mesh_edge {
-  std::uint32_t a, b;
-  constexpr auto operator<=>(const mesh_edge&) const = default;
+namespace detail {
+
+// Where the line of an edge runs on the screen, if any of it can be seen.
+struct line_on_screen {
+  bool seen = false;
+  cell from{}, to{};
 };
 
-namespace detail {
 inline namespace IRG_ABI {
 
 // The pixel that holds a snapped position.
@@ -47,18 +45,24 @@ constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std:
   return area >= 0;
 }
 
-// The line of an edge on the screen; nothing when it is out of sight, or a vertex is not there.
+// An edge between two vertices as one number, the smaller index first: the same for both faces that share it.
+IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
+  return std::uint64_t{lesser(p, q)} << 32 | greater(p, q);
+}
+
+// The line of an edge; not seen when it is out of sight, or a vertex is not there.
 template <class T>
-constexpr std::optional<std::pair<cell, cell>> line_of(const projected_vertices<T>& v, const mesh_edge& e,
-                                                       const screen_mapping<T>& mapping) noexcept {
-  if (e.b >= v.codes.size()) return std::nullopt;
-  const clip_planes cut = (v.codes[e.a] | v.codes[e.b]).cut_planes();
-  if (cut == clip_planes::none) return std::pair{cell_of(v.screen[e.a].position), cell_of(v.screen[e.b].position)};
-  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{clip_position(v, e.a)},
-                                             clip_vertex<T, 0>{clip_position(v, e.b)}, mapping.guard);
-  if (!left) return std::nullopt;
-  return std::pair{cell_of(to_screen(left->first.position, mapping).position),
-                   cell_of(to_screen(left->second.position, mapping).position)};
+constexpr line_on_screen line_of(const projected_vertices<T>& v, std::uint64_t edge,
+                                 const screen_mapping<T>& mapping) noexcept {
+  const auto a = static_cast<std::size_t>(edge >> 32), b = static_cast<std::size_t>(edge & 0xffffffff);
+  if (b >= v.codes.size()) return {};
+  const clip_planes cut = (v.codes[a] | v.codes[b]).cut_planes();
+  if (cut == clip_planes::none) return {true, cell_of(v.screen[a].position), cell_of(v.screen[b].position)};
+  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{clip_position(v, a)},
+                                             clip_vertex<T, 0>{clip_position(v, b)}, mapping.guard);
+  if (!left) return {};
+  return {true, cell_of(to_screen(left->first.position, mapping).position),
+          cell_of(to_screen(left->second.position, mapping).position)};
 }
 
 }  // namespace IRG_ABI
@@ -78,7 +82,7 @@ constexpr render_stats draw_wireframe(Colour& colour, const projected_vertices<T
                                       const screen_mapping<T>& mapping, const pixel_of<Colour>& line,
                                       face_culling culling = face_culling::none, const E& executor = {}) {
   render_stats stats;
-  std::vector<mesh_edge> edges;
+  std::vector<std::uint64_t> edges;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const std::size_t corners = m.face_size(f);
     stats.triangles += static_cast<std::int64_t>(corners) - 2;
@@ -86,24 +90,19 @@ constexpr render_stats draw_wireframe(Colour& colour, const projected_vertices<T
       stats.skipped.backface += static_cast<std::int64_t>(corners) - 2;
       continue;
     }
-    for (std::size_t k = 0; k < corners; ++k) {
-      const std::uint32_t p = m.corner(f, k).position, q = m.corner(f, (k + 1) % corners).position;
-      edges.push_back({lesser(p, q), greater(p, q)});
-    }
+    for (std::size_t k = 0; k < corners; ++k)
+      edges.push_back(detail::edge_of(m.corner(f, k).position, m.corner(f, (k + 1) % corners).position));
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  struct line_on_screen {
-    cell from, to;
-  };
-  std::vector<line_on_screen> lines;
-  for (const mesh_edge& e : edges)
-    if (const auto l = detail::line_of(vertices, e, mapping)) lines.push_back({l->first, l->second});
+  std::vector<detail::line_on_screen> lines;
+  for (const std::uint64_t edge : edges)
+    if (const detail::line_on_screen l = detail::line_of(vertices, edge, mapping); l.seen) lines.push_back(l);
   const int height = height_of(colour), rows = 64, bands = (height + rows - 1) / rows;
   std::vector<std::int64_t> shaded(static_cast<std::size_t>(bands), 0);
   executor(shaded.size(), [&](std::size_t band) {
     const int y = static_cast<int>(band) * rows;
-    for (const line_on_screen& l : lines)
+    for (const detail::line_on_screen& l : lines)
       line_bresenham(l.from, l.to, {0, y, width_of(colour), lesser(y + rows, height)}, [&](cell c) {
         set_pixel(colour, c.x, c.y, line);
         ++shaded[band];

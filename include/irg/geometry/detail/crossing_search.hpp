@@ -13,6 +13,7 @@
 #include <irg/geometry/detail/sweep_order.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {

@@ -78,7 +78,7 @@ struct attribute_kernel {
       const floats b0 = f0 * scale + rest[0], b1 = f1 * scale + rest[1], b2 = f2 * scale + rest[2];
       const floats w1 = b1 * inverse_w[1], w2 = b2 * inverse_w[2];
       const floats inverse = lanes<floats>::broadcast(1) / (b0 * inverse_w[0] + (w1 + w2));
-      fragment<floats> at{w1 * inverse, w2 * inverse, lanes<floats>::broadcast(0)};
+      pixel_weights<floats> at{w1 * inverse, w2 * inverse, lanes<floats>::broadcast(0)};
       if (piece != nullptr) at = in_source(at, *piece);
       values v;
       for (std::size_t j = 0; j < v.size(); ++j) v[j] = at0[j] + (at.weight1 * change1[j] + at.weight2 * change2[j]);

@@ -18,7 +18,7 @@
 #include <irg/render/detail/tile.hpp>
 #include <irg/render/detail/cull_kernel.hpp>
 #include <irg/render/options.hpp>
-#include <irg/render/triangle_batch.hpp>
+#include <irg/raster/triangle_batch.hpp>
 
 namespace irg {
 namespace detail {

@@ -8,9 +8,9 @@
 #include <cstring>
 
 #include <irg/core/lanes.hpp>
-#include <irg/render/detail/vertex_lanes.hpp>
+#include <irg/raster/vertex_lanes.hpp>
 #include <irg/render/options.hpp>
-#include <irg/render/triangle_batch.hpp>
+#include <irg/raster/triangle_batch.hpp>
 
 namespace irg {
 namespace detail {

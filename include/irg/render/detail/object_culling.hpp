@@ -4,7 +4,7 @@
 
 #include <irg/geometry/box.hpp>
 #include <irg/mesh/mesh.hpp>
-#include <irg/render/screen_mapping.hpp>
+#include <irg/raster/screen_mapping.hpp>
 #include <irg/view/frustum.hpp>
 
 namespace irg {

@@ -33,7 +33,7 @@ struct phong_pixel_shader {
   point<T, 3> position[3];
   vec<T, 3> normal[3];
 
-  IRG_INLINE constexpr auto operator()(const fragment<float>& at) const {
+  IRG_INLINE constexpr auto operator()(const pixel_weights<float>& at) const {
     const T s = converted<T>(at.weight1), t = converted<T>(at.weight2);
     const point<T, 3> p = position[0] + ((position[1] - position[0]) * s + (position[2] - position[0]) * t);
     const vec<T, 3> n = normal[0] + ((normal[1] - normal[0]) * s + (normal[2] - normal[0]) * t);

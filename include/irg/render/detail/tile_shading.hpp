@@ -15,7 +15,7 @@ inline namespace IRG_ABI {
 
 // The weights at a pixel of a piece, for the vertices of its source triangle.
 template <class F>
-IRG_INLINE constexpr fragment<F> in_source(const fragment<F>& at, const piece_weights& w) noexcept {
+IRG_INLINE constexpr pixel_weights<F> in_source(const pixel_weights<F>& at, const piece_weights& w) noexcept {
   const auto& [a, b, c] = w.corner;
   return {at.interpolate(a.second, b.second, c.second), at.interpolate(a.third, b.third, c.third), at.depth};
 }
@@ -25,7 +25,7 @@ template <class Shader>
 struct piece_shader {
   const Shader& shader;
   const piece_weights& weights;
-  IRG_INLINE constexpr decltype(auto) operator()(const fragment<float>& at) const {
+  IRG_INLINE constexpr decltype(auto) operator()(const pixel_weights<float>& at) const {
     return shader(in_source(at, weights));
   }
 };
@@ -59,8 +59,8 @@ struct shading_setup {
 
 // The perspective-correct weights of N pixels in a row, as draw_triangle has them.
 template <int N>
-IRG_INLINE fragment<pack<float, N>> weights_at(const triangle_setup& s, bool narrow, int x, int y,
-                                               const pack<float, N>& depth) noexcept {
+IRG_INLINE pixel_weights<pack<float, N>> weights_at(const triangle_setup& s, bool narrow, int x, int y,
+                                                    const pack<float, N>& depth) noexcept {
   using floats = pack<float, N>;
   using F = lanes<floats>;
   floats b[3];
@@ -120,7 +120,7 @@ IRG_INLINE std::int64_t shade_by_triangle(const tile& t, const triangle_finder<T
           const unsigned same =
               mask_bits(ids == lanes<pack<std::int32_t, lane_count>>::broadcast(static_cast<std::int32_t>(place))) &
               pending;
-          fragment<floats> where = weights_at<lane_count>(setup->s, setup->narrow, x, y, depth);
+          pixel_weights<floats> where = weights_at<lane_count>(setup->s, setup->narrow, x, y, depth);
           if (setup->piece != nullptr) where = in_source(where, *setup->piece);
           shade_pixels(raster_traits<Colour>::row(colour, y) + x, same, where, setup->shader);
           pending &= ~same;

@@ -41,11 +41,13 @@ IRG_INLINE constexpr void transparent_pixels(const triangle_setup& s, int x, int
   unsigned bits = mask_bits(visible);
   if (bits == 0) return;
   count_up(shaded, visible);
-  const fragment<F> where = perspective_weights(s, s.weight<F>(0, f0), s.weight<F>(1, f1), s.weight<F>(2, f2), depth);
+  const pixel_weights<F> where =
+      perspective_weights(s, s.weight<F>(0, f0), s.weight<F>(1, f1), s.weight<F>(2, f2), depth);
   for (; bits != 0; bits &= bits - 1) {
     const int i = std::countr_zero(bits);
     P& pixel = colour_row[x + i];
-    pixel = blend(pixel, shader(fragment<float>{lane(where.weight1, i), lane(where.weight2, i), lane(where.depth, i)}));
+    pixel = blend(pixel,
+                  shader(pixel_weights<float>{lane(where.weight1, i), lane(where.weight2, i), lane(where.depth, i)}));
   }
 }
 

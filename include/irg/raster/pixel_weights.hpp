@@ -12,7 +12,7 @@ namespace irg {
 /// One pixel of a triangle, or one per lane when F is a pack: the weights of its second and third vertex, corrected for
 /// perspective (the first has the rest of 1), and its depth.
 template <class F>
-struct fragment {
+struct pixel_weights {
   F weight1, weight2, depth;
 
   /// The value at the pixel of a quantity given at the three vertices.
@@ -22,26 +22,27 @@ struct fragment {
   }
 };
 
-/// Turns a fragment into a pixel of type P.
+/// Turns the weights at a pixel into a pixel of type P.
 template <class S, class P>
-concept PixelShader = requires(const S shader, const fragment<float> at) {
+concept PixelShader = requires(const S shader, const pixel_weights<float> at) {
   { shader(at) } -> std::convertible_to<P>;
 };
 
-/// A pixel shader that works in lanes: light(fragment) gives the light of all lanes at once, encode(light of one) its
+/// A pixel shader that works in lanes: light(weights) gives the light of all lanes at once, encode(light of one) its
 /// pixel.
 template <class S, class P>
-concept LaneShader = PixelShader<S, P> && requires(const S shader, const fragment<float> at, const rgb<float> light) {
-  { shader.light(at) } -> std::same_as<rgb<float>>;
-  { shader.encode(light) } -> std::convertible_to<P>;
-};
+concept LaneShader =
+    PixelShader<S, P> && requires(const S shader, const pixel_weights<float> at, const rgb<float> light) {
+      { shader.light(at) } -> std::same_as<rgb<float>>;
+      { shader.encode(light) } -> std::convertible_to<P>;
+    };
 
 /// The same pixel everywhere.
 template <class P>
 struct solid_shader {
   P pixel;
   template <class F>
-  IRG_INLINE constexpr P operator()(const fragment<F>&) const noexcept {
+  IRG_INLINE constexpr P operator()(const pixel_weights<F>&) const noexcept {
     return pixel;
   }
 };
@@ -53,12 +54,12 @@ struct vertex_colour_shader {
   Encode encode_light;
 
   template <class F>
-  IRG_INLINE constexpr rgb<F> light(const fragment<F>& at) const noexcept {
+  IRG_INLINE constexpr rgb<F> light(const pixel_weights<F>& at) const noexcept {
     return {at.interpolate(at0.r, at1.r, at2.r), at.interpolate(at0.g, at1.g, at2.g),
             at.interpolate(at0.b, at1.b, at2.b)};
   }
   IRG_INLINE constexpr P encode(const rgb<float>& c) const { return encode_light(c); }
-  IRG_INLINE constexpr P operator()(const fragment<float>& at) const { return encode(light(at)); }
+  IRG_INLINE constexpr P operator()(const pixel_weights<float>& at) const { return encode(light(at)); }
 };
 
 /// One intensity at each vertex, linear in between: the triangle of the course's Gouraud exercise.
@@ -69,7 +70,7 @@ struct intensity_shader {
   float at0, at1, at2;
 
   template <class F>
-  IRG_INLINE constexpr P operator()(const fragment<F>& at) const noexcept {
+  IRG_INLINE constexpr P operator()(const pixel_weights<F>& at) const noexcept {
     const float value = at.interpolate(at0, at1, at2);
     if constexpr (std::integral<P>)
       return static_cast<P>(clamp(value, 0.0f, 255.0f) + 0.5f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/render/screen_mapping.hpp>
+#include <irg/raster/screen_mapping.hpp>
 
 #include <cmath>
 #include <limits>

@@ -5,18 +5,11 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/render/projected_vertices.hpp>
+#include <irg/core/facing.hpp>
+#include <irg/mesh/triangle_indices.hpp>
+#include <irg/raster/projected_vertices.hpp>
 
 namespace irg {
-
-/// Three indices of vertices, counter-clockwise seen from outside.
-struct triangle_indices {
-  std::uint32_t v[3];
-  constexpr bool operator==(const triangle_indices&) const = default;
-};
-
-/// Which way a triangle shows itself.
-enum class facing { front, back };
 
 /// Triangles over the vertices of one object. Triangle i has the number first_number + i in the picture.
 template <Floating T>
@@ -27,10 +20,9 @@ struct triangle_batch {
   std::uint32_t object = 0;  // by which a shading knows it
 };
 
-namespace detail {
 inline namespace IRG_ABI {
 
-// Whether the vertices that a triangle names are there.
+/// Whether the vertices that a triangle names are there.
 template <class T>
 IRG_INLINE constexpr bool has_vertices(const triangle_batch<T>& batch, std::uint32_t triangle) noexcept {
   const auto [a, b, c] = batch.triangles[triangle].v;
@@ -38,7 +30,6 @@ IRG_INLINE constexpr bool has_vertices(const triangle_batch<T>& batch, std::uint
 }
 
 }  // namespace IRG_ABI
-}  // namespace detail
 
 /// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
 struct source_weights {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/render/triangle_batch.hpp>
+#include <irg/raster/triangle_batch.hpp>
 
 #include "support/check_both.hpp"
 

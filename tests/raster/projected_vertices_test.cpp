@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/render/projected_vertices.hpp>
+#include <irg/raster/projected_vertices.hpp>
 
 #include <cmath>
 #include <limits>

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <irg/core/executor.hpp>
-#include <irg/render/screen_mapping.hpp>
+#include <irg/raster/screen_mapping.hpp>
 
-#include <irg/render/detail/vertex_kernel.hpp>
+#include <irg/raster/detail/vertex_kernel.hpp>
 
 namespace irg {
 

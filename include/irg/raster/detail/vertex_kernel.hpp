@@ -10,8 +10,8 @@
 
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
-#include <irg/render/detail/vertex_lanes.hpp>
-#include <irg/render/screen_mapping.hpp>
+#include <irg/raster/vertex_lanes.hpp>
+#include <irg/raster/screen_mapping.hpp>
 
 namespace irg {
 namespace detail {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What drawing did, and what it left out.
+#pragma once
+
+#include <cstdint>
+
+#include <irg/core/config.hpp>
+
+namespace irg {
+
+/// What drawing did. Sums over triangles and windows; independent of lanes and threads.
+struct draw_counts {
+  std::int64_t tested = 0;  // covered pixels, each a depth test
+  std::int64_t shaded = 0;  // of these, nearer than what was there: written
+  std::int64_t ties = 0;    // of these, exactly as far as what was there: kept as it was
+
+  IRG_INLINE constexpr draw_counts& operator+=(const draw_counts& o) noexcept {
+    tested += o.tested;
+    shaded += o.shaded;
+    ties += o.ties;
+    return *this;
+  }
+  constexpr bool operator==(const draw_counts&) const = default;
+};
+
+/// Whether work that cannot change the picture is left out. `off` is for measuring and for tests: the bytes are equal.
+enum class skipping { on, off };
+
+/// The skips, each with a switch of its own.
+struct skip_options {
+  skipping frustum = skipping::on;   // triangles beyond a border of the picture or of the depth range
+  skipping tiny = skipping::on;      // triangles that hold no pixel centre
+  skipping occluded = skipping::on;  // triangles, and parts of them, behind what is drawn already
+  constexpr bool operator==(const skip_options&) const = default;
+};
+
+/// Nothing is skipped but what face culling leaves out.
+inline constexpr skip_options skip_nothing{skipping::off, skipping::off, skipping::off};
+
+/// Triangles that were not rasterized, by reason.
+struct skip_counts {
+  std::int64_t frustum = 0;   // wholly outside the picture or the depth range
+  std::int64_t backface = 0;  // facing away from the eye
+  std::int64_t tiny = 0;      // holding no pixel centre
+  std::int64_t occluded = 0;  // wholly behind what was already drawn
+
+  IRG_INLINE constexpr skip_counts& operator+=(const skip_counts& o) noexcept {
+    frustum += o.frustum;
+    backface += o.backface;
+    tiny += o.tiny;
+    occluded += o.occluded;
+    return *this;
+  }
+  constexpr bool operator==(const skip_counts&) const = default;
+};
+
+/// What rendering did. Independent of the executor; pixels.shaded and `drawn` also of `skipping`. What is passed over
+/// as occluded is neither tested nor found to tie.
+struct render_stats {
+  std::int64_t triangles = 0;  // after faces of more corners were cut
+  skip_counts skipped;
+  draw_counts pixels;
+  std::int64_t drawn = 0;  // pixels that show a triangle, or a line of one
+
+  IRG_INLINE constexpr render_stats& operator+=(const render_stats& o) noexcept {
+    triangles += o.triangles;
+    skipped += o.skipped;
+    pixels += o.pixels;
+    drawn += o.drawn;
+    return *this;
+  }
+  constexpr bool operator==(const render_stats&) const = default;
+};
+
+}  // namespace irg

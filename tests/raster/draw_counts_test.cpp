@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <irg/raster/draw_counts.hpp>
+
+#include "support/check_both.hpp"
+
+namespace {
+
+constexpr irg::skip_counts sum_of(irg::skip_counts a, const irg::skip_counts& b) { return a += b; }
+constexpr irg::render_stats sum_of(irg::render_stats a, const irg::render_stats& b) { return a += b; }
+
+TEST_CASE("skip_counts and render_stats: sums take every member along") {
+  CHECK_BOTH(sum_of(irg::skip_counts{1, 2, 3, 4}, irg::skip_counts{10, 20, 30, 40}) ==
+             irg::skip_counts{11, 22, 33, 44});
+  CHECK_BOTH(sum_of(irg::render_stats{1, {2, 3, 4, 5}, {6, 7, 8}, 9},
+                    irg::render_stats{10, {20, 30, 40, 50}, {60, 70, 80}, 90}) ==
+             irg::render_stats{11, {22, 33, 44, 55}, {66, 77, 88}, 99});
+}
+
+TEST_CASE("skip_counts and render_stats: comparison looks at every member") {
+  const irg::render_stats zero;
+  for (int member = 0; member < 9; ++member) {
+    irg::render_stats s;
+    std::int64_t* const at[9] = {&s.triangles,     &s.skipped.frustum,  &s.skipped.backface,
+                                 &s.skipped.tiny,  &s.skipped.occluded, &s.pixels.tested,
+                                 &s.pixels.shaded, &s.pixels.ties,      &s.drawn};
+    ++*at[member];
+    CHECK(!(s == zero));
+  }
+}
+
+}  // namespace
