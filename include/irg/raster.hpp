@@ -47,6 +47,7 @@
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/triangle_batch.hpp>
 #include <irg/raster/triangle_coverage.hpp>
+#include <irg/raster/triangle_setup.hpp>
 #include <irg/raster/vertex_lanes.hpp>
 #include <irg/raster/view_opencv.hpp>
 #include <irg/raster/view_sdl.hpp>

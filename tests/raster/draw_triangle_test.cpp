@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
@@ -38,11 +39,11 @@ constexpr irg::draw_counts draw(canvas& c, const screen_vertex (&v)[3], const Sh
 // The same triangle by the plain kernel: scalars and 64-bit coverage.
 template <class Order = irg::nearer_is_greater, class Shader>
 irg::draw_counts draw_plain(canvas& c, const screen_vertex (&v)[3], const Shader& shader) {
-  const auto t = irg::cover_triangle(v[0].position, v[1].position, v[2].position);
-  const auto w = irg::intersect(t.bounds, irg::window_of(c.colour));
-  if (t.double_area == 0 || w.empty()) return {};
-  return irg::detail::triangle_kernel<float, std::int64_t, Order>(t, irg::detail::set_up(t, v[0], v[1], v[2]), w,
-                                                                  c.colour.width(), c.colour, c.depth, shader);
+  const auto t = irg::cover_and_set_up(v[0], v[1], v[2]);
+  const auto w = irg::window_of(c.colour);
+  if (t.coverage.double_area == 0 || irg::intersect(t.coverage.bounds, w).empty()) return {};
+  return irg::detail::triangle_rows<Order, irg::depth_policy<>, float, std::int64_t>(
+      c.colour, c.depth, t, irg::detail::shade_over<Shader>{shader}, w);
 }
 
 screen_vertex random_vertex(test::random& r, int pixels) {
@@ -237,8 +238,8 @@ TEST_CASE("draw_triangle: nothing outside the window is written") {
   canvas c(40, 10), before = c;
   const irg::cell_window w{5, 2, 29, 7};
   const screen_vertex v[3] = {{{-9000, -9000}, 0.5f}, {{90000, -9000}, 0.5f}, {{-9000, 90000}, 0.5f}};
-  const auto t = irg::cover_triangle(v[0].position, v[1].position, v[2].position);
-  irg::draw_triangle(c.colour, c.depth, t, v[0], v[1], v[2], irg::solid_shader<irg::rgba8>{{5, 5, 5, 5}}, w);
+  irg::draw_triangle(c.colour, c.depth, irg::cover_and_set_up(v[0], v[1], v[2]),
+                     irg::solid_shader<irg::rgba8>{{5, 5, 5, 5}}, w);
   for (int y = 0; y < 10; ++y)
     for (int x = 0; x < 40; ++x) {
       const bool in = x >= 5 && x < 29 && y >= 2 && y < 7;
@@ -263,30 +264,32 @@ TEST_CASE("intensity_shader: the course's Gouraud triangle, GOLDEN 7") {
   CHECK_BOTH(irg::pixel_weights<float>{0.5f, 0.5f, 0.0f}.interpolate(10, 50, 90) == 70.0f);
 }
 
-}  // namespace
-
-TEST_CASE("draw_triangle: 32 bits are taken just as long as every pixel of the widened window stays within 2^30") {
-  using irg::cell_window;
-  constexpr auto fits = [](std::int64_t at_origin, int right, int down, const cell_window& w, int margin) {
-    irg::triangle_coverage t{};
-    t.edge[1] = {at_origin, right, down, 0};
-    return irg::detail::fits_32_bits(t, w, margin);
-  };
-  constexpr std::int64_t limit = std::int64_t{1} << 30;
-  constexpr cell_window w{10, 20, 30, 50};
-  constexpr int last_x = 30 + 8, last_y = 50, first_x = 10 - 8, first_y = 20;
-  // The greatest and the least F are at corners of [2, 38] x [20, 50].
-  for (const int right : {0, 3, -3, 1000})
-    for (const int down : {0, 7, -7, 5000}) {
-      const std::int64_t greatest =
-          std::int64_t{right} * (right > 0 ? last_x : first_x) + std::int64_t{down} * (down > 0 ? last_y : first_y);
-      const std::int64_t least =
-          std::int64_t{right} * (right > 0 ? first_x : last_x) + std::int64_t{down} * (down > 0 ? first_y : last_y);
-      CHECK(fits(limit - greatest, right, down, w, 8));
-      CHECK(!fits(limit - greatest + 1, right, down, w, 8));
-      CHECK(fits(-limit - least, right, down, w, 8));
-      CHECK(!fits(-limit - least - 1, right, down, w, 8));
-    }
-  CHECK_BOTH(fits(limit, 0, 0, w, 8));
-  CHECK_BOTH(!fits(limit + 1, 0, 0, w, 8));
+// What is drawn over a stored depth of 0.5 when the triangle's is `depth`, and which depth is kept: 9 for the colour of
+// the triangle, then the depth.
+template <irg::depth_test Test, irg::depth_write Write>
+constexpr std::pair<int, float> over_a_half(float depth) {
+  canvas c(12, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 12; ++x) c.depth(x, y) = 0.5f;
+  irg::draw_triangle<irg::nearer_is_greater, irg::depth_policy<Test, Write>>(
+      c.colour, c.depth, {{0, 0}, depth}, {{9000, 0}, depth}, {{0, 9000}, depth},
+      irg::solid_shader<irg::rgba8>{{9, 9, 9, 9}});
+  return {c.colour(10, 2).a == 9 ? 9 : 0, c.depth(10, 2)};
 }
+
+TEST_CASE("draw_triangle: the depth test and depth write of a policy") {
+  using enum irg::depth_test;
+  using enum irg::depth_write;
+  using result = std::pair<int, float>;
+  CHECK_BOTH(over_a_half<nearer, on>(0.75f) == result{9, 0.75f});
+  CHECK_BOTH(over_a_half<nearer, off>(0.75f) == result{9, 0.5f});
+  CHECK_BOTH(over_a_half<nearer, on>(0.5f) == result{0, 0.5f});
+  CHECK_BOTH(over_a_half<nearer_or_equal, on>(0.5f) == result{9, 0.5f});
+  CHECK_BOTH(over_a_half<equal, on>(0.5f) == result{9, 0.5f});
+  CHECK_BOTH(over_a_half<equal, on>(0.75f) == result{0, 0.5f});
+  CHECK_BOTH(over_a_half<always, on>(0.25f) == result{9, 0.25f});
+  CHECK_BOTH(over_a_half<always, off>(0.25f) == result{9, 0.5f});
+  CHECK_BOTH(over_a_half<never, on>(0.75f) == result{0, 0.5f});
+}
+
+}  // namespace

@@ -78,11 +78,7 @@ TEST_CASE("render: two lit, depth-tested triangles in a constant expression, wit
   const small_picture at_run_time = copied(test::render(crossing_triangles(), 32, 32));
   CHECK(std::memcmp(at_compile_time.colour, at_run_time.colour, sizeof at_run_time.colour) == 0);
   CHECK(std::memcmp(at_compile_time.depth, at_run_time.depth, sizeof at_run_time.depth) == 0);
-  CHECK(at_compile_time.stats.drawn == at_run_time.stats.drawn);
-  CHECK(at_compile_time.stats.skipped == at_run_time.stats.skipped);
-  // Constant evaluation shades pixel by pixel as it draws; at run time what is hidden later is not shaded.
-  CHECK(at_compile_time.stats.pixels.tested == at_run_time.stats.pixels.tested);
-  CHECK(at_compile_time.stats.pixels.shaded > at_run_time.stats.pixels.shaded);
+  CHECK(at_compile_time.stats == at_run_time.stats);
 }
 
 // ---- what is in the picture

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include <irg/render/detail/target_kernel.hpp>
+#include <irg/render/detail/tile_driver.hpp>
 
 namespace irg {
 
@@ -15,6 +15,19 @@ struct depth_settings {
   skip_options skip{};
   clearing clear = clearing::none;
 };
+
+namespace detail {
+
+// Makes nothing of what tiles show.
+struct depths_alone {
+  IRG_INLINE constexpr void clear(const cell_window&) const noexcept {}
+  template <class T>
+  IRG_INLINE constexpr std::int64_t operator()(const visible_window&, const triangle_finder<T>&) const noexcept {
+    return 0;
+  }
+};
+
+}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -29,9 +42,9 @@ template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Depth, Exe
 constexpr render_stats draw_depth(Depth& depth, std::type_identity_t<std::span<const triangle_batch<T>>> batches,
                                   const screen_mapping<T>& mapping, const depth_settings& settings,
                                   draw_workspace& workspace, const E& executor = {}) {
-  const detail::no_numbers none{};
-  return detail::draw_target<Order, T>(none, depth, batches, mapping, settings.culling, settings.skip, settings.clear,
-                                       workspace, executor);
+  constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
+  return detail::draw_tiles<Order, test, T>(depth, {batches, mapping, settings.culling, settings.skip, settings.clear},
+                                            workspace, detail::depths_alone{}, executor);
 }
 
 /// As above, for the triangles of one object.

@@ -100,19 +100,18 @@ constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::s
   draw_counts counts;
   for (const std::uint32_t number : numbers) {
     const triangle_corners c = find.corners(number);
-    const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
-    const cell_window w = intersect(coverage.bounds, window);
-    if (coverage.double_area == 0 || w.empty()) continue;
-    const triangle_setup s = set_up(coverage, *c.v[0], *c.v[1], *c.v[2]);
+    const covered_triangle t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
+    const cell_window w = intersect(t.coverage.bounds, window);
+    if (t.coverage.double_area == 0 || w.empty()) continue;
     if constexpr (can_hide) {
-      const float nearest = Order::nearer(s.depth_low, s.depth_high) ? s.depth_low : s.depth_high;
+      const float nearest =
+          Order::nearer(t.setup.depth_low, t.setup.depth_high) ? t.setup.depth_low : t.setup.depth_high;
       if (occluded == skipping::on && hidden_depths.template hides<Test>(nearest, w)) continue;
     }
     mark_seen(seen[find.source(number)]);
-    counts += with_pixel_shader(make_shader, find, number, coverage.flipped ? facing::front : facing::back,
-                                [&](const auto& shader) {
-                                  return blend_triangle<Test, Order>(colour, depth, coverage, s, shader, blend, window);
-                                });
+    const auto shader = shader_for(make_shader, find, number, t.coverage.flipped ? facing::front : facing::back);
+    counts += paint_triangle<Order, depth_policy<Test, depth_write::off>>(
+        colour, depth, t, blend_over<decltype(shader), Blend>{shader, blend, piece_weights_of(find, number)}, window);
   }
   return counts;
 }

@@ -32,6 +32,14 @@ struct picture_colours {
 namespace detail {
 inline namespace IRG_ABI {
 
+template <class R>
+constexpr std::int64_t count_other_than(const R& raster, const pixel_of<R>& background) {
+  std::int64_t count = 0;
+  for (int y = 0; y < height_of(raster); ++y)
+    for (int x = 0; x < width_of(raster); ++x) count += get_pixel(raster, x, y) == background ? 0 : 1;
+  return count;
+}
+
 // The edges of one object.
 template <class T, class Colour, class E, class Observer>
 constexpr render_stats draw_object_wire(const mesh<T>& shape, Colour& colour, const mat<T, 4, 4>& to_clip,
@@ -99,7 +107,7 @@ constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Dep
   for (const object<T>& o : world.objects)
     stats += draw_object_wire(transform_mesh(o.shape, o.placement), colour, to_clip, mapping, options, colours,
                               executor, observer);
-  stats.drawn = count_other_than(colour, {0, 0, width, height}, colours.background);
+  stats.drawn = count_other_than(colour, colours.background);
   return stats;
 }
 

@@ -16,6 +16,35 @@ namespace irg {
 /// The number of pixels that show no triangle.
 inline constexpr std::uint32_t no_triangle = 0xffffffff;
 
+namespace detail {
+
+// Stores the source triangles of what tiles show; where nothing was drawn, the raster keeps what it has.
+template <class Ids>
+struct number_tiles {
+  Ids& ids;
+  clearing clear_first;
+
+  IRG_INLINE constexpr void clear(const cell_window& w) const { clear_window(ids, w, no_triangle); }
+
+  template <class T>
+  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const {
+    if (clear_first == clearing::before_drawing) clear(v.window);
+    std::int64_t shown = 0;
+    for (int y = v.window.y_first; y < v.window.y_last; ++y) {
+      std::uint32_t* row = raster_traits<Ids>::row(ids, y);
+      const std::uint32_t* place = v.place + (y - v.window.y_first) * tile_stride;
+      for (int x = v.window.x_first; x < v.window.x_last; ++x, ++place) {
+        if (*place == no_triangle) continue;
+        row[x] = find.source(v.numbers[*place]);
+        ++shown;
+      }
+    }
+    return shown;
+  }
+};
+
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
@@ -33,8 +62,9 @@ constexpr render_stats draw_visibility(Ids& ids, Depth& depth,
                                        std::type_identity_t<std::span<const triangle_batch<T>>> batches,
                                        const screen_mapping<T>& mapping, const depth_settings& settings,
                                        draw_workspace& workspace, const E& executor = {}) {
-  return detail::draw_target<Order, T>(ids, depth, batches, mapping, settings.culling, settings.skip, settings.clear,
-                                       workspace, executor);
+  constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::nearer;
+  return detail::draw_tiles<Order, test, T>(depth, {batches, mapping, settings.culling, settings.skip, settings.clear},
+                                            workspace, detail::number_tiles<Ids>{ids, settings.clear}, executor);
 }
 
 /// As above, for the triangles of one object.
@@ -56,13 +86,9 @@ inline namespace IRG_ABI {
 // The weights of three vertices on the screen at a pixel.
 constexpr std::optional<pixel_weights<float>> weights_of_pixel(const screen_vertex& a, const screen_vertex& b,
                                                                const screen_vertex& c, int x, int y) noexcept {
-  const triangle_coverage coverage = cover_triangle(a.position, b.position, c.position);
-  if (!covers(coverage, x, y)) return std::nullopt;
-  const triangle_setup s = set_up(coverage, a, b, c);
-  const std::int64_t f0 = s.edge[0](x, y), f1 = s.edge[1](x, y), f2 = s.edge[2](x, y);
-  const float depth = depth_at<float>(f0, f1, f2, s.depth_gain[0], s.depth_gain[1], s.depth_gain[2], s.depth_rest,
-                                      s.depth_low, s.depth_high);
-  return perspective_weights<float>(s, s.weight<float>(0, f0), s.weight<float>(1, f1), s.weight<float>(2, f2), depth);
+  const covered_triangle t = cover_and_set_up(a, b, c);
+  if (!covers(t.coverage, x, y)) return std::nullopt;
+  return weights_at(t.setup, x, y);
 }
 
 }  // namespace IRG_ABI

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include <irg/raster/fill_span.hpp>
 #include <irg/render/detail/attribute_setup.hpp>
 #include <irg/render/detail/streamed_rows.hpp>
 
@@ -30,7 +31,7 @@ struct attribute_kernel {
   static constexpr unsigned everyone = (1u << lane_count) - 1;
   static constexpr std::uint32_t none = 0xffffffff;
 
-  const tile& t;
+  const std::uint32_t* place_at;  // what each pixel shows: its place in the list
   setup set_up;
   Colour& colour;
   const pixel* background;  // for pixels without a triangle; null when they keep what is there
@@ -39,7 +40,7 @@ struct attribute_kernel {
   // What the N pixels from a place in the tile on show.
   IRG_INLINE integers ids_at(int at) const noexcept {
     integers ids;
-    std::memcpy(&ids.v, t.id + at, sizeof ids.v);
+    std::memcpy(&ids.v, place_at + at, sizeof ids.v);
     return ids;
   }
 
@@ -218,7 +219,7 @@ struct attribute_kernel {
       first |= std::uint64_t{1} << x;
     }
     std::uint64_t starts = (last << 1 | first) & ~nothing;
-    const std::uint32_t* const id = t.id + y * tile_stride;
+    const std::uint32_t* const id = place_at + y * tile_stride;
     if (std::popcount(starts) <= 3 * parts)
       for (; starts != 0; starts &= starts - 1) {
         const int x = std::countr_zero(starts);
@@ -247,7 +248,7 @@ struct attribute_kernel {
           continue;
         }
       }
-      for (; runs != 0; runs &= runs - 1) add_job(jobs, y * tile_size + x, t.id[at + std::countr_zero(runs)]);
+      for (; runs != 0; runs &= runs - 1) add_job(jobs, y * tile_size + x, place_at[at + std::countr_zero(runs)]);
     }
   }
 
@@ -325,7 +326,7 @@ struct attribute_kernel {
   }
 
   // The whole tile; returns the number of pixels that show a triangle.
-  IRG_NOINLINE std::int64_t operator()() {
+  std::int64_t operator()() {
     if constexpr (LaneAttributeShading<Shading, lane_count> && sizeof(pixel) == 4) {
       return shade_in_lanes();
     } else {

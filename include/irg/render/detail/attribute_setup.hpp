@@ -124,7 +124,7 @@ struct attribute_setup {
     const auto of =
         pixel_shader_of(shading, batch, source - batch.first_number, coverage.flipped ? facing::front : facing::back);
     uniform u{place,
-              set_up(coverage, *c.v[0], *c.v[1], *c.v[2]),
+              set_up_triangle(coverage, *c.v[0], *c.v[1], *c.v[2]),
               fits_32_bits(coverage, whole, block_size),
               find.is_piece(number) ? &find.piece(number).weights : nullptr,
               {},

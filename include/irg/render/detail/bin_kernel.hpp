@@ -17,6 +17,7 @@
 #include <irg/core/executor.hpp>
 #include <irg/render/detail/tile.hpp>
 #include <irg/render/detail/cull_kernel.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>
 

@@ -11,6 +11,7 @@
 #include <irg/raster/vertex_lanes.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>
+#include <irg/raster/window.hpp>
 
 namespace irg {
 namespace detail {

@@ -154,7 +154,7 @@ constexpr mask_answer test_mask_triangle(const mask_target& m, const triangle_co
                                          mask_query_counts& counts) noexcept {
   const triangle_coverage t = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
   if (t.double_area == 0) return mask_answer::outside;
-  const triangle_setup s = set_up(t, *c.v[0], *c.v[1], *c.v[2]);
+  const triangle_setup s = set_up_triangle(t, *c.v[0], *c.v[1], *c.v[2]);
   const float nearest = m.sign > 0 ? s.depth_high : -s.depth_low;
   const mask_answer box = test_mask(m, t.bounds, nearest, counts);
   if (box != mask_answer::visible) return box;

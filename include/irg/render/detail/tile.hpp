@@ -32,6 +32,9 @@ struct tile {
   std::uint64_t stale;  // the blocks that were drawn to since their `farthest_key` was reckoned
 };
 
+// How pixels are decided in a tile: by depth, always for the later triangle, or by depth where nobody asks whose it is.
+enum class tile_test { nearer, always, depth_only };
+
 // How an order of depths is turned into one of keys. Orders of other makers are drawn pixel by pixel.
 template <class Order>
 inline constexpr float key_sign = 0;

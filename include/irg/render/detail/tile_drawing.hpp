@@ -257,10 +257,9 @@ struct tile_painter {
   IRG_NOINLINE void draw_large(const tile_triangles& g, int i) noexcept {
     if (order.front_to_back && g.high[i] < out.farthest) return;
     const triangle_corners c = find.corners(numbers[g.place[i]]);
-    const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
+    const auto [coverage, s] = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
     const cell_window w = intersect(coverage.bounds, window);
     if (coverage.double_area == 0 || w.empty()) return;
-    triangle_setup s = set_up(coverage, *c.v[0], *c.v[1], *c.v[2]);
     tile_triangles one = g;
     for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth_gain[k], order.sign);
     one.rest[i] = product(s.depth_rest, order.sign);

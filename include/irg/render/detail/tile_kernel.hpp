@@ -46,9 +46,6 @@ struct tile_counts {
   pack<std::int32_t, native_lanes<std::int32_t>> tested, ties;
 };
 
-// How pixels are decided in a tile: by depth, always for the later triangle, or by depth where nobody asks whose it is.
-enum class tile_test { nearer, always, depth_only };
-
 // One register of pixels: those covered and nearer than what is there become the triangle's. Where it is exactly as
 // near, `tied` is set and the pixel kept: see tied_pixels.
 // gives   the keys that are there now

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <irg/raster/triangle_setup.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using irg::screen_vertex;
+
+// A triangle of 8 x 8 pixels whose depth is x / 8 at the centres' x, and y / 8 beside it.
+constexpr irg::covered_triangle corner =
+    irg::cover_and_set_up({{0, 0}, 0.0f, 1.0f}, {{2048, 0}, 1.0f, 1.0f}, {{0, 2048}, 0.0f, 1.0f});
+
+TEST_CASE("triangle_setup: depths and weights by hand") {
+  CHECK_BOTH(corner.coverage.double_area == 2048 * 2048);
+  CHECK_BOTH(irg::depth_at(corner.setup, 0, 0) == 0.0625f);
+  CHECK_BOTH(irg::depth_at(corner.setup, 3, 2) == 0.4375f);
+  CHECK_BOTH(irg::weights_at(corner.setup, 3, 2).weight1 == 0.4375f);
+  CHECK_BOTH(irg::weights_at(corner.setup, 3, 2).weight2 == 0.3125f);
+  CHECK_BOTH(irg::weights_at(corner.setup, 3, 2).depth == 0.4375f);
+}
+
+TEST_CASE("triangle_setup: a triangle without area is covered nowhere") {
+  CHECK_BOTH(irg::cover_and_set_up({{0, 0}}, {{256, 256}}, {{512, 512}}).coverage.double_area == 0);
+}
+
+TEST_CASE("triangle_setup: turning a triangle round exchanges two weights and changes no bit") {
+  test::random random(3);
+  const auto vertex = [&] {
+    return screen_vertex{
+        {static_cast<std::int32_t>(random.integer(0, 20000)), static_cast<std::int32_t>(random.integer(0, 20000))},
+        static_cast<float>(random.integer(1, 1000)) / 1000,
+        static_cast<float>(random.integer(1, 1000)) / 10};
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const screen_vertex v[3] = {vertex(), vertex(), vertex()};
+    const auto t = irg::cover_and_set_up(v[0], v[1], v[2]), turned = irg::cover_and_set_up(v[0], v[2], v[1]);
+    if (t.coverage.double_area == 0) continue;
+    const int x = static_cast<int>(random.integer(0, 79)), y = static_cast<int>(random.integer(0, 79));
+    if (!irg::covers(t.coverage, x, y)) continue;
+    const auto at = irg::weights_at(t.setup, x, y), back = irg::weights_at(turned.setup, x, y);
+    CHECK(at.weight1 == back.weight2);
+    CHECK(at.weight2 == back.weight1);
+    CHECK(at.depth == back.depth);
+    // The plane through the three corners, met at the pixel's centre.
+    const auto corner_of = [&](int k, int c) -> long double {
+      return c == 0 ? v[k].position.x : c == 1 ? v[k].position.y : v[k].depth;
+    };
+    const auto side = [&](int k, int c) { return corner_of(k, c) - corner_of(0, c); };
+    const long double cx = x * 256 + 128 - corner_of(0, 0), cy = y * 256 + 128 - corner_of(0, 1);
+    const long double area = side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0);
+    const long double depth = corner_of(0, 2) + ((side(1, 2) * side(2, 1) - side(2, 2) * side(1, 1)) * cx +
+                                                 (side(2, 2) * side(1, 0) - side(1, 2) * side(2, 0)) * cy) /
+                                                    area;
+    CHECK(std::fabs(static_cast<double>(depth - static_cast<long double>(at.depth))) <= 0x1p-22 * at.depth);
+  }
+}
+
+TEST_CASE("fits_32_bits: 32 bits are taken just as long as every pixel of the widened window stays within 2^30") {
+  using irg::cell_window;
+  constexpr auto fits = [](std::int64_t at_origin, int right, int down, const cell_window& w, int margin) {
+    irg::triangle_coverage t{};
+    t.edge[1] = {at_origin, right, down, 0};
+    return irg::fits_32_bits(t, w, margin);
+  };
+  constexpr std::int64_t limit = std::int64_t{1} << 30;
+  constexpr cell_window w{10, 20, 30, 50};
+  constexpr int last_x = 30 + 8, last_y = 50, first_x = 10 - 8, first_y = 20;
+  // The greatest and the least F are at corners of [2, 38] x [20, 50].
+  for (const int right : {0, 3, -3, 1000})
+    for (const int down : {0, 7, -7, 5000}) {
+      const std::int64_t greatest =
+          std::int64_t{right} * (right > 0 ? last_x : first_x) + std::int64_t{down} * (down > 0 ? last_y : first_y);
+      const std::int64_t least =
+          std::int64_t{right} * (right > 0 ? first_x : last_x) + std::int64_t{down} * (down > 0 ? first_y : last_y);
+      CHECK(fits(limit - greatest, right, down, w, 8));
+      CHECK(!fits(limit - greatest + 1, right, down, w, 8));
+      CHECK(fits(-limit - least, right, down, w, 8));
+      CHECK(!fits(-limit - least - 1, right, down, w, 8));
+    }
+  CHECK_BOTH(fits(limit, 0, 0, w, 8));
+  CHECK_BOTH(!fits(limit + 1, 0, 0, w, 8));
+}
+
+}  // namespace
