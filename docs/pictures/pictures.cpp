@@ -126,6 +126,23 @@ picture render(const irg::scene<double>& s, int width, int height, irg::render_o
   return p;
 }
 
+// One body from four sides, prepared once.
+void prepared() {
+  constexpr int width = 200, height = 150, views = 4;
+  const auto world = scene_of(irg::shape_torus<double>(), {0.2, 0.5, 1.6}, width, height, 1.1);
+  irg::prepared_scene<double> ready = irg::prepare_scene(world);
+  picture all(views * width, height), one(width, height);
+  irg::image<float> z(width, height);
+  for (int i = 0; i < views; ++i) {
+    const auto turn = irg::rotation_x(irg::radians(20.0 + 20 * i)) * irg::rotation_y(irg::radians(35.0 * i));
+    ready.view.eye = irg::transform_point(turn, world.view.eye);
+    irg::render(ready, one, z);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) all(i * width + x, y) = one(x, y);
+  }
+  save("prepared_scene", all);
+}
+
 void teapots() {
   const vec3 from{0.6, 0.6, 1.6};
   save("teapot", render(scene_of(irg::shape_teapot<double>({.subdivisions = 16}), from, 800, 520, 1.18), 800, 520,
@@ -281,6 +298,7 @@ int main(int argc, char** argv) {
   lines();
   depth();
   teapots();
+  prepared();
   shading();
   materials();
   shapes();

@@ -5,16 +5,16 @@
 namespace test {
 namespace {
 
-template <class T>
-irg::render_stats draw(irg::image_view<irg::rgba8> colour, irg::image<float>& depth, const irg::scene<T>& world,
+template <class World>
+irg::render_stats draw(irg::image_view<irg::rgba8> colour, irg::image<float>& depth, World& world,
                        const irg::render_options& options, const any_executor& executor, const any_observer& observer) {
   return irg::render(world, colour, depth, options, {}, executor, [&](irg::render_stage stage) {
     if (observer) observer(stage);
   });
 }
 
-template <class T>
-rendered draw_canvas(const irg::scene<T>& world, int width, int height, const irg::render_options& options,
+template <class World>
+rendered draw_canvas(World& world, int width, int height, const irg::render_options& options,
                      const any_executor& executor, const any_observer& observer) {
   rendered r{canvas(width, height), {}};
   r.stats = draw(r.picture.colour.view(), r.picture.depth, world, options, executor, observer);
@@ -28,6 +28,10 @@ rendered render(const irg::scene<double>& world, int width, int height, const ir
   return draw_canvas(world, width, height, options, executor, observer);
 }
 rendered render(const irg::scene<float>& world, int width, int height, const irg::render_options& options,
+                const any_executor& executor, const any_observer& observer) {
+  return draw_canvas(world, width, height, options, executor, observer);
+}
+rendered render(irg::prepared_scene<double>& world, int width, int height, const irg::render_options& options,
                 const any_executor& executor, const any_observer& observer) {
   return draw_canvas(world, width, height, options, executor, observer);
 }

@@ -60,6 +60,8 @@ rendered render(const irg::scene<double>& world, int width, int height, const ir
                 const any_executor& executor = {}, const any_observer& observer = {});
 rendered render(const irg::scene<float>& world, int width, int height, const irg::render_options& options = {},
                 const any_executor& executor = {}, const any_observer& observer = {});
+rendered render(irg::prepared_scene<double>& world, int width, int height, const irg::render_options& options = {},
+                const any_executor& executor = {}, const any_observer& observer = {});
 irg::render_stats render_into(irg::image_view<irg::rgba8> colour, irg::image<float>& depth,
                               const irg::scene<double>& world, const irg::render_options& options = {});
 

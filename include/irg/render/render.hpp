@@ -11,7 +11,6 @@
 #include <irg/render/detail/styled_drawing.hpp>
 #include <irg/render/wireframe.hpp>
 #include <irg/scene/scene.hpp>
-#include <irg/view/affine.hpp>
 
 namespace irg {
 
@@ -40,75 +39,91 @@ constexpr std::int64_t count_other_than(const R& raster, const pixel_of<R>& back
   return count;
 }
 
-// The edges of one object.
-template <class T, class Colour, class E, class Observer>
-constexpr render_stats draw_object_wire(const mesh<T>& shape, Colour& colour, const mat<T, 4, 4>& to_clip,
-                                        const screen_mapping<T>& mapping, const render_options& options,
-                                        const picture_colours& colours, const E& executor, Observer& observer) {
-  const auto vertices = project_vertices<T>(shape.positions, to_clip, mapping);
-  observer(render_stage::project);
-  const render_stats stats = draw_wireframe(colour, vertices, shape, mapping, colours.line, options.culling, executor);
-  observer(render_stage::draw);
+// Where a picture goes, and who takes part.
+template <class Colour, class Depth, class E, class Observer>
+struct picture_run {
+  Colour& colour;
+  Depth& depth;
+  const E& executor;
+  Observer& observer;
+};
+
+// A picture of one scene, before anything of its objects is known.
+template <class T>
+struct picture_frame {
+  const camera<T>& view;
+  lighting<T> light;
+  const render_options& options;
+  const picture_colours& colours;
+  screen_mapping<T> mapping;
+  mat<T, 4, 4> to_clip;
+
+  constexpr picture_frame(const auto& world, int width, int height, const render_options& how,
+                          const picture_colours& with)
+      : view(world.view), light{world.ambient, world.lights, world.distance, world.k}, options(how), colours(with),
+        mapping(map_to_screen<T>(width, height)),
+        to_clip(view_projection(view, static_cast<T>(width) / static_cast<T>(height))) {}
+};
+
+// The edges of all objects.
+template <class Order, class T, class Objects, class Run>
+constexpr render_stats draw_wire(const picture_frame<T>& f, Objects& objects, const Run& run) {
+  clear(run.colour, f.colours.background);
+  clear(run.depth, Order::farthest);
+  render_stats stats;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const mesh<T>& shape = objects.shape(i);
+    const auto vertices = project_vertices<T>(shape.positions, f.to_clip, f.mapping);
+    run.observer(render_stage::project);
+    stats += draw_wireframe(run.colour, vertices, shape, f.mapping, f.colours.line, f.options.culling, run.executor);
+    run.observer(render_stage::draw);
+  }
+  stats.drawn = count_other_than(run.colour, f.colours.background);
   return stats;
 }
 
 // The faces of all objects, in the style that the options name.
-template <class Order, class T, class Colour, class Depth, class E, class Observer>
-constexpr render_stats draw_filled(const scene<T>& world, Colour& colour, Depth& depth, const mat<T, 4, 4>& to_clip,
-                                   const screen_mapping<T>& mapping, const render_options& options,
-                                   const rgba8& background, const E& executor, Observer& observer) {
-  const lighting<T> light{world.ambient, world.lights};
-  const point<T, 3> eye = viewpoint(world.view);
-  const object_selection chosen = select_objects<Order>(world, to_clip, width_of(colour), height_of(colour), options);
-  std::vector<object_shading<T>> objects;
-  std::vector<projected_vertices<T>> vertices(chosen.drawn.size(), projected_vertices<T>{});
+template <class Order, class T, class Objects, class Run>
+constexpr render_stats draw_filled(const picture_frame<T>& f, Objects& objects, draw_workspace& workspace,
+                                   const Run& run) {
+  const point<T, 3> eye = viewpoint(f.view);
+  const object_selection chosen =
+      select_objects<Order>(objects, f.to_clip, width_of(run.colour), height_of(run.colour), f.options);
+  std::vector<object_shading<T>> shadings;
   std::vector<triangle_batch<T>> batches;
-  objects.reserve(chosen.drawn.size());
+  shadings.reserve(chosen.drawn.size());
   batches.reserve(chosen.drawn.size());
   std::uint32_t number = 0;
   for (const std::uint32_t k : chosen.drawn) {
-    const object<T>& o = world.objects[k];
-    object_shading<T>& shading = objects.emplace_back(transform_mesh(o.shape, o.placement), o.surface, light, eye);
-    observer(render_stage::prepare);
-    shading.prepare(options.style, options.culling, executor);
-    observer(render_stage::shade);
-    const std::size_t i = batches.size();
-    project_vertices<T>(vertices[i], shading.body.positions, to_clip, mapping, executor);
-    batches.push_back({&vertices[i], shading.body.triangles, number, static_cast<std::uint32_t>(i)});
-    number += static_cast<std::uint32_t>(shading.body.triangles.size());
-    observer(render_stage::project);
+    prepared_object<T>& o = objects[k];
+    run.observer(render_stage::prepare);
+    shadings.emplace_back(o, f.light, eye).prepare(f.options.style, f.options.culling, run.executor);
+    run.observer(render_stage::shade);
+    project_vertices<T>(o.frame.vertices, o.body.positions, f.to_clip, f.mapping, run.executor);
+    batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(batches.size())});
+    number += static_cast<std::uint32_t>(o.body.triangles.size());
+    run.observer(render_stage::project);
   }
-  const styled_objects<T> styled{objects, batches, mapping, options};
-  render_stats stats = options.intensities == intensity_range::rescale
-                           ? draw_rescaled<Order>(styled, colour, depth, background, executor)
-                           : draw_styled<Order, encoded_light>(styled, colour, depth, background, executor);
+  const styled_objects<T> styled{shadings, batches, f.mapping, f.options, workspace};
+  render_stats stats =
+      f.options.intensities == intensity_range::rescale
+          ? draw_rescaled<Order>(styled, run.colour, run.depth, f.colours.background, run.executor)
+          : draw_styled<Order, encoded_light>(styled, run.colour, run.depth, f.colours.background, run.executor);
   stats.triangles += chosen.beyond + chosen.occluded;
   stats.skipped.frustum += chosen.beyond;
   stats.skipped.occluded += chosen.occluded;
-  observer(render_stage::draw);
+  run.observer(render_stage::draw);
   return stats;
 }
 
-template <class Order, class T, class Colour, class Depth, class E, class Observer>
-constexpr render_stats render_ordered(const scene<T>& world, Colour& colour, Depth& depth,
-                                      const render_options& options, const picture_colours& colours, const E& executor,
-                                      Observer& observer) {
-  const int width = width_of(colour), height = height_of(colour);
-  render_stats stats;
-  for ([[maybe_unused]] const object<T>& o : world.objects)
-    IRG_EXPECTS(find_face_defect(o.shape).defect == mesh_defect::none);
-  if (width == 0 || height == 0) return stats;
-  const screen_mapping<T> mapping = map_to_screen<T>(width, height);
-  const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(width) / static_cast<T>(height));
-  if (options.style != picture_style::wire)
-    return draw_filled<Order>(world, colour, depth, to_clip, mapping, options, colours.background, executor, observer);
-  clear(colour, colours.background);
-  clear(depth, Order::farthest);
-  for (const object<T>& o : world.objects)
-    stats += draw_object_wire(transform_mesh(o.shape, o.placement), colour, to_clip, mapping, options, colours,
-                              executor, observer);
-  stats.drawn = count_other_than(colour, colours.background);
-  return stats;
+template <class T, class Objects, class Run>
+constexpr render_stats draw_picture(const picture_frame<T>& f, Objects& objects, draw_workspace& workspace,
+                                    const Run& run) {
+  const bool in_order = f.options.hidden == hidden_surface_method::none;
+  if (f.options.style == picture_style::wire)
+    return in_order ? draw_wire<drawing_order>(f, objects, run) : draw_wire<nearer_is_greater>(f, objects, run);
+  return in_order ? draw_filled<drawing_order>(f, objects, workspace, run)
+                  : draw_filled<nearer_is_greater>(f, objects, workspace, run);
 }
 
 }  // namespace IRG_ABI
@@ -128,9 +143,29 @@ template <Floating T, RowRaster Colour, RowRaster Depth, Executor E = sequential
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats render(const scene<T>& world, Colour& colour, Depth& depth, const render_options& options = {},
                               const picture_colours& colours = {}, const E& executor = {}, Observer&& observer = {}) {
-  if (options.hidden == hidden_surface_method::none)
-    return detail::render_ordered<drawing_order>(world, colour, depth, options, colours, executor, observer);
-  return detail::render_ordered<nearer_is_greater>(world, colour, depth, options, colours, executor, observer);
+  for ([[maybe_unused]] const object<T>& o : world.objects)
+    IRG_EXPECTS(detail::find_face_defect(o.shape).defect == mesh_defect::none);
+  if (width_of(colour) == 0 || height_of(colour) == 0) return {};
+  detail::objects_to_prepare<T> objects(world.objects);
+  draw_workspace workspace;
+  return detail::draw_picture<T>({world, width_of(colour), height_of(colour), options, colours}, objects, workspace,
+                                 detail::picture_run{colour, depth, executor, observer});
+}
+
+/// As above, of a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
+/// worked out anew only where light, eye or style have changed since the last picture.
+/// shape   prepare_scene(world) makes such a scene
+/// exact   the same bytes as from the scene it was made of
+/// cost    the vertices once, then the pixels
+template <Floating T, RowRaster Colour, RowRaster Depth, Executor E = sequential, class Observer = no_observer>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+constexpr render_stats render(prepared_scene<T>& world, Colour& colour, Depth& depth,
+                              const render_options& options = {}, const picture_colours& colours = {},
+                              const E& executor = {}, Observer&& observer = {}) {
+  if (width_of(colour) == 0 || height_of(colour) == 0) return {};
+  detail::prepared_objects<T> objects{world.objects};
+  return detail::draw_picture<T>({world, width_of(colour), height_of(colour), options, colours}, objects,
+                                 world.workspace, detail::picture_run{colour, depth, executor, observer});
 }
 
 }  // namespace IRG_ABI

@@ -27,6 +27,8 @@ struct scene {
   camera<T> view;
   std::vector<light<T>> lights;
   rgb<T> ambient{};
+  distance_term distance = distance_term::none;  // whether lights weaken with the distance from the eye, by 1 / (r + k)
+  T k = T(1);
 };
 
 }  // namespace irg

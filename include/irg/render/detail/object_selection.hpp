@@ -7,16 +7,45 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/contract.hpp>
-#include <irg/mesh/validate.hpp>
-#include <irg/render/drawable.hpp>
-#include <irg/render/occlusion_culling.hpp>
 #include <irg/render/options.hpp>
-#include <irg/scene/scene.hpp>
-#include <irg/view/affine.hpp>
+#include <irg/render/prepared_scene.hpp>
 
 namespace irg {
 namespace detail {
+
+// The objects of a scene, prepared when they are asked for: those that are not seen never are.
+template <class T>
+struct objects_to_prepare {
+  std::span<const object<T>> source;
+  std::vector<object_extent<T>> extents;
+  std::vector<prepared_object<T>> made;
+  std::vector<std::uint8_t> is_made;
+
+  constexpr explicit objects_to_prepare(std::span<const object<T>> objects)
+      : source(objects), made(objects.size(), prepared_object<T>{}), is_made(objects.size(), 0) {
+    extents.reserve(source.size());
+    for (const object<T>& o : source) extents.push_back(extent_of(o));
+  }
+  constexpr std::size_t size() const noexcept { return source.size(); }
+  constexpr const object_extent<T>& extent(std::size_t i) const noexcept { return extents[i]; }
+  constexpr mesh<T> shape(std::size_t i) const { return transform_mesh(source[i].shape, source[i].placement); }
+  constexpr prepared_object<T>& operator[](std::size_t i) {
+    if (is_made[i] == 0) made[i] = prepare_object(source[i]);
+    is_made[i] = 1;
+    return made[i];
+  }
+};
+
+// The objects of a scene that are prepared already.
+template <class T>
+struct prepared_objects {
+  std::span<prepared_object<T>> made;
+
+  constexpr std::size_t size() const noexcept { return made.size(); }
+  constexpr const object_extent<T>& extent(std::size_t i) const noexcept { return made[i].extent; }
+  constexpr const mesh<T>& shape(std::size_t i) const noexcept { return made[i].shape; }
+  constexpr prepared_object<T>& operator[](std::size_t i) const noexcept { return made[i]; }
+};
 
 // What is to be drawn, and how many triangles need not be.
 struct object_selection {
@@ -26,31 +55,19 @@ struct object_selection {
 
 inline namespace IRG_ABI {
 
-// The box of an object in the world, and its triangles once its faces are cut.
-template <class T>
-constexpr object_extent<T> extent_in_world(const object<T>& o) noexcept {
-  object_extent<T> e{{}, o.shape.corners.size() - 2 * o.shape.face_count()};
-  for (const point<T, 3>& p : o.shape.positions) e.bounds = enclosing_box(e.bounds, transform_point(o.placement, p));
-  return e;
-}
-
-template <class Order, class T>
-IRG_NOINLINE constexpr object_selection select_objects(const scene<T>& world, const mat<T, 4, 4>& to_clip, int width,
+template <class Order, class T, class Objects>
+IRG_NOINLINE constexpr object_selection select_objects(Objects& objects, const mat<T, 4, 4>& to_clip, int width,
                                                        int height, const render_options& options) {
   object_selection result;
   std::vector<object_extent<T>> extents;
-  extents.reserve(world.objects.size());
-  result.drawn.reserve(world.objects.size());
-  for (const object<T>& o : world.objects) {
-    IRG_EXPECTS(find_face_defect(o.shape).defect == mesh_defect::none);
-    extents.push_back(extent_in_world(o));
-  }
+  extents.reserve(objects.size());
+  result.drawn.reserve(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) extents.push_back(objects.extent(i));
   constexpr bool by_depth = !std::same_as<Order, drawing_order>;
   occlusion_culling<T, std::conditional_t<by_depth, Order, nearer_is_greater>> boxes(to_clip, width, height);
   if (by_depth && options.skip.occluded == skipping::on)
     for (const std::uint32_t i : boxes.choose_occluders(extents)) {
-      const object<T>& o = world.objects[i];
-      const drawable<T> body = make_drawable(transform_mesh(o.shape, o.placement));
+      const drawable<T>& body = objects[i].body;
       boxes.add_occluder(body.positions, body.triangles, options.culling);
     }
   for (std::uint32_t i = 0; i < extents.size(); ++i) {

@@ -11,8 +11,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/colour/srgb.hpp>
 #include <irg/colour/srgb_lanes.hpp>
-#include <irg/render/draw_triangles.hpp>
-#include <irg/render/drawable.hpp>
+#include <irg/render/prepared_scene.hpp>
 #include <irg/shade/shading.hpp>
 
 namespace irg {
@@ -52,21 +51,18 @@ IRG_INLINE constexpr rgb<float> to_float_colour(const rgb<T>& c) noexcept {
 // One object of a picture: its triangles, its colours or what they come from.
 template <class T>
 struct object_shading {
-  mesh<T> shape;  // in the world
-  drawable<T> body;
+  prepared_object<T>& made;
   flat_shader<T> flat;
   gouraud_shader<T> gouraud;
   phong_shader<T> phong;
-  std::vector<rgb<float>> face_colours;  // of the fronts
-  std::vector<std::array<float, 3>> vertex_colours[2];  // of the fronts, and if need be of the backs
 
-  constexpr object_shading(mesh<T> in_the_world, const material<T>& surface, const lighting<T>& light,
-                           const point<T, 3>& eye)
-      : shape(std::move(in_the_world)), body(make_drawable(shape)), flat{surface, light, eye},
-        gouraud{surface, light, eye}, phong{surface, light, eye} {}
+  constexpr object_shading(prepared_object<T>& object, const lighting<T>& light, const point<T, 3>& eye)
+      : made(object), flat{object.surface, light, eye}, gouraud{object.surface, light, eye},
+        phong{object.surface, light, eye} {}
 
   // What a triangle's back shows has its normal turned towards the eye.
   constexpr rgb<float> face_colour(std::size_t f, facing side) const noexcept {
+    const mesh<T>& shape = made.shape;
     const vec<T, 3> normal = face_normal(shape, f).value_or(vec<T, 3>{});
     vec<T, 3> sum{};  // about the first vertex: the mean of the differences
     const point<T, 3>& first = shape.positions[shape.corner(f, 0).position];
@@ -75,22 +71,29 @@ struct object_shading {
     return to_float_colour(flat(centre, side == facing::front ? normal : -normal));
   }
 
-  // Works out the colours that the style keeps.
+  // Works out the colours that the style keeps, unless they are there from the last picture.
   template <class E>
   constexpr void prepare(picture_style style, face_culling culling, const E& executor) {
+    const lighting<T>& light = flat.light;
+    object_frame<T>& frame = made.frame;
+    shading_key<T> key{
+        style,         culling,        made.surface, flat.eye, {light.lights.begin(), light.lights.end()},
+        light.ambient, light.distance, light.k};
+    if (frame.key == key) return;
+    frame.key = std::move(key);
     if (style == picture_style::flat) {
-      face_colours.resize(shape.face_count(), rgb<float>{});
-      for_portions(executor, shape.face_count(),
-                   [&](std::size_t f) { face_colours[f] = face_colour(f, facing::front); });
+      frame.face_colours.resize(made.shape.face_count(), rgb<float>{});
+      for_portions(executor, made.shape.face_count(),
+                   [&](std::size_t f) { frame.face_colours[f] = face_colour(f, facing::front); });
     }
     if (style != picture_style::gouraud) return;
     for (const facing side : {facing::front, facing::back}) {
       if (side == facing::back && culling == face_culling::back) continue;
-      auto& colours = vertex_colours[static_cast<int>(side)];
-      colours.resize(body.positions.size(), std::array<float, 3>{});
+      auto& colours = frame.vertex_colours[static_cast<int>(side)];
+      colours.resize(made.body.positions.size(), std::array<float, 3>{});
       for_portions(executor, colours.size(), [&](std::size_t v) {
-        const vec<T, 3>& n = body.normals[v];
-        const auto [r, g, b] = to_float_colour(gouraud(body.positions[v], side == facing::front ? n : -n));
+        const vec<T, 3>& n = made.body.normals[v];
+        const auto [r, g, b] = to_float_colour(gouraud(made.body.positions[v], side == facing::front ? n : -n));
         colours[v] = {r, g, b};
       });
     }
@@ -115,9 +118,9 @@ struct flat_pixels {
   IRG_INLINE constexpr auto operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
                                        facing side) const noexcept {
     const object_shading<T>& o = objects[batch.object];
-    const std::uint32_t f = o.body.face_of[triangle];
+    const std::uint32_t f = o.made.body.face_of[triangle];
     return solid_shader<decltype(Output{}({}))>{
-        Output{}(side == facing::front ? o.face_colours[f] : o.face_colour(f, side))};
+        Output{}(side == facing::front ? o.made.frame.face_colours[f] : o.face_colour(f, side))};
   }
 };
 
@@ -129,7 +132,7 @@ struct gouraud_pixels {
 
   IRG_INLINE constexpr const float* attributes(const triangle_batch<T>& batch, std::uint32_t vertex,
                                                facing side) const noexcept {
-    return objects[batch.object].vertex_colours[static_cast<int>(side)][vertex].data();
+    return objects[batch.object].made.frame.vertex_colours[static_cast<int>(side)][vertex].data();
   }
   IRG_INLINE constexpr auto pixel(const std::array<float, 3>& light) const noexcept {
     return Output{}({light[0], light[1], light[2]});
@@ -151,10 +154,10 @@ struct phong_pixels {
   IRG_INLINE constexpr phong_pixel_shader<T, Output> operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
                                                                 facing side) const noexcept {
     const object_shading<T>& o = objects[batch.object];
-    const auto [a, b, c] = o.body.triangles[triangle].v;
-    const auto normal = [&](std::uint32_t v) { return side == facing::front ? o.body.normals[v] : -o.body.normals[v]; };
-    return {
-        o.phong, {o.body.positions[a], o.body.positions[b], o.body.positions[c]}, {normal(a), normal(b), normal(c)}};
+    const drawable<T>& body = o.made.body;
+    const auto [a, b, c] = body.triangles[triangle].v;
+    const auto normal = [&](std::uint32_t v) { return side == facing::front ? body.normals[v] : -body.normals[v]; };
+    return {o.phong, {body.positions[a], body.positions[b], body.positions[c]}, {normal(a), normal(b), normal(c)}};
   }
 };
 

@@ -21,6 +21,7 @@ struct styled_objects {
   std::span<const triangle_batch<T>> batches;
   const screen_mapping<T>& mapping;
   const render_options& options;
+  draw_workspace& workspace;
 };
 
 // Clears the picture and draws the objects, Output deciding what becomes of light.
@@ -29,9 +30,8 @@ constexpr render_stats draw_styled(const styled_objects<T>& s, Colour& colour, D
                                    const pixel_of<Colour>& background, const E& executor) {
   const draw_settings<pixel_of<Colour>> settings{s.options.culling, s.options.skip, clearing::before_drawing,
                                                  background};
-  draw_workspace workspace;
   const auto draw = [&](const auto& shading) {
-    return draw_batches<Order, T>(colour, depth, s.batches, s.mapping, shading, settings, workspace, executor);
+    return draw_batches<Order, T>(colour, depth, s.batches, s.mapping, shading, settings, s.workspace, executor);
   };
   if (s.options.style == picture_style::flat) return draw(flat_pixels<Output, T>{s.objects});
   if (s.options.style == picture_style::gouraud) return draw(gouraud_pixels<Output, T>{s.objects});
