@@ -129,13 +129,12 @@ picture render(const irg::scene<double>& s, int width, int height, irg::render_o
 // One body from four sides, prepared once.
 void prepared() {
   constexpr int width = 200, height = 150, views = 4;
-  const auto world = scene_of(irg::shape_torus<double>(), {0.2, 0.5, 1.6}, width, height, 1.1);
+  const auto world = scene_of(irg::shape_teapot<double>({.subdivisions = 6}), {0.2, 0.7, 1.6}, width, height, 1.1);
   irg::prepared_scene<double> ready = irg::prepare_scene(world);
   picture all(views * width, height), one(width, height);
   irg::image<float> z(width, height);
   for (int i = 0; i < views; ++i) {
-    const auto turn = irg::rotation_x(irg::radians(20.0 + 20 * i)) * irg::rotation_y(irg::radians(35.0 * i));
-    ready.view.eye = irg::transform_point(turn, world.view.eye);
+    ready.view.eye = irg::transform_point(irg::rotation_y(irg::radians(70.0 * i)), world.view.eye);
     irg::render(ready, one, z);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) all(i * width + x, y) = one(x, y);
