@@ -43,8 +43,9 @@ constexpr render_stats draw_depth(Depth& depth, std::type_identity_t<std::span<c
                                   const screen_mapping<T>& mapping, const depth_settings& settings,
                                   draw_workspace& workspace, const E& executor = {}) {
   constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
-  return detail::draw_tiles<Order, test, T>(depth, {batches, mapping, settings.culling, settings.skip, settings.clear},
-                                            workspace, detail::depths_alone{}, executor);
+  return detail::draw_tiles<T>(detail::zbuffer_tiles<Order, test>{}, depth,
+                               {batches, mapping, workspace, settings.culling, settings.skip, settings.clear},
+                               detail::depths_alone{}, executor);
 }
 
 /// As above, for the triangles of one object.

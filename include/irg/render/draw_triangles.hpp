@@ -49,6 +49,19 @@ struct colour_tiles {
   }
 };
 
+inline namespace IRG_ABI {
+
+// Draws what a method finds visible, coloured.
+template <class T, class Method, class Colour, class Depth, class MakeShader, class E>
+constexpr render_stats draw_coloured(const Method& method, Colour& colour, Depth& depth, const tile_job<T>& job,
+                                     const MakeShader& make_shader, const pixel_of<Colour>& background,
+                                     const E& executor) {
+  const colour_tiles<T, Colour, MakeShader> finish{colour, make_shader,
+                                                   job.clear == clearing::before_drawing ? &background : nullptr};
+  return draw_tiles<T>(method, depth, job, finish, executor);
+}
+
+}  // namespace IRG_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -69,12 +82,10 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
                                     const screen_mapping<T>& mapping, const MakeShader& make_shader,
                                     const draw_settings<pixel_of<Colour>>& settings, draw_workspace& workspace,
                                     const E& executor = {}) {
-  constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::nearer;
-  const bool clear = settings.clear == clearing::before_drawing;
-  const detail::colour_tiles<T, Colour, MakeShader> finish{colour, make_shader, clear ? &settings.background : nullptr};
-  return detail::draw_tiles<Order, test, T>(
-      depth, {batches, mapping, settings.culling, settings.skip, settings.clear, settings.depth}, workspace, finish,
-      executor);
+  return detail::draw_coloured<T>(
+      detail::zbuffer_method<Order>{}, colour, depth,
+      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth}, make_shader,
+      settings.background, executor);
 }
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.

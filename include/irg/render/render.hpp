@@ -83,12 +83,12 @@ constexpr render_stats draw_wire(const picture_frame<T>& f, Objects& objects, co
 }
 
 // The faces of all objects, in the style that the options name.
-template <class Order, class T, class Objects, class Run>
-constexpr render_stats draw_filled(const picture_frame<T>& f, Objects& objects, draw_workspace& workspace,
-                                   const Run& run) {
+template <class Method, class T, class Objects, class Run>
+constexpr render_stats draw_filled(const Method& method, const picture_frame<T>& f, Objects& objects,
+                                   draw_workspace& workspace, const Run& run) {
   const point<T, 3> eye = viewpoint(f.view);
-  const object_selection chosen =
-      select_objects<Order>(objects, f.to_clip, width_of(run.colour), height_of(run.colour), f.options);
+  const object_selection chosen = select_objects<typename Method::order>(objects, f.to_clip, width_of(run.colour),
+                                                                         height_of(run.colour), f.options);
   std::vector<object_shading<T>> shadings;
   std::vector<triangle_batch<T>> batches;
   shadings.reserve(chosen.drawn.size());
@@ -107,8 +107,8 @@ constexpr render_stats draw_filled(const picture_frame<T>& f, Objects& objects, 
   const styled_objects<T> styled{shadings, batches, f.mapping, f.options, workspace};
   render_stats stats =
       f.options.intensities == intensity_range::rescale
-          ? draw_rescaled<Order>(styled, run.colour, run.depth, f.colours.background, run.executor)
-          : draw_styled<Order, encoded_light>(styled, run.colour, run.depth, f.colours.background, run.executor);
+          ? draw_rescaled(method, styled, run.colour, run.depth, f.colours.background, run.executor)
+          : draw_styled<encoded_light>(method, styled, run.colour, run.depth, f.colours.background, run.executor);
   stats.triangles += chosen.beyond + chosen.occluded;
   stats.skipped.frustum += chosen.beyond;
   stats.skipped.occluded += chosen.occluded;
@@ -116,14 +116,15 @@ constexpr render_stats draw_filled(const picture_frame<T>& f, Objects& objects, 
   return stats;
 }
 
+// The one place where a method is chosen.
 template <class T, class Objects, class Run>
 constexpr render_stats draw_picture(const picture_frame<T>& f, Objects& objects, draw_workspace& workspace,
                                     const Run& run) {
-  const bool in_order = f.options.hidden == hidden_surface_method::none;
-  if (f.options.style == picture_style::wire)
-    return in_order ? draw_wire<drawing_order>(f, objects, run) : draw_wire<nearer_is_greater>(f, objects, run);
-  return in_order ? draw_filled<drawing_order>(f, objects, workspace, run)
-                  : draw_filled<nearer_is_greater>(f, objects, workspace, run);
+  const auto draw = [&]<class Order>(Order) {
+    return f.options.style == picture_style::wire ? draw_wire<Order>(f, objects, run)
+                                                  : draw_filled(zbuffer_method<Order>{}, f, objects, workspace, run);
+  };
+  return f.options.hidden == hidden_surface_method::none ? draw(drawing_order{}) : draw(nearer_is_greater{});
 }
 
 }  // namespace IRG_ABI

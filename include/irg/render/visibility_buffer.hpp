@@ -62,9 +62,9 @@ constexpr render_stats draw_visibility(Ids& ids, Depth& depth,
                                        std::type_identity_t<std::span<const triangle_batch<T>>> batches,
                                        const screen_mapping<T>& mapping, const depth_settings& settings,
                                        draw_workspace& workspace, const E& executor = {}) {
-  constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::nearer;
-  return detail::draw_tiles<Order, test, T>(depth, {batches, mapping, settings.culling, settings.skip, settings.clear},
-                                            workspace, detail::number_tiles<Ids>{ids, settings.clear}, executor);
+  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, depth,
+                               {batches, mapping, workspace, settings.culling, settings.skip, settings.clear},
+                               detail::number_tiles<Ids>{ids, settings.clear}, executor);
 }
 
 /// As above, for the triangles of one object.

@@ -25,13 +25,14 @@ struct styled_objects {
 };
 
 // Clears the picture and draws the objects, Output deciding what becomes of light.
-template <class Order, class Output, class T, class Colour, class Depth, class E>
-constexpr render_stats draw_styled(const styled_objects<T>& s, Colour& colour, Depth& depth,
+template <class Output, class Method, class T, class Colour, class Depth, class E>
+constexpr render_stats draw_styled(const Method& method, const styled_objects<T>& s, Colour& colour, Depth& depth,
                                    const pixel_of<Colour>& background, const E& executor) {
-  const draw_settings<pixel_of<Colour>> settings{s.options.culling, s.options.skip, clearing::before_drawing,
-                                                 background};
   const auto draw = [&](const auto& shading) {
-    return draw_batches<Order, T>(colour, depth, s.batches, s.mapping, shading, settings, s.workspace, executor);
+    return draw_coloured<T>(
+        method, colour, depth,
+        {s.batches, s.mapping, s.workspace, s.options.culling, s.options.skip, clearing::before_drawing}, shading,
+        background, executor);
   };
   if (s.options.style == picture_style::flat) return draw(flat_pixels<Output, T>{s.objects});
   if (s.options.style == picture_style::gouraud) return draw(gouraud_pixels<Output, T>{s.objects});
@@ -39,13 +40,13 @@ constexpr render_stats draw_styled(const styled_objects<T>& s, Colour& colour, D
 }
 
 // As draw_styled; if some pixel is brighter than 1, all light of the picture is divided by the brightest channel's.
-template <class Order, class T, class Colour, class Depth, class E>
-constexpr render_stats draw_rescaled(const styled_objects<T>& s, Colour& colour, Depth& depth,
+template <class Method, class T, class Colour, class Depth, class E>
+constexpr render_stats draw_rescaled(const Method& method, const styled_objects<T>& s, Colour& colour, Depth& depth,
                                      const pixel_of<Colour>& background, const E& executor) {
   constexpr int rows = 64;
   const int width = width_of(colour), height = height_of(colour);
   image<rgb<float>> light(width, height);
-  const render_stats stats = draw_styled<Order, light_itself>(s, light, depth, {}, executor);
+  const render_stats stats = draw_styled<light_itself>(method, s, light, depth, {}, executor);
   const auto in_portions = [&](const auto& f) {
     executor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t i) {
       const int first = static_cast<int>(i) * rows;
@@ -60,7 +61,7 @@ constexpr render_stats draw_rescaled(const styled_objects<T>& s, Colour& colour,
   for (const float l : largest_of) largest = greater(l, largest);
   in_portions([&](std::size_t, int y) {
     for (int x = 0; x < width; ++x) {
-      const bool shown = get_pixel(depth, x, y) != Order::farthest;
+      const bool shown = get_pixel(depth, x, y) != Method::order::farthest;
       const auto scaled = per_channel([&](float channel) { return channel / largest; }, light(x, y));
       set_pixel(colour, x, y, shown ? encode(scaled) : background);
     }

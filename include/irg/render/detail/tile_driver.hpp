@@ -37,10 +37,13 @@ template <class T>
 struct tile_job {
   std::span<const triangle_batch<T>> batches;
   const screen_mapping<T>& mapping;
+  draw_workspace& workspace;
   face_culling culling;
   skip_options skip;
   clearing clear;
   depth_result depth = depth_result::kept;
+
+  constexpr triangle_finder<T> finder() const noexcept { return {batches, &workspace.bins}; }
 };
 
 inline namespace IRG_ABI {
@@ -114,25 +117,24 @@ struct drawn_tile {
 
 // Which triangle each pixel of tile i shows, in lanes: the same whatever becomes of it, and so one copy for all.
 template <class Order, tile_test Test, class T, class Depth>
-IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_job<T>& job, draw_workspace& workspace,
-                                      std::size_t i) {
+IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_job<T>& job, std::size_t i) {
   auto& [t, numbers, sorted] = out;
   constexpr float sign = key_sign<Order>;
   const picture_tiles grid(width_of(depth), height_of(depth));
   const cell_window w = grid.window(i);
-  const triangle_finder<T> find{job.batches, &workspace.bins};
-  numbers = workspace.bins.list_of(i);
+  const triangle_finder<T> find = job.finder();
+  numbers = job.workspace.bins.list_of(i);
   clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
   if (job.clear == clearing::none) load_depths(t, depth, w, sign);
   // Where pixels are covered more than twice, order and rejection pay. A triangle covers half of its box.
   const bool front_first =
       Test != tile_test::always && job.skip.occluded == skipping::on &&
-      workspace.bins.tile_area[i] > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
+      job.workspace.bins.tile_area[i] > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
   if (front_first) {
     sorted = front_to_back(numbers, find, sign);
     numbers = sorted;
   }
-  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, workspace.seen.data()};
+  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, job.workspace.seen.data()};
   painter.template draw_list<Test>();
   if (job.clear == clearing::none || job.depth == depth_result::kept) store_depths<Test>(t, depth, w, sign);
   return {painter.tested, 0, painter.ties};
@@ -140,54 +142,67 @@ IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_
 
 #endif
 
-// One tile that has a list: what is seen, and then finish(visible_window, finder), which says how many pixels that was.
-template <class Order, tile_test Test, class T, class Depth, class Finish>
-constexpr draw_counts draw_tile(Depth& depth, const tile_job<T>& job, draw_workspace& workspace, std::size_t i,
-                                const Finish& finish) {
-  const triangle_finder<T> find{job.batches, &workspace.bins};
-  const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
-#ifdef IRG_LANES_VECTOR
-  if constexpr (key_sign<Order> != 0)
-    if (!std::is_constant_evaluated()) {
-      const auto in_lanes = [&] {
-        drawn_tile d;
-        draw_counts counts = find_visible<Order, Test>(d, depth, job, workspace, i);
-        counts.shaded = finish(visible_window{d.t.id, d.t.key, key_sign<Order>, d.numbers, w}, find);
-        return counts;
-      };
-      return in_lanes();
-    }
-#endif
-  if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
-  visible_pixels pixels(w);
-  const std::span<const std::uint32_t> numbers = workspace.bins.list_of(i);
-  draw_counts counts = find_visible_plainly<Order, Test>(pixels, depth, numbers, find, w);
-  counts.shaded = finish(visible_window{pixels.place.data(), pixels.key.data(), 1.0f, numbers, w}, find);
-  return counts;
-}
+// The z-buffer, and drawing in the order given: what a tile shows by comparing depths.
+template <class Order, tile_test Test>
+struct zbuffer_tiles {
+  using order = Order;
 
-// All tiles. What becomes of a tile is finish's affair; finish.clear(window) is asked for where no triangle is.
-template <class Order, tile_test Test, class T, class Depth, class Finish, class E>
-constexpr render_stats draw_tiles(Depth& depth, const tile_job<T>& job, draw_workspace& workspace, const Finish& finish,
+  // Tile i, which has a list: what is seen, and then finish(visible_window, finder), which says how many pixels it was.
+  template <class T, class Depth, class Finish>
+  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) const {
+    const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
+#ifdef IRG_LANES_VECTOR
+    if constexpr (key_sign<Order> != 0)
+      if (!std::is_constant_evaluated()) return in_lanes(depth, job, i, finish);
+#endif
+    if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
+    visible_pixels pixels(w);
+    const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    draw_counts counts = find_visible_plainly<Order, Test>(pixels, depth, numbers, job.finder(), w);
+    counts.shaded = finish(visible_window{pixels.place.data(), pixels.key.data(), 1.0f, numbers, w}, job.finder());
+    return counts;
+  }
+
+#ifdef IRG_LANES_VECTOR
+private:
+  template <class T, class Depth, class Finish>
+  static draw_counts in_lanes(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) {
+    drawn_tile d;
+    draw_counts counts = find_visible<Order, Test>(d, depth, job, i);
+    const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
+    counts.shaded = finish(visible_window{d.t.id, d.t.key, key_sign<Order>, d.numbers, w}, job.finder());
+    return counts;
+  }
+#endif
+};
+
+// The z-buffer where it matters which triangle is seen.
+template <class Order>
+using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ? tile_test::always : tile_test::nearer>;
+
+// All tiles. What is seen is the method's affair, what becomes of it finish's; finish.clear(window) is asked for where
+// no triangle is.
+template <class T, class Method, class Depth, class Finish, class E>
+constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job, const Finish& finish,
                                   const E& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
-  triangle_bins& bins = workspace.bins;
+  triangle_bins& bins = job.workspace.bins;
   bin_triangles(bins, job.batches, job.mapping, grid, job.culling, job.skip, executor);
-  workspace.seen.assign(bins.triangle_count, 0);
+  job.workspace.seen.assign(bins.triangle_count, 0);
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {
     if (!bins.list_of(i).empty()) {
-      done[i] = draw_tile<Order, Test>(depth, job, workspace, i, finish);
+      done[i] = method(depth, job, i, finish);
     } else if (job.clear == clearing::before_drawing) {
       const cell_window w = empty_tiles(bins, grid, i);
       finish.clear(w);
-      if (job.depth == depth_result::kept) clear_window(depth, w, Order::farthest);
+      if (job.depth == depth_result::kept) clear_window(depth, w, Method::order::farthest);
     }
   });
   render_stats stats;
   for (const draw_counts& c : done) stats.pixels += c;
   stats.drawn = stats.pixels.shaded;
-  add_skips(stats, bins, workspace.seen, job.skip);
+  add_skips(stats, bins, job.workspace.seen, job.skip);
   return stats;
 }
 
