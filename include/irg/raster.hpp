@@ -41,6 +41,7 @@
 #include <irg/raster/paint.hpp>
 #include <irg/raster/pixel_weights.hpp>
 #include <irg/raster/projected_vertices.hpp>
+#include <irg/raster/screen_face.hpp>
 #include <irg/raster/screen_mapping.hpp>
 #include <irg/raster/screen_vertex.hpp>
 #include <irg/raster/seed_fill.hpp>

@@ -13,7 +13,9 @@
 #include <irg/render/options.hpp>
 #include <irg/render/prepared_scene.hpp>
 #include <irg/render/render.hpp>
+#include <irg/render/shade_visible.hpp>
 #include <irg/render/textured_shading.hpp>
 #include <irg/render/visibility_buffer.hpp>
 #include <irg/render/weight_derivatives.hpp>
+#include <irg/render/window_faces.hpp>
 #include <irg/render/wireframe.hpp>

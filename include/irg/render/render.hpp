@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <irg/mesh/validate.hpp>
+#include <irg/render/detail/method_tiles.hpp>
 #include <irg/render/detail/object_selection.hpp>
 #include <irg/render/detail/styled_drawing.hpp>
 #include <irg/render/wireframe.hpp>
@@ -151,6 +152,28 @@ constexpr render_stats render(const scene<T>& world, Colour& colour, Depth& dept
   draw_workspace workspace;
   return detail::draw_picture<T>({world, width_of(colour), height_of(colour), options, colours}, objects, workspace,
                                  detail::picture_run{colour, depth, executor, observer});
+}
+
+/// As above, with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as ever.
+/// gives   what the method finds. Nothing is left out because something else hides it, `options.hidden` has no say, and
+///         edges are not faces: `wire` is drawn as `flat`
+/// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer
+template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E = sequential>
+  requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
+constexpr render_stats render(const Method& method, const scene<T>& world, Colour& colour, Depth& depth,
+                              render_options options = {}, const E& executor = {}) {
+  const int width = width_of(colour), height = height_of(colour);
+  if (width == 0 || height == 0) return {};
+  options.skip.occluded = skipping::off;
+  if (options.style == picture_style::wire) options.style = picture_style::flat;
+  image<std::uint32_t> ids(width, height, no_face);
+  detail::objects_to_prepare<T> objects(world.objects);
+  draw_workspace workspace;
+  const picture_colours colours;
+  no_observer observer;
+  return detail::draw_filled(detail::method_tiles<nearer_is_greater, Method>{method, ids},
+                             detail::picture_frame<T>(world, width, height, options, colours), objects, workspace,
+                             detail::picture_run{colour, depth, executor, observer});
 }
 
 /// As above, of a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// shade_visible: ids become colours. Whoever found out which face each pixel shows, it is coloured once, by the same
+// shading as everything else.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <irg/render/detail/method_tiles.hpp>
+#include <irg/render/draw_triangles.hpp>
+
+namespace irg {
+namespace detail {
+
+// Finds nothing: the ids are there.
+struct ids_as_they_are {
+  template <class T>
+  constexpr void operator()(const window_faces<T>&, const cell_window&, image<std::uint32_t>&,
+                            draw_counts&) const noexcept {}
+};
+
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Colours a picture from the numbers of the triangles that its pixels show, and returns what it did.
+/// shape   colour, depth and ids have one size; batches and make_shader as for draw_batches
+/// needs   batches projected with `mapping`
+/// gives   the depths of what is seen too; pixels whose id is no_face, or names a face that does not cover the pixel, is
+///         culled or is not there, show the background, or keep what they have where nothing is cleared
+/// exact   with the ids of draw_visibility the bytes of draw_batches; the same for every executor
+/// cost    the triangles are culled and listed once more; then each pixel once
+template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
+          Executor E = sequential>
+  requires std::same_as<pixel_of<Depth>, float>
+constexpr render_stats shade_visible(Colour& colour, Depth& depth, image<std::uint32_t>& ids,
+                                     std::type_identity_t<std::span<const triangle_batch<T>>> batches,
+                                     const screen_mapping<T>& mapping, const MakeShader& make_shader,
+                                     const draw_settings<pixel_of<Colour>>& settings, draw_workspace& workspace,
+                                     const E& executor = {}) {
+  const detail::ids_as_they_are method{};
+  return detail::draw_coloured<T>(
+      detail::method_tiles<Order, detail::ids_as_they_are>{method, ids}, colour, depth,
+      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth}, make_shader,
+      settings.background, executor);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
