@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // 09_shader - pixels by a function of one's own: a torus whose chequers are computed, not painted: shader.png, or the
 // file named on the command line.
-// previous: 08_teapot
+// previous: 08_teapot, next: 10_renderer
 #include <array>
 #include <cstdio>
 #include <vector>

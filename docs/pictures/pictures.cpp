@@ -142,6 +142,48 @@ void prepared() {
   save("prepared_scene", all);
 }
 
+// Three triangles through each other, each a little in front of the others somewhere: ids, and colours.
+void methods() {
+  constexpr int width = 300, height = 220;
+  irg::mesh<double> m;
+  for (int i = 0; i < 3; ++i) {
+    const auto turn = irg::rotation_z(irg::radians(120.0 * i)) * irg::rotation_x(irg::radians(28.0));
+    for (const auto& p : {irg::point<double, 3>{-1.5, -0.55, 0}, {1.5, -0.55, 0}, {0.3, 1.1, 0}})
+      m.positions.push_back(irg::transform_point(turn, p));
+    irg::add_face(m, std::vector<int>{3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  irg::scene<double> s;
+  s.objects.push_back({m});
+  s.objects[0].surface = {{0.10, 0.20, 0.30}, {0.25, 0.50, 0.75}, {}, 1.0};
+  s.lights = {{{-0.4, 1.0, 0.7, 0.0}, {1.0, 1.0, 1.0}}};
+  s.ambient = {0.5, 0.5, 0.5};
+  s.view.eye = {0, -0.1, 4.6};
+  picture all(2 * width, height), one(width, height);
+  irg::image<float> z(width, height);
+  irg::image<std::uint32_t> kept(width, height, irg::no_face);
+  const auto nearest = [&](const auto& faces, const irg::cell_window& w, irg::image<std::uint32_t>& ids,
+                           irg::draw_counts&) {
+    for (int y = w.y_first; y < w.y_last; ++y)
+      for (int x = w.x_first; x < w.x_last; ++x) {
+        float depth = 0;
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+          const irg::screen_face f = faces[i];
+          if (!irg::covers(f.on_screen.coverage, x, y) || !(depth < irg::depth_at(f.on_screen.setup, x, y))) continue;
+          depth = irg::depth_at(f.on_screen.setup, x, y);
+          ids(x, y) = kept(x, y) = f.number;
+        }
+      }
+  };
+  irg::render(nearest, s, one, z, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
+  constexpr irg::rgba8 of_face[3] = {{200, 80, 60, 255}, {70, 150, 90, 255}, {60, 100, 180, 255}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      all(x, y) = kept(x, y) == irg::no_face ? irg::picture_colours{}.background : of_face[kept(x, y)];
+      all(width + x, y) = one(x, y);
+    }
+  save("hidden_surface_methods", all);
+}
+
 void teapots() {
   const vec3 from{0.6, 0.6, 1.6};
   save("teapot", render(scene_of(irg::shape_teapot<double>({.subdivisions = 16}), from, 800, 520, 1.18), 800, 520,
@@ -298,6 +340,7 @@ int main(int argc, char** argv) {
   depth();
   teapots();
   prepared();
+  methods();
   shading();
   materials();
   shapes();

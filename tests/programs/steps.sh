@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The steps 01 to 09 and their command lines; and -h of every program.
+# The steps 01 to 11 and their command lines; and -h of every program.
 # shellcheck disable=SC2154 # status, out, err and program come from programs.sh
 . "$(dirname "$0")/../support/programs.sh" 01_pixel "$@"
 folder=$(dirname "$program")
@@ -23,9 +23,9 @@ for program in "$folder"/[0-9][0-9]_*; do
   fails "$name: words too many" "" one.png two.png
   check "$name: the word is named: $err" has "$err" "unexpected word"
 done
-check "there are nine steps, not $steps" is $steps 9
+check "there are eleven steps, not $steps" is $steps 11
 
-for name in 08_teapot 09_shader; do
+for name in 08_teapot 09_shader 10_renderer 11_own_method; do
   program=$folder/$name
   fails "$name: a folder that is not there" "" missing/picture.png
   check "$name: the file is named, without a position: $err" ends "$err" ": missing/picture.png"
