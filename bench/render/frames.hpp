@@ -65,8 +65,8 @@ struct frame_contest {
 
   void enter(int threads, contender who) const;
   /// Who is judged by a verdict. irg must not have a wrong pixel, nor a larger error than `most`.
-  void enter_judged(int threads, contender who, std::function<verdict()> judge, std::function<std::string()> note = {},
-                    double most = 0) const;
+  void enter_judged(int threads, contender who, std::function<verdict()> judge,
+                    std::function<std::string()> note = {}) const;
 };
 
 /// irg drawing whole frames in colour. IRG_BENCH_PICTURES names a folder that gets the pictures.

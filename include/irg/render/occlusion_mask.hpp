@@ -5,12 +5,16 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include <irg/core/executor.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/raster/image.hpp>
 #include <irg/render/detail/mask_query.hpp>
+#include <irg/render/detail/scratch_portion.hpp>
+#include <irg/render/draw_depth.hpp>
 
 namespace irg {
 
@@ -35,53 +39,58 @@ struct occlusion_counts {
   constexpr bool operator==(const occlusion_counts&) const = default;
 };
 
-/// Depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile. Coverage is exact;
-/// depths are not nearer than those of draw_batches.
+/// The depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile.
 /// shape   width x height pixels, each at the farthest depth at first
 /// needs   1 <= width, height <= 65536 when anything is drawn
-/// exact   the same answers for every executor, compiler and instruction set
+/// exact   depths equal to those of draw_batches; the same answers for every executor, compiler and instruction set
 template <DepthOrder Order = nearer_is_greater>
   requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
 class occlusion_mask {
 public:
   occlusion_mask() = default;
-  IRG_INLINE constexpr occlusion_mask(int width, int height) : tiles_(width, height) {
-    const std::size_t tiles = tiles_.count();
-    cells_.resize(tiles * detail::mask_cells_across * detail::mask_cells_down, detail::mask_cell{});
-    far_.resize(tiles * 64, 0.0f);
-    tile_far_.resize(tiles, 0.0f);
-    stale_.resize(tiles, 0);
-    touched_.resize(tiles, 0);
+  IRG_INLINE constexpr occlusion_mask(int width, int height)
+      : grid_(width, height), pixels_(grid_.across * tile, grid_.down * tile, beyond),
+        blocks_(grid_.across * block, grid_.down * block, beyond), tiles_(grid_.across, grid_.down, beyond),
+        touched_(grid_.count(), 1) {
+    clear();
   }
 
-  IRG_INLINE constexpr int width() const noexcept { return tiles_.width; }
-  IRG_INLINE constexpr int height() const noexcept { return tiles_.height; }
+  IRG_INLINE constexpr int width() const noexcept { return grid_.width; }
+  IRG_INLINE constexpr int height() const noexcept { return grid_.height; }
 
   /// Forgets all occluders.
-  /// cost    one byte for each tile: pixels are cleared when a tile is first drawn to
-  IRG_INLINE constexpr void clear() noexcept {
-    for (std::uint8_t& t : touched_) t = 0;
+  /// cost    the pixels of the tiles that were drawn to
+  constexpr void clear() noexcept {
+    for (std::size_t i = 0; i < grid_.count(); ++i) {
+      if (touched_[i] == 0) continue;
+      touched_[i] = 0;
+      const cell_window w = grid_.window(i);
+      detail::clear_window(pixels_, w, Order::farthest);
+      detail::clear_window(blocks_, detail::squares_of(w, block), Order::farthest);
+      detail::clear_window(tiles_, detail::squares_of(w, tile), Order::farthest);
+    }
   }
 
   /// Draws occluders.
   /// needs   vertices projected with `mapping`, a mapping onto this mask's size
   /// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
-  /// cost    each triangle once; nothing is sorted or listed on one thread
+  /// cost    that of draw_depth, then the pixels of the tiles that the occluders' boxes touch
   template <Floating T, Executor E = sequential>
-  IRG_INLINE constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches,
-                                            const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
-                                            const E& executor = {}) {
-    const detail::mask_draw_result r = detail::draw_mask<T>(memory(), batches, mapping, culling, bins_, executor);
-    occluder_counts counts{0, r.skipped, r.listed};
-    for (const triangle_batch<T>& b : batches) counts.triangles += static_cast<std::int64_t>(b.triangles.size());
-    return counts;
+  constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches, const screen_mapping<T>& mapping,
+                                 face_culling culling = face_culling::back, const E& executor = {}) {
+    image_view<float> depths(pixels_.data(), width(), height(), pixels_.bytes_per_row());
+    draw_depth<Order, T>(depths, batches, mapping, {culling}, workspace_, executor);
+    const detail::triangle_bins& bins = workspace_.bins;
+    executor(grid_.count(), [&](std::size_t i) {
+      if (!bins.list_of(i).empty()) find_farthest(i);
+    });
+    return {static_cast<std::int64_t>(bins.triangle_count), bins.skipped, bins.listed};
   }
   /// Draws the triangles of one occluder.
   template <Floating T, Executor E = sequential>
-  IRG_INLINE constexpr occluder_counts draw(const projected_vertices<T>& vertices,
-                                            std::span<const triangle_indices> triangles,
-                                            const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
-                                            const E& executor = {}) {
+  constexpr occluder_counts draw(const projected_vertices<T>& vertices, std::span<const triangle_indices> triangles,
+                                 const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
+                                 const E& executor = {}) {
     const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
     return draw<T>(std::span<const triangle_batch<T>>(batch), mapping, culling, executor);
   }
@@ -94,16 +103,19 @@ public:
   template <Floating T>
   IRG_INLINE constexpr occlusion test(const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
                                       occlusion_counts* counts = nullptr) const noexcept {
-    const detail::mask_rectangle r = detail::project_box(bounds, to_clip, width(), height(), detail::key_sign<Order>);
-    if (r.where == detail::mask_place::outside) return count(occlusion::outside, counts);
-    if (r.where == detail::mask_place::before_the_eye) return count(occlusion::visible, counts);
-    return test_key(r.pixels, r.key, counts);
+    constexpr float sign = detail::key_sign<Order>;
+    const detail::mask_rectangle r = detail::project_box(bounds, to_clip, width(), height(), sign);
+    if (r.where == detail::mask_place::outside) return count(occlusion::outside, {}, counts);
+    if (r.where == detail::mask_place::before_the_eye) return count(occlusion::visible, {}, counts);
+    return test(r.pixels, product(r.key, sign), counts);
   }
 
   /// Whether something in a rectangle of pixels, nowhere nearer than `nearest`, could be seen.
   IRG_INLINE constexpr occlusion test(const cell_window& pixels, float nearest,
                                       occlusion_counts* counts = nullptr) const noexcept {
-    return test_key(pixels, nearest * detail::key_sign<Order>, counts);
+    occlusion_counts work;
+    const occlusion answer = test_rectangle(pixels, nearest, work);
+    return count(answer, work, counts);
   }
 
   /// Whether triangles could be seen.
@@ -111,15 +123,19 @@ public:
   /// gives   triangles that name a vertex that is not there are left out
   /// cost    each triangle as a rectangle first, then as far as it is undecided by its pixels
   template <Floating T>
-  IRG_INLINE constexpr occlusion test(const projected_vertices<T>& vertices,
-                                      std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
-                                      face_culling culling = face_culling::back,
-                                      occlusion_counts* counts = nullptr) const {
-    detail::mask_query_counts work;
+  constexpr occlusion test(const projected_vertices<T>& vertices, std::span<const triangle_indices> triangles,
+                           const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
+                           occlusion_counts* counts = nullptr) const {
+    occlusion_counts work;
     const triangle_batch<T> batch{&vertices, triangles, 0};
-    const detail::mask_answer a = detail::test_mask_triangles<T>(memory(), batch, mapping, culling, work);
-    add(work, counts);
-    return count(static_cast<occlusion>(a), counts);
+    detail::bin_portion scratch = detail::scratch_portion(grid_);
+    occlusion answer = occlusion::outside;
+    for (std::uint32_t i = 0; i < triangles.size() && answer != occlusion::visible; ++i)
+      detail::list_and_draw(scratch, batch, i, mapping, grid_, culling, [&](const detail::triangle_corners& c) {
+        const occlusion one = test_triangle(c, work);
+        if (one == occlusion::visible || answer == occlusion::outside) answer = one;
+      });
+    return count(answer, work, counts);
   }
 
   /// Whether something could be seen: not occluded, and not outside.
@@ -130,64 +146,91 @@ public:
     return test(arguments...) == occlusion::visible;
   }
 
-  /// The mask's depth at a pixel: what draw_batches leaves there, or a little farther.
+  /// The mask's depth at a pixel: what draw_batches leaves there.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float depth(int x, int y) const noexcept {
-    const detail::mask_target m = memory();
-    const bool touched = m.touched[m.tile_at(x / detail::tile_size, y / detail::tile_size)] != 0;
-    return touched ? m.pixel(x, y) * m.sign + 0.0f : Order::farthest;
-  }
+  IRG_INLINE constexpr float depth(int x, int y) const noexcept { return pixels_(x, y); }
   /// The farthest depth in the block of 8 x 8 pixels that holds a pixel.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float block_depth(int x, int y) const noexcept {
-    const detail::mask_target m = memory();
-    const bool touched = m.touched[m.tile_at(x / detail::tile_size, y / detail::tile_size)] != 0;
-    return touched ? m.block_far(x / detail::block_size, y / detail::block_size) * m.sign + 0.0f : Order::farthest;
-  }
+  IRG_INLINE constexpr float block_depth(int x, int y) const noexcept { return blocks_(x / block, y / block); }
 
 private:
-  IRG_INLINE constexpr occlusion test_key(const cell_window& pixels, float key,
-                                          occlusion_counts* counts) const noexcept {
-    detail::mask_query_counts work;
-    const detail::mask_answer a = detail::test_mask(memory(), pixels, key, work);
-    add(work, counts);
-    return count(static_cast<occlusion>(a), counts);
+  static constexpr int block = detail::block_size, tile = detail::tile_size;  // a tile has block x block blocks
+  // What the pixels beyond the picture hold: they are never the farthest.
+  static constexpr float beyond = std::numeric_limits<float>::infinity() * detail::key_sign<Order>;
+
+  // The farthest of 8 x 8 depths from the first one on.
+  IRG_INLINE static constexpr float farthest_of(const image<float>& depths, int x_first, int y_first) noexcept {
+    float farthest[block];
+    for (float& f : farthest) f = beyond;
+    for (int y = y_first; y < y_first + block; ++y) {
+      const float* row = depths.row(y) + x_first;
+      for (int k = 0; k < block; ++k) farthest[k] = Order::nearer(farthest[k], row[k]) ? row[k] : farthest[k];
+    }
+    for (const float f : farthest) farthest[0] = Order::nearer(farthest[0], f) ? f : farthest[0];
+    return farthest[0];
   }
-  IRG_INLINE static constexpr occlusion count(occlusion answer, occlusion_counts* counts) noexcept {
-    if (counts != nullptr)
-      ++(answer == occlusion::visible    ? counts->visible
-         : answer == occlusion::occluded ? counts->occluded
-                                         : counts->outside);
-    return answer;
+  // Those of a tile and its blocks, once it is drawn.
+  constexpr void find_farthest(std::size_t i) noexcept {
+    touched_[i] = 1;
+    detail::any_square(grid_.window(i), block, [&](const cell_window&, int x, int y) {
+      blocks_(x, y) = farthest_of(pixels_, x * block, y * block);
+      return false;
+    });
+    const int x = static_cast<int>(i) % grid_.across, y = static_cast<int>(i) / grid_.across;
+    tiles_(x, y) = farthest_of(blocks_, x * block, y * block);
   }
-  IRG_INLINE static constexpr void add(const detail::mask_query_counts& work, occlusion_counts* counts) noexcept {
-    if (counts == nullptr) return;
+
+  IRG_INLINE constexpr occlusion test_rectangle(const cell_window& pixels, float nearest,
+                                                occlusion_counts& work) const noexcept {
+    const cell_window w = intersect(pixels, {0, 0, width(), height()});
+    if (w.empty()) return occlusion::outside;
+    if (!(nearest == nearest)) return occlusion::visible;
+    const auto shows_in = [&](const image<float>& farthest, std::int64_t& compared, int x, int y) {
+      ++compared;
+      return Order::nearer(nearest, farthest(x, y));
+    };
+    const bool seen = detail::any_square(w, tile, [&](const cell_window& in_tile, int tx, int ty) {
+      return shows_in(tiles_, work.tiles, tx, ty) &&
+             detail::any_square(in_tile, block, [&](const cell_window& in_block, int bx, int by) {
+               return shows_in(blocks_, work.blocks, bx, by) &&
+                      detail::any_square(in_block, 1, [&](const cell_window&, int x, int y) {
+                        return shows_in(pixels_, work.pixels, x, y);
+                      });
+             });
+    });
+    return seen ? occlusion::visible : occlusion::occluded;
+  }
+  constexpr occlusion test_triangle(const detail::triangle_corners& c, occlusion_counts& work) const {
+    const auto& [v0, v1, v2] = c.v;
+    const auto nearer_of = [](float a, float b) { return Order::nearer(a, b) ? a : b; };
+    const occlusion rectangle = test_rectangle(detail::centres_within(v0->position, v1->position, v2->position),
+                                               nearer_of(nearer_of(v0->depth, v1->depth), v2->depth), work);
+    if (rectangle != occlusion::visible) return rectangle;
+    bool any = false, seen = false;
+    detail::covered_depths(c, {0, 0, width(), height()}, [&](int x, int y, float depth) {
+      any = true;
+      if (seen) return;
+      ++work.pixels;
+      seen = Order::nearer(depth, pixels_(x, y));
+    });
+    return seen ? occlusion::visible : any ? occlusion::occluded : occlusion::outside;
+  }
+  IRG_INLINE static constexpr occlusion count(occlusion answer, const occlusion_counts& work,
+                                              occlusion_counts* counts) noexcept {
+    if (counts == nullptr) return answer;
+    counts->visible += answer == occlusion::visible;
+    counts->occluded += answer == occlusion::occluded;
+    counts->outside += answer == occlusion::outside;
     counts->tiles += work.tiles;
     counts->blocks += work.blocks;
     counts->pixels += work.pixels;
-  }
-  // Queries take the same view of the memory as drawing, and write nothing.
-  IRG_INLINE constexpr detail::mask_target memory() const noexcept {
-    constexpr float sign = detail::key_sign<Order>;
-    return {tiles_.width,
-            tiles_.height,
-            tiles_.across,
-            tiles_.down,
-            sign,
-            Order::farthest * sign,
-            const_cast<detail::mask_cell*>(cells_.data()),
-            const_cast<float*>(far_.data()),
-            const_cast<float*>(tile_far_.data()),
-            const_cast<std::uint64_t*>(stale_.data()),
-            const_cast<std::uint8_t*>(touched_.data())};
+    return answer;
   }
 
-  detail::picture_tiles tiles_{0, 0};
-  std::vector<detail::mask_cell> cells_;
-  std::vector<float> far_, tile_far_;
-  std::vector<std::uint64_t> stale_;
-  std::vector<std::uint8_t> touched_;
-  detail::triangle_bins bins_;  // lists of tiles, for several threads
+  detail::picture_tiles grid_{0, 0};
+  image<float> pixels_, blocks_, tiles_;  // depths, and the farthest of each block and tile
+  std::vector<std::uint8_t> touched_;  // by tile: whether it may differ from an empty one
+  draw_workspace workspace_;
 };
 
 }  // namespace irg

@@ -18,27 +18,18 @@ struct no_numbers {};
 
 inline namespace IRG_ABI {
 
-// Covered pixels of a tile, one by one: those nearer than `depth` are written there, and told to write(x, y).
-template <class Order, class Depth, class Write>
-constexpr std::int64_t draw_depths_plainly(Depth& depth, const triangle_corners& c, const cell_window& window,
-                                           const Write& write) {
+// The pixels of a window that a triangle covers, one by one: emit(x, y, depth).
+template <class Emit>
+constexpr void covered_depths(const triangle_corners& c, const cell_window& window, const Emit& emit) {
   const triangle_coverage coverage = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
-  if (coverage.double_area == 0) return 0;
+  if (coverage.double_area == 0) return;
   const triangle_setup s = set_up(coverage, *c.v[0], *c.v[1], *c.v[2]);
-  std::int64_t tested = 0;
   covered_spans(coverage, window, [&](const span_of_cells& span) {
-    float* row = raster_traits<Depth>::row(depth, span.y);
-    tested += span.x_last - span.x_first;
-    for (int x = span.x_first; x < span.x_last; ++x) {
-      const float here =
-          depth_at<float>(s.edge[0](x, span.y), s.edge[1](x, span.y), s.edge[2](x, span.y), s.depth_gain[0],
-                          s.depth_gain[1], s.depth_gain[2], s.depth_rest, s.depth_low, s.depth_high);
-      if (!Order::nearer(here, row[x])) continue;
-      row[x] = here;
-      write(x, span.y);
-    }
+    for (int x = span.x_first; x < span.x_last; ++x)
+      emit(x, span.y,
+           depth_at<float>(s.edge[0](x, span.y), s.edge[1](x, span.y), s.edge[2](x, span.y), s.depth_gain[0],
+                           s.depth_gain[1], s.depth_gain[2], s.depth_rest, s.depth_low, s.depth_high));
   });
-  return tested;
 }
 
 template <class Order, class T, class Ids, class Depth>
@@ -46,7 +37,11 @@ constexpr draw_counts draw_target_plainly(Ids& ids, Depth& depth, std::span<cons
                                           const triangle_finder<T>& find, const cell_window& window) {
   draw_counts counts;
   for (const std::uint32_t number : numbers)
-    counts.tested += draw_depths_plainly<Order>(depth, find.corners(number), window, [&](int x, int y) {
+    covered_depths(find.corners(number), window, [&](int x, int y, float here) {
+      float& stored = raster_traits<Depth>::row(depth, y)[x];
+      ++counts.tested;
+      if (!Order::nearer(here, stored)) return;
+      stored = here;
       if constexpr (!std::same_as<Ids, const no_numbers>) set_pixel(ids, x, y, find.source(number));
     });
   return counts;
