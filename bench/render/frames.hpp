@@ -64,7 +64,7 @@ struct frame_contest {
   double allowed = 0;  // how large irg's error may be
 
   void enter(int threads, contender who) const;
-  /// Who is judged by a verdict. irg must not have a wrong pixel, nor a larger error than `most`.
+  /// Who is judged by a verdict. irg must not have a wrong pixel, nor a larger error than `allowed`.
   void enter_judged(int threads, contender who, std::function<verdict()> judge,
                     std::function<std::string()> note = {}) const;
 };

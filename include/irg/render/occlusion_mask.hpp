@@ -49,40 +49,36 @@ class occlusion_mask {
 public:
   occlusion_mask() = default;
   IRG_INLINE constexpr occlusion_mask(int width, int height)
-      : grid_(width, height), pixels_(grid_.across * tile, grid_.down * tile, beyond),
-        blocks_(grid_.across * block, grid_.down * block, beyond), tiles_(grid_.across, grid_.down, beyond),
-        touched_(grid_.count(), 1) {
-    clear();
-  }
+      : grid_(width, height), pixels_(width, height), farthest_(grid_.count(), detail::farthest_keys{}),
+        touched_(grid_.count(), 0) {}
 
   IRG_INLINE constexpr int width() const noexcept { return grid_.width; }
   IRG_INLINE constexpr int height() const noexcept { return grid_.height; }
 
   /// Forgets all occluders.
-  /// cost    the pixels of the tiles that were drawn to
-  constexpr void clear() noexcept {
-    for (std::size_t i = 0; i < grid_.count(); ++i) {
-      if (touched_[i] == 0) continue;
-      touched_[i] = 0;
-      const cell_window w = grid_.window(i);
-      detail::clear_window(pixels_, w, Order::farthest);
-      detail::clear_window(blocks_, detail::squares_of(w, block), Order::farthest);
-      detail::clear_window(tiles_, detail::squares_of(w, tile), Order::farthest);
-    }
+  /// cost    one byte for each tile: pixels are cleared when a tile is first drawn to
+  IRG_INLINE constexpr void clear() noexcept {
+    for (std::uint8_t& t : touched_) t = 0;
   }
 
   /// Draws occluders.
   /// needs   vertices projected with `mapping`, a mapping onto this mask's size
   /// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
-  /// cost    that of draw_depth, then the pixels of the tiles that the occluders' boxes touch
+  /// cost    that of draw_depth, and the farthest depths of the tiles that the occluders' boxes touch
   template <Floating T, Executor E = sequential>
   constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches, const screen_mapping<T>& mapping,
                                  face_culling culling = face_culling::back, const E& executor = {}) {
-    image_view<float> depths(pixels_.data(), width(), height(), pixels_.bytes_per_row());
-    draw_depth<Order, T>(depths, batches, mapping, {culling}, workspace_, executor);
-    const detail::triangle_bins& bins = workspace_.bins;
+    auto& [bins, seen] = workspace_;
+    detail::bin_triangles(bins, batches, mapping, grid_, culling, skip_options{}, executor);
+    seen.assign(bins.triangle_count, 0);
+    const detail::triangle_finder<T> find{batches, &bins};
     executor(grid_.count(), [&](std::size_t i) {
-      if (!bins.list_of(i).empty()) find_farthest(i);
+      if (bins.list_of(i).empty()) return;
+      const detail::no_numbers none{};
+      detail::draw_target_tile<Order>(none, pixels_, find, i, grid_.window(i), skip_options{},
+                                      touched_[i] == 0 ? clearing::before_drawing : clearing::none, seen.data(),
+                                      &farthest_[i]);
+      touched_[i] = 1;
     });
     return {static_cast<std::int64_t>(bins.triangle_count), bins.skipped, bins.listed};
   }
@@ -103,7 +99,6 @@ public:
   template <Floating T>
   IRG_INLINE constexpr occlusion test(const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
                                       occlusion_counts* counts = nullptr) const noexcept {
-    constexpr float sign = detail::key_sign<Order>;
     const detail::mask_rectangle r = detail::project_box(bounds, to_clip, width(), height(), sign);
     if (r.where == detail::mask_place::outside) return count(occlusion::outside, {}, counts);
     if (r.where == detail::mask_place::before_the_eye) return count(occlusion::visible, {}, counts);
@@ -148,55 +143,46 @@ public:
 
   /// The mask's depth at a pixel: what draw_batches leaves there.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float depth(int x, int y) const noexcept { return pixels_(x, y); }
+  IRG_INLINE constexpr float depth(int x, int y) const noexcept {
+    return touched_[tile_of(x, y)] != 0 ? pixels_(x, y) : Order::farthest;
+  }
   /// The farthest depth in the block of 8 x 8 pixels that holds a pixel.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float block_depth(int x, int y) const noexcept { return blocks_(x / block, y / block); }
+  IRG_INLINE constexpr float block_depth(int x, int y) const noexcept {
+    const std::size_t i = tile_of(x, y);
+    return touched_[i] != 0 ? farthest_[i].block[block_of(x / block, y / block)] * sign + 0.0f : Order::farthest;
+  }
 
 private:
-  static constexpr int block = detail::block_size, tile = detail::tile_size;  // a tile has block x block blocks
-  // What the pixels beyond the picture hold: they are never the farthest.
-  static constexpr float beyond = std::numeric_limits<float>::infinity() * detail::key_sign<Order>;
+  static constexpr int block = detail::block_size, tile = detail::tile_size;
+  static constexpr float sign = detail::key_sign<Order>;
 
-  // The farthest of 8 x 8 depths from the first one on.
-  IRG_INLINE static constexpr float farthest_of(const image<float>& depths, int x_first, int y_first) noexcept {
-    float farthest[block];
-    for (float& f : farthest) f = beyond;
-    for (int y = y_first; y < y_first + block; ++y) {
-      const float* row = depths.row(y) + x_first;
-      for (int k = 0; k < block; ++k) farthest[k] = Order::nearer(farthest[k], row[k]) ? row[k] : farthest[k];
-    }
-    for (const float f : farthest) farthest[0] = Order::nearer(farthest[0], f) ? f : farthest[0];
-    return farthest[0];
+  IRG_INLINE constexpr std::size_t tile_of(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y / tile * grid_.across + x / tile);
   }
-  // Those of a tile and its blocks, once it is drawn.
-  constexpr void find_farthest(std::size_t i) noexcept {
-    touched_[i] = 1;
-    detail::any_square(grid_.window(i), block, [&](const cell_window&, int x, int y) {
-      blocks_(x, y) = farthest_of(pixels_, x * block, y * block);
-      return false;
-    });
-    const int x = static_cast<int>(i) % grid_.across, y = static_cast<int>(i) / grid_.across;
-    tiles_(x, y) = farthest_of(blocks_, x * block, y * block);
+  // Where in its tile the block in a column and row of blocks is.
+  IRG_INLINE static constexpr int block_of(int column, int row) noexcept {
+    return row % detail::blocks_across * detail::blocks_across + column % detail::blocks_across;
   }
-
   IRG_INLINE constexpr occlusion test_rectangle(const cell_window& pixels, float nearest,
                                                 occlusion_counts& work) const noexcept {
     const cell_window w = intersect(pixels, {0, 0, width(), height()});
     if (w.empty()) return occlusion::outside;
     if (!(nearest == nearest)) return occlusion::visible;
-    const auto shows_in = [&](const image<float>& farthest, std::int64_t& compared, int x, int y) {
-      ++compared;
-      return Order::nearer(nearest, farthest(x, y));
-    };
-    const bool seen = detail::any_square(w, tile, [&](const cell_window& in_tile, int tx, int ty) {
-      return shows_in(tiles_, work.tiles, tx, ty) &&
-             detail::any_square(in_tile, block, [&](const cell_window& in_block, int bx, int by) {
-               return shows_in(blocks_, work.blocks, bx, by) &&
-                      detail::any_square(in_block, 1, [&](const cell_window&, int x, int y) {
-                        return shows_in(pixels_, work.pixels, x, y);
-                      });
-             });
+    const float key = product(nearest, sign);
+    const bool seen = detail::any_square(w, tile, [&](const cell_window& in_tile, int, int) {
+      const std::size_t i = tile_of(in_tile.x_first, in_tile.y_first);
+      ++work.tiles;
+      if (touched_[i] == 0) return Order::nearer(nearest, Order::farthest);
+      if (key <= farthest_[i].tile) return false;
+      return detail::any_square(in_tile, block, [&](const cell_window& in_block, int bx, int by) {
+        ++work.blocks;
+        if (key <= farthest_[i].block[block_of(bx, by)]) return false;
+        return detail::any_square(in_block, 1, [&](const cell_window&, int x, int y) {
+          ++work.pixels;
+          return Order::nearer(nearest, pixels_(x, y));
+        });
+      });
     });
     return seen ? occlusion::visible : occlusion::occluded;
   }
@@ -211,7 +197,7 @@ private:
       any = true;
       if (seen) return;
       ++work.pixels;
-      seen = Order::nearer(depth, pixels_(x, y));
+      seen = Order::nearer(depth, this->depth(x, y));
     });
     return seen ? occlusion::visible : any ? occlusion::occluded : occlusion::outside;
   }
@@ -228,8 +214,9 @@ private:
   }
 
   detail::picture_tiles grid_{0, 0};
-  image<float> pixels_, blocks_, tiles_;  // depths, and the farthest of each block and tile
-  std::vector<std::uint8_t> touched_;  // by tile: whether it may differ from an empty one
+  image<float> pixels_;  // of no account in tiles that are not touched, as `farthest_`
+  std::vector<detail::farthest_keys> farthest_;  // by tile
+  std::vector<std::uint8_t> touched_;  // by tile
   draw_workspace workspace_;
 };
 

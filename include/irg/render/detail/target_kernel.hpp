@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,12 @@ namespace detail {
 
 // Stands in for a raster of numbers where none is wanted.
 struct no_numbers {};
+
+// The farthest key of a tile, and of each of its blocks; blocks beyond the picture never hold it.
+struct farthest_keys {
+  float tile;
+  float block[blocks_across * blocks_across];
+};
 
 inline namespace IRG_ABI {
 
@@ -47,6 +54,21 @@ constexpr draw_counts draw_target_plainly(Ids& ids, Depth& depth, std::span<cons
   return counts;
 }
 
+template <class Depth>
+constexpr farthest_keys farthest_plainly(const Depth& depth, const cell_window& w, float sign) {
+  farthest_keys far{};
+  far.tile = std::numeric_limits<float>::infinity();
+  for (float& block : far.block) block = far.tile;
+  for (int y = 0; y < w.y_last - w.y_first; ++y)
+    for (int x = 0; x < w.x_last - w.x_first; ++x) {
+      const float key = get_pixel(depth, w.x_first + x, w.y_first + y) * sign;
+      float& block = far.block[y / block_size * blocks_across + x / block_size];
+      block = lesser(key, block);
+      far.tile = lesser(key, far.tile);
+    }
+  return far;
+}
+
 template <class Order, class Ids, class Depth>
 IRG_INLINE constexpr void clear_target(Ids& ids, Depth& depth, const cell_window& w) {
   for (int y = w.y_first; y < w.y_last; ++y) {
@@ -72,7 +94,7 @@ IRG_INLINE void store_numbers(const tile& t, Ids& ids, std::span<const std::uint
 template <class Order, class T, class Ids, class Depth>
 draw_counts draw_target_fast(Ids& ids, Depth& depth, std::span<const std::uint32_t> numbers, float area,
                              const triangle_finder<T>& find, const cell_window& w, const skip_options& skip,
-                             clearing clear, std::uint8_t* seen) {
+                             clearing clear, std::uint8_t* seen, farthest_keys* farthest) {
   constexpr bool numbered = !std::same_as<Ids, const no_numbers>;
   constexpr tile_test test = numbered ? tile_test::nearer : tile_test::depth_only;
   tile t;
@@ -84,10 +106,34 @@ draw_counts draw_target_fast(Ids& ids, Depth& depth, std::span<const std::uint32
       for (int y = w.y_first; y < w.y_last; ++y) fill_span(ids, {y, w.x_first, w.x_last}, no_triangle);
     store_numbers(t, ids, numbers, find, w);
   }
+  if (farthest != nullptr) {
+    t.stale = ~std::uint64_t{0};
+    refresh_far(t);
+    farthest->tile = t.farthest;
+    std::memcpy(farthest->block, t.farthest_key, sizeof farthest->block);
+  }
   return counts;
 }
 
 #endif
+
+// A tile that has triangles; with its farthest keys, where they are wanted.
+template <class Order, class T, class Ids, class Depth>
+constexpr draw_counts draw_target_tile(Ids& ids, Depth& depth, const triangle_finder<T>& find, std::size_t i,
+                                       const cell_window& w, const skip_options& skip, clearing clear,
+                                       std::uint8_t* seen, farthest_keys* farthest) {
+  const std::span<const std::uint32_t> numbers = find.bins->list_of(i);
+#ifdef IRG_LANES_VECTOR
+  if constexpr (key_sign<Order> != 0)
+    if (!std::is_constant_evaluated())
+      return draw_target_fast<Order>(ids, depth, numbers, find.bins->tile_area[i], find, w, skip, clear, seen,
+                                     farthest);
+#endif
+  if (clear == clearing::before_drawing) clear_target<Order>(ids, depth, w);
+  const draw_counts counts = draw_target_plainly<Order>(ids, depth, numbers, find, w);
+  if (farthest != nullptr) *farthest = farthest_plainly(depth, w, key_sign<Order>);
+  return counts;
+}
 
 // All tiles.
 template <class Order, class T, class Ids, class Depth, class E>
@@ -101,21 +147,15 @@ constexpr render_stats draw_target(Ids& ids, Depth& depth, std::span<const trian
   const triangle_finder<T> find{batches, &bins};
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {
-    const std::span<const std::uint32_t> numbers = bins.list_of(i);
     const cell_window window = grid.window(i);
+    if (!bins.list_of(i).empty()) {
+      done[i] = draw_target_tile<Order>(ids, depth, find, i, window, skip, clear, workspace.seen.data(), nullptr);
+    } else if (clear == clearing::before_drawing) {
 #ifdef IRG_LANES_VECTOR
-    if constexpr (key_sign<Order> != 0)
-      if (!std::is_constant_evaluated()) {
-        if (!numbers.empty())
-          done[i] = draw_target_fast<Order>(ids, depth, numbers, bins.tile_area[i], find, window, skip, clear,
-                                            workspace.seen.data());
-        else if (clear == clearing::before_drawing)
-          clear_target<Order>(ids, depth, empty_tiles(bins, grid, i));
-        return;
-      }
+      if (!std::is_constant_evaluated()) return clear_target<Order>(ids, depth, empty_tiles(bins, grid, i));
 #endif
-    if (clear == clearing::before_drawing) clear_target<Order>(ids, depth, window);
-    done[i] = draw_target_plainly<Order>(ids, depth, numbers, find, window);
+      clear_target<Order>(ids, depth, window);
+    }
   });
   render_stats stats;
   for (const draw_counts& c : done) stats.pixels += c;
