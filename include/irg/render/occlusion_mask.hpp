@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -39,6 +38,114 @@ struct occlusion_counts {
   constexpr bool operator==(const occlusion_counts&) const = default;
 };
 
+namespace detail {
+
+// The memory of a mask.
+struct occluder_depths {
+  picture_tiles grid{0, 0};
+  image<float> pixels;  // of no account in a tile that is not touched, as are its farthest keys
+  std::vector<farthest_keys> farthest;  // by tile
+  std::vector<std::uint8_t> touched;  // by tile
+  draw_workspace workspace;
+
+  IRG_INLINE constexpr std::size_t tile_of(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y / tile_size * grid.across + x / tile_size);
+  }
+  IRG_INLINE constexpr cell_window picture() const noexcept { return {0, 0, grid.width, grid.height}; }
+};
+
+// Where in its tile the block of a pixel is.
+IRG_INLINE constexpr int block_of(int x, int y) noexcept {
+  return y % tile_size / block_size * blocks_across + x % tile_size / block_size;
+}
+
+inline namespace IRG_ABI {
+
+template <class Order>
+IRG_INLINE constexpr float depth_of(const occluder_depths& m, int x, int y) noexcept {
+  return m.touched[m.tile_of(x, y)] != 0 ? m.pixels(x, y) : Order::farthest;
+}
+
+template <class Order, class T, class E>
+constexpr void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
+                              const screen_mapping<T>& mapping, face_culling culling, const E& executor) {
+  triangle_bins& bins = m.workspace.bins;
+  std::vector<std::uint8_t>& seen = m.workspace.seen;
+  bin_triangles(bins, batches, mapping, m.grid, culling, skip_options{}, executor);
+  seen.assign(bins.triangle_count, 0);
+  const triangle_finder<T> find{batches, &bins};
+  executor(m.grid.count(), [&](std::size_t i) {
+    if (bins.list_of(i).empty()) return;
+    const no_numbers none{};
+    const clearing clear = m.touched[i] == 0 ? clearing::before_drawing : clearing::none;
+    draw_target_tile<Order>(none, m.pixels, find, i, m.grid.window(i), skip_options{}, clear, seen.data(),
+                            &m.farthest[i]);
+    m.touched[i] = 1;
+  });
+}
+
+// What is to be said of a rectangle whose depth is `nearest` everywhere: by its tiles, blocks and pixels, as far as
+// each leave it undecided.
+template <class Order>
+constexpr occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
+                                   occlusion_counts& work) noexcept {
+  const cell_window w = intersect(pixels, m.picture());
+  if (w.empty()) return occlusion::outside;
+  if (!(nearest == nearest)) return occlusion::visible;
+  const float key = product(nearest, key_sign<Order>);
+  const bool seen = any_square(w, tile_size, [&](const cell_window& in_tile, int, int) {
+    const std::size_t i = m.tile_of(in_tile.x_first, in_tile.y_first);
+    ++work.tiles;
+    if (m.touched[i] == 0) return Order::nearer(nearest, Order::farthest);
+    if (key <= m.farthest[i].tile) return false;
+    return any_square(in_tile, block_size, [&](const cell_window& in_block, int, int) {
+      ++work.blocks;
+      if (key <= m.farthest[i].block[block_of(in_block.x_first, in_block.y_first)]) return false;
+      return any_square(in_block, 1, [&](const cell_window&, int x, int y) {
+        ++work.pixels;
+        return Order::nearer(nearest, m.pixels(x, y));
+      });
+    });
+  });
+  return seen ? occlusion::visible : occlusion::occluded;
+}
+
+// A triangle on the screen: as a rectangle, then by its pixels.
+template <class Order>
+constexpr occlusion test_triangle(const occluder_depths& m, const triangle_corners& c, occlusion_counts& work) {
+  const auto& [v0, v1, v2] = c.v;
+  const auto nearer_of = [](float a, float b) { return Order::nearer(a, b) ? a : b; };
+  const cell_window bounds = cover_triangle(v0->position, v1->position, v2->position).bounds;
+  const float nearest = nearer_of(nearer_of(v0->depth, v1->depth), v2->depth);
+  const occlusion rectangle = test_rectangle<Order>(m, bounds, nearest, work);
+  if (rectangle != occlusion::visible) return rectangle;
+  bool any = false, seen = false;
+  covered_depths(c, m.picture(), [&](int x, int y, float here) {
+    any = true;
+    if (seen) return;
+    ++work.pixels;
+    seen = Order::nearer(here, depth_of<Order>(m, x, y));
+  });
+  return seen ? occlusion::visible : any ? occlusion::occluded : occlusion::outside;
+}
+
+// The triangles of a batch, until one is visible.
+template <class Order, class T>
+constexpr occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
+                                   const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work) {
+  bin_portion scratch = scratch_portion(m.grid);
+  occlusion answer = occlusion::outside;
+  for (std::uint32_t i = 0; i < batch.triangles.size() && answer != occlusion::visible; ++i)
+    list_and_draw(scratch, batch, i, mapping, m.grid, culling, [&](const triangle_corners& c) {
+      const occlusion one = test_triangle<Order>(m, c, work);
+      if (one == occlusion::visible || answer == occlusion::outside) answer = one;
+    });
+  return answer;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 /// The depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile.
 /// shape   width x height pixels, each at the farthest depth at first
 /// needs   1 <= width, height <= 65536 when anything is drawn
@@ -48,45 +155,40 @@ template <DepthOrder Order = nearer_is_greater>
 class occlusion_mask {
 public:
   occlusion_mask() = default;
-  IRG_INLINE constexpr occlusion_mask(int width, int height)
-      : grid_(width, height), pixels_(width, height), farthest_(grid_.count(), detail::farthest_keys{}),
-        touched_(grid_.count(), 0) {}
+  IRG_INLINE constexpr occlusion_mask(int width, int height) {
+    memory_.grid = {width, height};
+    memory_.pixels = {width, height};
+    memory_.farthest.resize(memory_.grid.count(), detail::farthest_keys{});
+    memory_.touched.resize(memory_.grid.count(), 0);
+  }
 
-  IRG_INLINE constexpr int width() const noexcept { return grid_.width; }
-  IRG_INLINE constexpr int height() const noexcept { return grid_.height; }
+  IRG_INLINE constexpr int width() const noexcept { return memory_.grid.width; }
+  IRG_INLINE constexpr int height() const noexcept { return memory_.grid.height; }
 
   /// Forgets all occluders.
   /// cost    one byte for each tile: pixels are cleared when a tile is first drawn to
   IRG_INLINE constexpr void clear() noexcept {
-    for (std::uint8_t& t : touched_) t = 0;
+    for (std::uint8_t& t : memory_.touched) t = 0;
   }
 
   /// Draws occluders.
   /// needs   vertices projected with `mapping`, a mapping onto this mask's size
   /// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
-  /// cost    that of draw_depth, and the farthest depths of the tiles that the occluders' boxes touch
+  /// cost    that of draw_depth, of which clearing leaves out the tiles that no occluder's box touches
   template <Floating T, Executor E = sequential>
-  constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches, const screen_mapping<T>& mapping,
-                                 face_culling culling = face_culling::back, const E& executor = {}) {
-    auto& [bins, seen] = workspace_;
-    detail::bin_triangles(bins, batches, mapping, grid_, culling, skip_options{}, executor);
-    seen.assign(bins.triangle_count, 0);
-    const detail::triangle_finder<T> find{batches, &bins};
-    executor(grid_.count(), [&](std::size_t i) {
-      if (bins.list_of(i).empty()) return;
-      const detail::no_numbers none{};
-      detail::draw_target_tile<Order>(none, pixels_, find, i, grid_.window(i), skip_options{},
-                                      touched_[i] == 0 ? clearing::before_drawing : clearing::none, seen.data(),
-                                      &farthest_[i]);
-      touched_[i] = 1;
-    });
+  IRG_INLINE constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches,
+                                            const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
+                                            const E& executor = {}) {
+    detail::draw_occluders<Order>(memory_, batches, mapping, culling, executor);
+    const detail::triangle_bins& bins = memory_.workspace.bins;
     return {static_cast<std::int64_t>(bins.triangle_count), bins.skipped, bins.listed};
   }
   /// Draws the triangles of one occluder.
   template <Floating T, Executor E = sequential>
-  constexpr occluder_counts draw(const projected_vertices<T>& vertices, std::span<const triangle_indices> triangles,
-                                 const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
-                                 const E& executor = {}) {
+  IRG_INLINE constexpr occluder_counts draw(const projected_vertices<T>& vertices,
+                                            std::span<const triangle_indices> triangles,
+                                            const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
+                                            const E& executor = {}) {
     const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
     return draw<T>(std::span<const triangle_batch<T>>(batch), mapping, culling, executor);
   }
@@ -99,6 +201,7 @@ public:
   template <Floating T>
   IRG_INLINE constexpr occlusion test(const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
                                       occlusion_counts* counts = nullptr) const noexcept {
+    constexpr float sign = detail::key_sign<Order>;
     const detail::mask_rectangle r = detail::project_box(bounds, to_clip, width(), height(), sign);
     if (r.where == detail::mask_place::outside) return count(occlusion::outside, {}, counts);
     if (r.where == detail::mask_place::before_the_eye) return count(occlusion::visible, {}, counts);
@@ -109,7 +212,7 @@ public:
   IRG_INLINE constexpr occlusion test(const cell_window& pixels, float nearest,
                                       occlusion_counts* counts = nullptr) const noexcept {
     occlusion_counts work;
-    const occlusion answer = test_rectangle(pixels, nearest, work);
+    const occlusion answer = detail::test_rectangle<Order>(memory_, pixels, nearest, work);
     return count(answer, work, counts);
   }
 
@@ -118,18 +221,13 @@ public:
   /// gives   triangles that name a vertex that is not there are left out
   /// cost    each triangle as a rectangle first, then as far as it is undecided by its pixels
   template <Floating T>
-  constexpr occlusion test(const projected_vertices<T>& vertices, std::span<const triangle_indices> triangles,
-                           const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
-                           occlusion_counts* counts = nullptr) const {
+  IRG_INLINE constexpr occlusion test(const projected_vertices<T>& vertices,
+                                      std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
+                                      face_culling culling = face_culling::back,
+                                      occlusion_counts* counts = nullptr) const {
     occlusion_counts work;
     const triangle_batch<T> batch{&vertices, triangles, 0};
-    detail::bin_portion scratch = detail::scratch_portion(grid_);
-    occlusion answer = occlusion::outside;
-    for (std::uint32_t i = 0; i < triangles.size() && answer != occlusion::visible; ++i)
-      detail::list_and_draw(scratch, batch, i, mapping, grid_, culling, [&](const detail::triangle_corners& c) {
-        const occlusion one = test_triangle(c, work);
-        if (one == occlusion::visible || answer == occlusion::outside) answer = one;
-      });
+    const occlusion answer = detail::test_triangles<Order>(memory_, batch, mapping, culling, work);
     return count(answer, work, counts);
   }
 
@@ -143,64 +241,16 @@ public:
 
   /// The mask's depth at a pixel: what draw_batches leaves there.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float depth(int x, int y) const noexcept {
-    return touched_[tile_of(x, y)] != 0 ? pixels_(x, y) : Order::farthest;
-  }
+  IRG_INLINE constexpr float depth(int x, int y) const noexcept { return detail::depth_of<Order>(memory_, x, y); }
   /// The farthest depth in the block of 8 x 8 pixels that holds a pixel.
   /// needs   0 <= x < width(), 0 <= y < height()
   IRG_INLINE constexpr float block_depth(int x, int y) const noexcept {
-    const std::size_t i = tile_of(x, y);
-    return touched_[i] != 0 ? farthest_[i].block[block_of(x / block, y / block)] * sign + 0.0f : Order::farthest;
+    const std::size_t i = memory_.tile_of(x, y);
+    if (memory_.touched[i] == 0) return Order::farthest;
+    return memory_.farthest[i].block[detail::block_of(x, y)] * detail::key_sign<Order> + 0.0f;
   }
 
 private:
-  static constexpr int block = detail::block_size, tile = detail::tile_size;
-  static constexpr float sign = detail::key_sign<Order>;
-
-  IRG_INLINE constexpr std::size_t tile_of(int x, int y) const noexcept {
-    return static_cast<std::size_t>(y / tile * grid_.across + x / tile);
-  }
-  // Where in its tile the block in a column and row of blocks is.
-  IRG_INLINE static constexpr int block_of(int column, int row) noexcept {
-    return row % detail::blocks_across * detail::blocks_across + column % detail::blocks_across;
-  }
-  IRG_INLINE constexpr occlusion test_rectangle(const cell_window& pixels, float nearest,
-                                                occlusion_counts& work) const noexcept {
-    const cell_window w = intersect(pixels, {0, 0, width(), height()});
-    if (w.empty()) return occlusion::outside;
-    if (!(nearest == nearest)) return occlusion::visible;
-    const float key = product(nearest, sign);
-    const bool seen = detail::any_square(w, tile, [&](const cell_window& in_tile, int, int) {
-      const std::size_t i = tile_of(in_tile.x_first, in_tile.y_first);
-      ++work.tiles;
-      if (touched_[i] == 0) return Order::nearer(nearest, Order::farthest);
-      if (key <= farthest_[i].tile) return false;
-      return detail::any_square(in_tile, block, [&](const cell_window& in_block, int bx, int by) {
-        ++work.blocks;
-        if (key <= farthest_[i].block[block_of(bx, by)]) return false;
-        return detail::any_square(in_block, 1, [&](const cell_window&, int x, int y) {
-          ++work.pixels;
-          return Order::nearer(nearest, pixels_(x, y));
-        });
-      });
-    });
-    return seen ? occlusion::visible : occlusion::occluded;
-  }
-  constexpr occlusion test_triangle(const detail::triangle_corners& c, occlusion_counts& work) const {
-    const auto& [v0, v1, v2] = c.v;
-    const auto nearer_of = [](float a, float b) { return Order::nearer(a, b) ? a : b; };
-    const occlusion rectangle = test_rectangle(detail::centres_within(v0->position, v1->position, v2->position),
-                                               nearer_of(nearer_of(v0->depth, v1->depth), v2->depth), work);
-    if (rectangle != occlusion::visible) return rectangle;
-    bool any = false, seen = false;
-    detail::covered_depths(c, {0, 0, width(), height()}, [&](int x, int y, float depth) {
-      any = true;
-      if (seen) return;
-      ++work.pixels;
-      seen = Order::nearer(depth, this->depth(x, y));
-    });
-    return seen ? occlusion::visible : any ? occlusion::occluded : occlusion::outside;
-  }
   IRG_INLINE static constexpr occlusion count(occlusion answer, const occlusion_counts& work,
                                               occlusion_counts* counts) noexcept {
     if (counts == nullptr) return answer;
@@ -213,11 +263,7 @@ private:
     return answer;
   }
 
-  detail::picture_tiles grid_{0, 0};
-  image<float> pixels_;  // of no account in tiles that are not touched, as `farthest_`
-  std::vector<detail::farthest_keys> farthest_;  // by tile
-  std::vector<std::uint8_t> touched_;  // by tile
-  draw_workspace workspace_;
+  detail::occluder_depths memory_;
 };
 
 }  // namespace irg

@@ -19,6 +19,7 @@
 #include <irg/render/detail/cull_kernel.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {
 namespace detail {

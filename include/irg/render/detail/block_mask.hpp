@@ -110,8 +110,8 @@ constexpr void limit_columns(block_columns& c, const triangle_edge& e, int by) n
   limit(at_start + lesser(across, zero) + lesser(along, zero), c.inner_first, c.inner_last);
 }
 
-// A plane of keys: that of a pixel is (base + right * X) + down * Y, with (X, Y) counted from vertex 0 in 1/256 pixel, or
-// `low` where that is nearer.
+// A plane of keys: that of a pixel is (base + right * X) + down * Y, with (X, Y) counted from vertex 0 in 1/256 pixel,
+// or `low` where that is nearer.
 struct key_plane {
   float base, right, down, low;
 

@@ -56,17 +56,17 @@ constexpr draw_counts draw_target_plainly(Ids& ids, Depth& depth, std::span<cons
 
 template <class Depth>
 constexpr farthest_keys farthest_plainly(const Depth& depth, const cell_window& w, float sign) {
-  farthest_keys far{};
-  far.tile = std::numeric_limits<float>::infinity();
-  for (float& block : far.block) block = far.tile;
+  farthest_keys keys{};
+  keys.tile = std::numeric_limits<float>::infinity();
+  for (float& block : keys.block) block = keys.tile;
   for (int y = 0; y < w.y_last - w.y_first; ++y)
     for (int x = 0; x < w.x_last - w.x_first; ++x) {
       const float key = get_pixel(depth, w.x_first + x, w.y_first + y) * sign;
-      float& block = far.block[y / block_size * blocks_across + x / block_size];
+      float& block = keys.block[y / block_size * blocks_across + x / block_size];
       block = lesser(key, block);
-      far.tile = lesser(key, far.tile);
+      keys.tile = lesser(key, keys.tile);
     }
-  return far;
+  return keys;
 }
 
 template <class Order, class Ids, class Depth>
@@ -120,8 +120,8 @@ draw_counts draw_target_fast(Ids& ids, Depth& depth, std::span<const std::uint32
 // A tile that has triangles; with its farthest keys, where they are wanted.
 template <class Order, class T, class Ids, class Depth>
 constexpr draw_counts draw_target_tile(Ids& ids, Depth& depth, const triangle_finder<T>& find, std::size_t i,
-                                       const cell_window& w, const skip_options& skip, clearing clear,
-                                       std::uint8_t* seen, farthest_keys* farthest) {
+                                       const cell_window& w, [[maybe_unused]] const skip_options& skip, clearing clear,
+                                       [[maybe_unused]] std::uint8_t* seen, farthest_keys* farthest) {
   const std::span<const std::uint32_t> numbers = find.bins->list_of(i);
 #ifdef IRG_LANES_VECTOR
   if constexpr (key_sign<Order> != 0)
