@@ -64,9 +64,9 @@ void frame_contest::enter(int threads, contender who) const {
 }
 
 void frame_contest::enter_judged(int threads, contender who, std::function<verdict()> judge,
-                                 std::function<std::string()> note, double most) const {
+                                 std::function<std::string()> note) const {
   const bool own = who.name.starts_with("irg");
-  who.judge = [judge = std::move(judge), note = std::move(note), own, most = std::max(most, allowed)] {
+  who.judge = [judge = std::move(judge), note = std::move(note), own, most = allowed] {
     const verdict v = judge();
     errors e{v.max, v.mean, static_cast<double>(v.wrong)};
     e.note = std::to_string(v.close) + " px too close to tell" + (note ? "; " + note() : "");

@@ -64,9 +64,9 @@ struct frame_contest {
   double allowed = 0;  // how large irg's error may be
 
   void enter(int threads, contender who) const;
-  /// Who is judged by a verdict. irg must not have a wrong pixel, nor a larger error than `most`.
-  void enter_judged(int threads, contender who, std::function<verdict()> judge, std::function<std::string()> note = {},
-                    double most = 0) const;
+  /// Who is judged by a verdict. irg must not have a wrong pixel, nor a larger error than `allowed`.
+  void enter_judged(int threads, contender who, std::function<verdict()> judge,
+                    std::function<std::string()> note = {}) const;
 };
 
 /// irg drawing whole frames in colour. IRG_BENCH_PICTURES names a folder that gets the pictures.

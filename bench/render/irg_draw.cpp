@@ -87,10 +87,7 @@ irg::render_stats renderer::draw_depth(irg::image<float>& depth, int threads) {
 void renderer::draw_mask(irg::occlusion_mask<>& mask, int threads) {
   collect({}, threads);
   mask.clear();
-  if (threads == 1)  // which goes another way than one of several
-    (void)mask.draw<float>(batches_, mapping_, scene_.culling);
-  else
-    (void)mask.draw<float>(batches_, mapping_, scene_.culling, irg::parallel{threads});
+  (void)mask.draw<float>(batches_, mapping_, scene_.culling, irg::parallel{threads});
 }
 
 std::vector<irg::subpixel> renderer::snapped() {

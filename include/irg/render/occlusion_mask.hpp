@@ -5,12 +5,16 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include <irg/core/executor.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/raster/image.hpp>
 #include <irg/render/detail/mask_query.hpp>
+#include <irg/render/detail/scratch_portion.hpp>
+#include <irg/render/draw_depth.hpp>
 
 namespace irg {
 
@@ -35,46 +39,185 @@ struct occlusion_counts {
   constexpr bool operator==(const occlusion_counts&) const = default;
 };
 
-/// Depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile. Coverage is exact;
-/// depths are not nearer than those of draw_batches.
+namespace detail {
+
+// The farthest key of a tile, and of each of its blocks; blocks beyond the picture never hold it.
+struct farthest_keys {
+  float tile;
+  float block[blocks_across * blocks_across];
+};
+
+// The memory of a mask.
+struct occluder_depths {
+  picture_tiles grid{0, 0};
+  image<float> pixels;  // of no account in a tile that is not touched, as are its farthest keys
+  std::vector<farthest_keys> farthest;  // by tile
+  std::vector<std::uint8_t> touched;  // by tile
+  draw_workspace workspace;
+
+  IRG_INLINE constexpr std::size_t tile_of(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y / tile_size * grid.across + x / tile_size);
+  }
+  IRG_INLINE constexpr cell_window picture() const noexcept { return {0, 0, grid.width, grid.height}; }
+};
+
+// Where in its tile the block of a pixel is.
+IRG_INLINE constexpr int block_of(int x, int y) noexcept {
+  return y % tile_size / block_size * blocks_across + x % tile_size / block_size;
+}
+
+inline namespace IRG_ABI {
+
+template <class Order>
+IRG_INLINE constexpr float depth_of(const occluder_depths& m, int x, int y) noexcept {
+  return m.touched[m.tile_of(x, y)] != 0 ? m.pixels(x, y) : Order::farthest;
+}
+
+// The farthest keys of what a tile shows; beside the window, keys are infinite.
+constexpr farthest_keys farthest_of(const visible_window& v) noexcept {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  farthest_keys keys{infinity, {}};
+  const int height = v.window.y_last - v.window.y_first;
+  for (int by = 0; by < blocks_across; ++by) {
+    float least[tile_size];
+    for (float& column : least) column = infinity;
+    for (int y = by * block_size; y < lesser((by + 1) * block_size, height); ++y)
+      for (int x = 0; x < tile_size; ++x) least[x] = low_of(v.key[y * tile_stride + x], least[x]);
+    for (int bx = 0; bx < blocks_across; ++bx) {
+      float& block = keys.block[by * blocks_across + bx] = infinity;
+      for (int x = 0; x < block_size; ++x) block = lesser(least[bx * block_size + x], block);
+      keys.tile = lesser(block, keys.tile);
+    }
+  }
+  return keys;
+}
+
+// Keeps the farthest keys of a tile.
+struct keep_farthest {
+  farthest_keys& farthest;
+
+  template <class T>
+  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>&) const noexcept {
+    farthest = farthest_of(v);
+    return 0;
+  }
+};
+
+template <class Order, class T, class E>
+constexpr void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
+                              const screen_mapping<T>& mapping, face_culling culling, const E& executor) {
+  triangle_bins& bins = m.workspace.bins;
+  bin_triangles(bins, batches, mapping, m.grid, culling, skip_options{}, executor);
+  m.workspace.seen.assign(bins.triangle_count, 0);
+  executor(m.grid.count(), [&](std::size_t i) {
+    if (bins.list_of(i).empty()) return;
+    const clearing clear = m.touched[i] == 0 ? clearing::before_drawing : clearing::none;
+    const tile_job<T> job{batches, mapping, m.workspace, culling, skip_options{}, clear};
+    zbuffer_tiles<Order, tile_test::depth_only>{}(m.pixels, job, i, keep_farthest{m.farthest[i]});
+    m.touched[i] = 1;
+  });
+}
+
+// What is to be said of a rectangle whose depth is `nearest` everywhere: by its tiles, blocks and pixels, as far as
+// each leave it undecided.
+template <class Order>
+constexpr occlusion test_rectangle(const occluder_depths& m, const cell_window& pixels, float nearest,
+                                   occlusion_counts& work) noexcept {
+  const cell_window w = intersect(pixels, m.picture());
+  if (w.empty()) return occlusion::outside;
+  if (!(nearest == nearest)) return occlusion::visible;
+  const float key = product(nearest, key_sign<Order>);
+  const bool seen = any_square(w, tile_size, [&](const cell_window& in_tile, int, int) {
+    const std::size_t i = m.tile_of(in_tile.x_first, in_tile.y_first);
+    ++work.tiles;
+    if (m.touched[i] == 0) return Order::nearer(nearest, Order::farthest);
+    if (key <= m.farthest[i].tile) return false;
+    return any_square(in_tile, block_size, [&](const cell_window& in_block, int, int) {
+      ++work.blocks;
+      if (key <= m.farthest[i].block[block_of(in_block.x_first, in_block.y_first)]) return false;
+      return any_square(in_block, 1, [&](const cell_window&, int x, int y) {
+        ++work.pixels;
+        return Order::nearer(nearest, m.pixels(x, y));
+      });
+    });
+  });
+  return seen ? occlusion::visible : occlusion::occluded;
+}
+
+// A triangle on the screen: as a rectangle, then by its pixels.
+template <class Order>
+constexpr occlusion test_triangle(const occluder_depths& m, const triangle_corners& c, occlusion_counts& work) {
+  const auto& [v0, v1, v2] = c.v;
+  const auto nearer_of = [](float a, float b) { return Order::nearer(a, b) ? a : b; };
+  const cell_window bounds = cover_triangle(v0->position, v1->position, v2->position).bounds;
+  const float nearest = nearer_of(nearer_of(v0->depth, v1->depth), v2->depth);
+  const occlusion rectangle = test_rectangle<Order>(m, bounds, nearest, work);
+  if (rectangle != occlusion::visible) return rectangle;
+  bool any = false, seen = false;
+  const covered_triangle t = cover_and_set_up(*v0, *v1, *v2);
+  covered_spans(t.coverage, m.picture(), [&](const span_of_cells& s) {
+    any = true;
+    for (int x = s.x_first; x < s.x_last && !seen; ++x) {
+      ++work.pixels;
+      seen = Order::nearer(depth_at(t.setup, x, s.y), depth_of<Order>(m, x, s.y));
+    }
+  });
+  return seen ? occlusion::visible : any ? occlusion::occluded : occlusion::outside;
+}
+
+// The triangles of a batch, until one is visible.
+template <class Order, class T>
+constexpr occlusion test_triangles(const occluder_depths& m, const triangle_batch<T>& batch,
+                                   const screen_mapping<T>& mapping, face_culling culling, occlusion_counts& work) {
+  bin_portion scratch = scratch_portion(m.grid);
+  occlusion answer = occlusion::outside;
+  for (std::uint32_t i = 0; i < batch.triangles.size() && answer != occlusion::visible; ++i)
+    list_and_draw(scratch, batch, i, mapping, m.grid, culling, [&](const triangle_corners& c) {
+      const occlusion one = test_triangle<Order>(m, c, work);
+      if (one == occlusion::visible || answer == occlusion::outside) answer = one;
+    });
+  return answer;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+/// The depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile.
 /// shape   width x height pixels, each at the farthest depth at first
 /// needs   1 <= width, height <= 65536 when anything is drawn
-/// exact   the same answers for every executor, compiler and instruction set
+/// exact   depths equal to those of draw_batches; the same answers for every executor, compiler and instruction set
 template <DepthOrder Order = nearer_is_greater>
   requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
 class occlusion_mask {
 public:
   occlusion_mask() = default;
-  IRG_INLINE constexpr occlusion_mask(int width, int height) : tiles_(width, height) {
-    const std::size_t tiles = tiles_.count();
-    cells_.resize(tiles * detail::mask_cells_across * detail::mask_cells_down, detail::mask_cell{});
-    far_.resize(tiles * 64, 0.0f);
-    tile_far_.resize(tiles, 0.0f);
-    stale_.resize(tiles, 0);
-    touched_.resize(tiles, 0);
+  IRG_INLINE constexpr occlusion_mask(int width, int height) {
+    memory_.grid = {width, height};
+    memory_.pixels = {width, height};
+    memory_.farthest.resize(memory_.grid.count(), detail::farthest_keys{});
+    memory_.touched.resize(memory_.grid.count(), 0);
   }
 
-  IRG_INLINE constexpr int width() const noexcept { return tiles_.width; }
-  IRG_INLINE constexpr int height() const noexcept { return tiles_.height; }
+  IRG_INLINE constexpr int width() const noexcept { return memory_.grid.width; }
+  IRG_INLINE constexpr int height() const noexcept { return memory_.grid.height; }
 
   /// Forgets all occluders.
   /// cost    one byte for each tile: pixels are cleared when a tile is first drawn to
   IRG_INLINE constexpr void clear() noexcept {
-    for (std::uint8_t& t : touched_) t = 0;
+    for (std::uint8_t& t : memory_.touched) t = 0;
   }
 
   /// Draws occluders.
   /// needs   vertices projected with `mapping`, a mapping onto this mask's size
   /// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
-  /// cost    each triangle once; nothing is sorted or listed on one thread
+  /// cost    that of draw_depth, of which clearing leaves out the tiles that no occluder's box touches
   template <Floating T, Executor E = sequential>
   IRG_INLINE constexpr occluder_counts draw(std::span<const triangle_batch<T>> batches,
                                             const screen_mapping<T>& mapping, face_culling culling = face_culling::back,
                                             const E& executor = {}) {
-    const detail::mask_draw_result r = detail::draw_mask<T>(memory(), batches, mapping, culling, bins_, executor);
-    occluder_counts counts{0, r.skipped, r.listed};
-    for (const triangle_batch<T>& b : batches) counts.triangles += static_cast<std::int64_t>(b.triangles.size());
-    return counts;
+    detail::draw_occluders<Order>(memory_, batches, mapping, culling, executor);
+    const detail::triangle_bins& bins = memory_.workspace.bins;
+    return {static_cast<std::int64_t>(bins.triangle_count), bins.skipped, bins.listed};
   }
   /// Draws the triangles of one occluder.
   template <Floating T, Executor E = sequential>
@@ -94,16 +237,19 @@ public:
   template <Floating T>
   IRG_INLINE constexpr occlusion test(const box<T, 3>& bounds, const mat<T, 4, 4>& to_clip,
                                       occlusion_counts* counts = nullptr) const noexcept {
-    const detail::mask_rectangle r = detail::project_box(bounds, to_clip, width(), height(), detail::key_sign<Order>);
-    if (r.where == detail::mask_place::outside) return count(occlusion::outside, counts);
-    if (r.where == detail::mask_place::before_the_eye) return count(occlusion::visible, counts);
-    return test_key(r.pixels, r.key, counts);
+    constexpr float sign = detail::key_sign<Order>;
+    const detail::mask_rectangle r = detail::project_box(bounds, to_clip, width(), height(), sign);
+    if (r.where == detail::mask_place::outside) return count(occlusion::outside, {}, counts);
+    if (r.where == detail::mask_place::before_the_eye) return count(occlusion::visible, {}, counts);
+    return test(r.pixels, product(r.key, sign), counts);
   }
 
   /// Whether something in a rectangle of pixels, nowhere nearer than `nearest`, could be seen.
   IRG_INLINE constexpr occlusion test(const cell_window& pixels, float nearest,
                                       occlusion_counts* counts = nullptr) const noexcept {
-    return test_key(pixels, nearest * detail::key_sign<Order>, counts);
+    occlusion_counts work;
+    const occlusion answer = detail::test_rectangle<Order>(memory_, pixels, nearest, work);
+    return count(answer, work, counts);
   }
 
   /// Whether triangles could be seen.
@@ -115,11 +261,10 @@ public:
                                       std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
                                       face_culling culling = face_culling::back,
                                       occlusion_counts* counts = nullptr) const {
-    detail::mask_query_counts work;
+    occlusion_counts work;
     const triangle_batch<T> batch{&vertices, triangles, 0};
-    const detail::mask_answer a = detail::test_mask_triangles<T>(memory(), batch, mapping, culling, work);
-    add(work, counts);
-    return count(static_cast<occlusion>(a), counts);
+    const occlusion answer = detail::test_triangles<Order>(memory_, batch, mapping, culling, work);
+    return count(answer, work, counts);
   }
 
   /// Whether something could be seen: not occluded, and not outside.
@@ -130,64 +275,31 @@ public:
     return test(arguments...) == occlusion::visible;
   }
 
-  /// The mask's depth at a pixel: what draw_batches leaves there, or a little farther.
+  /// The mask's depth at a pixel: what draw_batches leaves there.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float depth(int x, int y) const noexcept {
-    const detail::mask_target m = memory();
-    const bool touched = m.touched[m.tile_at(x / detail::tile_size, y / detail::tile_size)] != 0;
-    return touched ? m.pixel(x, y) * m.sign + 0.0f : Order::farthest;
-  }
+  IRG_INLINE constexpr float depth(int x, int y) const noexcept { return detail::depth_of<Order>(memory_, x, y); }
   /// The farthest depth in the block of 8 x 8 pixels that holds a pixel.
   /// needs   0 <= x < width(), 0 <= y < height()
   IRG_INLINE constexpr float block_depth(int x, int y) const noexcept {
-    const detail::mask_target m = memory();
-    const bool touched = m.touched[m.tile_at(x / detail::tile_size, y / detail::tile_size)] != 0;
-    return touched ? m.block_far(x / detail::block_size, y / detail::block_size) * m.sign + 0.0f : Order::farthest;
+    const std::size_t i = memory_.tile_of(x, y);
+    if (memory_.touched[i] == 0) return Order::farthest;
+    return memory_.farthest[i].block[detail::block_of(x, y)] * detail::key_sign<Order> + 0.0f;
   }
 
 private:
-  IRG_INLINE constexpr occlusion test_key(const cell_window& pixels, float key,
-                                          occlusion_counts* counts) const noexcept {
-    detail::mask_query_counts work;
-    const detail::mask_answer a = detail::test_mask(memory(), pixels, key, work);
-    add(work, counts);
-    return count(static_cast<occlusion>(a), counts);
-  }
-  IRG_INLINE static constexpr occlusion count(occlusion answer, occlusion_counts* counts) noexcept {
-    if (counts != nullptr)
-      ++(answer == occlusion::visible    ? counts->visible
-         : answer == occlusion::occluded ? counts->occluded
-                                         : counts->outside);
-    return answer;
-  }
-  IRG_INLINE static constexpr void add(const detail::mask_query_counts& work, occlusion_counts* counts) noexcept {
-    if (counts == nullptr) return;
+  IRG_INLINE static constexpr occlusion count(occlusion answer, const occlusion_counts& work,
+                                              occlusion_counts* counts) noexcept {
+    if (counts == nullptr) return answer;
+    counts->visible += answer == occlusion::visible;
+    counts->occluded += answer == occlusion::occluded;
+    counts->outside += answer == occlusion::outside;
     counts->tiles += work.tiles;
     counts->blocks += work.blocks;
     counts->pixels += work.pixels;
-  }
-  // Queries take the same view of the memory as drawing, and write nothing.
-  IRG_INLINE constexpr detail::mask_target memory() const noexcept {
-    constexpr float sign = detail::key_sign<Order>;
-    return {tiles_.width,
-            tiles_.height,
-            tiles_.across,
-            tiles_.down,
-            sign,
-            Order::farthest * sign,
-            const_cast<detail::mask_cell*>(cells_.data()),
-            const_cast<float*>(far_.data()),
-            const_cast<float*>(tile_far_.data()),
-            const_cast<std::uint64_t*>(stale_.data()),
-            const_cast<std::uint8_t*>(touched_.data())};
+    return answer;
   }
 
-  detail::picture_tiles tiles_{0, 0};
-  std::vector<detail::mask_cell> cells_;
-  std::vector<float> far_, tile_far_;
-  std::vector<std::uint64_t> stale_;
-  std::vector<std::uint8_t> touched_;
-  detail::triangle_bins bins_;  // lists of tiles, for several threads
+  detail::occluder_depths memory_;
 };
 
 }  // namespace irg

@@ -40,8 +40,8 @@ private:
 /// A way to find out what is visible, called once for every window of the picture that some face touches:
 ///     method(faces, window, ids, counts)
 /// It writes into the ids of the window's pixels the number of the face that is seen there, which covers the pixel's
-/// centre, and leaves the others as they are: no_face. It counts in `counts` what it tested and found to tie. Windows do
-/// not overlap, and executors may ask for several at the same time.
+/// centre, and leaves the others as they are: no_face. It counts in `counts` what it tested and found to tie. Windows
+/// do not overlap, and executors may ask for several at the same time.
 template <class M, class T>
 concept HiddenSurfaceMethod =
     requires(const M& method, const window_faces<T>& faces, const cell_window& window, image<std::uint32_t>& ids,

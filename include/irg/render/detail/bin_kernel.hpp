@@ -20,6 +20,7 @@
 #include <irg/raster/triangle_coverage.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {
 namespace detail {

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/render/detail/mask_kernel.hpp>
+#include <irg/raster/draw_triangle.hpp>
+#include <irg/render/detail/mask_query.hpp>
+#include <irg/render/detail/tile.hpp>
 
 namespace irg {
 namespace detail {
@@ -108,24 +110,59 @@ constexpr void limit_columns(block_columns& c, const triangle_edge& e, int by) n
   limit(at_start + lesser(across, zero) + lesser(along, zero), c.inner_first, c.inner_last);
 }
 
+// A plane of keys: that of a pixel is (base + right * X) + down * Y, with (X, Y) counted from vertex 0 in 1/256 pixel,
+// or `low` where that is nearer.
+struct key_plane {
+  float base, right, down, low;
+
+  IRG_INLINE constexpr float across(float x) const noexcept { return base + product(right, x); }
+  IRG_INLINE constexpr float rise(float y) const noexcept { return product(down, y); }
+};
+
+// The plane through three vertices, lowered by what rounding may amount to, here and in draw_triangle: no covered pixel
+// is farther. None is farther than the farthest vertex either, which is the better bound for slivers.
+constexpr key_plane plane_below(const screen_vertex& a, const screen_vertex& b, const screen_vertex& c,
+                                float sign) noexcept {
+  const auto number = [](std::int64_t i) { return static_cast<float>(i); };
+  const auto absolute = [](float v) { return v < 0 ? -v : v; };
+  const subpixel &p = a.position, &q = b.position, &r = c.position;
+  const float x1 = number(q.x - p.x), y1 = number(q.y - p.y), x2 = number(r.x - p.x), y2 = number(r.y - p.y);
+  const float width = number(greater(greater(p.x, q.x), r.x) - lesser(lesser(p.x, q.x), r.x)),
+              height = number(greater(greater(p.y, q.y), r.y) - lesser(lesser(p.y, q.y), r.y));
+  const float key0 = product(a.depth, sign), key1 = product(b.depth, sign), key2 = product(c.depth, sign);
+  const float inverse = 1.0f / number(signed_double_area(p, q, r)), k1 = key1 - key0, k2 = key2 - key0;
+  const float right1 = product(k1, y2), right2 = product(k2, y1), down1 = product(k2, x1), down2 = product(k1, x2);
+  const float size_right = product(absolute(right1) + absolute(right2), absolute(inverse)),
+              size_down = product(absolute(down1) + absolute(down2), absolute(inverse));
+  const float size = (product(size_right, width) + product(size_down, height)) +
+                     greater(greater(absolute(key0), absolute(key1)), absolute(key2));
+  // Each path from vertices to a key takes less than 12 roundings of 2^-24, and draw_triangle's errs by 8 of them.
+  const float bias = product(size, 0x1p-19f) + 0x1p-140f;
+  return {key0 - bias, product(right1 - right2, inverse), product(down1 - down2, inverse),
+          lesser(lesser(key0, key1), key2)};
+}
+
+// From a vertex to the centre of a pixel, in 1/256 pixel; exact.
+IRG_INLINE constexpr float offset_to(int pixel, std::int32_t vertex) noexcept {
+  return static_cast<float>(pixel * one_pixel + half_pixel - vertex);
+}
+
 // Draws a triangle.
 constexpr void draw_block_mask(block_mask& m, const screen_vertex& a, const screen_vertex& b, const screen_vertex& c) {
   const triangle_coverage t = cover_triangle(a.position, b.position, c.position);
   const cell_window picture{0, 0, m.width, m.height}, w = intersect(t.bounds, picture);
   if (t.double_area == 0 || w.empty()) return;
-  const mask_plane<float> plane = mask_plane_of(a, b, c, m.sign);
-  // No pixel is farther than the farthest vertex.
-  const float low = lesser(lesser(product(a.depth, m.sign), product(b.depth, m.sign)), product(c.depth, m.sign));
+  const key_plane plane = plane_below(a, b, c, m.sign);
   const int right = plane.right < 0 ? block_size - 1 : 0, down = plane.down < 0 ? block_size - 1 : 0;
-  for (int by = w.y_first / block_size; by <= (w.y_last - 1) / block_size; ++by) {
-    const std::int64_t left = w.x_first / block_size, end = (w.x_last - 1) / block_size + 1;
-    block_columns columns{left, end, left, end};
+  const cell_window blocks = squares_of(w, block_size);
+  for (int by = blocks.y_first; by < blocks.y_last; ++by) {
+    block_columns columns{blocks.x_first, blocks.x_last, blocks.x_first, blocks.x_last};
     for (const triangle_edge& e : t.edge) limit_columns(columns, e, by);
     // The farthest key in a block: rounding never turns the order of keys round, so it is in a corner.
-    const float rise = plane.rise(mask_offset(by * block_size + down, a.position.y));
+    const float rise = plane.rise(offset_to(by * block_size + down, a.position.y));
     const auto key_of = [&](int bx) {
-      const float key = plane.across(mask_offset(bx * block_size + right, a.position.x)) + rise;
-      return low < key ? key : low;
+      const float key = plane.across(offset_to(bx * block_size + right, a.position.x)) + rise;
+      return greater(plane.low, key);
     };
     const auto in_part = [&](std::int64_t from, std::int64_t to) {
       for (std::int64_t i = from; i < to; ++i) {
@@ -153,14 +190,11 @@ constexpr void draw_block_mask(block_mask& m, const screen_vertex& a, const scre
 constexpr bool hidden_by_blocks(const block_mask& m, const cell_window& pixels, float key) noexcept {
   const cell_window w = intersect(pixels, {0, 0, m.width, m.height});
   if (w.empty() || !(key == key)) return false;
-  const int first = w.x_first / block_size, last = (w.x_last - 1) / block_size;
-  for (int by = w.y_first / block_size; by <= (w.y_last - 1) / block_size; ++by)
-    for (int bx = first; bx <= last; ++bx) {
-      const std::size_t block = m.at(bx, by);
-      if (key <= m.farthest_key[block]) continue;
-      if (!(key <= m.layer_key[block]) || (block_bits(w, bx, by) & ~m.layer[block]) != 0) return false;
-    }
-  return true;
+  return !any_square(w, block_size, [&](const cell_window& part, int bx, int by) {
+    const std::size_t block = m.at(bx, by);
+    if (key <= m.farthest_key[block]) return false;
+    return !(key <= m.layer_key[block]) || (block_bits(part, bx, by) & ~m.layer[block]) != 0;
+  });
 }
 
 }  // namespace IRG_ABI

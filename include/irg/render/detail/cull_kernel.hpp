@@ -9,6 +9,7 @@
 
 #include <irg/core/lanes.hpp>
 #include <irg/raster/vertex_lanes.hpp>
+#include <irg/raster/window.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>
 #include <irg/raster/window.hpp>

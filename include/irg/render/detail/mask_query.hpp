@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Questions to an occlusion mask: from the tiles to the blocks to the pixels, as far as each leaves it undecided.
+// Questions to masks: the rectangle of pixels that a box could touch, and the squares that such a rectangle meets.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 
 #include <irg/geometry/box.hpp>
-#include <irg/render/detail/mask_draw_kernel.hpp>
+#include <irg/math/mat.hpp>
+#include <irg/raster/triangle_coverage.hpp>
+#include <irg/raster/window.hpp>
 
 namespace irg {
 namespace detail {
-
-// In the order of irg::occlusion.
-enum class mask_answer { visible, occluded, outside };
-
-struct mask_query_counts {
-  std::int64_t tiles = 0, blocks = 0, pixels = 0;
-};
 
 // Where a box is on the screen: the pixels that it could touch, and a key that nothing in it exceeds.
 enum class mask_place { on_screen, outside, before_the_eye };
@@ -28,45 +23,20 @@ struct mask_rectangle {
 
 inline namespace IRG_ABI {
 
-// Whether anything of the pixels of one block, of key `key`, is in front.
-IRG_INLINE constexpr bool seen_in_block(const mask_target& m, const cell_window& w, float key,
-                                        mask_query_counts& counts) noexcept {
-  for (int y = w.y_first; y < w.y_last; ++y)
-    for (int x = w.x_first; x < w.x_last; ++x) {
-      ++counts.pixels;
-      if (m.pixel(x, y) < key) return true;
-    }
-  return false;
+// The squares of `size` x `size` pixels that a window meets, by column and row.
+// needs   a window that is not empty and begins at no negative pixel
+IRG_INLINE constexpr cell_window squares_of(const cell_window& w, int size) noexcept {
+  return {w.x_first / size, w.y_first / size, (w.x_last - 1) / size + 1, (w.y_last - 1) / size + 1};
 }
 
-IRG_INLINE constexpr bool seen_in_tile(const mask_target& m, std::size_t tile, const cell_window& w, float key,
-                                       mask_query_counts& counts) noexcept {
-  ++counts.tiles;
-  if (m.touched[tile] == 0) return m.farthest < key;
-  if (key <= m.tile_far[tile]) return false;
-  for (int by = w.y_first / block_size; by <= (w.y_last - 1) / block_size; ++by)
-    for (int bx = w.x_first / block_size; bx <= (w.x_last - 1) / block_size; ++bx) {
-      ++counts.blocks;
-      if (key <= m.block_far(bx, by)) continue;
-      const int x = bx * block_size, y = by * block_size;
-      if (seen_in_block(m, intersect(w, {x, y, x + block_size, y + block_size}), key, counts)) return true;
-    }
+// Whether found(part, column, row) says so of a square, `part` being what of it lies in the window.
+template <class Found>
+IRG_INLINE constexpr bool any_square(const cell_window& w, int size, const Found& found) {
+  const cell_window squares = squares_of(w, size);
+  for (int y = squares.y_first; y < squares.y_last; ++y)
+    for (int x = squares.x_first; x < squares.x_last; ++x)
+      if (found(intersect(w, {x * size, y * size, (x + 1) * size, (y + 1) * size}), x, y)) return true;
   return false;
-}
-
-// What is to be said of a rectangle that has this key everywhere.
-constexpr mask_answer test_mask(const mask_target& m, const cell_window& pixels, float key,
-                                mask_query_counts& counts) noexcept {
-  const cell_window w = intersect(pixels, {0, 0, m.width, m.height});
-  if (w.empty()) return mask_answer::outside;
-  if (!(key == key)) return mask_answer::visible;
-  for (int ty = w.y_first / tile_size; ty <= (w.y_last - 1) / tile_size; ++ty)
-    for (int tx = w.x_first / tile_size; tx <= (w.x_last - 1) / tile_size; ++tx) {
-      const int x = tx * tile_size, y = ty * tile_size;
-      const cell_window part = intersect(w, {x, y, x + tile_size, y + tile_size});
-      if (seen_in_tile(m, m.tile_at(tx, ty), part, key, counts)) return mask_answer::visible;
-    }
-  return mask_answer::occluded;
 }
 
 // A number and how far rounding may have taken it from what it stands for.
@@ -147,46 +117,6 @@ constexpr mask_rectangle project_box(const box<T, 3>& b, const mat<T, 4, 4>& to_
   // The nearest depth, and some roundings of T and of a float.
   const float key = product(static_cast<float>(sign > 0 ? z.high : z.low), sign);
   return {mask_place::on_screen, seen, key + (product(key < 0 ? -key : key, 0x1p-20f) + 0x1p-140f)};
-}
-
-// Whether a triangle on the screen could be seen.
-constexpr mask_answer test_mask_triangle(const mask_target& m, const triangle_corners& c,
-                                         mask_query_counts& counts) noexcept {
-  const triangle_coverage t = cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position);
-  if (t.double_area == 0) return mask_answer::outside;
-  const triangle_setup s = set_up_triangle(t, *c.v[0], *c.v[1], *c.v[2]);
-  const float nearest = m.sign > 0 ? s.depth_high : -s.depth_low;
-  const mask_answer box = test_mask(m, t.bounds, nearest, counts);
-  if (box != mask_answer::visible) return box;
-  bool any = false, seen = false;
-  covered_spans(t, {0, 0, m.width, m.height}, [&](const span_of_cells& span) {
-    any = true;
-    for (int x = span.x_first; x < span.x_last && !seen; ++x) {
-      const float depth =
-          depth_at<float>(s.edge[0](x, span.y), s.edge[1](x, span.y), s.edge[2](x, span.y), s.depth_gain[0],
-                          s.depth_gain[1], s.depth_gain[2], s.depth_rest, s.depth_low, s.depth_high);
-      ++counts.pixels;
-      const bool touched = m.touched[m.tile_at(x / tile_size, span.y / tile_size)] != 0;
-      seen = (touched ? m.pixel(x, span.y) : m.farthest) < product(depth, m.sign);
-    }
-  });
-  return seen ? mask_answer::visible : any ? mask_answer::occluded : mask_answer::outside;
-}
-
-// Whether one of the triangles of a batch could be seen.
-template <class T>
-constexpr mask_answer test_mask_triangles(const mask_target& m, const triangle_batch<T>& batch,
-                                          const screen_mapping<T>& mapping, face_culling culling,
-                                          mask_query_counts& counts) {
-  const picture_tiles grid(m.width, m.height);
-  bin_portion scratch = scratch_portion(grid);
-  mask_answer answer = mask_answer::outside;
-  for (std::uint32_t i = 0; i < batch.triangles.size() && answer != mask_answer::visible; ++i)
-    list_and_draw(scratch, batch, i, mapping, grid, culling, [&](const triangle_corners& c) {
-      const mask_answer one = test_mask_triangle(m, c, counts);
-      if (one == mask_answer::visible || answer == mask_answer::outside) answer = one;
-    });
-  return answer;
 }
 
 }  // namespace IRG_ABI

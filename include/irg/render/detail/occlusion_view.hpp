@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <irg/render/detail/block_mask.hpp>
-#include <irg/render/detail/mask_draw_kernel.hpp>
 #include <irg/render/detail/mask_query.hpp>
 #include <irg/render/detail/object_culling.hpp>
+#include <irg/render/detail/scratch_portion.hpp>
 
 namespace irg {
 namespace detail {

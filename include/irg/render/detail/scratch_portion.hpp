@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <irg/render/detail/bin_kernel.hpp>
+#include <irg/render/detail/triangle_finder.hpp>
 
 namespace irg {
 namespace detail {
@@ -25,6 +25,19 @@ constexpr bool list_alone(bin_portion& scratch, const triangle_batch<T>& batch, 
   scratch.pieces.clear();
   list_one(scratch, batch, i, i, mapping, grid, culling, skip_options{});
   return scratch.entry_count != 0;
+}
+
+// As above, given to draw(corners): piece by piece, or whole.
+template <class T, class Draw>
+constexpr void list_and_draw(bin_portion& scratch, const triangle_batch<T>& batch, std::uint32_t i,
+                             const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
+                             const Draw& draw) {
+  const bool listed = list_alone(scratch, batch, i, mapping, grid, culling);
+  for (const clipped_piece& p : scratch.pieces) draw(triangle_corners{{&p.v[0], &p.v[1], &p.v[2]}});
+  if (!scratch.pieces.empty() || !listed) return;
+  const screen_vertex* screen = batch.vertices->screen.data();
+  const auto& [v] = batch.triangles[i];
+  draw(triangle_corners{{screen + v[0], screen + v[1], screen + v[2]}});
 }
 
 }  // namespace IRG_ABI

@@ -159,7 +159,8 @@ struct zbuffer_tiles {
     visible_pixels pixels(w);
     const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
     draw_counts counts = find_visible_plainly<Order, Test>(pixels, depth, numbers, job.finder(), w);
-    counts.shaded = finish(visible_window{pixels.place.data(), pixels.key.data(), 1.0f, numbers, w}, job.finder());
+    counts.shaded =
+        finish(visible_window{pixels.place.data(), pixels.key.data(), plain_sign<Order>, numbers, w}, job.finder());
     return counts;
   }
 

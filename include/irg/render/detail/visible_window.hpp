@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,11 +18,15 @@ namespace detail {
 // The pixels of a window, at most tile_size a side, in rows of tile_stride.
 struct visible_window {
   const std::uint32_t* place;  // of the triangle or piece, in `numbers`; no_triangle where nothing is seen
-  const float* key;  // of its depth; undefined where nothing is seen
+  const float* key;  // of the depth that is there; infinite beside the window
   float sign;  // of keys
   std::span<const std::uint32_t> numbers;
   cell_window window;
 };
+
+// The sign of keys where a depth order has none.
+template <class Order>
+inline constexpr float plain_sign = key_sign<Order> == 0 ? 1.0f : key_sign<Order>;
 
 inline namespace IRG_ABI {
 
@@ -31,7 +36,8 @@ struct visible_pixels {
   std::vector<float> key;
 
   constexpr explicit visible_pixels(const cell_window& w)
-      : place(static_cast<std::size_t>((w.y_last - w.y_first) * tile_stride), no_triangle), key(place.size(), 0.0f) {}
+      : place(static_cast<std::size_t>((w.y_last - w.y_first) * tile_stride), no_triangle),
+        key(place.size(), std::numeric_limits<float>::infinity()) {}
   static constexpr std::size_t at(const cell_window& w, int x, int y) noexcept {
     return static_cast<std::size_t>((y - w.y_first) * tile_stride + (x - w.x_first));
   }
@@ -54,12 +60,13 @@ constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, st
         if (Test != tile_test::depth_only && here == row[x]) ++counts.ties;
         if (!Order::nearer(here, row[x])) continue;
         row[x] = here;
-        const std::size_t at = visible_pixels::at(window, x, span.y);
-        out.place[at] = i;
-        out.key[at] = here;
+        out.place[visible_pixels::at(window, x, span.y)] = i;
       }
     });
   }
+  for (int y = window.y_first; y < window.y_last; ++y)
+    for (int x = window.x_first; x < window.x_last; ++x)
+      out.key[visible_pixels::at(window, x, y)] = raster_traits<Depth>::row(depth, y)[x] * plain_sign<Order>;
   return counts;
 }
 
