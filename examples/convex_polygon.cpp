@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/geometry/polygon_orientation.hpp>

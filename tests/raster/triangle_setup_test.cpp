@@ -47,8 +47,9 @@ TEST_CASE("triangle_setup: turning a triangle round exchanges two weights and ch
     CHECK(at.weight2 == back.weight1);
     CHECK(at.depth == back.depth);
     // The plane through the three corners, met at the pixel's centre.
-    const auto corner_of = [&](int k, int c) -> long double {
-      return c == 0 ? v[k].position.x : c == 1 ? v[k].position.y : v[k].depth;
+    const auto corner_of = [&](int k, int c) {
+      const double position = c == 0 ? v[k].position.x : v[k].position.y;
+      return static_cast<long double>(c == 2 ? static_cast<double>(v[k].depth) : position);
     };
     const auto side = [&](int k, int c) { return corner_of(k, c) - corner_of(0, c); };
     const long double cx = x * 256 + 128 - corner_of(0, 0), cy = y * 256 + 128 - corner_of(0, 1);
@@ -56,7 +57,8 @@ TEST_CASE("triangle_setup: turning a triangle round exchanges two weights and ch
     const long double depth = corner_of(0, 2) + ((side(1, 2) * side(2, 1) - side(2, 2) * side(1, 1)) * cx +
                                                  (side(2, 2) * side(1, 0) - side(1, 2) * side(2, 0)) * cy) /
                                                     area;
-    CHECK(std::fabs(static_cast<double>(depth - static_cast<long double>(at.depth))) <= 0x1p-22 * at.depth);
+    CHECK(std::fabs(static_cast<double>(depth - static_cast<long double>(at.depth))) <=
+          0x1p-22 * static_cast<double>(at.depth));
   }
 }
 

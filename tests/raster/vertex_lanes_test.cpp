@@ -7,7 +7,7 @@ namespace {
 
 template <int N>
 void there_and_back() {
-  irg::screen_vertex vertices[64], back[N];
+  irg::screen_vertex vertices[64], back[static_cast<unsigned>(N)];
   for (int i = 0; i < 64; ++i) {
     const auto f = static_cast<float>(i);
     vertices[i] = {{i - 30, 1000000 * i - 7}, 0.25f * f - 3.0f, 1.0f / (f + 1.0f)};

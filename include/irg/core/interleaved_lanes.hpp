@@ -180,8 +180,10 @@ IRG_INLINE quadruple_lanes<N> load_quadruples(const AddressOf& address_of) noexc
   }
   if constexpr (N == 8) {
     // Lanes i and i + 4 in the two halves of a register, so that no word has to cross over later.
-    const auto rows = [&](int i) { return __builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7); };
-    const auto r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
+    const auto rows = [&](int i) -> pack<float, 8> {
+      return {__builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7)};
+    };
+    const auto r0 = rows(0).v, r1 = rows(1).v, r2 = rows(2).v, r3 = rows(3).v;
     const auto xy01 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13),
                xy23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13),
                zw01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15),
