@@ -14,9 +14,10 @@ struct look_at_all {
     irg::image<float> nearest(window.x_last, window.y_last, irg::nearer_is_greater::farthest);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const irg::screen_face face = faces[i];
-      irg::covered_spans(face.on_screen.coverage, window, [&](const irg::span_of_cells& s) {
+      const irg::triangle_setup setup = irg::set_up_face(face);
+      irg::covered_spans(face.coverage, window, [&](const irg::span_of_cells& s) {
         for (int x = s.x_first; x < s.x_last; ++x, ++counts.tested)
-          if (const float z = irg::depth_at(face.on_screen.setup, x, s.y); nearest(x, s.y) < z)
+          if (const float z = irg::depth_at(setup, x, s.y); nearest(x, s.y) < z)
             nearest(x, s.y) = z, ids(x, s.y) = face.number;
       });
     }

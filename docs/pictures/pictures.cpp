@@ -16,6 +16,7 @@
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/fill_span.hpp>
+#include <irg/raster/face_order.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/render/render.hpp>
@@ -161,18 +162,13 @@ void methods() {
   picture all(2 * width, height), one(width, height);
   irg::image<float> z(width, height);
   irg::image<std::uint32_t> kept(width, height, irg::no_face);
+  std::vector<irg::screen_face> all_faces;
   const auto nearest = [&](const auto& faces, const irg::cell_window& w, irg::image<std::uint32_t>& ids,
                            irg::draw_counts&) {
+    for (std::size_t i = 0; i < faces.size(); ++i) all_faces.push_back(faces[i]);
     for (int y = w.y_first; y < w.y_last; ++y)
-      for (int x = w.x_first; x < w.x_last; ++x) {
-        float depth = 0;
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-          const irg::screen_face f = faces[i];
-          if (!irg::covers(f.on_screen.coverage, x, y) || !(depth < irg::depth_at(f.on_screen.setup, x, y))) continue;
-          depth = irg::depth_at(f.on_screen.setup, x, y);
-          ids(x, y) = kept(x, y) = f.number;
-        }
-      }
+      for (int x = w.x_first; x < w.x_last; ++x)
+        ids(x, y) = kept(x, y) = irg::picture_face_at(std::span(all_faces).last(faces.size()), x, y);
   };
   irg::render(nearest, s, one, z, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
   constexpr irg::rgba8 of_face[3] = {{200, 80, 60, 255}, {70, 150, 90, 255}, {60, 100, 180, 255}};

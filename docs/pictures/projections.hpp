@@ -148,9 +148,9 @@ inline picture boxes() {
       const double x = -6.6 + 1.05 * i, z = -8.6 + 1.05 * k;
       const irg::box<double, 3> b{{x - 0.3, -0.2, z - 0.3}, {x + 0.3, 0.2, z + 0.3}};
       const auto side = side_of(f, b);
-      const irg::rgba8 colour = side == irg::frustum_side::inside    ? green
-                                : side == irg::frustum_side::outside ? red
-                                                                     : blue;
+      const irg::rgba8 colour = side == irg::containment::inside    ? green
+                                : side == irg::containment::outside ? red
+                                                                    : blue;
       const auto low = cell_at(place(b.low.x, b.low.z)), high = cell_at(place(b.high.x, b.high.z));
       for (int y = low.y; y <= high.y; ++y) irg::fill_span(p, {y, low.x, high.x + 1}, colour);
     }

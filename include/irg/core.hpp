@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/core/config.hpp>
+#include <irg/core/containment.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>

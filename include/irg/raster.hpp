@@ -14,6 +14,8 @@
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/edge_walk.hpp>
 #include <irg/raster/ellipse_midpoint.hpp>
+#include <irg/raster/face_fragment.hpp>
+#include <irg/raster/face_order.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_aa.hpp>
 #include <irg/raster/fill_convex_textbook.hpp>
@@ -53,3 +55,4 @@
 #include <irg/raster/view_opencv.hpp>
 #include <irg/raster/view_sdl.hpp>
 #include <irg/raster/window.hpp>
+#include <irg/raster/window_coverage.hpp>

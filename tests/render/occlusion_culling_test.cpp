@@ -79,7 +79,7 @@ object_picture draw_objects(const body_scene<T>& s, std::span<const std::uint32_
                                  workspace);
   for (int y = 0; y < s.height; ++y)
     for (int x = 0; x < s.width; ++x)
-      if (p.object(x, y) != irg::no_triangle) p.object(x, y) = object_of[p.object(x, y)];
+      if (p.object(x, y) != irg::no_face) p.object(x, y) = object_of[p.object(x, y)];
   return p;
 }
 
@@ -202,7 +202,7 @@ void never_leaves_out_what_is_seen(std::uint64_t seed, int scenes) {
     std::vector<std::uint8_t> seen(s.bodies.size(), 0);
     for (int y = 0; y < s.height; ++y)
       for (int x = 0; x < s.width; ++x)
-        if (all.object(x, y) != irg::no_triangle) seen[all.object(x, y)] = 1;
+        if (all.object(x, y) != irg::no_face) seen[all.object(x, y)] = 1;
 
     irg::occlusion_culling<T, Order> culling(s.to_clip, s.width, s.height);
     std::vector<std::uint32_t> kept;

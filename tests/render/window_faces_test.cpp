@@ -17,19 +17,20 @@ struct nearest_of_all {
   template <class Faces>
   constexpr void operator()(const Faces& faces, const irg::cell_window& w, irg::image<std::uint32_t>& ids,
                             irg::draw_counts& counts) const {
-    for (int y = w.y_first; y < w.y_last; ++y)
-      for (int x = w.x_first; x < w.x_last; ++x) {
-        float nearest = 0;  // the far plane: what lies there is not drawn
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-          const irg::screen_face f = faces[i];
-          if (!irg::covers(f.on_screen.coverage, x, y)) continue;
+    irg::image<float> nearest(w.x_last, w.y_last, 0.0f);  // the far plane: what lies there is not drawn
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const irg::screen_face f = faces[i];
+      const irg::triangle_setup setup = irg::set_up_face(f);
+      irg::covered_spans(f.coverage, w, [&](const irg::span_of_cells& s) {
+        for (int x = s.x_first; x < s.x_last; ++x) {
           ++counts.tested;
-          const float depth = irg::depth_at(f.on_screen.setup, x, y);
-          if (!(nearest < depth)) continue;
-          nearest = depth;
-          ids(x, y) = f.number;
+          const float depth = irg::depth_at(setup, x, s.y);
+          if (!(nearest(x, s.y) < depth)) continue;
+          nearest(x, s.y) = depth;
+          ids(x, s.y) = f.number;
         }
-      }
+      });
+    }
   }
 };
 

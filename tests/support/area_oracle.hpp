@@ -66,21 +66,21 @@ inline std::vector<real_point> clipped(const std::vector<real_point>& p, bool in
   return out;
 }
 
-inline std::vector<real_point> in_pixels(const std::vector<irg::subpixel>& ring, long double x, long double y) {
+inline std::vector<real_point> in_pixels(const std::vector<irg::subpixel>& outline, long double x, long double y) {
   std::vector<real_point> p;
-  p.reserve(ring.size());
-  for (const irg::subpixel& v : ring) p.push_back({v.x / 256.0L - x, v.y / 256.0L - y});
+  p.reserve(outline.size());
+  for (const irg::subpixel& v : outline) p.push_back({v.x / 256.0L - x, v.y / 256.0L - y});
   return p;
 }
 
-inline long double area_of(const std::vector<irg::subpixel>& ring) {
-  const long double a = signed_area(in_pixels(ring, 0, 0));
+inline long double area_of(const std::vector<irg::subpixel>& outline) {
+  const long double a = signed_area(in_pixels(outline, 0, 0));
   return a < 0 ? -a : a;
 }
 
 /// The area of a ring within pixel (x, y), counted as often as the ring runs round it; clockwise rounds are positive.
-inline long double signed_area_within_pixel(const std::vector<irg::subpixel>& ring, int x, int y) {
-  std::vector<real_point> p = in_pixels(ring, x, y);
+inline long double signed_area_within_pixel(const std::vector<irg::subpixel>& outline, int x, int y) {
+  std::vector<real_point> p = in_pixels(outline, x, y);
   p = clipped(p, true, 0, 1);
   p = clipped(p, true, 1, -1);
   p = clipped(p, false, 0, 1);
@@ -89,8 +89,8 @@ inline long double signed_area_within_pixel(const std::vector<irg::subpixel>& ri
 }
 
 /// The area of a convex ring within pixel (x, y).
-inline long double area_within_pixel(const std::vector<irg::subpixel>& ring, int x, int y) {
-  const long double a = signed_area_within_pixel(ring, x, y);
+inline long double area_within_pixel(const std::vector<irg::subpixel>& outline, int x, int y) {
+  const long double a = signed_area_within_pixel(outline, x, y);
   return a < 0 ? -a : a;
 }
 
@@ -104,9 +104,9 @@ long double enclosed_within_pixel(const std::vector<std::vector<irg::subpixel>>&
   };
   std::vector<edge> edges;
   std::vector<long double> heights = {0, 1};
-  for (const auto& ring : rings) {
-    if (ring.size() < 3) continue;
-    const std::vector<real_point> p = in_pixels(ring, x, y);
+  for (const auto& outline : rings) {
+    if (outline.size() < 3) continue;
+    const std::vector<real_point> p = in_pixels(outline, x, y);
     for (std::size_t i = 0; i < p.size(); ++i) {
       const real_point &a = p[i], &b = p[(i + 1) % p.size()];
       if (a.y == b.y || std::max(a.y, b.y) <= 0 || std::min(a.y, b.y) >= 1) continue;

@@ -15,12 +15,12 @@
 
 using irg::bounding_sphere;
 using irg::box;
+using irg::containment;
 using irg::depth_range;
 using irg::frustum;
 using irg::frustum_corners;
 using irg::frustum_of;
 using irg::frustum_plane;
-using irg::frustum_side;
 using irg::hpoint;
 using irg::mat;
 using irg::plane;
@@ -34,7 +34,7 @@ using R = rational;
 using P = point<double, 3>;
 using B = box<double, 3>;
 using Ball = bounding_sphere<double, 3>;
-using enum frustum_side;
+using enum containment;
 constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // A right angle, square, from 1 to 5, looking along -z.
@@ -50,7 +50,7 @@ unsigned outside_bits(const mat<R, 4, 4>& m, const point<R, 3>& p) {
 }
 
 template <class T>
-frustum_side by_corners(const mat<R, 4, 4>& m, const box<T, 3>& b) {
+containment by_corners(const mat<R, 4, 4>& m, const box<T, 3>& b) {
   unsigned all = 63, any = 0;
   for (unsigned k = 0; k < 8; ++k) {
     const auto c = corner(b, k);
@@ -173,7 +173,7 @@ TEST_CASE("frustum: boxes in rationals are exactly what their corners say, plane
     const auto n = [&] { return R{r.integer(-6, 6), 2}; };
     const box<R, 3> b = enclosing_box(box<R, 3>{}, point<R, 3>{n(), n(), n()});
     const box<R, 3> around = enclosing_box(b, point<R, 3>{n(), n(), n()});
-    const frustum_side side = side_of(frustum_of(m), around);
+    const containment side = side_of(frustum_of(m), around);
     ++count[static_cast<int>(side)];
     CHECK(side == by_corners(m, around));
     CHECK(side_of(frustum_of(m), b.low) == by_corners(m, b));
@@ -210,7 +210,7 @@ TEST_CASE("frustum: boxes and balls in floats err on the safe side, and seldom; 
         b.low.x = p.a < 0 ? to : to - width, b.high.x = p.a < 0 ? to + width : to;
       }
     }
-    const frustum_side side = side_of(f, b);
+    const containment side = side_of(f, b);
     ++count[static_cast<int>(side)];
     bool out[6], all_in = true, any_out = false;
     for (int k = 0; k < 6; ++k) {
@@ -239,7 +239,7 @@ TEST_CASE("frustum: boxes and balls in floats err on the safe side, and seldom; 
     if (side == crossing && (any_out || all_in)) ++undecided;
 
     const Ball ball{middle, size * r.unit()};
-    const frustum_side round = side_of(f, ball);
+    const containment round = side_of(f, ball);
     bool ball_out = false, ball_in = true;
     for (int k = 0; k < 6; ++k) {
       const auto row = [&](int c) {  // the normal of plane k

@@ -8,9 +8,9 @@
 #include "support/random.hpp"
 #include "support/rational.hpp"
 
+using irg::containment;
 using irg::depth_range;
 using irg::frustum_plane;
-using irg::frustum_side;
 using irg::handedness;
 using irg::perspective;
 using irg::perspective_checked;
@@ -61,7 +61,7 @@ TEST_CASE("view_pyramid: GOLDEN 12, planes with inward normals") {
 
 TEST_CASE("view_pyramid: GOLDEN 15, what is inside") {
   constexpr auto f = pyramid_planes(course, handedness::left);
-  using enum frustum_side;
+  using enum containment;
   CHECK_BOTH(side_of(f, P{0, 0, 5}) == inside);
   CHECK_BOTH(side_of(f, P{10, 0, 5}) == inside);
   CHECK_BOTH(side_of(f, P{11, 0, 5}) == outside);

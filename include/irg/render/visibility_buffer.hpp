@@ -13,9 +13,6 @@
 
 namespace irg {
 
-/// The number of pixels that show no triangle.
-inline constexpr std::uint32_t no_triangle = 0xffffffff;
-
 namespace detail {
 
 // Stores the source triangles of what tiles show; where nothing was drawn, the raster keeps what it has.
@@ -24,7 +21,7 @@ struct number_tiles {
   Ids& ids;
   clearing clear_first;
 
-  IRG_INLINE constexpr void clear(const cell_window& w) const { clear_window(ids, w, no_triangle); }
+  IRG_INLINE constexpr void clear(const cell_window& w) const { clear_window(ids, w, no_face); }
 
   template <class T>
   constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const {
@@ -34,7 +31,7 @@ struct number_tiles {
       std::uint32_t* row = raster_traits<Ids>::row(ids, y);
       const std::uint32_t* place = v.place + (y - v.window.y_first) * tile_stride;
       for (int x = v.window.x_first; x < v.window.x_last; ++x, ++place) {
-        if (*place == no_triangle) continue;
+        if (*place == no_face) continue;
         row[x] = find.source(v.numbers[*place]);
         ++shown;
       }
@@ -50,7 +47,7 @@ inline namespace IRG_ABI {
 /// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
 /// shape   ids and depth are rasters of one size; first_number of the batches counts their triangles through
 /// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
-/// gives   no_triangle where nothing is seen, if cleared first, else what was there; of equally near triangles the
+/// gives   no_face where nothing is seen, if cleared first, else what was there; of equally near triangles the
 ///         first; triangles with a corner that is not finite are left out, and those that name a vertex that is not
 ///         there
 /// exact   the depths and triangles of draw_batches, the same bytes for every executor and all skips on and off

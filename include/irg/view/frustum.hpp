@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include <irg/core/containment.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/length.hpp>
@@ -37,13 +38,6 @@ struct frustum {
     planes[static_cast<int>(which)] = p;
     weights[static_cast<int>(which)] = {size(p.a), size(p.b), size(p.c), size(p.d)};
   }
-};
-
-/// Where something lies with regard to a frustum.
-enum class frustum_side {
-  outside,  // surely no point of it is in the frustum
-  crossing,  // anything else
-  inside  // surely all of it is in the frustum
 };
 
 /// The corners of a part of space with six sides: bit 0 of the index chooses left (0) or right (1), bit 1 bottom or
@@ -184,8 +178,8 @@ constexpr std::optional<frustum_corner_points<T>> frustum_corners(const frustum<
 /// source  Assarsson and Moller, Optimized view frustum culling algorithms, 2000: the corner nearest to the plane and
 ///         the one farthest from it
 template <Real T>
-constexpr frustum_side side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
-  if (is_empty(b)) return frustum_side::outside;
+constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
+  if (is_empty(b)) return containment::outside;
   const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
   const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return greater(size(b.low[i]), size(b.high[i])); });
   bool inside = true;
@@ -198,10 +192,10 @@ constexpr frustum_side side_of(const frustum<T>& f, const box<T, 3>& b) noexcept
       return along(p.a, 0) + along(p.b, 1) + along(p.c, 2) + p.d;
     };
     const T margin = detail::frustum_margin(f.weights[k], reach), lowest = value(false);
-    if (value(true) < T(0) - margin) return frustum_side::outside;
+    if (value(true) < T(0) - margin) return containment::outside;
     inside = inside && (margin < lowest || margin == lowest);
   }
-  return inside ? frustum_side::inside : frustum_side::crossing;
+  return inside ? containment::inside : containment::crossing;
 }
 
 /// Where a ball lies with regard to a frustum.
@@ -210,8 +204,8 @@ constexpr frustum_side side_of(const frustum<T>& f, const box<T, 3>& b) noexcept
 /// exact   as for a box
 /// cost    per plane one scalar product
 template <Floating T>
-constexpr frustum_side side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
-  if (ball.radius < T(0)) return frustum_side::outside;
+constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
+  if (ball.radius < T(0)) return containment::outside;
   const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return detail::magnitude(ball.centre[i]); });
   bool inside = true;
   for (int k = 0; k < 6; ++k) {
@@ -220,19 +214,19 @@ constexpr frustum_side side_of(const frustum<T>& f, const bounding_sphere<T, 3>&
     const T radius = has_normal ? ball.radius : T(0);
     const T value = product(p.a, ball.centre.x) + product(p.b, ball.centre.y) + product(p.c, ball.centre.z) + p.d;
     const T margin = detail::frustum_margin(f.weights[k], reach);
-    if (value < T(0) - (radius + margin)) return frustum_side::outside;
+    if (value < T(0) - (radius + margin)) return containment::outside;
     inside = inside && radius + margin <= value;
   }
-  return inside ? frustum_side::inside : frustum_side::crossing;
+  return inside ? containment::inside : containment::crossing;
 }
 
 /// Where a position lies with regard to a frustum; on its boundary, in floats beside it by rounding: crossing.
 /// gives   in rationals inside for the boundary too; crossing for NaN
 /// exact   as for a box
 template <Real T>
-constexpr frustum_side side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
+constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
   const box<T, 3> b{p, p};
-  return is_empty(b) ? frustum_side::crossing : side_of(f, b);
+  return is_empty(b) ? containment::crossing : side_of(f, b);
 }
 
 /// The frustum with normals of length 1.

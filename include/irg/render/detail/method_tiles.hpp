@@ -12,7 +12,7 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// The place in a tile's list of the triangle, or the piece of one, that has this number and covers a pixel; no_triangle
+// The place in a tile's list of the triangle, or the piece of one, that has this number and covers a pixel; no_face
 // where there is none. Lists are in the order of sources.
 template <class T>
 constexpr std::uint32_t place_of(std::uint32_t id, int x, int y, std::span<const std::uint32_t> numbers,
@@ -32,7 +32,7 @@ constexpr std::uint32_t place_of(std::uint32_t id, int x, int y, std::span<const
     if (covers(cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position), x, y))
       return static_cast<std::uint32_t>(first);
   }
-  return no_triangle;
+  return no_face;
 }
 
 // The places of the faces that ids name in a window, and their depths. Ids of faces that do not cover the pixel, or are
@@ -40,16 +40,16 @@ constexpr std::uint32_t place_of(std::uint32_t id, int x, int y, std::span<const
 template <class T, class Ids>
 constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const std::uint32_t> numbers,
                            const triangle_finder<T>& find, const cell_window& w) {
-  std::uint32_t last_id = no_triangle, place = no_triangle;
+  std::uint32_t last_id = no_face, place = no_face;
   covered_triangle t{};
   for (int y = w.y_first; y < w.y_last; ++y)
     for (int x = w.x_first; x < w.x_last; ++x) {
       const std::uint32_t id = get_pixel(ids, x, y);
-      if (id == no_triangle) continue;
-      if (id != last_id || place == no_triangle || !covers(t.coverage, x, y)) {
+      if (id == no_face) continue;
+      if (id != last_id || place == no_face || !covers(t.coverage, x, y)) {
         last_id = id;
         place = place_of(id, x, y, numbers, find);
-        if (place == no_triangle) continue;
+        if (place == no_face) continue;
         const triangle_corners c = find.corners(numbers[place]);
         t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
       }
@@ -80,7 +80,7 @@ struct method_tiles {
     for (int y = w.y_first; y < w.y_last; ++y)
       for (int x = w.x_first; x < w.x_last; ++x) {
         const std::size_t at = visible_pixels::at(w, x, y);
-        if (pixels.place[at] != no_triangle) set_pixel(depth, x, y, pixels.key[at]);
+        if (pixels.place[at] != no_face) set_pixel(depth, x, y, pixels.key[at]);
       }
     counts.shaded = finish(visible_window{pixels.place.data(), pixels.key.data(), 1.0f, numbers, w}, find);
     return counts;

@@ -2,6 +2,7 @@
 // Whole objects that cannot be seen because their box lies beyond the frustum.
 #pragma once
 
+#include <irg/core/containment.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/raster/screen_mapping.hpp>
@@ -24,11 +25,11 @@ struct object_culling {
   }
 
   IRG_INLINE constexpr bool unseen(const box<T, 3>& b) const noexcept {
-    return side_of(depth, b) == frustum_side::outside || (side_of(picture, b) == frustum_side::outside && unclipped(b));
+    return side_of(depth, b) == containment::outside || (side_of(picture, b) == containment::outside && unclipped(b));
   }
   // Whether no triangle in the box is clipped.
   IRG_INLINE constexpr bool unclipped(const box<T, 3>& b) const noexcept {
-    return side_of(guard, b) == frustum_side::inside;
+    return side_of(guard, b) == containment::inside;
   }
 
 private:

@@ -15,6 +15,7 @@
 
 #include <irg/core/lanes.hpp>
 #include <irg/raster/depth.hpp>
+#include <irg/raster/screen_face.hpp>
 #include <irg/raster/window.hpp>
 
 namespace irg {
@@ -22,7 +23,6 @@ namespace detail {
 
 inline constexpr int tile_size = 64, block_size = 8, blocks_across = tile_size / block_size;
 inline constexpr int tile_stride = tile_size + block_size;  // runs of pixels may reach beyond the right border
-inline constexpr std::uint32_t no_triangle = 0xffffffff;
 
 struct tile {
   alignas(64) float key[tile_size * tile_stride];

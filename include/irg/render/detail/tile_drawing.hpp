@@ -94,7 +94,7 @@ struct tile_painter {
       if (key < stored) return;
       if (key == stored) {
         ++ties;
-        if (out.id[at] == no_triangle || !comes_before(place, out.id[at])) return;
+        if (out.id[at] == no_face || !comes_before(place, out.id[at])) return;
       }
     }
     if constexpr (Test == tile_test::depth_only)

@@ -98,7 +98,7 @@ IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I& f0, const I& f1,
     if (id_at[i] == t.place) tie.v[i] = 0;  // drawn just now
   counts.ties = counts.ties - tie;
   for (int i = 0; i < lane_count; ++i)
-    if (tie.v[i] != 0 && id_at[i] != no_triangle && before(t.place, id_at[i])) id_at[i] = t.place;
+    if (tie.v[i] != 0 && id_at[i] != no_face && before(t.place, id_at[i])) id_at[i] = t.place;
 }
 
 // The rows of a box, from its first column on; `steps` are taken to the right, each of a register.

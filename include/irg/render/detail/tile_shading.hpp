@@ -96,7 +96,7 @@ struct shade_by_triangle {
     using I = lanes<integers>;
     constexpr int count = lanes<F>::count;
     std::int64_t shaded = 0;
-    std::uint32_t current = no_triangle;
+    std::uint32_t current = no_face;
     std::optional<shading_setup<shader_type>> setup;
     const cell_window& w = v.window;
     for (int by = w.y_first; by < w.y_last; by += block_size)

@@ -17,7 +17,7 @@ namespace detail {
 
 // The pixels of a window, at most tile_size a side, in rows of tile_stride.
 struct visible_window {
-  const std::uint32_t* place;  // of the triangle or piece, in `numbers`; no_triangle where nothing is seen
+  const std::uint32_t* place;  // of the triangle or piece, in `numbers`; no_face where nothing is seen
   const float* key;  // of the depth that is there; infinite beside the window
   float sign;  // of keys
   std::span<const std::uint32_t> numbers;
@@ -36,7 +36,7 @@ struct visible_pixels {
   std::vector<float> key;
 
   constexpr explicit visible_pixels(const cell_window& w)
-      : place(static_cast<std::size_t>((w.y_last - w.y_first) * tile_stride), no_triangle),
+      : place(static_cast<std::size_t>((w.y_last - w.y_first) * tile_stride), no_face),
         key(place.size(), std::numeric_limits<float>::infinity()) {}
   static constexpr std::size_t at(const cell_window& w, int x, int y) noexcept {
     return static_cast<std::size_t>((y - w.y_first) * tile_stride + (x - w.x_first));
