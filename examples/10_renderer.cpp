@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   for (const auto& [v] : torus.triangles) {
     // Clip: what is left of the triangle is a convex polygon; each corner brings its light along.
     irg::clip_vertex<double, 1> corner[3];
-    for (int i = 0; i < 3; ++i) corner[i] = {to_clip * torus.positions[v[i]], {double{light(v[i])}}};
+    for (int i = 0; i < 3; ++i) corner[i] = {to_clip * torus.positions[v[i]], {irg::widened(light(v[i]))}};
     const auto polygon = irg::clip_homogeneous(corner, mapping.guard);
     for (int i = 2; i < polygon.count; ++i) {
       // Project and snap, then set up: edge functions for coverage, depth and weights.
