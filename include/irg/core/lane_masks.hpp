@@ -99,6 +99,15 @@ IRG_INLINE constexpr T select(bool mask, T a, T b) noexcept {
 template <class T, int N>
 IRG_INLINE pack<T, N> select(const std::type_identity_t<mask_of_lanes<T, N>>& mask, const pack<T, N>& a,
                              const pack<T, N>& b) noexcept {
+#if defined(IRG_LANES_VECTOR) && defined(__SSE4_1__)
+  if constexpr (lanes_detail::is_pair<T, N>)
+    return {__builtin_ia32_blendvpd(b.v, a.v, reinterpret_cast<typename pack<T, N>::storage>(mask.v))};
+#elif defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+  if constexpr (sizeof(T) == 8) {  // masks of this size cannot be compared with zero
+    const auto bits = (mask & bits_as<std::int64_t>(a)) | (~mask & bits_as<std::int64_t>(b));
+    return bits_as<T>(bits);
+  }
+#endif
 #ifdef IRG_LANES_VECTOR
   return {mask.v ? a.v : b.v};
 #else

@@ -159,7 +159,7 @@ struct lanes<pack<T, N>> {
   IRG_INLINE static void store_bytes(void* p, const pack<T, N>& f) noexcept { std::memcpy(p, &f, sizeof f); }
   template <class Make>
   IRG_INLINE static pack<T, N> generate(const Make& make) {
-    pack<T, N> r{};
+    pack<T, N> r;
     for (int i = 0; i < N; ++i) set_lane(r, i, make(i));
     return r;
   }
