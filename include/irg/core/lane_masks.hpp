@@ -73,6 +73,21 @@ IRG_INLINE mask_of_lanes<T, N> operator==(const pack<T, N>& a, const pack<T, N>&
   return lanes_detail::compare(a, b, [](auto& r, const auto& x, const auto& y) { r = x == y; });
 }
 
+/// Where a <= b does not hold: a is greater, or one of them is NaN.
+template <class T, int N>
+IRG_INLINE mask_of_lanes<T, N> not_at_most(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)  // g++ would compare and turn the result round
+  using storage = typename mask_of_lanes<T, N>::storage;
+  if constexpr (lanes_detail::is_pair<T, N>) return {reinterpret_cast<storage>(__builtin_ia32_cmpnlepd(a.v, b.v))};
+#ifdef __AVX__
+  constexpr int not_less_or_equal = 6;
+  if constexpr (std::is_same_v<T, double> && N == 4)
+    return {reinterpret_cast<storage>(__builtin_ia32_cmppd256(a.v, b.v, not_less_or_equal))};
+#endif
+#endif
+  return ~(a <= b);
+}
+
 /// The same with one number for all lanes.
 template <class T, int N>
 IRG_INLINE mask_of_lanes<T, N> operator<(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
@@ -160,36 +175,49 @@ IRG_INLINE pack<std::int32_t, N> none_negative(const pack<std::int32_t, N>& a, c
   return (a | b | c) >= 0;
 }
 
+namespace lanes_detail {
+
+// One bit per lane, set where the lane's sign bit is.
+template <class T, int N>
+IRG_INLINE auto sign_bits(const pack<T, N>& p) noexcept {
+  using bits = std::conditional_t<(N > 32), std::uint64_t, unsigned>;
+  static_assert(N <= 64);
+#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+  if constexpr (sizeof p > native_bytes) {
+    return static_cast<bits>(sign_bits(low_half(p)) | bits{sign_bits(high_half(p))} << (N / 2));
+  } else {
+#ifdef __AVX__
+    if constexpr (sizeof(T) == 4 && N == 8) return static_cast<bits>(__builtin_ia32_movmskps256(bits_as<float>(p).v));
+    if constexpr (sizeof(T) == 8 && N == 4) return static_cast<bits>(__builtin_ia32_movmskpd256(bits_as<double>(p).v));
+#endif
+#ifdef __AVX2__
+    if constexpr (sizeof(T) == 1 && N == 32) return static_cast<bits>(__builtin_ia32_pmovmskb256(bits_as<char>(p).v));
+#endif
+    if constexpr (sizeof(T) == 4 && N == 4) return static_cast<bits>(__builtin_ia32_movmskps(bits_as<float>(p).v));
+    if constexpr (sizeof(T) == 8 && N == 2) return static_cast<bits>(__builtin_ia32_movmskpd(bits_as<double>(p).v));
+    if constexpr (sizeof(T) == 1 && N == 16) return static_cast<bits>(__builtin_ia32_pmovmskb128(bits_as<char>(p).v));
+  }
+#endif
+  const auto numbers = bits_as<typename lanes<mask_of_lanes<T, N>>::scalar>(p);
+  bits all = 0;
+  for (int i = 0; i < N; ++i) all |= numbers[i] < 0 ? bits{1} << i : bits{0};
+  return all;
+}
+
+}  // namespace lanes_detail
+
 /// One bit per lane, lane 0 the lowest, set where the mask holds.
 /// needs   masks of at most 64 lanes
 IRG_INLINE constexpr unsigned mask_bits(bool mask) noexcept { return mask ? 1u : 0u; }
 template <std::signed_integral T, int N>
 IRG_INLINE auto mask_bits(const pack<T, N>& mask) noexcept {
-  using bits = std::conditional_t<(N > 32), std::uint64_t, unsigned>;
-  static_assert(N <= 64);
-#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
-  if constexpr (sizeof mask > native_bytes) {
-    return static_cast<bits>(mask_bits(low_half(mask)) | bits{mask_bits(high_half(mask))} << (N / 2));
-  } else {
-#ifdef __AVX__
-    if constexpr (sizeof(T) == 4 && N == 8)
-      return static_cast<bits>(__builtin_ia32_movmskps256(bits_as<float>(mask).v));
-    if constexpr (sizeof(T) == 8 && N == 4)
-      return static_cast<bits>(__builtin_ia32_movmskpd256(bits_as<double>(mask).v));
-#endif
-#ifdef __AVX2__
-    if constexpr (sizeof(T) == 1 && N == 32)
-      return static_cast<bits>(__builtin_ia32_pmovmskb256(bits_as<char>(mask).v));
-#endif
-    if constexpr (sizeof(T) == 4 && N == 4) return static_cast<bits>(__builtin_ia32_movmskps(bits_as<float>(mask).v));
-    if constexpr (sizeof(T) == 8 && N == 2) return static_cast<bits>(__builtin_ia32_movmskpd(bits_as<double>(mask).v));
-    if constexpr (sizeof(T) == 1 && N == 16)
-      return static_cast<bits>(__builtin_ia32_pmovmskb128(bits_as<char>(mask).v));
-  }
-#endif
-  bits all = 0;
-  for (int i = 0; i < N; ++i) all |= mask[i] != 0 ? bits{1} << i : bits{0};
-  return all;
+  return lanes_detail::sign_bits(mask);
+}
+
+/// One bit per lane, lane 0 the lowest, set where the sign bit is: of -0 and of NaN, too.
+template <std::floating_point T, int N>
+IRG_INLINE auto sign_bits(const pack<T, N>& p) noexcept {
+  return lanes_detail::sign_bits(p);
 }
 
 /// Whether the mask holds in any lane, in all, in none.
