@@ -113,6 +113,18 @@ IRG_INLINE pack<float, N> to_float(const pack<std::int32_t, N>& i) noexcept {
   return converted<float>(i);
 }
 
+/// Whether upper_product is one instruction.
+#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
+template <int N>
+inline constexpr bool has_upper_product = N == 8 || N == 16;
+#elif defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+template <int N>
+inline constexpr bool has_upper_product = N == 8;
+#else
+template <int N>
+inline constexpr bool has_upper_product = false;
+#endif
+
 /// The upper halves of the products of 16-bit numbers.
 template <int N>
 IRG_INLINE pack<std::uint16_t, N> upper_product(const pack<std::uint16_t, N>& a,

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include <irg/core/lane_integers.hpp>
+#include <irg/core/lane_shuffles.hpp>
 #include <irg/core/pack.hpp>
 
 namespace irg {
@@ -36,6 +38,26 @@ IRG_INLINE pack<T, N> gather(const void* base, const pack<std::int32_t, N>& inde
   return lanes<pack<T, N>>::generate(at);
 }
 
+/// N bytes: those of a value again and again.
+/// needs   a trivially copyable V; sizeof(V) a power of two, at most N
+template <int N, class V>
+IRG_INLINE pack<std::uint8_t, N> repeated_bytes(const V& value) noexcept {
+  constexpr int size = static_cast<int>(sizeof(V));
+  if constexpr (size > 8) {
+    return repeated<N>(lanes<pack<std::uint8_t, size>>::load_bytes(&value));
+  } else {
+    using number = lanes_detail::signed_integer<size>;
+    return bits_as<std::uint8_t>(lanes<pack<number, N / size>>::broadcast(lanes<number>::load_bytes(&value)));
+  }
+}
+
+/// Writes the first `Bytes` bytes of a pack to p.
+template <int Bytes, class T, int N>
+IRG_INLINE void store_first_bytes(void* p, const pack<T, N>& f) noexcept {
+  static_assert(Bytes <= static_cast<int>(sizeof f));
+  std::memcpy(p, lanes_detail::address_of(f), static_cast<std::size_t>(Bytes));
+}
+
 /// Whether load_some and store_some leave out what is beyond by instructions of their own.
 #if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
 inline constexpr bool has_masked_stores = true;
@@ -43,24 +65,24 @@ inline constexpr bool has_masked_stores = true;
 inline constexpr bool has_masked_stores = false;
 #endif
 
+#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
 namespace lanes_detail {
 
-#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
 // All bits set in the first `count` lanes.
 alignas(64) inline constexpr std::int32_t in_or_out[16] = {-1, -1, -1, -1, -1, -1, -1, -1};
 template <int N>
 IRG_INLINE pack<std::int32_t, N> first_lanes(int count) noexcept {
   return lanes<pack<std::int32_t, N>>::load(in_or_out + 8 - count);
 }
+
+}  // namespace lanes_detail
 #endif
 
-// i, but no more than last; spelled without a comparison, which would become branches.
+/// i, but no more than last: without a branch, which a comparison might become.
 IRG_INLINE int no_further_than(int last, int i) noexcept {
   const int rest = last - i;
   return i + (rest & (rest >> 31));
 }
-
-}  // namespace lanes_detail
 
 /// The first `count` numbers from p on, in as many lanes; what is in the others is not said. Nothing beyond is read,
 /// and there is no branch.
@@ -80,7 +102,7 @@ IRG_INLINE pack<T, N> load_some(const void* p, int count) noexcept {
   // Lanes past the last number read it once more.
   const auto one = [&](int i) {
     T value;
-    std::memcpy(&value, static_cast<const char*>(p) + 4 * lanes_detail::no_further_than(count - 1, i), 4);
+    std::memcpy(&value, static_cast<const char*>(p) + std::ptrdiff_t{4} * no_further_than(count - 1, i), 4);
     return value;
   };
   if constexpr (N == 4) return pack_of(one(0), one(1), one(2), one(3));
@@ -103,7 +125,7 @@ IRG_INLINE void store_some(void* p, const pack<T, N>& f, int count) noexcept {
   // Lanes past the last number are stored where it belongs; from the last lane down, so that its own value comes last.
   for (int i = N - 1; i >= 0; --i) {
     const T value = f[i];
-    std::memcpy(static_cast<char*>(p) + 4 * lanes_detail::no_further_than(count - 1, i), &value, 4);
+    std::memcpy(static_cast<char*>(p) + std::ptrdiff_t{4} * no_further_than(count - 1, i), &value, 4);
   }
 }
 

@@ -126,6 +126,27 @@ using signed_integer = std::conditional_t<
     Bytes == 1, std::int8_t,
     std::conditional_t<Bytes == 2, std::int16_t, std::conditional_t<Bytes == 4, std::int32_t, std::int64_t>>>;
 
+// Where the lanes stand, to be copied. Of the pack itself g++ copies halves by way of memory.
+#ifdef IRG_LANES_VECTOR
+template <class T, int N>
+IRG_INLINE auto* address_of(pack<T, N>& p) noexcept {
+  return &p.v;
+}
+template <class T, int N>
+IRG_INLINE const auto* address_of(const pack<T, N>& p) noexcept {
+  return &p.v;
+}
+#else
+template <class T, int N>
+IRG_INLINE T* address_of(pack<T, N>& p) noexcept {
+  return p.number;
+}
+template <class T, int N>
+IRG_INLINE const T* address_of(const pack<T, N>& p) noexcept {
+  return p.number;
+}
+#endif
+
 }  // namespace lanes_detail
 
 /// Of each lane of T, whether something holds: all bits set, or none.
@@ -153,10 +174,12 @@ struct lanes<pack<T, N>> {
   IRG_INLINE static void store(T* p, const pack<T, N>& f) noexcept { store_bytes(p, f); }
   IRG_INLINE static pack<T, N> load_bytes(const void* p) noexcept {
     pack<T, N> f;
-    std::memcpy(&f, p, sizeof f);
+    std::memcpy(lanes_detail::address_of(f), p, sizeof f);
     return f;
   }
-  IRG_INLINE static void store_bytes(void* p, const pack<T, N>& f) noexcept { std::memcpy(p, &f, sizeof f); }
+  IRG_INLINE static void store_bytes(void* p, const pack<T, N>& f) noexcept {
+    std::memcpy(p, lanes_detail::address_of(f), sizeof f);
+  }
   template <class Make>
   IRG_INLINE static pack<T, N> generate(const Make& make) {
     pack<T, N> r;
