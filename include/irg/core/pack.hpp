@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// pack<T, N>: N numbers that are computed with at once. On compilers with vector extensions a pack is a vector register,
-// elsewhere (or with IRG_LANES_ARRAY) a plain array: the same text, the same bits.
+// pack<T, N>: N numbers that are computed with at once. On compilers with vector extensions a pack is a vector
+// register, elsewhere (or with IRG_LANES_ARRAY) a plain array: the same text, the same bits.
 //
 // Packs live in the functions' namespace because their layout follows the instruction set; they never cross a function
 // that is not inlined. Whatever may be wider than a register is passed by reference: by value it would have an ABI.
@@ -19,6 +19,14 @@
 
 namespace irg {
 inline namespace IRG_ABI {
+
+/// Whether packs are registers. Where they are arrays, kernels run all the same, but one that has a plain form, too,
+/// may be slower than that.
+#ifdef IRG_LANES_VECTOR
+inline constexpr bool has_lanes = true;
+#else
+inline constexpr bool has_lanes = false;
+#endif
 
 /// The number of bytes that one instruction of this target works on, 32 at most: the small triangles that pictures are
 /// made of would leave most of a wider pack idle.

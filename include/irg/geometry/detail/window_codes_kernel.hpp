@@ -77,7 +77,7 @@ constexpr void code_ring_plainly(const P* points, std::size_t n, const box<T, 2>
   });
 }
 
-// The codes of N / 2 vertices, four bits each: for the coordinates of a vertex, those below the window, then those above.
+// The codes of N / 2 vertices, four bits each: which coordinates are below the window, then which are above.
 template <int N>
 IRG_INLINE unsigned codes_of_lanes(const pack<double, N>& p, const pack<double, N>& low,
                                    const pack<double, N>& high) noexcept {

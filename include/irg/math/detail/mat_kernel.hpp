@@ -20,11 +20,11 @@ IRG_INLINE constexpr auto sum_of_products(const A& a, const B& b) noexcept {
   return sum;
 }
 
-// Whether a row of four T fits into a register, and how many such rows do.
+// Whether a row of four T fits into a register, and how many such rows do. Arrays would be slower than the plain body.
 template <class T>
 inline constexpr bool has_row_lanes = false;
 template <Floating T>
-inline constexpr bool has_row_lanes<T> = 4 * static_cast<int>(sizeof(T)) <= widest_bytes;
+inline constexpr bool has_row_lanes<T> = has_lanes && 4 * static_cast<int>(sizeof(T)) <= widest_bytes;
 template <class T>
 inline constexpr int rows_per_register = widest_bytes / (4 * static_cast<int>(sizeof(T)));
 

@@ -187,16 +187,16 @@ void project_points_in_lanes(const mat<T, 4, 4>& a, const T* p, T* out, std::siz
   for (; i < n; ++i) one(i);
 }
 
-// What constant evaluation does: one(i) for each.
+// What constant evaluation and machines without lanes do: one(i) for each.
 template <int Columns, class T, class One>
 constexpr void transform_triples(const mat<T, 4, 4>& a, const T* p, T* out, std::size_t n, const One& one) noexcept {
-  if (!std::is_constant_evaluated()) return transform_triples_in_lanes<Columns>(a, p, out, n, one);
+  if (has_lanes && !std::is_constant_evaluated()) return transform_triples_in_lanes<Columns>(a, p, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 template <class T, class One>
 constexpr void transform_streams(const mat<T, 4, 4>& a, const T* const (&p)[3], T* const (&out)[3], std::size_t n,
                                  const One& one) noexcept {
-  if (!std::is_constant_evaluated()) return transform_streams_in_lanes(a, p, out, n, one);
+  if (has_lanes && !std::is_constant_evaluated()) return transform_streams_in_lanes(a, p, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 template <int Stride, class T, class One>

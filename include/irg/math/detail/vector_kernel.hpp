@@ -83,25 +83,25 @@ void normalize_in_lanes(const float* v, float* out, std::size_t n, const One& on
   });
 }
 
-// What constant evaluation does: one(i) for each of n.
+// What constant evaluation and machines without lanes do: one(i) for each of n.
 template <class T, class One>
 constexpr void dots(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
-  if (!std::is_constant_evaluated()) return dots_in_lanes(a, b, out, n, one);
+  if (has_lanes && !std::is_constant_evaluated()) return dots_in_lanes(a, b, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 template <class T, class One>
 constexpr void crosses(const T* a, const T* b, T* out, std::size_t n, const One& one) noexcept {
-  if (!std::is_constant_evaluated()) return crosses_in_lanes(a, b, out, n, one);
+  if (has_lanes && !std::is_constant_evaluated()) return crosses_in_lanes(a, b, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 template <class T, class One>
 constexpr void normalize_fast(const T* v, T* out, std::size_t n, const One& one) noexcept {
-  if (!std::is_constant_evaluated()) return normalize_fast_in_lanes(v, out, n, one);
+  if (has_lanes && !std::is_constant_evaluated()) return normalize_fast_in_lanes(v, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 template <class T, class One>
 constexpr void normalize(const T* v, T* out, std::size_t n, const One& one) noexcept {
-  if constexpr (std::is_same_v<T, float> && native_bytes >= 32)  // a double's needs more than its range
+  if constexpr (std::is_same_v<T, float> && has_lanes && native_bytes >= 32)  // a double's needs more than its range
     if (!std::is_constant_evaluated()) return normalize_in_lanes(v, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
