@@ -9,8 +9,6 @@
 #include "support/random.hpp"
 #include "support/ulp.hpp"
 
-#ifdef IRG_LANES_VECTOR
-
 namespace {
 
 // Pixels of N lights, each channel with bits of its own.
@@ -77,5 +75,3 @@ TEST_CASE("encode_lanes: NaN, infinities, zeros, and what is beside 0 and 1; alw
 }
 
 }  // namespace
-
-#endif

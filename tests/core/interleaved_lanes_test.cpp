@@ -24,7 +24,33 @@ void there_and_back() {
   for (std::size_t i = 1; i <= 3 * N; ++i) CHECK(to[i] == from[i]);
 }
 
+// Words from anywhere, a quadruple each; put back one behind the other.
+template <int N>
+void quadruples() {
+  std::vector<float> from(4 * 3 * N), to(4 * N + 1, -1.0f);
+  for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<float>(i + 1);
+  const auto place = [](int i) { return static_cast<std::size_t>(4 * (i * 7 % (3 * N))); };
+  const auto q = irg::load_quadruples<N>([&](int i) { return from.data() + place(i); });
+  irg::store_quadruples<N>(to.data(), q);
+  for (int i = 0; i < N; ++i) {
+    const irg::pack<float, N>* const parts[] = {&q.x, &q.y, &q.z, &q.w};
+    for (std::size_t k = 0; k < 4; ++k) {
+      CHECK((*parts[k])[i] == from[place(i) + k]);
+      CHECK(to[4 * static_cast<std::size_t>(i) + k] == from[place(i) + k]);
+    }
+  }
+  CHECK(to.back() == -1.0f);
+}
+
 }  // namespace
+
+TEST_CASE("interleaved lanes: quadruples") {
+  quadruples<1>();
+  quadruples<2>();
+  quadruples<4>();
+  quadruples<8>();
+  quadruples<16>();
+}
 
 TEST_CASE("interleaved lanes: there and back") {
   there_and_back<float, 1>();

@@ -72,92 +72,6 @@ TEST_CASE("pack: every operation has the bits of the scalar one, for 4 and the n
   lanes_equal_scalars<irg::native_lanes<float>>();
 }
 
-#ifdef IRG_LANES_VECTOR
-template <int N>
-void wide_equals_integers() {
-  using wide = irg::wide_pack<N>;
-  using W = irg::lanes<wide>;
-  test::random random(N);
-  for (int i = 0; i < N; ++i) {
-    CHECK(lane(W::ramp(), i) == i);
-    CHECK(lane(W::broadcast(0x1p52), i) == 0x1p52);
-    CHECK(std::signbit(lane(W::broadcast(-0.0), i)));
-  }
-  for (int round = 0; round < 2000; ++round) {
-    // As edge functions have them: start + step * i below 2^53.
-    std::int64_t start[3], step[3];
-    wide row[3];
-    for (int k = 0; k < 3; ++k) {
-      start[k] = random.integer(-(std::int64_t{1} << (20 + round % 32)), std::int64_t{1} << (20 + round % 32));
-      step[k] = random.integer(-(1 << 27), 1 << 27);
-      if (round % 5 == 0) start[k] = -step[k] * random.integer(0, N - 1);  // zero in some lane
-      row[k] = W::broadcast(static_cast<double>(start[k])) + W::broadcast(static_cast<double>(step[k])) * W::ramp();
-    }
-    const auto as_float = irg::to_float(row[0]);
-    const unsigned inside = irg::mask_bits(irg::none_negative(row[0], row[1], row[2]));
-    for (int i = 0; i < N; ++i) {
-      const auto at = [&](int k) { return start[k] + step[k] * i; };
-      for (int k = 0; k < 3; ++k) REQUIRE(static_cast<std::int64_t>(lane(row[k], i)) == at(k));
-      REQUIRE(same(as_float[i], static_cast<float>(at(0))));  // rounded once
-      REQUIRE((inside >> i & 1) == (at(0) >= 0 && at(1) >= 0 && at(2) >= 0 ? 1u : 0u));
-    }
-    REQUIRE((inside >> N) == 0);
-  }
-}
-
-template <int N>
-void none_negative_of_integers() {
-  using ints = irg::pack<std::int32_t, N>;
-  test::random random(N + 100);
-  for (int round = 0; round < 2000; ++round) {
-    ints v[3];
-    for (ints& p : v)
-      for (int i = 0; i < N; ++i) {
-        const std::int32_t odd[] = {0, -1, 1, INT32_MIN, INT32_MAX};
-        p.v[i] = random.integer(0, 1) == 0 ? odd[random.integer(0, 4)] : static_cast<std::int32_t>(random.next());
-      }
-    const unsigned bits = irg::mask_bits(irg::none_negative(v[0], v[1], v[2]));
-    for (int i = 0; i < N; ++i) REQUIRE((bits >> i & 1) == (v[0][i] >= 0 && v[1][i] >= 0 && v[2][i] >= 0 ? 1u : 0u));
-  }
-}
-
-template <int N>
-void gather_takes_words() {
-  std::int32_t table[300];
-  float numbers[300];
-  test::random random(N + 200);
-  for (int i = 0; i < 300; ++i) {
-    table[i] = static_cast<std::int32_t>(random.next());
-    numbers[i] = any_float(random);
-  }
-  for (int round = 0; round < 500; ++round) {
-    irg::pack<std::int32_t, N> index;
-    for (int i = 0; i < N; ++i) index.v[i] = static_cast<std::int32_t>(random.integer(-150, 149));
-    const auto words = irg::gather<std::int32_t>(table + 150, index);
-    const auto floats = irg::gather<float>(numbers + 150, index);
-    for (int i = 0; i < N; ++i) {
-      REQUIRE(words[i] == table[150 + index[i]]);
-      REQUIRE(same(floats[i], numbers[150 + index[i]]));
-    }
-  }
-}
-
-TEST_CASE("gather: words before and behind the base") {
-  gather_takes_words<4>();
-  gather_takes_words<irg::native_lanes<float>>();
-}
-
-TEST_CASE("wide_pack: integers below 2^53, exactly, and rounded once to floats") {
-  wide_equals_integers<4>();
-  wide_equals_integers<irg::native_lanes<float>>();
-}
-
-TEST_CASE("none_negative: where three numbers are zero or more") {
-  none_negative_of_integers<4>();
-  none_negative_of_integers<irg::native_lanes<float>>();
-}
-#endif
-
 TEST_CASE("pack: a product that meets a sum is not fused") {
   // 1 + 2^-12 squared needs 25 bits: the fused form keeps the last one, the product rounded on its own does not.
   using floats = irg::pack<float, irg::native_lanes<float>>;
@@ -168,12 +82,26 @@ TEST_CASE("pack: a product that meets a sum is not fused") {
   CHECK_BOTH(irg::product(1.0f + 0x1p-12f, 1.0f + 0x1p-12f) - (1.0f + 0x1p-11f) == 0.0f);
 }
 
-TEST_CASE("lanes: the scalar forms") {
-  CHECK_BOTH(irg::lanes<float>::count == 1);
-  CHECK_BOTH(irg::select(true, 1, 2) == 1);
-  CHECK_BOTH(irg::mask_bits(true) == 1u);
-  CHECK_BOTH(irg::to_float(std::int64_t{1} << 40) == 0x1p40f);
-  CHECK_BOTH(irg::lane(5, 0) == 5);
+// The kernel of docs/core/lanes.md.
+template <class F>
+constexpr F ramp_up(const F& a, const F& x, const F& y) {
+  const F r = irg::product(a, x) + y, zero = irg::lanes<F>::broadcast(0);
+  return irg::select(r < zero, zero, r);
+}
+
+TEST_CASE("lanes: one kernel for scalars and packs") {
+  using f = irg::lanes<irg::pack<float, irg::native_lanes<float>>>;
+  test::random random(4);
+  for (int round = 0; round < 1000; ++round) {
+    constexpr std::size_t count = f::count;
+    float x[count], y[count], to[count];
+    for (int i = 0; i < f::count; ++i) x[i] = any_float(random), y[i] = any_float(random);
+    const float a = any_float(random);
+    f::store(to, ramp_up(f::broadcast(a), f::load(x), f::load(y)));
+    for (int i = 0; i < f::count; ++i) REQUIRE(same(to[i], ramp_up(a, x[i], y[i])));
+  }
+  CHECK_BOTH(ramp_up(2.0f, 3.0f, -7.0f) == 0.0f);
+  CHECK_BOTH(ramp_up(2.0f, 3.0f, -5.0f) == 1.0f);
 }
 
 }  // namespace

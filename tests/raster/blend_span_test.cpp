@@ -78,8 +78,6 @@ TEST_CASE("mix_pixels: all 2^24 arguments of a channel, in lanes") {
     }
 }
 
-#ifdef IRG_LANES_VECTOR
-
 // The primitives under it that other kernels call, next to memory that is not theirs.
 template <int N>
 void primitives_agree() {
@@ -168,8 +166,6 @@ TEST_CASE("mix kernel: whole packs, parts of packs and both ends of runs") {
   primitives_agree<4>();
   if constexpr (irg::native_bytes == 32) primitives_agree<irg::detail::mix_lanes>();
 }
-
-#endif
 
 constexpr irg::image<irg::rgba8> blended(int y, int x_first, int x_last) {
   irg::image<irg::rgba8> i(5, 2, {0, 0, 0, 0});

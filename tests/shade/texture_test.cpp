@@ -191,7 +191,6 @@ TEST_CASE("texture: against long double") {
   CHECK(at_edges < nearest_seen / 100);  // turned round, an edge belongs to the texel on its other side
 }
 
-#ifdef IRG_LANES_VECTOR
 TEST_CASE("texture: places in lanes are those of single numbers") {
   constexpr int N = irg::native_lanes<float>;
   using floats = irg::pack<float, N>;
@@ -222,6 +221,4 @@ TEST_CASE("texture: places in lanes are those of single numbers") {
     }
   }
 }
-#endif
-
 }  // namespace

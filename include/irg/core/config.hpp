@@ -49,14 +49,18 @@
 // stepping through with a debugger and for builds with sanitizers, which it makes several times quicker.
 #if defined(__GNUC__) && defined(IRG_INLINE_AS_USUAL)
 #define IRG_INLINE inline
+#define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE [[gnu::noinline]]
 #elif defined(__GNUC__)
 #define IRG_INLINE [[gnu::always_inline]] inline
+#define IRG_INLINE_LAMBDA __attribute__((always_inline))  // behind the parameters; C++20 has no place for [[ ]]
 #define IRG_NOINLINE [[gnu::noinline]]
 #elif defined(_MSC_VER)
 #define IRG_INLINE __forceinline
+#define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE __declspec(noinline)
 #else
 #define IRG_INLINE inline
+#define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE
 #endif

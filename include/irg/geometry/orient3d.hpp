@@ -68,11 +68,9 @@ IRG_INLINE constexpr int orient3d_compensated(const point_table<double, 4, 3>& t
                                                                                              : 0;
 }
 
-#ifdef IRG_HAS_FMA  // without, integers are faster
 IRG_INLINE constexpr int compensated_sign(const point_table<double, 4, 3>& t) noexcept {
-  return orient3d_compensated(t);
+  return has_fused_multiply_add ? orient3d_compensated(t) : 0;  // integers are faster where nothing is fused
 }
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

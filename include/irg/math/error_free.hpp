@@ -8,12 +8,9 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
+#include <irg/core/instructions.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/float_bits.hpp>
-
-#if defined(__FMA__) || defined(__aarch64__)
-#define IRG_HAS_FMA 1
-#endif
 
 namespace irg {
 
@@ -84,9 +81,8 @@ IRG_INLINE constexpr exact_sum<T> fast_two_product(T a, T b) noexcept {
     return {value, converted<float>(exact - widened(value))};
   } else {
     const double value = product(a, b);
-#ifdef IRG_HAS_FMA
-    if (!std::is_constant_evaluated()) return {value, __builtin_fma(a, b, -value)};
-#endif
+    if constexpr (has_fused_multiply_add)
+      if (!std::is_constant_evaluated()) return {value, fused_multiply_add(a, b, -value)};
     const auto [a_high, a_low] = split(a);
     const auto [b_high, b_low] = split(b);
     const double head = product(a_high, b_high) - value;

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <irg/core/conversion.hpp>
+#include <irg/core/instructions.hpp>
 #include <irg/math/error_free.hpp>
 
 namespace irg {
@@ -33,35 +34,6 @@ constexpr double sqrt_of_positive(double x) noexcept {
   return y * power_of_two((parts.exponent - (is_odd ? 1 : 0)) / 2);
 }
 
-/// The square root instruction itself: __builtin_sqrt would branch to the C library for errno's sake.
-template <Floating T>
-IRG_INLINE T sqrt_instruction(T x) noexcept {
-#if defined(__clang__) && __has_builtin(__builtin_elementwise_sqrt)
-  return __builtin_elementwise_sqrt(x);
-#elif defined(__SSE2__) && defined(__GNUC__) && !defined(__clang__)
-  T root;
-#ifdef __AVX__  // the older encoding among AVX instructions stalls for a hundred cycles and more
-  if constexpr (std::is_same_v<T, float>)
-    asm("vsqrtss %1, %1, %0" : "=x"(root) : "x"(x));
-  else
-    asm("vsqrtsd %1, %1, %0" : "=x"(root) : "x"(x));
-#else
-  if constexpr (std::is_same_v<T, float>)
-    asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
-  else
-    asm("sqrtsd %1, %0" : "=x"(root) : "x"(x));
-#endif
-  return root;
-#elif defined(__GNUC__)
-  if constexpr (std::is_same_v<T, float>)
-    return __builtin_sqrtf(x);
-  else
-    return __builtin_sqrt(x);
-#else
-#error "irg: this compiler's square root instruction is not known"
-#endif
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -74,7 +46,7 @@ inline namespace IRG_ABI {
 /// source  IEEE 754; Heron of Alexandria in constant evaluation
 template <Floating T>
 IRG_INLINE constexpr T sqrt(T x) noexcept {
-  if (!std::is_constant_evaluated()) return detail::sqrt_instruction(x);
+  if (!std::is_constant_evaluated()) return square_root_instruction(x);
   if (!(x > T(0))) return x == T(0) ? x : detail::not_a_number<T>;
   // A float's root taken in double rounds to the right float: 53 >= 2 * 24 + 2 bits.
   return detail::is_finite(x) ? converted<T>(detail::sqrt_of_positive(widened(x))) : x;

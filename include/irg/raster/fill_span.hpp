@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
+#include <cstdint>
 #include <type_traits>
 
 #include <irg/core/lanes.hpp>
@@ -21,41 +21,35 @@ template <class P>
 inline constexpr bool fills_in_lanes =
     std::is_trivially_copyable_v<P> && sizeof(P) <= 16 && (sizeof(P) & (sizeof(P) - 1)) == 0;
 
-// Writes a pattern of pixels of Unit bytes over fewer bytes than a register has: two stores that overlap, or one that
+// Writes a pattern over `count` pixels of Unit bytes, fewer than a register holds: two stores that overlap, or one that
 // leaves out what is beyond.
-template <std::size_t Unit, class Pattern>
-IRG_INLINE void fill_part(char* p, std::size_t size, const Pattern& pattern) noexcept {
-#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
-  if constexpr (Unit >= 4) {
-    typedef int ints __attribute__((vector_size(32)));
-    static constexpr int in_or_out[16] = {-1, -1, -1, -1, -1, -1, -1, -1};
-    ints mask;
-    std::memcpy(&mask, in_or_out + 8 - size / 4, sizeof mask);
-    __builtin_ia32_maskstored256(reinterpret_cast<ints*>(p), mask, reinterpret_cast<const ints&>(pattern));
-    return;
-  }
-#endif
+template <std::size_t Unit>
+IRG_INLINE void fill_part(char* p, std::size_t count, const pack<std::uint8_t, native_bytes>& pattern) noexcept {
+  constexpr int unit = static_cast<int>(Unit);
+  if constexpr (Unit >= 4 && has_masked_stores)
+    return store_some(p, bits_as<std::uint32_t>(pattern), static_cast<int>(count * (Unit / 4)));
+  const std::size_t size = count * Unit;
   if constexpr (sizeof pattern > 16) {
     if (size >= 16) {
-      store_front<16>(p, pattern);
-      return store_front<16>(p + size - 16, pattern);
+      store_first_bytes<16>(p, pattern);
+      return store_first_bytes<16>(p + size - 16, pattern);
     }
   }
   if (size >= 8) {
-    store_front<8>(p, pattern);
-    return store_front<8>(p + size - 8, pattern);
+    store_first_bytes<8>(p, pattern);
+    return store_first_bytes<8>(p + size - 8, pattern);
   }
   if constexpr (Unit <= 2) {
     if (size >= 4) {
-      store_front<4>(p, pattern);
-      return store_front<4>(p + size - 4, pattern);
+      store_first_bytes<4>(p, pattern);
+      return store_first_bytes<4>(p + size - 4, pattern);
     }
     if (size == 0) return;  // one to three units
-    store_front<Unit>(p, pattern);
-    store_front<Unit>(p + size / (2 * Unit) * Unit, pattern);
-    store_front<Unit>(p + size - Unit, pattern);
+    store_first_bytes<unit>(p, pattern);
+    store_first_bytes<unit>(p + size / (2 * Unit) * Unit, pattern);
+    store_first_bytes<unit>(p + size - Unit, pattern);
   } else if constexpr (Unit == 4) {
-    if (size == 4) store_front<4>(p, pattern);
+    if (size == 4) store_first_bytes<4>(p, pattern);
   }
 }
 
@@ -63,14 +57,12 @@ IRG_INLINE void fill_part(char* p, std::size_t size, const Pattern& pattern) noe
 // shape   ahead: as of fill_registers
 template <class P>
 IRG_INLINE void fill_lanes(P* first, std::size_t count, const P& value, std::ptrdiff_t ahead) noexcept {
-  using bytes = pack<std::uint8_t, native_bytes>;
-  constexpr std::size_t step = static_cast<std::size_t>(native_bytes), unit = sizeof(P);
-  bytes pattern;
-  for (std::size_t i = 0; i < step; i += unit) std::memcpy(reinterpret_cast<char*>(&pattern.v) + i, &value, unit);
+  constexpr std::size_t unit = sizeof(P);
+  const auto pattern = repeated_bytes<native_bytes>(value);
   const std::size_t size = count * unit;
   char* const p = reinterpret_cast<char*>(first);
-  if (size < step) return fill_part<unit>(p, size, pattern.v);
-  fill_registers<unit>(p, size, pattern.v, ahead);
+  if (size < sizeof pattern) return fill_part<unit>(p, count, pattern);
+  fill_registers<unit>(p, size, pattern, ahead);
 }
 
 // The same in constant evaluation, too, and for every type of pixel.

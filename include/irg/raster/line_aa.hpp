@@ -204,7 +204,6 @@ constexpr void aa_line(const subpixel& a, const subpixel& b, const line_aa_optio
   aa_box(aa_extent(a.x, b.x, beyond_x), aa_extent(a.y, b.y, beyond_y), w, writer);
 }
 
-#ifdef IRG_LANES_VECTOR
 // At run time only: lanes.
 template <class R>
 void aa_mix_line(R& raster, const subpixel& a, const subpixel& b, const pixel_of<R>& value,
@@ -213,7 +212,6 @@ void aa_mix_line(R& raster, const subpixel& a, const subpixel& b, const pixel_of
   aa_mixing_writer<R> writer(raster, value, w);
   aa_line(a, b, options, w, writer);
 }
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail
@@ -251,7 +249,6 @@ template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_line_aa(R& raster, const subpixel& a, const subpixel& b, const Paint& paint,
                             const cell_window& window, const line_aa_options& options = {}) {
   const cell_window w = intersect(window, window_of(raster));
-#ifdef IRG_LANES_VECTOR
   if constexpr (RowRaster<R> && detail::mixes_in_lanes<pixel_of<R>> && !CoverageBlendFunction<Paint, R>) {
     if (!std::is_constant_evaluated()) {
       if (!detail::aa_can_draw(a, b, options.width)) return false;
@@ -259,7 +256,6 @@ constexpr bool draw_line_aa(R& raster, const subpixel& a, const subpixel& b, con
       return true;
     }
   }
-#endif
   const auto blend = [&](const coverage_span& s) {
     for (int x = s.x_first; x < s.x_last; ++x) paint_pixel(raster, x, s.y, paint, s.coverage[x - s.x_first]);
   };

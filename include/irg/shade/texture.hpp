@@ -63,13 +63,11 @@ IRG_INLINE constexpr std::int32_t texture_floor(float x) noexcept {
   const auto whole = static_cast<std::int32_t>(x);
   return x < static_cast<float>(whole) ? whole - 1 : whole;
 }
-#ifdef IRG_LANES_VECTOR
 template <int N>
 IRG_INLINE pack<std::int32_t, N> texture_floor(const pack<float, N>& x) noexcept {
-  const pack<std::int32_t, N> whole{__builtin_convertvector(x.v, typename pack<std::int32_t, N>::storage)};
+  const auto whole = converted<std::int32_t>(x);
   return whole + (x < to_float(whole));  // a mask is -1 where it holds
 }
-#endif
 
 // x, or `low` where it is less or NaN, or `high` where it is more.
 template <class F, class S>

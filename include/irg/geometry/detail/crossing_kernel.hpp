@@ -27,59 +27,28 @@ IRG_INLINE constexpr two_parts<F> parts_of_difference(const F& a, const F& b) no
 }
 
 // a*b + c, rounded once or twice.
-IRG_INLINE constexpr double product_plus(double a, double b, double c) noexcept {
-#ifdef IRG_HAS_FMA
-  if (!std::is_constant_evaluated()) return __builtin_fma(a, b, c);
-#endif
+template <class F>
+IRG_INLINE constexpr F product_plus(const F& a, const F& b, const F& c) noexcept {
+  if constexpr (has_fused_multiply_add)
+    if (!std::is_constant_evaluated()) return fused_multiply_add(a, b, c);
   return product(a, b) + c;
 }
 
 // What c lacks of a*b, or has too much, nearly: a*b - c where c is about a*b.
-IRG_INLINE constexpr double product_minus(double a, double b, double c) noexcept {
-#ifdef IRG_HAS_FMA
-  if (!std::is_constant_evaluated()) return __builtin_fma(a, b, -c);
-#endif
-  const auto exact = fast_two_product(a, b);
-  return (exact.value - c) + exact.error;
-}
-
-#ifdef IRG_LANES_VECTOR
-#ifdef IRG_HAS_FMA
-template <int N>
-IRG_INLINE pack<double, N> product_plus(const pack<double, N>& a, const pack<double, N>& b,
-                                        const pack<double, N>& c) noexcept {
-#ifdef __FMA__
-  if constexpr (N == 2) return {__builtin_ia32_vfmaddpd(a.v, b.v, c.v)};
-#endif
-  pack<double, N> sum{};
-  for (int i = 0; i < N; ++i) sum.v[i] = __builtin_fma(a.v[i], b.v[i], c.v[i]);
-  return sum;
-}
-template <int N>
-IRG_INLINE pack<double, N> product_minus(const pack<double, N>& a, const pack<double, N>& b,
-                                         const pack<double, N>& c) noexcept {
-  return product_plus(a, b, {-c.v});
-}
-#else
-template <int N>
-IRG_INLINE pack<double, N> product_plus(const pack<double, N>& a, const pack<double, N>& b,
-                                        const pack<double, N>& c) noexcept {
-  return a * b + c;
-}
-template <int N>
-IRG_INLINE pack<double, N> product_minus(const pack<double, N>& a, const pack<double, N>& b,
-                                         const pack<double, N>& c) noexcept {
-  const auto halves = [](const pack<double, N>& x) {
-    const pack<double, N> scaled{opaque(x.v * 134217729.0)}, high = scaled - (scaled - x);  // 2^27 + 1
-    return two_parts<pack<double, N>>{high, x - high};
+template <class F>
+IRG_INLINE constexpr F product_minus(const F& a, const F& b, const F& c) noexcept {
+  if constexpr (has_fused_multiply_add)
+    if (!std::is_constant_evaluated()) return fused_multiply_add(a, b, -c);
+  const auto halves = [](const F& x) {
+    const F scaled = product(x, lanes<F>::broadcast(134217729.0)), high = scaled - (scaled - x);  // 2^27 + 1
+    return two_parts<F>{high, x - high};
   };
   const auto [a_high, a_low] = halves(a);
   const auto [b_high, b_low] = halves(b);
-  const pack<double, N> value = a * b;
-  return (value - c) + ((((a_high * b_high - value) + a_high * b_low) + a_low * b_high) + a_low * b_low);
+  const F value = product(a, b);
+  return (value - c) + ((((product(a_high, b_high) - value) + product(a_high, b_low)) + product(a_low, b_high)) +
+                        product(a_low, b_low));
 }
-#endif
-#endif
 
 // guess + correction is the crossing to within 2^-98 of |way| and 2^-52 of |correction|; guess is within some ulp of
 // way and of the crossing.
@@ -93,20 +62,14 @@ struct crossing_parts {
 template <class F>
 IRG_INLINE constexpr crossing_parts<F> refined_crossing(const F& y, const two_parts<F>& dx, const two_parts<F>& dy,
                                                         const two_parts<F>& s) noexcept {
-  const auto times = [](const F& a, const F& b) {
-    if constexpr (std::is_same_v<F, double>)
-      return product(a, b);
-    else
-      return a * b;  // packs guard their products
-  };
   const F inverse = lanes<F>::broadcast(1) / dx.value;
-  const F wanted = times(dy.value, s.value), way = times(wanted, inverse);
+  const F wanted = product(dy.value, s.value), way = product(wanted, inverse);
   const F guess = y + way, way_part = guess - y, y_part = guess - way_part;
   const F lost = (y - y_part) + (way - way_part);
   // dy*s - way*dx: the heads nearly cancel, the remainder is small.
   const F remainder =
       product_plus(dy.error, s.value, product_plus(dy.value, s.error, product_minus(dy.value, s.value, wanted)));
-  const F rest = (remainder - times(way, dx.error)) - product_minus(way, dx.value, wanted);
+  const F rest = (remainder - product(way, dx.error)) - product_minus(way, dx.value, wanted);
   return {guess, product_plus(rest, inverse, lost), way, wanted};
 }
 

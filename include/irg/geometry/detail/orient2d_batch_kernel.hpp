@@ -29,27 +29,11 @@ struct filtered_area {
 };
 inline constexpr double batch_bound_floor = 0x1p-1000, batch_reach = 0x1p500;
 
-#ifdef IRG_LANES_VECTOR
-template <int N>
-IRG_INLINE pack<double, N> magnitude(const pack<double, N>& x) noexcept {
-  using words = typename pack<std::int64_t, N>::storage;
-  return {reinterpret_cast<typename pack<double, N>::storage>(reinterpret_cast<words>(x.v) & INT64_MAX)};
-}
-#endif
-
-template <class F>
-IRG_INLINE constexpr F guarded_product(const F& a, const F& b) noexcept {
-  if constexpr (std::is_same_v<F, double>)
-    return product(a, b);
-  else
-    return a * b;  // packs guard their products
-}
-
 template <class F>
 IRG_INLINE constexpr filtered_area<F> filtered_cross(const F& ux, const F& uy, const F& vx, const F& vy, const F& floor,
                                                      const F& reach) noexcept {
-  const F l = guarded_product(ux, vy), r = guarded_product(uy, vx);
-  return {l - r, guarded_product(lanes<F>::broadcast(0x1p-51), magnitude(l + r)) + floor, reach};  // 4u
+  const F l = product(ux, vy), r = product(uy, vx);
+  return {l - r, product(lanes<F>::broadcast(0x1p-51), magnitude(l + r)) + floor, reach};  // 4u
 }
 
 // Points c against one line from a to b. Where the line's coordinates are far from 1, its own differences could be off
@@ -97,38 +81,27 @@ struct triple_batch_filter {
     if constexpr (std::is_same_v<F, double>)
       if (!(reach < batch_reach)) return {0, 1, 0};
     const F floor = lanes<F>::broadcast(batch_bound_floor);
-    return filtered_cross<F>(ux, uy, vx, vy, guarded_product(floor, reach) + floor, reach);
+    return filtered_cross<F>(ux, uy, vx, vy, product(floor, reach) + floor, reach);
   }
 };
 
 // Eight signs as bytes, 0 where the filter leaves them open: 1 and -1 are odd, so the lowest bits tell.
 inline constexpr std::uint64_t lowest_bits = 0x0101010101010101u;
 
-#ifdef IRG_LANES_VECTOR
-#ifdef __AVX512F__
-inline constexpr int batch_lanes = 8;
-#else
-inline constexpr int batch_lanes = native_lanes<double>;
-#endif
-
 // The signs of points i to i + 7.
 template <class Filter>
 IRG_INLINE std::uint64_t eight_signs(const Filter& filter, std::size_t i) noexcept {
-  constexpr int n = batch_lanes;
-  using words = typename pack<std::int64_t, n>::storage;
-  using bytes = typename pack<signed char, n>::storage;
+  constexpr int n = widest_lanes<double>;
   std::uint64_t all = 0;
   for (int k = 0; k < 8; k += n) {
     const auto f = filter.template at<pack<double, n>>(i + static_cast<std::size_t>(k));
-    words sure = magnitude(f.area).v > f.bound.v;
-    if constexpr (Filter::bounds_reach) sure &= f.reach.v < batch_reach;
-    const words sign = (f.area.v < 0) | 1;
-    const bytes part = __builtin_convertvector(sign & sure, bytes);
-    std::memcpy(reinterpret_cast<char*>(&all) + k, &part, sizeof part);
+    auto sure = magnitude(f.area) > f.bound;
+    if constexpr (Filter::bounds_reach) sure = both(sure, f.reach < batch_reach);
+    const auto sign = converted<std::int8_t>(((f.area < 0) | 1) & sure);
+    lanes<pack<std::int8_t, n>>::store_bytes(reinterpret_cast<char*>(&all) + k, sign);
   }
   return all;
 }
-#endif
 
 template <class Filter>
 IRG_INLINE constexpr int sure_sign(const Filter& filter, std::size_t i) noexcept {
@@ -141,7 +114,6 @@ template <class Filter, class Decide>
 constexpr std::size_t write_signs(const Filter& filter, std::size_t n, std::int8_t* signs,
                                   const Decide& decide) noexcept {
   std::size_t i = 0, open = 0;
-#ifdef IRG_LANES_VECTOR
   if (!std::is_constant_evaluated())
     for (; i + 8 <= n; i += 8) {
       const std::uint64_t eight = eight_signs(filter, i);
@@ -151,7 +123,6 @@ constexpr std::size_t write_signs(const Filter& filter, std::size_t n, std::int8
       for (std::size_t k = i; k < i + 8; ++k)
         if (signs[k] == 0) signs[k] = static_cast<std::int8_t>(decide(k)), ++open;
     }
-#endif
   for (; i < n; ++i) {
     signs[i] = static_cast<std::int8_t>(sure_sign(filter, i));
     if (signs[i] == 0) signs[i] = static_cast<std::int8_t>(decide(i)), ++open;

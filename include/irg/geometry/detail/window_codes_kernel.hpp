@@ -77,77 +77,69 @@ constexpr void code_ring_plainly(const P* points, std::size_t n, const box<T, 2>
   });
 }
 
-#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+// The codes of N / 2 vertices, four bits each: which coordinates are below the window, then which are above.
+template <int N>
+IRG_INLINE unsigned codes_of_lanes(const pack<double, N>& p, const pack<double, N>& low,
+                                   const pack<double, N>& high) noexcept {
+  const auto words = [](const auto& mask) { return bits_as<float>(mask); };
+  const auto below = words(not_at_most(low, p)), above = words(not_at_most(p, high));
+  if constexpr (N == 2)
+    return sign_bits(shuffled<0, 2, 4, 6>(below, above));
+  else
+    return sign_bits(shuffled<0, 2, 8, 10, 4, 6, 12, 14>(below, above));
+}
 
 // One vertex, or two where registers hold as many, at once. A register is stored by halves, as it will be read.
 template <class T = double>
 IRG_INLINE void code_ring(const point<double, 2>* points, std::size_t n, const box<double, 2>& w,
                           coded_ring& ring) noexcept {
-  typedef double two __attribute__((vector_size(16)));
-  typedef float four_floats __attribute__((vector_size(16)));
-  typedef long long two_words __attribute__((vector_size(16)));
-  const two low{w.low.x, w.low.y}, high{w.high.x, w.high.y};
+  using two = pack<double, 2>;
+  using four = pack<double, 4>;
+  const two low = pack_of(w.low.x, w.low.y), high = pack_of(w.high.x, w.high.y);
   two reach{};
   unsigned all = 255;
   const auto code_one = [&](std::size_t i) {
-    two p;
-    std::memcpy(&p, points + i, sizeof p);
-    std::memcpy(ring.at + 2 * i, &p, sizeof p);
-    reach += reinterpret_cast<two>(reinterpret_cast<two_words>(p) & INT64_MAX);
-    const auto below = reinterpret_cast<four_floats>(__builtin_ia32_cmpnlepd(low, p));
-    const auto above = reinterpret_cast<four_floats>(__builtin_ia32_cmpnlepd(p, high));
-    const auto code = static_cast<unsigned>(__builtin_ia32_movmskps(__builtin_shufflevector(below, above, 0, 2, 4, 6)));
+    const two p = lanes<two>::load_bytes(points + i);
+    lanes<two>::store(ring.at + 2 * i, p);
+    reach = reach + magnitude(p);
+    const unsigned code = codes_of_lanes(p, low, high);
     all &= code;
     return code;
   };
-#ifdef __AVX__
-  typedef double four __attribute__((vector_size(32)));
-  typedef float eight_floats __attribute__((vector_size(32)));
-  typedef long long four_words __attribute__((vector_size(32)));
-  const four low2 = __builtin_shufflevector(low, low, 0, 1, 0, 1),
-             high2 = __builtin_shufflevector(high, high, 0, 1, 0, 1);
-  four reach2{};
-  const std::size_t even = n & ~std::size_t{1};
-  pack_codes<2>(even, ring.words, [&](std::size_t i) {
-    four p;
-    std::memcpy(&p, points + i, sizeof p);
-    const two first = __builtin_shufflevector(p, p, 0, 1), second = __builtin_shufflevector(p, p, 2, 3);
-    std::memcpy(ring.at + 2 * i, &first, sizeof first);
-    std::memcpy(ring.at + 2 * i + 2, &second, sizeof second);
-    reach2 += reinterpret_cast<four>(reinterpret_cast<four_words>(p) & INT64_MAX);
-    constexpr int not_less_or_equal = 6;
-    const auto below = reinterpret_cast<eight_floats>(__builtin_ia32_cmppd256(low2, p, not_less_or_equal));
-    const auto above = reinterpret_cast<eight_floats>(__builtin_ia32_cmppd256(p, high2, not_less_or_equal));
-    const auto codes = static_cast<unsigned>(
-        __builtin_ia32_movmskps256(__builtin_shufflevector(below, above, 0, 2, 8, 10, 4, 6, 12, 14)));
-    all &= codes;
-    return codes;
-  });
-  all &= all >> 4;
-  reach = __builtin_shufflevector(reach2, reach2, 0, 1) + __builtin_shufflevector(reach2, reach2, 2, 3);
-  if (even < n) ring.words[even / codes_per_word] |= std::uint64_t{code_one(even)} << (4 * (even % codes_per_word));
-#else
-  pack_codes<1>(n, ring.words, code_one);
-#endif
+  if constexpr (native_lanes<double> >= 4) {
+    const four low2 = repeated<4>(low), high2 = repeated<4>(high);
+    four reach2{};
+    const std::size_t even = n & ~std::size_t{1};
+    pack_codes<2>(even, ring.words, [&](std::size_t i) {
+      const four p = lanes<four>::load_bytes(points + i);
+      lanes<two>::store(ring.at + 2 * i, low_half(p));
+      lanes<two>::store(ring.at + 2 * i + 2, high_half(p));
+      reach2 = reach2 + magnitude(p);
+      const unsigned codes = codes_of_lanes(p, low2, high2);
+      all &= codes;
+      return codes;
+    });
+    all &= all >> 4;
+    reach = low_half(reach2) + high_half(reach2);
+    if (even < n) ring.words[even / codes_per_word] |= std::uint64_t{code_one(even)} << (4 * (even % codes_per_word));
+  } else {
+    pack_codes<1>(n, ring.words, code_one);
+  }
   ring.all = all & 15;
   ring.reach = reach[0] + reach[1];
 }
-
-#endif
 
 // The ring of n points, 3 <= n <= few_vertices.
 template <Point P, class T>
 IRG_INLINE constexpr void find_window_codes(const P* points, std::size_t n, const box<T, 2>& w,
                                             coded_ring& ring) noexcept {
   ring.count = n;
-#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (std::is_same_v<P, point<double, 2>>)
     if (!std::is_constant_evaluated()) {
       code_ring(points, n, w, ring);
       std::memcpy(ring.at + 2 * n, points, sizeof(P));
       return;
     }
-#endif
   code_ring_plainly(points, n, w, ring);
   ring.at[2 * n] = ring.at[0], ring.at[2 * n + 1] = ring.at[1];
 }

@@ -22,58 +22,25 @@ namespace irg::detail {
 
 // Two numbers, without lanes: for constant evaluation.
 struct plain_pair {
-  double v[2];
+  double at[2];
 };
 
 inline constexpr std::ptrdiff_t is_delicate = -1;
 
 inline namespace IRG_ABI {
 
-IRG_INLINE constexpr plain_pair swapped(const plain_pair& p) noexcept { return {p.v[1], p.v[0]}; }
+IRG_INLINE constexpr plain_pair swapped(const plain_pair& p) noexcept { return {{p.at[1], p.at[0]}}; }
 
-#ifdef IRG_LANES_VECTOR
 using walk_pair = pack<double, 2>;
-IRG_INLINE walk_pair swapped(const walk_pair& p) noexcept { return {__builtin_shufflevector(p.v, p.v, 1, 0)}; }
-typedef std::int64_t lane_mask __attribute__((vector_size(16)));
-// A bit for each lane whose sign is set.
-IRG_INLINE unsigned negative_lanes(const walk_pair& p) noexcept {
-#ifdef __SSE2__
-  return static_cast<unsigned>(__builtin_ia32_movmskpd(p.v));
-#else
-  const auto bits = reinterpret_cast<lane_mask>(p.v);
-  return static_cast<unsigned>(bits[0] < 0) | static_cast<unsigned>(bits[1] < 0) << 1;
-#endif
-}
-// All bits of a lane, or none: where two are equal, where the first is less. By builtins, else g++ goes by way of
-// AVX-512's mask registers.
-IRG_INLINE lane_mask equal_lanes(const walk_pair& a, const walk_pair& b) noexcept {
-#ifdef __SSE2__
-  return reinterpret_cast<lane_mask>(__builtin_ia32_cmpeqpd(a.v, b.v));
-#else
-  return a.v == b.v;
-#endif
-}
-IRG_INLINE lane_mask less_lanes(const walk_pair& a, const walk_pair& b) noexcept {
-#ifdef __SSE2__
-  return reinterpret_cast<lane_mask>(__builtin_ia32_cmpltpd(a.v, b.v));
-#else
-  return a.v < b.v;
-#endif
-}
-IRG_INLINE walk_pair lesser_lanes(const walk_pair& a, const walk_pair& b) noexcept {
-#ifdef __SSE2__
-  return {__builtin_ia32_minpd(a.v, b.v)};
-#else
-  return {a.v < b.v ? a.v : b.v};
-#endif
-}
-IRG_INLINE walk_pair size_of_lanes(const walk_pair& p) noexcept {
-  return {reinterpret_cast<walk_pair::storage>(reinterpret_cast<lane_mask>(p.v) & INT64_MAX)};
-}
-#else
-using walk_pair = plain_pair;
-#endif
+IRG_INLINE walk_pair swapped(const walk_pair& p) noexcept { return shuffled<1, 0>(p); }
 
+template <class Pair>
+IRG_INLINE constexpr Pair pair_of(double x, double y) noexcept {
+  if constexpr (std::is_same_v<Pair, plain_pair>)
+    return {{x, y}};
+  else
+    return pack_of(x, y);
+}
 template <class Pair>
 IRG_INLINE constexpr Pair load_pair(const double* p) noexcept {
   if constexpr (std::is_same_v<Pair, plain_pair>)
@@ -81,27 +48,20 @@ IRG_INLINE constexpr Pair load_pair(const double* p) noexcept {
   else
     return lanes<Pair>::load(p);
 }
-IRG_INLINE constexpr void store_pair(double* p, const plain_pair& v) noexcept { p[0] = v.v[0], p[1] = v.v[1]; }
-// The first or the second numbers of both.
-IRG_INLINE constexpr plain_pair firsts(const plain_pair& a, const plain_pair& b) noexcept { return {{a.v[0], b.v[0]}}; }
-IRG_INLINE constexpr plain_pair seconds(const plain_pair& a, const plain_pair& b) noexcept {
-  return {{a.v[1], b.v[1]}};
-}
-// x, without a sign when it is zero, and y.
-IRG_INLINE constexpr plain_pair corner_of(const plain_pair& x, double y) noexcept { return {{x.v[0] + 0.0, y}}; }
-#ifdef IRG_LANES_VECTOR
+IRG_INLINE constexpr void store_pair(double* p, const plain_pair& v) noexcept { p[0] = v.at[0], p[1] = v.at[1]; }
 IRG_INLINE void store_pair(double* p, const walk_pair& v) noexcept { lanes<walk_pair>::store(p, v); }
-IRG_INLINE walk_pair firsts(const walk_pair& a, const walk_pair& b) noexcept {
-  return {__builtin_shufflevector(a.v, b.v, 0, 2)};
+// The first or the second numbers of both.
+IRG_INLINE constexpr plain_pair firsts(const plain_pair& a, const plain_pair& b) noexcept {
+  return {{a.at[0], b.at[0]}};
 }
-IRG_INLINE walk_pair seconds(const walk_pair& a, const walk_pair& b) noexcept {
-  return {__builtin_shufflevector(a.v, b.v, 1, 3)};
+IRG_INLINE constexpr plain_pair seconds(const plain_pair& a, const plain_pair& b) noexcept {
+  return {{a.at[1], b.at[1]}};
 }
-IRG_INLINE walk_pair corner_of(const walk_pair& x, double y) noexcept {
-  const walk_pair unsigned_x = x + walk_pair{};
-  return {walk_pair::storage{unsigned_x.v[0], y}};
-}
-#endif
+IRG_INLINE walk_pair firsts(const walk_pair& a, const walk_pair& b) noexcept { return shuffled<0, 2>(a, b); }
+IRG_INLINE walk_pair seconds(const walk_pair& a, const walk_pair& b) noexcept { return shuffled<1, 3>(a, b); }
+// x, without a sign when it is zero, and y.
+IRG_INLINE constexpr plain_pair corner_of(const plain_pair& x, double y) noexcept { return {{x.at[0] + 0.0, y}}; }
+IRG_INLINE walk_pair corner_of(const walk_pair& x, double y) noexcept { return pack_of((x + walk_pair{})[0], y); }
 
 // A window as the walk needs it: its corners' numbers; of the other axis in each lane, its bounds. With r the sum of
 // the magnitudes of the polygon's coordinates, a guess is within 2^-48 r of the crossing, a refined one within 2^-97 r.
@@ -142,23 +102,22 @@ constexpr edge_crossings<plain_pair> cross_edge(const double* edge, const plain_
   edge_crossings<plain_pair> found{{{0, 0}}, 0, 0};
   for (unsigned k = 0; k < 2; ++k) {
     if ((needed >> k & 1) == 0) continue;
-    const double ax = edge[k], ay = edge[1 - k], bx = edge[2 + k], by = edge[3 - k], x = bounds.v[k];
+    const double ax = edge[k], ay = edge[1 - k], bx = edge[2 + k], by = edge[3 - k], x = bounds.at[k];
     const unsigned bit = 1u << k;
     found.delicate |= bit;
     if (!(lesser(magnitude(x - ax), magnitude(bx - x)) > w.tolerance)) continue;
     const auto parts =
         refined_crossing(ay, parts_of_difference(bx, ax), parts_of_difference(by, ay), parts_of_difference(x, ax));
-    const bool rounds = rounds_to<T>(parts.guess, parts.correction, w.error, found.at.v[k]) || ay == by;
-    const double place = std::is_same_v<T, float> ? found.at.v[k] : parts.guess;
-    const double below = place - w.low.v[k], above = w.high.v[k] - place, inner = lesser(below, above);
-    const bool again = x == last.v[k] && found.at.v[k] == last.v[1 - k];
+    const bool rounds = rounds_to<T>(parts.guess, parts.correction, w.error, found.at.at[k]) || ay == by;
+    const double place = std::is_same_v<T, float> ? found.at.at[k] : parts.guess;
+    const double below = place - w.low.at[k], above = w.high.at[k] - place, inner = lesser(below, above);
+    const bool again = x == last.at[k] && found.at.at[k] == last.at[1 - k];
     if (k == 0) found.place = (below < 0 ? 1u : 0u) | (above < 0 ? 2u : 0u);
     if (rounds && !again && magnitude(inner) > w.tolerance) found.delicate ^= bit;
   }
   return found;
 }
 
-#ifdef IRG_LANES_VECTOR
 template <class T>
 IRG_INLINE edge_crossings<walk_pair> cross_edge(const double* edge, const walk_pair& bounds, const walk_pair& last,
                                                 const walked_window<walk_pair>& w, unsigned) noexcept {
@@ -169,26 +128,24 @@ IRG_INLINE edge_crossings<walk_pair> cross_edge(const double* edge, const walk_p
   const auto parts = refined_crossing(y, dx, dy, s);
   edge_crossings<walk_pair> found;
   walk_pair place = parts.guess;
-  lane_mask rounds{};
+  L::mask rounds{};
   if constexpr (std::is_same_v<T, float>) {
     double at[2];
-    for (int k = 0; k < 2; ++k) rounds[k] = rounds_to<T>(parts.guess.v[k], 0, w.error, at[k]) ? -1 : 0;
+    for (int k = 0; k < 2; ++k) set_lane(rounds, k, rounds_to<T>(parts.guess[k], 0, w.error, at[k]) ? -1 : 0);
     found.at = place = L::load(at);
   } else {
     const walk_pair error = L::broadcast(w.error);
     found.at = parts.guess + parts.correction;
-    rounds = equal_lanes(parts.guess + (parts.correction - error), parts.guess + (parts.correction + error));
+    rounds = parts.guess + (parts.correction - error) == parts.guess + (parts.correction + error);
   }
-  const walk_pair below = place - w.low, above = w.high - place, inner = lesser_lanes(below, above);
-  const walk_pair nearest =
-      lesser_lanes(lesser_lanes(size_of_lanes(s.value), size_of_lanes(b - bounds)), size_of_lanes(inner));
-  const lane_mask level = equal_lanes(dy.value, walk_pair{}), clear = less_lanes(L::broadcast(w.tolerance), nearest);
-  const lane_mask again = equal_lanes(bounds, last) & equal_lanes(found.at, swapped(last));
-  found.place = negative_lanes(firsts(below, above));
-  found.delicate = ~negative_lanes({reinterpret_cast<walk_pair::storage>(~again & clear & (rounds | level))});
+  const walk_pair below = place - w.low, above = w.high - place, inner = low_of(below, above);
+  const walk_pair nearest = low_of(low_of(magnitude(s.value), magnitude(b - bounds)), magnitude(inner));
+  const auto level = dy.value == walk_pair{}, clear = L::broadcast(w.tolerance) < nearest;
+  const auto again = (bounds == last) & (found.at == swapped(last));
+  found.place = sign_bits(firsts(below, above));
+  found.delicate = ~mask_bits(~again & clear & (rounds | level));
   return found;
 }
-#endif
 
 // Copies points; three more are written behind them, and read, at run time.
 template <class Pair>
@@ -200,7 +157,7 @@ IRG_INLINE constexpr void copy_points(const double* from, double* to, std::size_
     std::size_t i = 0;
     do {
       Pair p[4];
-      for (std::size_t k = 0; k < 4; ++k) p[k] = {opaque(lanes<Pair>::load(from + i + 2 * k).v)};
+      for (std::size_t k = 0; k < 4; ++k) p[k] = opaque(lanes<Pair>::load(from + i + 2 * k));
       for (std::size_t k = 0; k < 4; ++k) lanes<Pair>::store(to + i + 2 * k, p[k]);
       i += 8;
     } while (i < numbers);
@@ -216,8 +173,8 @@ IRG_INLINE constexpr std::ptrdiff_t walk_window(const coded_ring& ring, const bo
   const auto wide = [](T x) { return widened(x); };
   const double lx = wide(window.low.x), ly = wide(window.low.y), hx = wide(window.high.x), hy = wide(window.high.y);
   walked_window<Pair> w{{lx, ly, hx, ly, lx, hy, hx, hy},
-                        {{ly, lx}},
-                        {{hy, hx}},
+                        pair_of<Pair>(ly, lx),
+                        pair_of<Pair>(hy, hx),
                         ring.reach * 0x1p-45,
                         ring.reach * (std::is_same_v<T, float> ? 0x1p-48 : 0x1p-96)};
   const auto first_code = static_cast<unsigned>(ring.words[0] & 15);
@@ -226,7 +183,7 @@ IRG_INLINE constexpr std::ptrdiff_t walk_window(const coded_ring& ring, const bo
   unsigned place = starts_outside ? unknown : 0, first_cut = 0, delicate = 0;
   const std::size_t end = 2 * room;
   std::size_t to = 0, run = 0;  // numbers written; the first one in the ring that is not copied yet
-  Pair last{{infinite, infinite}};
+  Pair last = pair_of<Pair>(infinite, infinite);
   const auto copy_run = [&](std::size_t stop, std::size_t mask) {
     const std::size_t numbers = (stop - run) & mask;
     if (to + numbers + 8 > end) return false;

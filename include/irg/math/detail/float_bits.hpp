@@ -8,6 +8,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
+#include <irg/core/instructions.hpp>
 #include <irg/core/scalar.hpp>
 
 namespace irg::detail {
@@ -25,16 +26,7 @@ IRG_INLINE constexpr double from_bits(std::uint64_t bits) noexcept { return std:
 IRG_INLINE constexpr bool is_negative(double x) noexcept { return (bits_of(x) >> 63) != 0; }
 IRG_INLINE constexpr bool is_negative(float x) noexcept { return (std::bit_cast<std::uint32_t>(x) >> 31) != 0; }
 
-/// |x| by clearing the sign bit.
-#if defined(__GNUC__)  // stays in the floating-point registers, where g++ takes the bits through others
-IRG_INLINE constexpr double magnitude(double x) noexcept { return __builtin_fabs(x); }
-IRG_INLINE constexpr float magnitude(float x) noexcept { return __builtin_fabsf(x); }
-#else
-IRG_INLINE constexpr double magnitude(double x) noexcept { return from_bits(bits_of(x) & ~(std::uint64_t{1} << 63)); }
-IRG_INLINE constexpr float magnitude(float x) noexcept {
-  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7fffffffu);
-}
-#endif
+using irg::magnitude;
 
 /// The magnitude of x with the sign of y.
 IRG_INLINE constexpr double with_sign(double x, double y) noexcept {

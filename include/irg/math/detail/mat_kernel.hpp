@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
 
 #include <irg/core/lanes.hpp>
 #include <irg/math/vec.hpp>
@@ -21,43 +20,24 @@ IRG_INLINE constexpr auto sum_of_products(const A& a, const B& b) noexcept {
   return sum;
 }
 
-#ifdef IRG_LANES_VECTOR
-
-// The widest register, in bytes. Wider than native_bytes, which is kept small for the sake of small triangles.
-#if defined(__AVX512F__)
-inline constexpr int widest_bytes = 64;
-#else
-inline constexpr int widest_bytes = native_bytes;
-#endif
-
-// Whether a row of four T fits into a register, and how many such rows do.
+// Whether a row of four T fits into a register, and how many such rows do. Arrays would be slower than the plain body.
 template <class T>
 inline constexpr bool has_row_lanes = false;
 template <Floating T>
-inline constexpr bool has_row_lanes<T> = 4 * static_cast<int>(sizeof(T)) <= widest_bytes;
+inline constexpr bool has_row_lanes<T> = has_lanes && 4 * static_cast<int>(sizeof(T)) <= widest_bytes;
 template <class T>
 inline constexpr int rows_per_register = widest_bytes / (4 * static_cast<int>(sizeof(T)));
 
 // Lane K of every four lanes, in all four of them.
 template <int K, class T, int N>
 IRG_INLINE pack<T, N> spread(const pack<T, N>& a) noexcept {
-  return [&]<int... I>(std::integer_sequence<int, I...>) -> pack<T, N> {
-    return {__builtin_shufflevector(a.v, a.v, (I / 4 * 4 + K)...)};
-  }(std::make_integer_sequence<int, N>{});
+  return shuffled_by<N>(a, [](int i) { return i / 4 * 4 + K; });
 }
 
 // A row of four in every four lanes.
 template <int N, class T>
 IRG_INLINE pack<T, N> repeat_row(const T* row) noexcept {
-  const pack<T, 4> r = lanes<pack<T, 4>>::load(row);
-#if defined(__AVX512F__) && !defined(__clang__)
-  // g++ 12 makes a wider register of a narrower one by way of memory.
-  if constexpr (N == 16)
-    return {__builtin_ia32_broadcastf32x4_512(r.v, typename pack<T, N>::storage{}, static_cast<unsigned short>(-1))};
-#endif
-  return [&]<int... I>(std::integer_sequence<int, I...>) -> pack<T, N> {
-    return {__builtin_shufflevector(r.v, r.v, (I % 4)...)};
-  }(std::make_integer_sequence<int, N>{});
+  return repeated<N>(lanes<pack<T, 4>>::load(row));
 }
 
 // As many rows of a product as a register holds: rows of a times the four rows at b.
@@ -79,13 +59,11 @@ struct four_columns {
 template <class T>
 IRG_INLINE four_columns<T> columns_of(const T* rows) noexcept {
   using F = lanes<pack<T, 4>>;
-  const auto a = F::load(rows).v, b = F::load(rows + 4).v, c = F::load(rows + 8).v, d = F::load(rows + 12).v;
-  const auto ab01 = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab23 = __builtin_shufflevector(a, b, 2, 6, 3, 7),
-             cd01 = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd23 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-  return {{{__builtin_shufflevector(ab01, cd01, 0, 1, 4, 5)},
-           {__builtin_shufflevector(ab01, cd01, 2, 3, 6, 7)},
-           {__builtin_shufflevector(ab23, cd23, 0, 1, 4, 5)},
-           {__builtin_shufflevector(ab23, cd23, 2, 3, 6, 7)}}};
+  const auto a = F::load(rows), b = F::load(rows + 4), c = F::load(rows + 8), d = F::load(rows + 12);
+  const auto ab01 = shuffled<0, 4, 1, 5>(a, b), ab23 = shuffled<2, 6, 3, 7>(a, b), cd01 = shuffled<0, 4, 1, 5>(c, d),
+             cd23 = shuffled<2, 6, 3, 7>(c, d);
+  return {{shuffled<0, 1, 4, 5>(ab01, cd01), shuffled<2, 3, 6, 7>(ab01, cd01), shuffled<0, 1, 4, 5>(ab23, cd23),
+           shuffled<2, 3, 6, 7>(ab23, cd23)}};
 }
 
 // The sum of the first N columns, each times x(k). Columns that stay the same are made once in a loop.
@@ -99,28 +77,24 @@ IRG_INLINE pack<T, 4> sum_of_columns(const four_columns<T>& a, const X& x) noexc
 
 template <class V, class T>
 IRG_INLINE V from_lanes(const pack<T, 4>& f) noexcept {
-  if constexpr (is_own<V> && sizeof(V) == sizeof f.v) {
+  if constexpr (is_own<V> && sizeof(V) == sizeof f) {
     V v;
-    std::memcpy(static_cast<void*>(&v), &f.v, sizeof v);
+    lanes<pack<T, 4>>::store_bytes(&v, f);
     return v;
   } else {
     return generate_coordinates<V>([&](int i) { return f[i]; });
   }
 }
 
-#endif
-
 // out = a * b; `out` is neither of the two.
 template <class T, std::size_t R, std::size_t K, std::size_t C>
 IRG_INLINE constexpr void multiply(const T (&a)[R][K], const T (&b)[K][C], T (&out)[R][C]) noexcept {
-#ifdef IRG_LANES_VECTOR
   if constexpr (has_row_lanes<T> && R == 4 && K == 4 && C == 4) {
     if (!std::is_constant_evaluated()) {
       for (int r = 0; r < 4; r += rows_per_register<T>) multiply_rows(a[r], b[0], out[r]);
       return;
     }
   }
-#endif
   for (std::size_t r = 0; r < R; ++r)
     for (std::size_t c = 0; c < C; ++c)
       out[r][c] = sum_of_products<static_cast<int>(K)>([&](int k) { return a[r][k]; }, [&](int k) { return b[k][c]; });
@@ -129,24 +103,20 @@ IRG_INLINE constexpr void multiply(const T (&a)[R][K], const T (&b)[K][C], T (&o
 // The image of the column x(0) ... x(N - 1) under the first N columns of a, as a V.
 template <class V, int N, class T, std::size_t R, std::size_t C, class X>
 IRG_INLINE constexpr V image_of_column(const T (&a)[R][C], const X& x) noexcept {
-#ifdef IRG_LANES_VECTOR
   if constexpr (has_row_lanes<T> && R == 4 && C == 4)
     if (!std::is_constant_evaluated()) return from_lanes<V>(sum_of_columns<N>(columns_of(a[0]), x));
-#endif
   return generate_coordinates<V>([&](int r) { return sum_of_products<N>([&](int k) { return a[r][k]; }, x); });
 }
 
 // The same with the last column added as it is.
 template <class V, int N, class T, std::size_t R, std::size_t C, class X>
 IRG_INLINE constexpr V image_of_position(const T (&a)[R][C], const X& x) noexcept {
-#ifdef IRG_LANES_VECTOR
   if constexpr (has_row_lanes<T> && R == 4 && C == 4) {
     if (!std::is_constant_evaluated()) {
       const auto columns = columns_of(a[0]);
       return from_lanes<V>(sum_of_columns<N>(columns, x) + columns.column[N]);
     }
   }
-#endif
   return generate_coordinates<V>(
       [&](int r) { return sum_of_products<N>([&](int k) { return a[r][k]; }, x) + a[r][N]; });
 }

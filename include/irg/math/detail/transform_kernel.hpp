@@ -12,11 +12,6 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-#ifdef IRG_LANES_VECTOR
-
-template <class T>
-inline constexpr int widest_lanes = widest_bytes / static_cast<int>(sizeof(T));
-
 // The upper three rows of a matrix, each entry in all lanes.
 template <class T, int N>
 struct affine_lanes {
@@ -39,8 +34,6 @@ struct affine_lanes {
   }
 };
 
-#ifdef __AVX512F__
-
 // Sixteen triples of floats that stay interleaved: lane i of register g is coordinate (16 g + i) % 3 of a point, so the
 // entries of the matrix are laid out like that, and x, y and z of the point are brought to each of its lanes. That
 // takes nine shuffles where sorting and putting back take twelve.
@@ -50,13 +43,13 @@ struct interleaved_affine {
   IRG_INLINE explicit interleaved_affine(const mat<float, 4, 4>& a) noexcept {
     for (int g = 0; g < 3; ++g)
       for (int c = 0; c < 4; ++c)
-        for (int i = 0; i < 16; ++i) m[g][c].v[i] = a((16 * g + i) % 3, c);
+        for (int i = 0; i < 16; ++i) set_lane(m[g][c], i, a((16 * g + i) % 3, c));
   }
   // Coordinate k of the point that each lane of register g belongs to; it stands in registers r[g - 1] to r[g + 1].
   template <int g, int k>
   IRG_INLINE static F coordinate_of_lanes(const F (&r)[3]) noexcept {
     constexpr int low = (16 * g / 3 * 3 + k) / 16, high = (16 * g + 15) / 3 * 3 + k < 16 * (low + 1) ? low : low + 1;
-    return lanes_detail::shuffled(r[low], r[high], [](int i) { return (16 * g + i) / 3 * 3 + k - 16 * low; });
+    return shuffled_by<16>(r[low], r[high], [](int i) { return (16 * g + i) / 3 * 3 + k - 16 * low; });
   }
   template <int Columns, int g>
   IRG_INLINE F image(const F (&r)[3]) const noexcept {
@@ -76,8 +69,6 @@ struct interleaved_affine {
     store(out + 32, image2);
   }
 };
-
-#endif
 
 // How many numbers to deal with one by one until `out` stands at a multiple of a register, in steps of Stride numbers:
 // stores that straddle two cache lines take twice their time. None for short arrays, where it does not pay.
@@ -99,35 +90,14 @@ struct store_as_usual {
   }
   IRG_INLINE static void ask_for(const void*) noexcept {}
 };
-// needs   p at a multiple of the register's size; a fence before anybody else may look
+// needs   p at a multiple of the register's size; end_of_streams() before anybody else may look
 struct store_past_caches {
   template <class T, int N>
   IRG_INLINE void operator()(T* p, const pack<T, N>& f) const noexcept {
-#if defined(__clang__)
-    __builtin_nontemporal_store(f.v, reinterpret_cast<typename pack<T, N>::storage*>(p));
-#elif defined(__SSE2__)
-    constexpr int bytes = static_cast<int>(sizeof f.v);
-    constexpr bool is_float = std::is_same_v<T, float>;
-    if constexpr (bytes == 16 && is_float) __builtin_ia32_movntps(p, f.v);
-    if constexpr (bytes == 16 && !is_float) __builtin_ia32_movntpd(p, f.v);
-#ifdef __AVX__
-    if constexpr (bytes == 32 && is_float) __builtin_ia32_movntps256(p, f.v);
-    if constexpr (bytes == 32 && !is_float) __builtin_ia32_movntpd256(p, f.v);
-#endif
-#ifdef __AVX512F__
-    if constexpr (bytes == 64 && is_float) __builtin_ia32_movntps512(p, f.v);
-    if constexpr (bytes == 64 && !is_float) __builtin_ia32_movntpd512(p, f.v);
-#endif
-#else
-    lanes<pack<T, N>>::store(p, f);
-#endif
+    stream(p, f);
   }
   // What is read soon.
-  IRG_INLINE static void ask_for(const void* p) noexcept {
-    // The address may lie behind the array, where it must not be formed as a pointer.
-    // NOLINTNEXTLINE(performance-no-int-to-ptr)
-    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) + 1536));
-  }
+  IRG_INLINE static void ask_for(const void* p) noexcept { prefetch(p, 1536); }
 };
 
 // From this size of the result on it does not stay in a core's own cache anyway: writing past the caches spares reading
@@ -143,16 +113,14 @@ IRG_INLINE void in_registers(const T* from, const T* out, const T* out1, const T
   const std::size_t first = steps_to_aligned<Stride>(out, n);
   std::size_t i = 0;
   for (; i < first; ++i) one(i);
-#ifdef __SSE2__
   const auto is_aligned = [&](const T* p) {
     return reinterpret_cast<std::uintptr_t>(p + Stride * first) % static_cast<std::uintptr_t>(widest_bytes) == 0;
   };
-  if (3 * n * sizeof(T) >= bytes_past_caches && from != out && is_aligned(out) && is_aligned(out1) &&
-      is_aligned(out2)) {
+  if (has_streaming_stores && 3 * n * sizeof(T) >= bytes_past_caches && from != out && is_aligned(out) &&
+      is_aligned(out1) && is_aligned(out2)) {
     for (; i + count <= n; i += count) all(i, store_past_caches{});
-    __builtin_ia32_sfence();
+    end_of_streams();
   }
-#endif
   for (; i + count <= n; i += count) all(i, store_as_usual{});
   for (std::size_t rest = (n - i) % count; rest != 0; --rest, ++i) one(i);
 }
@@ -161,21 +129,19 @@ IRG_INLINE void in_registers(const T* from, const T* out, const T* out1, const T
 template <int Columns, class T, class One>
 void transform_triples_in_lanes(const mat<T, 4, 4>& a, const T* p, T* out, std::size_t n, const One& one) noexcept {
   constexpr int count = widest_lanes<T>;
-#ifdef __AVX512F__
-  if constexpr (std::is_same_v<T, float>) {
+  if constexpr (std::is_same_v<T, float> && count == 16) {
     const interleaved_affine image(a);
-    in_registers<count, 3>(p, out, out, out, n, one, [&](std::size_t i, auto store) {
+    in_registers<count, 3>(p, out, out, out, n, one, [&](std::size_t i, auto store) IRG_INLINE_LAMBDA {
       for (int k = 0; k < 3; ++k) store.ask_for(p + 3 * i + 16 * k);
       image.transform<Columns>(p + 3 * i, out + 3 * i, store);
     });
-    return;
+  } else {
+    const affine_lanes<T, count> m(a);
+    in_registers<count, 3>(p, out, out, out, n, one, [&](std::size_t i, auto store) IRG_INLINE_LAMBDA {
+      for (int k = 0; k < 3; ++k) store.ask_for(p + 3 * i + count * k);
+      store_triples(out + 3 * i, m.template image<Columns>(load_triples<count>(p + 3 * i)), store);
+    });
   }
-#endif
-  const affine_lanes<T, count> m(a);
-  in_registers<count, 3>(p, out, out, out, n, one, [&](std::size_t i, auto store) {
-    for (int k = 0; k < 3; ++k) store.ask_for(p + 3 * i + count * k);
-    store_triples(out + 3 * i, m.template image<Columns>(load_triples<count>(p + 3 * i)), store);
-  });
 }
 
 template <class T, class One>
@@ -184,7 +150,7 @@ void transform_streams_in_lanes(const mat<T, 4, 4>& a, const T* const (&p)[3], T
   constexpr int count = widest_lanes<T>;
   using F = lanes<pack<T, count>>;
   const affine_lanes<T, count> m(a);
-  in_registers<count, 1>(p[0], out[0], out[1], out[2], n, one, [&](std::size_t i, auto store) {
+  in_registers<count, 1>(p[0], out[0], out[1], out[2], n, one, [&](std::size_t i, auto store) IRG_INLINE_LAMBDA {
     for (int k = 0; k < 3; ++k) store.ask_for(p[k] + i);
     const auto image = m.template image<4>({F::load(p[0] + i), F::load(p[1] + i), F::load(p[2] + i)});
     store(out[0] + i, image.x);
@@ -209,7 +175,7 @@ void project_points_in_lanes(const mat<T, 4, 4>& a, const T* p, T* out, std::siz
   for (; stride * i + static_cast<std::size_t>(count) <= stride * n; i += rows) {
     const auto from = F::load(p + stride * i);
     const auto times = [&]<int K>(std::integral_constant<int, K>) {
-      return column[K] * lanes_detail::shuffled(from, from, [](int lane) { return lane / 4 * Stride + K; });
+      return column[K] * shuffled_by<count>(from, [](int lane) { return lane / 4 * Stride + K; });
     };
     const auto sum = (times(std::integral_constant<int, 0>{}) + times(std::integral_constant<int, 1>{})) +
                      times(std::integral_constant<int, 2>{});
@@ -221,32 +187,22 @@ void project_points_in_lanes(const mat<T, 4, 4>& a, const T* p, T* out, std::siz
   for (; i < n; ++i) one(i);
 }
 
-#endif
-
 // What constant evaluation and machines without lanes do: one(i) for each.
 template <int Columns, class T, class One>
-constexpr void transform_triples([[maybe_unused]] const mat<T, 4, 4>& a, [[maybe_unused]] const T* p,
-                                 [[maybe_unused]] T* out, std::size_t n, const One& one) noexcept {
-#ifdef IRG_LANES_VECTOR
-  if (!std::is_constant_evaluated()) return transform_triples_in_lanes<Columns>(a, p, out, n, one);
-#endif
+constexpr void transform_triples(const mat<T, 4, 4>& a, const T* p, T* out, std::size_t n, const One& one) noexcept {
+  if (has_lanes && !std::is_constant_evaluated()) return transform_triples_in_lanes<Columns>(a, p, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 template <class T, class One>
-constexpr void transform_streams([[maybe_unused]] const mat<T, 4, 4>& a, [[maybe_unused]] const T* const (&p)[3],
-                                 [[maybe_unused]] T* const (&out)[3], std::size_t n, const One& one) noexcept {
-#ifdef IRG_LANES_VECTOR
-  if (!std::is_constant_evaluated()) return transform_streams_in_lanes(a, p, out, n, one);
-#endif
+constexpr void transform_streams(const mat<T, 4, 4>& a, const T* const (&p)[3], T* const (&out)[3], std::size_t n,
+                                 const One& one) noexcept {
+  if (has_lanes && !std::is_constant_evaluated()) return transform_streams_in_lanes(a, p, out, n, one);
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 template <int Stride, class T, class One>
-constexpr void project_points([[maybe_unused]] const mat<T, 4, 4>& a, [[maybe_unused]] const T* p,
-                              [[maybe_unused]] T* out, std::size_t n, const One& one) noexcept {
-#ifdef IRG_LANES_VECTOR
+constexpr void project_points(const mat<T, 4, 4>& a, const T* p, T* out, std::size_t n, const One& one) noexcept {
   if constexpr (has_row_lanes<T>)
     if (!std::is_constant_evaluated()) return project_points_in_lanes<Stride>(a, p, out, n, one);
-#endif
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 

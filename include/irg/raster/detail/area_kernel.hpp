@@ -257,13 +257,7 @@ IRG_INLINE pack<std::int32_t, N> coverage_of_area(const pack<float, N>& area) no
   using F = pack<float, N>;
   const F zero = lanes<F>::broadcast(0);
   const F scaled = lanes<F>::broadcast(255) * high_of(area, zero) + lanes<F>::broadcast(area_rounding);
-#ifdef IRG_LANES_VECTOR
-  return {__builtin_convertvector(scaled.v, typename pack<std::int32_t, N>::storage)};
-#else
-  pack<std::int32_t, N> r{};
-  for (int i = 0; i < N; ++i) r.v[i] = static_cast<std::int32_t>(scaled.v[i]);
-  return r;
-#endif
+  return converted<std::int32_t>(scaled);
 }
 
 // Sends one row to the target: the columns between both sides, as far as the window holds them.

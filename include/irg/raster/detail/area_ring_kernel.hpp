@@ -50,33 +50,27 @@ IRG_INLINE constexpr bool area_of_ring(const Ring& ring, const cell_window& w, T
   return true;
 }
 
-#ifdef IRG_LANES_VECTOR
 // Mixes a colour straight into rows.
 template <class R, FillableRing Ring>
 bool mix_convex_ring(R& raster, const Ring& ring, const pixel_of<R>& value, const cell_window& w) {
   area_mix_target<R> target(raster, value);
   return area_of_ring<pack<float, mix_lanes>>(ring, w, target);
 }
-#endif
 
 // Sends the coverages of a convex ring to a sink.
 template <FillableRing Ring, class Sink>
 constexpr bool send_convex_areas(const Ring& ring, const cell_window& w, Sink& emit) {
   area_span_target<Sink> target{emit};
-#ifdef IRG_LANES_VECTOR
   if (!std::is_constant_evaluated()) return area_of_ring<pack<float, native_lanes<float>>>(ring, w, target);
-#endif
   return area_of_ring<float>(ring, w, target);
 }
 
 // Mixes a value into the pixels of a raster that has rows.
 template <class R, FillableRing Ring>
 constexpr bool mix_convex_areas(R& raster, const Ring& ring, const pixel_of<R>& value, const cell_window& w) {
-#ifdef IRG_LANES_VECTOR
   if constexpr (mixes_in_lanes<pixel_of<R>>) {
     if (!std::is_constant_evaluated()) return mix_convex_ring(raster, ring, value, w);
   }
-#endif
   const auto blend = [&](const coverage_span& span) { blend_span(raster, span, value); };
   return send_convex_areas(ring, w, blend);
 }

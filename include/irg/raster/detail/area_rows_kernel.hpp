@@ -10,8 +10,6 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-#ifdef IRG_LANES_VECTOR
-
 // Rows of steep edges that no window cuts. With less than a pack of columns covered in part on a side the columns are
 // the same in each row and small, so that nothing is to be masked (uncovered_near).
 template <int N>
@@ -26,8 +24,7 @@ struct steep_rows {
     const std::int64_t reach = greater(left.reach, right.reach);
     very_steep = reach <= (half - 1) * area_one;
     steep = reach <= (N - 1) * area_one;
-    pack<std::int32_t, N> first;
-    for (int i = 0; i < N; ++i) first.v[i] = i < half ? -1 : 0;
+    const auto first = lanes<pack<std::int32_t, N>>::ramp() < half;
     column = select(first, up, down);
     width = select(first, left.width, right.width);
     scale = select(first, left.scale, right.scale);
@@ -43,9 +40,9 @@ struct steep_rows {
       const std::int32_t l = area_rest(left.low), r = area_rest(right.low);
       pack<std::int32_t, N> rest;
       if constexpr (N == 4)
-        rest.v = typename pack<std::int32_t, N>::storage{l, l, r, r};
+        rest = pack_of(l, l, r, r);
       else
-        rest.v = typename pack<std::int32_t, N>::storage{l, l, l, l, r, r, r, r};
+        rest = pack_of(l, l, l, l, r, r, r, r);
       target.mix_ends(x_first, x_last,
                       coverage_of_area(one - uncovered_near(column, to_float(rest) * lanes<F>::broadcast(0x1p-20f),
                                                             width, scale, one)));
@@ -129,13 +126,10 @@ struct small_polygon {
   }
 };
 
-#endif
-
 // Sends the rows [row, stop) to the target, which the same two edges cross from top to bottom.
 template <class F, class Target>
 IRG_INLINE constexpr void whole_rows(Target& target, whole_edge_rows<F> left, whole_edge_rows<F> right, int row,
                                      int stop, const cell_window& w) {
-#ifdef IRG_LANES_VECTOR
   if constexpr (lanes<F>::count > 1) {
     const steep_rows<lanes<F>::count> steep(left, right);
     for (; row < stop; ++row) {
@@ -149,7 +143,6 @@ IRG_INLINE constexpr void whole_rows(Target& target, whole_edge_rows<F> left, wh
     }
     return;
   }
-#endif
   for (; row < stop; ++row) {
     target.begin(row);
     area_row<F>(target, left.row(), right.row(), 1.0f, w);
@@ -158,8 +151,6 @@ IRG_INLINE constexpr void whole_rows(Target& target, whole_edge_rows<F> left, wh
     right.next();
   }
 }
-
-#ifdef IRG_LANES_VECTOR
 
 // Sends the rows of a small polygon to the target; columns of its box that a row does not reach are sent, too.
 // needs   the columns [x_first, x_last) and rows [row_first, row_last) of its box, the columns within the window
@@ -188,15 +179,12 @@ IRG_INLINE void small_area_rows(const Vertices& vertex, std::size_t n, const rin
   }
 }
 
-#endif
-
 // Sends every row of a ring to the target.
 // needs   vertex(i) for i < n, n >= 3; clockwise: as seen on the screen
 template <class F, class Vertices, class Target>
 IRG_INLINE constexpr void area_rows(const Vertices& vertex, std::size_t n, const ring_extent<std::int32_t>& extent,
                                     bool clockwise, const cell_window& w, Target& target) {
   const int row_first = extent.top >> subpixel_bits, row_end = (extent.bottom + (one_pixel - 1)) >> subpixel_bits;
-#ifdef IRG_LANES_VECTOR
   if constexpr (lanes<F>::count > 1 && Target::takes_uncovered) {
     const int x_first = extent.left >> subpixel_bits, x_last = (extent.right + (one_pixel - 1)) >> subpixel_bits;
     if (small_polygon<lanes<F>::count>::serves(x_last - x_first, row_end - row_first) && x_first >= w.x_first &&
@@ -204,7 +192,6 @@ IRG_INLINE constexpr void area_rows(const Vertices& vertex, std::size_t n, const
       return small_area_rows<lanes<F>::count>(vertex, n, extent, clockwise, x_first, x_last, row_first, row_end, w,
                                               target);
   }
-#endif
   area_side<1, Vertices> left(vertex, n, extent.topmost, !clockwise);
   area_side<-1, Vertices> right(vertex, n, extent.topmost, clockwise);
   int row = greater(row_first, w.y_first);

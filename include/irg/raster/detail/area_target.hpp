@@ -65,8 +65,6 @@ struct area_span_target {
   }
 };
 
-#ifdef IRG_LANES_VECTOR
-
 inline namespace IRG_ABI {
 
 // Mixes a colour into rows.
@@ -103,8 +101,6 @@ struct area_mix_target {
 };
 
 }  // namespace IRG_ABI
-
-#endif
 
 }  // namespace detail
 }  // namespace irg

@@ -19,17 +19,6 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-// |x|
-IRG_INLINE constexpr float aa_size(float x) noexcept { return x < 0.0f ? -x : x; }
-#ifdef IRG_LANES_VECTOR
-template <int N>
-IRG_INLINE pack<float, N> aa_size(const pack<float, N>& x) noexcept {
-  using floats = typename pack<float, N>::storage;
-  using bits = typename pack<std::int32_t, N>::storage;
-  return {reinterpret_cast<floats>(reinterpret_cast<bits>(x.v) & 0x7fffffff)};
-}
-#endif
-
 // What an edge adds to the sum, but for two factors: square goes with 1 / (2 lo hi), linear with 1 / hi.
 template <class F>
 struct aa_moments {
@@ -101,7 +90,7 @@ struct aa_thin_row {
   }
   IRG_INLINE constexpr F before_shift(F k) const noexcept { return product(k, step) + centre; }
   IRG_INLINE constexpr F shifted(F x) const noexcept {
-    const F zero = lanes<F>::broadcast(0.0f), u = aa_size(x - shift), v = high_of(low_of(b0 - u, m), zero),
+    const F zero = lanes<F>::broadcast(0.0f), u = magnitude(x - shift), v = high_of(low_of(b0 - u, m), zero),
             z2 = high_of(b2 - u, zero), z3 = high_of(b3 - u, zero);
     return product((product(v, v) - product(z2, z2)) - product(z3, z3), inverse) +
            high_of(b1 - u, lanes<F>::broadcast(aa_half));
@@ -111,20 +100,12 @@ struct aa_thin_row {
 
 // The sums of four packs, each summed as (0 + 2) + (1 + 3).
 IRG_INLINE constexpr float aa_sum(float a, float b, float c, float d) noexcept { return (a + c) + (b + d); }
-#ifdef IRG_LANES_VECTOR
 IRG_INLINE pack<float, 4> aa_sums(const pack<float, 4>& a, const pack<float, 4>& b, const pack<float, 4>& c,
                                   const pack<float, 4>& d) noexcept {
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_shufflevector)
-  const auto ab = __builtin_shufflevector(a.v, b.v, 0, 4, 1, 5) + __builtin_shufflevector(a.v, b.v, 2, 6, 3, 7);
-  const auto cd = __builtin_shufflevector(c.v, d.v, 0, 4, 1, 5) + __builtin_shufflevector(c.v, d.v, 2, 6, 3, 7);
-  return {__builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7)};
-#endif
-#endif
-  const auto sum = [](const pack<float, 4>& x) { return aa_sum(x[0], x[1], x[2], x[3]); };
-  return {typename pack<float, 4>::storage{sum(a), sum(b), sum(c), sum(d)}};
+  const auto ab = shuffled<0, 4, 1, 5>(a, b) + shuffled<2, 6, 3, 7>(a, b);
+  const auto cd = shuffled<0, 4, 1, 5>(c, d) + shuffled<2, 6, 3, 7>(c, d);
+  return shuffled<0, 1, 4, 5>(ab, cd) + shuffled<2, 3, 6, 7>(ab, cd);
 }
-#endif
 
 // A row with edges that end in it: four edges, those on the right side with negative factors. F is float, or four lanes
 // with an edge each. Far: of a row of any length. The columns' part of t, a whole number, is kept apart then, so that

@@ -166,8 +166,7 @@ struct aa_near_edges {
     if constexpr (parts == 4)
       return static_cast<float>(*p);
     else
-      return {typename F::storage{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]),
-                                  static_cast<float>(p[3])}};
+      return lanes<F>::generate([&](int e) { return static_cast<float>(p[e]); });
   }
 
   // Row r, its factors and its columns.

@@ -22,69 +22,22 @@ namespace irg::detail {
 inline namespace IRG_ABI {
 
 // Towards zero.
-IRG_INLINE constexpr std::int32_t aa_truncate(float x) noexcept { return static_cast<std::int32_t>(x); }
-#ifdef IRG_LANES_VECTOR
-template <int N>
-IRG_INLINE pack<std::int32_t, N> aa_truncate(const pack<float, N>& x) noexcept {
-  return {__builtin_convertvector(x.v, typename pack<std::int32_t, N>::storage)};
+template <class F>
+IRG_INLINE constexpr auto aa_truncate(const F& x) noexcept {
+  return converted<std::int32_t>(x);
 }
-#endif
 
 // Four bytes in one word, a the lowest.
-IRG_INLINE constexpr std::int32_t aa_word(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) noexcept {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a | b << 8 | c << 16) | static_cast<std::uint32_t>(d)
-                                                                                          << 24);
+template <class I>
+IRG_INLINE constexpr I aa_word(const I& a, const I& b, const I& c, const I& d) noexcept {
+  return (a | (b << 8)) | ((c << 16) | (d << 24));
 }
-#ifdef IRG_LANES_VECTOR
-template <int N>
-IRG_INLINE pack<std::int32_t, N> aa_word(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b,
-                                         const pack<std::int32_t, N>& c, const pack<std::int32_t, N>& d) noexcept {
-  return {(a.v | b.v << 8) | (c.v << 16 | d.v << 24)};
-}
-#endif
 
 // Coverages 0 to 255 of pixels e and on as the bytes that they are in a word of four.
 IRG_INLINE constexpr std::uint32_t aa_bytes(std::int32_t c, unsigned e) noexcept {
   return static_cast<std::uint32_t>(c) << (8 * e);
 }
-#ifdef IRG_LANES_VECTOR
-IRG_INLINE std::uint32_t aa_bytes(const pack<std::int32_t, 4>& c, unsigned) noexcept {
-#ifdef __SSE2__
-  const auto halves = __builtin_ia32_packssdw128(c.v, c.v);
-  const auto bytes = __builtin_ia32_packuswb128(halves, halves);
-  return static_cast<std::uint32_t>(reinterpret_cast<pack<std::int32_t, 4>::storage>(bytes)[0]);
-#else
-  return aa_bytes(c[0], 0) | aa_bytes(c[1], 1) | aa_bytes(c[2], 2) | aa_bytes(c[3], 3);
-#endif
-}
-#endif
-
-// Bit by bit, and the pixel that a coordinate lies in.
-IRG_INLINE constexpr std::int32_t aa_and(std::int32_t a, std::int32_t b) noexcept { return a & b; }
-IRG_INLINE constexpr std::int32_t aa_xor(std::int32_t a, std::int32_t b) noexcept { return a ^ b; }
-IRG_INLINE constexpr std::int32_t aa_pick(std::int32_t mask, std::int32_t a, std::int32_t b) noexcept {
-  return (mask & a) | (~mask & b);
-}
-IRG_INLINE constexpr std::int32_t aa_pixel(std::int32_t a) noexcept { return a >> subpixel_bits; }
-#ifdef IRG_LANES_VECTOR
-template <int N>
-IRG_INLINE pack<std::int32_t, N> aa_and(const pack<std::int32_t, N>& a, std::int32_t b) noexcept {
-  return {a.v & b};
-}
-template <int N>
-IRG_INLINE pack<std::int32_t, N> aa_xor(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b) noexcept {
-  return {a.v ^ b.v};
-}
-template <int N>
-IRG_INLINE pack<std::int32_t, N> aa_pick(const pack<std::int32_t, N>& mask, const pack<std::int32_t, N>& a,
-                                         const pack<std::int32_t, N>& b) noexcept {
-  return {(mask.v & a.v) | (~mask.v & b.v)};
-}
-template <int N>
-IRG_INLINE pack<std::int32_t, N> aa_pixel(const pack<std::int32_t, N>& a) noexcept {
-  return {a.v >> subpixel_bits};
-}
-#endif
+IRG_INLINE std::uint32_t aa_bytes(const pack<std::int32_t, 4>& c, unsigned) noexcept { return packed_bytes(c); }
 
 // Four pixels aside: those from `aside` on at step `along`, with a coverage in each byte.
 struct aa_step {
@@ -150,7 +103,7 @@ struct aa_slender {
     if constexpr (count == 1)
       return e < 2 ? at_a : at_b;
     else
-      return {typename integers::storage{at_a, at_a, at_b, at_b}};
+      return pack_of(at_a, at_a, at_b, at_b);
   }
 
   IRG_INLINE constexpr void compute_ends(const subpixel& a, const subpixel& b, std::int32_t turn_u,
@@ -171,7 +124,7 @@ struct aa_slender {
   IRG_INLINE constexpr void compute_end(const integers& start_u, const integers& start_v, const integers& turn_u,
                                         const integers& turn_v, unsigned e) noexcept {
     const auto all = [](float x) { return lanes<F>::broadcast(x); };
-    const auto fraction = [](const integers& i) { return to_float(aa_and(i, one_pixel - 1)); };
+    const auto fraction = [](const integers& i) { return to_float(i & (one_pixel - 1)); };
     constexpr float earlier[4] = {-1.0f, 0.0f, -1.0f, 0.0f};
     const F zero = all(0.0f), one = all(1.0f), m = all(slope), per = all(inverse), unit = all(1.0f / one_pixel);
     // 4 and 8 are added so that what is truncated is positive.
@@ -205,11 +158,12 @@ struct aa_slender {
                     product(high_full, (four - high_x) - product(high_rise, half));
     const integers p0 = aa_truncate(c1 + half), p1 = aa_truncate((c2 - c1) + half), p2 = aa_truncate((c3 - c2) + half),
                    p3 = aa_truncate((whole - c3) + half);
-    const integers i = aa_pixel(start_u) + aa_truncate(top - all(4.0f)),
-                   j = aa_pixel(start_v) + aa_truncate(column - all(8.0f));
-    lanes<integers>::store(ends.along + e, aa_xor(i, turn_u));
-    lanes<integers>::store(ends.aside + e, aa_xor(j, turn_v) - aa_and(turn_v, 3));
-    lanes<integers>::store(ends.coverage + e, aa_pick(turn_v, aa_word(p3, p2, p1, p0), aa_word(p0, p1, p2, p3)));
+    const integers i = (start_u >> subpixel_bits) + aa_truncate(top - all(4.0f)),
+                   j = (start_v >> subpixel_bits) + aa_truncate(column - all(8.0f));
+    const integers turned = aa_word(p3, p2, p1, p0), straight = aa_word(p0, p1, p2, p3);
+    lanes<integers>::store(ends.along + e, i ^ turn_u);
+    lanes<integers>::store(ends.aside + e, (j ^ turn_v) - (turn_v & 3));
+    lanes<integers>::store(ends.coverage + e, (turn_v & turned) | (~turn_v & straight));
   }
 };
 
@@ -227,7 +181,7 @@ struct aa_slender_steps {
   }
   // 1/2 + 255 * the area of pixels whose centres are aside + column from the line's middle, in steps `along` from it.
   IRG_INLINE constexpr F operator()(const F& aside, const F& column, const F& along) const noexcept {
-    const F zero = lanes<F>::broadcast(0.0f), u = aa_size((aside + column) - product(change, along)),
+    const F zero = lanes<F>::broadcast(0.0f), u = magnitude((aside + column) - product(change, along)),
             v = high_of(low_of(b0 - u, m), zero), z2 = high_of(b2 - u, zero), z3 = high_of(b3 - u, zero);
     return (product((product(v, v) - product(z2, z2)) - product(z3, z3), inverse) +
             product(high_of(b1 - u, zero), lanes<F>::broadcast(aa_full))) +

@@ -14,13 +14,8 @@ namespace irg::detail {
 inline namespace IRG_ABI {
 
 // The pixels that one call of a row computes.
-#ifdef IRG_LANES_VECTOR
 using aa_lanes = pack<float, native_lanes<float>>;
 using aa_four = pack<float, 4>;
-#else
-using aa_lanes = float;
-using aa_four = float;
-#endif
 
 // The number of pixel x + i in lane i. Exact: no line has 2^24 pixels in a row.
 template <class F>
@@ -54,8 +49,6 @@ struct aa_span_writer {
   }
   constexpr void bytes(int y, int first, int last, const std::uint8_t* c) { sink(coverage_span{y, first, last, c}); }
 };
-
-#ifdef IRG_LANES_VECTOR
 
 // Mixes a colour into the pixels of a row, a register at a time. Pixels of the window next to the run's last are
 // written, too, with what they hold: their coverage is 0. No pixel outside the window is touched.
@@ -129,13 +122,6 @@ struct aa_mixing_writer {
   }
 };
 
-// Registers that hold eight pixels take two steps of a slender line at once.
-#if defined(__AVX2__) && defined(__has_builtin)
-#if __has_builtin(__builtin_shufflevector)
-#define IRG_AA_TWO_STEPS 1
-#endif
-#endif
-
 // Mixes a colour into the pixels of a slender line.
 template <class R>
 struct aa_slender_writer {
@@ -144,11 +130,7 @@ struct aa_slender_writer {
   using pixel = pixel_of<R>;
   R& raster;
   const pixel& value;
-#ifdef IRG_AA_TWO_STEPS
-  static constexpr int pixels_at_once = 8;
-#else
-  static constexpr int pixels_at_once = 4;
-#endif
+  static constexpr int pixels_at_once = native_lanes<std::uint32_t>;  // of eight, two steps are taken at once
   mix_colour<pixels_at_once> colour;
 
   IRG_INLINE aa_slender_writer(R& r, const pixel& v) noexcept
@@ -176,90 +158,87 @@ struct aa_slender_writer {
   }
 
 private:
-  using halves = typename mix_types<4>::halves;
-  using words = typename mix_types<4>::words;
+  using words = mix_words_of<4>;
+  using W = lanes<words>;
 
   IRG_INLINE static unsigned char* bytes_of(pixel* p) noexcept { return reinterpret_cast<unsigned char*>(p); }
 
   // How four pixels are read and written that lie side by side, or above each other.
   struct beside {
-    IRG_INLINE words read(const unsigned char* p) const noexcept {
-      words w;
-      std::memcpy(&w, p, sizeof w);
-      return w;
-    }
-    IRG_INLINE void write(unsigned char* p, const words& w) const noexcept { std::memcpy(p, &w, sizeof w); }
+    IRG_INLINE words read(const unsigned char* p) const noexcept { return W::load_bytes(p); }
+    IRG_INLINE void write(unsigned char* p, const words& w) const noexcept { W::store_bytes(p, w); }
   };
   struct above {
     std::ptrdiff_t pitch;
     IRG_INLINE words read(const unsigned char* p) const noexcept {
-      const auto one = [&](int i) {
-        std::uint32_t word;
-        std::memcpy(&word, p + i * pitch, 4);
-        return word;
-      };
-      return words{one(0), one(1), one(2), one(3)};
+      const auto one = [&](int i) { return lanes<std::uint32_t>::load_bytes(p + i * pitch); };
+      return pack_of(one(0), one(1), one(2), one(3));
     }
     IRG_INLINE void write(unsigned char* p, const words& w) const noexcept {
-      for (int i = 0; i < 4; ++i) {
-        const std::uint32_t word = w[i];
-        std::memcpy(p + i * pitch, &word, 4);
-      }
+      for (int i = 0; i < 4; ++i) lanes<std::uint32_t>::store_bytes(p + i * pitch, w[i]);
     }
   };
 
   template <class End, class Fours>
   IRG_INLINE void draw(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
                        const End& end, unsigned char* there, const Fours& fours) const noexcept {
+    if constexpr (pixels_at_once == 8)
+      draw_by_two(s, along_bytes, aside_bytes, end, there, fours);
+    else
+      draw_by_one(s, along_bytes, aside_bytes, end, there, fours);
+  }
+
+  template <class End, class Fours>
+  IRG_INLINE void draw_by_two(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
+                              const End& end, unsigned char* there, const Fours& fours) const noexcept {
     constexpr int bits = aa_slender<four>::walk_bits;
-    std::int32_t walk = s.walk;
-    float along = s.along;
-    int n = s.steps;
-#ifdef IRG_AA_TWO_STEPS
     using eight = pack<float, 8>;
-    const auto mix_two = [&](unsigned char* p, unsigned char* q, const typename mix_types<8>::halves& coverage) {
-      const words a = fours.read(p), b = fours.read(q);
-      const auto mixed = mix_words<8>(__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7), colour, coverage);
-      fours.write(p, __builtin_shufflevector(mixed, mixed, 0, 1, 2, 3));
-      fours.write(q, __builtin_shufflevector(mixed, mixed, 4, 5, 6, 7));
+    const auto mix_two = [&](unsigned char* p, unsigned char* q, const mix_halves_of<8>& coverage) {
+      const auto both = shuffled<0, 1, 2, 3, 4, 5, 6, 7>(fours.read(p), fours.read(q));
+      const auto mixed = mix_words<8>(both, colour, coverage);
+      fours.write(p, low_half(mixed));
+      fours.write(q, high_half(mixed));
     };
     for (int k = 0; k < 4; k += 2)
       mix_two(end(k), end(k + 1), load_coverages<8>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
     const aa_slender_steps<eight> two(s);
-    const auto a = lanes<four>::load(s.aside).v;
-    const eight aside{__builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3)};
+    const eight aside = repeated<8>(lanes<four>::load(s.aside));
     // Of an odd number, the last is taken with a step behind it that gets coverage 0: a loop for it alone would cost
     // more, being mistaken half the time.
-    const typename mix_types<8>::integers second{0, 0, 0, 0, 1, 1, 1, 1};
-    for (; n > 0; n -= 2, along += 2.0f, walk += 2 * s.walk_step, there += 2 * along_bytes) {
+    const auto second = pack_of(0, 0, 0, 0, 1, 1, 1, 1);
+    std::int32_t walk = s.walk;
+    float along = s.along;
+    for (int n = s.steps; n > 0; n -= 2, along += 2.0f, walk += 2 * s.walk_step, there += 2 * along_bytes) {
       const int c0 = walk >> bits, c1 = (walk + s.walk_step) >> bits;
       const float x0 = static_cast<float>(c0), x1 = static_cast<float>(c1), y1 = along + 1.0f;
-      const eight column{typename eight::storage{x0, x0, x0, x0, x1, x1, x1, x1}},
-          at{typename eight::storage{along, along, along, along, y1, y1, y1, y1}};
-      pack<std::int32_t, 8> coverage = aa_truncate(two(aside, column, at));
-      coverage.v &= second < n;
+      const eight column = pack_of(x0, x0, x0, x0, x1, x1, x1, x1),
+                  at = pack_of(along, along, along, along, y1, y1, y1, y1);
+      const auto coverage = aa_truncate(two(aside, column, at)) & (second < n);
       mix_two(there + c0 * aside_bytes, there + along_bytes + c1 * aside_bytes, in_both_halves<8>(coverage));
     }
-#else
-    const auto mix_four = [&](unsigned char* p, const halves& coverage) {
+  }
+
+  template <class End, class Fours>
+  IRG_INLINE void draw_by_one(const aa_slender<four>& s, std::ptrdiff_t along_bytes, std::ptrdiff_t aside_bytes,
+                              const End& end, unsigned char* there, const Fours& fours) const noexcept {
+    constexpr int bits = aa_slender<four>::walk_bits;
+    const auto mix_four = [&](unsigned char* p, const mix_halves_of<4>& coverage) {
       fours.write(p, mix_words<4>(fours.read(p), colour, coverage));
     };
     for (int k = 0; k < 4; ++k)
       mix_four(end(k), load_coverages<4>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
     const aa_slender_steps<four> one(s);
-    const four aside_of_one = lanes<four>::load(s.aside);
-    for (; n > 0; --n, along += 1.0f, walk += s.walk_step, there += along_bytes) {
+    const four aside = lanes<four>::load(s.aside);
+    std::int32_t walk = s.walk;
+    float along = s.along;
+    for (int n = s.steps; n > 0; --n, along += 1.0f, walk += s.walk_step, there += along_bytes) {
       const int column = walk >> bits;
       mix_four(there + column * aside_bytes,
-               in_both_halves<4>(aa_truncate(one(aside_of_one, lanes<four>::broadcast(static_cast<float>(column)),
-                                                 lanes<four>::broadcast(along)))));
+               in_both_halves<4>(aa_truncate(
+                   one(aside, lanes<four>::broadcast(static_cast<float>(column)), lanes<four>::broadcast(along)))));
     }
-#endif
   }
 };
-
-#undef IRG_AA_TWO_STEPS
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace irg::detail

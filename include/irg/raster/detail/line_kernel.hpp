@@ -129,10 +129,8 @@ IRG_NOINLINE void walk_line_ahead(const byte_rows<P> rows, const line_walk<Fract
   byte_walk<Fraction> bytes = bytes_of(rows, walk);
   for (int cells = walk.cells; cells > 0; cells -= cells_fetched_ahead) {
     const int block = lesser(cells, cells_fetched_ahead);
-#ifdef __GNUC__
     byte_walk<Fraction> scout = bytes;
-    for (int i = 0; i < block; ++i) __builtin_prefetch(rows.first + scout.next(), 1);
-#endif
+    for (int i = 0; i < block; ++i) prefetch_to_write(rows.first + scout.next());
     walk_bytes(rows, bytes, block, plot);
   }
 }

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
@@ -26,8 +25,6 @@ IRG_INLINE constexpr clip_code_pair project_one(screen_vertex& screen, clip_code
   return codes;
 }
 
-#ifdef IRG_LANES_VECTOR
-
 // snap() of a number that can be snapped, in every lane; whatever it gives for others is not used.
 template <int N>
 IRG_INLINE pack<std::int32_t, N> snap_lanes(const pack<float, N>& pixels) noexcept {
@@ -36,7 +33,7 @@ IRG_INLINE pack<std::int32_t, N> snap_lanes(const pack<float, N>& pixels) noexce
   // Out of range the conversion is undefined in the language, though not on any machine: keep it in.
   const auto limit = F::broadcast(static_cast<float>(snap_limit) * one_pixel / 2);
   const auto sane = low_of(high_of(scaled, F::broadcast(0) - limit), limit);
-  const pack<std::int32_t, N> toward_zero{__builtin_convertvector(sane.v, typename pack<std::int32_t, N>::storage)};
+  const auto toward_zero = converted<std::int32_t>(sane);
   const auto rest = sane - to_float(toward_zero);
   return toward_zero - (rest >= F::broadcast(0.5f)) + (rest < F::broadcast(-0.5f));
 }
@@ -83,17 +80,13 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
   const pack_f z_screen = select(kept, cz * inverse, zero), w_screen = select(kept, inverse, F::broadcast(1));
   store_vertices<N>(screen, {snapped_x, snapped_y, z_screen, w_screen});
   static_assert(std::endian::native == std::endian::little && sizeof(clip_code_pair) == 2);
-  typedef std::uint16_t shorts __attribute__((vector_size(2 * static_cast<unsigned>(N))));
-  const pack_i pairs = outside | pack_i{cut.v << 8};
-  const shorts narrow = __builtin_convertvector(pairs.v, shorts);
-  std::memcpy(static_cast<void*>(codes), &narrow, sizeof narrow);
+  const pack_i pairs = outside | (cut << 8);
+  lanes<pack<std::uint16_t, N>>::store_bytes(codes, converted<std::uint16_t>(pairs));
   clip_code_pair any;
-  if (mask_bits(pairs == I::broadcast(0)) != (1u << N) - 1)
+  if (!all_lanes(pairs == I::broadcast(0)))
     for (int i = 0; i < N; ++i) any = any | codes[i];
   return any;
 }
-
-#endif
 
 // The vertices [first, last), and the planes that some of them are beyond.
 template <class T>
@@ -102,7 +95,6 @@ constexpr clip_code_pair project_range(screen_vertex* screen, clip_code_pair* co
                                        const screen_mapping<T>& mapping) noexcept {
   clip_code_pair any;
   std::size_t i = first;
-#ifdef IRG_LANES_VECTOR
   if constexpr (std::same_as<T, float>) {
     if (!std::is_constant_evaluated()) {
       constexpr int count = native_lanes<float>;
@@ -112,7 +104,6 @@ constexpr clip_code_pair project_range(screen_vertex* screen, clip_code_pair* co
         any = any | project_lanes<count>(screen + i, codes + i, positions + i, m, to_clip, mapping);
     }
   }
-#endif
   for (; i < last; ++i) any = any | project_one(screen[i], codes[i], positions[i], to_clip, mapping);
   return any;
 }

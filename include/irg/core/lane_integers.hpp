@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Packs bit by bit, and conversions of their lanes.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include <irg/core/conversion.hpp>
+#include <irg/core/pack.hpp>
+
+namespace irg {
+inline namespace IRG_ABI {
+
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x & y); });
+}
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator|(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x | y); });
+}
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x ^ y); });
+}
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+  return a & lanes<pack<T, N>>::broadcast(b);
+}
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator|(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+  return a | lanes<pack<T, N>>::broadcast(b);
+}
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+  return a ^ lanes<pack<T, N>>::broadcast(b);
+}
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator~(const pack<T, N>& a) noexcept {
+#ifdef IRG_LANES_VECTOR
+  return {~a.v};
+#else
+  return lanes<pack<T, N>>::generate([&](int i) { return static_cast<T>(~a[i]); });
+#endif
+}
+
+/// Each lane moved by so many bits: to the right, signs are carried along.
+/// needs   0 <= bits, less than T has
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator<<(const pack<T, N>& a, int bits) noexcept {
+#ifdef IRG_LANES_VECTOR
+  return {a.v << static_cast<T>(bits)};
+#else
+  return lanes<pack<T, N>>::generate([&](int i) { return static_cast<T>(a[i] << bits); });
+#endif
+}
+template <std::integral T, int N>
+IRG_INLINE pack<T, N> operator>>(const pack<T, N>& a, int bits) noexcept {
+#ifdef IRG_LANES_VECTOR
+  return {a.v >> static_cast<T>(bits)};
+#else
+  return lanes<pack<T, N>>::generate([&](int i) { return static_cast<T>(a[i] >> bits); });
+#endif
+}
+
+/// The bits of a pack, read as numbers of another type: as many as its bytes hold.
+template <class T, class U, int N>
+IRG_INLINE auto bits_as(const pack<U, N>& x) noexcept {
+  constexpr int count = N * static_cast<int>(sizeof(U)) / static_cast<int>(sizeof(T));
+#ifdef IRG_LANES_VECTOR
+  return pack<T, count>{reinterpret_cast<typename pack<T, count>::storage>(x.v)};
+#else
+  return lanes<pack<T, count>>::load_bytes(&x);
+#endif
+}
+
+namespace lanes_detail {
+
+template <class To, class T, int N>
+IRG_INLINE pack<To, N> static_cast_lanes(const pack<T, N>& x) noexcept {
+#ifdef IRG_LANES_VECTOR
+  return {__builtin_convertvector(x.v, typename pack<To, N>::storage)};
+#else
+  return lanes<pack<To, N>>::generate([&](int i) { return static_cast<To>(x[i]); });
+#endif
+}
+
+}  // namespace lanes_detail
+
+/// Each lane as a number of type To, as converted() of a number: floating numbers towards zero when To is an integer,
+/// the lowest bits of integers that To cannot hold.
+/// needs   floating numbers within To's range
+template <class To, class T, int N>
+IRG_INLINE pack<To, N> converted(const pack<T, N>& x) noexcept {
+  if constexpr (std::is_same_v<T, To>)
+    return x;
+  else if constexpr (std::is_same_v<T, float> && std::is_same_v<To, double>)
+    return lanes_detail::static_cast_lanes<To>(opaque(x));
+  else if constexpr (std::is_same_v<T, double> && std::is_same_v<To, float>)
+    return opaque(lanes_detail::static_cast_lanes<To>(x));
+  else
+    return lanes_detail::static_cast_lanes<To>(x);
+}
+
+/// The integer, rounded to the nearest float, ties to even.
+template <class I>
+IRG_INLINE constexpr float to_float(I i) noexcept {
+  return static_cast<float>(i);
+}
+template <int N>
+IRG_INLINE pack<float, N> to_float(const pack<std::int32_t, N>& i) noexcept {
+  return converted<float>(i);
+}
+
+/// Whether upper_product is one instruction.
+#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
+template <int N>
+inline constexpr bool has_upper_product = N == 8 || N == 16;
+#elif defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+template <int N>
+inline constexpr bool has_upper_product = N == 8;
+#else
+template <int N>
+inline constexpr bool has_upper_product = false;
+#endif
+
+/// The upper halves of the products of 16-bit numbers.
+template <int N>
+IRG_INLINE pack<std::uint16_t, N> upper_product(const pack<std::uint16_t, N>& a,
+                                                const pack<std::uint16_t, N>& b) noexcept {
+#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+  using shorts = typename pack<std::int16_t, N>::storage;
+  using result = typename pack<std::uint16_t, N>::storage;
+  if constexpr (N == 8)
+    return {reinterpret_cast<result>(
+        __builtin_ia32_pmulhuw128(reinterpret_cast<shorts>(a.v), reinterpret_cast<shorts>(b.v)))};
+#ifdef __AVX2__
+  if constexpr (N == 16)
+    return {reinterpret_cast<result>(
+        __builtin_ia32_pmulhuw256(reinterpret_cast<shorts>(a.v), reinterpret_cast<shorts>(b.v)))};
+#endif
+#endif
+  return converted<std::uint16_t>((converted<std::uint32_t>(a) * converted<std::uint32_t>(b)) >> 16);
+}
+
+/// Four numbers of 0 to 255 as the bytes of a word, lane 0 the lowest.
+IRG_INLINE std::uint32_t packed_bytes(const pack<std::int32_t, 4>& p) noexcept {
+#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
+  const auto halves = __builtin_ia32_packssdw128(p.v, p.v);
+  const auto bytes = __builtin_ia32_packuswb128(halves, halves);
+  return static_cast<std::uint32_t>(reinterpret_cast<pack<std::int32_t, 4>::storage>(bytes)[0]);
+#else
+  return static_cast<std::uint32_t>(p[0] | p[1] << 8 | p[2] << 16 | p[3] << 24);
+#endif
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
