@@ -24,6 +24,7 @@
 
 #include "depths.hpp"
 #include "enlarged.hpp"
+#include "faces.hpp"
 #include "fills.hpp"
 #include "fills_aa.hpp"
 #include "line_kernels.hpp"
@@ -372,6 +373,7 @@ int main(int argc, char** argv) {
   save("fill_polygon_aa", fills_aa::rules());
   save("fill_seam", fills_aa::seam());
   save("blend_span", fills_aa::run());
+  save("screen_face", face_pictures::order());
   save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
   save("view_transform_textbook", viewing::steps());

@@ -193,7 +193,7 @@ TEST_CASE("compare_depths: with rounded depths at hand, the same") {
       ++asked;
       const auto ask = [&] {
         const irg::face_sample a{p.a, rounded_depth(p.a, x, y)}, b{p.b, rounded_depth(p.b, x, y)};
-        by_floats += irg::detail::order_of_rounded(a, b) != 0;
+        by_floats += irg::detail::rounded_depths_decide(a, b);
         return 3 * compare_depths<less>(a, b, x, y) + 9 * is_nearer(a, b, x, y);
       };
       const int due = 3 * compare_depths<less>(p.a, p.b, x, y) + 9 * is_nearer(p.a, p.b, x, y);
@@ -216,6 +216,16 @@ TEST_CASE("compare_depths: rounded depths that are close decide nothing") {
   // Depths of both signs may cancel.
   constexpr screen_face steep = face({0, 0}, {4096, 0}, {0, 4096}, -1.0f, 1.0f, 1.0f, 0);
   CHECK_BOTH(!is_nearer(irg::face_sample{steep, 1.0f}, irg::face_sample{level(0.5f, 1), 0.5f}, 1, 1));
+}
+
+TEST_CASE("compare_depths: rounded depths that overflowed on their way decide nothing") {
+  // An eighth of 2^127 at the centre of pixel (0, 0); the triangle is so small that the kernel's gain is infinite.
+  constexpr screen_face small = face({127, 127}, {135, 127}, {127, 135}, 1.0f, 0x1p127f, 1.0f);
+  const irg::face_sample a{small, rounded_depth(small, 0, 0)};
+  CHECK_BOTH(compare_depths(small, level(0x1p120f), 0, 0) == 1);
+  CHECK_BOTH(compare_depths(small, level(0x1p126f), 0, 0) == -1);
+  CHECK(compare_depths(a, irg::face_sample{level(0x1p120f), 0x1p120f}, 0, 0) == 1);
+  CHECK(compare_depths(a, irg::face_sample{level(0x1p126f), 0x1p126f}, 0, 0) == -1);
 }
 
 // ---- sides of planes

@@ -34,22 +34,19 @@ IRG_INLINE constexpr subpixel centre_of(int x, int y) noexcept {
           static_cast<std::int32_t>(std::int64_t{y} * one_pixel + half_pixel)};
 }
 
-// 1 where a is the greater of two depths that were rounded at a covered centre, -1 where b is, 0 where they cannot
-// tell.
+// Whether two depths that were rounded at a covered centre are in the order of the true ones.
 //
 // With u = 2^-24 and depths that are not negative, all terms of the rounded depth are positive and pass at most 8
 // roundings (two of the scale, one of a rest or an edge function, two products, three sums), so both depths together
-// are off by less than 16u(1 + 2^-16) of the greater one: 2^-20 of it, and the bound is a quarter more. That quarter is
-// at least 2^-62 and covers what subnormal numbers lose, and processors that take them for zero: up to 2^-126 in each
-// product of an edge function, below 2^53, and a gain, less than 2^-72 in all. Depths up to 2^100 times gains up to
-// 2^8 do not overflow.
-IRG_INLINE constexpr int order_of_rounded(const face_sample& a, const face_sample& b) noexcept {
-  constexpr float factor = 0x1.4p-20f, least = 0x1p-40f, most = 0x1p100f;
-  if (!(a.face.depth_low >= 0.0f && b.face.depth_low >= 0.0f)) return 0;
-  if (!(a.face.depth_high <= most && b.face.depth_high <= most)) return 0;
-  const float largest = greater(a.depth, b.depth), difference = a.depth - b.depth, doubt = largest * factor;
-  if (!(difference > doubt || -difference > doubt) || !(largest >= least)) return 0;
-  return difference > 0.0f ? 1 : -1;
+// are off by less than 16u(1 + 2^-16) of the greater one: 2^-20 of it, and the bound is a quarter more. That quarter
+// is at least 2^-62 and covers what subnormal numbers lose, and processors that take them for zero: up to 2^-126 in
+// each product of an edge function, below 2^53, and a gain, less than 2^-72 in all. A gain overflows only where twice
+// the area is below 256: then edge functions are 0 in whole pixels, and the depth is NaN, which decides nothing.
+IRG_INLINE constexpr bool rounded_depths_decide(const face_sample& a, const face_sample& b) noexcept {
+  constexpr float factor = 0x1.4p-20f, least = 0x1p-40f;
+  if (!(lesser(a.face.depth_low, b.face.depth_low) >= 0.0f)) return false;
+  const float difference = a.depth - b.depth, largest = greater(a.depth, b.depth);
+  return largest >= least && greater(difference, -difference) > largest * factor;
 }
 
 template <DepthOrder Order>
@@ -58,6 +55,24 @@ IRG_INLINE constexpr bool comes_first(int nearness, const screen_face& a, const 
     return b.number < a.number;
   else
     return nearness != 0 ? nearness > 0 : a.number < b.number;
+}
+
+// 1 where a is nearer at the centre of a pixel, -1 where b is, 0 where they are equally near.
+template <DepthOrder Order>
+IRG_INLINE constexpr int compare_planes(const screen_face& a, const screen_face& b, int x, int y) noexcept {
+  if constexpr (depth_sense<Order> == 0) {
+    return 0;
+  } else {
+    IRG_EXPECTS(-snap_limit <= x && x < snap_limit && -snap_limit <= y && y < snap_limit);
+    if (a.coverage.double_area == 0 || b.coverage.double_area == 0) return 0;
+    const subpixel centre = centre_of(x, y);
+    return depth_sense<Order> * compare_depths_at(plane_at(a, centre), plane_at(b, centre));
+  }
+}
+// The same, apart from code that seldom needs it.
+template <DepthOrder Order>
+IRG_NOINLINE constexpr int compare_close_planes(const screen_face& a, const screen_face& b, int x, int y) noexcept {
+  return compare_planes<Order>(a, b, x, y);
 }
 
 }  // namespace IRG_ABI
@@ -75,25 +90,17 @@ inline namespace IRG_ABI {
 ///         bits, and of 448 where depths differ by more than 2^37
 template <DepthOrder Order = nearer_is_greater>
 IRG_INLINE constexpr int compare_depths(const screen_face& a, const screen_face& b, int x, int y) noexcept {
-  if constexpr (detail::depth_sense<Order> == 0) {
-    return 0;
-  } else {
-    IRG_EXPECTS(-snap_limit <= x && x < snap_limit && -snap_limit <= y && y < snap_limit);
-    if (a.coverage.double_area == 0 || b.coverage.double_area == 0) return 0;
-    const subpixel centre = detail::centre_of(x, y);
-    return detail::depth_sense<Order> *
-           detail::compare_depths_at(detail::plane_at(a, centre), detail::plane_at(b, centre));
-  }
+  return detail::compare_planes<Order>(a, b, x, y);
 }
 
 /// The same of two faces that cover the pixel and whose rounded depths are at hand: these decide unless they are close.
 /// needs   depths by draw_triangle, or any within 8 roundings of floats
 /// exact   as above
-/// cost    six comparisons of floats where depths are not negative and differ by more than 2^-20 of the greater one
+/// cost    five comparisons of floats where depths are not negative and differ by more than 2^-20 of the greater one
 template <DepthOrder Order = nearer_is_greater>
 IRG_INLINE constexpr int compare_depths(const face_sample& a, const face_sample& b, int x, int y) noexcept {
-  const int order = detail::order_of_rounded(a, b);
-  return order != 0 ? detail::depth_sense<Order> * order : compare_depths<Order>(a.face, b.face, x, y);
+  if (!detail::rounded_depths_decide(a, b)) return detail::compare_close_planes<Order>(a.face, b.face, x, y);
+  return detail::depth_sense<Order> * (b.depth < a.depth ? 1 : -1);
 }
 
 /// Whether face a is seen before face b at pixel (x, y), where both cover it: it is nearer, or as near and of the lower
@@ -105,7 +112,9 @@ IRG_INLINE constexpr bool is_nearer(const screen_face& a, const screen_face& b, 
 }
 template <DepthOrder Order = nearer_is_greater>
 IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, int x, int y) noexcept {
-  return detail::comes_first<Order>(compare_depths<Order>(a, b, x, y), a.face, b.face);
+  if (detail::depth_sense<Order> == 0 || !detail::rounded_depths_decide(a, b))
+    return detail::comes_first<Order>(detail::compare_close_planes<Order>(a.face, b.face, x, y), a.face, b.face);
+  return Order::nearer(a.depth, b.depth);
 }
 
 /// 1 when a corner lies in front of the plane of a face, nearer than it; -1 when behind, 0 in the plane.

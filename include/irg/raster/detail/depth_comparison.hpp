@@ -40,11 +40,10 @@ IRG_INLINE constexpr auto depth_difference(const mean_depth<Weight, Depth>& a,
 
 // The plane of a face at a place on the screen.
 IRG_INLINE constexpr plane_depth_at plane_at(const screen_face& f, const subpixel& p) noexcept {
-  const std::int64_t sign = f.coverage.flipped ? -1 : 1;
+  const std::int64_t sign = f.coverage.flipped ? -1 : 1, total = f.coverage.double_area;
   const subpixel &a = f.v[0].position, &b = f.v[1].position, &c = f.v[2].position;
-  return {{sign * signed_double_area(p, b, c), sign * signed_double_area(a, p, c), sign * signed_double_area(a, b, p)},
-          f.coverage.double_area,
-          {f.v[0].depth, f.v[1].depth, f.v[2].depth}};
+  const std::int64_t at_a = sign * signed_double_area(p, b, c), at_b = sign * signed_double_area(a, p, c);
+  return {{at_a, at_b, total - at_a - at_b}, total, {f.v[0].depth, f.v[1].depth, f.v[2].depth}};
 }
 
 // The sign, or 0 where rounded arithmetic cannot tell.
@@ -74,7 +73,7 @@ IRG_INLINE constexpr int rounded_sign(const plane_depth_at& a, const plane_depth
   const rounded va = value(a), vb = value(b);
   const double difference = depth_difference(va, vb);
   const double bound = factor * depth_difference(size(va, -1.0), size(vb, 1.0));  // the sign makes a sum of it
-  return difference > bound ? 1 : difference < -bound ? -1 : 0;
+  return static_cast<int>(difference > bound) - static_cast<int>(difference < -bound);  // no branch
 }
 
 // A float as +-significand * 2^(place - 149), told from its bits: no mode of the processor reaches it.
