@@ -70,6 +70,10 @@ irg::render_stats renderer::draw(irg::image<irg::rgba8>& picture, irg::image<flo
   return draw_with(picture, depth, vertex_colours{scene_}, skip, threads);
 }
 
+irg::render_stats renderer::draw_encoded(irg::image<irg::rgba8>& picture, irg::image<float>& depth) {
+  return draw_with(picture, depth, encoded_colours{scene_}, {}, 1);
+}
+
 void renderer::draw_ids(irg::image<std::uint32_t>& ids, irg::image<float>& depth) {
   const auto make_shader = [this](const irg::triangle_batch<float>& batch, std::uint32_t i, irg::facing) {
     return irg::solid_shader<std::uint32_t>{scene_.objects[batch.object].first_triangle + i + 1};

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <irg/colour/srgb_lanes.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/render/draw_triangles.hpp>
 #include <irg/render/occlusion_culling.hpp>
@@ -47,6 +48,21 @@ struct vertex_colours {
 #endif
 };
 
+// The same, encoded as sRGB, as irg::render writes its pictures.
+struct encoded_colours {
+  static constexpr int attribute_count = 3;
+  const scene& of;
+
+  const float* attributes(const irg::triangle_batch<float>& batch, std::uint32_t vertex, irg::facing side) const {
+    return vertex_colours{of}.attributes(batch, vertex, side);
+  }
+  irg::rgba8 pixel(const std::array<float, 3>& light) const { return irg::encode({light[0], light[1], light[2]}); }
+  template <int N>
+  IRG_INLINE irg::pack<std::uint32_t, N> pixels(const std::array<irg::pack<float, N>, 3>& light) const {
+    return irg::encode_lanes(light[0], light[1], light[2]);
+  }
+};
+
 /// A scene ready to be drawn by irg, one batch per object. What is allocated is kept from frame to frame.
 class renderer {
 public:
@@ -55,6 +71,8 @@ public:
   /// Clears to black, draws the scene with the colours of its vertices.
   irg::render_stats draw(irg::image<irg::rgba8>& picture, irg::image<float>& depth, const irg::skip_options& skip,
                          int threads);
+  /// The same with pixels in sRGB.
+  irg::render_stats draw_encoded(irg::image<irg::rgba8>& picture, irg::image<float>& depth);
   /// Draws the number of the visible triangle, plus 1, into each pixel.
   void draw_ids(irg::image<std::uint32_t>& ids, irg::image<float>& depth);
   /// Draws the depth alone.
