@@ -15,7 +15,7 @@
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/view/view_transform_textbook.hpp>
+#include <irg/view/textbook/view_transform.hpp>
 
 #include "support/command_line.hpp"
 #include "support/model_input.hpp"
@@ -98,7 +98,7 @@ double careful_depth(const problem& p, const point& scene) {
 
 // Where the eye has a point. Rounding leaves the depth of a point beside the eye open; its sign is found exactly.
 point seen_by_eye(const problem& p, const point& scene) {
-  point seen = irg::transform_row(scene, p.t);
+  point seen = irg::textbook::transform_row(scene, p.t);
   double size = 0;
   for (int i = 0; i < 3; ++i) size += std::abs(scene[i]) / 8 + std::abs(p.from[i]) / 8;
   if (!(std::abs(seen.z) <= size * 0x1p-44)) return seen;
@@ -118,21 +118,21 @@ bool add(problem& p, const point& scene) {
   for (int i = 0; i < 3; ++i)
     if (!std::isfinite(seen[i])) return false;
   p.eye.push_back(seen);
-  p.screen.push_back(irg::project_perspective_textbook(seen, p.h));
+  p.screen.push_back(irg::textbook::project_perspective(seen, p.h));
   return true;
 }
 
 void set_view(problem& p, const program::number_input& in, const point& eye, const point& target) {
-  const auto steps = irg::view_transform_steps_textbook(eye, target);
-  if (steps.status == irg::view_textbook_status::not_finite)
+  const auto steps = irg::textbook::view_transform_steps(eye, target);
+  if (steps.status == irg::textbook::view_status::not_finite)
     in.fail_at_word("the eye or the target is too far out; coordinates may go up to a quarter of the largest number");
-  if (steps.status == irg::view_textbook_status::eye_at_view_point)
+  if (steps.status == irg::textbook::view_status::eye_at_view_point)
     in.fail_at_word("the eye is at the target, so that there is no direction to look in");
-  const auto projection = irg::perspective_matrix_textbook(steps.h);
+  const auto projection = irg::textbook::perspective_matrix(steps.h);
   if (!projection) in.fail_at_word("the eye is too near the target, 1/H is beyond the largest number");
   p.from = eye;
   p.at = target;
-  p.t = irg::view_transform_textbook(eye, target);
+  p.t = irg::textbook::view_transform(eye, target);
   p.p = *projection;
   p.h = steps.h;
 }
@@ -234,7 +234,7 @@ irg::image<irg::rgba8> picture_of(const problem& p, const program::picture_size&
     if (p.screen[seen] && a.z >= cut) return view.pixel(p.screen[seen]);
     const double s = (cut / 2 - b.z / 2) / (a.z / 2 - b.z / 2);  // from b, where it is seen
     const point on{b.x + s * (a.x - b.x), b.y + s * (a.y - b.y), cut};
-    return view.pixel(irg::project_perspective_textbook(on, p.h));
+    return view.pixel(irg::textbook::project_perspective(on, p.h));
   };
   for (const auto& [a, b] : p.edges) {
     if (!p.screen[a] && !p.screen[b]) continue;

@@ -11,7 +11,7 @@
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/line_aa.hpp>
 #include <irg/view/polar_camera.hpp>
-#include <irg/view/view_transform_textbook.hpp>
+#include <irg/view/textbook/view_transform.hpp>
 
 #include "enlarged.hpp"
 
@@ -75,7 +75,7 @@ inline picture step(const irg::mat<double, 4, 4>& m, const point3& eye, const po
     return point2{44 * q.y - 22 * q.x, -44 * q.z + 17 * q.x};
   };
   const point3 origin{0, 0, 0}, tip[] = {{1.5, 0, 0}, {0, 1.2, 0}, {0, 0, 1.2}};
-  const point3 o = irg::transform_row(eye, m), g = irg::transform_row(target, m);
+  const point3 o = irg::textbook::transform_row(eye, m), g = irg::textbook::transform_row(target, m);
   point2 low = flat(origin), high = low;
   const auto include = [&](const point3& q) {
     for (int i = 0; i < 2; ++i) {
@@ -84,7 +84,7 @@ inline picture step(const irg::mat<double, 4, 4>& m, const point3& eye, const po
     }
   };
   for (const point3& q : {o, g, tip[0], tip[1], tip[2]}) include(q);
-  for (const edge& e : house()) include(irg::transform_row(e.a, m));
+  for (const edge& e : house()) include(irg::textbook::transform_row(e.a, m));
   const irg::vec<double, 2> shift{side / 2.0 - (low.x + high.x) / 2, side / 2.0 - (low.y + high.y) / 2};
   const auto place = [&](const point3& q) { return flat(q) + shift; };
   for (int i = 0; i < 3; ++i) {
@@ -94,7 +94,7 @@ inline picture step(const irg::mat<double, 4, 4>& m, const point3& eye, const po
   }
   stroke(p, place(o), place(g), red);
   for (const edge& e : house())
-    stroke(p, place(irg::transform_row(e.a, m)), place(irg::transform_row(e.b, m)), e.is_door ? blue : ink);
+    stroke(p, place(irg::textbook::transform_row(e.a, m)), place(irg::textbook::transform_row(e.b, m)), e.is_door ? blue : ink);
   dot(p, cell_of(place(o)), 4, red);
   dot(p, cell_of(place(g)), 3, red);
   letter(p, 'O', {cell_of(place(o)).x + 7, cell_of(place(o)).y - 16}, 2, red);
@@ -108,7 +108,7 @@ template <class Project>
 picture seen(const irg::mat<double, 4, 4>& t, std::string_view name, const Project& project) {
   picture p(side, side, paper);
   const auto place = [&](const point3& q) {
-    const point2 s = project(irg::transform_row(q, t));
+    const point2 s = project(irg::textbook::transform_row(q, t));
     return point2{side / 2.0 + 120 * s.x, side / 2.0 - 120 * s.y};
   };
   stroke(p, {side / 2.0, side / 2.0}, {side / 2.0 + 70, side / 2.0}, green, 1.6);
@@ -123,7 +123,7 @@ picture seen(const irg::mat<double, 4, 4>& t, std::string_view name, const Proje
 
 inline picture steps() {
   const point3 eye{1.6, 2.3, 1.5}, target{0, 0, 0.3};
-  const auto s = irg::view_transform_steps_textbook(eye, target);
+  const auto s = irg::textbook::view_transform_steps(eye, target);
   const irg::mat<double, 4, 4> parts[] = {irg::identity<double, 4>(), s.t1, s.t2, s.t3, s.t4, s.t5};
   const std::string_view names[] = {"", "T1", "T1T2", "T1T2T3", "T1T2T3T4", "T"};
   constexpr int gap = 10;
@@ -133,9 +133,9 @@ inline picture steps() {
     m = m * parts[i];
     paste(big, step(m, eye, target, names[i]), (i % 4) * (side + gap), (i / 4) * (side + gap));
   }
-  paste(big, seen(m, "TP", [&](const point3& q) { return *irg::project_perspective_textbook(q, s.h); }),
+  paste(big, seen(m, "TP", [&](const point3& q) { return *irg::textbook::project_perspective(q, s.h); }),
         2 * (side + gap), side + gap);
-  paste(big, seen(m, "T", [](const point3& q) { return irg::project_parallel_textbook(q); }), 3 * (side + gap),
+  paste(big, seen(m, "T", [](const point3& q) { return irg::textbook::project_parallel(q); }), 3 * (side + gap),
         side + gap);
   return big;
 }

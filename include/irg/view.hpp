@@ -14,7 +14,10 @@
 #include <irg/view/polar_camera.hpp>
 #include <irg/view/projection.hpp>
 #include <irg/view/view_pyramid.hpp>
-#include <irg/view/view_transform_textbook.hpp>
 #include <irg/view/view_window.hpp>
 #include <irg/view/viewport.hpp>
 #include <irg/view/window_to_viewport.hpp>
+#include <irg/view/textbook/polar_camera.hpp>
+#include <irg/view/textbook/view_pyramid.hpp>
+#include <irg/view/textbook/view_transform.hpp>
+#include <irg/view/textbook/window_to_viewport.hpp>

@@ -19,7 +19,7 @@ wrong() {
 }
 
 all_headers() { find include/irg -mindepth 2 -name '*.hpp' | sort; }
-public_headers() { find include/irg -mindepth 2 -maxdepth 2 -name '*.hpp' | sort; }
+public_headers() { find include/irg -mindepth 2 -name '*.hpp' ! -path '*/detail/*' | sort; }
 
 # `include/irg/math/vec.hpp` as `#include <irg/math/vec.hpp>`.
 as_includes() { sed 's|^include/\(.*\)$|#include <\1>|'; }

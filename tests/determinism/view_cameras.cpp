@@ -2,7 +2,8 @@
 // The textbook's view transform and projection, camera frames, polar cameras and lights.
 #include <irg/geometry/depth_sign.hpp>
 #include <irg/shade/light_placement.hpp>
-#include <irg/view/view_transform_textbook.hpp>
+#include <irg/view/textbook/polar_camera.hpp>
+#include <irg/view/textbook/view_transform.hpp>
 
 #include "hashes.hpp"
 
@@ -28,15 +29,15 @@ constexpr std::uint64_t cameras(int rounds) {
   const auto unit = [&] { return static_cast<T>(r.unit()) - T(0.5); };
   for (int k = 0; k < rounds; ++k) {
     const irg::point<T, 3> eye{unit(), unit(), unit()}, target{unit(), unit(), unit()}, p{unit(), unit(), unit()};
-    const auto s = irg::view_transform_steps_textbook(eye, target);
-    const auto t = irg::view_transform_textbook(eye, target);
+    const auto s = irg::textbook::view_transform_steps(eye, target);
+    const auto t = irg::textbook::view_transform(eye, target);
     for (const auto& row : t.m)
       for (const T& entry : row) h.add(entry);
     h.add(s.h), add_three(h, s.g2);
-    const irg::point<T, 3> seen = irg::transform_row(p, t);
-    if (const auto q = irg::project_perspective_textbook(seen, s.h)) h.add(q->x), h.add(q->y);
+    const irg::point<T, 3> seen = irg::textbook::transform_row(p, t);
+    if (const auto q = irg::textbook::project_perspective(seen, s.h)) h.add(q->x), h.add(q->y);
     if (const auto q =
-            irg::project_perspective_textbook(irg::point<T, 3>{unit() * T(1e-30), unit(), T(1e-36)}, T(1e35)))
+            irg::textbook::project_perspective(irg::point<T, 3>{unit() * T(1e-30), unit(), T(1e-36)}, T(1e35)))
       h.add(q->x), h.add(q->y);
     h.add(irg::depth_sign(eye, target, p));
     irg::camera_frame<T> f = irg::look_at_frame(eye, target, irg::vec<T, 3>{unit(), unit(), unit()});
@@ -46,7 +47,7 @@ constexpr std::uint64_t cameras(int rounds) {
     f.up = f.up + irg::vec<T, 3>{unit(), unit(), unit()} * T(0.1);
     add_frame(h, irg::orthonormalized(f));
     add_frame(h, irg::frame_of(irg::polar_camera<T>{target, unit(), T(9) * unit(), T(9) * unit(), unit()}));
-    add_frame(h, irg::polar_frame_textbook(p.x, p.y, p.z));
+    add_frame(h, irg::textbook::polar_frame(p.x, p.y, p.z));
     const auto lamp = irg::light_around(target, {unit(), unit(), unit()}, T(1), irg::polar_axis::z_up);
     add_three(h, lamp.position);
   }

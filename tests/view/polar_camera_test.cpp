@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <irg/view/polar_camera.hpp>
+#include <irg/view/textbook/polar_camera.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +16,11 @@ using irg::handedness;
 using irg::orbited;
 using irg::polar_axis;
 using irg::polar_frame;
-using irg::polar_frame_textbook;
 using irg::polar_of;
 using irg::polar_to_cartesian;
 using irg::sin_cos_degrees;
 using irg::try_frame_of;
 using irg::view_matrix;
-using irg::viewer_frame_textbook;
 using test::from_orthonormal;
 
 namespace {
@@ -90,7 +89,7 @@ TEST_CASE("polar_camera: GOLDEN 12, S3's positions and axes") {
     const double a = irg::radians(row.alpha), b = irg::radians(row.beta);
     const frame golden{row.c, row.x, row.y, row.z};
     for (const frame& f : {in_degrees(row.alpha, row.beta, row.distance), frame_of(camera{{}, row.distance, a, b}),
-                           polar_frame_textbook(row.distance, a, b)}) {
+                           irg::textbook::polar_frame(row.distance, a, b)}) {
       CHECK(apart(f.position, golden.position) <= 1e-14);
       CHECK(axes_apart(f, golden) <= 1e-15);
       CHECK(apart(transform_point(view_matrix(f, handedness::left), P{0, 0, 0}), P{0, 0, row.distance}) <= 2e-15);
@@ -111,9 +110,6 @@ TEST_CASE("polar_camera: right angles are exact in degrees, at the poles and bey
   CHECK_BOTH(in_degrees(0, 0, 5, polar_axis::z_up) == frame{{5, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}});
   CHECK_BOTH(in_degrees(90, 0, 5, polar_axis::z_up) == frame{{0, 5, 0}, {-1, 0, 0}, {0, 0, 1}, {0, -1, 0}});
   CHECK_BOTH(in_degrees(0, 90, 5, polar_axis::z_up) == frame{{0, 0, 5}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -1}});
-  // S1's viewer is the one of both angles 0; depth by S1 is d minus the distance along the view
-  CHECK_BOTH(viewer_frame_textbook(7.0) == in_degrees(0, 0, 7));
-  CHECK_BOTH(7 - transform_point(view_matrix(viewer_frame_textbook(7.0), handedness::left), P{1, 2, 3}).z == 3);
   // roll: up leans to the left
   constexpr frame rolled =
       polar_frame(P{1, 2, 3}, 5.0, sin_cos_degrees(0.0), sin_cos_degrees(0.0), sin_cos_degrees(90.0));
@@ -176,7 +172,7 @@ TEST_CASE("polar_camera: axes at every elevation, the same as look_at's between 
     CHECK(apart(f.position + f.forward * c.distance, c.target) <= 1e-15);
     CHECK(f.position == c.target + polar_to_cartesian(polar{c.distance, c.azimuth, c.elevation}, axis));
     if (axis == polar_axis::y_up && c.roll == 0 && std::abs(c.elevation) <= pi)
-      textbook = std::max(textbook, axes_apart(polar_frame_textbook(1.0, c.azimuth, c.elevation), f));
+      textbook = std::max(textbook, axes_apart(irg::textbook::polar_frame(1.0, c.azimuth, c.elevation), f));
     if (c.roll != 0 || !(std::abs(c.elevation) < 1.5)) continue;
     const V up = axis == polar_axis::y_up ? V{0, 1, 0} : V{0, 0, 1};
     from_look_at = std::max(from_look_at, axes_apart(f, irg::look_at_frame(f.position, c.target, up)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <irg/view/window_to_viewport.hpp>
+#include <irg/view/textbook/window_to_viewport.hpp>
 
 #include <cmath>
 #include <limits>
@@ -11,9 +12,7 @@
 using irg::fitted_viewport;
 using irg::from_pixels;
 using irg::point;
-using irg::seed_window;
 using irg::to_pixels;
-using irg::to_pixels_seed;
 using irg::view_window;
 using irg::viewport;
 using irg::window_fit;
@@ -38,10 +37,10 @@ constexpr point<T, 2> mapped(const view_window<T>& w, const viewport<T>& v, cons
 
 TEST_CASE("window_to_viewport: GOLDEN 12, and the course's own formula") {
   constexpr view_window<R> w{-4, 4, -3, 3};
-  constexpr seed_window<R> s{-4, -3, 8, 6};
+  constexpr irg::textbook::edged_window<R> s{-4, -3, 8, 6};
   const auto both = [&](const P& p, const P& expected, const viewport<R>& v = whole) {
     CHECK(mapped(w, v, p) == expected);
-    CHECK(to_pixels_seed(s, v, p) == expected);
+    CHECK(irg::textbook::to_pixels(s, v, p) == expected);
   };
   both({-4, 3}, {0, 0});
   both({4, -3}, {800, 600});
@@ -49,11 +48,10 @@ TEST_CASE("window_to_viewport: GOLDEN 12, and the course's own formula") {
   both({1, 2}, {500, 100});
   both({-4, -3}, {0, 600});
   both({1, 2}, {225, 100}, {100, 50, 200, 300});
-  CHECK_BOTH(to_pixels_seed(seed_window<R>{-4, 3, 8, 6}, whole, P{-4, 3}) == P{0, -600});  // top not negated
   constexpr view_window<R> beside{0, 2, 1, 5};
   CHECK_BOTH(mapped(beside, whole, P{0, 5}) == P{0, 0});
   CHECK_BOTH(mapped(beside, whole, P{2, 1}) == P{800, 600});
-  CHECK_BOTH(to_pixels_seed(seed_window<R>{0, -5, 2, 4}, whole, P{2, 1}) == P{800, 600});
+  CHECK_BOTH(irg::textbook::to_pixels(irg::textbook::edged_window<R>{0, -5, 2, 4}, whole, P{2, 1}) == P{800, 600});
 }
 
 TEST_CASE("window_to_viewport: the aspect ratio kept, by hand") {

@@ -93,13 +93,6 @@ constexpr pyramid_corner_points<T> pyramid_corners(const view_pyramid<T>& p,
   return detail::corners_by_factors(p, T(p.near_distance / p.distance), T(p.far_distance / p.distance), hand);
 }
 
-/// The corners as S3 4.1.5.2 prints them: the far ones by the factor n/h, which puts them before the near ones.
-template <Real T>
-constexpr pyramid_corner_points<T> pyramid_corners_seed(const view_pyramid<T>& p,
-                                                        handedness hand = handedness::left) noexcept {
-  return detail::corners_by_factors(p, T(p.near_distance / p.distance), T(p.near_distance / p.far_distance), hand);
-}
-
 /// The six planes of the pyramid in camera space, normals inward: those of the sides through the eye and two corners of
 /// the screen, so that their normals are as long as the parallelogram of the two rays.
 /// exact   in integers and rationals

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/view/view_transform_textbook.hpp>
+#include <irg/view/textbook/view_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,16 @@ using irg::hpoint;
 using irg::identity;
 using irg::look_at;
 using irg::mat;
-using irg::perspective_matrix_textbook;
 using irg::point;
-using irg::project_parallel_textbook;
-using irg::project_perspective_textbook;
-using irg::transform_row;
 using irg::vec;
-using irg::view_steps_textbook;
-using irg::view_textbook_status;
-using irg::view_transform_steps_textbook;
-using irg::view_transform_textbook;
+using irg::textbook::perspective_matrix;
+using irg::textbook::project_parallel;
+using irg::textbook::project_perspective;
+using irg::textbook::transform_row;
+using irg::textbook::view_status;
+using irg::textbook::view_steps;
+using irg::textbook::view_transform;
+using irg::textbook::view_transform_steps;
 using test::from_orthonormal;
 using test::worst_difference;
 
@@ -42,15 +42,13 @@ constexpr M third_row_negated(M m) {
   return m;
 }
 
-constexpr view_steps_textbook<double> steps(const P& eye, const P& view_point) {
-  return view_transform_steps_textbook(eye, view_point);
-}
+constexpr view_steps<double> steps(const P& eye, const P& view_point) { return view_transform_steps(eye, view_point); }
 
 }  // namespace
 
-TEST_CASE("view_transform_textbook: GOLDEN 5, every step of the first view") {
+TEST_CASE("view_transform: GOLDEN 5, every step of the first view") {
   constexpr auto s = steps({1, 1, 3}, {0, 0, 0});
-  static_assert(s.status == view_textbook_status::ordinary);
+  static_assert(s.status == view_status::ordinary);
   const double r2 = std::sqrt(2.0) / 2, r11 = std::sqrt(11.0), r22 = std::sqrt(22.0);
   CHECK_BOTH(s.t1 == M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {-1, -1, -3, 1}}});
   CHECK(worst_difference(s.t2, M{{{-r2, r2, 0, 0}, {-r2, -r2, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}) <= 1e-15);
@@ -60,7 +58,7 @@ TEST_CASE("view_transform_textbook: GOLDEN 5, every step of the first view") {
   CHECK_BOTH(s.t4 == M{{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}});
   CHECK_BOTH(s.t5 == M{{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}});
   CHECK_BOTH(s.h == 3.3166247903553998);
-  constexpr M t = view_transform_textbook(P{1, 1, 3}, P{0, 0, 0});
+  constexpr M t = view_transform(P{1, 1, 3}, P{0, 0, 0});
   CHECK(worst_difference(t, M{{{-0.707106781186548, -0.639602149066831, -0.301511344577764, 0},
                                {0.707106781186548, -0.639602149066831, -0.301511344577764, 0},
                                {0, 0.426401432711221, -0.904534033733291, 0},
@@ -68,12 +66,12 @@ TEST_CASE("view_transform_textbook: GOLDEN 5, every step of the first view") {
   CHECK_BOTH(t == s.t1 * (s.t2 * (s.t3 * (s.t4 * s.t5))));
   CHECK(std::abs(determinant(submatrix(t, 3, 3)) + 1) <= 1e-15);
   volatile double one = 1;
-  CHECK(view_transform_textbook(P{one, one, 3 * one}, P{0, 0, 0}) == t);
+  CHECK(view_transform(P{one, one, 3 * one}, P{0, 0, 0}) == t);
 }
 
-TEST_CASE("view_transform_textbook: GOLDEN 5, the cubes as the eye sees them") {
-  const M t = view_transform_textbook(P{1, 1, 3}, P{0, 0, 0});
-  const double h = view_transform_steps_textbook(P{1, 1, 3}, P{0, 0, 0}).h;
+TEST_CASE("view_transform: GOLDEN 5, the cubes as the eye sees them") {
+  const M t = view_transform(P{1, 1, 3}, P{0, 0, 0});
+  const double h = view_transform_steps(P{1, 1, 3}, P{0, 0, 0}).h;
   const double r2 = std::sqrt(2.0), r11 = std::sqrt(11.0) / 11, r22 = std::sqrt(22.0);
   const struct {
     P scene;
@@ -100,72 +98,69 @@ TEST_CASE("view_transform_textbook: GOLDEN 5, the cubes as the eye sees them") {
     CHECK(distance(e.x, row.x_eye) <= 4e-15);
     CHECK(distance(e.y, row.y_eye) <= 4e-15);
     CHECK(distance(e.z, row.z_eye) <= 4e-15);
-    const auto seen = project_perspective_textbook(e, h);
+    const auto seen = project_perspective(e, h);
     REQUIRE(seen.has_value());
     CHECK(distance(seen->x, row.x) <= 4e-15);
     CHECK(distance(seen->y, row.y) <= 4e-15);
     // the same by the matrix P: [x y 0 z/h], and the division
-    const hpoint<double, 3> by_matrix = transform_row(to_homogeneous(e), *perspective_matrix_textbook(h));
+    const hpoint<double, 3> by_matrix = transform_row(to_homogeneous(e), *perspective_matrix(h));
     CHECK(by_matrix.z == 0);
     CHECK(distance(by_matrix.x / by_matrix.w, row.x) <= 4e-15);
     CHECK(distance(by_matrix.y / by_matrix.w, row.y) <= 4e-15);
-    CHECK(project_parallel_textbook(e) == point<double, 2>{e.x, e.y});
-    CHECK(transform_row(to_homogeneous(e), irg::parallel_matrix_textbook<double>()) ==
+    CHECK(project_parallel(e) == point<double, 2>{e.x, e.y});
+    CHECK(transform_row(to_homogeneous(e), irg::textbook::parallel_matrix<double>()) ==
           hpoint<double, 3>{e.x, e.y, 0, 1});
   }
   CHECK(transform_row(P{1, 1, 3}, t) == P{0, 0, 0});
 }
 
-TEST_CASE("view_transform_textbook: GOLDEN 5, views that are whole or rational numbers") {
-  constexpr M t = view_transform_textbook(P{0, -5, 0}, P{0, 0, 0});
+TEST_CASE("view_transform: GOLDEN 5, views that are whole or rational numbers") {
+  constexpr M t = view_transform(P{0, -5, 0}, P{0, 0, 0});
   CHECK_BOTH(t == M{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}, {0, 0, 5, 1}}});
   CHECK_BOTH(transform_row(P{1, 0, 0}, t) == P{1, 0, 5});
-  CHECK_BOTH(project_perspective_textbook(P{1, 0, 5}, 5) == point<double, 2>{1, 0});
-  CHECK_BOTH(project_perspective_textbook(transform_row(P{0, 0, 1}, t), 5) == point<double, 2>{0, 1});
-  CHECK_BOTH(project_perspective_textbook(transform_row(P{1, 5, 1}, t), 5) == point<double, 2>{0.5, 0.5});
-  CHECK_BOTH(project_perspective_textbook(transform_row(P{-2, -1, 3}, t), 5) == point<double, 2>{-2.5, 3.75});
+  CHECK_BOTH(project_perspective(P{1, 0, 5}, 5) == point<double, 2>{1, 0});
+  CHECK_BOTH(project_perspective(transform_row(P{0, 0, 1}, t), 5) == point<double, 2>{0, 1});
+  CHECK_BOTH(project_perspective(transform_row(P{1, 5, 1}, t), 5) == point<double, 2>{0.5, 0.5});
+  CHECK_BOTH(project_perspective(transform_row(P{-2, -1, 3}, t), 5) == point<double, 2>{-2.5, 3.75});
   constexpr auto s = steps({4, 6, 3}, {1, 2, 3});
   CHECK_BOTH(s.h == 5);
-  CHECK(worst_difference(view_transform_textbook(P{4, 6, 3}, P{1, 2, 3}),
+  CHECK(worst_difference(view_transform(P{4, 6, 3}, P{1, 2, 3}),
                          M{{{-0.8, 0, -0.6, 0}, {0.6, 0, -0.8, 0}, {0, 1, 0, 0}, {-0.4, -3, 7.2, 1}}}) <= 1e-15);
-  const P e = transform_row(P{2, 2, 4}, view_transform_textbook(P{4, 6, 3}, P{1, 2, 3}));
+  const P e = transform_row(P{2, 2, 4}, view_transform(P{4, 6, 3}, P{1, 2, 3}));
   CHECK(distance(e.x, -0.8) + distance(e.y, 1) + distance(e.z, 4.4) <= 3e-15);
-  const auto seen = project_perspective_textbook(e, 5);
+  const auto seen = project_perspective(e, 5);
   CHECK(distance(seen->x, -10.0 / 11) + distance(seen->y, 25.0 / 22) <= 3e-15);
 }
 
-TEST_CASE("view_transform_textbook: where the course divides by zero") {
+TEST_CASE("view_transform: where the course divides by zero") {
   constexpr auto down = steps({0, 0, 5}, {0, 0, 0});  // GOLDEN 5: cosine 1, sine 0
-  static_assert(down.status == view_textbook_status::view_vertical && down.h == 5);
-  CHECK_BOTH(view_transform_textbook(P{0, 0, 5}, P{0, 0, 0}) ==
-             M{{{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, -1, 0}, {0, 0, 5, 1}}});
+  static_assert(down.status == view_status::view_vertical && down.h == 5);
+  CHECK_BOTH(view_transform(P{0, 0, 5}, P{0, 0, 0}) == M{{{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, -1, 0}, {0, 0, 5, 1}}});
   CHECK_BOTH(down.t2 == identity<double, 4>());
   // look_at's stand-in for up agrees looking down, and is turned by half a turn looking up.
   CHECK_BOTH(transpose(third_row_negated(look_at(P{0, 0, 5}, P{0, 0, 0}, V{0, 0, 1}))) ==
-             view_transform_textbook(P{0, 0, 5}, P{0, 0, 0}));
-  CHECK_BOTH(view_transform_textbook(P{0, 0, -5}, P{0, 0, 0}) ==
-             M{{{0, -1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 5, 1}}});
+             view_transform(P{0, 0, 5}, P{0, 0, 0}));
+  CHECK_BOTH(view_transform(P{0, 0, -5}, P{0, 0, 0}) == M{{{0, -1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 5, 1}}});
   CHECK_BOTH(look_at(P{0, 0, -5}, P{0, 0, 0}, V{0, 0, 1}) ==
              M{{{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, -1, -5}, {0, 0, 0, 1}}});
 
   constexpr auto none = steps({1, 2, 3}, {1, 2, 3});
-  static_assert(none.status == view_textbook_status::eye_at_view_point && none.h == 0);
+  static_assert(none.status == view_status::eye_at_view_point && none.h == 0);
   CHECK_BOTH((none.t2 == identity<double, 4>() && none.t3 == identity<double, 4>()));
-  CHECK_BOTH(view_transform_textbook(P{1, 2, 3}, P{1, 2, 3}) ==
-             M{{{0, -1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {2, 1, -3, 1}}});
-  CHECK_BOTH(!perspective_matrix_textbook(none.h));
+  CHECK_BOTH(view_transform(P{1, 2, 3}, P{1, 2, 3}) == M{{{0, -1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {2, 1, -3, 1}}});
+  CHECK_BOTH(!perspective_matrix(none.h));
 
-  CHECK_BOTH(steps({not_a_number, 0, 0}, {0, 0, 0}) == view_steps_textbook<double>{});
-  CHECK_BOTH(view_transform_textbook(P{0, 0, 0}, P{0, inf, 0}) == identity<double, 4>());
-  CHECK_BOTH(steps({most, 0, 0}, {0, 0, 0}).status == view_textbook_status::not_finite);
+  CHECK_BOTH(steps({not_a_number, 0, 0}, {0, 0, 0}) == view_steps<double>{});
+  CHECK_BOTH(view_transform(P{0, 0, 0}, P{0, inf, 0}) == identity<double, 4>());
+  CHECK_BOTH(steps({most, 0, 0}, {0, 0, 0}).status == view_status::not_finite);
   // Each step alone is total, too.
-  CHECK_BOTH(irg::view_rotation_z_textbook(P{0, 0, 7}) == identity<double, 4>());
-  CHECK_BOTH(irg::view_rotation_z_textbook(P{not_a_number, 0, 7}) == identity<double, 4>());
-  CHECK_BOTH(irg::view_rotation_y_textbook(P{0, 0, 0}) == identity<double, 4>());
-  CHECK_BOTH(irg::view_rotation_y_textbook(P{0, 0, inf}) == identity<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_z(P{0, 0, 7}) == identity<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_z(P{not_a_number, 0, 7}) == identity<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_y(P{0, 0, 0}) == identity<double, 4>());
+  CHECK_BOTH(irg::textbook::view_rotation_y(P{0, 0, inf}) == identity<double, 4>());
 }
 
-TEST_CASE("view_transform_textbook: every step does what the course says, and T is look_at's matrix in other words") {
+TEST_CASE("view_transform: every step does what the course says, and T is look_at's matrix in other words") {
   test::random r(1);
   double orthonormal = 0, determinant_off = 0, look_at_off = 0, eye_off = 0, single = 0, step_off = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -176,8 +171,8 @@ TEST_CASE("view_transform_textbook: every step does what the course says, and T 
       g[k] = r.integer(0, 15) == 0 ? eye[k] : eye[k] + spread * (r.unit() - 0.5);
     }
     const auto s = steps(eye, g);
-    const M t = view_transform_textbook(eye, g);
-    CHECK(s.status != view_textbook_status::not_finite);
+    const M t = view_transform(eye, g);
+    CHECK(s.status != view_status::not_finite);
     orthonormal = std::max(orthonormal, from_orthonormal(t));
     determinant_off = std::max(determinant_off, std::abs(determinant(submatrix(t, 3, 3)) + 1));
     const P at_eye = transform_row(eye, t);
@@ -189,11 +184,11 @@ TEST_CASE("view_transform_textbook: every step does what the course says, and T 
     CHECK(after_t2.z == s.g2.z);
     CHECK(s.g2.x >= 0);
     const vec<float, 3> narrow{static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z)};
-    single = std::max(single, from_orthonormal(view_transform_textbook(
+    single = std::max(single, from_orthonormal(view_transform(
                                   to_point(narrow), point<float, 3>{static_cast<float>(g.x), static_cast<float>(g.y),
                                                                     static_cast<float>(g.z)})));
     // The z axis is up: a view next to it leaves look_at's up to rounding, exactly along it to the fallback.
-    if (s.status != view_textbook_status::ordinary || s.g2.x < 1e-3 * s.h) continue;
+    if (s.status != view_status::ordinary || s.g2.x < 1e-3 * s.h) continue;
     const M v = third_row_negated(look_at(eye, g, V{0, 0, 1}));
     look_at_off = std::max(look_at_off, worst_difference(transpose(v), t));
   }
@@ -208,7 +203,7 @@ TEST_CASE("view_transform_textbook: every step does what the course says, and T 
   CHECK(look_at_off <= 8 * 0x1p-53);
 }
 
-TEST_CASE("view_transform_textbook: hostile numbers give finite matrices") {
+TEST_CASE("view_transform: hostile numbers give finite matrices") {
   const double values[] = {0,     1,     -1,       least,     -least, 1e-300,       1e-160,
                            1e160, 1e300, most / 4, -most / 4, most,   not_a_number, inf};
   for (const double a : values)
@@ -216,8 +211,8 @@ TEST_CASE("view_transform_textbook: hostile numbers give finite matrices") {
       for (const double c : values)
         for (const auto& pair : {std::pair{P{a, b, c}, P{0, 0, 0}}, std::pair{P{0, 0, 0}, P{a, b, c}},
                                  std::pair{P{a, b, c}, P{b, c, a}}}) {
-          const auto s = view_transform_steps_textbook(pair.first, pair.second);
-          const M t = view_transform_textbook(pair.first, pair.second);
+          const auto s = view_transform_steps(pair.first, pair.second);
+          const M t = view_transform(pair.first, pair.second);
           bool finite = std::isfinite(s.h);
           for (const auto& row : t.m)
             for (const double x : row) finite = finite && std::isfinite(x);
@@ -227,47 +222,46 @@ TEST_CASE("view_transform_textbook: hostile numbers give finite matrices") {
           CHECK(from_orthonormal(s.t3) <= 4 * 0x1p-53);
           const bool bad =
               !(std::max({std::abs(a), std::abs(b), std::abs(c)}) <= most / 4) || a != a || b != b || c != c;
-          CHECK((s.status == view_textbook_status::not_finite) == bad);
+          CHECK((s.status == view_status::not_finite) == bad);
         }
   // One subnormal step away there is a direction all the same.
-  CHECK_BOTH(view_transform_textbook(P{0, -least, 0}, P{0, 0, 0}) ==
+  CHECK_BOTH(view_transform(P{0, -least, 0}, P{0, 0, 0}) ==
              M{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}, {0, 0, least, 1}}});
   const auto s = steps({0, 0, 0}, {least, least, least});
   CHECK(distance(s.t2(0, 0), std::sqrt(0.5)) <= 1e-15);
   CHECK(distance(s.t3(0, 0), std::sqrt(1.0 / 3)) <= 1e-15);
 }
 
-TEST_CASE("project_perspective_textbook: what cannot be seen, and the ends of the range") {
+TEST_CASE("project_perspective: what cannot be seen, and the ends of the range") {
   using opt = std::optional<point<double, 2>>;
-  CHECK_BOTH(project_perspective_textbook(P{3, -2, 6}, 2) == point<double, 2>{1, -2.0 / 3});  // GOLDEN 12
-  CHECK_BOTH(project_perspective_textbook(P{3, -2, 3}, 2) == point<double, 2>{2, -4.0 / 3});
-  CHECK_BOTH(project_perspective_textbook(P{3, -2, 0}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, -2, -0.0}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{0, 0, 0}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{1e-300, 0, 0}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, -2, -3}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, -2, 3}, 0) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, -2, 3}, -2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, not_a_number, 3}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, 2, not_a_number}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, 2, inf}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{3, 2, 3}, inf) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{1e300, 0, 1e-300}, 1) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{1e300, 0, 1e300}, 1e300) == point<double, 2>{1e300, 0});
-  CHECK_BOTH(project_perspective_textbook(P{most, -most, least}, least) == point<double, 2>{most, -most});
-  CHECK_BOTH(project_perspective_textbook(P{least, 0, most}, most) == point<double, 2>{least, 0});
-  CHECK_BOTH(project_perspective_textbook(P{least, -least, 1e300}, 1e-300) == point<double, 2>{0, 0});
-  CHECK_BOTH(project_perspective_textbook(P{0x1p1023, 0, 1}, 2) == opt{});
-  CHECK_BOTH(project_perspective_textbook(P{0x1p1000, 0x1p-1000, 0x1p500}, 0x1p500) ==
-             point<double, 2>{0x1p1000, 0x1p-1000});
-  CHECK_BOTH(!project_perspective_textbook(point<float, 3>{1e38f, 0, 1e-38f}, 1));
-  CHECK_BOTH(project_perspective_textbook(point<float, 3>{1e38f, 0, 1e38f}, 1e-38f) == point<float, 2>{1e-38f, 0});
-  for (const double h : {0.0, -1.0, not_a_number, inf, least}) CHECK(!perspective_matrix_textbook(h));
-  CHECK_BOTH(perspective_matrix_textbook(4.0) == M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0.25}, {0, 0, 0, 0}}});
-  CHECK((*perspective_matrix_textbook(most))(2, 3) > 0);
+  CHECK_BOTH(project_perspective(P{3, -2, 6}, 2) == point<double, 2>{1, -2.0 / 3});  // GOLDEN 12
+  CHECK_BOTH(project_perspective(P{3, -2, 3}, 2) == point<double, 2>{2, -4.0 / 3});
+  CHECK_BOTH(project_perspective(P{3, -2, 0}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{3, -2, -0.0}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{0, 0, 0}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{1e-300, 0, 0}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{3, -2, -3}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{3, -2, 3}, 0) == opt{});
+  CHECK_BOTH(project_perspective(P{3, -2, 3}, -2) == opt{});
+  CHECK_BOTH(project_perspective(P{3, not_a_number, 3}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{3, 2, not_a_number}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{3, 2, inf}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{3, 2, 3}, inf) == opt{});
+  CHECK_BOTH(project_perspective(P{1e300, 0, 1e-300}, 1) == opt{});
+  CHECK_BOTH(project_perspective(P{1e300, 0, 1e300}, 1e300) == point<double, 2>{1e300, 0});
+  CHECK_BOTH(project_perspective(P{most, -most, least}, least) == point<double, 2>{most, -most});
+  CHECK_BOTH(project_perspective(P{least, 0, most}, most) == point<double, 2>{least, 0});
+  CHECK_BOTH(project_perspective(P{least, -least, 1e300}, 1e-300) == point<double, 2>{0, 0});
+  CHECK_BOTH(project_perspective(P{0x1p1023, 0, 1}, 2) == opt{});
+  CHECK_BOTH(project_perspective(P{0x1p1000, 0x1p-1000, 0x1p500}, 0x1p500) == point<double, 2>{0x1p1000, 0x1p-1000});
+  CHECK_BOTH(!project_perspective(point<float, 3>{1e38f, 0, 1e-38f}, 1));
+  CHECK_BOTH(project_perspective(point<float, 3>{1e38f, 0, 1e38f}, 1e-38f) == point<float, 2>{1e-38f, 0});
+  for (const double h : {0.0, -1.0, not_a_number, inf, least}) CHECK(!perspective_matrix(h));
+  CHECK_BOTH(perspective_matrix(4.0) == M{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0.25}, {0, 0, 0, 0}}});
+  CHECK((*perspective_matrix(most))(2, 3) > 0);
 }
 
-TEST_CASE("project_perspective_textbook: within 0.51 ulp of the quotient in extended precision") {
+TEST_CASE("project_perspective: within 0.51 ulp of the quotient in extended precision") {
   if constexpr (std::numeric_limits<long double>::digits < 64) return;
   test::random r(2);
   double worst = 0;
@@ -278,10 +272,10 @@ TEST_CASE("project_perspective_textbook: within 0.51 ulp of the quotient in exte
       return std::ldexp(significand, static_cast<int>(r.integer(-range, range)));
     };
     const double x = number(), h = number(), z = number();
-    CHECK(project_perspective_textbook(P{x, 0, h}, h) == point<double, 2>{x, 0});
+    CHECK(project_perspective(P{x, 0, h}, h) == point<double, 2>{x, 0});
     const long double expected = static_cast<long double>(x) * static_cast<long double>(h) /
                                  static_cast<long double>(z);  // relative error 2^-63
-    const auto seen = project_perspective_textbook(P{x, 0, z}, h);
+    const auto seen = project_perspective(P{x, 0, z}, h);
     if (expected > static_cast<long double>(most)) {
       CHECK(!seen);
       continue;
