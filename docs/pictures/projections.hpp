@@ -122,7 +122,7 @@ inline picture shadows() {
     const mat4 to_clip = irg::perspective(irg::radians(36.0), 4.0 / 3, 1, 50) *
                          irg::look_at(point3{2, 4.5, 9}, point3{0.7, -0.3, 0}, vec3{0, 1, 0});
     polygon(p, view, to_clip, {{-2, -1, 2.5}, {3.6, -1, 2.5}, {3.6, -1, -3}, {-2, -1, -3}}, {242, 240, 234, 255}, pale);
-    const mat4 shadow = irg::shadow_matrix_checked(floor, lamps[i]).matrix;
+    const mat4 shadow = irg::shadow_matrix_checked(floor, lamps[i]).value;
     for (const auto& face : cube_faces()) polygon(p, view, to_clip * shadow, face, shade, shade);
     cube(p, view, to_clip);
     if (lamps[i].w != 0) dot(p, cell_at(to_pixels(view, to_clip * lamps[i])), 5, red);
@@ -168,7 +168,7 @@ inline picture fits() {
     const irg::viewport<double> view{20.0 + 260 * i++, 20, 220, 110};
     const irg::cell_window inner{static_cast<int>(view.x), 20, static_cast<int>(view.x) + 220, 130};
     for (int y = inner.y_first; y < inner.y_last; ++y) irg::fill_span(p, {y, inner.x_first, inner.x_last}, pale_blue);
-    const auto m = irg::window_to_viewport(square, view, fit).mapping;
+    const auto m = irg::window_to_viewport(square, view, fit).value;
     for (int y = inner.y_first; y < inner.y_last; ++y)
       for (int x = inner.x_first; x < inner.x_last; ++x) {
         const point2 q = from_pixels(m, point2{x + 0.5, y + 0.5});

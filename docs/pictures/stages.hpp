@@ -215,7 +215,7 @@ inline picture in_the_viewport() {
   const auto to_view = irg::window_to_viewport(irg::centred_window(2.0, 2.0),
                                                irg::viewport<double>{0, 0, width / pixel, height / pixel});
   const auto cell = [&](const point2& q) {
-    const point2 at = irg::to_pixels(to_view.mapping, q);
+    const point2 at = irg::to_pixels(to_view.value, q);
     return irg::cell{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
   };
   projected_edges([&](const point2& a, const point2& b) { irg::draw_line(small, cell(a), cell(b), ink); });

@@ -94,7 +94,8 @@ inline picture step(const irg::mat<double, 4, 4>& m, const point3& eye, const po
   }
   stroke(p, place(o), place(g), red);
   for (const edge& e : house())
-    stroke(p, place(irg::textbook::transform_row(e.a, m)), place(irg::textbook::transform_row(e.b, m)), e.is_door ? blue : ink);
+    stroke(p, place(irg::textbook::transform_row(e.a, m)), place(irg::textbook::transform_row(e.b, m)),
+           e.is_door ? blue : ink);
   dot(p, cell_of(place(o)), 4, red);
   dot(p, cell_of(place(g)), 3, red);
   letter(p, 'O', {cell_of(place(o)).x + 7, cell_of(place(o)).y - 16}, 2, red);

@@ -2,6 +2,7 @@
 // core: concepts and customisation points, config, contracts, result, contraction guard, lanes, executors.
 #pragma once
 
+#include <irg/core/checked.hpp>
 #include <irg/core/config.hpp>
 #include <irg/core/containment.hpp>
 #include <irg/core/contract.hpp>

@@ -36,7 +36,7 @@ constexpr std::uint64_t projections(int rounds) {
     add_matrix(h, irg::oblique(how, window, near, far, plane_z, depth) * view);
     add_matrix(h, irg::perspective(irg::view_pyramid<T>{unit() + T(0.1), unit() + T(1), unit() + T(1), near, far}));
     const irg::plane<T> onto{unit(), unit(), unit() + T(0.1), unit()};
-    add_matrix(h, irg::central_projection_onto_checked(onto, irg::point<T, 3>{unit(), unit(), unit()}).matrix);
+    add_matrix(h, irg::central_projection_onto_checked(onto, irg::point<T, 3>{unit(), unit(), unit()}).value);
     const irg::frustum<T> f = irg::frustum_of(m, depth);
     for (const irg::plane<T>& p : f.planes) h.add(p.a), h.add(p.b), h.add(p.c), h.add(p.d);
     if (const auto corners = irg::frustum_corners(f))
@@ -45,8 +45,7 @@ constexpr std::uint64_t projections(int rounds) {
     h.add(static_cast<int>(side_of(f, irg::box<T, 3>{low, {low.x + unit(), low.y + unit(), low.z + unit()}})));
     h.add(static_cast<int>(side_of(f, irg::bounding_sphere<T, 3>{low, unit()})));
     const auto mapping =
-        irg::window_to_viewport(window, {unit(), unit(), unit() + T(99), unit() + T(50)}, irg::window_fit::whole)
-            .mapping;
+        irg::window_to_viewport(window, {unit(), unit(), unit() + T(99), unit() + T(50)}, irg::window_fit::whole).value;
     h.add(mapping.onto.x), h.add(mapping.onto.y), h.add(mapping.scale.x), h.add(mapping.scale.y);
   }
   return h.value();

@@ -123,14 +123,14 @@ TEST_CASE("camera_frame: orthonormal repair of drifted frames") {
       *axis = (*axis + random_vector(r) * drift) * std::ldexp(1.0, static_cast<int>(r.integer(-600, 600)));
     const auto fixed = orthonormalized_checked(f);
     CHECK(fixed.status == camera_frame_status::ordinary);
-    CHECK(fixed.frame.position == f.position);
-    worst = std::max(worst, from_orthonormal(fixed.frame));
+    CHECK(fixed.value.position == f.position);
+    worst = std::max(worst, from_orthonormal(fixed.value));
     for (int k = 0; k < 3; ++k) {
-      moved = std::max(moved, std::abs(fixed.frame.forward[k] - normalized(f.forward)[k]));
-      CHECK(std::abs(fixed.frame.right[k] - clean.right[k]) <= 4 * drift);
-      CHECK(std::abs(fixed.frame.up[k] - clean.up[k]) <= 4 * drift);
+      moved = std::max(moved, std::abs(fixed.value.forward[k] - normalized(f.forward)[k]));
+      CHECK(std::abs(fixed.value.right[k] - clean.right[k]) <= 4 * drift);
+      CHECK(std::abs(fixed.value.up[k] - clean.up[k]) <= 4 * drift);
     }
-    CHECK(dot(fixed.frame.up, normalized(f.up)) > 0);
+    CHECK(dot(fixed.value.up, normalized(f.up)) > 0);
     irg::camera_frame<float> g;
     for (int k = 0; k < 3; ++k) {
       g.up[k] = static_cast<float>(random_vector(r).x);
@@ -144,14 +144,15 @@ TEST_CASE("camera_frame: orthonormal repair of drifted frames") {
   CHECK(single <= 8 * 0x1p-24);
   // A clean frame stays what it is, a mirrored one is righted.
   constexpr frame clean{{1, 2, 3}, {0, 0, -1}, {0, 1, 0}, {-1, 0, 0}};
-  CHECK_BOTH(orthonormalized_checked(clean) == irg::camera_frame_result<double>{clean, camera_frame_status::ordinary});
+  CHECK_BOTH(orthonormalized_checked(clean) ==
+             irg::checked<irg::camera_frame<double>, camera_frame_status>{clean, camera_frame_status::ordinary});
   CHECK_BOTH(orthonormalized(frame{{1, 2, 3}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}) == clean);
   // Unlike the axes of a mean of all three, forward is kept and up only loses what lies along it.
   CHECK_BOTH(orthonormalized(frame{{1, 2, 3}, {7, 7, 7}, {-5, 2, 0}, {-3, 0, 0}}) == clean);
 }
 
 TEST_CASE("camera_frame: repair of frames with an axis missing") {
-  using result = irg::camera_frame_result<double>;
+  using result = irg::checked<irg::camera_frame<double>, camera_frame_status>;
   constexpr auto ordinary = camera_frame_status::ordinary, up = camera_frame_status::up_replaced,
                  forward = camera_frame_status::forward_replaced;
   constexpr V zero{}, nans{not_a_number, 0, 1}, infinite{inf, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};

@@ -42,21 +42,21 @@ TEST_CASE("plane_projection: by hand, in every life") {
   constexpr plane<double> floor{0, 1, 0, 0};
   constexpr auto m = central_projection_onto_checked(floor, D{0, 4, 0});
   CHECK_BOTH(m.status == ordinary);
-  CHECK_BOTH((m.matrix * D{1, 2, 3}) == hpoint<double, 3>{1, 0, 3, 0.5});
-  CHECK_BOTH((m.matrix * D{1, 0, 3}) == hpoint<double, 3>{1, 0, 3, 1});   // of the plane: stays
-  CHECK_BOTH((m.matrix * D{1, 4, 3}).w == 0);                             // at the eye's height
-  CHECK_BOTH((m.matrix * D{1, 5, 3}).w < 0);                              // above the eye
-  CHECK_BOTH((m.matrix * D{1, -4, 3}) == hpoint<double, 3>{1, 0, 3, 2});  // beyond the plane
+  CHECK_BOTH((m.value * D{1, 2, 3}) == hpoint<double, 3>{1, 0, 3, 0.5});
+  CHECK_BOTH((m.value * D{1, 0, 3}) == hpoint<double, 3>{1, 0, 3, 1});   // of the plane: stays
+  CHECK_BOTH((m.value * D{1, 4, 3}).w == 0);                             // at the eye's height
+  CHECK_BOTH((m.value * D{1, 5, 3}).w < 0);                              // above the eye
+  CHECK_BOTH((m.value * D{1, -4, 3}) == hpoint<double, 3>{1, 0, 3, 2});  // beyond the plane
   // The sun at 45 degrees.
   constexpr auto s = parallel_projection_onto_checked(floor, vec<double, 3>{1, -1, 0});
-  CHECK_BOTH(transform_point(s.matrix, D{1, 2, 3}) == D{3, 0, 3});
-  CHECK_BOTH((s.matrix * D{1, 2, 3}).w == 1);
+  CHECK_BOTH(transform_point(s.value, D{1, 2, 3}) == D{3, 0, 3});
+  CHECK_BOTH((s.value * D{1, 2, 3}).w == 1);
   // S1: the eye at (0, 0, d) and the plane z = 0; x * d / (d - z).
   constexpr auto s1 = central_projection_onto_checked(plane<R>{0, 0, 1, 0}, P{0, 0, 20});
-  CHECK_BOTH(to_cartesian(s1.matrix * P{8, 0, 6}) == P{{80, 7}, 0, 0});
+  CHECK_BOTH(to_cartesian(s1.value * P{8, 0, 6}) == P{{80, 7}, 0, 0});
   // S3: the eye at the origin and the plane z = d; d * x / z.
   constexpr auto s3 = central_projection_onto_checked(plane<R>{0, 0, 1, -2}, P{0, 0, 0});
-  CHECK_BOTH(to_cartesian(s3.matrix * P{3, -2, 6}) == P{1, {-2, 3}, 2});
+  CHECK_BOTH(to_cartesian(s3.value * P{3, -2, 6}) == P{1, {-2, 3}, 2});
   constexpr auto any = central_projection_onto_checked(plane<float>{0.1f, 0.2f, 0.7f, 1.3f}, point<float, 3>{3, 1, 2});
   volatile float a = 0.1f;
   CHECK(central_projection_onto_checked(plane<float>{a, 0.2f, 0.7f, 1.3f}, point<float, 3>{3, 1, 2}) == any);
@@ -81,11 +81,11 @@ TEST_CASE(
     else {
       REQUIRE(central.status == ordinary);
       ++cases;
-      const auto q = central.matrix * p;
+      const auto q = central.value * p;
       CHECK(q.w == R(1) - value(o, p) / value(o, eye));
       const vec<R, 3> ray{p.x - eye.x, p.y - eye.y, p.z - eye.z};
       if (q.w != R(0)) CHECK(to_cartesian(q) == meeting(o, p, ray));
-      CHECK(central.matrix * eye == hpoint<R, 3>{0, 0, 0, 0});  // the one position without an image
+      CHECK(central.value * eye == hpoint<R, 3>{0, 0, 0, 0});  // the one position without an image
       CHECK(projection_onto_plane_checked(plane<R>{o.a * scale, o.b * scale, o.c * scale, o.d * scale},
                                           hpoint<R, 3>{eye.x * scale, eye.y * scale, eye.z * scale, scale}) == central);
     }
@@ -93,9 +93,9 @@ TEST_CASE(
     const R slope = o.a * direction.x + o.b * direction.y + o.c * direction.z;
     if (normal && slope != R(0)) {
       REQUIRE(parallel.status == ordinary);
-      CHECK((parallel.matrix * p).w == R(1));
-      CHECK(transform_point(parallel.matrix, p) == meeting(o, p, direction));
-      CHECK(parallel.matrix * parallel.matrix == parallel.matrix);  // twice is once
+      CHECK((parallel.value * p).w == R(1));
+      CHECK(transform_point(parallel.value, p) == meeting(o, p, direction));
+      CHECK(parallel.value * parallel.value == parallel.value);  // twice is once
     } else if (normal) {
       CHECK(parallel.status == (direction == vec<R, 3>{0, 0, 0} ? no_eye : direction_parallel));
     }
@@ -118,8 +118,8 @@ TEST_CASE("plane_projection: in doubles close to rationals, the plane's points s
         6 * 0x1p-53 * (std::abs(a * x) + std::abs(b * y) + std::abs(c * z) + std::abs(d)) / std::abs(height);
     for (int row = 0; row < 4; ++row)
       for (int col = 0; col < 4; ++col)
-        CHECK(std::abs(m.matrix(row, col) - static_cast<double>(exact.matrix(row, col))) <=
-              bound + 4 * 0x1p-53 * std::abs(m.matrix(row, col)));
+        CHECK(std::abs(m.value(row, col) - static_cast<double>(exact.value(row, col))) <=
+              bound + 4 * 0x1p-53 * std::abs(m.value(row, col)));
     for (const double s : {0x1p-600, 0x1p600, -0x1p-1000})
       CHECK(central_projection_onto_checked(plane<double>{a * s, b * s, c * s, d * s}, D{x, y, z}) == m);
   }
@@ -128,7 +128,7 @@ TEST_CASE("plane_projection: in doubles close to rationals, the plane's points s
 TEST_CASE("shadow_matrix: what is between light and floor throws a shadow, nothing else does") {
   constexpr plane<double> floor{0, 2, 0, 0};
   for (const double w : {1.0, -1.0, 0.5}) {  // one lamp at (0, 10, 0), whatever the weight
-    const auto m = shadow_matrix_checked(floor, hpoint<double, 3>{0, 10 * w, 0, w}).matrix;
+    const auto m = shadow_matrix_checked(floor, hpoint<double, 3>{0, 10 * w, 0, w}).value;
     CHECK((m * D{1, 5, 0}).w == 0.5);
     CHECK(to_cartesian(m * D{1, 5, 0}) == D{2, 0, 0});
     CHECK((m * D{1, 10, 0}).w == 0);
@@ -142,7 +142,7 @@ TEST_CASE("shadow_matrix: what is between light and floor throws a shadow, nothi
 TEST_CASE("plane_projection: singular and hostile cases, each one classified") {
   const auto status = [](const plane<double>& o, const hpoint<double, 3>& eye) {
     const auto m = projection_onto_plane_checked(o, eye);
-    CHECK((m.status == ordinary || m.matrix == irg::identity<double, 4>()));
+    CHECK((m.status == ordinary || m.value == irg::identity<double, 4>()));
     return m.status;
   };
   constexpr plane<double> z0{0, 0, 1, 0};

@@ -163,7 +163,7 @@ TEST_CASE("perspective of a window: what is refused (Z10)") {
   using enum projection_status;
   const auto status = [](irg::view_window<double> w, double d, double n, double f) {
     const auto p = perspective_checked(w, d, n, f);
-    CHECK((p.status == ordinary || p.matrix == identity<double, 4>()));
+    CHECK((p.status == ordinary || p.value == identity<double, 4>()));
     return p.status;
   };
   constexpr irg::view_window<double> w{-1, 1, -1, 1};
@@ -246,7 +246,7 @@ TEST_CASE("projections: what is refused, and extreme ranges (Z10)") {
   using enum projection_status;
   const auto status = [](double angle, double aspect, double n, double f) {
     const auto p = perspective_checked(angle, aspect, n, f);
-    CHECK((p.status == ordinary || p.matrix == identity<double, 4>()));
+    CHECK((p.status == ordinary || p.value == identity<double, 4>()));
     return p.status;
   };
   for (const double angle : {0.0, -0.0, -1.0, pi<double>, 4.0, inf, -inf, not_a_number})
@@ -274,7 +274,7 @@ TEST_CASE("projections: what is refused, and extreme ranges (Z10)") {
 
   const auto box = [](double l, double r, double b, double t, double n, double f) {
     const auto p = orthographic_checked(l, r, b, t, n, f);
-    CHECK((p.status == ordinary || p.matrix == identity<double, 4>()));
+    CHECK((p.status == ordinary || p.value == identity<double, 4>()));
     return p.status;
   };
   CHECK(box(1, 1, 0, 1, 0, 1) == bad_window);

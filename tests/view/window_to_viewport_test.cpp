@@ -30,7 +30,7 @@ constexpr viewport<R> whole{0, 0, 800, 600};
 template <class T>
 constexpr point<T, 2> mapped(const view_window<T>& w, const viewport<T>& v, const point<T, 2>& p,
                              window_fit fit = window_fit::stretch) {
-  return to_pixels(window_to_viewport(w, v, fit).mapping, p);
+  return to_pixels(window_to_viewport(w, v, fit).value, p);
 }
 
 }  // namespace
@@ -88,8 +88,8 @@ TEST_CASE(
       }
       REQUIRE(m.status == window_status::ordinary);
       const P p{n(), n()};
-      CHECK(from_pixels(m.mapping, to_pixels(m.mapping, p)) == p);
-      const P first = to_pixels(m.mapping, P{w.left, w.top}), last = to_pixels(m.mapping, P{w.right, w.bottom});
+      CHECK(from_pixels(m.value, to_pixels(m.value, p)) == p);
+      const P first = to_pixels(m.value, P{w.left, w.top}), last = to_pixels(m.value, P{w.right, w.bottom});
       CHECK((first.x < last.x && first.y < last.y));
       CHECK((first.x + last.x == v.x + v.x + v.width && first.y + last.y == v.y + v.y + v.height));  // centred
       const R width = last.x - first.x, height = last.y - first.y;
@@ -99,7 +99,7 @@ TEST_CASE(
       if (fit == window_fit::fill)
         CHECK((!(width < v.width) && !(height < v.height) && (width == v.width || height == v.height)));
       const auto positive = [](R x) { return x < R(0) ? -x : x; };
-      if (fit != window_fit::stretch) CHECK(positive(m.mapping.scale.x) == positive(m.mapping.scale.y));
+      if (fit != window_fit::stretch) CHECK(positive(m.value.scale.x) == positive(m.value.scale.y));
       const R aspect = positive((w.right - w.left) / (w.top - w.bottom));
       const viewport<R> fitted = fitted_viewport(v, aspect, fit);
       CHECK((fitted.x == first.x && fitted.y == first.y && fitted.width == width && fitted.height == height));
@@ -127,7 +127,7 @@ TEST_CASE("window_to_viewport: refusals and extremes (Z12), in every life") {
   static_assert(window_to_viewport(view_window<double>{1, 1, -3, 3}, {0, 0, 8, 6}).status == bad_window);
   static_assert(window_to_viewport(w, {0, 0, 0, 6}).status == bad_viewport);
   static_assert(window_to_viewport(w, {0, 0, 8, -6}).status == bad_viewport);
-  static_assert(window_to_viewport(w, {0, 0, not_a_number, 6}).mapping == irg::window_mapping<double>{});
+  static_assert(window_to_viewport(w, {0, 0, not_a_number, 6}).value == irg::window_mapping<double>{});
   static_assert(window_to_viewport(view_window<double>{0, 1e-320, -3, 3}, {0, 0, 8, 6}).status == not_representable);
   CHECK(status({-8e307, 8e307, -3, 3}, {0, 0, 1e-5, 6}) == not_representable);
   CHECK(status(w, {0, 0, 1, 1}) == ordinary);

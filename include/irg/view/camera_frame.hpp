@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include <irg/core/checked.hpp>
 #include <irg/math/coordinate_system.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
@@ -30,14 +31,6 @@ enum class camera_frame_status {
   forward_replaced  // forward was zero, NaN or infinite: the direction behind right and up, or else -z, stands in
 };
 
-/// A repaired frame and what the repair had to give up.
-template <Floating T>
-struct camera_frame_result {
-  camera_frame<T> frame;
-  camera_frame_status status = camera_frame_status::ordinary;
-  constexpr bool operator==(const camera_frame_result&) const = default;
-};
-
 inline namespace IRG_ABI {
 
 /// Frame from what look_at takes: the camera at `eye` that looks at `target`. view_matrix of it equals look_at.
@@ -46,9 +39,9 @@ inline namespace IRG_ABI {
 template <Floating T>
 constexpr camera_frame<T> look_at_frame(const point<T, 3>& eye, const point<T, 3>& target,
                                         const vec<T, 3>& up) noexcept {
-  const look_at_result<T> v = look_at_checked(eye, target, up);
+  const auto v = look_at_checked(eye, target, up);
   if (v.status == look_at_status::not_finite) return {};
-  const auto row = [&](int r) { return vec<T, 3>{v.matrix(r, 0), v.matrix(r, 1), v.matrix(r, 2)}; };
+  const auto row = [&](int r) { return vec<T, 3>{v.value(r, 0), v.value(r, 1), v.value(r, 2)}; };
   return {eye, row(0), row(1), -row(2)};
 }
 
@@ -123,10 +116,10 @@ constexpr mat<T, 4, 4> change_handedness(const mat<T, 4, 4>& view) noexcept {
 /// gives   for broken axes what camera_frame_status says; an orthonormal frame always. The position is not touched
 /// exact   of length 1 and at right angles within 8u (u = 2^-53, float 2^-24)
 template <Floating T>
-constexpr camera_frame_result<T> orthonormalized_checked(const camera_frame<T>& f) noexcept {
+constexpr checked<camera_frame<T>, camera_frame_status> orthonormalized_checked(const camera_frame<T>& f) noexcept {
   constexpr T parallel = 4 * std::numeric_limits<T>::epsilon();
   const vec<T, 3> right = normalized(f.right), up = normalized(f.up);
-  camera_frame_result<T> r{f, camera_frame_status::ordinary};
+  checked<camera_frame<T>, camera_frame_status> r{f, camera_frame_status::ordinary};
   vec<T, 3> z = -normalized(f.forward);
   if (z == vec<T, 3>{}) {
     r.status = camera_frame_status::forward_replaced;
@@ -141,16 +134,16 @@ constexpr camera_frame_result<T> orthonormalized_checked(const camera_frame<T>& 
   }
   // As in look_at: `side` may be tilted by rounding, but what follows from y and z is not.
   const vec<T, 3> y = normalized(cross(z, side));
-  r.frame.right = cross(y, z);
-  r.frame.up = y;
-  r.frame.forward = -z;
+  r.value.right = cross(y, z);
+  r.value.up = y;
+  r.value.forward = -z;
   return r;
 }
 
 /// The frame with axes of length 1 and at right angles again; see orthonormalized_checked.
 template <Floating T>
 constexpr camera_frame<T> orthonormalized(const camera_frame<T>& f) noexcept {
-  return orthonormalized_checked(f).frame;
+  return orthonormalized_checked(f).value;
 }
 
 }  // namespace IRG_ABI

@@ -63,7 +63,8 @@ constexpr point<T, 2> project_parallel(const point<T, 3>& p) noexcept {
 /// gives   bad_distance
 /// exact   nothing is rounded
 template <Real T>
-constexpr projection_result<T> central_projection_checked(const T& distance, projection_origin origin) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> central_projection_checked(const T& distance,
+                                                                              projection_origin origin) noexcept {
   if (!detail::is_distance(distance)) return detail::refused<T>(projection_status::bad_distance);
   const T d = distance, o = T(0), one = T(1);
   if (origin == projection_origin::eye)
@@ -75,9 +76,9 @@ constexpr projection_result<T> central_projection_checked(const T& distance, pro
 /// needs   a positive, finite distance; where this is broken and not caught, the identity comes out
 template <Real T>
 constexpr mat<T, 4, 4> central_projection(const T& distance, projection_origin origin) noexcept {
-  const projection_result<T> p = central_projection_checked(distance, origin);
+  const auto p = central_projection_checked(distance, origin);
   IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.matrix;
+  return p.value;
 }
 
 }  // namespace IRG_ABI

@@ -3,6 +3,7 @@
 // parallel to the view, and eye at target, give a documented camera, never NaN.
 #pragma once
 
+#include <irg/core/checked.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
 
@@ -14,14 +15,6 @@ enum class look_at_status {
   up_parallel,    // up is zero or parallel to the view: an axis of the world took its place
   eye_at_target,  // there is no direction: the camera looks along the world's -z
   not_finite  // a coordinate is NaN or infinite, or the eye or the target too far out for the matrix to be finite
-};
-
-/// A view matrix and how it came about.
-template <Floating T>
-struct look_at_result {
-  mat<T, 4, 4> matrix;
-  look_at_status status = look_at_status::ordinary;
-  constexpr bool operator==(const look_at_result&) const = default;
 };
 
 namespace detail {
@@ -59,7 +52,8 @@ inline namespace IRG_ABI {
 ///         near or far the target and however nearly parallel up
 template <Point P, Vector V>
   requires(size_of<P> == 3 && size_of<V> == 3 && std::same_as<scalar_of<P>, scalar_of<V>> && Floating<scalar_of<P>>)
-constexpr look_at_result<scalar_of<P>> look_at_checked(const P& eye, const P& target, const V& up) noexcept {
+constexpr checked<mat<scalar_of<P>, 4, 4>, look_at_status> look_at_checked(const P& eye, const P& target,
+                                                                           const V& up) noexcept {
   using T = scalar_of<P>;
   using limits = std::numeric_limits<T>;
   if (!detail::within(eye, (limits::max)() / 4) || !detail::within(target, (limits::max)() / 4) ||
@@ -91,7 +85,7 @@ constexpr look_at_result<scalar_of<P>> look_at_checked(const P& eye, const P& ta
 template <Point P, Vector V>
   requires(size_of<P> == 3 && size_of<V> == 3 && std::same_as<scalar_of<P>, scalar_of<V>> && Floating<scalar_of<P>>)
 constexpr mat<scalar_of<P>, 4, 4> look_at(const P& eye, const P& target, const V& up) noexcept {
-  return look_at_checked(eye, target, up).matrix;
+  return look_at_checked(eye, target, up).value;
 }
 
 }  // namespace IRG_ABI

@@ -32,8 +32,8 @@ inline namespace IRG_ABI {
 /// gives   bad_angle, bad_factor, bad_depth (plane_z) for numbers that are not finite, not_representable
 /// exact   entries within 2 ulp, the last column's within 3
 template <Floating T>
-constexpr projection_result<T> oblique_shear_checked(const oblique_depth<T>& how,
-                                                     std::type_identity_t<T> plane_z = T(0)) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> oblique_shear_checked(
+    const oblique_depth<T>& how, std::type_identity_t<T> plane_z = T(0)) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)();
   if (!detail::is_finite(how.angle)) return detail::refused<T>(projection_status::bad_angle);
   if (!detail::is_finite(how.factor)) return detail::refused<T>(projection_status::bad_factor);
@@ -55,19 +55,21 @@ constexpr projection_result<T> oblique_shear_checked(const oblique_depth<T>& how
 /// gives   as oblique_shear_checked and orthographic_checked
 /// exact   entries within 4 ulp of the true ones, but for cancellation between window and shear in the last column
 template <Floating T>
-constexpr projection_result<T> oblique_checked(const oblique_depth<T>& how, const view_window<T>& window,
-                                               std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
-                                               std::type_identity_t<T> plane_z = T(0),
-                                               depth_range depth = depth_range::reversed) noexcept {
-  const projection_result<T> straight =
+constexpr checked<mat<T, 4, 4>, projection_status> oblique_checked(const oblique_depth<T>& how,
+                                                                   const view_window<T>& window,
+                                                                   std::type_identity_t<T> z_near,
+                                                                   std::type_identity_t<T> z_far,
+                                                                   std::type_identity_t<T> plane_z = T(0),
+                                                                   depth_range depth = depth_range::reversed) noexcept {
+  const auto straight =
       orthographic_checked(window.left, window.right, window.bottom, window.top, z_near, z_far, depth);
   if (straight.status != projection_status::ordinary) return straight;
-  const projection_result<T> shear = oblique_shear_checked(how, plane_z);
+  const auto shear = oblique_shear_checked(how, plane_z);
   if (shear.status != projection_status::ordinary) return shear;
-  mat<T, 4, 4> m = straight.matrix;
+  mat<T, 4, 4> m = straight.value;
   constexpr T largest = (std::numeric_limits<T>::max)();
   for (int row = 0; row < 2; ++row) {
-    const T scale = m(row, row), slope = shear.matrix(row, 2), shift = shear.matrix(row, 3);
+    const T scale = m(row, row), slope = shear.value(row, 2), shift = shear.value(row, 3);
     // Half of the largest number is left for the window's own offset.
     if (T(1) < detail::magnitude(scale) &&
         largest / T(2) / detail::magnitude(scale) < greater(detail::magnitude(slope), detail::magnitude(shift)))
@@ -85,9 +87,9 @@ constexpr mat<T, 4, 4> oblique(const oblique_depth<T>& how, const view_window<T>
                                std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                std::type_identity_t<T> plane_z = T(0),
                                depth_range depth = depth_range::reversed) noexcept {
-  const projection_result<T> p = oblique_checked(how, window, z_near, z_far, plane_z, depth);
+  const auto p = oblique_checked(how, window, z_near, z_far, plane_z, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.matrix;
+  return p.value;
 }
 
 /// The unit vector in camera space from any point towards the viewer, along the rays of an oblique projection.

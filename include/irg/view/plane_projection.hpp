@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include <irg/core/checked.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/length.hpp>
@@ -22,14 +23,6 @@ enum class plane_projection_status {
   direction_parallel,  // the rays do not meet the plane, or lie in it
   not_finite,  // a number is NaN or infinite
   not_representable  // an entry of the matrix would overflow
-};
-
-/// The matrix of a projection onto a plane, the identity unless the status is ordinary.
-template <Real T>
-struct plane_projection_result {
-  mat<T, 4, 4> matrix;
-  plane_projection_status status = plane_projection_status::ordinary;
-  constexpr bool operator==(const plane_projection_result&) const = default;
 };
 
 namespace detail {
@@ -66,7 +59,8 @@ constexpr auto plane_projector_of(const T (&eye)[4], const T (&plane)[4]) noexce
 }
 
 template <class T>
-constexpr plane_projection_result<T> refused_plane_projection(plane_projection_status why) noexcept {
+constexpr checked<mat<T, 4, 4>, plane_projection_status> refused_plane_projection(
+    plane_projection_status why) noexcept {
   return {identity<T, 4>(), why};
 }
 
@@ -87,7 +81,7 @@ inline namespace IRG_ABI {
 ///         the plane, differ by less than a factor of 2^900. The rounding does not depend on scale
 /// source  J. Blinn, Me and my (fake) shadow, 1988
 template <Plane P>
-constexpr plane_projection_result<typename plane_traits<P>::scalar> projection_onto_plane_checked(
+constexpr checked<mat<typename plane_traits<P>::scalar, 4, 4>, plane_projection_status> projection_onto_plane_checked(
     const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& eye) noexcept
   requires Real<typename plane_traits<P>::scalar>
 {
@@ -110,7 +104,7 @@ constexpr plane_projection_result<typename plane_traits<P>::scalar> projection_o
   using wide = std::remove_cv_t<decltype(height)>;
   if (height == wide(0))
     return detail::refused_plane_projection<T>(from[3] == zero ? direction_parallel : eye_in_plane);
-  plane_projection_result<T> result{};
+  checked<mat<T, 4, 4>, plane_projection_status> result{};
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) {
       const wide n = projector.numerator(r, c);
@@ -118,9 +112,9 @@ constexpr plane_projection_result<typename plane_traits<P>::scalar> projection_o
         const double entry = detail::quotient(n, height);
         if (!(detail::magnitude(entry) <= static_cast<double>((std::numeric_limits<T>::max)())))
           return detail::refused_plane_projection<T>(not_representable);
-        result.matrix(r, c) = converted<T>(entry);
+        result.value(r, c) = converted<T>(entry);
       } else {
-        result.matrix(r, c) = n / height;
+        result.value(r, c) = n / height;
       }
     }
   return result;

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include <irg/core/checked.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/trigonometry.hpp>
@@ -32,19 +33,11 @@ enum class projection_status {
   not_representable  // an entry of the matrix would overflow
 };
 
-/// A projection matrix, the identity unless the status is ordinary.
-template <Real T>
-struct projection_result {
-  mat<T, 4, 4> matrix;
-  projection_status status = projection_status::ordinary;
-  constexpr bool operator==(const projection_result&) const = default;
-};
-
 namespace detail {
 inline namespace IRG_ABI {
 
 template <class T>
-constexpr projection_result<T> refused(projection_status why) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> refused(projection_status why) noexcept {
   return {identity<T, 4>(), why};
 }
 
@@ -56,7 +49,7 @@ constexpr T quotient(T a, T b) noexcept {
 }
 
 template <class T>
-constexpr projection_result<T> unless_infinite(const mat<T, 4, 4>& m) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> unless_infinite(const mat<T, 4, 4>& m) noexcept {
   if (!all_finite(m)) return refused<T>(projection_status::not_representable);
   return {m, projection_status::ordinary};
 }
@@ -98,9 +91,9 @@ inline namespace IRG_ABI {
 /// gives   bad_angle, bad_aspect, bad_depth (z_near <= 0, z_near >= z_far, NaN), not_representable
 /// exact   entries within 4 ulp of the true ones
 template <Floating T>
-constexpr projection_result<T> perspective_checked(T vertical_angle, std::type_identity_t<T> aspect,
-                                                   std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
-                                                   depth_range depth = depth_range::reversed) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
+    T vertical_angle, std::type_identity_t<T> aspect, std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+    depth_range depth = depth_range::reversed) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)();
   if (!(T(0) < vertical_angle && vertical_angle < pi<T>)) return detail::refused<T>(projection_status::bad_angle);
   if (!(T(0) < aspect && aspect <= largest)) return detail::refused<T>(projection_status::bad_aspect);
@@ -119,9 +112,9 @@ constexpr projection_result<T> perspective_checked(T vertical_angle, std::type_i
 template <Floating T>
 constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> aspect, std::type_identity_t<T> z_near,
                                    std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
-  const projection_result<T> p = perspective_checked(vertical_angle, aspect, z_near, z_far, depth);
+  const auto p = perspective_checked(vertical_angle, aspect, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.matrix;
+  return p.value;
 }
 
 /// The central projection whose picture is a window of the plane `distance` in front of the eye, or why there is none.
@@ -134,9 +127,9 @@ constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> asp
 /// exact   entries within 2 ulp of the true ones; those of a window off centre within u times
 ///         (|left| + |right|) / |right - left| more
 template <Floating T>
-constexpr projection_result<T> perspective_checked(const view_window<T>& window, std::type_identity_t<T> distance,
-                                                   std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
-                                                   depth_range depth = depth_range::reversed) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
+    const view_window<T>& window, std::type_identity_t<T> distance, std::type_identity_t<T> z_near,
+    std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)();
   if (!detail::make_extent(window.left, window.right) || !detail::make_extent(window.bottom, window.top))
     return detail::refused<T>(projection_status::bad_window);
@@ -158,9 +151,9 @@ template <Floating T>
 constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_identity_t<T> distance,
                                    std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
                                    depth_range depth = depth_range::reversed) noexcept {
-  const projection_result<T> p = perspective_checked(window, distance, z_near, z_far, depth);
+  const auto p = perspective_checked(window, distance, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.matrix;
+  return p.value;
 }
 
 /// The parallel projection of a box, or why there is none.
@@ -170,10 +163,9 @@ constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_ident
 ///         not_representable
 /// exact   entries within 2 ulp of the true ones; the offsets within u times (|left| + |right|) / |right - left| more
 template <Floating T>
-constexpr projection_result<T> orthographic_checked(T left, std::type_identity_t<T> right,
-                                                    std::type_identity_t<T> bottom, std::type_identity_t<T> top,
-                                                    std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
-                                                    depth_range depth = depth_range::reversed) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> orthographic_checked(
+    T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom, std::type_identity_t<T> top,
+    std::type_identity_t<T> z_near, std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
   if (!detail::make_extent(left, right) || !detail::make_extent(bottom, top))
     return detail::refused<T>(projection_status::bad_window);
   if (!detail::make_extent(z_near, z_far) || !(z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
@@ -194,9 +186,9 @@ template <Floating T>
 constexpr mat<T, 4, 4> orthographic(T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom,
                                     std::type_identity_t<T> top, std::type_identity_t<T> z_near,
                                     std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
-  const projection_result<T> p = orthographic_checked(left, right, bottom, top, z_near, z_far, depth);
+  const auto p = orthographic_checked(left, right, bottom, top, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
-  return p.matrix;
+  return p.value;
 }
 
 }  // namespace IRG_ABI

@@ -25,8 +25,8 @@ inline namespace IRG_ABI {
 /// The central projection whose view volume is the pyramid, or why there is none; see perspective_checked for windows.
 /// gives   also bad_window for a width or height that is not positive
 template <Floating T>
-constexpr projection_result<T> perspective_checked(const view_pyramid<T>& p,
-                                                   depth_range depth = depth_range::reversed) noexcept {
+constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
+    const view_pyramid<T>& p, depth_range depth = depth_range::reversed) noexcept {
   if (!(T(0) < p.width && T(0) < p.height)) return detail::refused<T>(projection_status::bad_window);
   return perspective_checked(centred_window(p.width, p.height), p.distance, p.near_distance, p.far_distance, depth);
 }
@@ -36,9 +36,9 @@ constexpr projection_result<T> perspective_checked(const view_pyramid<T>& p,
 ///         comes out
 template <Floating T>
 constexpr mat<T, 4, 4> perspective(const view_pyramid<T>& p, depth_range depth = depth_range::reversed) noexcept {
-  const projection_result<T> result = perspective_checked(p, depth);
+  const auto result = perspective_checked(p, depth);
   IRG_EXPECTS(result.status == projection_status::ordinary);
-  return result.matrix;
+  return result.value;
 }
 
 /// The angle between the lower and the upper border of the screen, which `perspective` takes by angle.

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include <irg/core/checked.hpp>
 #include <irg/math/length.hpp>
 #include <irg/view/view_window.hpp>
 #include <irg/view/viewport.hpp>
@@ -35,14 +36,6 @@ struct window_mapping {
   point<T, 2> onto{};
   vec<T, 2> scale{T(1), T(1)};
   constexpr bool operator==(const window_mapping&) const = default;
-};
-
-/// A mapping, the default one unless the status is ordinary.
-template <Real T>
-struct window_mapping_result {
-  window_mapping<T> mapping;
-  window_status status = window_status::ordinary;
-  constexpr bool operator==(const window_mapping_result&) const = default;
 };
 
 namespace detail {
@@ -78,9 +71,10 @@ inline namespace IRG_ABI {
 /// exact   in rationals; in floats scales within 2u, `onto` within 4u of the viewport's borders
 /// source  the course, S3 4.2.2
 template <Real T>
-constexpr window_mapping_result<T> window_to_viewport(const view_window<T>& window, const viewport<T>& view,
-                                                      window_fit fit = window_fit::stretch) noexcept {
-  const auto refused = [](window_status why) { return window_mapping_result<T>{{}, why}; };
+constexpr checked<window_mapping<T>, window_status> window_to_viewport(const view_window<T>& window,
+                                                                       const viewport<T>& view,
+                                                                       window_fit fit = window_fit::stretch) noexcept {
+  const auto refused = [](window_status why) { return checked<window_mapping<T>, window_status>{{}, why}; };
   if (!detail::all_at_most_half({window.left, window.right, window.bottom, window.top}) ||
       window.left == window.right || window.bottom == window.top)
     return refused(window_status::bad_window);

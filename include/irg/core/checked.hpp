@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// checked<T, Status>: a value and how it came about, for functions that give something harmless whatever they are asked
+// for and say so.
+#pragma once
+
+#include <irg/core/config.hpp>
+
+namespace irg {
+
+/// A value, and what its arguments amounted to.
+/// shape   Status is an enum whose first value says that all is well
+template <class T, class Status>
+struct [[nodiscard]] checked {
+  T value{};
+  Status status{};
+
+  /// Whether the value is what was asked for.
+  IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == Status{}; }
+  constexpr bool operator==(const checked&) const = default;
+};
+
+}  // namespace irg
