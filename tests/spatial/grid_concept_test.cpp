@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <irg/spatial/grid_concept.hpp>
+
+#include <array>
+
+#include "support/check_both.hpp"
+
+namespace {
+
+// A type that knows nothing of irg.
+struct dungeon {
+  std::array<const char*, 2> rows{"..#", "#.."};
+};
+
+}  // namespace
+
+template <>
+struct irg::grid_traits<dungeon> {
+  static constexpr grid_extent extent(const dungeon&) { return {3, 2, 1}; }
+  static constexpr bool is_full(const dungeon& d, const cell3& c) { return d.rows[c.y][c.x] == '#'; }
+};
+
+namespace {
+
+static_assert(irg::CellGrid<dungeon> && !irg::WalledCellGrid<dungeon> && !irg::CellGrid<int>);
+static_assert(irg::is_full(dungeon{}, {2, 0, 0}) && !irg::is_full(dungeon{}, {2, 1, 0}));
+static_assert(!irg::has_wall(dungeon{}, {0, 0, 0}, 0));
+
+TEST_CASE("a grid of one's own") { CHECK(irg::extent_of(dungeon{}) == irg::grid_extent{3, 2, 1}); }
+
+}  // namespace
