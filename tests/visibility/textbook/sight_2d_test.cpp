@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <irg/visibility/textbook/sight_2d.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "support/check_both.hpp"
+#include "support/sight_oracle.hpp"
+
+namespace {
+
+using irg::cell;
+using irg::textbook::passage;
+using irg::textbook::sight;
+using irg::textbook::sight_2d;
+using irg::textbook::sight_step;
+
+constexpr irg::cell_grid map(int width, int height, std::initializer_list<cell> full) {
+  irg::cell_grid g(irg::grid_extent{width, height, 1});
+  for (const cell c : full) g.set(c);
+  return g;
+}
+std::vector<sight_step> steps(cell a, cell b) {
+  std::vector<sight_step> out;
+  irg::textbook::sight_steps(a, b, [&](const sight_step& s) { return out.push_back(s), true; });
+  return out;
+}
+std::vector<cell> cells(cell a, cell b) {
+  std::vector<cell> out{steps(a, b)[0].at};
+  for (const sight_step& s : steps(a, b)) out.push_back(s.next);
+  return out;
+}
+std::vector<cell> thirds(cell a, cell b) {
+  std::vector<cell> out;
+  for (const sight_step& s : steps(a, b)) {
+    if (s.through == passage::ahead) out.push_back(s.ahead);
+    if (s.through == passage::aside) out.push_back(s.aside);
+  }
+  return out;
+}
+
+static_assert(sight_2d(map(5, 5, {{1, 2}}), {0, 0}, {4, 4}) == sight::partial);
+static_assert(sight_2d(map(5, 5, {}), {0, 0}, {5, 4}) == sight::blocked);
+static_assert(sight_2d(map(1, 1, {{0, 0}}), {0, 0}, {0, 0}) == sight::full);
+
+TEST_CASE("table 3: in canonical direction both orders have the same cells, and (3,2) blocks neither") {
+  const std::vector<cell> table{{0, 0}, {1, 0}, {2, 1}, {3, 1}, {4, 2}, {5, 2}, {6, 3}, {7, 3}, {8, 4}};
+  CHECK(cells({0, 0}, {8, 4}) == table);
+  CHECK(cells({8, 4}, {0, 0}) == table);
+  CHECK(std::find(table.begin(), table.end(), cell{3, 2}) == table.end());
+  CHECK(cells({-8, 4}, {0, 0}) ==
+        std::vector<cell>{{-8, 4}, {-7, 4}, {-6, 3}, {-5, 3}, {-4, 2}, {-3, 2}, {-2, 1}, {-1, 1}, {0, 0}});
+  CHECK(cells({0, 4}, {8, 0}) ==
+        std::vector<cell>{{0, 4}, {1, 4}, {2, 3}, {3, 3}, {4, 2}, {5, 2}, {6, 1}, {7, 1}, {8, 0}});
+}
+
+TEST_CASE("table 4: D against half the slope") {
+  const auto s = steps({0, 0}, {3, 2});  // distances are over 2 n = 6, the slope is 2/3
+  REQUIRE(s.size() == 3);
+  CHECK(s[0].at == cell{0, 0});
+  CHECK(s[0].distance == 1);  // 1/6
+  CHECK(s[0].through == passage::ahead);
+  CHECK(s[1].at == cell{1, 1});
+  CHECK(s[1].distance == -1);  // -1/6
+  CHECK(s[1].through == passage::none);
+  CHECK(s[2].at == cell{2, 1});
+  CHECK(s[2].distance == 3);  // 1/2
+  CHECK(s[2].through == passage::aside);
+  CHECK(thirds({0, 0}, {3, 2}) == std::vector<cell>{{1, 0}, {2, 2}});
+}
+
+TEST_CASE("partial crossings: figure 23 and others") {
+  CHECK(thirds({0, 0}, {8, 4}) == std::vector<cell>{{1, 1}, {3, 2}, {5, 3}, {7, 4}});
+  CHECK(thirds({0, 0}, {5, 2}) == std::vector<cell>{{1, 1}, {4, 1}});
+  CHECK(thirds({0, 0}, {2, 5}) == std::vector<cell>{{1, 1}, {1, 4}});
+  CHECK(thirds({0, 0}, {-5, 2}) == std::vector<cell>{{-4, 1}, {-1, 1}});
+  CHECK(thirds({0, 0}, {8, 1}) == std::vector<cell>{{4, 1}});
+  CHECK(sight_2d(map(9, 5, {{5, 3}}), {0, 0}, {8, 4}) == sight::blocked);
+}
+
+TEST_CASE("D = m/2: both cells of the corner, where the printed text asks one") {
+  CHECK(steps({0, 0}, {3, 1})[1].through == passage::corner);
+  using irg::textbook::corner_case;
+  CHECK(sight_2d(map(4, 2, {{1, 1}}), {0, 0}, {3, 1}) == sight::partial);
+  CHECK(sight_2d(map(4, 2, {{1, 1}}), {0, 0}, {3, 1}, corner_case::as_printed) == sight::blocked);
+  CHECK(sight_2d(map(4, 2, {{2, 0}}), {0, 0}, {3, 1}) == sight::partial);
+  CHECK(sight_2d(map(4, 2, {{2, 0}}), {0, 0}, {3, 1}, corner_case::as_printed) == sight::full);
+  CHECK(sight_2d(map(4, 2, {{2, 0}, {1, 1}}), {0, 0}, {3, 1}) == sight::blocked);
+}
+
+TEST_CASE("45 degrees: full, partial, blocked, whichever the direction") {
+  const auto both = [](std::initializer_list<cell> full) {
+    const auto g = map(5, 5, full);
+    const sight s = sight_2d(g, {0, 0}, {4, 4});
+    CHECK(sight_2d(g, {4, 4}, {0, 0}) == s);
+    return s;
+  };
+  CHECK(both({}) == sight::full);
+  CHECK(both({{1, 2}}) == sight::partial);
+  CHECK(both({{0, 1}, {2, 3}}) == sight::partial);
+  CHECK(both({{3, 2}}) == sight::partial);
+  CHECK(both({{0, 1}, {1, 0}}) == sight::blocked);
+  CHECK(both({{0, 1}, {3, 2}}) == sight::blocked);
+  CHECK(both({{2, 2}}) == sight::blocked);
+  CHECK(both({{0, 2}}) == sight::full);
+  const auto falling = [](std::initializer_list<cell> full) { return sight_2d(map(4, 4, full), {3, 0}, {0, 3}); };
+  CHECK(falling({{2, 0}}) == sight::partial);
+  CHECK(falling({{3, 1}}) == sight::partial);
+  CHECK(falling({{2, 0}, {2, 2}}) == sight::blocked);
+}
+
+TEST_CASE("a room of 8 x 6") {
+  const auto g = map(8, 6, {{3, 1}, {4, 2}, {2, 4}, {1, 3}});
+  const std::string rows[] = {"FFFFFFFF", "FFF#...p", "FFFFx...", "F#FFF...", "F.xFFF..", "F...FFFp"};
+  for (int y = 0; y < 6; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const sight s = sight_2d(g, {0, 0}, {x, y});
+      const bool full = g.is_full({x, y, 0});
+      const char seen = full                  ? (s != sight::blocked ? '#' : 'x')
+                        : s == sight::full    ? 'F'
+                        : s == sight::partial ? 'p'
+                                              : '.';
+      CHECK(seen == rows[y][static_cast<std::size_t>(x)]);
+    }
+}
+
+TEST_CASE("figure 30: a cell is seen through cells that are not") {
+  const auto g = map(9, 2, {{3, 1}});
+  CHECK(sight_2d(g, {0, 0}, {8, 1}) != sight::blocked);
+  CHECK(sight_2d(g, {0, 0}, {5, 1}) == sight::blocked);
+  CHECK(sight_2d(g, {0, 0}, {6, 1}) == sight::blocked);
+}
+
+// Away from 45 degrees, cells and third cells are all that the segment crosses: the algorithm is the exact definition.
+TEST_CASE("where the algorithm differs from the exact definition: on lines of 45 degrees only") {
+  test::random r(5);
+  int differ = 0, wrong = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const irg::walled_grid g =
+        test::random_map(r, {9, 9, 1}, static_cast<int>(r.integer(0, 30)), static_cast<int>(r.integer(0, 1) * 8));
+    const cell a{static_cast<int>(r.integer(0, 8)), static_cast<int>(r.integer(0, 8))};
+    const cell b{static_cast<int>(r.integer(0, 8)), static_cast<int>(r.integer(0, 8))};
+    const bool seen = sight_2d(g, a, b) != sight::blocked, exact = test::sees(g, a, b);
+    CHECK(sight_2d(g, b, a) == sight_2d(g, a, b));
+    if (seen == exact) continue;
+    ++differ;
+    if (std::abs(b.x - a.x) != std::abs(b.y - a.y) || seen) ++wrong;
+  }
+  CHECK(wrong == 0);
+  CHECK(differ > 0);
+}
+
+}  // namespace
