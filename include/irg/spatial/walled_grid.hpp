@@ -85,4 +85,20 @@ private:
   cell_grid across_x_, across_y_, across_z_;  // an array of them cannot be moved in g++ 12's constant evaluation
 };
 
+inline namespace IRG_ABI {
+
+/// The cells and the blocking walls of any grid, as bits.
+template <CellGrid G>
+constexpr walled_grid with_walls(const G& g) {
+  walled_grid out(packed(g));
+  const grid_extent e = out.extent();
+  for (int z = 0; z < e.depth && WalledCellGrid<G>; ++z)
+    for (int y = 0; y < e.height; ++y)
+      for (int x = 0; x < e.width; ++x)
+        for (int axis = 0; axis < 3; ++axis)
+          if (has_wall(g, {x, y, z}, axis)) out.set_wall({x, y, z}, axis, wall_kind::wall);
+  return out;
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg

@@ -38,10 +38,23 @@ IRG_INLINE constexpr bool wall_ahead(const G& g, cell3 c, int axis, int sign) {
   return has_wall(g, c, axis);
 }
 
+// Whether an edge stops the step over it: two ways lead round.
+template <CellGrid G>
+constexpr bool stops_at_edge(const G& g, const corner_step& step, corner_rule rule) {
+  const unsigned first = step.axes & (0u - step.axes), second = step.axes & ~first;
+  const int i = first == 1 ? 0 : 1, k = second == 4 ? 2 : 1;
+  const cell3 a = step.at(first), b = step.at(second);
+  const bool by_a = is_full(g, a) || wall_ahead(g, step.from, i, step.sign[i]) || wall_ahead(g, a, k, step.sign[k]);
+  if (!by_a && rule == corner_rule::pinch) return false;
+  if (by_a && rule == corner_rule::closed) return true;
+  return is_full(g, b) || wall_ahead(g, step.from, k, step.sign[k]) || wall_ahead(g, b, i, step.sign[i]);
+}
+
 // Whether the corner stops the step. All cells round it are cells of the grid.
 template <CellGrid G>
 constexpr bool stops_at_corner(const G& g, const corner_step& step, corner_rule rule) {
   if (rule == corner_rule::open) return false;
+  if (step.axes != 7) return stops_at_edge(g, step, rule);
   unsigned reached = 1;  // bit s: the cell of subset s can be reached, as far as is known
   for (int round = 0; round < 7; ++round) {
     const unsigned before = reached;

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include <irg/visibility/field_of_view.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "support/check_both.hpp"
+#include "support/sight_oracle.hpp"
+
+namespace {
+
+using irg::cell;
+using irg::cell3;
+using irg::cell_grid;
+using irg::corner_rule;
+using irg::field_of_view;
+using irg::grid_extent;
+using irg::walled_grid;
+
+bool release() { return std::getenv("IRG_RELEASE_TIER") != nullptr; }
+
+static_assert([] {
+  cell_grid g(grid_extent{3, 3, 1});
+  g.set(cell{1, 0});
+  return field_of_view(g, cell{0, 0}).count() == 7 && field_of_view(g, cell{3, 0}).count() == 0 &&
+         field_of_view(cell_grid(), cell{0, 0}).count() == 0;
+}());
+static_assert([] {
+  cell_grid g(grid_extent{3, 1, 3});
+  g.set({0, 0, 1});
+  return field_of_view(g, cell3{0, 0, 0}).count() == 7;
+}());
+
+// Every cell asked for by itself.
+template <class G>
+cell_grid one_by_one(const G& g, const cell3& viewer, const irg::view_options& o) {
+  cell_grid seen(g.extent());
+  const grid_extent e = g.extent();
+  for (int z = 0; z < e.depth; ++z)
+    for (int y = 0; y < e.height; ++y)
+      for (int x = 0; x < e.width; ++x) {
+        const std::int64_t dx = x - viewer.x, dy = y - viewer.y, dz = z - viewer.z, r = o.radius;
+        if (r >= 0 && dx * dx + dy * dy + dz * dz <= r * r && irg::see(g, viewer, {x, y, z}, o.rules))
+          seen.set({x, y, z});
+      }
+  return seen;
+}
+
+void same(const walled_grid& g, const cell3& viewer, const irg::view_options& o = {}) {
+  const cell_grid a = field_of_view(g, viewer, o), b = one_by_one(g, viewer, o);
+  if (a == b) return;
+  std::string text;
+  const grid_extent e = g.extent();
+  for (int y = 0; y < e.height && e.depth == 1; ++y) {
+    for (int x = 0; x < e.width; ++x)
+      text += cell{x, y} == cell{viewer.x, viewer.y}         ? '@'
+              : a.is_full({x, y, 0}) != b.is_full({x, y, 0}) ? '!'
+              : g.is_full({x, y, 0})                         ? '#'
+                                                             : '.';
+    text += '\n';
+  }
+  CAPTURE(text);
+  CAPTURE(static_cast<int>(o.rules.corners));
+  CHECK(a == b);
+}
+
+irg::view_options any_options(test::random& r) {
+  irg::view_options o;
+  o.rules.corners = static_cast<corner_rule>(r.integer(0, 2));
+  o.rules.ends = static_cast<irg::end_cells>(r.integer(0, 3) == 0);
+  if (r.integer(0, 2) == 0) o.radius = static_cast<int>(r.integer(0, 12));
+  return o;
+}
+cell3 any_cell(test::random& r, const grid_extent& e) {
+  return {static_cast<int>(r.integer(0, e.width - 1)), static_cast<int>(r.integer(0, e.height - 1)),
+          static_cast<int>(r.integer(0, e.depth - 1))};
+}
+
+TEST_CASE("field_of_view: all 4 x 4 maps, from every cell") {
+  for (unsigned bits = 0; bits < 1u << 16; bits += release() ? 1 : 13) {
+    walled_grid g(grid_extent{4, 4, 1});
+    for (int i = 0; i < 16; ++i)
+      if ((bits >> i & 1) != 0) g.set({i % 4, i / 4, 0});
+    for (int i = 0; i < 16; ++i) same(g, {i % 4, i / 4, 0});
+  }
+}
+
+TEST_CASE("field_of_view: all rules on small maps with walls") {
+  test::random r(1);
+  for (int i = 0; i < (release() ? 200000 : 4000); ++i) {
+    const grid_extent e{static_cast<int>(r.integer(1, 14)), static_cast<int>(r.integer(1, 14)), 1};
+    const walled_grid g = test::random_map(r, e, static_cast<int>(r.integer(0, 30)),
+                                           static_cast<int>(r.integer(0, 1) * r.integer(0, 15)));
+    same(g, any_cell(r, e), any_options(r));
+  }
+}
+
+TEST_CASE("field_of_view: 64 x 64 and wider maps, both ways") {
+  test::random r(2);
+  for (int i = 0; i < (release() ? 10000 : 60); ++i) {
+    const grid_extent e =
+        i % 4 != 0 ? grid_extent{64, 64, 1}
+                   : grid_extent{static_cast<int>(r.integer(1, 200)), static_cast<int>(r.integer(1, 200)), 1};
+    const walled_grid g = test::random_map(r, e, static_cast<int>(r.integer(0, 3) * r.integer(0, 6)),
+                                           static_cast<int>(r.integer(0, 3) == 0));
+    const cell3 viewer = any_cell(r, e);
+    same(g, viewer, any_options(r));
+    const cell_grid seen = field_of_view(g, viewer);
+    int asymmetric = 0;
+    for (int k = 0; k < 20; ++k) {
+      const cell3 c = any_cell(r, e);
+      asymmetric += field_of_view(g, c).is_full(viewer) != seen.is_full(c);
+    }
+    CHECK(asymmetric == 0);
+  }
+}
+
+TEST_CASE("field_of_view: all maps of 2 x 2 x 3 cells, from every cell") {
+  for (unsigned bits = 0; bits < 1u << 12; ++bits) {
+    walled_grid g(grid_extent{2, 2, 3});
+    for (int i = 0; i < 12; ++i)
+      if ((bits >> i & 1) != 0) g.set({i & 1, i >> 1 & 1, i >> 2});
+    for (int i = 0; i < 12; ++i) same(g, {i & 1, i >> 1 & 1, i >> 2});
+  }
+}
+
+TEST_CASE("field_of_view: maps in space") {
+  test::random r(3);
+  for (int i = 0; i < (release() ? 1000 : 40); ++i) {
+    const grid_extent e{static_cast<int>(r.integer(1, 16)), static_cast<int>(r.integer(1, 16)),
+                        static_cast<int>(r.integer(2, 16))};
+    const walled_grid g = test::random_map(r, e, static_cast<int>(r.integer(0, 2) * r.integer(0, 10)),
+                                           static_cast<int>(r.integer(0, 3) == 0));
+    same(g, any_cell(r, e), any_options(r));
+  }
+  const walled_grid g = test::random_map(r, {16, 16, 16}, 3, 0);
+  same(g, {15, 0, 7});
+  same(walled_grid(grid_extent{90, 3, 5}), {70, 1, 2});
+}
+
+TEST_CASE("field_of_view: cones") {
+  test::random r(4);
+  for (int i = 0; i < 300; ++i) {
+    const grid_extent e{15, 15, 1};
+    const walled_grid g = test::random_map(r, e, 10, 0);
+    const cell3 viewer = any_cell(r, e);
+    irg::view_options o;
+    const auto small = [&] { return static_cast<int>(r.integer(-3, 3)); };
+    o.cone = {{small(), small()}, {small(), small()}};
+    const cell_grid all = field_of_view(g, viewer), some = field_of_view(g, viewer, o);
+    const auto angle = [](double x, double y) { return std::atan2(y, x); };
+    const double turn = 2 * 3.14159265358979323846;
+    int wrong = 0;
+    all.for_each([&](const cell3& c) {
+      if (c == viewer || o.cone.from == cell{} || o.cone.to == cell{}) {
+        wrong += !some.is_full(c);
+        return;
+      }
+      const double from = angle(o.cone.from.x, o.cone.from.y), width = angle(o.cone.to.x, o.cone.to.y) - from;
+      double wide = width < -1e-9 ? width + turn : width, at = angle(c.x - viewer.x, c.y - viewer.y) - from;
+      if (at < -1e-9) at += turn;
+      if (wide > turn / 2 + 1e-9) return;  // more than half a turn is not asked for
+      wrong += some.is_full(c) != (at <= wide + 1e-9);
+    });
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("field_of_view: several viewers, and those that are nowhere") {
+  const walled_grid g(grid_extent{1, 9, 1});
+  const std::vector<cell3> units{{0, 2, 0}, {0, 9, 0}, {-1, 0, 0}, {0, 0, 1}};
+  CHECK(field_of_view(g, std::span(units)).count() == 9);
+  CHECK(field_of_view(g, std::span(units).subspan(1)).count() == 0);
+  irg::view_options none;
+  none.radius = -1;
+  CHECK(field_of_view(g, cell{0, 0}, none).count() == 0);
+  none.radius = 0;
+  CHECK(field_of_view(g, cell{0, 0}, none).count() == 1);
+}
+
+}  // namespace
