@@ -69,16 +69,35 @@ constexpr bool in_cone(const sight_cone& cone, const cell3& viewer, const cell3&
   return from.along(to) ? from.along(d) : from.turn_to(d) >= 0 && d.turn_to(to) >= 0;
 }
 
+// Marks the rows from the viewer's on while nothing stands in them, whole, and returns how many they are.
+constexpr std::int64_t open_rows(const walled_grid& map, cell viewer, int sign_y, std::int64_t radius,
+                                 cell_grid& seen) {
+  const cell_grid& cells = map.cells();
+  const grid_extent e = map.extent();
+  if (map.walled() || map.is_full(viewer)) return 0;
+  std::int64_t n = 0;
+  for (int y = viewer.y; y >= 0 && y < e.height; y += sign_y, ++n) {
+    const std::uint64_t* const row = cells.row(y, 0);
+    std::uint64_t any = 0;
+    for (int i = 0; i < cells.words_per_row(); ++i) any |= row[i];
+    if (any != 0 || n * n + std::int64_t{e.width} * e.width > radius * radius) return n;
+    seen.set_run(0, e.width, y, 0);
+  }
+  return n;
+}
+
 constexpr void sweep(const walled_grid& map, const cell3& viewer, const view_options& o, view_memory& memory,
                      cell_grid& seen) {
   if (map.extent().depth == 1) {
-    for (int sign_y = -1; sign_y <= 1; sign_y += 2)
+    const cell at{viewer.x, viewer.y};
+    for (int sign_y = -1; sign_y <= 1; sign_y += 2) {
+      const std::int64_t begin = o.radius > map.extent().width ? open_rows(map, at, sign_y, o.radius, seen) : 0;
       for (int sign_x = -1; sign_x <= 1; sign_x += 2) {
-        const cell at{viewer.x, viewer.y};
         centre_marks marks{&seen, at, sign_x, sign_y};
         row_sweep<centre_marks>({&map, at, sign_x, sign_y, o.rules.corners, o.radius}, memory.now, memory.next, marks)
-            .run();
+            .run(begin);
       }
+    }
     return;
   }
   sector_sweep(map, viewer, o.rules.corners, o.radius, seen).run();

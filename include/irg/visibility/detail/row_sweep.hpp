@@ -97,9 +97,16 @@ public:
     rows_ = lesser(rows_, t.radius);
   }
 
-  constexpr void run() {
-    first_row();
-    for (std::int64_t y = 1; y <= rows_ && !now_.empty(); ++y) {
+  /// needs   nothing in the way in the rows before the one it begins with
+  constexpr void run(std::int64_t begin = 0) {
+    if (begin == 0) {
+      first_row();
+      ++begin;
+    } else {
+      now_.clear();
+      now_.push_back({end_at({0, 1, true}, begin - 1), end_at({2 * right_ + 2, 1, true}, begin - 1)});
+    }
+    for (std::int64_t y = begin; y <= rows_ && !now_.empty(); ++y) {
       while (task_.radius - right_ < y && right_ * right_ + y * y > task_.radius * task_.radius) --right_;
       next_.clear();
       for (sweep_gap& g : now_) {
@@ -107,7 +114,13 @@ public:
         if (first > right_) break;
         go_on(g.low);
         go_on(g.high);
-        cross_row(g, y, first);
+        const std::int64_t last = lesser(right_, g.high.x + g.high.dx + 2), b = next_blocker(y, first, last);
+        if (b <= last) {
+          cross_row(g, y, first, last, b);
+          continue;
+        }
+        look(y, first, last, g.low, true, g.high);
+        next_.push_back(g);
       }
       now_.swap(next_);
       if (walled_) cross_walls(y);
@@ -201,12 +214,10 @@ private:
 
   // Takes what blocks in a row from a gap. Cells in the row that are seen have nothing that blocks on their left but
   // what the slope `low` passes.
-  constexpr void cross_row(const sweep_gap& g, std::int64_t y, std::int64_t first) {
-    const std::int64_t last = lesser(right_, g.high.x + g.high.dx + 2);
+  constexpr void cross_row(const sweep_gap& g, std::int64_t y, std::int64_t first, std::int64_t last, std::int64_t b) {
     sweep_end low = g.low;
     bool counted = true;  // whether low knows its column
-    for (std::int64_t x = first;;) {
-      const std::int64_t b = next_blocker(y, x, last);
+    for (std::int64_t x = first;; b = next_blocker(y, x, last)) {
       look(y, x, lesser(b, last), low, counted, g.high);
       if (b > last) break;
       const bool cell_blocks = is_full_at(y, b);

@@ -63,9 +63,9 @@ private:
     return {greater(a.first, b.first), lesser(a.last, b.last)};
   }
 
-  // Cells that slopes from s to s + 1 touch in a slab.
-  static constexpr range touched(std::int64_t s, int level, std::int64_t slab) noexcept {
-    const std::int64_t half = std::int64_t{1} << level, near = 2 * slab - 1, far = 2 * slab + 1;
+  // Cells that slopes from s to s + 1 touch between two distances from the viewer, in halves of a slab.
+  static constexpr range touched(std::int64_t s, int level, std::int64_t near, std::int64_t far) noexcept {
+    const std::int64_t half = std::int64_t{1} << level;
     const std::int64_t low = s * (s >= 0 ? near : far), high = (s + 1) * (s + 1 >= 0 ? far : near);
     return {-((half - low) >> (level + 1)), (high + half) >> (level + 1)};
   }
@@ -104,25 +104,32 @@ private:
   }
   constexpr bool all_are(const cell_grid& g, std::int64_t slab, const range& u, const range& v,
                          bool full) const noexcept {
-    for (std::int64_t j = v.first; j <= v.last; ++j)
+    for (std::int64_t j = v.first; j <= v.last; ++j) {
+      const cell3 c = cell_at(slab, u.first, j);
       if (axis_ != 0) {
-        if (!all_are(g, cell_at(slab, u.first, j), u.last - u.first + 1, full)) return false;
-      } else {
-        for (std::int64_t i = u.first; i <= u.last; ++i)
-          if (g.is_full(cell_at(slab, i, j)) != full) return false;
+        if (!all_are(g, c, u.last - u.first + 1, full)) return false;
+        continue;
       }
+      const std::uint64_t* word = g.row(c.y, c.z) + (c.x >> 6);
+      for (std::int64_t i = u.first; i <= u.last; ++i, word += g.words_per_row())
+        if ((*word >> (c.x & 63) & 1) != (full ? 1u : 0u)) return false;
+    }
     return true;
   }
 
   constexpr void mark(std::int64_t slab, const range& u, const range& v) noexcept {
-    for (std::int64_t j = v.first; j <= v.last; ++j) {
-      if (axis_ != 0 && radius_ > far_corner(slab)) {
-        const cell3 c = cell_at(slab, u.first, j);
+    for (std::int64_t j = v.first; j <= v.last && !u.empty(); ++j) {
+      const cell3 c = cell_at(slab, u.first, j);
+      if (radius_ <= far_corner(slab)) {
+        for (std::int64_t i = u.first; i <= u.last; ++i)
+          if (const cell3 one = cell_at(slab, i, j); is_near(one)) seen_.set(one);
+      } else if (axis_ != 0) {
         seen_.set_run(c.x, static_cast<int>(c.x + u.last - u.first + 1), c.y, c.z);
-        continue;
+      } else {
+        std::uint64_t* word = seen_.row(c.y, c.z) + (c.x >> 6);
+        const std::uint64_t bit = std::uint64_t{1} << (c.x & 63);
+        for (std::int64_t i = u.first; i <= u.last; ++i, word += seen_.words_per_row()) *word |= bit;
       }
-      for (std::int64_t i = u.first; i <= u.last; ++i)
-        if (const cell3 c = cell_at(slab, i, j); is_near(c)) seen_.set(c);
     }
   }
   static constexpr std::int64_t far_corner(std::int64_t slab) noexcept { return 2 * slab; }  // above sqrt(3) * slab
@@ -137,11 +144,18 @@ private:
           seen_.set(c);
   }
 
+  // Whether full cells of a slab are all that the sector touches at a distance, so that nothing is seen behind them.
+  constexpr bool blocked_at(const sector& s, std::int64_t slab, std::int64_t distance) const noexcept {
+    return all_are(map_.cells(), slab, both(touched(s.u, s.level, distance, distance), u_range_),
+                   both(touched(s.v, s.level, distance, distance), v_range_), true);
+  }
+
   constexpr void follow(const sector& s, std::int64_t slab) {
     const cell_grid& things = map_.walled() ? in_the_way_ : map_.cells();
     bool open = true;
     for (; slab <= slabs_; ++slab) {
-      const range u = both(touched(s.u, s.level, slab), u_range_), v = both(touched(s.v, s.level, slab), v_range_);
+      const range u = both(touched(s.u, s.level, 2 * slab - 1, 2 * slab + 1), u_range_),
+                  v = both(touched(s.v, s.level, 2 * slab - 1, 2 * slab + 1), v_range_);
       if (u.empty() || v.empty()) return;  // the sector has left the map
       if (open && all_are(things, slab, u, v, false)) {
         // Slopes of 1 leave the viewer's own cell through its edges, which the closed rule asks about: see() tells.
@@ -153,7 +167,7 @@ private:
         continue;
       }
       open = false;
-      const bool ends = all_are(map_.cells(), slab, u, v, true);
+      const bool ends = blocked_at(s, slab, 2 * slab - 1) || blocked_at(s, slab, 2 * slab);
       if (!ends && std::int64_t{1} << s.level < slabs_) {
         for (std::int64_t i = 0; i < 4; ++i) follow({2 * s.u + (i & 1), 2 * s.v + (i >> 1), s.level + 1}, slab);
         return;
