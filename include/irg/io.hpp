@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/io/file.hpp>
+#include <irg/io/grid_text.hpp>
 #include <irg/io/image_file.hpp>
 #include <irg/io/obj.hpp>
 #include <irg/io/picture_limits.hpp>

@@ -6,12 +6,14 @@
 #include <irg/math.hpp>
 #include <irg/geometry.hpp>
 #include <irg/colour.hpp>
+#include <irg/spatial.hpp>
 #include <irg/curve.hpp>
 #include <irg/mesh.hpp>
 #include <irg/view.hpp>
 #include <irg/raster.hpp>
 #include <irg/shade.hpp>
 #include <irg/hidden.hpp>
+#include <irg/visibility.hpp>
 #include <irg/scene.hpp>
 #include <irg/render.hpp>
 #include <irg/io.hpp>

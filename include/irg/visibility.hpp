@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// visibility: from point, segment, polygon, region; grid line of sight; cells and portals.
+#pragma once
+
+#include <irg/visibility/corner_rule.hpp>
+#include <irg/visibility/field_of_view.hpp>
+#include <irg/visibility/see.hpp>
+#include <irg/visibility/sight_tracker.hpp>
+#include <irg/visibility/unit_sight.hpp>
+#include <irg/visibility/viewshed.hpp>
+#include <irg/visibility/visible_part.hpp>
+#include <irg/visibility/textbook/sight_2d.hpp>
+#include <irg/visibility/textbook/sight_3d.hpp>
+#include <irg/visibility/textbook/sight_search.hpp>

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <irg/visibility/viewshed.hpp>
+
+#include <cstdint>
+#include <limits>
+
+#include <irg/raster/image.hpp>
+
+#include "support/check_both.hpp"
+#include "support/sight_oracle.hpp"
+
+namespace {
+
+using irg::cell;
+using irg::cell3;
+
+// Each prism clipped against the line by itself.
+bool passes(const irg::image<int>& h, cell a, cell b, const irg::sight_heights& above) {
+  const std::int64_t eye = h(a.x, a.y) + above.eye, target = h(b.x, b.y) + above.target;
+  const auto below = [&](int x, int y, test::part t) { return (eye - h(x, y)) * t.d + (target - eye) * t.n < 0; };
+  const auto corner_blocks = [&](int x, int y, test::part t) {  // all cells that have this point as a corner
+    int high = 0, cells = 0;
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i) {
+        const cell c{x + i, y + j};
+        if (c.x < 0 || c.y < 0 || c.x >= h.width() || c.y >= h.height()) continue;
+        const test::stretch s = test::within_box(a, b, {2 * c.x - 1, 2 * c.y - 1, -1}, {2 * c.x + 1, 2 * c.y + 1, 1});
+        if (!s.empty() && s.first == s.last && s.first == t) ++cells, high += below(c.x, c.y, t);
+      }
+    return cells == 2 && high == 2;
+  };
+  for (int y = 0; y < h.height(); ++y)
+    for (int x = 0; x < h.width(); ++x) {
+      if (cell{x, y} == a || cell{x, y} == b) continue;
+      const test::stretch s = test::within_box(a, b, {2 * x - 1, 2 * y - 1, -1}, {2 * x + 1, 2 * y + 1, 1});
+      if (s.empty()) continue;
+      if (s.first == s.last ? corner_blocks(x, y, s.first) : below(x, y, s.first) || below(x, y, s.last)) return false;
+    }
+  return true;
+}
+
+static_assert([] {
+  irg::image<int> h(3, 1, 0);
+  h(1, 0) = 2;
+  return !irg::see_over(h, {0, 0}, {2, 0}, {1, 1}) && irg::see_over(h, {0, 0}, {2, 0}, {2, 2}) &&
+         irg::viewshed(h, {0, 0}).count() == 2 && irg::viewshed(h, {3, 0}).count() == 0;
+}());
+
+TEST_CASE("viewshed: against prisms clipped one by one") {
+  test::random r(10);
+  for (int i = 0; i < 200; ++i) {
+    irg::image<int> h(static_cast<int>(r.integer(1, 8)), static_cast<int>(r.integer(1, 8)), 0);
+    for (int y = 0; y < h.height(); ++y)
+      for (int x = 0; x < h.width(); ++x) h(x, y) = static_cast<int>(r.integer(0, 4));
+    const cell eye{static_cast<int>(r.integer(0, h.width() - 1)), static_cast<int>(r.integer(0, h.height() - 1))};
+    const irg::sight_heights above{static_cast<int>(r.integer(0, 2)), static_cast<int>(r.integer(0, 2))};
+    const irg::cell_grid seen = irg::viewshed(h, eye, above);
+    int wrong = 0;
+    for (int y = 0; y < h.height(); ++y)
+      for (int x = 0; x < h.width(); ++x) {
+        wrong += seen.is_full({x, y, 0}) != passes(h, eye, {x, y}, above);
+        wrong += irg::see_over(h, eye, {x, y}, {1, 1}) != irg::see_over(h, {x, y}, eye, {1, 1});
+      }
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("viewshed: heights at the ends of 32 bits") {
+  constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
+  irg::image<int> h(5, 1, least);
+  h(4, 0) = most;
+  CHECK(irg::see_over(h, {0, 0}, {4, 0}, {most, most}));
+  h(1, 0) = most;
+  CHECK(!irg::see_over(h, {0, 0}, {4, 0}, {0, most}));
+}
+
+}  // namespace
