@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// grid_visibility - the cells of a map that units see, exactly or as a thesis does it.
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <irg/io/file.hpp>
+#include <irg/io/grid_text.hpp>
+#include <irg/raster/fill_span.hpp>
+#include <irg/visibility/field_of_view.hpp>
+#include <irg/visibility/textbook/sight_3d.hpp>
+#include <irg/visibility/unit_sight.hpp>
+#include <irg/visibility/visible_part.hpp>
+
+#include "support/command_line.hpp"
+#include "support/number_output.hpp"
+#include "support/picture_options.hpp"
+#include "support/run_or_fail.hpp"
+
+namespace {
+
+constexpr std::string_view help =
+    R"(grid_visibility - the cells of a map that units see
+
+Reads width height depth, then the map: depth layers of height rows of width cells, . empty and # full, then one
+line per unit, x y [z], and per wall, wall x y z SIDE KIND: SIDE is x+, y+ or z+, between this cell and the next,
+KIND is wall, half, open-door, closed-door or laser. Prints how many cells any unit sees, its own among them.
+
+  --input FILE         read the map from FILE
+  --method METHOD      how (sweep):
+                         sweep    row by row, or sector by sector in space
+                         exact    each cell by itself; the same cells
+                         thesis   by the modified Bresenham line
+  --corners RULE       when a corner stops a line through it (pinch):
+                         pinch    when no way leads round it
+                         open     never
+                         closed   when anything full touches it
+  --list               print the cells that are seen instead: x y z
+  --percent            print how much of each cell is seen instead: x y z percent, of the unit that sees most; depth 1
+  --pairs              print who sees whom instead: a row of 0 and 1 per unit
+  -o OUT               draw the layers: .png, .ppm or .svg
+  --size WxH           pixels of the picture (640x480)
+)";
+
+enum class method { sweep, exact, thesis };
+
+struct settings : program::drawing_options {
+  method how = method::sweep;
+  irg::sight_rules rules;
+  bool percent = false, pairs = false;
+};
+
+settings read_settings(program::command_line& line) {
+  settings s;
+  while (!line.done()) {
+    const std::string_view word = line.take();
+    if (word == "--method")
+      s.how = static_cast<method>(line.choice(word, {"sweep", "exact", "thesis"}));
+    else if (word == "--corners")
+      s.rules.corners = static_cast<irg::corner_rule>(line.choice(word, {"pinch", "open", "closed"}));
+    else if (word == "--percent")
+      s.percent = true;
+    else if (word == "--pairs")
+      s.pairs = true;
+    else
+      s.read(line, word);
+  }
+  s.finish(line);
+  if (s.list + s.percent + s.pairs > 1) line.fail("only one of --list, --percent and --pairs can be printed");
+  return s;
+}
+
+std::string read_standard_input(const program::command_line& line) {
+  std::string text;
+  char part[65536];
+  while (const std::size_t n = std::fread(part, 1, sizeof part, stdin)) {
+    text.append(part, n);
+    if (text.size() > (std::size_t{1} << 31)) line.fail("the map has more than 2147483648 bytes: stdin");
+  }
+  return text;
+}
+
+irg::grid_text read_map(const program::command_line& line, const std::string& input) {
+  std::string text;
+  if (input.empty()) {
+    text = read_standard_input(line);
+  } else {
+    const auto file = irg::read_file(input);
+    if (!file) line.fail(program::with_place(file.error(), input));
+    text.assign(file->data(), file->data() + file->size());
+  }
+  auto map = irg::read_grid(text);
+  if (!map) line.fail(program::with_place(map.error(), input.empty() ? "stdin" : input));
+  return *std::move(map);
+}
+
+bool sees(const irg::walled_grid& g, const irg::cell3& a, const irg::cell3& b, const settings& s) {
+  return s.how == method::thesis ? irg::textbook::sight_3d(g, a, b) : irg::see(g, a, b, s.rules);
+}
+
+irg::cell_grid seen_cells(const irg::grid_text& map, const settings& s) {
+  irg::view_options o;
+  o.rules = s.rules;
+  if (s.how == method::sweep) return irg::field_of_view(map.grid, std::span(map.units), o);
+  const irg::grid_extent e = map.grid.extent();
+  irg::cell_grid seen(e);
+  for (int z = 0; z < e.depth; ++z)
+    for (int y = 0; y < e.height; ++y)
+      for (int x = 0; x < e.width; ++x)
+        if (std::ranges::any_of(map.units, [&](const irg::cell3& u) { return sees(map.grid, u, {x, y, z}, s); }))
+          seen.set({x, y, z});
+  return seen;
+}
+
+std::string percent_text(const irg::grid_text& map) {
+  const irg::grid_extent e = map.grid.extent();
+  std::vector<double> most(static_cast<std::size_t>(e.width) * static_cast<std::size_t>(e.height), 0.0);
+  for (const irg::cell3& u : map.units) {
+    const std::vector<double> percent = irg::visible_percentages(map.grid, {u.x, u.y});
+    for (std::size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], percent[i]);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < most.size(); ++i)
+    if (most[i] > 0)
+      text += std::to_string(i % static_cast<std::size_t>(e.width)) + " " +
+              std::to_string(i / static_cast<std::size_t>(e.width)) + " 0 " + program::shortest(most[i]) + "\n";
+  return text;
+}
+
+std::string pairs_text(const irg::grid_text& map, const settings& s) {
+  std::string text;
+  for (std::size_t i = 0; i < map.units.size(); ++i)
+    for (std::size_t j = 0; j < map.units.size(); ++j) {
+      text += i == j || sees(map.grid, map.units[i], map.units[j], s) ? '1' : '0';
+      text += j + 1 < map.units.size() ? ' ' : '\n';
+    }
+  return text;
+}
+
+// The layers beside each other, a square per cell.
+irg::image<irg::rgba8> picture_of(const irg::grid_text& map, const irg::cell_grid& seen,
+                                  const program::picture_size& size) {
+  constexpr irg::rgba8 paper{250, 249, 246, 255}, dark{150, 150, 146, 255}, lit{255, 228, 140, 255},
+      full{60, 66, 84, 255}, wall{120, 96, 60, 255}, unit{204, 96, 72, 255};
+  irg::image<irg::rgba8> p(size.width, size.height, paper);
+  const irg::grid_extent e = map.grid.extent();
+  const std::int64_t columns = (std::int64_t{e.width} + 1) * e.depth + 1;
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const std::int64_t side =
+          std::max<std::int64_t>(1, std::min(size.width / columns, size.height / (std::int64_t{e.height} + 2)));
+      const std::int64_t column = x / side - 1, row = y / side - 1, z = column / (e.width + std::int64_t{1});
+      const irg::cell3 c{static_cast<int>(column % (e.width + std::int64_t{1})), static_cast<int>(row),
+                         static_cast<int>(z)};
+      if (column < 0 || !e.holds(c)) continue;
+      if (side > 2 && (x % side == 0 || y % side == 0)) continue;
+      p(x, y) = std::ranges::find(map.units, c) != map.units.end() ? unit
+                : map.grid.is_full(c)                              ? (seen.is_full(c) ? wall : full)
+                : seen.is_full(c)                                  ? lit
+                                                                   : dark;
+    }
+  return p;
+}
+
+void run(program::command_line& line) {
+  const settings s = read_settings(line);
+  const irg::grid_text map = read_map(line, s.input);
+  if (s.percent && map.grid.extent().depth != 1) line.fail("--percent supports maps of depth 1");
+  std::string text;
+  irg::cell_grid seen;
+  if (!s.pairs || !s.out.empty()) seen = seen_cells(map, s);
+  if (s.percent)
+    text = percent_text(map);
+  else if (s.pairs)
+    text = pairs_text(map, s);
+  else if (s.list)
+    seen.for_each([&](const irg::cell3& c) {
+      text += std::to_string(c.x) + " " + std::to_string(c.y) + " " + std::to_string(c.z) + "\n";
+    });
+  else
+    text = "seen: " + std::to_string(seen.count()) + "\n";
+  if (!s.out.empty()) program::write_picture(line, s.out, picture_of(map, seen, s.size));
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  program::finish_output(line, s.out);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { program::run_or_fail({argc, argv, "grid_visibility", help}, "this map", run); }

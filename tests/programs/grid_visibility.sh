@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# grid_visibility, seen from outside. Usage: grid_visibility.sh FOLDER_OF_PROGRAMS
+. "$(dirname "$0")/../support/programs.sh" grid_visibility "$@"
+
+answers() { # answers "what" "output" "input" arguments...
+  local what=$1 expected=$2
+  shift 2
+  run "$@"
+  check "$what: exit 0: $err" is "$status" 0
+  check "$what: $out" is "$out" "$(printf '%b' "$expected")"
+}
+refused() { # refused "what" "part of the message" "input" arguments...
+  local what=$1 part=$2
+  shift 2
+  fails "$what" "$@"
+  check "$what: says so: $err" has "$err" "$part"
+}
+
+room="8 6 1\n........\n...#....\n....#...\n.#......\n..#.....\n........\n0 0\n"
+for method in sweep exact thesis; do answers "a room, $method" "seen: 31" "$room" --method $method; done
+answers "a full cell is seen, what is behind it is not" "0 0 0\n1 0 0" "3 1 1\n.#.\n0 0\n" --list
+answers "a closed door" "0 0 0" "2 1 1\n..\n0 0\nwall 0 0 0 x+ closed-door\n" --list
+answers "a laser field" "0 0 0\n1 0 0" "2 1 1\n..\n0 0\nwall 0 0 0 x+ laser\n" --list
+answers "corners: pinch" "seen: 3" "2 2 1\n.#\n#.\n0 0\n"
+answers "corners: open" "seen: 4" "2 2 1\n.#\n#.\n0 0\n" --corners open
+answers "corners: pinch, one" "seen: 4" "2 2 1\n.#\n..\n0 0\n"
+answers "corners: closed, one" "seen: 3" "2 2 1\n.#\n..\n0 0\n" --corners closed
+answers "in space" "seen: 8" "2 2 2\n.#\n#.\n\n##\n..\n0 0 0\n" --corners open
+answers "no unit" "seen: 0" "2 1 1\n..\n"
+answers "pairs" "1 1 0\n1 1 0\n0 0 1" "4 1 1\n..#.\n0 0\n1 0\n3 0\n" --pairs
+answers "percent" "0 0 0 100\n1 0 0 100" "3 1 1\n.#.\n0 0\n" --percent
+run "$room" -o room.ppm --size 90x80
+check "a picture: exit 0: $err" is "$status" 0
+check "a picture: its size" is "$(sed -n 2p room.ppm)" "90 80"
+
+refused "nothing" "stdin:1:1" ""
+refused "a unit in a full cell" "the unit is in a full cell: stdin:3:1" "2 1 1\n.#\n1 0\n"
+refused "a unit outside" "the unit is outside of the map: stdin:3:1" "2 1 1\n.#\n2 0\n"
+refused "a ragged row" "stdin:2:3" "3 1 1\n..\n"
+refused "an unknown cell" "stdin:2:2" "3 1 1\n.x.\n"
+refused "percent in space" "depth 1" "1 1 2\n.\n.\n0 0\n" --percent
+refused "two lists" "only one of" "$room" --list --pairs
+refused "an unknown method" "supported: sweep, exact, thesis" "$room" --method fov
+refused "no such file" "none.txt" "" --input none.txt
+no_room "$(printf "%b" "$room")"
+
+conclude
