@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Maps as text: `width height depth`, the rows of all layers with `.` for empty and `#` for full cells, then one line per
-// unit, `x y [z]`, and per wall, `wall x y z side kind`. Row k is y = k, the first layer is z = 0. `#` begins a comment
-// anywhere but in rows; between the header and a layer a comment is told from a row by a blank or another letter in it.
+// Maps as text: `width height depth`, the rows of all layers with `.` for empty and `#` for full cells, then one line
+// per unit, `x y [z]`, and per wall, `wall x y z side kind`. Row k is y = k, the first layer is z = 0. `#` begins a
+// comment anywhere but in rows; between the header and a layer a comment is told from a row by a blank or another
+// letter in it.
 #pragma once
 
 #include <cstddef>

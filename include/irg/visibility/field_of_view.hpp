@@ -108,8 +108,8 @@ constexpr void sweep(const walled_grid& map, const cell3& viewer, const view_opt
 
 inline namespace IRG_ABI {
 
-/// Adds the cells that are seen from the viewer to `seen`: those that see() tells, its own among them, within the radius
-/// and the cone.
+/// Adds the cells that are seen from the viewer to `seen`: those that see() tells, its own among them, within the
+/// radius and the cone.
 /// needs   `seen` of the map's extent
 /// gives   nothing when the viewer is no cell of the map
 /// exact   always

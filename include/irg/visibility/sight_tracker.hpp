@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sight_tracker: what several units see, kept up to date while they move and the map changes.
 //
-// Of each unit it keeps what it sees and which cells its light touches at all. A change of a cell or wall matters only to
-// units whose light touches one of the cells around it: the others' fields are left as they are.
+// Of each unit it keeps what it sees and which cells its light touches at all. A change of a cell or wall matters only
+// to units whose light touches one of the cells around it: the others' fields are left as they are.
 #pragma once
 
 #include <cstddef>

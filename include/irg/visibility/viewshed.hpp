@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // viewshed: the cells of a height field that are seen from a point above one of them.
 //
-// A cell is an upright prism up to its height. The sight line from the eye to the target, both above their cells' centres,
-// is free when it passes through no prism between them; touching one is passing it by.
+// A cell is an upright prism up to its height. The sight line from the eye to the target, both above their cells'
+// centres, is free when it passes through no prism between them; touching one is passing it by.
 #pragma once
 
 #include <concepts>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The cells that are seen from one, found row by row in one quadrant.
 //
-// Seen from the viewer, column x and row y of a quadrant are both >= 0. The directions x/y that are not blocked yet are
-// kept as gaps between two slopes each, in order. A full cell at the row y blocks the slopes between those of its corners,
-// (2x-1)/(2y+1) and (2x+1)/(2y-1); a wall those between its ends. Whether a slope that is an end of what is blocked is
-// blocked itself is for the corner that it runs through to say. All of it is in whole numbers: slopes are fractions, and
-// the column that each gap's end has reached is counted on from row to row.
+// Seen from the viewer, column x and row y of a quadrant are both >= 0. The directions x/y that are not blocked yet
+// are kept as gaps between two slopes each, in order. A full cell at the row y blocks the slopes between those of its
+// corners, (2x-1)/(2y+1) and (2x+1)/(2y-1); a wall those between its ends. Whether a slope that is an end of what is
+// blocked is blocked itself is for the corner that it runs through to say. All of it is in whole numbers: slopes are
+// fractions, and the column that each gap's end has reached is counted on from row to row.
 #pragma once
 
 #include <bit>
@@ -75,8 +75,8 @@ IRG_INLINE constexpr std::uint64_t bits_from(const std::uint64_t* row, int words
   return low | high;
 }
 
-// One quadrant of a flat map, seen from a cell of it. Emit is told what is seen: centres(y, first, last), or where it has
-// the member light(y, first, last, low, high), which cells are reached by light between two slopes.
+// One quadrant of a flat map, seen from a cell of it. Emit is told what is seen: centres(y, first, last), or where it
+// has the member light(y, first, last, low, high), which cells are reached by light between two slopes.
 template <class Emit>
 class row_sweep {
 public:

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The cells that are seen from one in space, found sector by sector.
 //
-// Directions with a longest axis are pairs of slopes from -1 to 1; a sector is a square of them, whose sides are fractions
-// over a power of two. It is followed from slab to slab along the longest axis. Where no cell that it touches has anything
-// in it, all centres in it are seen; where all of them are full, nothing is seen behind them. Otherwise it is cut into
-// four, and when there are hardly more centres than sectors, see() is asked. Touching counts, so corners cannot matter.
+// Directions with a longest axis are pairs of slopes from -1 to 1; a sector is a square of them, whose sides are
+// fractions over a power of two. It is followed from slab to slab along the longest axis. Where no cell that it
+// touches has anything in it, all centres in it are seen; where all of them are full, nothing is seen behind them.
+// Otherwise it is cut into four, and when there are hardly more centres than sectors, see() is asked. Touching counts,
+// so corners cannot matter.
 #pragma once
 
 #include <cstdint>
