@@ -24,6 +24,7 @@
 
 #include "depths.hpp"
 #include "enlarged.hpp"
+#include "escape.hpp"
 #include "faces.hpp"
 #include "fills.hpp"
 #include "fills_aa.hpp"
@@ -374,6 +375,7 @@ int main(int argc, char** argv) {
   save("fill_seam", fills_aa::seam());
   save("blend_span", fills_aa::run());
   save("screen_face", face_pictures::order());
+  save("escape_time", escape_pictures::both());
   save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
   save("view_transform_textbook", viewing::steps());

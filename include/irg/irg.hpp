@@ -11,6 +11,7 @@
 #include <irg/view.hpp>
 #include <irg/raster.hpp>
 #include <irg/shade.hpp>
+#include <irg/fractal.hpp>
 #include <irg/hidden.hpp>
 #include <irg/scene.hpp>
 #include <irg/render.hpp>
