@@ -215,8 +215,10 @@ void try_hostile(std::uint64_t seed) {
     corner<T> p[3];
     const int low = r.integer(0, 1) == 0 ? -most : -4, high = r.integer(0, 1) == 0 ? most : 4;
     for (auto& v : p) {
-      for (int k = 0; k < 4; ++k)
-        v[k] = static_cast<T>(std::ldexp(r.unit() - (k < 2 ? 0.5 : 0.25), static_cast<int>(r.integer(low, high))));
+      for (int k = 0; k < 4; ++k) {
+        const double significand = r.unit() - (k < 2 ? 0.5 : 0.25);
+        v[k] = static_cast<T>(std::ldexp(significand, static_cast<int>(r.integer(low, high))));
+      }
       const auto odd = r.integer(0, 30);
       if (odd == 0) v.w = v.z;
       if (odd == 1) v.z = 0;

@@ -101,9 +101,14 @@ private:
   // Seen at (x, y), in units of half a picture, so far away.
   static point seen_at(double x, double y, double distance) { return {x * distance, y * distance, -distance}; }
   double between(double low, double high) { return low + (high - low) * random_.unit(); }
-  point anywhere() { return seen_at(between(-1.2, 1.2), between(-1.2, 1.2), between(0.5, 4)); }
+  // Arguments are evaluated in any order, so random numbers are drawn one by one.
+  point anywhere() {
+    const double x = between(-1.2, 1.2), y = between(-1.2, 1.2);
+    return seen_at(x, y, between(0.5, 4));
+  }
   point near(double x, double y, double reach, double distance) {
-    return seen_at(x + between(-reach, reach), y + between(-reach, reach), distance);
+    const double dx = between(-reach, reach), dy = between(-reach, reach);
+    return seen_at(x + dx, y + dy, distance);
   }
   const corners& earlier() {
     return drawn_[static_cast<std::size_t>(random_.integer(0, static_cast<std::int64_t>(drawn_.size()) - 1))];

@@ -49,8 +49,8 @@ inline namespace IRG_ABI {
 /// shape   corners as a projection matrix gives them, in either winding, which is kept; 0 <= z <= w is in front
 /// gives   nothing where nothing is left, where the whole has no area once it is snapped, and where a corner is not
 ///         finite, larger than clip_homogeneous takes, or 0, 0, 0, 0
-/// exact   coordinates as clip_homogeneous and to_screen round them: the faces that render draws, bit for bit. Triangles
-///         that share an edge get the same corners on it
+/// exact   coordinates as clip_homogeneous and to_screen round them: the faces that render draws, bit for bit.
+///         Triangles that share an edge get the same corners on it
 /// cost    that of clip_homogeneous, and a division for each corner left
 template <Floating T>
 constexpr screen_pieces clip_to_screen(const hpoint<T, 3> (&corner)[3], const screen_mapping<T>& mapping,
