@@ -44,12 +44,6 @@ template <int N>
 IRG_INLINE void count_up(pack<std::int32_t, N>& counter, const pack<std::int32_t, N>& mask) noexcept {
   counter = counter - mask;
 }
-template <class I>
-IRG_INLINE constexpr std::int64_t total(const I& counter) noexcept {
-  std::int64_t sum = 0;
-  for (int i = 0; i < lanes<I>::count; ++i) sum += lane(counter, i);
-  return sum;
-}
 
 // Writes the shaded colour of every lane whose bit is set.
 template <class Shader>
