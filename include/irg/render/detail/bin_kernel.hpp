@@ -19,8 +19,8 @@
 #include <irg/render/detail/cull_kernel.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 #include <irg/render/options.hpp>
+#include <irg/raster/screen_pieces.hpp>
 #include <irg/raster/triangle_batch.hpp>
-#include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {
 namespace detail {
@@ -164,32 +164,15 @@ template <class T>
 constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T, 3> (&corner)[3],
                             const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
                             const skip_options& skip) {
-  const clip_vertex<T, 2> polygon[3] = {
-      {corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
-  const auto left = clip_homogeneous(polygon, mapping.guard);
-  if (left.count < 3) return count_listing(p, listing::out_of_sight, skip);
-
-  screen_vertex on_screen[9];
-  source_weights share[9];
-  for (int k = 0; k < left.count; ++k) {
-    on_screen[k] = to_screen(left.vertices[k].position, mapping);
-    share[k] = {converted<float>(left.vertices[k].attributes[0]), converted<float>(left.vertices[k].attributes[1])};
-  }
-  const auto area_of = [&](int k) {
-    return signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
-  };
-  std::int64_t area = 0;
-  for (int k = 1; k + 1 < left.count; ++k) area += area_of(k);
-  if (area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
+  const screen_pieces pieces = clip_to_screen(corner, mapping, source);
+  if (pieces.outside) return count_listing(p, listing::out_of_sight, skip);
+  if (pieces.double_area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
   listing result = listing::tiny;
-  for (int k = 1; k + 1 < left.count && area != 0; ++k) {
-    // Snapping may turn round a piece thinner than 1/256 pixel; the pieces beside it cover its place.
-    if (area_of(k) != 0 && (area_of(k) > 0) != (area > 0)) continue;
-    const clipped_piece piece{
-        {on_screen[0], on_screen[k], on_screen[k + 1]}, {{share[0], share[k], share[k + 1]}}, source};
+  for (const auto& [face, weights] : pieces) {
+    const auto& [a, b, c] = face.v;
     const auto number = piece_bit | static_cast<std::uint32_t>(p.pieces.size());
-    const listing l = list_triangle(p, number, piece.v[0], piece.v[1], piece.v[2], area_of(k), grid, skip.tiny);
-    if (l == listing::listed) p.pieces.push_back(piece);
+    const listing l = list_triangle(p, number, a, b, c, face.coverage.double_area, grid, skip.tiny);
+    if (l == listing::listed) p.pieces.push_back({{a, b, c}, weights, source});
     result = greater(result, l);
   }
   count_listing(p, result, skip);
