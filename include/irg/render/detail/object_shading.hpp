@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/colour/srgb.hpp>
 #include <irg/colour/srgb_lanes.hpp>
+#include <irg/render/detail/collected_points.hpp>
 #include <irg/render/prepared_scene.hpp>
 #include <irg/shade/shading.hpp>
 
@@ -29,6 +32,7 @@ struct light_itself {
 template <Floating T, class Output>
 struct phong_pixel_shader {
   const phong_shader<T>& shader;
+  const phong_lanes* in_lanes;  // of doubles
   point<T, 3> position[3];
   vec<T, 3> normal[3];
 
@@ -38,6 +42,63 @@ struct phong_pixel_shader {
     const vec<T, 3> n = normal[0] + ((normal[1] - normal[0]) * s + (normal[2] - normal[0]) * t);
     const rgb<T> light = shader(p, n);
     return Output{}({converted<float>(light.r), converted<float>(light.g), converted<float>(light.b)});
+  }
+
+  // Puts what the chosen pixels show of the triangle to what the others show.
+  template <int N>
+    requires std::same_as<T, double>
+  IRG_INLINE void place(surface_points<N>& points, const pixel_weights<pack<float, N>>& at,
+                        const pack<std::int32_t, N>& chosen) const noexcept {
+    using f = lanes<pack<double, native_lanes<double>>>;
+    alignas(64) float weight1[static_cast<unsigned>(N)], weight2[static_cast<unsigned>(N)];
+    alignas(64) std::int32_t mask[static_cast<unsigned>(N)];
+    lanes<pack<float, N>>::store(weight1, at.weight1);
+    lanes<pack<float, N>>::store(weight2, at.weight2);
+    lanes<pack<std::int32_t, N>>::store(mask, chosen);
+    for (int first = 0; first < N; first += f::count) {
+      const auto few = [&](const auto* from) {
+        return lanes<pack<std::remove_cvref_t<decltype(*from)>, f::count>>::load(from + first);
+      };
+      const auto s = converted<double>(few(weight1)), t = converted<double>(few(weight2));
+      const auto where = converted<std::int64_t>(few(mask));
+      const auto put = [&](double(&to)[static_cast<unsigned>(N)], T a, T b, T c) {
+        const auto between = f::broadcast(a) + (f::broadcast(b - a) * s + f::broadcast(c - a) * t);
+        f::store(to + first, select(where, between, f::load(to + first)));
+      };
+      for (int k = 0; k < 3; ++k) {
+        put(points.coordinate[k], position[0][k], position[1][k], position[2][k]);
+        put(points.coordinate[3 + k], normal[0][k], normal[1][k], normal[2][k]);
+      }
+    }
+  }
+  // Shades the chosen pixels of a row.
+  template <int N, class P>
+  IRG_INLINE static void shade(const phong_lanes& light_of, const surface_points<N>& points, unsigned chosen, P* row) {
+    using f = lanes<pack<double, native_lanes<double>>>;
+    alignas(64) float r[static_cast<unsigned>(N)], g[static_cast<unsigned>(N)], b[static_cast<unsigned>(N)];
+    for (int first = 0; first < N; first += f::count) {
+      const auto of = [&](int k) {
+        const auto at = [&](int i) { return f::load(points.coordinate[k + i] + first); };
+        return triple<pack<double, f::count>>{at(0), at(1), at(2)};
+      };
+      const auto light = light_of(of(0), of(3), chosen >> first);
+      using few = lanes<pack<float, f::count>>;
+      few::store(r + first, converted<float>(light.r));
+      few::store(g + first, converted<float>(light.g));
+      few::store(b + first, converted<float>(light.b));
+    }
+    if constexpr (std::same_as<Output, encoded_light> && sizeof(P) == 4) {
+      using floats = lanes<pack<float, N>>;
+      std::uint32_t words[static_cast<unsigned>(N)];
+      lanes<pack<std::uint32_t, N>>::store(words, encode_lanes(floats::load(r), floats::load(g), floats::load(b)));
+      for (; chosen != 0; chosen &= chosen - 1)
+        row[std::countr_zero(chosen)] = std::bit_cast<P>(words[std::countr_zero(chosen)]);
+    } else {
+      for (; chosen != 0; chosen &= chosen - 1) {
+        const int i = std::countr_zero(chosen);
+        row[i] = Output{}({r[i], g[i], b[i]});
+      }
+    }
   }
 };
 
@@ -55,6 +116,7 @@ struct object_shading {
   flat_shader<T> flat;
   gouraud_shader<T> gouraud;
   phong_shader<T> phong;
+  std::optional<phong_lanes> phong_in_lanes{};  // of doubles, where the style needs it
 
   constexpr object_shading(prepared_object<T>& object, const lighting<T>& light, const point<T, 3>& eye)
       : made(object), flat{object.surface, light, eye}, gouraud{object.surface, light, eye},
@@ -79,6 +141,8 @@ struct object_shading {
     shading_key<T> key{
         style,         culling,        made.surface, flat.eye, {light.lights.begin(), light.lights.end()},
         light.ambient, light.distance, light.k};
+    if constexpr (std::same_as<T, double>)
+      if (style == picture_style::phong) phong_in_lanes.emplace(phong);
     if (frame.key == key) return;
     frame.key = std::move(key);
     if (style == picture_style::flat) {
@@ -157,7 +221,10 @@ struct phong_pixels {
     const drawable<T>& body = o.made.body;
     const auto [a, b, c] = body.triangles[triangle].v;
     const auto normal = [&](std::uint32_t v) { return side == facing::front ? body.normals[v] : -body.normals[v]; };
-    return {o.phong, {body.positions[a], body.positions[b], body.positions[c]}, {normal(a), normal(b), normal(c)}};
+    return {o.phong,
+            o.phong_in_lanes ? &*o.phong_in_lanes : nullptr,
+            {body.positions[a], body.positions[b], body.positions[c]},
+            {normal(a), normal(b), normal(c)}};
   }
 };
 

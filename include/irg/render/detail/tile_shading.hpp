@@ -8,6 +8,7 @@
 
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/render/attribute_shading.hpp>
+#include <irg/render/detail/collected_points.hpp>
 #include <irg/render/detail/visible_window.hpp>
 
 namespace irg {
@@ -107,16 +108,22 @@ struct shade_by_triangle {
           unsigned pending = ~mask_bits(places == I::broadcast(-1)) & ((1u << count) - 1);
           shaded += std::popcount(pending);
           const F depth = product(lanes<F>::load(v.key + at), lanes<F>::broadcast(v.sign));
+          auto* const row = raster_traits<Colour>::row(colour, y) + x;
+          collected_points<shader_type, count, pixel_of<Colour>> points{row};
           while (pending != 0) {
             const auto place = static_cast<std::uint32_t>(lane(places, std::countr_zero(pending)));
             if (place != current) {
               setup.emplace(prepare(v.numbers[place]));
               current = place;
             }
-            const unsigned same = mask_bits(places == I::broadcast(static_cast<std::int32_t>(place))) & pending;
+            const auto shown = places == I::broadcast(static_cast<std::int32_t>(place));
+            const unsigned same = mask_bits(shown) & pending;
             pixel_weights<F> where = weights_from<F>(setup->s, setup->narrow, x, y, depth);
             if (setup->piece != nullptr) where = in_source(where, *setup->piece);
-            shade_over<shader_type>{setup->shader}(raster_traits<Colour>::row(colour, y) + x, same, where);
+            if constexpr (points.collects)
+              points.add(setup->shader, where, shown, same);
+            else
+              shade_over<shader_type>{setup->shader}(row, same, where);
             pending &= ~same;
           }
         }
