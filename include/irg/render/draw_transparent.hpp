@@ -108,7 +108,7 @@ constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::s
           Order::nearer(t.setup.depth_low, t.setup.depth_high) ? t.setup.depth_low : t.setup.depth_high;
       if (occluded == skipping::on && hidden_depths.template hides<Test>(nearest, w)) continue;
     }
-    mark_seen(seen[find.source(number)]);
+    store_relaxed(seen[find.source(number)], 1);
     const auto shader = shader_for(make_shader, find, number, t.coverage.flipped ? facing::front : facing::back);
     counts += paint_triangle<Order, depth_policy<Test, depth_write::off>>(
         colour, depth, t, blend_over<decltype(shader), Blend>{shader, blend, piece_weights_of(find, number)}, window);

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -218,8 +217,6 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
   count_listing(p, list_triangle(p, number, va, vb, vc, area, grid, skip.tiny), skip);
 }
 
-#ifdef IRG_LANES_VECTOR
-
 // The tiles that the boxes of a group lie in, as far as each lies in one.
 template <int N>
 struct group_tiles {
@@ -231,12 +228,11 @@ struct group_tiles {
     using I = lanes<integers>;
     constexpr int shift = std::countr_zero(static_cast<unsigned>(tile_size));
     const integers x_first = I::load(group.x_first), y_first = I::load(group.y_first), x_last = I::load(group.x_last),
-                   y_last = I::load(group.y_last), tile_x{x_first.v >> shift}, tile_y{y_first.v >> shift};
-    one = group.listed &
-          mask_bits(both(integers{(x_last.v - 1) >> shift} == tile_x, integers{(y_last.v - 1) >> shift} == tile_y));
+                   y_last = I::load(group.y_last), tile_x = x_first >> shift, tile_y = y_first >> shift;
+    one = group.listed & mask_bits(both((x_last - 1) >> shift == tile_x, (y_last - 1) >> shift == tile_y));
     const integers place = tile_y * I::broadcast(across) + tile_x, pixels = (x_last - x_first) * (y_last - y_first);
-    std::memcpy(tile, &place.v, sizeof tile);
-    std::memcpy(area, &pixels.v, sizeof area);
+    I::store_bytes(tile, place);
+    I::store_bytes(area, pixels);
   }
 };
 
@@ -278,8 +274,6 @@ IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& 
   return i;
 }
 
-#endif
-
 // All triangles of a portion; in lanes where they can be.
 template <class T>
 constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
@@ -288,9 +282,7 @@ constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, cons
   p.entry_count = 0;
   p.pieces.clear();
   std::uint32_t i = p.first;
-#ifdef IRG_LANES_VECTOR
   if (!std::is_constant_evaluated()) i = fill_in_lanes(p, batch, mapping, grid, culling, skip);
-#endif
   for (; i < p.last; ++i) list_one(p, batch, i, batch.first_number + i, mapping, grid, culling, skip);
 }
 

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include <irg/render/detail/mark_seen.hpp>
 #include <irg/render/detail/tile_kernel.hpp>
 #include <irg/render/detail/triangle_finder.hpp>
 
@@ -16,8 +15,6 @@ namespace irg {
 namespace detail {
 
 inline namespace IRG_ABI {
-
-#ifdef IRG_LANES_VECTOR
 
 // How a tile's list is drawn.
 struct tile_order {
@@ -40,7 +37,7 @@ struct tile_painter {
   tile_counts counts{lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
   std::int64_t tested = 0, ties = 0;
 
-  IRG_INLINE void note_seen(std::uint32_t place) const noexcept { mark_seen(seen[find.source(numbers[place])]); }
+  IRG_INLINE void note_seen(std::uint32_t place) const noexcept { store_relaxed(seen[find.source(numbers[place])], 1); }
 
   // Triangles of few pixels, a lane each: F, depth and box, as in tile_triangles.
   struct dots {
@@ -77,10 +74,8 @@ struct tile_painter {
     std::int32_t at[count];
     I::store(at, d.at);
     // 16 bits to a triangle, four triangles to a word.
-    typedef std::uint16_t shorts __attribute__((vector_size(2 * static_cast<unsigned>(count))));
-    const shorts narrow = __builtin_convertvector(covered.v, shorts);
     std::uint64_t words[count / 4];
-    std::memcpy(words, &narrow, sizeof words);
+    lanes<pack<std::uint16_t, count>>::store_bytes(words, converted<std::uint16_t>(covered));
     for (int w = 0; w < count / 4; ++w)
       for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
         const int bit = std::countr_zero(bits), i = 4 * w + bit / 16, pixel = bit % 16;
@@ -138,14 +133,14 @@ struct tile_painter {
     const auto within = [&](const integers& v, int least, int end) {
       return low_of(high_of(v, I::broadcast(least)), I::broadcast(end));
     };
-    const integers x_first = within({(left + before).v >> subpixel_bits}, window.x_first, window.x_last),
-                   x_last = within({(right + behind).v >> subpixel_bits}, window.x_first, window.x_last),
-                   y_first = within({(top + before).v >> subpixel_bits}, window.y_first, window.y_last),
-                   y_last = within({(bottom + behind).v >> subpixel_bits}, window.y_first, window.y_last);
+    const integers x_first = within((left + before) >> subpixel_bits, window.x_first, window.x_last),
+                   x_last = within((right + behind) >> subpixel_bits, window.x_first, window.x_last),
+                   y_first = within((top + before) >> subpixel_bits, window.y_first, window.y_last),
+                   y_last = within((bottom + behind) >> subpixel_bits, window.y_first, window.y_last);
 
     const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     const integers flip = area < zero;
-    const auto turned = [&](const integers& v) { return integers{(v.v ^ flip.v) - flip.v}; };
+    const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
     const floats scale = F::broadcast(one_pixel) / to_float(turned(area)),
                  unit = scale * F::broadcast(1.0f / one_pixel);
     const integers centre_x = x_first * I::broadcast(one_pixel) + I::broadcast(half_pixel),
@@ -157,7 +152,7 @@ struct tile_painter {
       const integers dx = turned(x[q] - x[p]), dy = turned(y[q] - y[p]);
       const integers e = dx * (centre_y - y[p]) - dy * (centre_x - x[p]);
       const integers owns = (dy < zero) | both(dy == zero, zero < dx);
-      d.f[k] = {((e - one) - owns).v >> subpixel_bits};
+      d.f[k] = ((e - one) - owns) >> subpixel_bits;
       d.right[k] = zero - dy;
       d.down[k] = dx;
       part[k] = (to_float(e - d.f[k] * I::broadcast(one_pixel)) * unit) * depth[k];
@@ -218,7 +213,7 @@ struct tile_painter {
           farthest_key = lesser(farthest_key, out.farthest_key[by * blocks_across + bx]);
           touched |= std::uint64_t{1} << (by * blocks_across + bx);
         }
-      if (t.high.v[0] < farthest_key) return;
+      if (t.high[0] < farthest_key) return;
       out.stale |= touched;
     }
     note_seen(t.place);
@@ -293,11 +288,8 @@ struct tile_painter {
       return batch.triangles.data() + lesser(numbers[i], find.bins->triangle_count - 1);
     };
     for (std::size_t i = first; i < first + count; ++i) {
-      __builtin_prefetch(named(i + indices_ahead));
-      for (const std::uint32_t v : named(i + vertices_ahead)->v)  // which may be beyond the vertices
-        // NOLINTNEXTLINE(performance-no-int-to-ptr)
-        __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(screen) +
-                                                         std::uintptr_t{v} * sizeof *screen));
+      prefetch(named(i + indices_ahead));
+      prefetch_vertices(screen, *named(i + vertices_ahead));
     }
   }
 
@@ -381,8 +373,6 @@ std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers,
   for (std::size_t i = 0; i < size; ++i) sorted[start[bucket[i]]++] = numbers[i];
   return sorted;
 }
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

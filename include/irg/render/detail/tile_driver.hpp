@@ -76,8 +76,6 @@ IRG_INLINE constexpr cell_window empty_tiles(const triangle_bins& bins, const pi
   return w;
 }
 
-#ifdef IRG_LANES_VECTOR
-
 // The depths of a raster into the tile.
 template <class Depth>
 IRG_INLINE void load_depths(tile& t, Depth& depth, const cell_window& w, float sign) {
@@ -140,8 +138,6 @@ IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_
   return {painter.tested, 0, painter.ties};
 }
 
-#endif
-
 // The z-buffer, and drawing in the order given: what a tile shows by comparing depths.
 template <class Order, tile_test Test>
 struct zbuffer_tiles {
@@ -151,10 +147,8 @@ struct zbuffer_tiles {
   template <class T, class Depth, class Finish>
   constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) const {
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
-#ifdef IRG_LANES_VECTOR
     if constexpr (key_sign<Order> != 0)
       if (!std::is_constant_evaluated()) return in_lanes(depth, job, i, finish);
-#endif
     if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
     visible_pixels pixels(w);
     const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
@@ -164,7 +158,6 @@ struct zbuffer_tiles {
     return counts;
   }
 
-#ifdef IRG_LANES_VECTOR
 private:
   template <class T, class Depth, class Finish>
   static draw_counts in_lanes(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) {
@@ -174,7 +167,6 @@ private:
     counts.shaded = finish(visible_window{d.t.id, d.t.key, key_sign<Order>, d.numbers, w}, job.finder());
     return counts;
   }
-#endif
 };
 
 // The z-buffer where it matters which triangle is seen.

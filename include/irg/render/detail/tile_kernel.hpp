@@ -9,7 +9,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 
 #include <irg/render/detail/tile.hpp>
 #include <irg/raster/draw_triangle.hpp>
@@ -17,8 +16,6 @@
 namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
-
-#ifdef IRG_LANES_VECTOR
 
 // Triangles of a tile, ready to be drawn, a lane each. F is taken at the first pixel of the box.
 struct tile_triangles {
@@ -74,10 +71,8 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
   }
   const auto now = select(drawn, key, stored);
   F::store(key_at, now);
-  mask id;
-  std::memcpy(&id.v, id_at, sizeof id.v);
-  id = select(drawn, lanes<mask>::broadcast(static_cast<std::int32_t>(t.place)), id);
-  std::memcpy(id_at, &id.v, sizeof id.v);
+  const mask place = lanes<mask>::broadcast(static_cast<std::int32_t>(t.place));
+  lanes<mask>::store_bytes(id_at, select(drawn, place, lanes<mask>::load_bytes(id_at)));
   return now;
 }
 
@@ -95,10 +90,10 @@ IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I& f0, const I& f1,
   const mask covered = both(none_negative(f0, f1, f2), stored < F::broadcast(beyond_everything));
   mask tie = both(covered, key == stored);
   for (int i = 0; i < lane_count; ++i)
-    if (id_at[i] == t.place) tie.v[i] = 0;  // drawn just now
+    if (id_at[i] == t.place) set_lane(tie, i, 0);  // drawn just now
   counts.ties = counts.ties - tie;
   for (int i = 0; i < lane_count; ++i)
-    if (tie.v[i] != 0 && id_at[i] != no_face && before(t.place, id_at[i])) id_at[i] = t.place;
+    if (tie[i] != 0 && id_at[i] != no_face && before(t.place, id_at[i])) id_at[i] = t.place;
 }
 
 // The rows of a box, from its first column on; `steps` are taken to the right, each of a register.
@@ -238,8 +233,6 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
   all_counts = counts;
   return true;
 }
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

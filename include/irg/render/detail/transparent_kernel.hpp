@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include <irg/raster/draw_triangle.hpp>
-#include <irg/render/detail/mark_seen.hpp>
 #include <irg/render/detail/tile_shading.hpp>
 
 namespace irg {
