@@ -145,7 +145,7 @@ constexpr render_stats draw_transparent(Colour& colour, Depth& depth,
                                         const E& executor = {}) {
   const detail::picture_tiles grid(width_of(colour), height_of(colour));
   detail::triangle_bins bins;
-  detail::bin_triangles(bins, batches, mapping, grid, settings.culling, settings.skip, executor);
+  detail::bin_triangles(bins, batches, {mapping, grid, settings.culling, settings.skip}, executor);
   const detail::triangle_finder<T> find{batches, &bins};
   const std::vector<std::uint32_t> numbers =
       detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());
@@ -159,12 +159,7 @@ constexpr render_stats draw_transparent(Colour& colour, Depth& depth,
   });
   render_stats stats;
   for (const draw_counts& c : done) stats.pixels += c;
-  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
-  stats.skipped = bins.skipped;
-  if (settings.skip.occluded == skipping::on) {
-    stats.skipped.occluded = bins.listed;
-    for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
-  }
+  detail::add_skips(stats, bins, seen, settings.skip);
   return stats;
 }
 

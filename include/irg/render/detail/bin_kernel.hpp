@@ -24,6 +24,24 @@
 namespace irg {
 namespace detail {
 
+// The three vertices of a triangle.
+struct triangle_corners {
+  const screen_vertex* v[3];
+};
+
+IRG_INLINE constexpr triangle_corners corners_of(const screen_vertex (&v)[3]) noexcept {
+  return {{&v[0], &v[1], &v[2]}};
+}
+
+// The vertices of a batch's triangle.
+// needs   indices of vertices that are there
+template <class T>
+IRG_INLINE constexpr triangle_corners corners_of(const triangle_batch<T>& batch, std::uint32_t i) noexcept {
+  const auto& [v] = batch.triangles[i];
+  const screen_vertex* screen = batch.vertices->screen.data();
+  return {{screen + v[0], screen + v[1], screen + v[2]}};
+}
+
 // A part of a source triangle that a clip plane left over.
 struct clipped_piece {
   screen_vertex v[3];
@@ -83,6 +101,15 @@ struct picture_tiles {
   }
 };
 
+// How triangles are listed.
+template <class T>
+struct listing_rules {
+  const screen_mapping<T>& mapping;
+  picture_tiles grid;
+  face_culling culling;
+  skip_options skip{};
+};
+
 inline namespace IRG_ABI {
 
 // Where the pieces of a portion are numbered from until the portions before it are known.
@@ -137,17 +164,18 @@ IRG_INLINE constexpr cell_window pixels_touched(const subpixel& a, const subpixe
 }
 
 // Lists one triangle, or says why not. Where tiny triangles are not skipped, they go through coverage to no effect.
-constexpr listing list_triangle(bin_portion& p, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
-                                const screen_vertex& c, std::int64_t area, const picture_tiles& grid,
-                                skipping skip_tiny) {
-  cell_window box = centres_within(a.position, b.position, c.position);
+template <class T>
+constexpr listing list_triangle(bin_portion& p, std::uint32_t number, const triangle_corners& corners,
+                                std::int64_t area, const listing_rules<T>& rules) {
+  const subpixel &a = corners.v[0]->position, &b = corners.v[1]->position, &c = corners.v[2]->position;
+  cell_window box = centres_within(a, b, c);
   if (area == 0 || box.empty()) {
-    if (skip_tiny == skipping::on) return listing::tiny;
-    box = pixels_touched(a.position, b.position, c.position);
+    if (rules.skip.tiny == skipping::on) return listing::tiny;
+    box = pixels_touched(a, b, c);
   }
-  const cell_window seen = intersect(box, {0, 0, grid.width, grid.height});
+  const cell_window seen = intersect(box, {0, 0, rules.grid.width, rules.grid.height});
   if (seen.empty()) return listing::out_of_sight;
-  list_box(p, number, seen, grid);
+  list_box(p, number, seen, rules.grid);
   return listing::listed;
 }
 
@@ -161,17 +189,16 @@ IRG_INLINE constexpr void count_listing(bin_portion& p, listing fate, const skip
 // many pieces it comes to.
 template <class T>
 constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T, 3> (&corner)[3],
-                            const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
-                            const skip_options& skip) {
+                            const listing_rules<T>& rules) {
   const clip_vertex<T, 2> polygon[3] = {
       {corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
-  const auto left = clip_homogeneous(polygon, mapping.guard);
-  if (left.count < 3) return count_listing(p, listing::out_of_sight, skip);
+  const auto left = clip_homogeneous(polygon, rules.mapping.guard);
+  if (left.count < 3) return count_listing(p, listing::out_of_sight, rules.skip);
 
   screen_vertex on_screen[9];
   source_weights share[9];
   for (int k = 0; k < left.count; ++k) {
-    on_screen[k] = to_screen(left.vertices[k].position, mapping);
+    on_screen[k] = to_screen(left.vertices[k].position, rules.mapping);
     share[k] = {converted<float>(left.vertices[k].attributes[0]), converted<float>(left.vertices[k].attributes[1])};
   }
   const auto area_of = [&](int k) {
@@ -179,7 +206,7 @@ constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T
   };
   std::int64_t area = 0;
   for (int k = 1; k + 1 < left.count; ++k) area += area_of(k);
-  if (area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
+  if (area > 0 && rules.culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
   listing result = listing::tiny;
   for (int k = 1; k + 1 < left.count && area != 0; ++k) {
     // Snapping may turn round a piece thinner than 1/256 pixel; the pieces beside it cover its place.
@@ -187,18 +214,17 @@ constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T
     const clipped_piece piece{
         {on_screen[0], on_screen[k], on_screen[k + 1]}, {{share[0], share[k], share[k + 1]}}, source};
     const auto number = piece_bit | static_cast<std::uint32_t>(p.pieces.size());
-    const listing l = list_triangle(p, number, piece.v[0], piece.v[1], piece.v[2], area_of(k), grid, skip.tiny);
+    const listing l = list_triangle(p, number, corners_of(piece.v), area_of(k), rules);
     if (l == listing::listed) p.pieces.push_back(piece);
     result = greater(result, l);
   }
-  count_listing(p, result, skip);
+  count_listing(p, result, rules.skip);
 }
 
 // One triangle of a portion.
 template <class T>
 constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uint32_t i, std::uint32_t number,
-                        const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
-                        const skip_options& skip) {
+                        const listing_rules<T>& rules) {
   if (!has_vertices(batch, i)) return;
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
@@ -206,15 +232,14 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
   // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle
   // lands, and only the depth planes, by which it decides itself, are sure to change nothing.
   const clip_planes sure = any.cut == 0 ? clip_planes::all : clip_planes::depth;
-  if (skip.frustum == skipping::on && overlap(all.outside_planes(), sure))
+  if (rules.skip.frustum == skipping::on && overlap(all.outside_planes(), sure))
     return static_cast<void>(++p.skipped.frustum);
   if (any.cut != 0)
-    return list_clipped<T>(p, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, mapping, grid,
-                           culling, skip);
-  const screen_vertex &va = v.screen[a], &vb = v.screen[b], &vc = v.screen[c];
-  const std::int64_t area = signed_double_area(va.position, vb.position, vc.position);
-  if (area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
-  count_listing(p, list_triangle(p, number, va, vb, vc, area, grid, skip.tiny), skip);
+    return list_clipped<T>(p, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, rules);
+  const triangle_corners on_screen{{&v.screen[a], &v.screen[b], &v.screen[c]}};
+  const std::int64_t area = signed_double_area(v.screen[a].position, v.screen[b].position, v.screen[c].position);
+  if (area > 0 && rules.culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
+  count_listing(p, list_triangle(p, number, on_screen, area, rules), rules.skip);
 }
 
 // The tiles that the boxes of a group lie in, as far as each lies in one.
@@ -238,21 +263,21 @@ struct group_tiles {
 
 // The triangles of a portion, a register at a time; returns the first that is left to do.
 template <class T>
-IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
-                                       const picture_tiles& grid, face_culling culling, const skip_options& skip) {
+IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& batch, const listing_rules<T>& rules) {
+  const picture_tiles& grid = rules.grid;
   constexpr std::uint32_t count = native_lanes<std::int32_t>, vertices_ahead = 64, indices_ahead = 448;
   const cull_kernel<static_cast<int>(count)> kernel{batch.vertices->screen.data(),
                                                     batch.vertices->codes.data(),
                                                     static_cast<std::int32_t>(batch.vertices->screen.size()),
                                                     batch.vertices->any,
                                                     {0, 0, grid.width, grid.height},
-                                                    culling};
+                                                    rules.culling};
   std::uint32_t i = p.first;
   for (; i + count <= p.last; i += count) {
     const triangle_indices* const t = batch.triangles.data() + i;
     if (i + vertices_ahead + count <= p.last) kernel.fetch_ahead(t + vertices_ahead);
     if (i + indices_ahead + count <= p.last) kernel.fetch_indices(t + indices_ahead);
-    const auto group = kernel(t, skip);
+    const auto group = kernel(t, rules.skip);
     p.skipped += group.skipped;
     if ((group.listed | group.special) == 0) continue;
     p.listed += std::popcount(group.listed);
@@ -265,7 +290,7 @@ IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& 
         continue;
       }
       if ((group.special >> k & 1) != 0)
-        list_one(p, batch, i + k, batch.first_number + i + k, mapping, grid, culling, skip);
+        list_one(p, batch, i + k, batch.first_number + i + k, rules);
       else
         list_box(p, batch.first_number + i + k, group.box(k), grid);
       reserve_entries(p, count);
@@ -276,14 +301,13 @@ IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& 
 
 // All triangles of a portion; in lanes where they can be.
 template <class T>
-constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
-                            const picture_tiles& grid, face_culling culling, const skip_options& skip) {
-  p.of_tile.assign(grid.count(), tile_share{});
+constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const listing_rules<T>& rules) {
+  p.of_tile.assign(rules.grid.count(), tile_share{});
   p.entry_count = 0;
   p.pieces.clear();
   std::uint32_t i = p.first;
-  if (!std::is_constant_evaluated()) i = fill_in_lanes(p, batch, mapping, grid, culling, skip);
-  for (; i < p.last; ++i) list_one(p, batch, i, batch.first_number + i, mapping, grid, culling, skip);
+  if (!std::is_constant_evaluated()) i = fill_in_lanes(p, batch, rules);
+  for (; i < p.last; ++i) list_one(p, batch, i, batch.first_number + i, rules);
 }
 
 // Lays the lists of all portions one after the other.
@@ -325,8 +349,7 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
 // Makes the lists of all tiles for the triangles of all batches.
 template <class T, class E>
 constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                             const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
-                             const skip_options& skip, const E& executor) {
+                             const listing_rules<T>& rules, const E& executor) {
   constexpr std::uint32_t portion = 1 << 15;
   std::size_t used = 0;
   bins.triangle_count = 0;
@@ -346,9 +369,9 @@ constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch
   bins.portions.resize(used);
   executor(used, [&](std::size_t i) {
     bin_portion& p = bins.portions[i];
-    fill_portion(p, batches[p.batch], mapping, grid, culling, skip);
+    fill_portion(p, batches[p.batch], rules);
   });
-  join_portions(bins, grid.count(), executor);
+  join_portions(bins, rules.grid.count(), executor);
 }
 
 }  // namespace IRG_ABI

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include <irg/core/lanes.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 #include <irg/raster/vertex_lanes.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>
@@ -22,6 +23,21 @@ static_assert(sizeof(triangle_indices) == 12);
 IRG_INLINE void prefetch_vertices(const screen_vertex* screen, const triangle_indices& t) noexcept {
   for (const std::uint32_t v : t.v) prefetch(screen, static_cast<std::ptrdiff_t>(std::size_t{v} * sizeof *screen));
 }
+
+// The boxes of N triangles on the screen, and twice their areas.
+template <int N>
+struct triangle_boxes {
+  using integers = pack<std::int32_t, N>;
+  integers left, right, top, bottom;
+  integers narrow;  // sides below 2^15, which leave the area within 31 bits and a sign; where not, it is of no account
+  integers double_area;
+
+  IRG_INLINE triangle_boxes(const integers (&x)[3], const integers (&y)[3]) noexcept
+      : left(low_of(low_of(x[0], x[1]), x[2])), right(high_of(high_of(x[0], x[1]), x[2])),
+        top(low_of(low_of(y[0], y[1]), y[2])), bottom(high_of(high_of(y[0], y[1]), y[2])),
+        narrow(both(right - left < (1 << 15), bottom - top < (1 << 15))),
+        double_area((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) {}
+};
 
 // What became of N triangles: one bit per lane.
 template <int N>
@@ -95,25 +111,20 @@ struct cull_kernel {
       }
     }
 
-    // Sides below 2^15 leave the area within 31 bits and a sign.
-    const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
-    const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
-    const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0);
-    const unsigned narrow = mask_bits(both(right - left < limit, bottom - top < limit));
+    const triangle_boxes<N> boxes(x, y);
+    const unsigned narrow = mask_bits(boxes.narrow);
+    const integers &area = boxes.double_area, zero = I::broadcast(0);
     group.special |= alive & ~narrow;
     alive &= narrow;
-
-    const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     if (culling == face_culling::back) {
       const unsigned back = mask_bits(zero < area) & alive;
       group.skipped.backface += std::popcount(back);
       alive &= ~back;
     }
     if (alive == 0) return group;  // often, as neighbours face the same way
-    // The centres within the box, then those within the picture (triangle_coverage.hpp: first_centre, last_centre).
-    const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
-    const integers x_first = (left + before) >> subpixel_bits, x_last = (right + behind) >> subpixel_bits;
-    const integers y_first = (top + before) >> subpixel_bits, y_last = (bottom + behind) >> subpixel_bits;
+    // The centres within the box, then those within the picture.
+    const integers x_first = first_centre(boxes.left), x_last = last_centre(boxes.right);
+    const integers y_first = first_centre(boxes.top), y_last = last_centre(boxes.bottom);
     const unsigned tiny =
         alive & (mask_bits(area == zero) | mask_bits(x_first >= x_last) | mask_bits(y_first >= y_last));
     const integers seen_x_first = high_of(x_first, I::broadcast(picture.x_first)),

@@ -123,22 +123,18 @@ struct tile_painter {
     const auto &x = c.x, &y = c.y;
     const auto& depth = c.depth;
     for (int i = 0; i < count; ++i) g.place[i] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i);
-    const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
-    const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
-    const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0), one = I::broadcast(1);
-    const integers narrow = both(right - left < limit, bottom - top < limit);
+    const triangle_boxes<count> boxes(x, y);
+    const integers &narrow = boxes.narrow, &area = boxes.double_area, zero = I::broadcast(0), one = I::broadcast(1);
     const unsigned everyone = (1u << used) - 1, large = ~mask_bits(narrow) & everyone;
 
-    const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
     const auto within = [&](const integers& v, int least, int end) {
       return low_of(high_of(v, I::broadcast(least)), I::broadcast(end));
     };
-    const integers x_first = within((left + before) >> subpixel_bits, window.x_first, window.x_last),
-                   x_last = within((right + behind) >> subpixel_bits, window.x_first, window.x_last),
-                   y_first = within((top + before) >> subpixel_bits, window.y_first, window.y_last),
-                   y_last = within((bottom + behind) >> subpixel_bits, window.y_first, window.y_last);
+    const integers x_first = within(first_centre(boxes.left), window.x_first, window.x_last),
+                   x_last = within(last_centre(boxes.right), window.x_first, window.x_last),
+                   y_first = within(first_centre(boxes.top), window.y_first, window.y_last),
+                   y_last = within(last_centre(boxes.bottom), window.y_first, window.y_last);
 
-    const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     const integers flip = area < zero;
     const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
     const floats scale = F::broadcast(one_pixel) / to_float(turned(area)),
@@ -197,19 +193,18 @@ struct tile_painter {
 
   // Draws a triangle that is ready: its box row by row when it is small, else block by block.
   template <tile_test Test, class I>
-  IRG_INLINE void draw_ready(const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last) noexcept {
+  IRG_INLINE void draw_ready(const tile_triangle<I>& t, const cell_window& box) noexcept {
     constexpr int small_box = 2 * block_size;
     const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
-    if (x_last - x_first > small_box || y_last - y_first > small_box) {
-      if (tile_blocks<Test>(out, t, x_first, y_first, x_last, y_last, order.front_to_back, counts, before))
-        note_seen(t.place);
+    if (box.x_last - box.x_first > small_box || box.y_last - box.y_first > small_box) {
+      if (tile_blocks<Test>(out, t, box, counts, before, order.front_to_back)) note_seen(t.place);
       return;
     }
     if (order.front_to_back) {
       float farthest_key = beyond_everything;
       std::uint64_t touched = 0;
-      for (int by = y_first / block_size; by * block_size < y_last; ++by)
-        for (int bx = x_first / block_size; bx * block_size < x_last; ++bx) {
+      for (int by = box.y_first / block_size; by * block_size < box.y_last; ++by)
+        for (int bx = box.x_first / block_size; bx * block_size < box.x_last; ++bx) {
           farthest_key = lesser(farthest_key, out.farthest_key[by * blocks_across + bx]);
           touched |= std::uint64_t{1} << (by * blocks_across + bx);
         }
@@ -217,7 +212,7 @@ struct tile_painter {
       out.stale |= touched;
     }
     note_seen(t.place);
-    tile_rows<Test>(out, t, x_first, y_first, x_last, y_last, counts, before);
+    tile_rows<Test>(out, t, box, counts, before);
   }
 
   template <class I>
@@ -244,7 +239,7 @@ struct tile_painter {
       t.ramp[k] = I::ramp() * I::broadcast(g.right[k][i]);
     }
     broadcast_depths(t, g, i);
-    draw_ready<Test>(t, g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]);
+    draw_ready<Test>(t, {g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]});
   }
 
   // A triangle with long sides: 32-bit lanes where F fits them all over the tile, else doubles, which hold it exactly.
@@ -258,7 +253,6 @@ struct tile_painter {
     tile_triangles one = g;
     for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth_gain[k], order.sign);
     one.rest[i] = product(s.depth_rest, order.sign);
-    const int x = w.x_first - window.x_first, y = w.y_first - window.y_first;
     const auto draw = [&]<class I>(I) {
       tile_triangle<I> t;
       using integer = typename tile_triangle<I>::integer;
@@ -269,7 +263,8 @@ struct tile_painter {
         t.ramp[k] = lanes<I>::ramp() * lanes<I>::broadcast(t.right[k]);
       }
       broadcast_depths(t, one, i);
-      draw_ready<Test>(t, x, y, w.x_last - window.x_first, w.y_last - window.y_first);
+      draw_ready<Test>(t, {w.x_first - window.x_first, w.y_first - window.y_first, w.x_last - window.x_first,
+                           w.y_last - window.y_first});
     };
     const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
     if (fits_32_bits(coverage, whole, block_size))

@@ -58,9 +58,15 @@ constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::sp
                          const skip_options& skip) noexcept {
   stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
   stats.skipped = bins.skipped;
-  if (skip.occluded == skipping::off || std::is_constant_evaluated()) return;
+  if (skip.occluded == skipping::off) return;
   stats.skipped.occluded = bins.listed;
   for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
+}
+
+// Notes that none of a list is passed over.
+template <class T>
+IRG_INLINE constexpr void mark_all_seen(const tile_job<T>& job, std::span<const std::uint32_t> numbers) noexcept {
+  for (const std::uint32_t number : numbers) store_relaxed(job.workspace.seen[job.finder().source(number)], 1);
 }
 
 // The window of a tile without triangles and of those to its right; empty for one that has such a tile to its left:
@@ -152,6 +158,7 @@ struct zbuffer_tiles {
     if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
     visible_pixels pixels(w);
     const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    mark_all_seen(job, numbers);
     draw_counts counts = find_visible_plainly<Order, Test>(pixels, depth, numbers, job.finder(), w);
     counts.shaded =
         finish(visible_window{pixels.place.data(), pixels.key.data(), plain_sign<Order>, numbers, w}, job.finder());
@@ -180,7 +187,7 @@ constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile
                                   const E& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
   triangle_bins& bins = job.workspace.bins;
-  bin_triangles(bins, job.batches, job.mapping, grid, job.culling, job.skip, executor);
+  bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);
   job.workspace.seen.assign(bins.triangle_count, 0);
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {

@@ -10,11 +10,6 @@
 namespace irg {
 namespace detail {
 
-// The three vertices of what a number names.
-struct triangle_corners {
-  const screen_vertex* v[3];
-};
-
 // Finds triangles and pieces by their numbers.
 template <class T>
 struct triangle_finder {
@@ -39,14 +34,9 @@ struct triangle_finder {
     return is_piece(number) ? piece(number).source : number;
   }
   IRG_INLINE constexpr triangle_corners corners(std::uint32_t number) const noexcept {
-    if (is_piece(number)) {
-      const clipped_piece& p = piece(number);
-      return {{&p.v[0], &p.v[1], &p.v[2]}};
-    }
+    if (is_piece(number)) return corners_of(piece(number).v);
     const triangle_batch<T>& b = batch_of(number);
-    const auto& [v] = b.triangles[number - b.first_number];
-    const screen_vertex* screen = b.vertices->screen.data();
-    return {{screen + v[0], screen + v[1], screen + v[2]}};
+    return corners_of(b, number - b.first_number);
   }
 };
 
