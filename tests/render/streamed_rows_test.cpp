@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/render/detail/streamed_rows.hpp>
+#include <irg/render/detail/visible/streamed_rows.hpp>
 
 #include <doctest/doctest.h>
 

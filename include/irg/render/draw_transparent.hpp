@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <irg/colour/over.hpp>
-#include <irg/render/detail/transparent_kernel.hpp>
+#include <irg/render/detail/shade/transparent_kernel.hpp>
 #include <irg/render/draw_triangles.hpp>
 
 namespace irg {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/render/detail/attribute_kernel.hpp>
-#include <irg/render/detail/tile_driver.hpp>
+#include <irg/render/detail/shade/attribute_kernel.hpp>
+#include <irg/render/detail/visible/tile_driver.hpp>
 
 namespace irg {
 

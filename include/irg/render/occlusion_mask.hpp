@@ -12,8 +12,8 @@
 #include <irg/core/executor.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/detail/mask_query.hpp>
-#include <irg/render/detail/scratch_portion.hpp>
+#include <irg/render/detail/occlude/mask_query.hpp>
+#include <irg/render/detail/bin/scratch_portion.hpp>
 #include <irg/render/draw_depth.hpp>
 
 namespace irg {

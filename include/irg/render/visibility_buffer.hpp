@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
-#include <irg/render/detail/scratch_portion.hpp>
-#include <irg/render/detail/tile_shading.hpp>
+#include <irg/render/detail/bin/scratch_portion.hpp>
+#include <irg/render/detail/shade/tile_shading.hpp>
 #include <irg/render/draw_depth.hpp>
 
 namespace irg {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/render/detail/bin_kernel.hpp>
+#include <irg/render/detail/bin/bin_kernel.hpp>
 
 namespace irg {
 namespace detail {

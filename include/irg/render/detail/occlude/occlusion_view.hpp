@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include <irg/render/detail/block_mask.hpp>
-#include <irg/render/detail/mask_query.hpp>
-#include <irg/render/detail/object_culling.hpp>
-#include <irg/render/detail/scratch_portion.hpp>
+#include <irg/render/detail/occlude/block_mask.hpp>
+#include <irg/render/detail/occlude/mask_query.hpp>
+#include <irg/render/detail/project/object_culling.hpp>
+#include <irg/render/detail/bin/scratch_portion.hpp>
 
 namespace irg {
 namespace detail {

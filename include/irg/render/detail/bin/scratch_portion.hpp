@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <irg/render/detail/triangle_finder.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg {
 namespace detail {

@@ -10,9 +10,9 @@
 #include <irg/core/executor.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/triangle_batch.hpp>
-#include <irg/render/detail/streamed_rows.hpp>
-#include <irg/render/detail/tile_drawing.hpp>
-#include <irg/render/detail/visible_window.hpp>
+#include <irg/render/detail/visible/streamed_rows.hpp>
+#include <irg/render/detail/visible/tile_drawing.hpp>
+#include <irg/render/detail/visible/visible_window.hpp>
 
 namespace irg {
 

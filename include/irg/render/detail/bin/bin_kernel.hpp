@@ -14,8 +14,8 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/executor.hpp>
-#include <irg/render/detail/tile.hpp>
-#include <irg/render/detail/cull_kernel.hpp>
+#include <irg/render/detail/visible/tile.hpp>
+#include <irg/render/detail/bin/cull_kernel.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>

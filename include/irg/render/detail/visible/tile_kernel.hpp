@@ -10,7 +10,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <irg/render/detail/tile.hpp>
+#include <irg/render/detail/visible/tile.hpp>
 #include <irg/raster/draw_triangle.hpp>
 
 namespace irg {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include <irg/render/detail/tile_kernel.hpp>
-#include <irg/render/detail/triangle_finder.hpp>
+#include <irg/render/detail/visible/tile_kernel.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg {
 namespace detail {
