@@ -89,32 +89,18 @@ constexpr void circle_spans(const cell& centre, int radius, const cell_window& w
                           [r](std::int64_t dy) { return detail::floor_sqrt(r * r - dy * dy); });
 }
 
-/// Paints the pixels of the circle that lie in the window, each once.
+/// Paints the pixels of the circle, each once.
 /// exact   the cells of circle_midpoint
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_circle(R& raster, const cell& centre, int radius, const Paint& paint, const cell_window& window) {
-  circle_midpoint(centre, radius, intersect(window, window_of(raster)),
-                  [&](const cell& c) { paint_pixel(raster, c.x, c.y, paint); });
-}
-
-/// Paints the pixels of the circle, each once.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void draw_circle(R& raster, const cell& centre, int radius, const Paint& paint) {
-  draw_circle(raster, centre, radius, paint, window_of(raster));
-}
-
-/// Paints the pixels of the disc that lie in the window, each once.
-/// exact   the spans of circle_spans
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void fill_circle(R& raster, const cell& centre, int radius, const Paint& paint, const cell_window& window) {
-  circle_spans(centre, radius, intersect(window, window_of(raster)),
-               [&](const span_of_cells& s) { fill_span(raster, s, paint); });
+  circle_midpoint(centre, radius, window_of(raster), [&](const cell& c) { paint_pixel(raster, c.x, c.y, paint); });
 }
 
 /// Paints the pixels of the disc, each once.
+/// exact   the spans of circle_spans
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void fill_circle(R& raster, const cell& centre, int radius, const Paint& paint) {
-  fill_circle(raster, centre, radius, paint, window_of(raster));
+  circle_spans(centre, radius, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI

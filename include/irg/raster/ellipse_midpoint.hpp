@@ -146,34 +146,20 @@ constexpr void ellipse_spans(const cell& centre, int radius_x, int radius_y, con
     detail::full_ellipse_spans<detail::int128>(centre, radius_x, radius_y, window, emit);
 }
 
-/// Paints the pixels of the ellipse that lie in the window, each once.
+/// Paints the pixels of the ellipse, each once.
 /// exact   the cells of ellipse_midpoint
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint,
-                            const cell_window& window) {
-  ellipse_midpoint(centre, radius_x, radius_y, intersect(window, window_of(raster)),
+constexpr void draw_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint) {
+  ellipse_midpoint(centre, radius_x, radius_y, window_of(raster),
                    [&](const cell& c) { paint_pixel(raster, c.x, c.y, paint); });
 }
 
-/// Paints the pixels of the ellipse, each once.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint) {
-  draw_ellipse(raster, centre, radius_x, radius_y, paint, window_of(raster));
-}
-
-/// Paints the pixels of the filled ellipse that lie in the window, each once.
+/// Paints the pixels of the filled ellipse, each once.
 /// exact   the spans of ellipse_spans
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void fill_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint,
-                            const cell_window& window) {
-  ellipse_spans(centre, radius_x, radius_y, intersect(window, window_of(raster)),
-                [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// Paints the pixels of the filled ellipse, each once.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void fill_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint) {
-  fill_ellipse(raster, centre, radius_x, radius_y, paint, window_of(raster));
+  ellipse_spans(centre, radius_x, radius_y, window_of(raster),
+                [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI
