@@ -182,7 +182,7 @@ bool walk_is_exact(const Walk& walk, const irg::detail::bresenham_frame& f, std:
   const std::int64_t aside = f.aside_at(first), last = first + walk.cells - 1, unit = inverse(f.m, f.n);
   bool right = walk.start == f.at(first, aside);
   const auto check = [&](std::int64_t step) {
-    const auto sum = walk.part + static_cast<irg::detail::line_uint128>(step - first) * walk.slope;
+    const auto sum = walk.part + static_cast<irg::detail::uint128>(step - first) * walk.slope;
     right = right && static_cast<std::int64_t>(sum >> bits) + aside == f.aside_at(step);
   };
   check(first);
@@ -245,7 +245,7 @@ TEST_CASE("draw_line: the lines on which the start of the walk in 32 bits has le
 
 TEST_CASE("draw_line: the walk in 64 bits on the lines that need its last units") {
   using namespace irg::detail;
-  using wide_uint = line_uint128;
+  using wide_uint = uint128;
   test::random random(18);
   constexpr std::int64_t cells = 2147483647;  // the widest window
   int lowest = 0;

@@ -88,13 +88,17 @@ constexpr bool fill_polygons(R& raster, const P& polygons, fill_rule rule, const
                              Workspace&& workspace = Workspace{}) {
   const std::size_t n = static_cast<std::size_t>(polygons.size());
   const cell_window w = window_of(raster);
-  const auto paint_one = [&](std::size_t i, const cell_window& part) {
-    return fill_polygon(within(raster, part), polygons[i], rule, detail::paint_at<R>(paints, i), workspace);
+  const auto paint_one = [&](auto& target, std::size_t i) {
+    return fill_polygon(target, polygons[i], rule, detail::paint_at<R>(paints, i), workspace);
   };
   workspace.bands.rows = detail::polygon_band_height(raster, polygons, n, w);
-  if (workspace.bands.rows > 0) return detail::for_each_in_band(polygons, n, w, workspace.bands, paint_one);
+  if (workspace.bands.rows > 0)
+    return detail::for_each_in_band(polygons, n, w, workspace.bands, [&](std::size_t i, const cell_window& band) {
+      const auto part = within(raster, band);
+      paint_one(part, i);
+    });
   bool all = true;
-  for (std::size_t i = 0; i < n; ++i) all = paint_one(i, w) && all;
+  for (std::size_t i = 0; i < n; ++i) all = paint_one(raster, i) && all;
   return all;
 }
 

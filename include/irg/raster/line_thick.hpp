@@ -29,11 +29,12 @@ inline namespace IRG_ABI {
 /// shape   one span per row: butt caps give the rectangle of the pen's width around the line, square caps one longer by
 ///         half the width at both ends, round caps all points within half the width of the line
 /// units   points in pixels, snapped to 1/256 pixel once; pixel (0, 0) has its centre at (128, 128) of these
-/// gives   false, and no call, when a position that is no cell cannot be snapped; else true. No call for a width of 0 or less, nor for a == b with butt caps; a == b gives a disc with round caps and a
-///         square along the axes with square caps
-/// exact   for all cells; decided without rounding; a centre exactly on the outline belongs to the line when the outline is a left or
-///         a level top edge there, so that lines which touch share no pixel and leave none out; the highest and the
-///         lowest point of a round cap do not belong to it
+/// gives   false, and no call, when a position that is no cell cannot be snapped; else true. No call for a width of 0
+///         or less, nor for a == b with butt caps; a == b gives a disc with round caps and a square along the axes with
+///         square caps
+/// exact   for all cells; decided without rounding; a centre exactly on the outline belongs to the line when the
+///         outline is a left or a level top edge there, so that lines which touch share no pixel and leave none out;
+///         the highest and the lowest point of a round cap do not belong to it
 /// cost    some twenty divisions per line, a dozen additions and, with round caps, two square roots per visible row;
 ///         divides in 128 bits when the end cells are out of reach of snap()
 template <ScreenPosition P, SpanSink Sink>
