@@ -83,7 +83,7 @@ void lines() {
     const irg::cell end{32 + static_cast<int>(std::floor(60 * irg::cos(angle))),
                         20 + static_cast<int>(std::floor(60 * irg::sin(angle)))};
     irg::draw_line(small, {32, 20}, end, pale);
-    irg::draw_line(small, {32, 20}, end, i % 2 ? blue : red, window);
+    irg::draw_line(irg::within(small, window), {32, 20}, end, i % 2 ? blue : red);
   }
   save("lines", enlarged(small, size));
 }
