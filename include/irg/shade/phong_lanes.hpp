@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Phong shading of a register of points at once: the light that phong_shader gives one by one, bit for bit. Lengths that
-// are not of moderate size are left to it.
+// Phong shading of a register of points at once: the light that phong_shader gives one by one, bit for bit. Lengths
+// that are not of moderate size are left to it.
 #pragma once
 
 #include <vector>
 
+#include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/shade/detail/direction_lanes.hpp>
 #include <irg/shade/shading.hpp>
@@ -35,21 +36,23 @@ public:
   /// cost    two roots and eight divisions a register for one light at infinity, and a few dozen products; N calls of
   ///         the shader where a vector's greatest coordinate is not from 2^-100 to 2^100
   template <int N>
-  IRG_INLINE rgb<pack<double, N>> operator()(const detail::triple<pack<double, N>>& p,
-                                             const detail::triple<pack<double, N>>& normal,
+  IRG_INLINE rgb<pack<double, N>> operator()(const triple_lanes<double, N>& p, const triple_lanes<double, N>& normal,
                                              unsigned needed = ~0u) const {
     using F = pack<double, N>;
     using f = lanes<F>;
     const point<double, 3>& eye = shader_.eye;
-    const detail::triple<F> to_eye{f::broadcast(eye.x) - p.x, f::broadcast(eye.y) - p.y, f::broadcast(eye.z) - p.z};
+    const triple_lanes<double, N> to_eye{f::broadcast(eye.x) - p.x, f::broadcast(eye.y) - p.y,
+                                         f::broadcast(eye.z) - p.z};
     typename f::mask moderate = detail::is_moderate(to_eye) & detail::is_moderate(normal);
     const F r = detail::length_of(to_eye);
-    const detail::triple<F> n = detail::divided(normal, detail::length_of(normal)), v = detail::divided(to_eye, r);
+    const triple_lanes<double, N> n = detail::divided(normal, detail::length_of(normal)),
+                                  v = detail::divided(to_eye, r);
     rgb<F> sum{f::broadcast(ambient_.r), f::broadcast(ambient_.g), f::broadcast(ambient_.b)};
     for (const prepared_light& l : lights_) {
-      detail::triple<F> to_light{f::broadcast(l.direction.x), f::broadcast(l.direction.y), f::broadcast(l.direction.z)};
+      triple_lanes<double, N> to_light{f::broadcast(l.direction.x), f::broadcast(l.direction.y),
+                                       f::broadcast(l.direction.z)};
       if (!l.at_infinity) {
-        const detail::triple<F> d = direction_from(l.source.position, p);
+        const triple_lanes<double, N> d = direction_from(l.source.position, p);
         moderate = moderate & detail::is_moderate(d);
         to_light = detail::divided(d, detail::length_of(d));
       }
@@ -66,29 +69,32 @@ private:
     bool at_infinity, dull;  // dull: no highlight
   };
 
-  template <class F>
-  IRG_INLINE static detail::triple<F> direction_from(const hpoint<double, 3>& s, const detail::triple<F>& p) noexcept {
-    using f = lanes<F>;
-    const F w = f::broadcast(s.w);
-    const detail::triple<F> d{f::broadcast(s.x) - w * p.x, f::broadcast(s.y) - w * p.y, f::broadcast(s.z) - w * p.z};
-    return s.w < 0 ? detail::triple<F>{-d.x, -d.y, -d.z} : d;
+  template <int N>
+  IRG_INLINE static triple_lanes<double, N> direction_from(const hpoint<double, 3>& s,
+                                                           const triple_lanes<double, N>& p) noexcept {
+    using f = lanes<pack<double, N>>;
+    const auto w = f::broadcast(s.w);
+    const triple_lanes<double, N> d{f::broadcast(s.x) - w * p.x, f::broadcast(s.y) - w * p.y,
+                                    f::broadcast(s.z) - w * p.z};
+    return s.w < 0 ? triple_lanes<double, N>{-d.x, -d.y, -d.z} : d;
   }
 
   // The bracket of reflected_light, times the light.
-  template <class F>
-  IRG_INLINE void add_light(rgb<F>& sum, const prepared_light& l, const detail::triple<F>& to_light,
-                            const detail::triple<F>& n, const detail::triple<F>& v, const F& r) const {
+  template <int N>
+  IRG_INLINE void add_light(rgb<pack<double, N>>& sum, const prepared_light& l, const triple_lanes<double, N>& to_light,
+                            const triple_lanes<double, N>& n, const triple_lanes<double, N>& v,
+                            const pack<double, N>& r) const {
+    using F = pack<double, N>;
     using f = lanes<F>;
     const F zero = f::broadcast(0), ln = detail::dot_of(to_light, n);
     const auto lit = zero < ln;
-    if (no_lane(lit)) {  // zeros are added, which changes no bit but a zero's sign
-      return;
-    }
+    if (no_lane(lit)) return;  // zeros would be added
     const F cosine = select(lit, ln, zero);
     F factor = zero;
     if (!l.dull) {
       const F twice = ln + ln;
-      const detail::triple<F> mirrored{n.x * twice - to_light.x, n.y * twice - to_light.y, n.z * twice - to_light.z};
+      const triple_lanes<double, N> mirrored{n.x * twice - to_light.x, n.y * twice - to_light.y,
+                                             n.z * twice - to_light.z};
       const F rv = detail::dot_of(mirrored, v);
       factor = select(both(lit, zero < rv), power_of(rv), zero);
     }
@@ -124,8 +130,8 @@ private:
   }
 
   template <int N>
-  IRG_NOINLINE rgb<pack<double, N>> one_by_one(const detail::triple<pack<double, N>>& p,
-                                               const detail::triple<pack<double, N>>& normal) const {
+  IRG_NOINLINE rgb<pack<double, N>> one_by_one(const triple_lanes<double, N>& p,
+                                               const triple_lanes<double, N>& normal) const {
     rgb<pack<double, N>> light;
     for (int i = 0; i < N; ++i) {
       const rgb<double> one = shader_({p.x[i], p.y[i], p.z[i]}, {normal.x[i], normal.y[i], normal.z[i]});

@@ -2,15 +2,10 @@
 // Lengths and dot products of registers of vectors, rounded as length and dot round those of one.
 #pragma once
 
+#include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
 
 namespace irg::detail {
-
-/// Three coordinates, a register of each.
-template <class F>
-struct triple {
-  F x, y, z;
-};
 
 /// A register of sums of two numbers.
 template <class F>
@@ -20,19 +15,20 @@ struct lane_sum {
 
 inline namespace IRG_ABI {
 
-template <class F>
-IRG_INLINE F dot_of(const triple<F>& a, const triple<F>& b) noexcept {
+template <int N>
+IRG_INLINE pack<double, N> dot_of(const triple_lanes<double, N>& a, const triple_lanes<double, N>& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-template <class F>
-IRG_INLINE triple<F> divided(const triple<F>& a, const F& by) noexcept {
+template <int N>
+IRG_INLINE triple_lanes<double, N> divided(const triple_lanes<double, N>& a, const pack<double, N>& by) noexcept {
   return {a.x / by, a.y / by, a.z / by};
 }
 
 /// Where length_of is right: the greatest coordinate is from 2^-100 to 2^100.
-template <class F>
-IRG_INLINE typename lanes<F>::mask is_moderate(const triple<F>& v) noexcept {
+template <int N>
+IRG_INLINE mask_of_lanes<double, N> is_moderate(const triple_lanes<double, N>& v) noexcept {
+  using F = pack<double, N>;
   using f = lanes<F>;
   const F x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z), most = f::broadcast(0x1p100);
   return (x <= most) & (y <= most) & (z <= most) & (f::broadcast(0x1p-100) <= high_of(x, high_of(y, z)));
@@ -66,8 +62,9 @@ IRG_INLINE lane_sum<F> sum_of(const lane_sum<F>& a, const lane_sum<F>& b) noexce
 
 /// The lengths of vectors of moderate size, as hypot of three.
 /// source  Borges 2019 (the correction of the root)
-template <class F>
-IRG_INLINE F length_of(const triple<F>& v) noexcept {
+template <int N>
+IRG_INLINE pack<double, N> length_of(const triple_lanes<double, N>& v) noexcept {
+  using F = pack<double, N>;
   const F x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z);
   const F xy = high_of(x, y), second = low_of(x, y), largest = high_of(xy, z), third = low_of(xy, z);
   const lane_sum<F> square = sum_of(sum_of(square_of(largest), square_of(second)), square_of(third));
