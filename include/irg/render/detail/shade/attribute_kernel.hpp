@@ -16,8 +16,6 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-#ifdef IRG_LANES_VECTOR
-
 template <class T, class Shading, class Colour>
 struct attribute_kernel {
   using setup = attribute_setup<T, Shading>;
@@ -38,11 +36,7 @@ struct attribute_kernel {
   std::vector<std::uint32_t> last_job{};  // by place: in job_list
 
   // What the N pixels from a place in the tile on show.
-  IRG_INLINE integers ids_at(int at) const noexcept {
-    integers ids;
-    std::memcpy(&ids.v, place_at + at, sizeof ids.v);
-    return ids;
-  }
+  IRG_INLINE integers ids_at(int at) const noexcept { return lanes<integers>::load_bytes(place_at + at); }
 
   // The registers of a tile's row.
   static constexpr int parts = tile_size / lane_count;
@@ -164,7 +158,7 @@ struct attribute_kernel {
     lanes<words>::store(to, select(where, set_up.shading.pixels(v), lanes<words>::load(to)));
   }
 
-  // Integers of up to 2^24 in floats, as their products are: whether these are fused with sums is of no account.
+  // Integers of up to 2^24 in floats, as their products are.
   IRG_INLINE void shade_small(std::uint32_t* words, const job_list& jobs, std::uint32_t k, const small_triangles& of,
                               std::size_t i, const floats (&row)[tile_size]) const noexcept {
     using F = lanes<floats>;
@@ -176,9 +170,8 @@ struct attribute_kernel {
     }
     for (int part = 0; part < parts; ++part)
       column[part] = F::ramp() + F::broadcast(static_cast<float>(part * lane_count));
-    shade_runs(words, jobs, k, share(of, i), [&](int e, int y, int part) {
-      return floats{f[e].v + down[e].v * row[y].v + right[e].v * column[part].v};
-    });
+    shade_runs(words, jobs, k, share(of, i),
+               [&](int e, int y, int part) { return f[e] + down[e] * row[y] + right[e] * column[part]; });
   }
   IRG_NOINLINE void shade_other(std::uint32_t* words, const job_list& jobs, std::uint32_t k) const {
     const uniform u = set_up.prepare(jobs.place[k]);
@@ -194,7 +187,8 @@ struct attribute_kernel {
       const std::uint32_t used = lesser(jobs.triangles - first, std::uint32_t{lane_count});
       integers number;
       for (std::uint32_t i = 0; i < lane_count; ++i)
-        number.v[i] = static_cast<std::int32_t>(set_up.numbers[jobs.place[first + lesser(i, used - 1)]]);
+        set_lane(number, static_cast<int>(i),
+                 static_cast<std::int32_t>(set_up.numbers[jobs.place[first + lesser(i, used - 1)]]));
       small_triangles group;
       const bool all_small = set_up.prepare_small(group, number);
       for (std::uint32_t i = 0; i < used; ++i) {
@@ -238,13 +232,13 @@ struct attribute_kernel {
       const int at = y * tile_stride + x;
       if (std::popcount(runs) > 2) {
         const integers ids = ids_at(at), nothing = ids == lanes<integers>::broadcast(-1);
-        const integers some = lanes<integers>::broadcast(ids.v[std::countr_zero(runs)]);
+        const integers some = lanes<integers>::broadcast(ids[std::countr_zero(runs)]);
         const integers met = gather<std::int32_t>(last_job.data(), select(nothing, some, ids));
         values v;
         if (mask_bits(met == lanes<integers>::broadcast(-1)) != 0 &&
             set_up.of_many(ids, ~mask_bits(nothing) & everyone, set_up.window.x_first + x, set_up.window.y_first + y,
                            v)) {
-          blend(words + at, integers{~nothing.v}, v);
+          blend(words + at, ~nothing, v);
           continue;
         }
       }
@@ -283,7 +277,7 @@ struct attribute_kernel {
   template <class One>
   IRG_INLINE static void for_each_triangle(const integers& ids, unsigned shown, One&& one) {
     std::int32_t id[static_cast<unsigned>(lane_count)];
-    std::memcpy(id, &ids.v, sizeof id);
+    lanes<integers>::store(id, ids);
     while (shown != 0) {
       const std::int32_t first = id[std::countr_zero(shown)];
       shown &= ~mask_bits(ids == lanes<integers>::broadcast(first));
@@ -337,8 +331,6 @@ struct attribute_kernel {
     }
   }
 };
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

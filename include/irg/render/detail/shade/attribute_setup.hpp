@@ -15,8 +15,6 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-#ifdef IRG_LANES_VECTOR
-
 template <class Shading, int N>
 concept LaneAttributeShading = requires(
     const Shading& s, const std::array<pack<float, N>, static_cast<std::size_t>(Shading::attribute_count)>& v) {
@@ -46,7 +44,7 @@ struct small_lanes {
     if (mask_bits(both(width < limit, height < limit)) != (1u << N) - 1) return false;
     const integers area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.y[1] - c.y[0]) * (c.x[2] - c.x[0]);
     flip = area < I::broadcast(0);
-    const auto turned = [&](const integers& v) { return integers{(v.v ^ flip.v) - flip.v}; };
+    const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
     scale = F::broadcast(one_pixel) / to_float(turned(area));
     unit = scale * F::broadcast(1.0f / one_pixel);
     for (int k = 0; k < 3; ++k) {
@@ -67,7 +65,7 @@ struct small_lanes {
     const integers zero = I::broadcast(0), pixel = I::broadcast(one_pixel), half = I::broadcast(half_pixel);
     const integers e = dx[k] * (row * pixel + half - c.y[p]) - dy[k] * (column * pixel + half - c.x[p]);
     const integers owns = (dy[k] < zero) | both(dy[k] == zero, zero < dx[k]);
-    const integers f{((e - I::broadcast(1)) - owns).v >> subpixel_bits};
+    const integers f = ((e - I::broadcast(1)) - owns) >> subpixel_bits;
     return {f, to_float(e - f * pixel) * unit};
   }
 
@@ -80,7 +78,7 @@ struct small_lanes {
     for (int j = 0; j < Shading::attribute_count; ++j) {
       floats at[3];
       for (int k = 0; k < 3; ++k) {
-        const integers word{c.vertex[k].v * Shading::attribute_count + j};
+        const integers word = c.vertex[k] * Shading::attribute_count + j;
         at[k] = gather<float>(front, word);
         if (front != back) at[k] = select(flip, at[k], gather<float>(back, word));
       }
@@ -153,7 +151,7 @@ struct attribute_setup {
     // F at the first pixel of the box, where nothing overflows, and from there at the tile's first.
     const auto first_of = [](const integers(&v)[3], int least, int most) {
       const integers low = low_of(low_of(v[0], v[1]), v[2]);
-      return low_of(high_of(integers{low.v >> subpixel_bits}, I::broadcast(least)), I::broadcast(most));
+      return low_of(high_of(low >> subpixel_bits, I::broadcast(least)), I::broadcast(most));
     };
     const integers column = first_of(s.c.x, window.x_first, window.x_last),
                    row = first_of(s.c.y, window.y_first, window.y_last);
@@ -180,7 +178,7 @@ struct attribute_setup {
   // gives   false when they are not all small triangles of one batch
   IRG_INLINE bool of_many(const integers& ids, unsigned shown, int x_first, int y, values& out) const noexcept {
     // A pixel that shows nothing takes another's triangle, which it may be far from: any finite number will do there.
-    const integers some = I::broadcast(ids.v[std::countr_zero(shown)]);
+    const integers some = I::broadcast(ids[std::countr_zero(shown)]);
     small_lanes<T, lane_count> s;
     if (!s.collect(find, gather<std::int32_t>(numbers.data(), select(ids == I::broadcast(-1), some, ids))))
       return false;
@@ -200,8 +198,6 @@ struct attribute_setup {
     return true;
   }
 };
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

@@ -206,13 +206,11 @@ struct gouraud_pixels {
   IRG_INLINE constexpr auto pixel(const std::array<float, 3>& light) const noexcept {
     return Output{}({light[0], light[1], light[2]});
   }
-#ifdef IRG_LANES_VECTOR
   template <int N>
     requires std::same_as<Output, encoded_light>
   IRG_INLINE pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 3>& light) const noexcept {
     return encode_lanes(light[0], light[1], light[2]);
   }
-#endif
 };
 
 // Makes the pixel shaders of Phong's style.
