@@ -36,7 +36,7 @@ template <class R>
 constexpr bool draws_the_cells(R& raster, cell a, cell b, cell_window w, line_options options = {}) {
   using pixel = irg::pixel_of<R>;
   const std::vector<cell> expected = cells_in(raster, a, b, w, options);
-  irg::draw_line(raster, a, b, pixel(1), w, options);
+  irg::draw_line(irg::within(raster, w), a, b, pixel(1), options);
   bool right = true;
   for (const cell c : expected) {
     right = right && irg::get_pixel(raster, c.x, c.y) == pixel(1);
@@ -98,13 +98,13 @@ public:
     unsigned char* const first = memory_.data() + (upwards ? (height - 1) * 64 : 0);
     irg::image_view<unsigned char> view(first, width, height, upwards ? -64 : 64);
     const cell_window inner{2, 2, width - 1, height - 1};
-    irg::draw_line(view, from, to, 1, inner, options);
+    irg::draw_line(irg::within(view, inner), from, to, 1, options);
     const auto clear = [&](const unsigned char& there) -> unsigned char {
       const auto at = static_cast<int>(&there - first), row = (at + 64 * height) / 64 - height, x = at - 64 * row;
       emit(there == 1 ? cell{x - 2 + w.x_first, (upwards ? -row : row) - 2 + w.y_first} : nowhere);
       return 0;
     };
-    irg::draw_line(view, from, to, clear, inner, options);
+    irg::draw_line(irg::within(view, inner), from, to, clear, options);
     for (int i = 0; i < 64 * height; i += 64)
       if (std::memcmp(memory_.data() + i, blank_.data(), 64) != 0) emit(nowhere);
   }
@@ -182,7 +182,7 @@ bool walk_is_exact(const Walk& walk, const irg::detail::bresenham_frame& f, std:
   const std::int64_t aside = f.aside_at(first), last = first + walk.cells - 1, unit = inverse(f.m, f.n);
   bool right = walk.start == f.at(first, aside);
   const auto check = [&](std::int64_t step) {
-    const auto sum = walk.part + static_cast<irg::detail::line_uint128>(step - first) * walk.slope;
+    const auto sum = walk.part + static_cast<irg::detail::uint128>(step - first) * walk.slope;
     right = right && static_cast<std::int64_t>(sum >> bits) + aside == f.aside_at(step);
   };
   check(first);
@@ -245,7 +245,7 @@ TEST_CASE("draw_line: the lines on which the start of the walk in 32 bits has le
 
 TEST_CASE("draw_line: the walk in 64 bits on the lines that need its last units") {
   using namespace irg::detail;
-  using wide_uint = line_uint128;
+  using wide_uint = uint128;
   test::random random(18);
   constexpr std::int64_t cells = 2147483647;  // the widest window
   int lowest = 0;
@@ -428,7 +428,7 @@ TEST_CASE("draw_line: a function paint is called once per cell, in the order fro
 TEST_CASE("draw_line: L1 to L4, L7, L8, L10 to L12, hostile lines and windows") {
   constexpr auto count = [](cell a, cell b, int width, int height, cell_window w, line_options options = {}) {
     irg::image<int> image(width, height);
-    irg::draw_line(image, a, b, 1, w, options);
+    irg::draw_line(irg::within(image, w), a, b, 1, options);
     int n = 0;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) n += image(x, y);

@@ -168,7 +168,7 @@ TEST_CASE("convex_coverage: no window changes a pixel within it") {
       const cell_window w{x, y, static_cast<int>(r.integer(0, 18)), static_cast<int>(r.integer(0, 14))};
       const coverages part = by_spans(p, 18, 14, w);
       irg::image<irg::rgba8> four(18, 14, {0, 0, 0, 0});
-      irg::fill_convex_aa(four, p, {255, 255, 255, 255}, w);
+      irg::fill_convex_aa(irg::within(four, w), p, {255, 255, 255, 255});
       for (int v = 0; v < 14; ++v)
         for (int u = 0; u < 18; ++u) {
           const bool in = u >= w.x_first && u < w.x_last && v >= w.y_first && v < w.y_last;

@@ -525,7 +525,7 @@ TEST_CASE("fill_convex: a blend function is called once for each pixel, and sees
 
 constexpr int sum_of_filled() {
   irg::image<irg::rgba8> image(9, 9, {0, 0, 0, 0});
-  irg::fill_convex(image, octagon, {3, 1, 4, 1}, {0, 0, 9, 5});
+  irg::fill_convex(irg::within(image, {0, 0, 9, 5}), octagon, {3, 1, 4, 1});
   irg::fill_triangle(image, subpixel{0, 0}, subpixel{512, 0}, subpixel{0, 512}, {100, 0, 0, 0});
   int n = 0;
   for (int y = 0; y < 9; ++y)
@@ -539,7 +539,7 @@ TEST_CASE("fill_convex, fill_triangle: in constant evaluation as at run time") {
   CHECK(
       !irg::fill_triangle(image, point_f{0, 0}, point_f{9, std::numeric_limits<float>::quiet_NaN()}, point_f{0, 9}, 1));
   CHECK(image == irg::image<int>(9, 9, 0));
-  CHECK(irg::fill_triangle(image, point_d{0, 0}, point_d{9, 0}, point_d{0, 9}, 1, {0, 0, 1, 9}));
+  CHECK(irg::fill_triangle(irg::within(image, {0, 0, 1, 9}), point_d{0, 0}, point_d{9, 0}, point_d{0, 9}, 1));
   CHECK(image(0, 0) == 1);
   CHECK(image(1, 0) == 0);
 }
@@ -548,7 +548,7 @@ TEST_CASE("fill_convex: rasters of no size, one pixel, and a window beyond the r
   irg::image<int> none(0, 0), flat(7, 0), pixel(1, 1, 0);
   CHECK(irg::fill_convex(none, square, 1));
   CHECK(irg::fill_convex(flat, square, 1));
-  CHECK(irg::fill_convex(pixel, square, 1, {-1000, -1000, 1000, 1000}));
+  CHECK(irg::fill_convex(irg::within(pixel, {-1000, -1000, 1000, 1000}), square, 1));
   CHECK(pixel(0, 0) == 1);
 }
 

@@ -289,7 +289,8 @@ TEST_CASE("fill_convex_textbook: paints rasters of any pixel type, keeps the gap
   irg::image_view<int> view(memory.data() + 4, 12, 10, 20 * static_cast<std::ptrdiff_t>(sizeof(int)));
   const std::array<cell, 4> large{cell{-40, 5}, cell{6, 60}, cell{60, 5}, cell{6, -60}};
   irg::fill_convex_textbook(view, large, sample_rule::course, 7);
-  irg::fill_convex_textbook(view, large, sample_rule::course, [](int there) { return there + 1; }, {2, 3, 40, 5});
+  irg::fill_convex_textbook(irg::within(view, {2, 3, 40, 5}), large, sample_rule::course,
+                            [](int there) { return there + 1; });
   for (int i = 0; i < 20 * 12; ++i) {
     const int x = i % 20 - 4, y = i / 20;
     const bool in = x >= 0 && x < 12 && y < 10, twice = in && x >= 2 && y >= 3 && y < 5;

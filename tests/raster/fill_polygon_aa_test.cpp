@@ -272,11 +272,11 @@ TEST_CASE("fill_polygon_aa: any pixel type, a function once for each pixel, and 
     std::vector<irg::rgba8> memory(stride * rows, {7, 7, 7, 7});
     irg::image_view<irg::rgba8> view(memory.data() + stride + 2, 10, 8,
                                      stride * static_cast<std::ptrdiff_t>(sizeof(irg::rgba8)));
-    irg::fill_polygon_aa(view, p, fill_rule::even_odd, {250, 0, 9, 255}, {-5, -5, 99, 99}, workspace);
+    irg::fill_polygon_aa(irg::within(view, {-5, -5, 99, 99}), p, fill_rule::even_odd, {250, 0, 9, 255}, workspace);
     irg::image<int> calls(10, 8, 0);
     irg::image<double> depth(10, 8, 1.0);
     irg::fill_polygon_aa(calls, p, fill_rule::even_odd, [](int there, std::uint8_t k) { return there + 1000 + k; });
-    irg::fill_polygon_aa(depth, p, fill_rule::even_odd, 3.0, {0, 0, 10, 8}, workspace);
+    irg::fill_polygon_aa(irg::within(depth, {0, 0, 10, 8}), p, fill_rule::even_odd, 3.0, workspace);
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < stride; ++x) {
         const bool in = x >= 2 && x < 12 && y >= 1 && y < 9;

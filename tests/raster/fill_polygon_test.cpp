@@ -310,7 +310,7 @@ TEST_CASE("fill_polygon: guard bytes, any pixel type, a blend function called on
     ++calls;
     return there + 0.5f;
   };
-  CHECK(irg::fill_polygon(image, pentagram, fill_rule::non_zero, blend, {0, 0, 20, 12}, workspace));
+  CHECK(irg::fill_polygon(irg::within(image, {0, 0, 20, 12}), pentagram, fill_rule::non_zero, blend, workspace));
   CHECK(calls == pixel_count(pentagram, fill_rule::non_zero, {0, 0, 20, 12}));
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x) CHECK((image(x, y) == 0.0f || (image(x, y) == 0.5f && y < 12)));
@@ -323,7 +323,7 @@ constexpr int sum_of_filled() {
   irg::image<int> image(9, 9, 0);
   irg::fill_polygon(image, other_way, fill_rule::non_zero, 3);
   const subpixel pair[2][3] = {{{0, 0}, {512, 0}, {0, 512}}, {{1024, 1024}, {1536, 1024}, {1024, 1536}}};
-  irg::fill_polygon(image, pair, fill_rule::even_odd, 100, {0, 0, 9, 9});
+  irg::fill_polygon(irg::within(image, {0, 0, 9, 9}), pair, fill_rule::even_odd, 100);
   int n = 0;
   for (int y = 0; y < 9; ++y)
     for (int x = 0; x < 9; ++x) n += image(x, y);

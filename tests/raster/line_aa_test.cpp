@@ -415,7 +415,7 @@ TEST_CASE("draw_line_aa: the sink form's coverages, mixed, and no byte outside t
     const irg::rgba8 colour{static_cast<std::uint8_t>(random.integer(0, 255)), 200, 30, 255};
     const auto side = [&] { return static_cast<int>(random.integer(-2, 42)); };
     const cell_window w = i % 2 == 0 ? irg::window_of(view) : cell_window{side(), side(), side(), side()};
-    REQUIRE(irg::draw_line_aa(view, a, b, colour, w, o));
+    REQUIRE(irg::draw_line_aa(irg::within(view, w), a, b, colour, o));
     REQUIRE(irg::line_aa(
         a, b, irg::intersect(w, irg::window_of(by_hand)),
         [&](const irg::coverage_span& s) {

@@ -315,8 +315,8 @@ TEST_CASE("draw_line_subpixel: paints those pixels, by value or by function, and
   constexpr auto sum = [] {
     irg::image<int> image(5, 3);
     irg::draw_line_subpixel(image, subpixel{-512, 128}, {1152, 640}, 1);
-    irg::draw_line_subpixel(
-        image, subpixel{-512, 128}, {1152, 640}, [](int there) { return there + 2; }, cell_window{0, -9, 1, 9});
+    irg::draw_line_subpixel(irg::within(image, {0, -9, 1, 9}), subpixel{-512, 128}, {1152, 640},
+                            [](int there) { return there + 2; });
     irg::draw_line_subpixel(image, irg::point<float, 2>{4.5f, 0.0f}, irg::point<float, 2>{4.5f, 1.0f}, 7);
     int n = 0;
     for (int y = 0; y < 3; ++y)
@@ -333,8 +333,8 @@ TEST_CASE("draw_line_subpixel: paints those pixels, by value or by function, and
   test::framed_raster<std::uint8_t> framed;
   auto& view = framed.view;
   irg::draw_line_subpixel(view, subpixel{-9999, -7777}, {9999, 8888}, std::uint8_t{1});
-  irg::draw_line_subpixel(view, irg::point<double, 2>{-50, 40}, irg::point<double, 2>{50, -30}, std::uint8_t{1},
-                          cell_window{-100, -100, 100, 100});
+  irg::draw_line_subpixel(irg::within(view, {-100, -100, 100, 100}), irg::point<double, 2>{-50, 40},
+                          irg::point<double, 2>{50, -30}, std::uint8_t{1});
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 10);
 }

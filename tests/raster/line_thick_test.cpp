@@ -355,9 +355,9 @@ TEST_CASE("draw_line_thick: paints by value or function, each pixel once, and no
   test::framed_raster<float> framed;
   auto& view = framed.view;
   const cell_window beyond{-100, -100, 100, 100};
-  irg::draw_line_thick(view, subpixel{-9999, -7777}, subpixel{9999, 8888}, {.width = 700, .caps = line_caps::round},
-                       1.0f, beyond);
-  irg::draw_line_thick(view, cell{least, 3}, cell{most, 6}, {.width = 256}, 1.0f, beyond);
+  irg::draw_line_thick(irg::within(view, beyond), subpixel{-9999, -7777}, subpixel{9999, 8888},
+                       {.width = 700, .caps = line_caps::round}, 1.0f);
+  irg::draw_line_thick(irg::within(view, beyond), cell{least, 3}, cell{most, 6}, {.width = 256}, 1.0f);
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 20);
 }

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/render/detail/attribute_kernel.hpp>
-#include <irg/render/detail/tile_driver.hpp>
+#include <irg/render/detail/shade/attribute_kernel.hpp>
+#include <irg/render/detail/visible/tile_driver.hpp>
 
 namespace irg {
 
@@ -35,15 +35,15 @@ struct colour_tiles {
 
   // The pixels of a window; returns how many show a triangle. Not inlined: one copy for all hidden-surface methods.
   IRG_NOINLINE constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const {
-#ifdef IRG_LANES_VECTOR
     if (!std::is_constant_evaluated()) {
+#ifdef IRG_LANES_VECTOR
       if constexpr (AttributeShading<MakeShader, triangle_batch<T>>)
         return attribute_kernel<T, MakeShader, Colour>{
             v.place, {find, v.numbers, v.window, make_shader}, colour, background}();
+#endif
       if (background != nullptr) clear(v.window);
       return shade_by_triangle<T, MakeShader>{v, find, make_shader}.template in_lanes<pack<float, tile_lanes>>(colour);
     }
-#endif
     if (background != nullptr) clear(v.window);
     return shade_by_triangle<T, MakeShader>{v, find, make_shader}.template in_lanes<float>(colour);
   }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <irg/raster/draw_triangle.hpp>
-#include <irg/render/detail/mask_query.hpp>
-#include <irg/render/detail/tile.hpp>
+#include <irg/render/detail/occlude/mask_query.hpp>
+#include <irg/render/detail/visible/tile.hpp>
 
 namespace irg {
 namespace detail {

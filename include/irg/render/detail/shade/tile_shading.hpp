@@ -8,7 +8,7 @@
 
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/render/attribute_shading.hpp>
-#include <irg/render/detail/visible_window.hpp>
+#include <irg/render/detail/visible/visible_window.hpp>
 
 namespace irg {
 namespace detail {

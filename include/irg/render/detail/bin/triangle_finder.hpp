@@ -3,18 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <span>
 
-#include <irg/render/detail/bin_kernel.hpp>
+#include <irg/render/detail/bin/bin_kernel.hpp>
 
 namespace irg {
 namespace detail {
-
-// The three vertices of what a number names.
-struct triangle_corners {
-  const screen_vertex* v[3];
-};
 
 // Finds triangles and pieces by their numbers.
 template <class T>
@@ -40,20 +34,13 @@ struct triangle_finder {
     return is_piece(number) ? piece(number).source : number;
   }
   IRG_INLINE constexpr triangle_corners corners(std::uint32_t number) const noexcept {
-    if (is_piece(number)) {
-      const clipped_piece& p = piece(number);
-      return {{&p.v[0], &p.v[1], &p.v[2]}};
-    }
+    if (is_piece(number)) return corners_of(piece(number).v);
     const triangle_batch<T>& b = batch_of(number);
-    const auto& [v] = b.triangles[number - b.first_number];
-    const screen_vertex* screen = b.vertices->screen.data();
-    return {{screen + v[0], screen + v[1], screen + v[2]}};
+    return corners_of(b, number - b.first_number);
   }
 };
 
 inline namespace IRG_ABI {
-
-#ifdef IRG_LANES_VECTOR
 
 // The corners of N triangles or pieces, a lane each.
 template <int N>
@@ -66,11 +53,7 @@ struct corner_lanes {
   template <class T>
   IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const std::uint32_t* numbers,
                                               int used) noexcept {
-    if (used == N) {
-      integers all;
-      std::memcpy(&all.v, numbers, sizeof all.v);
-      return collect(find, all);
-    }
+    if (used == N) return collect(find, lanes<integers>::load_bytes(numbers));
     return collect(
         find, gather<std::int32_t>(numbers, low_of(lanes<integers>::ramp(), lanes<integers>::broadcast(used - 1))));
   }
@@ -79,11 +62,11 @@ struct corner_lanes {
   template <class T>
   IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const integers& number) noexcept {
     using I = lanes<integers>;
-    const auto first = static_cast<std::uint32_t>(number.v[0]);
+    const auto first = static_cast<std::uint32_t>(number[0]);
     if (!find.is_piece(first)) {
       const triangle_batch<T>& batch = find.batch_of(first);
       const auto base = static_cast<std::int32_t>(batch.first_number);
-      const integers i{number.v - base};
+      const integers i = number - base;
       if (mask_bits(both(i >= I::broadcast(0), i < I::broadcast(static_cast<std::int32_t>(batch.triangles.size())))) ==
           (1u << N) - 1) {
         collect_indexed(batch, i);
@@ -91,12 +74,12 @@ struct corner_lanes {
       }
     }
     for (int i = 0; i < N; ++i) {
-      const triangle_corners c = find.corners(static_cast<std::uint32_t>(number.v[i]));
+      const triangle_corners c = find.corners(static_cast<std::uint32_t>(number[i]));
       for (int k = 0; k < 3; ++k) {
-        x[k].v[i] = c.v[k]->position.x;
-        y[k].v[i] = c.v[k]->position.y;
-        depth[k].v[i] = c.v[k]->depth;
-        inverse_w[k].v[i] = c.v[k]->inverse_w;
+        set_lane(x[k], i, c.v[k]->position.x);
+        set_lane(y[k], i, c.v[k]->position.y);
+        set_lane(depth[k], i, c.v[k]->depth);
+        set_lane(inverse_w[k], i, c.v[k]->inverse_w);
       }
     }
     return nullptr;
@@ -106,9 +89,9 @@ private:
   template <class T>
   IRG_INLINE void collect_indexed(const triangle_batch<T>& batch, const integers& triangle) noexcept {
     const triangle_indices* of[static_cast<unsigned>(N)];
-    for (int i = 0; i < N; ++i) of[i] = batch.triangles.data() + triangle.v[i];
+    for (int i = 0; i < N; ++i) of[i] = batch.triangles.data() + triangle[i];
     for (int k = 0; k < 3; ++k) {
-      vertex[k] = gather<std::int32_t>(batch.triangles.data(), integers{triangle.v * 3 + k});
+      vertex[k] = gather<std::int32_t>(batch.triangles.data(), triangle * 3 + k);
       const auto corner = load_vertices<N>(batch.vertices->screen.data(), [&](int i) { return of[i]->v[k]; });
       x[k] = corner.x;
       y[k] = corner.y;
@@ -117,8 +100,6 @@ private:
     }
   }
 };
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include <irg/render/detail/block_mask.hpp>
-#include <irg/render/detail/mask_query.hpp>
-#include <irg/render/detail/object_culling.hpp>
-#include <irg/render/detail/scratch_portion.hpp>
+#include <irg/render/detail/occlude/block_mask.hpp>
+#include <irg/render/detail/occlude/mask_query.hpp>
+#include <irg/render/detail/project/object_culling.hpp>
+#include <irg/render/detail/bin/scratch_portion.hpp>
 
 namespace irg {
 namespace detail {
@@ -98,10 +98,10 @@ constexpr void add_occluder(occlusion_view<T>& v, std::span<const point<T, 3>> p
   if (v.mask.layer.empty()) clear_block_mask(v.mask, v.width, v.height, v.sign, v.farthest);
   project_vertices<T>(v.vertices, positions, v.to_clip, v.mapping);
   const triangle_batch<T> batch{&v.vertices, triangles, 0};
-  const picture_tiles grid(v.width, v.height);
-  bin_portion scratch = scratch_portion(grid);
+  const listing_rules<T> rules{v.mapping, {v.width, v.height}, culling};
+  bin_portion scratch = scratch_portion(rules.grid);
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    list_and_draw(scratch, batch, i, v.mapping, grid, culling,
+    list_and_draw(scratch, batch, i, rules,
                   [&](const triangle_corners& c) { draw_block_mask(v.mask, *c.v[0], *c.v[1], *c.v[2]); });
 }
 

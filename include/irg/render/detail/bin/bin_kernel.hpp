@@ -9,14 +9,13 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/executor.hpp>
-#include <irg/render/detail/tile.hpp>
-#include <irg/render/detail/cull_kernel.hpp>
+#include <irg/render/detail/visible/tile.hpp>
+#include <irg/render/detail/bin/cull_kernel.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/screen_pieces.hpp>
@@ -24,6 +23,24 @@
 
 namespace irg {
 namespace detail {
+
+// The three vertices of a triangle.
+struct triangle_corners {
+  const screen_vertex* v[3];
+};
+
+IRG_INLINE constexpr triangle_corners corners_of(const screen_vertex (&v)[3]) noexcept {
+  return {{&v[0], &v[1], &v[2]}};
+}
+
+// The vertices of a batch's triangle.
+// needs   indices of vertices that are there
+template <class T>
+IRG_INLINE constexpr triangle_corners corners_of(const triangle_batch<T>& batch, std::uint32_t i) noexcept {
+  const auto& [v] = batch.triangles[i];
+  const screen_vertex* screen = batch.vertices->screen.data();
+  return {{screen + v[0], screen + v[1], screen + v[2]}};
+}
 
 // A part of a source triangle that a clip plane left over.
 struct clipped_piece {
@@ -84,6 +101,15 @@ struct picture_tiles {
   }
 };
 
+// How triangles are listed.
+template <class T>
+struct listing_rules {
+  const screen_mapping<T>& mapping;
+  picture_tiles grid;
+  face_culling culling;
+  skip_options skip{};
+};
+
 inline namespace IRG_ABI {
 
 // Where the pieces of a portion are numbered from until the portions before it are known.
@@ -138,17 +164,18 @@ IRG_INLINE constexpr cell_window pixels_touched(const subpixel& a, const subpixe
 }
 
 // Lists one triangle, or says why not. Where tiny triangles are not skipped, they go through coverage to no effect.
-constexpr listing list_triangle(bin_portion& p, std::uint32_t number, const screen_vertex& a, const screen_vertex& b,
-                                const screen_vertex& c, std::int64_t area, const picture_tiles& grid,
-                                skipping skip_tiny) {
-  cell_window box = centres_within(a.position, b.position, c.position);
+template <class T>
+constexpr listing list_triangle(bin_portion& p, std::uint32_t number, const triangle_corners& corners,
+                                std::int64_t area, const listing_rules<T>& rules) {
+  const subpixel &a = corners.v[0]->position, &b = corners.v[1]->position, &c = corners.v[2]->position;
+  cell_window box = centres_within(a, b, c);
   if (area == 0 || box.empty()) {
-    if (skip_tiny == skipping::on) return listing::tiny;
-    box = pixels_touched(a.position, b.position, c.position);
+    if (rules.skip.tiny == skipping::on) return listing::tiny;
+    box = pixels_touched(a, b, c);
   }
-  const cell_window seen = intersect(box, {0, 0, grid.width, grid.height});
+  const cell_window seen = intersect(box, {0, 0, rules.grid.width, rules.grid.height});
   if (seen.empty()) return listing::out_of_sight;
-  list_box(p, number, seen, grid);
+  list_box(p, number, seen, rules.grid);
   return listing::listed;
 }
 
@@ -162,27 +189,26 @@ IRG_INLINE constexpr void count_listing(bin_portion& p, listing fate, const skip
 // many pieces it comes to.
 template <class T>
 constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T, 3> (&corner)[3],
-                            const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
-                            const skip_options& skip) {
-  const screen_pieces pieces = clip_to_screen(corner, mapping, source);
-  if (pieces.outside) return count_listing(p, listing::out_of_sight, skip);
-  if (pieces.double_area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
+                            const listing_rules<T>& rules) {
+  const screen_pieces pieces = clip_to_screen(corner, rules.mapping, source);
+  if (pieces.outside) return count_listing(p, listing::out_of_sight, rules.skip);
+  if (pieces.double_area > 0 && rules.culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
   listing result = listing::tiny;
   for (const auto& [face, weights] : pieces) {
     const auto& [a, b, c] = face.v;
     const auto number = piece_bit | static_cast<std::uint32_t>(p.pieces.size());
-    const listing l = list_triangle(p, number, a, b, c, face.coverage.double_area, grid, skip.tiny);
-    if (l == listing::listed) p.pieces.push_back({{a, b, c}, weights, source});
+    const clipped_piece piece{{a, b, c}, weights, source};
+    const listing l = list_triangle(p, number, corners_of(piece.v), face.coverage.double_area, rules);
+    if (l == listing::listed) p.pieces.push_back(piece);
     result = greater(result, l);
   }
-  count_listing(p, result, skip);
+  count_listing(p, result, rules.skip);
 }
 
 // One triangle of a portion.
 template <class T>
 constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uint32_t i, std::uint32_t number,
-                        const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
-                        const skip_options& skip) {
+                        const listing_rules<T>& rules) {
   if (!has_vertices(batch, i)) return;
   const auto [a, b, c] = batch.triangles[i].v;
   const projected_vertices<T>& v = *batch.vertices;
@@ -190,18 +216,15 @@ constexpr void list_one(bin_portion& p, const triangle_batch<T>& batch, std::uin
   // Beyond one plane with all corners. Where clipping comes first, its rounding has a say in where the triangle
   // lands, and only the depth planes, by which it decides itself, are sure to change nothing.
   const clip_planes sure = any.cut == 0 ? clip_planes::all : clip_planes::depth;
-  if (skip.frustum == skipping::on && overlap(all.outside_planes(), sure))
+  if (rules.skip.frustum == skipping::on && overlap(all.outside_planes(), sure))
     return static_cast<void>(++p.skipped.frustum);
   if (any.cut != 0)
-    return list_clipped<T>(p, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, mapping, grid,
-                           culling, skip);
-  const screen_vertex &va = v.screen[a], &vb = v.screen[b], &vc = v.screen[c];
-  const std::int64_t area = signed_double_area(va.position, vb.position, vc.position);
-  if (area > 0 && culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
-  count_listing(p, list_triangle(p, number, va, vb, vc, area, grid, skip.tiny), skip);
+    return list_clipped<T>(p, number, {clip_position(v, a), clip_position(v, b), clip_position(v, c)}, rules);
+  const triangle_corners on_screen{{&v.screen[a], &v.screen[b], &v.screen[c]}};
+  const std::int64_t area = signed_double_area(v.screen[a].position, v.screen[b].position, v.screen[c].position);
+  if (area > 0 && rules.culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
+  count_listing(p, list_triangle(p, number, on_screen, area, rules), rules.skip);
 }
-
-#ifdef IRG_LANES_VECTOR
 
 // The tiles that the boxes of a group lie in, as far as each lies in one.
 template <int N>
@@ -214,32 +237,31 @@ struct group_tiles {
     using I = lanes<integers>;
     constexpr int shift = std::countr_zero(static_cast<unsigned>(tile_size));
     const integers x_first = I::load(group.x_first), y_first = I::load(group.y_first), x_last = I::load(group.x_last),
-                   y_last = I::load(group.y_last), tile_x{x_first.v >> shift}, tile_y{y_first.v >> shift};
-    one = group.listed &
-          mask_bits(both(integers{(x_last.v - 1) >> shift} == tile_x, integers{(y_last.v - 1) >> shift} == tile_y));
+                   y_last = I::load(group.y_last), tile_x = x_first >> shift, tile_y = y_first >> shift;
+    one = group.listed & mask_bits(both((x_last - 1) >> shift == tile_x, (y_last - 1) >> shift == tile_y));
     const integers place = tile_y * I::broadcast(across) + tile_x, pixels = (x_last - x_first) * (y_last - y_first);
-    std::memcpy(tile, &place.v, sizeof tile);
-    std::memcpy(area, &pixels.v, sizeof area);
+    I::store_bytes(tile, place);
+    I::store_bytes(area, pixels);
   }
 };
 
 // The triangles of a portion, a register at a time; returns the first that is left to do.
 template <class T>
-IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
-                                       const picture_tiles& grid, face_culling culling, const skip_options& skip) {
+IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& batch, const listing_rules<T>& rules) {
+  const picture_tiles& grid = rules.grid;
   constexpr std::uint32_t count = native_lanes<std::int32_t>, vertices_ahead = 64, indices_ahead = 448;
   const cull_kernel<static_cast<int>(count)> kernel{batch.vertices->screen.data(),
                                                     batch.vertices->codes.data(),
                                                     static_cast<std::int32_t>(batch.vertices->screen.size()),
                                                     batch.vertices->any,
                                                     {0, 0, grid.width, grid.height},
-                                                    culling};
+                                                    rules.culling};
   std::uint32_t i = p.first;
   for (; i + count <= p.last; i += count) {
     const triangle_indices* const t = batch.triangles.data() + i;
     if (i + vertices_ahead + count <= p.last) kernel.fetch_ahead(t + vertices_ahead);
     if (i + indices_ahead + count <= p.last) kernel.fetch_indices(t + indices_ahead);
-    const auto group = kernel(t, skip);
+    const auto group = kernel(t, rules.skip);
     p.skipped += group.skipped;
     if ((group.listed | group.special) == 0) continue;
     p.listed += std::popcount(group.listed);
@@ -252,7 +274,7 @@ IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& 
         continue;
       }
       if ((group.special >> k & 1) != 0)
-        list_one(p, batch, i + k, batch.first_number + i + k, mapping, grid, culling, skip);
+        list_one(p, batch, i + k, batch.first_number + i + k, rules);
       else
         list_box(p, batch.first_number + i + k, group.box(k), grid);
       reserve_entries(p, count);
@@ -261,20 +283,15 @@ IRG_INLINE std::uint32_t fill_in_lanes(bin_portion& p, const triangle_batch<T>& 
   return i;
 }
 
-#endif
-
 // All triangles of a portion; in lanes where they can be.
 template <class T>
-constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const screen_mapping<T>& mapping,
-                            const picture_tiles& grid, face_culling culling, const skip_options& skip) {
-  p.of_tile.assign(grid.count(), tile_share{});
+constexpr void fill_portion(bin_portion& p, const triangle_batch<T>& batch, const listing_rules<T>& rules) {
+  p.of_tile.assign(rules.grid.count(), tile_share{});
   p.entry_count = 0;
   p.pieces.clear();
   std::uint32_t i = p.first;
-#ifdef IRG_LANES_VECTOR
-  if (!std::is_constant_evaluated()) i = fill_in_lanes(p, batch, mapping, grid, culling, skip);
-#endif
-  for (; i < p.last; ++i) list_one(p, batch, i, batch.first_number + i, mapping, grid, culling, skip);
+  if (!std::is_constant_evaluated()) i = fill_in_lanes(p, batch, rules);
+  for (; i < p.last; ++i) list_one(p, batch, i, batch.first_number + i, rules);
 }
 
 // Lays the lists of all portions one after the other.
@@ -316,8 +333,7 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
 // Makes the lists of all tiles for the triangles of all batches.
 template <class T, class E>
 constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch<T>> batches,
-                             const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
-                             const skip_options& skip, const E& executor) {
+                             const listing_rules<T>& rules, const E& executor) {
   constexpr std::uint32_t portion = 1 << 15;
   std::size_t used = 0;
   bins.triangle_count = 0;
@@ -337,9 +353,9 @@ constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch
   bins.portions.resize(used);
   executor(used, [&](std::size_t i) {
     bin_portion& p = bins.portions[i];
-    fill_portion(p, batches[p.batch], mapping, grid, culling, skip);
+    fill_portion(p, batches[p.batch], rules);
   });
-  join_portions(bins, grid.count(), executor);
+  join_portions(bins, rules.grid.count(), executor);
 }
 
 }  // namespace IRG_ABI

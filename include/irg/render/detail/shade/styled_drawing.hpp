@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <irg/raster/image.hpp>
-#include <irg/render/detail/object_shading.hpp>
+#include <irg/render/detail/shade/object_shading.hpp>
 #include <irg/shade/intensity_range.hpp>
 
 namespace irg {

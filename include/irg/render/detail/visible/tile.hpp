@@ -10,7 +10,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include <irg/core/lanes.hpp>
@@ -47,8 +46,6 @@ inline constexpr float key_sign<drawing_order> = 1;
 
 inline namespace IRG_ABI {
 
-#ifdef IRG_LANES_VECTOR
-
 inline constexpr int tile_lanes = native_lanes<float>;
 
 // What pixels beside the picture hold: nothing is nearer, so they are never drawn to and never tested in earnest.
@@ -66,7 +63,7 @@ IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexc
       const auto key =
           select(inside, F::broadcast(row < height ? farthest : beyond_everything), F::broadcast(beyond_everything));
       F::store(t.key + row * tile_stride + k, key);
-      std::memcpy(t.id + row * tile_stride + k, &none.v, sizeof none.v);
+      lanes<pack<std::int32_t, tile_lanes>>::store_bytes(t.id + row * tile_stride + k, none);
     }
   for (int b = 0; b < blocks_across * blocks_across; ++b)
     t.farthest_key[b] = b % blocks_across * block_size < width && b / blocks_across * block_size < height
@@ -74,20 +71,6 @@ IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexc
                             : beyond_everything;
   t.farthest = farthest;
   t.stale = 0;
-}
-
-// The least of the lanes.
-template <int N>
-IRG_INLINE float least_of(const pack<float, N>& p) noexcept {
-  if constexpr (N > 4) {
-    pack<float, N / 2> half[2];
-    std::memcpy(half, &p.v, sizeof half);
-    return least_of(low_of(half[0], half[1]));
-  } else {
-    float least = p.v[0];
-    for (int i = 1; i < N; ++i) least = lesser(p.v[i], least);
-    return least;
-  }
 }
 
 // Reckons `farthest` anew.
@@ -112,8 +95,6 @@ IRG_INLINE void refresh_far(tile& t) noexcept {
   }
   refresh_farthest(t);
 }
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

@@ -9,7 +9,7 @@
 #include <span>
 
 #include <irg/render/attribute_shading.hpp>
-#include <irg/render/detail/tile_shading.hpp>
+#include <irg/render/detail/shade/tile_shading.hpp>
 
 namespace irg {
 namespace detail {

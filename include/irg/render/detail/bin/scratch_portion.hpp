@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <irg/render/detail/triangle_finder.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg {
 namespace detail {
@@ -20,24 +20,21 @@ constexpr bin_portion scratch_portion(const picture_tiles& grid) {
 // One triangle, culled and clipped: its pieces are those of `scratch`; without pieces it is whole if true is returned.
 template <class T>
 constexpr bool list_alone(bin_portion& scratch, const triangle_batch<T>& batch, std::uint32_t i,
-                          const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling) {
+                          const listing_rules<T>& rules) {
   scratch.entry_count = 0;
   scratch.pieces.clear();
-  list_one(scratch, batch, i, i, mapping, grid, culling, skip_options{});
+  list_one(scratch, batch, i, i, rules);
   return scratch.entry_count != 0;
 }
 
 // As above, given to draw(corners): piece by piece, or whole.
 template <class T, class Draw>
 constexpr void list_and_draw(bin_portion& scratch, const triangle_batch<T>& batch, std::uint32_t i,
-                             const screen_mapping<T>& mapping, const picture_tiles& grid, face_culling culling,
-                             const Draw& draw) {
-  const bool listed = list_alone(scratch, batch, i, mapping, grid, culling);
-  for (const clipped_piece& p : scratch.pieces) draw(triangle_corners{{&p.v[0], &p.v[1], &p.v[2]}});
+                             const listing_rules<T>& rules, const Draw& draw) {
+  const bool listed = list_alone(scratch, batch, i, rules);
+  for (const clipped_piece& p : scratch.pieces) draw(corners_of(p.v));
   if (!scratch.pieces.empty() || !listed) return;
-  const screen_vertex* screen = batch.vertices->screen.data();
-  const auto& [v] = batch.triangles[i];
-  draw(triangle_corners{{screen + v[0], screen + v[1], screen + v[2]}});
+  draw(corners_of(batch, i));
 }
 
 }  // namespace IRG_ABI

@@ -5,11 +5,10 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include <irg/core/lanes.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 #include <irg/raster/vertex_lanes.hpp>
-#include <irg/raster/window.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/triangle_batch.hpp>
 #include <irg/raster/window.hpp>
@@ -18,9 +17,27 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-#ifdef IRG_LANES_VECTOR
-
 static_assert(sizeof(triangle_indices) == 12);
+
+// Asks for the vertices that a triangle names. They may be beyond the array.
+IRG_INLINE void prefetch_vertices(const screen_vertex* screen, const triangle_indices& t) noexcept {
+  for (const std::uint32_t v : t.v) prefetch(screen, static_cast<std::ptrdiff_t>(std::size_t{v} * sizeof *screen));
+}
+
+// The boxes of N triangles on the screen, and twice their areas.
+template <int N>
+struct triangle_boxes {
+  using integers = pack<std::int32_t, N>;
+  integers left, right, top, bottom;
+  integers narrow;  // sides below 2^15, which leave the area within 31 bits and a sign; where not, it is of no account
+  integers double_area;
+
+  IRG_INLINE triangle_boxes(const integers (&x)[3], const integers (&y)[3]) noexcept
+      : left(low_of(low_of(x[0], x[1]), x[2])), right(high_of(high_of(x[0], x[1]), x[2])),
+        top(low_of(low_of(y[0], y[1]), y[2])), bottom(high_of(high_of(y[0], y[1]), y[2])),
+        narrow(both(right - left < (1 << 15), bottom - top < (1 << 15))),
+        double_area((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) {}
+};
 
 // What became of N triangles: one bit per lane.
 template <int N>
@@ -46,24 +63,21 @@ struct cull_kernel {
 
   // Asks for the vertices of a later group; for its indices, which has to come long before.
   IRG_INLINE void fetch_ahead(const triangle_indices* t) const noexcept {
-    for (int i = 0; i < N; ++i)
-      for (const std::uint32_t v : t[i].v)  // which may be beyond the vertices, where no pointer may lead
-        // NOLINTNEXTLINE(performance-no-int-to-ptr)
-        __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(screen) +
-                                                         std::uintptr_t{v} * sizeof *screen));
+    for (int i = 0; i < N; ++i) prefetch_vertices(screen, t[i]);
   }
   IRG_INLINE static void fetch_indices(const triangle_indices* t) noexcept {
     constexpr std::size_t line = 64;
-    for (std::size_t i = 0; i < N * sizeof *t; i += line) __builtin_prefetch(reinterpret_cast<const char*>(t) + i);
+    for (std::size_t i = 0; i < N * sizeof *t; i += line) prefetch(t, static_cast<std::ptrdiff_t>(i));
   }
 
   // Whether all corners of N triangles name vertices.
   IRG_INLINE bool indices_valid(const triangle_indices* t) const noexcept {
     using I = lanes<integers>;
-    integers words[3];
-    std::memcpy(static_cast<void*>(words), t, sizeof words);
     integers valid = I::broadcast(-1);
-    for (const integers& w : words) valid = both(valid, both(w >= I::broadcast(0), w < I::broadcast(vertices)));
+    for (int k = 0; k < 3; ++k) {
+      const integers w = I::load_bytes(reinterpret_cast<const char*>(t) + k * static_cast<int>(sizeof w));
+      valid = both(valid, both(w >= 0, w < vertices));
+    }
     return mask_bits(valid) == (1u << N) - 1;
   }
 
@@ -97,25 +111,20 @@ struct cull_kernel {
       }
     }
 
-    // Sides below 2^15 leave the area within 31 bits and a sign.
-    const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
-    const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
-    const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0);
-    const unsigned narrow = mask_bits(both(right - left < limit, bottom - top < limit));
+    const triangle_boxes<N> boxes(x, y);
+    const unsigned narrow = mask_bits(boxes.narrow);
+    const integers &area = boxes.double_area, zero = I::broadcast(0);
     group.special |= alive & ~narrow;
     alive &= narrow;
-
-    const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     if (culling == face_culling::back) {
       const unsigned back = mask_bits(zero < area) & alive;
       group.skipped.backface += std::popcount(back);
       alive &= ~back;
     }
     if (alive == 0) return group;  // often, as neighbours face the same way
-    // The centres within the box, then those within the picture (triangle_coverage.hpp: first_centre, last_centre).
-    const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
-    const integers x_first{(left + before).v >> subpixel_bits}, x_last{(right + behind).v >> subpixel_bits};
-    const integers y_first{(top + before).v >> subpixel_bits}, y_last{(bottom + behind).v >> subpixel_bits};
+    // The centres within the box, then those within the picture.
+    const integers x_first = first_centre(boxes.left), x_last = last_centre(boxes.right);
+    const integers y_first = first_centre(boxes.top), y_last = last_centre(boxes.bottom);
     const unsigned tiny =
         alive & (mask_bits(area == zero) | mask_bits(x_first >= x_last) | mask_bits(y_first >= y_last));
     const integers seen_x_first = high_of(x_first, I::broadcast(picture.x_first)),
@@ -137,8 +146,6 @@ struct cull_kernel {
     return group;
   }
 };
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

@@ -10,9 +10,9 @@
 #include <irg/core/executor.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/triangle_batch.hpp>
-#include <irg/render/detail/streamed_rows.hpp>
-#include <irg/render/detail/tile_drawing.hpp>
-#include <irg/render/detail/visible_window.hpp>
+#include <irg/render/detail/visible/streamed_rows.hpp>
+#include <irg/render/detail/visible/tile_drawing.hpp>
+#include <irg/render/detail/visible/visible_window.hpp>
 
 namespace irg {
 
@@ -58,9 +58,15 @@ constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::sp
                          const skip_options& skip) noexcept {
   stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
   stats.skipped = bins.skipped;
-  if (skip.occluded == skipping::off || std::is_constant_evaluated()) return;
+  if (skip.occluded == skipping::off) return;
   stats.skipped.occluded = bins.listed;
   for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
+}
+
+// Notes that none of a list is passed over.
+template <class T>
+IRG_INLINE constexpr void mark_all_seen(const tile_job<T>& job, std::span<const std::uint32_t> numbers) noexcept {
+  for (const std::uint32_t number : numbers) store_relaxed(job.workspace.seen[job.finder().source(number)], 1);
 }
 
 // The window of a tile without triangles and of those to its right; empty for one that has such a tile to its left:
@@ -75,8 +81,6 @@ IRG_INLINE constexpr cell_window empty_tiles(const triangle_bins& bins, const pi
   w.x_last = grid.window(i).x_last;
   return w;
 }
-
-#ifdef IRG_LANES_VECTOR
 
 // The depths of a raster into the tile.
 template <class Depth>
@@ -140,8 +144,6 @@ IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_
   return {painter.tested, 0, painter.ties};
 }
 
-#endif
-
 // The z-buffer, and drawing in the order given: what a tile shows by comparing depths.
 template <class Order, tile_test Test>
 struct zbuffer_tiles {
@@ -151,20 +153,18 @@ struct zbuffer_tiles {
   template <class T, class Depth, class Finish>
   constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) const {
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
-#ifdef IRG_LANES_VECTOR
     if constexpr (key_sign<Order> != 0)
       if (!std::is_constant_evaluated()) return in_lanes(depth, job, i, finish);
-#endif
     if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
     visible_pixels pixels(w);
     const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    mark_all_seen(job, numbers);
     draw_counts counts = find_visible_plainly<Order, Test>(pixels, depth, numbers, job.finder(), w);
     counts.shaded =
         finish(visible_window{pixels.place.data(), pixels.key.data(), plain_sign<Order>, numbers, w}, job.finder());
     return counts;
   }
 
-#ifdef IRG_LANES_VECTOR
 private:
   template <class T, class Depth, class Finish>
   static draw_counts in_lanes(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) {
@@ -174,7 +174,6 @@ private:
     counts.shaded = finish(visible_window{d.t.id, d.t.key, key_sign<Order>, d.numbers, w}, job.finder());
     return counts;
   }
-#endif
 };
 
 // The z-buffer where it matters which triangle is seen.
@@ -188,7 +187,7 @@ constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile
                                   const E& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
   triangle_bins& bins = job.workspace.bins;
-  bin_triangles(bins, job.batches, job.mapping, grid, job.culling, job.skip, executor);
+  bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);
   job.workspace.seen.assign(bins.triangle_count, 0);
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <irg/raster/triangle_setup.hpp>
-#include <irg/render/detail/tile.hpp>
-#include <irg/render/detail/triangle_finder.hpp>
+#include <irg/render/detail/visible/tile.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg {
 namespace detail {

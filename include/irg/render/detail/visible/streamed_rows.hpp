@@ -21,8 +21,6 @@ inline constexpr std::int64_t streamed_pixels = std::int64_t{1} << 20;
 
 inline namespace IRG_ABI {
 
-#ifdef IRG_LANES_VECTOR
-
 inline constexpr std::ptrdiff_t cache_line = 64;
 
 template <class R>
@@ -32,20 +30,8 @@ IRG_INLINE row_store row_store_for(const R& raster) noexcept {
 
 // One line of the cache, past it.
 IRG_INLINE void stream_line(char* to, const char* from) noexcept {
-#ifdef __SSE2__
-  typedef float floats __attribute__((vector_size(16), aligned(16)));
-  for (std::ptrdiff_t i = 0; i < cache_line; i += 16) {
-    floats v;
-    std::memcpy(&v, from + i, sizeof v);
-#ifdef __clang__
-    __builtin_nontemporal_store(v, reinterpret_cast<floats*>(to + i));
-#else
-    __builtin_ia32_movntps(reinterpret_cast<float*>(to + i), v);
-#endif
-  }
-#else
-  std::memcpy(to, from, static_cast<std::size_t>(cache_line));
-#endif
+  for (std::ptrdiff_t i = 0; i < cache_line; i += 16)
+    stream(reinterpret_cast<float*>(to + i), lanes<pack<float, 4>>::load_bytes(from + i));
 }
 
 // Less than a line.
@@ -73,14 +59,8 @@ IRG_INLINE void copy_row(void* row, const void* from, std::size_t bytes, row_sto
 
 // Streamed rows become visible to other threads before anything that is stored afterwards.
 IRG_INLINE void end_of_rows(row_store how) noexcept {
-#ifdef __SSE2__
-  if (how == row_store::streamed) __builtin_ia32_sfence();
-#else
-  static_cast<void>(how);
-#endif
+  if (how == row_store::streamed) end_of_streams();
 }
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

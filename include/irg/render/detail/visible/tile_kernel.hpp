@@ -9,16 +9,13 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 
-#include <irg/render/detail/tile.hpp>
+#include <irg/render/detail/visible/tile.hpp>
 #include <irg/raster/draw_triangle.hpp>
 
 namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
-
-#ifdef IRG_LANES_VECTOR
 
 // Triangles of a tile, ready to be drawn, a lane each. F is taken at the first pixel of the box.
 struct tile_triangles {
@@ -74,10 +71,8 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
   }
   const auto now = select(drawn, key, stored);
   F::store(key_at, now);
-  mask id;
-  std::memcpy(&id.v, id_at, sizeof id.v);
-  id = select(drawn, lanes<mask>::broadcast(static_cast<std::int32_t>(t.place)), id);
-  std::memcpy(id_at, &id.v, sizeof id.v);
+  const mask place = lanes<mask>::broadcast(static_cast<std::int32_t>(t.place));
+  lanes<mask>::store_bytes(id_at, select(drawn, place, lanes<mask>::load_bytes(id_at)));
   return now;
 }
 
@@ -95,28 +90,28 @@ IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I& f0, const I& f1,
   const mask covered = both(none_negative(f0, f1, f2), stored < F::broadcast(beyond_everything));
   mask tie = both(covered, key == stored);
   for (int i = 0; i < lane_count; ++i)
-    if (id_at[i] == t.place) tie.v[i] = 0;  // drawn just now
+    if (id_at[i] == t.place) set_lane(tie, i, 0);  // drawn just now
   counts.ties = counts.ties - tie;
   for (int i = 0; i < lane_count; ++i)
-    if (tie.v[i] != 0 && id_at[i] != no_face && before(t.place, id_at[i])) id_at[i] = t.place;
+    if (tie[i] != 0 && id_at[i] != no_face && before(t.place, id_at[i])) id_at[i] = t.place;
 }
 
 // The rows of a box, from its first column on; `steps` are taken to the right, each of a register.
 template <tile_test Test, class I, class Before>
-IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last,
-                          tile_counts& all_counts, const Before& before) noexcept {
+IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, const cell_window& box, tile_counts& all_counts,
+                          const Before& before) noexcept {
   tile_counts counts = all_counts;
   constexpr int lane_count = lanes<I>::count;
   using J = lanes<I>;
   using mask = pack<std::int32_t, lane_count>;
   const auto for_each_register = [&](const auto& pixels) {
-    for (int x = x_first; x < x_last; x += lane_count) {
-      const auto steps = static_cast<typename tile_triangle<I>::integer>(x - x_first);
+    for (int x = box.x_first; x < box.x_last; x += lane_count) {
+      const auto steps = static_cast<typename tile_triangle<I>::integer>(x - box.x_first);
       I f[3];
       for (int i = 0; i < 3; ++i) f[i] = t.ramp[i] + J::broadcast(t.f[i] + t.right[i] * steps);
       const I down0 = J::broadcast(t.down[0]), down1 = J::broadcast(t.down[1]), down2 = J::broadcast(t.down[2]);
-      int at = y_first * tile_stride + x;
-      for (int y = y_first; y < y_last; ++y, at += tile_stride) {
+      int at = box.y_first * tile_stride + x;
+      for (int y = box.y_first; y < box.y_last; ++y, at += tile_stride) {
         pixels(f, at);
         f[0] = f[0] + down0;
         f[1] = f[1] + down1;
@@ -136,14 +131,14 @@ IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, int x_first, int
 // The blocks of a box that the edges let in and, `by_depth`, whose pixels are not all nearer than the triangle: a bit
 // each.
 template <class I>
-IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>& t, int x_first, int y_first,
-                                        int x_last, int y_last, bool by_depth) noexcept {
+IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>& t, const cell_window& box,
+                                        bool by_depth) noexcept {
   constexpr int lane_count = lanes<I>::count, chunks = blocks_across / lane_count;
   using J = lanes<I>;
   using F = lanes<pack<float, lane_count>>;
   using integer = typename tile_triangle<I>::integer;
-  const int bx_first = x_first / block_size, bx_last = (x_last - 1) / block_size + 1;
-  const int by_first = y_first / block_size, by_last = (y_last - 1) / block_size + 1;
+  const int bx_first = box.x_first / block_size, bx_last = (box.x_last - 1) / block_size + 1;
+  const int by_first = box.y_first / block_size, by_last = (box.y_last - 1) / block_size + 1;
   const auto zero = F::broadcast(0), last = F::broadcast(block_size - 1);
   const auto absolute = [&](const pack<float, lane_count>& v) { return high_of(v, zero - v); };
   const auto across = F::broadcast(static_cast<float>((bx_last - bx_first) * block_size)),
@@ -152,8 +147,8 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>&
   I greatest[static_cast<unsigned>(chunks)][3], down[3];
   pack<float, lane_count> start[3], slope_right = zero, slope_down = zero, size = absolute(t.rest);
   for (int i = 0; i < 3; ++i) {
-    const integer corner = t.f[i] + t.right[i] * static_cast<integer>(bx_first * block_size - x_first) +
-                           t.down[i] * static_cast<integer>(by_first * block_size - y_first);
+    const integer corner = t.f[i] + t.right[i] * static_cast<integer>(bx_first * block_size - box.x_first) +
+                           t.down[i] * static_cast<integer>(by_first * block_size - box.y_first);
     const integer reach = (t.right[i] > 0 ? t.right[i] : integer(0)) * (block_size - 1) +
                           (t.down[i] > 0 ? t.down[i] : integer(0)) * (block_size - 1);
     const integer first = corner + reach - t.right[i] * static_cast<integer>(bx_first * block_size);
@@ -196,9 +191,9 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>&
 // A box block by block. Blocks that no edge lets in, or that lie behind what is drawn there, are passed over.
 // gives   whether any block was gone into
 template <tile_test Test, class I, class Before>
-IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last,
-                            bool by_depth, tile_counts& all_counts, const Before& before) noexcept {
-  const std::uint64_t blocks = blocks_to_draw(out, t, x_first, y_first, x_last, y_last, by_depth);
+IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, const cell_window& box, tile_counts& all_counts,
+                            const Before& before, bool by_depth) noexcept {
+  const std::uint64_t blocks = blocks_to_draw(out, t, box, by_depth);
   if (blocks == 0) return false;
   tile_counts counts = all_counts;
   constexpr int lane_count = lanes<I>::count, parts = block_size / lane_count;
@@ -213,8 +208,8 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
       for (int part = 0; part < parts; ++part)
         f[i][part] =
             t.ramp[i] +
-            J::broadcast(t.f[i] + t.right[i] * static_cast<integer>(bx * block_size + part * lane_count - x_first) +
-                         t.down[i] * static_cast<integer>(by * block_size - y_first));
+            J::broadcast(t.f[i] + t.right[i] * static_cast<integer>(bx * block_size + part * lane_count - box.x_first) +
+                         t.down[i] * static_cast<integer>(by * block_size - box.y_first));
     int at = by * block_size * tile_stride + bx * block_size;
     for (int y = 0; y < block_size; ++y, at += tile_stride)
       for (int part = 0; part < parts; ++part) {
@@ -238,8 +233,6 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, int x_first, i
   all_counts = counts;
   return true;
 }
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

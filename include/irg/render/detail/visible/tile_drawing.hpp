@@ -8,16 +8,13 @@
 #include <span>
 #include <vector>
 
-#include <irg/render/detail/mark_seen.hpp>
-#include <irg/render/detail/tile_kernel.hpp>
-#include <irg/render/detail/triangle_finder.hpp>
+#include <irg/render/detail/visible/tile_kernel.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg {
 namespace detail {
 
 inline namespace IRG_ABI {
-
-#ifdef IRG_LANES_VECTOR
 
 // How a tile's list is drawn.
 struct tile_order {
@@ -40,7 +37,7 @@ struct tile_painter {
   tile_counts counts{lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
   std::int64_t tested = 0, ties = 0;
 
-  IRG_INLINE void note_seen(std::uint32_t place) const noexcept { mark_seen(seen[find.source(numbers[place])]); }
+  IRG_INLINE void note_seen(std::uint32_t place) const noexcept { store_relaxed(seen[find.source(numbers[place])], 1); }
 
   // Triangles of few pixels, a lane each: F, depth and box, as in tile_triangles.
   struct dots {
@@ -77,10 +74,8 @@ struct tile_painter {
     std::int32_t at[count];
     I::store(at, d.at);
     // 16 bits to a triangle, four triangles to a word.
-    typedef std::uint16_t shorts __attribute__((vector_size(2 * static_cast<unsigned>(count))));
-    const shorts narrow = __builtin_convertvector(covered.v, shorts);
     std::uint64_t words[count / 4];
-    std::memcpy(words, &narrow, sizeof words);
+    lanes<pack<std::uint16_t, count>>::store_bytes(words, converted<std::uint16_t>(covered));
     for (int w = 0; w < count / 4; ++w)
       for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
         const int bit = std::countr_zero(bits), i = 4 * w + bit / 16, pixel = bit % 16;
@@ -128,24 +123,20 @@ struct tile_painter {
     const auto &x = c.x, &y = c.y;
     const auto& depth = c.depth;
     for (int i = 0; i < count; ++i) g.place[i] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i);
-    const integers left = low_of(low_of(x[0], x[1]), x[2]), right = high_of(high_of(x[0], x[1]), x[2]);
-    const integers top = low_of(low_of(y[0], y[1]), y[2]), bottom = high_of(high_of(y[0], y[1]), y[2]);
-    const integers limit = I::broadcast(1 << 15), zero = I::broadcast(0), one = I::broadcast(1);
-    const integers narrow = both(right - left < limit, bottom - top < limit);
+    const triangle_boxes<count> boxes(x, y);
+    const integers &narrow = boxes.narrow, &area = boxes.double_area, zero = I::broadcast(0), one = I::broadcast(1);
     const unsigned everyone = (1u << used) - 1, large = ~mask_bits(narrow) & everyone;
 
-    const integers before = I::broadcast(half_pixel - 1), behind = I::broadcast(one_pixel - half_pixel);
     const auto within = [&](const integers& v, int least, int end) {
       return low_of(high_of(v, I::broadcast(least)), I::broadcast(end));
     };
-    const integers x_first = within({(left + before).v >> subpixel_bits}, window.x_first, window.x_last),
-                   x_last = within({(right + behind).v >> subpixel_bits}, window.x_first, window.x_last),
-                   y_first = within({(top + before).v >> subpixel_bits}, window.y_first, window.y_last),
-                   y_last = within({(bottom + behind).v >> subpixel_bits}, window.y_first, window.y_last);
+    const integers x_first = within(first_centre(boxes.left), window.x_first, window.x_last),
+                   x_last = within(last_centre(boxes.right), window.x_first, window.x_last),
+                   y_first = within(first_centre(boxes.top), window.y_first, window.y_last),
+                   y_last = within(last_centre(boxes.bottom), window.y_first, window.y_last);
 
-    const integers area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
     const integers flip = area < zero;
-    const auto turned = [&](const integers& v) { return integers{(v.v ^ flip.v) - flip.v}; };
+    const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
     const floats scale = F::broadcast(one_pixel) / to_float(turned(area)),
                  unit = scale * F::broadcast(1.0f / one_pixel);
     const integers centre_x = x_first * I::broadcast(one_pixel) + I::broadcast(half_pixel),
@@ -157,7 +148,7 @@ struct tile_painter {
       const integers dx = turned(x[q] - x[p]), dy = turned(y[q] - y[p]);
       const integers e = dx * (centre_y - y[p]) - dy * (centre_x - x[p]);
       const integers owns = (dy < zero) | both(dy == zero, zero < dx);
-      d.f[k] = {((e - one) - owns).v >> subpixel_bits};
+      d.f[k] = ((e - one) - owns) >> subpixel_bits;
       d.right[k] = zero - dy;
       d.down[k] = dx;
       part[k] = (to_float(e - d.f[k] * I::broadcast(one_pixel)) * unit) * depth[k];
@@ -202,27 +193,26 @@ struct tile_painter {
 
   // Draws a triangle that is ready: its box row by row when it is small, else block by block.
   template <tile_test Test, class I>
-  IRG_INLINE void draw_ready(const tile_triangle<I>& t, int x_first, int y_first, int x_last, int y_last) noexcept {
+  IRG_INLINE void draw_ready(const tile_triangle<I>& t, const cell_window& box) noexcept {
     constexpr int small_box = 2 * block_size;
     const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
-    if (x_last - x_first > small_box || y_last - y_first > small_box) {
-      if (tile_blocks<Test>(out, t, x_first, y_first, x_last, y_last, order.front_to_back, counts, before))
-        note_seen(t.place);
+    if (box.x_last - box.x_first > small_box || box.y_last - box.y_first > small_box) {
+      if (tile_blocks<Test>(out, t, box, counts, before, order.front_to_back)) note_seen(t.place);
       return;
     }
     if (order.front_to_back) {
       float farthest_key = beyond_everything;
       std::uint64_t touched = 0;
-      for (int by = y_first / block_size; by * block_size < y_last; ++by)
-        for (int bx = x_first / block_size; bx * block_size < x_last; ++bx) {
+      for (int by = box.y_first / block_size; by * block_size < box.y_last; ++by)
+        for (int bx = box.x_first / block_size; bx * block_size < box.x_last; ++bx) {
           farthest_key = lesser(farthest_key, out.farthest_key[by * blocks_across + bx]);
           touched |= std::uint64_t{1} << (by * blocks_across + bx);
         }
-      if (t.high.v[0] < farthest_key) return;
+      if (t.high[0] < farthest_key) return;
       out.stale |= touched;
     }
     note_seen(t.place);
-    tile_rows<Test>(out, t, x_first, y_first, x_last, y_last, counts, before);
+    tile_rows<Test>(out, t, box, counts, before);
   }
 
   template <class I>
@@ -249,7 +239,7 @@ struct tile_painter {
       t.ramp[k] = I::ramp() * I::broadcast(g.right[k][i]);
     }
     broadcast_depths(t, g, i);
-    draw_ready<Test>(t, g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]);
+    draw_ready<Test>(t, {g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]});
   }
 
   // A triangle with long sides: 32-bit lanes where F fits them all over the tile, else doubles, which hold it exactly.
@@ -263,7 +253,6 @@ struct tile_painter {
     tile_triangles one = g;
     for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth_gain[k], order.sign);
     one.rest[i] = product(s.depth_rest, order.sign);
-    const int x = w.x_first - window.x_first, y = w.y_first - window.y_first;
     const auto draw = [&]<class I>(I) {
       tile_triangle<I> t;
       using integer = typename tile_triangle<I>::integer;
@@ -274,7 +263,8 @@ struct tile_painter {
         t.ramp[k] = lanes<I>::ramp() * lanes<I>::broadcast(t.right[k]);
       }
       broadcast_depths(t, one, i);
-      draw_ready<Test>(t, x, y, w.x_last - window.x_first, w.y_last - window.y_first);
+      draw_ready<Test>(t, {w.x_first - window.x_first, w.y_first - window.y_first, w.x_last - window.x_first,
+                           w.y_last - window.y_first});
     };
     const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
     if (fits_32_bits(coverage, whole, block_size))
@@ -293,11 +283,8 @@ struct tile_painter {
       return batch.triangles.data() + lesser(numbers[i], find.bins->triangle_count - 1);
     };
     for (std::size_t i = first; i < first + count; ++i) {
-      __builtin_prefetch(named(i + indices_ahead));
-      for (const std::uint32_t v : named(i + vertices_ahead)->v)  // which may be beyond the vertices
-        // NOLINTNEXTLINE(performance-no-int-to-ptr)
-        __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(screen) +
-                                                         std::uintptr_t{v} * sizeof *screen));
+      prefetch(named(i + indices_ahead));
+      prefetch_vertices(screen, *named(i + vertices_ahead));
     }
   }
 
@@ -381,8 +368,6 @@ std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers,
   for (std::size_t i = 0; i < size; ++i) sorted[start[bucket[i]]++] = numbers[i];
   return sorted;
 }
-
-#endif
 
 }  // namespace IRG_ABI
 }  // namespace detail

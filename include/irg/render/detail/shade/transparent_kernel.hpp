@@ -6,8 +6,7 @@
 #include <cstdint>
 
 #include <irg/raster/draw_triangle.hpp>
-#include <irg/render/detail/mark_seen.hpp>
-#include <irg/render/detail/tile_shading.hpp>
+#include <irg/render/detail/shade/tile_shading.hpp>
 
 namespace irg {
 namespace detail {

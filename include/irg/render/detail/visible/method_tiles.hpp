@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/render/detail/tile_driver.hpp>
+#include <irg/render/detail/visible/tile_driver.hpp>
 #include <irg/render/window_faces.hpp>
 
 namespace irg {
@@ -73,7 +73,7 @@ struct method_tiles {
     const triangle_finder<T> find = job.finder();
     draw_counts counts;
     method(window_faces<T>(find, numbers), w, ids, counts);
-    for (const std::uint32_t number : numbers) mark_seen(job.workspace.seen[find.source(number)]);
+    mark_all_seen(job, numbers);
     visible_pixels pixels(w);
     find_places(pixels, ids, numbers, find, w);
     if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);

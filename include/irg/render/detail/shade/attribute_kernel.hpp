@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <irg/raster/fill_span.hpp>
-#include <irg/render/detail/attribute_setup.hpp>
-#include <irg/render/detail/streamed_rows.hpp>
+#include <irg/render/detail/shade/attribute_setup.hpp>
+#include <irg/render/detail/visible/streamed_rows.hpp>
 
 namespace irg {
 namespace detail {
