@@ -8,6 +8,7 @@
 
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/render/attribute_shading.hpp>
+#include <irg/render/detail/shade/collected_points.hpp>
 #include <irg/render/detail/visible/visible_window.hpp>
 
 namespace irg {
@@ -96,8 +97,7 @@ struct shade_by_triangle {
     using I = lanes<integers>;
     constexpr int count = lanes<F>::count;
     std::int64_t shaded = 0;
-    std::uint32_t current = no_face;
-    std::optional<shading_setup<shader_type>> setup;
+    kept_setups kept;
     const cell_window& w = v.window;
     for (int by = w.y_first; by < w.y_last; by += block_size)
       for (int x = w.x_first; x < w.x_last; x += count)
@@ -107,16 +107,19 @@ struct shade_by_triangle {
           unsigned pending = ~mask_bits(places == I::broadcast(-1)) & ((1u << count) - 1);
           shaded += std::popcount(pending);
           const F depth = product(lanes<F>::load(v.key + at), lanes<F>::broadcast(v.sign));
+          auto* const row = raster_traits<Colour>::row(colour, y) + x;
+          collected_points<shader_type, count, pixel_of<Colour>> points{row};
           while (pending != 0) {
             const auto place = static_cast<std::uint32_t>(lane(places, std::countr_zero(pending)));
-            if (place != current) {
-              setup.emplace(prepare(v.numbers[place]));
-              current = place;
-            }
-            const unsigned same = mask_bits(places == I::broadcast(static_cast<std::int32_t>(place))) & pending;
-            pixel_weights<F> where = weights_from<F>(setup->s, setup->narrow, x, y, depth);
-            if (setup->piece != nullptr) where = in_source(where, *setup->piece);
-            shade_over<shader_type>{setup->shader}(raster_traits<Colour>::row(colour, y) + x, same, where);
+            const shading_setup<shader_type>& setup = kept.of(*this, place);
+            const auto shown = places == I::broadcast(static_cast<std::int32_t>(place));
+            const unsigned same = mask_bits(shown) & pending;
+            pixel_weights<F> where = weights_from<F>(setup.s, setup.narrow, x, y, depth);
+            if (setup.piece != nullptr) where = in_source(where, *setup.piece);
+            if constexpr (points.collects)
+              points.add(setup.shader, where, shown, same);
+            else
+              shade_over<shader_type>{setup.shader}(row, same, where);
             pending &= ~same;
           }
         }
@@ -124,6 +127,25 @@ struct shade_by_triangle {
   }
 
 private:
+  // The triangles met last: neighbours come again with every row.
+  struct kept_setups {
+    static constexpr std::uint32_t count = 16;
+    std::uint32_t place[count];
+    std::optional<shading_setup<shader_type>> setup[count]{};
+
+    constexpr kept_setups() noexcept {
+      for (std::uint32_t& p : place) p = no_face;
+    }
+    IRG_INLINE constexpr const shading_setup<shader_type>& of(const shade_by_triangle& shade, std::uint32_t wanted) {
+      const std::uint32_t i = wanted % count;
+      if (place[i] != wanted) {
+        setup[i].emplace(shade.prepare(shade.v.numbers[wanted]));
+        place[i] = wanted;
+      }
+      return *setup[i];
+    }
+  };
+
   template <class I>
   IRG_INLINE static constexpr I load_places(const std::uint32_t* from) noexcept {
     if constexpr (lanes<I>::count == 1)
