@@ -19,7 +19,7 @@ inline namespace IRG_ABI {
 /// gives   an error when the raster has no pixel or more than max_picture_pixels
 /// exact   red, green and blue as to_rgba8 gives them
 /// cost    each pixel is read once; three bytes per pixel
-/// source  netpbm, ppm(5)
+/// source  Netpbm, ppm(5)
 template <EncodableRaster R>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_ppm(const R& raster) {
   return detail::encode_netpbm('6', 3, raster, [](const rgba8& p, std::uint8_t* out) {
@@ -33,7 +33,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_ppm(const R& ra
 /// gives   an error when the raster has no pixel or more than max_picture_pixels
 /// exact   gray pixels are kept; coloured ones become (299 r + 587 g + 114 b) / 1000, rounded to nearest, half up
 /// cost    each pixel is read once; one byte per pixel
-/// source  netpbm, pgm(5); ITU-R BT.601 for the weights
+/// source  Netpbm, pgm(5); BT.601 for the weights
 template <EncodableRaster R>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& raster) {
   return detail::encode_netpbm('5', 1, raster, [](const rgba8& p, std::uint8_t* out) {
@@ -46,7 +46,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& ra
 ///         max_picture_pixels, a largest value outside 1 to 65535, missing or left-over data, samples out of range
 /// exact   samples are scaled to 255 with rounding to nearest, half up; files with the largest value 255 are kept
 /// cost    nothing is allocated before the size was checked against the file's length
-/// source  netpbm, ppm(5) and pgm(5)
+/// source  Netpbm, ppm(5) and pgm(5)
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
 constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
   return detail::netpbm_reader<std::uint8_t>(bytes).read();

@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 ///         NaN makes every edge sharp
 /// exact   normals as vertex_normals; the angle that decides is that of rounded unit normals
 /// cost    n log n in the corners around a position; allocates some 120 bytes a corner, nothing where all have normals
-/// source  the crease angle of VRML 97 (ISO/IEC 14772-1, 4.6.3.5)
+/// source  VRML 97, 4.6.3.5 (the crease angle)
 template <Floating T>
 constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle) {
   if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != mesh_corner::none; })) return;
