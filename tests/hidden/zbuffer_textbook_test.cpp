@@ -45,7 +45,7 @@ constexpr auto nothing_drawn = [](const auto& picture, const auto& background) {
   return true;
 };
 
-// GOLDEN 9's run: 6 x 5 samples at whole numbers, boundaries included, the named triangles in the given order.
+// The slides' run: 6 x 5 samples at whole numbers, boundaries included, the named triangles in the given order.
 struct golden_run {
   image<char> screen{6, 5};
   image<double> depth{6, 5};
@@ -90,7 +90,7 @@ constexpr bool depth_is_golden(const golden_run& g, double sign) {
   return true;
 }
 
-TEST_CASE("zbuffer_textbook: GOLDEN 9, the run; the first drawn wins ties, the depths do not depend on the order") {
+TEST_CASE("zbuffer_textbook: the slides' run; the first drawn wins ties, the depths do not depend on the order") {
   constexpr std::array<std::string_view, 5> abc{"aaaaaa", "aaaac.", "aaa...", "bbbb..", "bbbbbb"},
       cba{"aaaaaa", "acccc.", "bcc...", "bbbb..", "bbbbbb"};
   CHECK_BOTH(screen_is(run<nearer_is_greater>("abc", 1), abc));
@@ -113,7 +113,7 @@ TEST_CASE("zbuffer_textbook: SetPixel; strict, and false for NaN and outside of 
     bool right = buffers.window() == irg::cell_window{0, 0, 2, 2};
     right = right && buffers.set_pixel(1, 1, 3, 'a') && !buffers.set_pixel(1, 1, 3, 'b');
     right = right && buffers.set_pixel(1, 1, 4, 'c') && !buffers.set_pixel(1, 1, nan, 'd');
-    right = right && !buffers.set_pixel(0, 0, -10, 'e') && screen(0, 0) == '.';  // Z11: as far as the back plane
+    right = right && !buffers.set_pixel(0, 0, -10, 'e') && screen(0, 0) == '.';  // as far as the back plane
     right = right && !buffers.set_pixel(-1, 0, 5, 'f') && !buffers.set_pixel(0, 2, 5, 'f') &&
             !buffers.set_pixel(2, 0, 5, 'f') && !buffers.set_pixel(0, -1, 5, 'f');
     return right && screen(1, 1) == 'c' && depth(1, 1) == 4 && depth(0, 2) == -10;
@@ -318,8 +318,7 @@ TEST_CASE("zbuffer_polygon: ids and depths against the rational plane of each tr
   CHECK(too_close < compared / 1000);
 }
 
-TEST_CASE(
-    "zbuffer_polygon: coverage is fill_convex's, so that tilings hold; every depth within the corners' range (Z9)") {
+TEST_CASE("zbuffer_polygon: coverage is fill_convex's, so that tilings hold; every depth within the corners' range") {
   test::random r(22);
   for (int n = 0; n < 200; ++n) {
     // A fan: coplanar triangles around a hub, steep ones among them.
@@ -364,7 +363,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("zbuffer_polygon: Z9, a sample that the rounding of corners to 1/256 puts outside of a steep triangle") {
+TEST_CASE("zbuffer_polygon: a sample that the rounding of corners to 1/256 puts outside of a steep triangle") {
   // The corner is snapped onto the centre of pixel (5, 5), which is 0.001 beyond it, where the plane is far too low.
   constexpr auto go = [](auto order, double sign, depth_evaluation how) {
     const triangle t{P{5.501, 5.501, 0}, P{20, 5.501, sign * 1e8}, P{6, 20, sign * 1e8}};
@@ -386,7 +385,7 @@ TEST_CASE("zbuffer_polygon: Z9, a sample that the rounding of corners to 1/256 p
   CHECK_BOTH(go(nearer_is_less{}, -1, depth_evaluation::steps));
 }
 
-TEST_CASE("zbuffer_polygon: Z14, 100 random permutations of triangles without ties give the same picture") {
+TEST_CASE("zbuffer_polygon: 100 random permutations of triangles without ties give the same picture") {
   constexpr int size = 40;
   test::random r(23);
   std::vector<triangle> scene;
@@ -409,7 +408,7 @@ TEST_CASE("zbuffer_polygon: Z14, 100 random permutations of triangles without ti
   }
 }
 
-TEST_CASE("zbuffer_polygon: Z7 and Z8, equal depths stay with the first drawn, whichever diagonal cuts a quad") {
+TEST_CASE("zbuffer_polygon: equal depths stay with the first drawn, whichever diagonal cuts a quad") {
   constexpr auto go = [] {
     constexpr P a{1, 1, 4}, b{9, 1, 4}, c{9, 7, 4}, d{1, 7, 4};
     image<char> one(10, 8), other(10, 8);
@@ -468,7 +467,7 @@ TEST_CASE("zbuffer_polygon: degenerate input draws nothing and is true; what is 
   CHECK_BOTH(draw(triangle{P{1, 1, 0}, P{6, 1, 0}, P{3, 1, 9}}, true));           // edge on: C = 0
   CHECK_BOTH(draw(triangle{P{1, 0, 0}, P{6, 5, 0}, P{3, 2, 9}}, true));           // edge on, aslant
   CHECK_BOTH(draw(triangle{P{0, 0, -200}, P{8, 0, -200}, P{0, 8, -200}}, true));  // behind the back plane
-  CHECK_BOTH(draw(triangle{P{0, 0, -100}, P{8, 0, -100}, P{0, 8, -100}}, true));  // Z11: in the back plane
+  CHECK_BOTH(draw(triangle{P{0, 0, -100}, P{8, 0, -100}, P{0, 8, -100}}, true));  // in the back plane
   CHECK_BOTH(draw(triangle{P{20, 0, 1}, P{30, 0, 1}, P{20, 8, 1}}, true));        // beside the picture
   for (const double bad : {nan, inf, -inf, 0x1p31, -1e300})
     for (int i = 0; i < 9; ++i) {

@@ -121,7 +121,7 @@ TEST_CASE("depth formats: depth and stencil share a word, and the stencil does n
   CHECK_BOTH(f::level_of(f::farthest) == 0xffffff);
 }
 
-TEST_CASE("depth formats: Z11, what comes to the cleared value is not nearer than it") {
+TEST_CASE("depth formats: what comes to the cleared value is not nearer than it") {
   const auto hidden = []<class F>(F, float z) { return !irg::is_nearer<F>(F::encode(z), F::farthest); };
   CHECK(hidden(depth_float{}, 1.0f));
   CHECK(!hidden(depth_float{}, 0x1.fffffep-1f));
@@ -240,7 +240,7 @@ TEST_CASE("depth_resolution: by hand") {
   static_assert(at_2 > 2 * 0.9999998 * 0x1p-23 && at_2 < 2 * 0x1p-23);
   CHECK_BOTH(depth_resolution(depth_float_reversed{}, 1.0, endless, 1048576.0) == at_2 * 524288.0);
   CHECK_BOTH(depth_resolution(depth_inverse_w{}, 1.0, 100.0, 2.0) == at_2);
-  // Z10: near 1e-3, far 1e9.
+  // near 1e-3, far 1e9.
   CHECK_BOTH(depth_resolution(depth_float_reversed{}, 1e-3, 1e9, 1e8) <= 1e8 * 0x1p-23);
   // 16 bits, near 0.1, far 1e5: at the far end nothing is told from anything behind 0.65.
   CHECK_BOTH(depth_resolution(depth_unorm16{}, 0.1, 1e5, 1e5) > 1e5 - 7000.0);

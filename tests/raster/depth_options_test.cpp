@@ -93,7 +93,7 @@ TEST_CASE("depth tests: drawing order passes everything but NaN, whatever the te
   CHECK_BOTH(!passes<depth_test::nearer, irg::drawing_order>(nan, 1.0f));
 }
 
-TEST_CASE("depth tests: Z11, a background at the cleared depth passes where nearer_or_equal asks") {
+TEST_CASE("depth tests: a background at the cleared depth passes where nearer_or_equal asks") {
   CHECK_BOTH(!passes<depth_test::nearer, nearer_is_greater>(0.0f, nearer_is_greater::farthest));
   CHECK_BOTH(passes<depth_test::nearer_or_equal, nearer_is_greater>(0.0f, nearer_is_greater::farthest));
   CHECK_BOTH(!passes<depth_test::nearer, nearer_is_less>(1.0f, nearer_is_less::farthest));

@@ -166,7 +166,7 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
   CHECK(worst_weight <= 4e-7L);  // although inverse_w spreads over 2^16
 }
 
-TEST_CASE("draw_triangle: Z13, weights stay accurate when inverse_w differs by 1e5") {
+TEST_CASE("draw_triangle: weights stay accurate when inverse_w differs by 1e5") {
   irg::image<float> weight(64, 64), depth(64, 64, -1.0f);
   const screen_vertex v[3] = {{{0, 0}, 0.5f, 1.0f}, {{64 * 256, 0}, 0.5f, 1e-5f}, {{0, 64 * 256}, 0.5f, 1.0f}};
   irg::draw_triangle(weight, depth, v[0], v[1], v[2], [](const irg::pixel_weights<float>& f) { return f.weight1; });
@@ -176,7 +176,7 @@ TEST_CASE("draw_triangle: Z13, weights stay accurate when inverse_w differs by 1
   }
 }
 
-TEST_CASE("draw_triangle: Z7, of equal depths the first drawn stays, and is counted") {
+TEST_CASE("draw_triangle: of equal depths the first drawn stays, and is counted") {
   constexpr auto ties = [] {
     canvas c(4, 4);
     const screen_vertex v[3] = {{{0, 0}, 0.5f}, {{1024, 0}, 0.5f}, {{0, 1024}, 0.5f}};
@@ -187,7 +187,7 @@ TEST_CASE("draw_triangle: Z7, of equal depths the first drawn stays, and is coun
   CHECK_BOTH(ties());
 }
 
-TEST_CASE("draw_triangle: Z14, opaque triangles without ties give one picture in every order") {
+TEST_CASE("draw_triangle: opaque triangles without ties give one picture in every order") {
   test::random random(14);
   screen_vertex v[12][3];
   for (auto& t : v)
@@ -249,7 +249,7 @@ TEST_CASE("draw_triangle: nothing outside the window is written") {
     }
 }
 
-TEST_CASE("intensity_shader: the course's Gouraud triangle, GOLDEN 7") {
+TEST_CASE("intensity_shader: the course's Gouraud triangle") {
   // (0,0) I=10, (4,0) I=50, (0,4) I=90: I(1,1)=40, I(2,0)=30, I(0,3)=70, I(2,2)=70; a sample point is a pixel centre.
   const auto drawn = [](int x, int y) {
     irg::image<float> intensity(6, 6, -1.0f);

@@ -193,7 +193,7 @@ TEST_CASE("line_aa: ends at all distances up to the reach, seen beside (0, 0) an
   }
 }
 
-TEST_CASE("line_aa: L14, coverages sum to length * width") {
+TEST_CASE("line_aa: coverages sum to length * width") {
   random_lines random{test::random(33)};
   for (int i = 0; i < 400; ++i) {
     const double t = random.random.unit() * 6.283185307179586, length = 20 + 60 * random.random.unit();
@@ -219,7 +219,7 @@ bool maps(subpixel a, subpixel b, const line_aa_options& o, const cell_window& w
   return true;
 }
 
-TEST_CASE("line_aa: L14, mirrored and reversed lines have mirrored and the same pixels, to the last bit") {
+TEST_CASE("line_aa: mirrored and reversed lines have mirrored and the same pixels, to the last bit") {
   random_lines random{test::random(34)};
   const cell_window w{-60, -60, 60, 60};
   for (int i = 0; i < 400; ++i) {

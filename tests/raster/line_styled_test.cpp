@@ -112,7 +112,7 @@ TEST_CASE("line_styled: the pattern carries on over a polyline") {
   }
 }
 
-TEST_CASE("line_styled: L1, L2, lines and runs as long as int allows") {
+TEST_CASE("line_styled: lines and runs as long as int allows") {
   static constexpr cell_window w{0, 0, 64, 64};
   // Position 2^31 at column 0: 2^31 = 3 * 715827882 + 2
   CHECK_BOTH(cells({least, 5}, {most, 5}, dash_runs{two_one}, 0, w).front() == cell{1, 5});

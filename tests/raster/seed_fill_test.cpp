@@ -67,11 +67,11 @@ TEST_CASE("boundary_fill: by hand, everything but the boundary is region") {
   }());
   CHECK_BOTH([] {
     auto i = drawing(room);
-    return irg::boundary_fill(i, {2, 0}, '#', 'o') == 0 && equal(i, drawing(room));  // F19: the seed on the boundary
+    return irg::boundary_fill(i, {2, 0}, '#', 'o') == 0 && equal(i, drawing(room));  // the seed on the boundary
   }());
 }
 
-TEST_CASE("seed fill: F19, seeds outside, empty windows, the colour that is there") {
+TEST_CASE("seed fill: seeds outside, empty windows, the colour that is there") {
   for (const cell seed : {cell{-1, 0}, cell{7, 0}, cell{0, -1}, cell{0, 5}, cell{least, least}, cell{most, most}}) {
     auto i = drawing(room);
     CHECK(irg::flood_fill(i, seed, 'o') == 0);
@@ -235,9 +235,9 @@ TEST_CASE("seed fill: spans are as long as they can be, and disjoint; no cell is
   }
 }
 
-// ---- F19: what breaks recursion
+// ---- what breaks recursion
 
-TEST_CASE("seed fill: F19, a maze of passages one cell wide is filled to its end") {
+TEST_CASE("seed fill: a maze of passages one cell wide is filled to its end") {
   // A serpentine of rows, and one of columns: the longest ways there are.
   const int n = 1023;
   for (const bool columns : {false, true}) {
@@ -275,7 +275,7 @@ TEST_CASE("seed fill: F19, a maze of passages one cell wide is filled to its end
   CHECK(irg::flood_fill(maze, {0, 0}, 3, neighbours::eight) == 501 * 501 - carved);
 }
 
-TEST_CASE("seed fill: F19, a checkerboard of 4096 x 4096 is half filled over corners, and one cell without") {
+TEST_CASE("seed fill: a checkerboard of 4096 x 4096 is half filled over corners, and one cell without") {
   const int n = 4096;
   irg::image<unsigned char> board(n, n, 0);
   for (int y = 0; y < n; ++y)

@@ -125,7 +125,7 @@ TEST_CASE("textured_shading: a register of pixels has the bits of single ones") 
   }
 }
 
-// ---- perspective: Z13, corners whose w are as 1 to 100000
+// ---- perspective: corners whose w are as 1 to 100000
 
 // Records the attributes themselves.
 struct recorder {
@@ -137,8 +137,7 @@ struct recorder {
   textured_vertex pixel(const textured_vertex& at) const { return at; }
 };
 
-TEST_CASE(
-    "textured_shading: Z13, u and v within 4e-7 of the exact ones where the w of the corners differ by up to 1e5") {
+TEST_CASE("textured_shading: u and v within 4e-7 of the exact ones where the w of the corners differ by up to 1e5") {
   test::random r(52);
   const int size = 96;
   long long pixels = 0;

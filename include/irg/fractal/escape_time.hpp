@@ -82,7 +82,7 @@ constexpr escape_limit<T> make_escape_limit(T radius, int most) noexcept {
 /// gives   a count from 0 to most; `most` also for an orbit that leaves just then. An orbit that becomes NaN has left
 /// exact   the map's own rounding; counts are those of the loop in this header's first lines
 /// cost    at most `most` steps; nothing is allocated
-/// source  the university course, chapter 8
+/// source  Mihajlovic 2016, chapter 8
 template <Floating T, ComplexMap<T> F>
 constexpr escape_end<T> escape_orbit(const F& f, point<T, 2> z, const escape_limit<T>& limit) {
   for (int k = 0; k < limit.most; ++k) {

@@ -14,7 +14,7 @@ inline namespace IRG_ABI {
 /// How many steps the orbit of z under z^2 + c takes.
 /// gives   the same for z and -z; 0 for NaN
 /// exact   in floats as they come: the course's loop in doubles, never contracted
-/// source  Julia 1918; the university course, chapter 8
+/// source  Julia 1918; Mihajlovic 2016, chapter 8
 template <Floating T>
 constexpr int julia_count(const point<T, 2>& z, const point<T, 2>& c, const escape_limit<T>& limit) noexcept {
   return escape_count(square_plus<T>{c}, z, limit);

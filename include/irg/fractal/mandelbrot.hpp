@@ -61,7 +61,7 @@ constexpr mandelbrot_part mandelbrot_part_of(const point<T, 2>& c) noexcept {
 /// How many steps the orbit of 0 under z^2 + c takes: `most` for the numbers of the set, and a few more.
 /// gives   0 for NaN
 /// exact   in floats as they come: the course's loop in doubles, never contracted
-/// source  Mandelbrot 1980; the university course, chapter 8
+/// source  Mandelbrot 1980; Mihajlovic 2016, chapter 8
 template <Floating T>
 constexpr int mandelbrot_count(const point<T, 2>& c, const escape_limit<T>& limit) noexcept {
   return escape_count(square_plus<T>{c}, point<T, 2>{T(0), T(0)}, limit);

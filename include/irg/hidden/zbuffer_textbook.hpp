@@ -229,7 +229,7 @@ constexpr void zbuffer_face(const B& buffers, const screen_face& face, const V& 
 /// exact   coverage as fill_convex; depths within the bound of plane_depth, or depth_walk for `steps`, of the plane
 ///         through the corners, and never outside the range of the corners' depths
 /// cost    one division and some products per pixel, or one addition (`steps`)
-/// source  S1, S2 2.2
+/// source  Hidden-surface slides; Fabris 2012, 2.2
 template <ZBuffer B, FloatingSpaceRing R, class V = typename B::value_type>
 constexpr bool zbuffer_polygon(const B& buffers, const R& ring, const V& value,
                                const depth_sampling<scalar_of<ring_point<R>>>& sampling = {}) {
@@ -287,7 +287,7 @@ constexpr bool zbuffer_polygon_perspective(const B& buffers, const R& ring, cons
 /// Fills in the screen from a buffer of object references: colour_of(reference) wherever a reference is not `nothing`.
 /// For drawing references first and looking colours up once per pixel, at the end.
 /// gives   pixels that one of the two rasters lacks are left alone
-/// source  S3 4.2.1.1
+/// source  Hank n.d., 4.2.1.1
 template <WritableRaster Screen, ReadableRaster References, class ColourOf>
 constexpr void resolve_references(Screen& screen, const References& references, const pixel_of<References>& nothing,
                                   const ColourOf& colour_of) {

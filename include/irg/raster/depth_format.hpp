@@ -215,7 +215,7 @@ IRG_INLINE constexpr screen_vertex vertex_for(screen_vertex v) noexcept {
 ///         plane and the surface is told from it
 /// exact   within 10 ulp of the formula s = q d d / (k + q d), q the step and k the scale of the format; depths as a
 ///         pipeline computes them carry their own rounding beside (docs/raster/depth_format.md)
-/// source  Akeley and Su 2006, Minimum triangle separation for correct z-buffer occlusion
+/// source  Akeley and Su 2006
 template <DepthFormat F>
 constexpr double depth_resolution(F, double z_near, double z_far, double distance) noexcept {
   const bool usable =

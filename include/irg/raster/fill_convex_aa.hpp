@@ -23,7 +23,7 @@ inline namespace IRG_ABI {
 ///         the exact area of the snapped polygon. No window changes a pixel within it; a polygon mirrored in x has
 ///         mirrored coverages, one shifted by whole pixels has shifted ones
 /// cost    two divisions per edge; per row, a closed form for the pixels that edges cross; nothing is allocated
-/// source  the areas add up as in Catmull 1978; closed forms per edge and row
+/// source  Catmull 1978 (areas add up); closed forms per edge and row
 template <FillableRing Ring, CoverageSink Sink>
 constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink&& emit) {
   return detail::send_convex_areas(ring, window, emit);

@@ -117,7 +117,7 @@ inline namespace IRG_ABI {
 ///         half_open), another segment and a point only what `closed` finds on them
 /// exact   crossings are compared and rounded as fractions
 /// cost    one pass over the edges per row of the polygon in the window, in 128-bit arithmetic
-/// source  the course, chapter 3.4: L is the maximum over left edges (y_i < y_i+1 when clockwise, y up), D the minimum
+/// source  Mihajlovic 2016, 3.4: L is the maximum over left edges (y_i < y_i+1 when clockwise, y up), D the minimum
 ///         over right edges, edges taken as endless lines, horizontal ones skipped
 template <LatticeRing Ring, SpanSink Sink>
 constexpr void convex_spans_textbook(const Ring& ring, sample_rule rule, const cell_window& window, Sink&& emit) {

@@ -82,7 +82,7 @@ inline namespace IRG_ABI {
 /// cost    per row, sorting its edges (they are nearly in order); per pixel that an edge crosses, one closed form; per
 ///         crossing of edges, a few more. The workspace keeps memory for the edges, what crosses in a row, and one row.
 ///         A single convex ring goes the way of convex_coverage
-/// source  sweep and crossings as in Bentley and Ottmann 1979, a pixel row at a time
+/// source  Bentley and Ottmann 1979 (sweep and crossings), a pixel row at a time
 template <FillablePolygon P, CoverageSink Sink, class Workspace = coverage_workspace>
   requires std::same_as<Workspace&, coverage_workspace&>
 constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,

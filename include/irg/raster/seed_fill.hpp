@@ -133,7 +133,7 @@ inline namespace IRG_ABI {
 /// gives   0, and no call, when the seed is outside of the window or not inside the region
 /// cost    one question per cell of the region and per cell beside it. Memory: one bit per cell of the window, and 24
 ///         bytes per run of the front at most, which is never more than height * (width + 1) / 2 runs
-/// source  Smith 1979, Tint fill; Heckbert 1990 (Graphics Gems): runs in place of cells
+/// source  Smith 1979; Heckbert 1990: runs in place of cells
 template <CellPredicate Inside, SpanSink Sink>
 constexpr std::int64_t seed_fill_spans(const cell_window& window, Inside&& inside, cell seed, neighbours next_to,
                                        Sink&& emit) {

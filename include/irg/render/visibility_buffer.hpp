@@ -52,7 +52,7 @@ inline namespace IRG_ABI {
 ///         there
 /// exact   the depths and triangles of draw_batches, the same bytes for every executor and all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-/// source  Burns and Hunt, The visibility buffer, 2013
+/// source  Burns and Hunt 2013
 template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Ids, RowRaster Depth, Executor E = sequential>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats draw_visibility(Ids& ids, Depth& depth,

@@ -56,7 +56,7 @@ constexpr bresenham_frame frame_of(cell a, cell b, line_ties ties = line_ties::s
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
   const std::int64_t width = dx < 0 ? -dx : dx, height = dy < 0 ? -dy : dy;
   const int sx = dx < 0 ? -1 : 1, sy = dy < 0 ? -1 : 1;
-  const bool steep = height >= width;  // 45 degrees counts as steep, as in the course's text
+  const bool steep = height >= width;  // 45 degrees counts as steep, as in Fabris's text
   const int tie = ties == line_ties::symmetric && (steep ? sy : sx) < 0 ? 1 : 0;
   return steep ? bresenham_frame{height, width, sy, sx, true, a, tie}
                : bresenham_frame{width, height, sx, sy, false, a, tie};
