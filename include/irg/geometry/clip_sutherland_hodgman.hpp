@@ -4,7 +4,6 @@
 // simplicity where the polygon is not convex; clip_weiler_atherton gives the pieces apart.
 #pragma once
 
-#include <iterator>
 #include <span>
 #include <vector>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <iterator>
+#include <span>
 #include <utility>
 
 #include <irg/core/conversion.hpp>

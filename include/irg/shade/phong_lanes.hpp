@@ -13,21 +13,22 @@
 namespace irg {
 
 /// phong_shader made ready for registers: what is the same at all points is worked out once.
-/// needs   a shader that outlives it, and does not change
+/// needs   a shader of doubles that outlives it, and does not change
+template <Floating T>
 class phong_lanes {
 public:
-  constexpr explicit phong_lanes(const phong_shader<double>& shader) : shader_(shader) {
-    const auto share = [](const rgb<double>& ii, const rgb<double>& k) {
-      return detail::per_channel([](double i, double reflected) { return product(i, reflected); }, ii, k);
+  constexpr explicit phong_lanes(const phong_shader<T>& shader) : shader_(shader) {
+    const auto share = [](const rgb<T>& ii, const rgb<T>& k) {
+      return detail::per_channel([](T i, T reflected) { return product(i, reflected); }, ii, k);
     };
     exponent_ = detail::small_integer(shader.surface.shininess);
     ambient_ = ambient_term(shader.light.ambient, shader.surface.ambient);
-    for (const light<double>& source : shader.light.lights) {
-      const rgb<double> specular = share(source.intensity, shader.surface.specular);
+    for (const light<T>& source : shader.light.lights) {
+      const rgb<T> specular = share(source.intensity, shader.surface.specular);
       const bool at_infinity = source.position.w == 0;
-      const vec<double, 3> direction = normalized(direction_to_light(source, point<double, 3>{0, 0, 0}));
+      const vec<T, 3> direction = normalized(direction_to_light(source, point<T, 3>{0, 0, 0}));
       lights_.push_back({source, direction, share(source.intensity, shader.surface.diffuse), specular, at_infinity,
-                         specular == rgb<double>{0, 0, 0} && !(shader.light.distance == distance_term::viewer)});
+                         specular == rgb<T>{0, 0, 0} && !(shader.light.distance == distance_term::viewer)});
     }
   }
 
@@ -36,11 +37,12 @@ public:
   /// cost    two roots and eight divisions a register for one light at infinity, and a few dozen products; N calls of
   ///         the shader where a vector's greatest coordinate is not from 2^-100 to 2^100
   template <int N>
+    requires std::same_as<T, double>
   IRG_INLINE rgb<pack<double, N>> operator()(const triple_lanes<double, N>& p, const triple_lanes<double, N>& normal,
                                              unsigned needed = ~0u) const {
     using F = pack<double, N>;
     using f = lanes<F>;
-    const point<double, 3>& eye = shader_.eye;
+    const point<T, 3>& eye = shader_.eye;
     const triple_lanes<double, N> to_eye{f::broadcast(eye.x) - p.x, f::broadcast(eye.y) - p.y,
                                          f::broadcast(eye.z) - p.z};
     typename f::mask moderate = detail::is_moderate(to_eye) & detail::is_moderate(normal);
@@ -63,14 +65,14 @@ public:
 
 private:
   struct prepared_light {
-    light<double> source;
-    vec<double, 3> direction;  // of length 1, where it is at infinity
-    rgb<double> diffuse, specular;  // the light that is reflected in full
+    light<T> source;
+    vec<T, 3> direction;  // of length 1, where it is at infinity
+    rgb<T> diffuse, specular;  // the light that is reflected in full
     bool at_infinity, dull;  // dull: no highlight
   };
 
   template <int N>
-  IRG_INLINE static triple_lanes<double, N> direction_from(const hpoint<double, 3>& s,
+  IRG_INLINE static triple_lanes<double, N> direction_from(const hpoint<T, 3>& s,
                                                            const triple_lanes<double, N>& p) noexcept {
     using f = lanes<pack<double, N>>;
     const auto w = f::broadcast(s.w);
@@ -110,7 +112,7 @@ private:
         to = to + (f::broadcast(diffuse) * cosine + f::broadcast(specular) * factor);
       }
     };
-    const rgb<double>&ii = l.source.intensity, &kd = shader_.surface.diffuse, &ks = shader_.surface.specular;
+    const rgb<T>&ii = l.source.intensity, &kd = shader_.surface.diffuse, &ks = shader_.surface.specular;
     channel(sum.r, ii.r, kd.r, ks.r, l.diffuse.r, l.specular.r);
     channel(sum.g, ii.g, kd.g, ks.g, l.diffuse.g, l.specular.g);
     channel(sum.b, ii.b, kd.b, ks.b, l.diffuse.b, l.specular.b);
@@ -134,7 +136,7 @@ private:
                                                const triple_lanes<double, N>& normal) const {
     rgb<pack<double, N>> light;
     for (int i = 0; i < N; ++i) {
-      const rgb<double> one = shader_({p.x[i], p.y[i], p.z[i]}, {normal.x[i], normal.y[i], normal.z[i]});
+      const rgb<T> one = shader_({p.x[i], p.y[i], p.z[i]}, {normal.x[i], normal.y[i], normal.z[i]});
       set_lane(light.r, i, one.r);
       set_lane(light.g, i, one.g);
       set_lane(light.b, i, one.b);
@@ -142,8 +144,8 @@ private:
     return light;
   }
 
-  const phong_shader<double>& shader_;
-  rgb<double> ambient_{};
+  const phong_shader<T>& shader_;
+  rgb<T> ambient_{};
   std::vector<prepared_light> lights_{};
   int exponent_ = 0;
 };

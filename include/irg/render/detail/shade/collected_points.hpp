@@ -33,7 +33,7 @@ struct collected_points<Shader, Count, P> {
   static constexpr bool collects = true;
   P* const row;
   surface_points<Count> points;
-  const phong_lanes* light = nullptr;
+  const phong_lanes<double>* light = nullptr;
   unsigned chosen = 0;
 
   IRG_INLINE explicit collected_points(P* to) noexcept : row(to) {}

@@ -33,12 +33,12 @@ struct light_itself {
 template <Floating T, class Output>
 struct phong_pixel_shader {
   const phong_shader<T>& shader;
-  const phong_lanes* in_lanes;  // of doubles
+  const phong_lanes<T>* in_lanes;  // of doubles
   point<T, 3> position;
   vec<T, 3> normal;
   vec<T, 3> to_position[2], to_normal[2];  // from the first corner to the second and the third
 
-  constexpr phong_pixel_shader(const phong_shader<T>& s, const phong_lanes* many, const point<T, 3> (&p)[3],
+  constexpr phong_pixel_shader(const phong_shader<T>& s, const phong_lanes<T>* many, const point<T, 3> (&p)[3],
                                const vec<T, 3> (&n)[3]) noexcept
       : shader(s), in_lanes(many), position(p[0]), normal(n[0]), to_position{p[1] - p[0], p[2] - p[0]},
         to_normal{n[1] - n[0], n[2] - n[0]} {}
@@ -80,7 +80,8 @@ struct phong_pixel_shader {
   }
   // Shades the chosen pixels of a row.
   template <int N, class P>
-  IRG_INLINE static void shade(const phong_lanes& light_of, const surface_points<N>& points, unsigned chosen, P* row) {
+  IRG_INLINE static void shade(const phong_lanes<T>& light_of, const surface_points<N>& points, unsigned chosen,
+                               P* row) {
     using f = lanes<pack<double, native_lanes<double>>>;
     alignas(64) float r[static_cast<unsigned>(N)], g[static_cast<unsigned>(N)], b[static_cast<unsigned>(N)];
     for (int first = 0; first < N; first += f::count) {
@@ -122,12 +123,12 @@ struct object_shading {
   prepared_object<T>& made;
   flat_shader<T> flat;
   phong_shader<T> phong;
-  std::optional<phong_lanes> phong_in_lanes{};  // of doubles, where the style needs it: at vertices, too
+  std::optional<phong_lanes<T>> phong_in_lanes{};  // of doubles, where the style needs it: at vertices, too
 
   constexpr object_shading(prepared_object<T>& object, const lighting<T>& light, const point<T, 3>& eye)
       : made(object), flat{object.surface, light, eye}, phong{object.surface, light, eye} {}
 
-  constexpr const phong_lanes* shared_light() const noexcept { return phong_in_lanes ? &*phong_in_lanes : nullptr; }
+  constexpr const phong_lanes<T>* shared_light() const noexcept { return phong_in_lanes ? &*phong_in_lanes : nullptr; }
 
   // What a triangle's back shows has its normal turned towards the eye.
   constexpr rgb<float> face_colour(std::size_t f, facing side) const noexcept {

@@ -35,7 +35,7 @@ constexpr void light_vertex(const lit_vertices<T>& to, std::size_t v, const phon
 // needs   in doubles: `many` made of the shader
 template <class T>
 constexpr void light_vertices(const lit_vertices<T>& to, std::size_t first, std::size_t last,
-                              const phong_shader<T>& shader, const phong_lanes* many) {
+                              const phong_shader<T>& shader, const phong_lanes<T>* many) {
   if constexpr (std::same_as<T, double>) {
     using f = lanes<pack<double, native_lanes<double>>>;
     if (!std::is_constant_evaluated() && many != nullptr)
