@@ -40,9 +40,9 @@ IRG_INLINE lane_sum<F> two_sum_of(const F& a, const F& b) noexcept {
   return {sum, (a - a_part) + (b - b_part)};
 }
 template <class F>
-IRG_INLINE lane_sum<F> fast_two_sum_of(const F& large, const F& small) noexcept {
-  const F sum = large + small;
-  return {sum, small - (sum - large)};
+IRG_INLINE lane_sum<F> fast_two_sum_of(const F& large, const F& little) noexcept {
+  const F sum = large + little;
+  return {sum, little - (sum - large)};
 }
 template <class F>
 IRG_INLINE lane_sum<F> square_of(const F& a) noexcept {
