@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/geometry/depth_sign.hpp>
+#include <irg/geometry/compare.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_span.hpp>
@@ -104,7 +104,7 @@ point seen_by_eye(const problem& p, const point& scene) {
   if (!(std::abs(seen.z) <= size * 0x1p-44)) return seen;
   const double careful = careful_depth(p, scene);
   if (std::isfinite(careful)) seen.z = careful;
-  const int sign = irg::depth_sign(p.from, p.at, scene);
+  const int sign = irg::order_along_line(p.from, p.at, scene, p.from);
   if (sign == 0)
     seen.z = 0;
   else if (!(sign * seen.z > 0))  // too small for all that

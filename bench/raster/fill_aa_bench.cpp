@@ -18,7 +18,7 @@ void add_own(std::vector<drawer>& d, const canvas& c, const polygon_set& set) {
     d.push_back(own("irg", set, [view](ring r) mutable { (void)irg::fill_convex_aa(view, r, white_rgba); }));
   d.push_back(own(set.convex() ? "irg:polygon" : "irg", set,
                   [view, rule = set.rule(), workspace = irg::coverage_workspace{}](ring r) mutable {
-                    (void)irg::fill_polygon_aa(view, r, rule, white_rgba, irg::window_of(view), workspace);
+                    (void)irg::fill_polygon_aa(view, r, rule, white_rgba, workspace);
                   }));
   if (!set.convex()) return;
   d.push_back(own(

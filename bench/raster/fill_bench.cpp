@@ -19,7 +19,7 @@ void add_own(std::vector<drawer>& d, const canvas& c, const polygon_set& set) {
     d.push_back(own("irg", set, [view](ring r) mutable { (void)irg::fill_convex(view, r, white_rgba); }));
   d.push_back(own(set.convex() ? "irg:polygon" : "irg", set,
                   [view, rule = set.rule(), workspace = irg::fill_workspace{}](ring r) mutable {
-                    (void)irg::fill_polygon(view, r, rule, white_rgba, irg::window_of(view), workspace);
+                    (void)irg::fill_polygon(view, r, rule, white_rgba, workspace);
                   }));
   auto& rings = keep_lazy([&set] {
     std::vector<ring> all;
@@ -29,7 +29,7 @@ void add_own(std::vector<drawer>& d, const canvas& c, const polygon_set& set) {
   drawer batch{"irg:batch", {}};
   batch.draw = [view, &rings, rule = set.rule(), workspace = irg::fill_workspace{}](int first, int last) mutable {
     const std::span<const ring> some(rings->data() + first, static_cast<std::size_t>(last - first));
-    (void)irg::fill_polygons(view, some, rule, white_rgba, irg::window_of(view), workspace);
+    (void)irg::fill_polygons(view, some, rule, white_rgba, workspace);
   };
   batch.promised = promise::nothing_wrong;
   batch.note = "fill_polygons";

@@ -108,7 +108,7 @@ drawer own_batch(const canvas& c, line_list& lines) {
   drawer d{"irg", {}};
   d.draw = [view = c.view(), &all, memory = irg::line_batch{}](int first, int last) mutable {
     const std::span<const irg::cell_line> some(all->data() + first, static_cast<std::size_t>(last - first));
-    irg::draw_lines(view, some, white_rgba, irg::window_of(view), irg::line_options{}, memory);
+    irg::draw_lines(view, some, white_rgba, irg::line_options{}, memory);
   };
   d.promised = promise::nothing_wrong;
   d.note = "sorting timed";

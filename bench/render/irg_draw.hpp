@@ -31,7 +31,6 @@ struct vertex_colours {
   irg::rgba8 pixel(const std::array<float, 3>& light) const {
     return {byte(light[0]), byte(light[1]), byte(light[2]), 255};
   }
-#ifdef IRG_LANES_VECTOR
   // The same in lanes; byte 0 of a word is red, as on every processor that irg has lanes for.
   template <int N>
   IRG_INLINE irg::pack<std::uint32_t, N> pixels(const std::array<irg::pack<float, N>, 3>& light) const {
@@ -39,13 +38,11 @@ struct vertex_colours {
     const floats zero = irg::lanes<floats>::broadcast(0), one = irg::lanes<floats>::broadcast(1);
     const auto bytes = [&](const floats& v) {
       const floats inside = irg::select(one < v, one, irg::select(v < zero, zero, v));
-      return __builtin_convertvector(inside.v * 255.0f + 0.5f, typename irg::pack<std::int32_t, N>::storage);
+      return irg::converted<std::int32_t>(inside * 255.0f + 0.5f);
     };
     const auto word = bytes(light[0]) | bytes(light[1]) << 8 | bytes(light[2]) << 16;
-    using words = typename irg::pack<std::uint32_t, N>::storage;
-    return {__builtin_convertvector(word, words) | 0xff000000u};
+    return irg::bits_as<std::uint32_t>(word) | 0xff000000u;
   }
-#endif
 };
 
 // The same, encoded as sRGB, as irg::render writes its pictures.

@@ -59,9 +59,12 @@ struct clock_colours : own::vertex_colours {
 };
 
 enum stage_of_frame { project, cull, sort_lists, visibility, shading, whole, stage_count };
-constexpr const char* names[] = {"irg:vertices to the screen",           "irg:cull and clip and list by tiles",
-                                 "irg:lay the lists together",           "irg:which triangle each pixel shows",
-                                 "irg:clear and colour what is visible", "irg"};  // a whole frame without a clock in it
+constexpr const char* names[] = {"irg:vertices to the screen",
+                                 "irg:cull and clip and bin by tiles",
+                                 "irg:fill the bins",
+                                 "irg:which triangle each pixel shows",
+                                 "irg:clear and colour what is visible",
+                                 "irg"};  // a whole frame without a clock in it
 using seconds_of_stages = std::array<double, stage_count>;
 
 struct measured {

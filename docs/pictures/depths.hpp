@@ -27,7 +27,7 @@ void draw(const irg::zbuffer_textbook<Order, picture, irg::image<double>>& buffe
   const irg::picture_grid<double> about_axis{0.5 - width / 2, height / 2 - 0.5, 1, -1};
   const auto polygon = [&](auto ring, irg::rgba8 colour) {
     for (P& p : ring) p.z *= away;
-    irg::zbuffer_polygon_perspective(buffers, ring, away * eye, colour, irg::depth_evaluation::plane, about_axis);
+    irg::zbuffer_polygon_perspective(buffers, ring, away * eye, colour, {irg::depth_evaluation::plane, about_axis});
   };
   for (int i = 0; i < 10; ++i)
     for (int k = 0; k < 9; ++k) {

@@ -29,7 +29,7 @@ inline picture steps() {
     irg::line_bresenham(a, b, {-100, -100, 100, 100}, [&](irg::cell c) {
       const bool aside = c.x != last.x && c.y != last.y;
       last = c;
-      irg::draw_line(small, c, c, aside ? red : blue, window);
+      irg::draw_line(irg::within(small, window), c, c, aside ? red : blue);
     });
   }
   picture big = enlarged(small, size);

@@ -16,8 +16,10 @@
 #include "saving.hpp"
 #include "simulated_simplicity.hpp"
 #include "spaces.hpp"
+#include "tiles.hpp"
 
 void saving::number_and_geometry_pages() {
+  save("executors", tile_pictures::orders());
   save("orient2d", predicate_pictures::turns());
   save("orient3d", predicate_pictures::planes());
   save("in_circle", predicate_pictures::circles());

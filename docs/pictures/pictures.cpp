@@ -22,8 +22,10 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
+#include "cameras.hpp"
 #include "depths.hpp"
 #include "enlarged.hpp"
+#include "escape.hpp"
 #include "faces.hpp"
 #include "fills.hpp"
 #include "fills_aa.hpp"
@@ -40,6 +42,7 @@
 #include "textbook_fill.hpp"
 #include "viewing.hpp"
 #include "lines_aa.hpp"
+#include "meshes.hpp"
 
 namespace {
 
@@ -80,7 +83,7 @@ void lines() {
     const irg::cell end{32 + static_cast<int>(std::floor(60 * irg::cos(angle))),
                         20 + static_cast<int>(std::floor(60 * irg::sin(angle)))};
     irg::draw_line(small, {32, 20}, end, pale);
-    irg::draw_line(small, {32, 20}, end, i % 2 ? blue : red, window);
+    irg::draw_line(irg::within(small, window), {32, 20}, end, i % 2 ? blue : red);
   }
   save("lines", enlarged(small, size));
 }
@@ -374,10 +377,20 @@ int main(int argc, char** argv) {
   save("fill_seam", fills_aa::seam());
   save("blend_span", fills_aa::run());
   save("screen_face", face_pictures::order());
+  save("escape_time", escape_pictures::both());
   save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
   save("view_transform_textbook", viewing::steps());
   save("polar_camera", viewing::orbit());
+  save("affine", camera_pictures::maps());
+  save("axonometry", camera_pictures::proportions());
+  save("camera_frame", camera_pictures::frames());
+  save("look_at", camera_pictures::views());
+  save("central_projection", camera_pictures::rays());
+  save("oblique", camera_pictures::slants());
+  save("mesh", mesh_pictures::faces());
+  save("normals", mesh_pictures::normals());
+  save("fit", mesh_pictures::fitting());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());

@@ -50,7 +50,7 @@ inline picture edges() {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const P from = polygon[i], to = irg::ring_vertex(polygon, i + 1), far = from + (to - from) * 20.0,
               before = from + (to - from) * -20.0, middle = from + (to - from) * 0.5;
-      irg::draw_line_aa(p, b.at(before), b.at(far), grey, panel);
+      irg::draw_line_aa(irg::within(p, panel), b.at(before), b.at(far), grey);
       b.edge(from, to, 2, ink);
       const auto equation = irg::edge_through(from, to);
       const double length = std::hypot(equation.a, equation.b);

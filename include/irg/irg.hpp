@@ -12,6 +12,7 @@
 #include <irg/view.hpp>
 #include <irg/raster.hpp>
 #include <irg/shade.hpp>
+#include <irg/fractal.hpp>
 #include <irg/hidden.hpp>
 #include <irg/visibility.hpp>
 #include <irg/scene.hpp>

@@ -45,6 +45,7 @@
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/screen_face.hpp>
 #include <irg/raster/screen_mapping.hpp>
+#include <irg/raster/screen_pieces.hpp>
 #include <irg/raster/screen_vertex.hpp>
 #include <irg/raster/seed_fill.hpp>
 #include <irg/raster/subpixel.hpp>

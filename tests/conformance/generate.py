@@ -245,13 +245,13 @@ def lines_default():
     for x, y in ((5, 2), (2, 5), (-2, 5), (-5, 2), (-5, -2), (-2, -5), (2, -5), (5, -2)):
         minor = y if abs(x) > abs(y) else x
         v.line(f"octant-{x}-{y}", (0, 0), (x, y), (-8, -8, 9, 9), known=[k * minor // 2 for k in (0, 0, 1, 1, 2, 2)])
-    v.line("tie-forth", (0, 0), (4, 2), (-8, -8, 9, 9), known=[0, 0, 1, 1, 2])  # L6
+    v.line("tie-forth", (0, 0), (4, 2), (-8, -8, 9, 9), known=[0, 0, 1, 1, 2])
     v.line("tie-back", (4, 2), (0, 0), (-8, -8, 9, 9), known=[2, 2, 1, 1, 0])
     v.line("table-3-forth", (0, 0), (8, 4), (0, 0, 9, 9), known=[0, 0, 1, 1, 2, 2, 3, 3, 4])
     v.line("table-3-back", (8, 4), (0, 0), (0, 0, 9, 9), known=[4, 4, 3, 3, 2, 2, 1, 1, 0])
     every_direction(v)
     for name, at in (("inside", (3, 2)), ("outside", (6, 2)), ("on-the-last-column", (4, 2)), ("past-it", (5, 2))):
-        v.line("point-" + name, at, at, (0, 0, 5, 4))  # L4
+        v.line("point-" + name, at, at, (0, 0, 5, 4))
     return v
 
 
@@ -295,11 +295,11 @@ def random_lines(v, r, count, coordinate):
 
 def lines_clipped():
     v = Vectors("lines_clipped", "lines through small windows: clipping changes no cell", LINE_KEYS)
-    v.line("misses-though-the-boxes-overlap", (-3, 2), (2, -3), (0, 0, 4, 4))  # L7
-    v.line("one-corner-cell", (-3, 3), (3, -3), (0, 0, 4, 4))  # L8
-    v.line("one-cell-window", (-7, -5), (9, 6), (0, 0, 1, 1))  # L12
+    v.line("misses-though-the-boxes-overlap", (-3, 2), (2, -3), (0, 0, 4, 4))
+    v.line("one-corner-cell", (-3, 3), (3, -3), (0, 0, 4, 4))
+    v.line("one-cell-window", (-7, -5), (9, 6), (0, 0, 1, 1))
     for name, window in (("no-width", (2, 0, 2, 4)), ("no-height", (0, 2, 4, 2)), ("inverted", (4, 4, 0, 0))):
-        v.line("window-of-" + name, (0, 0), (3, 3), window)  # L11
+        v.line("window-of-" + name, (0, 0), (3, 3), window)
     r = random.Random(11)
     random_lines(v, r, 60, lambda: r.randint(-60, 60))
     return v
@@ -308,14 +308,14 @@ def lines_clipped():
 def lines_extreme():
     v = Vectors("lines_extreme", "lines over the whole range of 32-bit coordinates", LINE_KEYS)
     view = (0, 0, 64, 64)
-    v.line("whole-diagonal", (LEAST, LEAST), (MOST, MOST), view)  # L1
-    v.line("whole-row", (LEAST, 5), (MOST, 5), view)  # L2
+    v.line("whole-diagonal", (LEAST, LEAST), (MOST, MOST), view)
+    v.line("whole-row", (LEAST, 5), (MOST, 5), view)
     v.line("whole-column", (5, MOST), (5, LEAST), view)
-    v.line("far-left", (LEAST, 0), (63, 63), view)  # L3
+    v.line("far-left", (LEAST, 0), (63, 63), view)
     v.line("far-corner", (MOST, LEAST), (0, 0), view)
     v.line("anti-diagonal", (LEAST, MOST), (MOST, LEAST), (-32, -32, 32, 32))
     for k, (a, b) in enumerate((((262, 23), (-91618510, -54756195)), ((263, 214), (-80120779, 11846827)),
-                                ((34, 204), (-46400, 47400)))):  # L10
+                                ((34, 204), (-46400, 47400)))):
         v.line(f"far-end-{k}", a, b, (a[0] - 40, a[1] - 30, a[0] + 10, a[1] + 30))
         v.line(f"far-end-{k}-back", b, a, (a[0] - 40, a[1] - 30, a[0] + 10, a[1] + 30))
     r = random.Random(12)
@@ -345,7 +345,7 @@ def fills_course():
         v.fill("segment-" + rule, [pixels([(0, 0), (2, 4)])], rule, (-1, -1, 9, 9))
         v.fill("level-segment-" + rule, [pixels([(0, 7), (5, 7), (2, 7)])], rule, (-1, -1, 9, 9))
         v.fill("no-cell-point-" + rule, [[(300, 300), (500, 310), (310, 500)]], rule, (0, 0, 4, 4))
-        v.fill("quad-" + rule, [pixels([(44, 27), (7, 37), (7, 19), (38, 19)])], rule, (0, 10, 50, 45))  # F22
+        v.fill("quad-" + rule, [pixels([(44, 27), (7, 37), (7, 19), (38, 19)])], rule, (0, 10, 50, 45))
         r = random.Random(13)
         for k in range(12):
             points = [(r.randint(-2500, 2500), r.randint(-2500, 2500)) for _ in range(r.randint(3, 9))]
@@ -378,14 +378,14 @@ def fills_triangles():
                        ("collinear", [(0, 0), (512, 512), (1024, 1024)]),
                        ("level", [(0, 128), (900, 128), (400, 128)]),
                        ("upright", [(128, 0), (128, 900), (128, 400)])):
-        v.fill("no-area-" + name, [ring], rule, w, 0)  # F1
+        v.fill("no-area-" + name, [ring], rule, w, 0)
     base = [(0, 0), (1024, 0), (0, 1024)]  # the hypotenuse runs through centres
     for k in range(4):
         for turn, ring in (("clockwise", base), ("counter-clockwise", base[::-1])):
             rotated = ring
             for _ in range(k):
                 rotated = [(1024 - y, x) for x, y in rotated]
-            v.fill(f"through-centres-{k}-{turn}", [rotated], rule, w)  # F15, F17
+            v.fill(f"through-centres-{k}-{turn}", [rotated], rule, w)
     for name, box in (("on-centres", (128, 128, 640, 640)), ("between", (0, 0, 512, 512)), ("one-unit-short", (129, 129, 641, 641)),
                       ("one-unit-wide", (127, 127, 639, 639))):
         x0, y0, x1, y1 = box
@@ -395,13 +395,13 @@ def fills_triangles():
                 ring = [corners[(start + step * k) % 4] for k in range(4)]
                 v.fill(f"square-{name}-{start}-{'clockwise' if step > 0 else 'counter-clockwise'}", [ring], rule, w, 4)
     far = 2**21 * 256
-    v.fill("far-corner", [[(-far, -far), (far, -far), (-far, far)]], rule, (-8, -8, 8, 8), 120)  # F13
+    v.fill("far-corner", [[(-far, -far), (far, -far), (-far, far)]], rule, (-8, -8, 8, 8), 120)
     v.fill("far-opposite-corner", [[(far, far), (far, -far), (-far, far)]], rule, (-8, -8, 8, 8), 136)
     far = 2**31 * 256
     v.fill("farther-corner", [[(-far, -far), (far, -far), (-far, far)]], rule, (-8, -8, 8, 8), 120)
     v.fill("farther-shallow", [[(-far, 3), (far, 900), (far, -77 * 256)]], rule, (-8, -8, 8, 8))
     v.fill("farther-sliver", [[(-far, -far), (far, far), (far, far - 256)]], rule, (-8, -8, 8, 8))
-    v.fill("sliver", [[(0, 0), (16384 * 256, 64 * 256), (0, 1)]], rule, (0, 0, 16384, 64))  # F14
+    v.fill("sliver", [[(0, 0), (16384 * 256, 64 * 256), (0, 1)]], rule, (0, 0, 16384, 64))
     r = random.Random(14)
     for k in range(60):
         a, b, c = ((r.randint(-300, 3300), r.randint(-300, 3300)) for _ in range(3))
@@ -426,16 +426,16 @@ def fills_polygons():
         "one-vertex": [[(128, 128)]],
         "two-vertices": [[(0, 0), (2000, 1500)]],
         "square": [pixels([(-5, -5), (6, -5), (6, 7), (-5, 7)])],
-        "repeated-vertices": [pixels([(-5, -5), (-5, -5), (6, -5), (6, 7), (6, 7), (6, 7), (-5, 7), (-5, -5)])],  # F2
-        "spike": [pixels([(-5, -5), (6, -5), (6, 1), (11, 1), (6, 1), (6, 7), (-5, 7)])],  # F4
-        "touching-at-a-vertex": [pixels([(-6, -6), (0, 0), (6, -6), (6, 6), (0, 0), (-6, 6)])],  # F5
-        "bow-tie": [pixels([(-8, -8), (8, 8), (8, -8), (-8, 8)])],  # F6
+        "repeated-vertices": [pixels([(-5, -5), (-5, -5), (6, -5), (6, 7), (6, 7), (6, 7), (-5, 7), (-5, -5)])],
+        "spike": [pixels([(-5, -5), (6, -5), (6, 1), (11, 1), (6, 1), (6, 7), (-5, 7)])],
+        "touching-at-a-vertex": [pixels([(-6, -6), (0, 0), (6, -6), (6, 6), (0, 0), (-6, 6)])],
+        "bow-tie": [pixels([(-8, -8), (8, 8), (8, -8), (-8, 8)])],
         "bow-tie-off-centre": [pixels([(-8, -8), (8, 7.5), (8.25, -8), (-8, 8.125)])],
-        "pentagram": [pentagram(2.8)],  # F7
+        "pentagram": [pentagram(2.8)],
         "pentagram-on-centres": [moved(pentagram(2.56), 128, 128)],
         "hole": [pixels([(-9, -9), (9, -9), (9, 9), (-9, 9)]), pixels([(-4, -4), (-4, 4), (4, 4), (4, -4)])],
         "hole-same-way": [pixels([(-9, -9), (9, -9), (9, 9), (-9, 9)]), pixels([(-4, -4), (4, -4), (4, 4), (-4, 4)])],
-        "hole-sharing-an-edge": [pixels([(-9, -9), (9, -9), (9, 9), (-9, 9)]), pixels([(-9, -4), (-9, 4), (4, 4), (4, -4)])],  # F8
+        "hole-sharing-an-edge": [pixels([(-9, -9), (9, -9), (9, 9), (-9, 9)]), pixels([(-9, -4), (-9, 4), (4, 4), (4, -4)])],
         "hole-sharing-a-vertex": [pixels([(-9, -9), (9, -9), (9, 9), (-9, 9)]), pixels([(-9, -9), (-2, 4), (4, -2)])],
         "hole-on-centres": [moved(pixels([(-9, -9), (9, -9), (9, 9), (-9, 9)]), 128, 128),
                             moved(pixels([(-4, -4), (-4, 4), (4, 4), (4, -4)]), 128, 128)],
@@ -446,22 +446,22 @@ def fills_polygons():
         "overlapping": [pixels([(-9, -9), (3, -9), (3, 3), (-9, 3)]), pixels([(-3, -3), (9, -3), (9, 9), (-3, 9)])],
         "comb": [pixels([(-10, 8), (-10, -8)] + [p for k in range(-4, 5) for p in ((2 * k, 5), (2 * k + 1, -8))] + [(10, 8)])],
         "collinear-runs": [pixels([(-10, -10), (-5, -10), (0, -10), (10, -10), (10, 0), (10, 10), (5, 5), (0, 0), (-5, 5), (-10, 10),
-                                   (-10, 5), (-10, 0)])],  # F20
+                                   (-10, 5), (-10, 0)])],
         "star-with-thin-ears": [[(0, -2600), (1, -300), (2600, -1), (300, 1), (1, 2600), (-1, 300), (-2600, 1), (-300, -1)]],
         "staircase-on-centres": [moved(pixels([(-8, -8), (0, -8), (0, -4), (4, -4), (4, 0), (8, 0), (8, 8), (-8, 8)]), 128, 128)],
         "spiral": [pixels([(-10, -10), (10, -10), (10, 10), (-8, 10), (-8, -6), (6, -6), (6, 6), (-4, 6), (-4, -2), (2, -2), (2, 2),
                            (0, 2), (0, 0), (-2, 0), (-2, 4), (4, 4), (4, -4), (-6, -4), (-6, 8), (8, 8), (8, -8), (-10, -8)])],
-        "quad": [moved(pixels([(44, 27), (7, 37), (7, 19), (38, 19)]), -25 * 256, -27 * 256)],  # F22
-        "far": [[(-2**29, -2**29), (2**29, -2**29 + 77), (2**29 - 5, 2**29), (3, 5), (-2**29, 2**29)]],  # F13
+        "quad": [moved(pixels([(44, 27), (7, 37), (7, 19), (38, 19)]), -25 * 256, -27 * 256)],
+        "far": [[(-2**29, -2**29), (2**29, -2**29 + 77), (2**29 - 5, 2**29), (3, 5), (-2**29, 2**29)]],
         "farther": [[(-2**39, -2**39), (2**39, -2**39 + 77), (2**39 - 5, 2**39), (3, 5), (-2**39, 2**39)]],
         "farther-bow-tie": [[(-2**39, -2**39), (2**39, 2**39), (2**39, -2**39), (-2**39, 2**39)]],
     }
     for name, rings in shapes.items():
         for rule in ("even-odd", "non-zero"):
             v.fill(f"{name}-{rule}", rings, rule, w)
-    v.fill("reversed-pentagram", [pentagram(2.8)[::-1]], "non-zero", w)  # F3
+    v.fill("reversed-pentagram", [pentagram(2.8)[::-1]], "non-zero", w)
     v.fill("turned-pentagram", [pentagram(2.8)[2:] + pentagram(2.8)[:2]], "even-odd", w)
-    v.fill("moved-pentagram", [moved(pentagram(2.8), 7 * 256, -3 * 256)], "non-zero", (-5, -15, 20, 10))  # F16
+    v.fill("moved-pentagram", [moved(pentagram(2.8), 7 * 256, -3 * 256)], "non-zero", (-5, -15, 20, 10))
     v.fill("clipped-pentagram", [pentagram(2.8)], "non-zero", (-3, -5, 4, 1))
     v.fill("clipped-away", [pentagram(2.8)], "non-zero", (40, 40, 50, 50), 0)
     v.fill("through-no-window", [pentagram(2.8)], "non-zero", (4, 4, -4, -4), 0)
@@ -500,14 +500,14 @@ def tilings():
     r = random.Random(16)
     rim = [(900, 0), (800, 450), (450, 800), (0, 900), (-450, 800), (-800, 450), (-900, 0), (-800, -450), (-450, -800), (0, -900),
            (450, -800), (800, -450)]
-    for spokes in range(3, 13):  # F10
+    for spokes in range(3, 13):
         for name, hub in (("centre", (1152, 1152)), ("corner", (1280, 1280)), ("edge", (1152, 1280)), ("any", (1200, 1333))):
             ends = [(hub[0] + rim[k * 12 // spokes][0] + r.randint(-20, 20), hub[1] + rim[k * 12 // spokes][1] + r.randint(-20, 20))
                     for k in range(spokes)]
             fan = [[hub, ends[k], ends[(k + 1) % spokes]][::r.choice([1, -1])] for k in range(spokes)]
             x, y = hub[0] // 256, hub[1] // 256
             v.tiling(f"fan-{spokes}-{name}", fan, rule, (0, 0, 10, 10), whole=(x, y, x + 1, y + 1))
-    for k in range(30):  # F9: a quad by either diagonal
+    for k in range(30):  # a quad by either diagonal
         step = r.choice([1, 64, 128])
         while True:
             quad = hull([(r.randint(0, 2560) // step * step, r.randint(0, 2560) // step * step) for _ in range(4)])
@@ -516,7 +516,7 @@ def tilings():
         a, b, c, d = quad
         v.tiling(f"quad-{k}-one-diagonal", [[a, b, c], [a, c, d]], rule, (-1, -1, 11, 11), parts_of=quad)
         v.tiling(f"quad-{k}-other-diagonal", [[a, b, d], [b, d, c]], rule, (-1, -1, 11, 11), parts_of=quad)
-    for k in range(16):  # F11: a jittered grid of triangles over 12 x 12 cells
+    for k in range(16):  # a jittered grid of triangles over 12 x 12 cells
         tiles = jittered_grid(r, r.choice([1, 64, 128]))
         v.tiling(f"grid-{k}", tiles, rule if k < 10 else "half-open", (0, 0, 12, 12), whole=(0, 0, 12, 12))
     return v

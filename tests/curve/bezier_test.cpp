@@ -16,7 +16,7 @@ using P2 = point<double, 2>;
 using P3 = point<double, 3>;
 using V3 = vec<double, 3>;
 
-/// The control points of GOLDEN 6.
+/// The course's control points.
 constexpr std::array<P3, 4> course{P3{0, 0, 0}, P3{1, 3, 0}, P3{4, 3, 2}, P3{5, 0, 4}};
 
 constexpr bool is_near(const P3& a, const P3& b, double tolerance) {
@@ -202,7 +202,7 @@ TEST_CASE("bezier: any range of any type") {
   CHECK(bezier_point(foreign, 0.5f, scratch).y == 1);
   CHECK(bezier_sample(foreign, 0.5f, scratch).derivative.x == 2);
   const std::array<hpoint<double, 2>, 3> quarter{hpoint<double, 2>{1, 0, 1}, {1, 1, 1}, {0, 2, 2}};
-  const auto p = to_cartesian(bezier_point(quarter, 0.5));  // GOLDEN 15: the rational quarter circle
+  const auto p = to_cartesian(bezier_point(quarter, 0.5));  // the rational quarter circle
   CHECK(p.x == doctest::Approx(0.6).epsilon(1e-15));
   CHECK(p.y == doctest::Approx(0.8).epsilon(1e-15));
 }

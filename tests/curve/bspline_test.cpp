@@ -44,7 +44,7 @@ bool near(const P& p, double x, double y) { return std::abs(p.x - x) < 1e-15 && 
 
 }  // namespace
 
-TEST_CASE("nurbs_point: GOLDEN 15, a quarter of a circle") {
+TEST_CASE("nurbs_point: reference values, a quarter of a circle") {
   CHECK_BOTH(on_arc(0) == P{1, 0});
   CHECK_BOTH(on_arc(1) == P{0, 1});
   CHECK_BOTH(on_arc(0.5) == P{0.6, 0.8});
@@ -53,7 +53,7 @@ TEST_CASE("nurbs_point: GOLDEN 15, a quarter of a circle") {
   CHECK(near(on_arc(2. / 3), 5. / 13, 12. / 13));
 }
 
-TEST_CASE("bspline_point: GOLDEN 15") {
+TEST_CASE("bspline_point: reference values") {
   CHECK_BOTH(on_hill(0) == P{0, 0});
   CHECK_BOTH(on_hill(0.5) == P{1, 1.5});
   CHECK_BOTH(on_hill(1) == P{2, 2});

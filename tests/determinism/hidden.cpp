@@ -29,9 +29,9 @@ constexpr std::uint64_t textbook_buffers(int rounds) {
     const P a = corner(), b = corner(), c = corner();
     const auto how = i % 2 ? irg::depth_evaluation::steps : irg::depth_evaluation::plane;
     if (i % 4 < 2)
-      irg::zbuffer_polygon(buffers, std::array{a, b, c}, i, how);
+      irg::zbuffer_polygon(buffers, std::array{a, b, c}, i, {how});
     else
-      irg::zbuffer_polygon_perspective(buffers, std::array{a, b, c}, T(20), i, how);
+      irg::zbuffer_polygon_perspective(buffers, std::array{a, b, c}, T(20), i, {how});
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
         h.add(ids(x, y));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The textbook's view transform and projection, camera frames, polar cameras and lights.
-#include <irg/geometry/depth_sign.hpp>
+#include <irg/geometry/compare.hpp>
 #include <irg/shade/light_placement.hpp>
 #include <irg/view/textbook/polar_camera.hpp>
 #include <irg/view/textbook/view_transform.hpp>
@@ -39,7 +39,7 @@ constexpr std::uint64_t cameras(int rounds) {
     if (const auto q =
             irg::textbook::project_perspective(irg::point<T, 3>{unit() * T(1e-30), unit(), T(1e-36)}, T(1e35)))
       h.add(q->x), h.add(q->y);
-    h.add(irg::depth_sign(eye, target, p));
+    h.add(irg::order_along_line(eye, target, p, eye));
     irg::camera_frame<T> f = irg::look_at_frame(eye, target, irg::vec<T, 3>{unit(), unit(), unit()});
     add_frame(h, f);
     const auto angles = irg::polar_of(f, unit());

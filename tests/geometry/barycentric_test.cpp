@@ -24,7 +24,7 @@ using W3 = irg::vec<rational, 3>;
 
 constexpr rational half{1, 2}, quarter{1, 4};
 
-// A triangle of GOLDEN 1, a point, and its coordinates when seen along the widest axis.
+// A triangle of the course, a point, and its coordinates when seen along the widest axis.
 struct known {
   Q3 a, b, c, t;
   W3 weights;
@@ -67,7 +67,7 @@ constexpr bool all_golden() {
 constexpr double as_double(const rational& q) { return static_cast<double>(q); }
 constexpr P3 as_double(const Q3& p) { return {as_double(p.x), as_double(p.y), as_double(p.z)}; }
 
-TEST_CASE("barycentric: the course's triangles (GOLDEN 1), in rationals and in doubles") {
+TEST_CASE("barycentric: the course's triangles, in rationals and in doubles") {
   CHECK_BOTH(all_golden());
   for (const known& k : golden) {
     const auto t = barycentric(as_double(k.a), as_double(k.b), as_double(k.c), as_double(k.t));

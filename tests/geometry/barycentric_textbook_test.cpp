@@ -19,7 +19,7 @@ using W3 = irg::vec<rational, 3>;
 constexpr rational r(int n, int d = 1) { return {n, d}; }
 constexpr std::nullopt_t none = std::nullopt;
 
-// GOLDEN 1: what the inverse gives, and what each replaced row gives.
+// The course's values: what the inverse gives, and what each replaced row gives.
 struct known {
   Q3 a, b, c, t;
   std::optional<W3> direct, replaced[3];
@@ -54,7 +54,7 @@ constexpr bool all_golden() {
   return true;
 }
 
-TEST_CASE("barycentric_direct, barycentric_replaced: the course's triangles (GOLDEN 1)") { CHECK_BOTH(all_golden()); }
+TEST_CASE("barycentric_direct, barycentric_replaced: the course's triangles") { CHECK_BOTH(all_golden()); }
 
 TEST_CASE("barycentric_direct: doubles, singular exactly when the plane contains the origin") {
   constexpr P3 a{1, 2, 3}, b{4, 0, 1}, c{2, 5, -1};

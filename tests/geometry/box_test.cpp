@@ -33,7 +33,7 @@ struct fraction {
   constexpr fraction operator/(const fraction& o) const { return fraction{n * o.d, d * o.n}; }
 };
 
-/// The body of GOLDEN 4.
+/// The course's body.
 constexpr std::array<P3, 4> body{P3{2, 0, 0}, P3{6, 2, 0}, P3{2, 8, 3}, P3{4, 1, -1}};
 
 }  // namespace

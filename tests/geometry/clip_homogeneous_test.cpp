@@ -181,13 +181,13 @@ TEST_CASE("clip_homogeneous: by hand, in every life") {
   CHECK_BOTH(nonagon.count == 9);
 }
 
-TEST_CASE("clip_homogeneous: GOLDEN 12, three dimensions") {
+TEST_CASE("clip_homogeneous: Hank's values, three dimensions") {
   // The frustum 1 <= z <= 10, |x| <= 2z, |y| <= 3z/2 looks along +z; with w = z and depth (10 - z)/9 it is clip space.
   const auto to_clip = [](R x, R y, R z) { return hpoint<R, 3>{x / R(2), y / R(3, 2), (R(10) - z) / R(9), z}; };
   const auto t = triangle_of(to_clip(0, 0, -1), to_clip(0, 0, 5), to_clip(20, 0, 5));
   CHECK(same_cycle({to_clip(0, 0, 5), to_clip(10, 0, 5), to_clip(2, 0, 1), to_clip(0, 0, 1)}, clip_homogeneous(t.v)));
 
-  // GOLDEN 15, the same frustum: points inside and outside.
+  // The same frustum: points inside and outside.
   struct {
     R x, y, z;
     bool inside;
@@ -197,7 +197,7 @@ TEST_CASE("clip_homogeneous: GOLDEN 12, three dimensions") {
   for (const auto& p : points) CHECK((clip_code(to_clip(p.x, p.y, p.z)) == clip_planes::none) == p.inside);
 }
 
-TEST_CASE("clip_homogeneous: GOLDEN 12, the window [0,4] x [0,3]") {
+TEST_CASE("clip_homogeneous: Hank's values, the window [0,4] x [0,3]") {
   const auto to_clip = [](R x, R y) { return hpoint<R, 3>{(x - R(2)) / R(2), (y - R(3, 2)) / R(3, 2), R(1, 2), 1}; };
   const auto clip3 = [&](R ax, R ay, R bx, R by, R cx, R cy) {
     return clip_homogeneous(triangle_of(to_clip(ax, ay), to_clip(bx, by), to_clip(cx, cy)).v);
@@ -213,7 +213,7 @@ TEST_CASE("clip_homogeneous: GOLDEN 12, the window [0,4] x [0,3]") {
   CHECK(same_cycle({to_clip(4, 3), to_clip(0, 3), to_clip(0, 0), to_clip(4, 0)}, clip_homogeneous(quad)));
 }
 
-TEST_CASE("clip_homogeneous: all 27 combinations of inside, on and outside, for each plane (Z5, Z6)") {
+TEST_CASE("clip_homogeneous: all 27 combinations of inside, on and outside, for each plane") {
   // The distance from plane k is set directly; the other coordinates stay well inside, at three places.
   const R place[3][2] = {{R(-1, 4), R(-1, 4)}, {R(1, 4), R(-1, 4)}, {R(0), R(1, 4)}};
   for (int plane = 0; plane < 6; ++plane)
@@ -242,7 +242,7 @@ TEST_CASE("clip_homogeneous: all 27 combinations of inside, on and outside, for 
     }
 }
 
-TEST_CASE("clip_homogeneous: samples decide alike, in front of, behind and through the eye (Z1, Z2, Z3)") {
+TEST_CASE("clip_homogeneous: samples decide alike, in front of, behind and through the eye") {
   test::random r(1);
   int kept = 0, most = 0;
   for (int i = 0; i < 600; ++i) {
@@ -296,7 +296,7 @@ TEST_CASE("clip_homogeneous: floats stay inside, near the exact result, and do n
   CHECK(kept > 1000);
 }
 
-TEST_CASE("clip_homogeneous: no crack, the same bits on a shared edge from both sides (Z6)") {
+TEST_CASE("clip_homogeneous: no crack, the same bits on a shared edge from both sides") {
   test::random r(3);
   int shared = 0;
   for (int i = 0; i < release_or(50000); ++i) {
@@ -368,7 +368,7 @@ TEST_CASE("clip_segment_homogeneous: against the exact interval of parameters; b
   CHECK(kept > 300);
 }
 
-TEST_CASE("clip_homogeneous: w = 0, denormal w, the eye itself (Z1, Z3)") {
+TEST_CASE("clip_homogeneous: w = 0, denormal w, the eye itself") {
   using D = V<double>;
   const double tiny = std::numeric_limits<double>::denorm_min();
   for (const double w : {0.0, -0.0, tiny, -tiny})
@@ -403,7 +403,7 @@ TEST_CASE("clip_homogeneous: w = 0, denormal w, the eye itself (Z1, Z3)") {
   CHECK(sky[0].position == hpoint<double, 3>{1, 0, 0, 0});
 }
 
-TEST_CASE("clip_homogeneous: hostile input (Z4)") {
+TEST_CASE("clip_homogeneous: hostile input") {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   const float most = std::numeric_limits<float>::max();
   const auto plain = triangle_of<float>({0, 0, 0.5f, 1}, {0.5f, 0, 0.5f, 1}, {0, 0.5f, 0.5f, 1});

@@ -108,7 +108,7 @@ TEST_CASE("clip_sutherland_hodgman: by hand, in every life") {
         Polygon{{1, 1}, {4, 1}, {4, 1.4}, {1, 2}});
 }
 
-TEST_CASE("clip_sutherland_hodgman: GOLDEN 12, window and area") {
+TEST_CASE("clip_sutherland_hodgman: Hank's values, window and area") {
   const box<rational, 2> w{{0, 0}, {4, 3}};
   const auto clipped = clip_sutherland_hodgman(std::array<R, 3>{R{-1, 1}, R{5, 1}, R{2, 5}}, w);
   CHECK(same_cycle(clipped, {R{rational(7, 2), 3}, R{rational(1, 2), 3}, R{0, rational(7, 3)}, R{0, 1}, R{4, 1},
@@ -123,7 +123,7 @@ TEST_CASE("clip_sutherland_hodgman: GOLDEN 12, window and area") {
   CHECK(same_cycle(clip_sutherland_hodgman(std::array<R, 3>{R{-1, 1}, R{5, 1}, R{2, 5}}, ring), clipped));
 }
 
-TEST_CASE("clip_sutherland_hodgman: GOLDEN 12, the view pyramid") {
+TEST_CASE("clip_sutherland_hodgman: Hank's values, the view pyramid") {
   // 1 <= z <= 10, |x| <= 2z, |y| <= 3z/2, inward normals; near, far, left, right, top, bottom.
   using S = point<rational, 3>;
   using L = plane<rational>;

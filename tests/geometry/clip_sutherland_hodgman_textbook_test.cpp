@@ -44,7 +44,7 @@ constexpr bool touches() {
 
 }  // namespace
 
-TEST_CASE("clip_sutherland_hodgman_textbook: GOLDEN 12, vertex by vertex") {
+TEST_CASE("clip_sutherland_hodgman_textbook: Hank's values, vertex by vertex") {
   using V = std::vector<std::size_t>;
   const rational half{1, 2}, third{7, 3};
   const Ring tip{{-1, 1}, {5, 1}, {2, 5}};
@@ -66,7 +66,7 @@ TEST_CASE("clip_sutherland_hodgman_textbook: GOLDEN 12, vertex by vertex") {
   CHECK(sizes(around) == V{4, 4, 4, 4});
 }
 
-TEST_CASE("clip_sutherland_hodgman_textbook: GOLDEN 12, the view pyramid") {
+TEST_CASE("clip_sutherland_hodgman_textbook: Hank's values, the view pyramid") {
   // 1 <= z <= 10, |x| <= 2z, |y| <= 3z/2; near, far, left, right, top, bottom.
   using F = irg::plane<rational>;
   const std::vector<F> pyramid{{0, 0, 1, -1}, {0, 0, -1, 10}, {1, 0, 2, 0}, {-1, 0, 2, 0}, {0, -2, 3, 0}, {0, 2, 3, 0}};

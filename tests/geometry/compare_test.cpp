@@ -8,6 +8,7 @@
 
 #include "support/check_both.hpp"
 #include "support/flush_mode.hpp"
+#include "support/random.hpp"
 #include "support/sign_trials.hpp"
 
 using irg::compare_distance;
@@ -59,6 +60,46 @@ TEST_CASE("compare: distances") {
   CHECK(compare_distance(P2{0, 0}, P2{3, 4}, P2{five, 0}) == 0);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CHECK_BOTH(compare_distance(P2{0, 0}, P2{infinity, 0}, P2{1, 0}) == 0);  // a broken precondition, and no harm
+}
+
+TEST_CASE("compare: ahead of an eye, level with it, behind") {
+  constexpr P3 eye{1, 1, 3}, target{0, 0, 0};
+  CHECK_BOTH(order_along_line(eye, target, target, eye) == 1);
+  CHECK_BOTH(order_along_line(eye, target, eye, eye) == 0);
+  CHECK_BOTH(order_along_line(eye, target, P3{4, -2, 3}, eye) == 0);
+  CHECK_BOTH(order_along_line(eye, target, P3{4, -2, 3.0000000000000004}, eye) == -1);
+  CHECK_BOTH(order_along_line(eye, target, P3{4, -2.0000000000000004, 3}, eye) == 1);
+  CHECK_BOTH(order_along_line(eye, target, P3{2, 2, 6}, eye) == -1);
+  CHECK_BOTH(order_along_line(eye, eye, target, eye) == 0);
+  CHECK_BOTH(order_along_line(P3{0, 0, huge}, P3{0, 0, -huge}, P3{huge, huge, tiny}, P3{0, 0, huge}) == 1);
+  CHECK_BOTH(order_along_line(P3{0, 0, tiny}, P3{0, 0, 0}, P3{huge, huge, tiny}, P3{0, 0, tiny}) == 0);
+  CHECK_BOTH(order_along_line(P3{0, 0, tiny}, P3{0, 0, 0}, P3{huge, huge, 2 * tiny}, P3{0, 0, tiny}) == -1);
+  CHECK_BOTH(order_along_line(std::array<float, 2>{0, 1}, std::array<float, 2>{0, 0}, std::array<float, 2>{5, 1},
+                              std::array<float, 2>{0, 1}) == 0);
+  volatile double three = 3;
+  CHECK(order_along_line(eye, target, P3{4, -2, three}, eye) == 0);
+}
+
+TEST_CASE("compare: ahead of an eye, by integers in 128 bits, on lattices moved away from the origin") {
+  __extension__ typedef __int128 wide;
+  test::random r(1);
+  int level = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t reach = r.integer(0, 1) ? 3 : std::int64_t{1} << 50;
+    P3 p[3];
+    wide v[3][3];
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j) {
+        const std::int64_t c = r.integer(-reach, reach) + (reach == 3 ? std::int64_t{1} << 52 : 0);
+        p[k][j] = static_cast<double>(c);
+        v[k][j] = c;
+      }
+    wide dot = 0;
+    for (int j = 0; j < 3; ++j) dot += (v[2][j] - v[0][j]) * (v[1][j] - v[0][j]);
+    level += dot == 0;
+    CHECK(order_along_line(p[0], p[1], p[2], p[0]) == (dot > 0 ? 1 : dot < 0 ? -1 : 0));
+  }
+  CHECK(level > 100);
 }
 
 #ifdef IRG_HAVE_MPFR

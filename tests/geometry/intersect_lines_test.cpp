@@ -31,7 +31,7 @@ constexpr bool crosses(const irg::lines_meeting<P>& m, const P& at, const irg::s
   return m.relation == line_relation::crossing && m.at == at && m.t == t && m.s == s;
 }
 
-// GOLDEN 12: the six pairs of lines.
+// Hank's six pairs of lines.
 template <class P>
 constexpr std::array<P, 4> pairs[6] = {
     {P{0, 0, 0}, P{2, 2, 2}, P{2, 0, 0}, P{0, 2, 2}}, {P{0, 0, 0}, P{1, 0, 0}, P{0, 1, 1}, P{0, 1, 2}},
@@ -53,7 +53,7 @@ constexpr bool relations_hold() {
 
 }  // namespace
 
-TEST_CASE("intersect_lines: GOLDEN 12") {
+TEST_CASE("intersect_lines: Hank's values") {
   CHECK_BOTH(relations_hold<P3>());
   CHECK_BOTH(relations_hold<Q3>());
   CHECK(relations_hold<point<float, 3>>());

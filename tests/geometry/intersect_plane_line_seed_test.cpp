@@ -20,7 +20,7 @@ using L = parametric_line<double, 3>;
 
 }  // namespace
 
-TEST_CASE("intersect_plane_line_seed: GOLDEN 12") {
+TEST_CASE("intersect_plane_line_seed: Hank's values") {
   constexpr auto first = *intersect_plane_line_seed(ground<rational>, Q{{{1, 4}, {1, 2}, 1}, {0, 0, -2}});
   CHECK_BOTH(first.s1 == rational(1, 4));
   CHECK_BOTH(first.s2 == rational(1, 2));

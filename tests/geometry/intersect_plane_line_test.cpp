@@ -27,14 +27,14 @@ constexpr auto none = plane_line_relation::none, crossing = plane_line_relation:
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double huge = (std::numeric_limits<double>::max)();
 
-// GOLDEN 4.
+// The course's values.
 constexpr plane<rational> golden{6, 3, 2, -6};
 constexpr auto at_golden(const Q& a, const Q& b) { return intersect_plane_line(golden, a, b); }
 constexpr Q common{rational(6, 11), rational(6, 11), rational(6, 11)};
 
 }  // namespace
 
-TEST_CASE("intersect_plane_line: GOLDEN 4") {
+TEST_CASE("intersect_plane_line: the course's values") {
   CHECK_BOTH(at_golden({0, 0, 0}, {1, 1, 1}).t == rational(6, 11));
   CHECK_BOTH(at_golden({0, 0, 0}, {1, 1, 1}).at == common);
   CHECK_BOTH(at_golden({0, 0, 0}, {6, 6, 6}).t == rational(1, 11));
@@ -50,7 +50,7 @@ TEST_CASE("intersect_plane_line: GOLDEN 4") {
   CHECK_BOTH(intersect_plane_line(P{1, 0, 0}, P{0, 2, 0}, P{0, 0, 3}, P{0, 0, 10}, P{0, 0, 9}).at == P{0, 0, 3});
 }
 
-TEST_CASE("intersect_plane_line: GOLDEN 12, s1, s2 and t") {
+TEST_CASE("intersect_plane_line: Hank's values, s1, s2 and t") {
   constexpr auto p = *parametric_plane_hungarian(P{1, 0, 0}, P{0, 0, 0}, P{0, 1, 0});
   constexpr auto line = [](const P& a, const P& b) constexpr { return *irg::parametric_line_through(a, b); };
   constexpr auto is = [=](const P& a, const P& b, double s1, double s2, double t, const P& at) constexpr {

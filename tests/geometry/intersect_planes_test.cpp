@@ -57,7 +57,7 @@ TEST_CASE("intersect_planes: two planes by hand") {
   CHECK_BOTH(intersect_planes(L{5e-324, 0, 0, 0}, L{0, 5e-324, 0, 0}).line.direction == irg::vec<double, 3>{0, 0, 1});
 }
 
-TEST_CASE("intersect_planes_hungarian: GOLDEN 12") {
+TEST_CASE("intersect_planes_hungarian: Hank's values") {
   CHECK_BOTH(hungarian({1, 1, 0}, {1, 0, 0}, {1, 0, 1}, held::s3, {1, 0, 0}, {1, 1, 0}));
   CHECK_BOTH(hungarian({3, 0, 0}, {0, 3, 0}, {0, 0, 3}, held::s3, {0, 3, 0}, {3, 0, 0}));
   CHECK_BOTH(hungarian({1, 0, 1}, {1, 0, 0}, {1, 1, 0}, held::s4, {1, 0, 0}, {1, 1, 0}));

@@ -22,7 +22,7 @@ constexpr double huge = std::numeric_limits<double>::max(), least = std::numeric
 
 }  // namespace
 
-TEST_CASE("line_forms: GOLDEN 2, from form to form") {
+TEST_CASE("line_forms: the course's values, from form to form") {
   constexpr parametric_line<double, 2> l{{1, 1}, {3, 2}};
   CHECK_BOTH(implicit_line_of(l) == line<double>{-2, 3, -1});
   CHECK_BOTH(implicit_line_of(parametric_line<int, 2>{{1, 1}, {3, 2}}) == line<int>{-2, 3, -1});

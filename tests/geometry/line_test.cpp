@@ -29,7 +29,7 @@ constexpr double huge = (std::numeric_limits<double>::max)();
 
 }  // namespace
 
-TEST_CASE("line: GOLDEN 2") {
+TEST_CASE("line: the course's values") {
   CHECK_BOTH(line_through(H{1, 1, 1}, H{4, 3, 1}) == L{-2, 3, -1});
   CHECK_BOTH(line_through(H{4, 3, 1}, H{1, 1, 1}) == L{2, -3, 1});
   CHECK_BOTH(line_through(H{2, 2, 2}, H{4, 3, 1}) == L{-4, 6, -2});

@@ -38,7 +38,7 @@ struct irg::mesh_traits<body> {
   static constexpr std::size_t face_vertex(const body&, std::size_t, std::size_t k) { return k; }
 };
 
-TEST_CASE("minimax: GOLDEN 7") {
+TEST_CASE("minimax: the course's values") {
   CHECK_BOTH(!rectangles_overlap(of(0, 0, 2, 2), of(3, 0, 4, 1)));
   CHECK_BOTH(rectangles_overlap(of(0, 0, 2, 2), of(1, 1, 3, 3)));
   CHECK_BOTH(rectangles_overlap(of(0, 0, 2, 2), of(2, 0, 3, 1)));

@@ -24,7 +24,7 @@ using L = plane<rational>;
 using D = point<double, 3>;
 }  // namespace
 
-TEST_CASE("newell_plane_textbook: GOLDEN 4") {
+TEST_CASE("newell_plane_textbook: the course's values") {
   constexpr std::array<P, 4> square{P{0, 0, 0}, P{1, 0, 0}, P{1, 1, 0}, P{0, 1, 0}};
   constexpr std::array<P, 4> bent{P{0, 0, 0}, P{2, 0, 0}, P{2, 2, 1}, P{0, 2, 0}};
   CHECK_BOTH(newell_plane_textbook(square) == L{0, 0, 2, 0});

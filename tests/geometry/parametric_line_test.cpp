@@ -25,7 +25,7 @@ constexpr double undefined_number = std::numeric_limits<double>::quiet_NaN(),
                  huge = (std::numeric_limits<double>::max)();
 }  // namespace
 
-TEST_CASE("parametric_line: GOLDEN 2") {
+TEST_CASE("parametric_line: the course's values") {
   using Q = point<rational, 2>;
   constexpr auto line = *parametric_line_through(Q{1, 1}, Q{4, 3});
   CHECK_BOTH(point_at(line, -1) == Q{-2, -1});

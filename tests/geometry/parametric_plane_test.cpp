@@ -30,7 +30,7 @@ constexpr rational third(1, 3), half(1, 2);
 
 }  // namespace
 
-TEST_CASE("parametric_plane: GOLDEN 4, the characteristic matrix K") {
+TEST_CASE("parametric_plane: the course's values, the characteristic matrix K") {
   constexpr auto p = *parametric_plane_through(Q{1, 0, 0}, Q{0, 2, 0}, Q{0, 0, 3});
   CHECK_BOTH(characteristic_matrix(p) == mat<rational, 3, 4>{{{-1, 2, 0, 0}, {-1, 0, 3, 0}, {1, 0, 0, 1}}});
   CHECK_BOTH(point_at(p, 0, 0) == Q{1, 0, 0});
@@ -44,7 +44,7 @@ TEST_CASE("parametric_plane: GOLDEN 4, the characteristic matrix K") {
              mat<rational, 1, 4>{{{third, rational(2, 3), 1, 1}}});
 }
 
-TEST_CASE("parametric_plane: GOLDEN 12, the middle point is the origin") {
+TEST_CASE("parametric_plane: Hank's values, the middle point is the origin") {
   constexpr auto p = *parametric_plane_hungarian(P{1, 0, 0}, P{0, 0, 0}, P{0, 1, 0});
   CHECK_BOTH(p == parametric_plane<double>{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
   CHECK_BOTH(columns_of(*parametric_plane_hungarian(P{1, 2, 3}, P{4, 0, 0}, P{7, 8, 9})) ==

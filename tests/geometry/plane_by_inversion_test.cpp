@@ -29,7 +29,7 @@ constexpr bool gives(const P& p, const P& q, const P& r, const T& d, const plane
 
 }  // namespace
 
-TEST_CASE("plane_by_inversion: GOLDEN 4") {
+TEST_CASE("plane_by_inversion: the course's values") {
   constexpr Q a{1, 0, 0, 1}, b{0, 2, 0, 1}, c{0, 0, 3, 1};
   CHECK_BOTH(gives(a, b, c, rational(1), {-1, rational(-1, 2), rational(-1, 3), 1}));
   CHECK_BOTH(gives(a, b, c, rational(-6), {6, 3, 2, -6}));

@@ -27,7 +27,7 @@ namespace {
 using P = point<rational, 3>;
 using L = plane<rational>;
 
-// S0 fig. 4.1: the unit cube, its vertices counted from 1 in the face list.
+// The course's fig. 4.1: the unit cube, its vertices counted from 1 in the face list.
 constexpr P cube[] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}, {0, 1, 0}, {0, 1, 1}};
 constexpr int face[12][3] = {{1, 3, 2}, {3, 4, 2}, {3, 5, 4}, {5, 6, 4}, {5, 7, 6}, {7, 8, 6},
                              {7, 1, 8}, {1, 2, 8}, {1, 5, 3}, {1, 7, 5}, {2, 4, 6}, {2, 6, 8}};
@@ -65,7 +65,7 @@ TEST_CASE("plane: by hand, and one result in every life") {
                       {0.3 * one, 2.1 * one, 0.8 * one}) == p);
 }
 
-TEST_CASE("plane: GOLDEN 4") {
+TEST_CASE("plane: the course's values") {
   for (int f = 0; f < 12; ++f) {
     const P &p = cube[face[f][0] - 1], &q = cube[face[f][1] - 1], &r = cube[face[f][2] - 1];
     CHECK(plane_through(p, q, r) == face_plane[f]);

@@ -27,7 +27,7 @@ constexpr double huge = (std::numeric_limits<double>::max)();
 
 }  // namespace
 
-TEST_CASE("plane_through_accurate: GOLDEN 4") {
+TEST_CASE("plane_through_accurate: the course's values") {
   CHECK_BOTH(plane_through_accurate(P{1, 0, 0}, P{0, 2, 0}, P{0, 0, 3}) == L{6, 3, 2, -6});
   CHECK_BOTH(plane_through_accurate(P{1, 0, 1}, P{0, 1, 1}, P{1, 1, 2}) == L{1, 1, -1, 0});
   CHECK_BOTH(plane_through_accurate(P{0, 0, 4}, P{1, 0, 4}, P{0, 1, 4}) == L{0, 0, 1, -4});

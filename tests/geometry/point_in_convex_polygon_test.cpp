@@ -18,9 +18,9 @@ namespace {
 using irg::point_location;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
-constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // GOLDEN 3
+constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // the course's values
 
-TEST_CASE("point in convex polygon: GOLDEN 3, three ways") {
+TEST_CASE("point in convex polygon: the course's values, three ways") {
   const struct {
     P p;
     point_location where;

@@ -18,7 +18,7 @@ using irg::fill_rule;
 using irg::point_location;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
-constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // GOLDEN 3
+constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // the course's values
 
 constexpr std::array<I, 5> pentagram{I{0, 1000}, I{588, -809}, I{-951, 309}, I{951, 309}, I{-588, -809}};
 
@@ -28,7 +28,7 @@ constexpr R turned_round(R ring) {
   return ring;
 }
 
-TEST_CASE("locate_point: GOLDEN 3") {
+TEST_CASE("locate_point: the course's values") {
   CHECK_BOTH(irg::locate_point(course, {150, 200}) == point_location::inside);
   CHECK_BOTH(irg::locate_point(course, {100, 275}) == point_location::boundary);
   CHECK_BOTH(irg::locate_point(course, {50, 200}) == point_location::boundary);

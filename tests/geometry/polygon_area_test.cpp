@@ -21,7 +21,7 @@ using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
 constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
 
-TEST_CASE("polygon_area: GOLDEN 3, both ways round, holes, every number type") {
+TEST_CASE("polygon_area: the course's values, both ways round, holes, every number type") {
   constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};
   CHECK_BOTH(irg::polygon_area(course) == -38750);
   CHECK_BOTH(irg::polygon_area_exact(course) == -38750);

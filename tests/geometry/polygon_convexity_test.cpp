@@ -28,7 +28,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
 
-// The polygon of GOLDEN 3, and its pentagram.
+// The course's polygon, and its pentagram.
 constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};
 constexpr std::array<I, 5> pentagram{I{0, 1000}, I{588, -809}, I{-951, 309}, I{951, 309}, I{-588, -809}};
 
@@ -38,7 +38,7 @@ constexpr R turned_round(R ring) {
   return ring;
 }
 
-TEST_CASE("orientation and convexity: GOLDEN 3") {
+TEST_CASE("orientation and convexity: the course's values") {
   CHECK_BOTH(irg::orientation_of(course) == polygon_orientation::clockwise);
   CHECK_BOTH(irg::orientation_of(turned_round(course)) == polygon_orientation::counter_clockwise);
   CHECK_BOTH(irg::orientation_textbook(course) == polygon_orientation::clockwise);
@@ -254,7 +254,7 @@ TEST_CASE("any number type: rationals, floats, 64-bit integers, foreign points, 
   CHECK(irg::locate_point(most, {0, 0}) == point_location::boundary);
   CHECK(irg::locate_point(most, {0, -1}) == point_location::outside);
   CHECK(irg::locate_point(most, {-1, 0}) == point_location::inside);
-  // F18: a million vertices along a parabola
+  // a million vertices along a parabola
   std::vector<P> many;
   for (int i = 0; i < 1000000; ++i) many.push_back({static_cast<double>(i), static_cast<double>(i) * i});
   CHECK(irg::is_convex(many));

@@ -16,7 +16,7 @@ namespace {
 using irg::polygon_orientation;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
-constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // GOLDEN 3
+constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // the course's values
 
 TEST_CASE("orientation_of: degenerate polygons") {
   using V = std::vector<I>;
@@ -38,7 +38,7 @@ TEST_CASE("orientation_textbook: three vertices at a time") {
   CHECK_BOTH(irg::orientation_textbook(V{{0, 0}, {4, 0}, {2, 1}, {4, 4}, {0, 4}}) == polygon_orientation::degenerate);
 }
 
-TEST_CASE("make_counter_clockwise: GOLDEN 3, the reversed list and its edges") {
+TEST_CASE("make_counter_clockwise: the course's values, the reversed list and its edges") {
   static constexpr auto repaired = [] {
     auto ring = course;
     return std::pair{irg::make_counter_clockwise(ring), ring};

@@ -41,7 +41,7 @@ constexpr point3 corner_of(const irg::mesh<double>& m, std::size_t f, std::size_
   return m.positions[m.corner(f, k).position];
 }
 
-// The faces of the course's cube that are visible, counted from 1 as GOLDEN does, by all three forms in space.
+// The faces of the course's cube that are visible, counted from 1, by all three forms in space.
 constexpr bool shows(const point3& eye, std::initializer_list<std::uint32_t> visible,
                      std::initializer_list<std::uint32_t> edge_on) {
   const irg::mesh<double> m = course_cube();
@@ -68,7 +68,7 @@ constexpr bool shows(const point3& eye, std::initializer_list<std::uint32_t> vis
          irg::front_faces(m, irg::to_homogeneous(eye), irg::edge_on_faces::drawn) == drawn;
 }
 
-TEST_CASE("back_faces: GOLDEN 7, the course's cube from five eyes") {
+TEST_CASE("back_faces: the course's cube from five eyes") {
   CHECK_BOTH(shows({1, 1, 3}, {11, 12}, {3, 4, 5, 6}));
   CHECK_BOTH(shows({3, 2, 2}, {3, 4, 5, 6, 11, 12}, {}));
   CHECK_BOTH(shows({0.5, 0.5, 5}, {11, 12}, {}));
@@ -97,7 +97,7 @@ constexpr bool back_by_both(const point2 (&ring)[N], bool back) {
          (irg::side_by_order(reversed) != face_side::front) == back;
 }
 
-TEST_CASE("back_faces: GOLDEN 7, orientation in the projection plane") {
+TEST_CASE("back_faces: the course's values, orientation in the projection plane") {
   constexpr point2 cw[] = {{0, 0}, {0, 2}, {2, 0}}, ccw[] = {{0, 0}, {2, 0}, {0, 2}};
   constexpr point2 cw_square[] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}}, ccw_square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   constexpr point2 line[] = {{0, 0}, {1, 1}, {2, 2}};
@@ -124,7 +124,7 @@ struct seen_polygon {
   double mixed;
 };
 
-TEST_CASE("back_faces: GOLDEN 9, S1's normal, mixed product and procedure, the viewer in (0, 0, 10)") {
+TEST_CASE("back_faces: the slides' normal, mixed product and procedure, the viewer in (0, 0, 10)") {
   constexpr seen_polygon all[] = {
       {{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {0, 0, 12}, 120},   {{{0, 3, 0}, {4, 0, 0}, {0, 0, 0}}, {0, 0, -12}, -120},
       {{{1, 2, 3}, {4, 0, 1}, {2, 5, -1}}, {14, 10, 11}, 43}, {{{1, 0, 0}, {2, 0, 5}, {3, 0, 1}}, {0, 9, 0}, 0},
@@ -141,7 +141,7 @@ TEST_CASE("back_faces: GOLDEN 9, S1's normal, mixed product and procedure, the v
   static_assert(!irg::is_hidden_polygon_textbook(all[3].p, 10.0, irg::edge_on_faces::drawn));
 }
 
-TEST_CASE("back_faces: GOLDEN 12, the rule of the camera's axis errs in both directions under central projection") {
+TEST_CASE("back_faces: Hank's values, the rule of the camera's axis errs in both directions under central projection") {
   constexpr vec3 z{0, 0, 1};
   CHECK_BOTH(irg::is_back_by_axis_seed(z, vec3{3, 0, 1}));
   CHECK_BOTH(irg::side_by_angle(vec3{3, 0, 1}, point3{-2, 0, 4}, point3{}) == face_side::front);
@@ -207,7 +207,7 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
   CHECK(edge_on > 100);
 }
 
-TEST_CASE("back_faces: S1's forms are the plane's value at (0, 0, d), for random triangles of integers") {
+TEST_CASE("back_faces: the slides' forms are the plane's value at (0, 0, d), for random triangles of integers") {
   test::random r(8);
   for (int trial = 0; trial < 5000; ++trial) {
     const auto number = [&] { return static_cast<double>(r.integer(-9, 9)); };

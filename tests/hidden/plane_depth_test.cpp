@@ -36,7 +36,7 @@ constexpr plane<T> golden_plane() {
 template <class T>
 constexpr picture_grid<T> whole_numbers{T(0), T(0), T(1), T(1)};
 
-TEST_CASE("plane_depth: GOLDEN 9, the plane, its depth and its steps") {
+TEST_CASE("plane_depth: the slides' values, the plane, its depth and its steps") {
   CHECK_BOTH(golden_plane<rational>() == plane<rational>{16, 64, 32, -320});
   CHECK_BOTH(plane_depth(golden_plane<rational>(), 0, 0) == rational(10));
   CHECK_BOTH(plane_depth_steps(golden_plane<rational>(), whole_numbers<rational>) ==
@@ -51,7 +51,7 @@ TEST_CASE("plane_depth: GOLDEN 9, the plane, its depth and its steps") {
   }
 }
 
-TEST_CASE("plane_depth_perspective: GOLDEN 9, points, and the row y' = 0 with 1/(d - z) beside z") {
+TEST_CASE("plane_depth_perspective: the slides' values, points, and the row y' = 0 with 1/(d - z) beside z") {
   constexpr auto p = golden_plane<rational>();
   constexpr int d = 20;
   const rational points[][3] = {{0, 0, 10}, {8, 0, 6}, {0, 4, 2}, {2, 1, 7}, {rational(8, 3), rational(4, 3), 6}};

@@ -13,7 +13,7 @@ using irg::zbuffer_memory;
 constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 constexpr int most_pixels = std::numeric_limits<int>::max();
 
-TEST_CASE("zbuffer_memory: GOLDEN 9, 2048 x 1024 with 256 depths and 2^24 colours") {
+TEST_CASE("zbuffer_memory: the slides' values, 2048 x 1024 with 256 depths and 2^24 colours") {
   constexpr auto table = zbuffer_memory(2048, 1024, {.depth = 256, .colours = 1 << 24});
   CHECK_BOTH(table.depth == buffer_memory{8, 2097152});
   CHECK_BOTH(table.colours == buffer_memory{24, 6291456});
@@ -22,7 +22,7 @@ TEST_CASE("zbuffer_memory: GOLDEN 9, 2048 x 1024 with 256 depths and 2^24 colour
   CHECK_BOTH(table.bytes == 8388608);
 }
 
-TEST_CASE("zbuffer_memory: GOLDEN 9, bits for levels") {
+TEST_CASE("zbuffer_memory: the slides' values, bits for levels") {
   constexpr std::uint64_t levels[] = {1, 2, 200, 256, 257, 65536};
   constexpr int bits[] = {0, 1, 8, 8, 9, 16};
   for (int i = 0; i < 6; ++i) CHECK(bits_for_levels(levels[i]) == bits[i]);

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include <irg/colour/pixel.hpp>
+#include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/fill_convex_textbook.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/triangle_coverage.hpp>
@@ -43,7 +45,7 @@ constexpr auto nothing_drawn = [](const auto& picture, const auto& background) {
   return true;
 };
 
-// GOLDEN 9's run: 6 x 5 samples at whole numbers, boundaries included, the named triangles in the given order.
+// The slides' run: 6 x 5 samples at whole numbers, boundaries included, the named triangles in the given order.
 struct golden_run {
   image<char> screen{6, 5};
   image<double> depth{6, 5};
@@ -88,7 +90,7 @@ constexpr bool depth_is_golden(const golden_run& g, double sign) {
   return true;
 }
 
-TEST_CASE("zbuffer_textbook: GOLDEN 9, the run; the first drawn wins ties, the depths do not depend on the order") {
+TEST_CASE("zbuffer_textbook: the slides' run; the first drawn wins ties, the depths do not depend on the order") {
   constexpr std::array<std::string_view, 5> abc{"aaaaaa", "aaaac.", "aaa...", "bbbb..", "bbbbbb"},
       cba{"aaaaaa", "acccc.", "bcc...", "bbbb..", "bbbbbb"};
   CHECK_BOTH(screen_is(run<nearer_is_greater>("abc", 1), abc));
@@ -111,7 +113,7 @@ TEST_CASE("zbuffer_textbook: SetPixel; strict, and false for NaN and outside of 
     bool right = buffers.window() == irg::cell_window{0, 0, 2, 2};
     right = right && buffers.set_pixel(1, 1, 3, 'a') && !buffers.set_pixel(1, 1, 3, 'b');
     right = right && buffers.set_pixel(1, 1, 4, 'c') && !buffers.set_pixel(1, 1, nan, 'd');
-    right = right && !buffers.set_pixel(0, 0, -10, 'e') && screen(0, 0) == '.';  // Z11: as far as the back plane
+    right = right && !buffers.set_pixel(0, 0, -10, 'e') && screen(0, 0) == '.';  // as far as the back plane
     right = right && !buffers.set_pixel(-1, 0, 5, 'f') && !buffers.set_pixel(0, 2, 5, 'f') &&
             !buffers.set_pixel(2, 0, 5, 'f') && !buffers.set_pixel(0, -1, 5, 'f');
     return right && screen(1, 1) == 'c' && depth(1, 1) == 4 && depth(0, 2) == -10;
@@ -133,24 +135,96 @@ TEST_CASE("zbuffer_textbook: exact depths, in rasters that have nothing but get 
   CHECK_BOTH(go());
 }
 
-TEST_CASE("zbuffer_textbook: clear without a depth takes the farthest number there is, so that nothing is behind it") {
-  image<int> screen(2, 1, 9);
-  image<float> depth(2, 1, 5);
-  zbuffer_textbook distances{nearer_is_less{}, screen, depth};
-  distances.clear(1);
-  CHECK(depth(1, 0) == std::numeric_limits<float>::infinity());
-  CHECK(distances.set_pixel(0, 0, 1e38f, 3));
-  zbuffer_textbook heights{nearer_is_greater{}, screen, depth};
-  heights.clear(2);
-  CHECK(depth(1, 0) == -std::numeric_limits<float>::infinity());
-  CHECK(screen(1, 0) == 2);
-  CHECK(heights.set_pixel(0, 0, 0.0f, 3));
-  CHECK(heights.set_pixel(1, 0, -1e38f, 4));
-  image<short> whole(2, 1, short{5});
-  zbuffer_textbook{nearer_is_greater{}, screen, whole}.clear(2);
-  CHECK(whole(1, 0) == -32768);
-  zbuffer_textbook{nearer_is_less{}, screen, whole}.clear(2);
-  CHECK(whole(1, 0) == 32767);
+TEST_CASE("zbuffer_textbook: clear without a depth takes the farthest one of the order or the format") {
+  constexpr auto left = []<class How, class Z>(How how, Z z) {
+    image<int> screen(2, 1, 9);
+    image<Z> depth(2, 1, z);
+    zbuffer_textbook{how, screen, depth}.clear(1);
+    return screen(1, 0) == 1 ? depth(1, 0) : z;
+  };
+  CHECK_BOTH(left(nearer_is_greater{}, 5.0f) == 0.0f);
+  CHECK_BOTH(left(nearer_is_less{}, 5.0) == 1.0);
+  CHECK_BOTH(left(irg::drawing_order{}, short{5}) == -1);
+  CHECK_BOTH(left(irg::depth_unorm16{}, std::uint16_t{5}) == 65535);
+  CHECK_BOTH(left(irg::depth24_stencil8{}, std::uint32_t{5}) == 0xffffff00u);
+}
+
+TEST_CASE("zbuffer_textbook: a depth format keeps floats, the stencil stays; any depth test and write") {
+  constexpr auto formats = [] {
+    image<char> screen(2, 1, '.');
+    image<std::uint32_t> words(2, 1, 0xffffff2au);
+    const zbuffer_textbook buffers{irg::depth24_stencil8{}, screen, words};
+    bool right = buffers.set_pixel(0, 0, 0.5f, 'a') && words(0, 0) == 0x8000002au;
+    right = right && !buffers.set_pixel(0, 0, 0.5f, 'b') && !buffers.set_pixel(0, 0, 0x1.000002p-1f, 'c');
+    right = right && buffers.set_pixel(0, 0, -7.0f, 'd') && words(0, 0) == 0x2au && screen(0, 0) == 'd';
+    return right && !buffers.set_pixel(1, 0, static_cast<float>(nan), 'e') && words(1, 0) == 0xffffff2au;
+  };
+  CHECK_BOTH(formats());
+  using enum irg::depth_test;
+  constexpr auto go = []<irg::depth_test Test, irg::depth_write Write>(irg::depth_policy<Test, Write> policy, int z) {
+    image<char> screen(1, 1, '.');
+    image<int> depth(1, 1, 5);
+    const bool drawn = zbuffer_textbook{nearer_is_greater{}, screen, depth, policy}.set_pixel(0, 0, z, 'x');
+    return drawn == (screen(0, 0) == 'x') ? (drawn ? 100 : 0) + depth(0, 0) : -1;
+  };
+  CHECK_BOTH(go(irg::depth_policy<nearer_or_equal>{}, 5) == 105);
+  CHECK_BOTH(go(irg::depth_policy<nearer_or_equal>{}, 4) == 5);
+  CHECK_BOTH(go(irg::depth_policy<equal>{}, 5) == 105);
+  CHECK_BOTH(go(irg::depth_policy<equal>{}, 6) == 5);
+  CHECK_BOTH(go(irg::depth_policy<always>{}, 4) == 104);
+  CHECK_BOTH(go(irg::depth_policy<never>{}, 6) == 5);
+  CHECK_BOTH(go(irg::depth_policy<nearer, irg::depth_write::off>{}, 6) == 105);
+}
+
+// Faces drawn by draw_triangle and by the textbook.
+template <class How, class Policy, class Z>
+int faces_drawn_otherwise(How how, Policy policy, Z farthest, std::uint64_t seed) {
+  constexpr int size = 30;
+  test::random r(seed);
+  image<int> ids(size, size, -1), book_ids(size, size, -1);
+  image<Z> depth(size, size, farthest), book_depth(size, size, farthest);
+  const zbuffer_textbook buffers{how, book_ids, book_depth, policy};
+  for (int i = 0; i < 10; ++i) {
+    irg::screen_vertex v[3];
+    for (auto& c : v)
+      c = {{static_cast<std::int32_t>(r.integer(-2000, 9000)), static_cast<std::int32_t>(r.integer(-2000, 9000))},
+           static_cast<float>(1.2 * r.unit() - 0.1),
+           static_cast<float>(0.5 + r.unit())};
+    if (i % 4 == 3) v[2].position = v[1].position;  // edge on
+    for (int times = 0; times < 1 + i % 2; ++times) {
+      irg::draw_triangle<How, Policy>(ids, depth, v[0], v[1], v[2], irg::solid_shader<int>{i});
+      irg::zbuffer_face(buffers, irg::make_screen_face(v[0], v[1], v[2], 0), i);
+    }
+  }
+  int wrong = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      wrong += ids(x, y) != book_ids(x, y) || std::memcmp(&depth(x, y), &book_depth(x, y), sizeof(Z)) != 0;
+  return wrong;
+}
+
+TEST_CASE("zbuffer_face: the pixels and the bits of draw_triangle, in every order, format, test and write") {
+  const auto with = []<class Policy>(Policy policy, std::uint64_t seed) {
+    return faces_drawn_otherwise(nearer_is_greater{}, policy, 0.0f, seed) +
+           faces_drawn_otherwise(nearer_is_less{}, policy, 1.0f, seed) +
+           faces_drawn_otherwise(irg::drawing_order{}, policy, -1.0f, seed) +
+           faces_drawn_otherwise(irg::depth_float_reversed{}, policy, 0.0f, seed) +
+           faces_drawn_otherwise(irg::depth_float{}, policy, 1.0f, seed) +
+           faces_drawn_otherwise(irg::depth_inverse_w{}, policy, 0.0f, seed) +
+           faces_drawn_otherwise(irg::depth_unorm16{}, policy, std::uint16_t{65535}, seed) +
+           faces_drawn_otherwise(irg::depth_unorm24{}, policy, std::uint32_t{0xffffff}, seed) +
+           faces_drawn_otherwise(irg::depth24_stencil8{}, policy, std::uint32_t{0xffffff13}, seed) +
+           faces_drawn_otherwise(irg::depth_fixed<9, nearer_is_greater>{}, policy, std::uint16_t{0}, seed);
+  };
+  using enum irg::depth_test;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    REQUIRE(with(irg::depth_policy<>{}, seed) == 0);
+    REQUIRE(with(irg::depth_policy<nearer_or_equal>{}, seed) == 0);
+    REQUIRE(with(irg::depth_policy<equal>{}, seed) == 0);
+    REQUIRE(with(irg::depth_policy<always>{}, seed) == 0);
+    REQUIRE(with(irg::depth_policy<never>{}, seed) == 0);
+    REQUIRE(with(irg::depth_policy<nearer, irg::depth_write::off>{}, seed) == 0);
+  }
 }
 
 P random_corner(test::random& r, int size, int height) {
@@ -217,9 +291,9 @@ TEST_CASE("zbuffer_polygon: ids and depths against the rational plane of each tr
       away.clear(-1, 1000);
       for (int k = 0; k < 8; ++k) {
         triangle t = scene[static_cast<std::size_t>(k)];
-        REQUIRE(irg::zbuffer_polygon(toward, t, k, how));
+        REQUIRE(irg::zbuffer_polygon(toward, t, k, {how}));
         for (P& p : t) p.z = -p.z;
-        REQUIRE(irg::zbuffer_polygon(away, t, k, how));
+        REQUIRE(irg::zbuffer_polygon(away, t, k, {how}));
       }
       for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
@@ -244,8 +318,7 @@ TEST_CASE("zbuffer_polygon: ids and depths against the rational plane of each tr
   CHECK(too_close < compared / 1000);
 }
 
-TEST_CASE(
-    "zbuffer_polygon: coverage is fill_convex's, so that tilings hold; every depth within the corners' range (Z9)") {
+TEST_CASE("zbuffer_polygon: coverage is fill_convex's, so that tilings hold; every depth within the corners' range") {
   test::random r(22);
   for (int n = 0; n < 200; ++n) {
     // A fan: coplanar triangles around a hub, steep ones among them.
@@ -271,13 +344,12 @@ TEST_CASE(
       for (std::size_t i = 0; i < rim.size(); ++i) {
         const triangle t{hub, rim[i], rim[(i + 1) % rim.size()]};
         const double low = std::min({t[0].z, t[1].z, t[2].z}), high = std::max({t[0].z, t[1].z, t[2].z});
-        irg::zbuffer_polygon(
-            everything, t,
-            [&](int x, int y, double z) {
-              within = within && low <= z && z <= high;
-              return count(x, y) + 1;
-            },
-            how);
+        irg::zbuffer_polygon(everything, t,
+                             [&](int x, int y, double z) {
+                               within = within && low <= z && z <= high;
+                               return count(x, y) + 1;
+                             },
+                             {how});
         const irg::point<double, 2> flat[] = {{t[0].x, t[0].y}, {t[1].x, t[1].y}, {t[2].x, t[2].y}};
         irg::fill_convex(filled, flat, [](int there) { return there + 1; });
       }
@@ -291,7 +363,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("zbuffer_polygon: Z9, a sample that the rounding of corners to 1/256 puts outside of a steep triangle") {
+TEST_CASE("zbuffer_polygon: a sample that the rounding of corners to 1/256 puts outside of a steep triangle") {
   // The corner is snapped onto the centre of pixel (5, 5), which is 0.001 beyond it, where the plane is far too low.
   constexpr auto go = [](auto order, double sign, depth_evaluation how) {
     const triangle t{P{5.501, 5.501, 0}, P{20, 5.501, sign * 1e8}, P{6, 20, sign * 1e8}};
@@ -299,7 +371,7 @@ TEST_CASE("zbuffer_polygon: Z9, a sample that the rounding of corners to 1/256 p
     image<double> depth(24, 24);
     const zbuffer_textbook buffers{order, ids, depth};
     buffers.clear(0, sign * -1e9);
-    irg::zbuffer_polygon(buffers, t, 1, how);
+    irg::zbuffer_polygon(buffers, t, 1, {how});
     const double plane_there = sign * *irg::plane_depth(*irg::plane_through(t[0], t[1], t[2]), 5.5, 5.5);
     bool right = plane_there < -1000 && ids(5, 5) == 1 && depth(5, 5) == 0;
     for (int y = 0; y < 24; ++y)
@@ -313,7 +385,7 @@ TEST_CASE("zbuffer_polygon: Z9, a sample that the rounding of corners to 1/256 p
   CHECK_BOTH(go(nearer_is_less{}, -1, depth_evaluation::steps));
 }
 
-TEST_CASE("zbuffer_polygon: Z14, 100 random permutations of triangles without ties give the same picture") {
+TEST_CASE("zbuffer_polygon: 100 random permutations of triangles without ties give the same picture") {
   constexpr int size = 40;
   test::random r(23);
   std::vector<triangle> scene;
@@ -336,7 +408,7 @@ TEST_CASE("zbuffer_polygon: Z14, 100 random permutations of triangles without ti
   }
 }
 
-TEST_CASE("zbuffer_polygon: Z7 and Z8, equal depths stay with the first drawn, whichever diagonal cuts a quad") {
+TEST_CASE("zbuffer_polygon: equal depths stay with the first drawn, whichever diagonal cuts a quad") {
   constexpr auto go = [] {
     constexpr P a{1, 1, 4}, b{9, 1, 4}, c{9, 7, 4}, d{1, 7, 4};
     image<char> one(10, 8), other(10, 8);
@@ -383,7 +455,7 @@ TEST_CASE("zbuffer_polygon: degenerate input draws nothing and is true; what is 
     buffers.clear('.', -100);
     bool right = true;
     for (const auto how : both_ways)
-      right = right && irg::zbuffer_polygon(buffers, ring, 'x', how) == expected && nothing_drawn(screen, '.') &&
+      right = right && irg::zbuffer_polygon(buffers, ring, 'x', {how}) == expected && nothing_drawn(screen, '.') &&
               nothing_drawn(depth, -100.0);
     return right;
   };
@@ -395,7 +467,7 @@ TEST_CASE("zbuffer_polygon: degenerate input draws nothing and is true; what is 
   CHECK_BOTH(draw(triangle{P{1, 1, 0}, P{6, 1, 0}, P{3, 1, 9}}, true));           // edge on: C = 0
   CHECK_BOTH(draw(triangle{P{1, 0, 0}, P{6, 5, 0}, P{3, 2, 9}}, true));           // edge on, aslant
   CHECK_BOTH(draw(triangle{P{0, 0, -200}, P{8, 0, -200}, P{0, 8, -200}}, true));  // behind the back plane
-  CHECK_BOTH(draw(triangle{P{0, 0, -100}, P{8, 0, -100}, P{0, 8, -100}}, true));  // Z11: in the back plane
+  CHECK_BOTH(draw(triangle{P{0, 0, -100}, P{8, 0, -100}, P{0, 8, -100}}, true));  // in the back plane
   CHECK_BOTH(draw(triangle{P{20, 0, 1}, P{30, 0, 1}, P{20, 8, 1}}, true));        // beside the picture
   for (const double bad : {nan, inf, -inf, 0x1p31, -1e300})
     for (int i = 0; i < 9; ++i) {
@@ -427,7 +499,7 @@ TEST_CASE("zbuffer_polygon: zero-size targets, empty windows, and nothing outsid
   irg::image_view<char> screen(memory.data() + 1, 7, 5, 10);
   irg::image_view<double> depth(depths.data() + 1, 7, 5, 11 * sizeof(double));
   const zbuffer_textbook buffers{nearer_is_greater{}, screen, depth};
-  CHECK(irg::zbuffer_polygon(buffers, t, 'x', depth_evaluation::steps, {}, {2, 1, 50, 3}));
+  CHECK(irg::zbuffer_polygon(buffers.within({2, 1, 50, 3}), t, 'x', {depth_evaluation::steps}));
   for (int i = 0; i < 60; ++i) {
     const int x = i % 10 - 1, y = i / 10;
     CHECK(memory[static_cast<std::size_t>(i)] == (x >= 2 && x < 7 && y >= 1 && y < 3 ? 'x' : 'g'));
@@ -436,7 +508,7 @@ TEST_CASE("zbuffer_polygon: zero-size targets, empty windows, and nothing outsid
     const int x = i % 11 - 1, y = i / 11;
     CHECK(depths[static_cast<std::size_t>(i)] == (x >= 2 && x < 7 && y >= 1 && y < 3 ? 1 : -7));
   }
-  CHECK(irg::zbuffer_polygon(buffers, t, 'y', depth_evaluation::plane, {}, {5, 1, 2, 3}));
+  CHECK(irg::zbuffer_polygon(buffers.within({5, 1, 2, 3}), t, 'y', {depth_evaluation::plane}));
   CHECK(std::find(memory.begin(), memory.end(), 'y') == memory.end());
 }
 
@@ -447,7 +519,7 @@ TEST_CASE("zbuffer_polygon: y up, and samples at whole numbers") {
     image<double> z_up(6, 4), z_down(6, 4);
     const zbuffer_textbook a{nearer_is_greater{}, up, z_up}, b{nearer_is_greater{}, down, z_down};
     a.clear(0, 0), b.clear(0, 0);
-    irg::zbuffer_polygon(a, t, 1, depth_evaluation::plane, {0.5, 3.5, 1, -1});
+    irg::zbuffer_polygon(a, t, 1, {depth_evaluation::plane, {0.5, 3.5, 1, -1}});
     irg::zbuffer_polygon(b, t, 1);
     bool right = true;
     for (int y = 0; y < 4; ++y)
@@ -455,7 +527,7 @@ TEST_CASE("zbuffer_polygon: y up, and samples at whole numbers") {
     // The triangle with samples at whole numbers is the triangle half a pixel further with samples at centres.
     const triangle further{P{0.5, 0.5, 1}, P{6.5, 0.5, 1}, P{0.5, 4.5, 5}};
     a.clear(0, 0), b.clear(0, 0);
-    irg::zbuffer_polygon(a, t, 1, depth_evaluation::plane, {0, 0});
+    irg::zbuffer_polygon(a, t, 1, {depth_evaluation::plane, {0, 0}});
     irg::zbuffer_polygon(b, further, 1);
     return right && up == down && z_up == z_down && up(0, 0) == 1;
   };
@@ -486,10 +558,10 @@ TEST_CASE("zbuffer_polygon_perspective: z, 1/(d - z), and distances give the sam
     by_z.clear(-1, -1000), by_inverse.clear(-1, 1.0 / 1020), by_distance.clear(-1, 1000);
     for (int k = 0; k < 6; ++k) {
       triangle t = scene[static_cast<std::size_t>(k)];
-      REQUIRE(irg::zbuffer_polygon_perspective(by_z, t, 20, k, depth_evaluation::plane, about_axis));
-      REQUIRE(irg::zbuffer_polygon_perspective(by_inverse, t, 20, k, depth_evaluation::steps, about_axis));
+      REQUIRE(irg::zbuffer_polygon_perspective(by_z, t, 20, k, {depth_evaluation::plane, about_axis}));
+      REQUIRE(irg::zbuffer_polygon_perspective(by_inverse, t, 20, k, {depth_evaluation::steps, about_axis}));
       for (P& p : t) p.z = -p.z;
-      REQUIRE(irg::zbuffer_polygon_perspective(by_distance, t, -20, k, depth_evaluation::plane, about_axis));
+      REQUIRE(irg::zbuffer_polygon_perspective(by_distance, t, -20, k, {depth_evaluation::plane, about_axis}));
     }
     REQUIRE(ids == distance_ids);
     for (int y = 0; y < size; ++y)
@@ -521,7 +593,7 @@ TEST_CASE("zbuffer_polygon_perspective: the eye in the plane, behind a corner, n
     buffers.clear('.', -1000);
     bool right = true;
     for (const auto how : both_ways)
-      right = right && irg::zbuffer_polygon_perspective(buffers, t, d, 'x', how, about_axis) == expected &&
+      right = right && irg::zbuffer_polygon_perspective(buffers, t, d, 'x', {how, about_axis}) == expected &&
               nothing_drawn(screen, '.');
     return right;
   };
@@ -544,7 +616,7 @@ constexpr std::uint64_t hash_of_scene() {
   buffers.clear(-1, -100);
   using Pf = irg::point<float, 3>;
   irg::zbuffer_polygon(buffers, std::array{Pf{0.3f, 0.7f, 1.1f}, Pf{8.6f, 1.9f, 3.3f}, Pf{2.2f, 8.8f, -1.7f}}, 1,
-                       depth_evaluation::steps);
+                       {depth_evaluation::steps});
   irg::zbuffer_polygon(buffers, std::array{Pf{8, 8, 2.1f}, Pf{1, 7, 0.3f}, Pf{4, 0, 2.9f}, Pf{7, 1, 3.1f}}, 2);
   irg::zbuffer_polygon_perspective(buffers, std::array{Pf{1, 1, -9}, Pf{9, 2, 7}, Pf{3, 9, 1}}, 13, 3);
   std::uint64_t h = 14695981039346656037u;

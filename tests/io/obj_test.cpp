@@ -108,7 +108,7 @@ TEST_CASE("obj: a triangle by hand, at compile time, too") {
   }() == true);
 }
 
-TEST_CASE("obj O1: negative indices count back from what was read so far") {
+TEST_CASE("obj: negative indices count back from what was read so far") {
   const mesh m =
       of("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nv 1 1 0\nvn 1 0 0\nf -3//-1 "
          "-1//-1 -2//-1\n");
@@ -119,7 +119,7 @@ TEST_CASE("obj O1: negative indices count back from what was read so far") {
   CHECK_BOTH(corner_count("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1") == 3);
 }
 
-TEST_CASE("obj O2: negative indices that reach too far") {
+TEST_CASE("obj: negative indices that reach too far") {
   CHECK(outcome("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -4\n") ==
         "4:9 negative vertex index reaches back beyond the first vertex");
   CHECK(outcome("f -1 -1 -1") == "1:3 negative vertex index reaches back beyond the first vertex");
@@ -131,7 +131,7 @@ TEST_CASE("obj O2: negative indices that reach too far") {
   CHECK(outcome("v 0 0 0\nf -1 -1 -2\nv 0 0 0") == "2:9 negative vertex index reaches back beyond the first vertex");
 }
 
-TEST_CASE("obj O3: index 0") {
+TEST_CASE("obj: index 0") {
   CHECK(outcome(with_square("f 1 2 0")) == "5:7 vertex index is 0, but indices count from 1");
   CHECK(outcome(with_square("f 1 2 -0")) == "5:7 vertex index is 0, but indices count from 1");
   CHECK(outcome(with_square("vt 0 0\nf 1/0 2 3")) == "6:5 texture coordinate index is 0, but indices count from 1");
@@ -139,7 +139,7 @@ TEST_CASE("obj O3: index 0") {
   CHECK_BOTH(fails_at("v 0 0 0\nf 1 0 1", 2, 5));
 }
 
-TEST_CASE("obj O4: indices beyond every integer") {
+TEST_CASE("obj: indices beyond every integer") {
   for (const char* big : {"99999999999", "4294967295", "4294967296", "4294967297", "18446744073709551617",
                           "9223372036854775808", "99999999999999999999999999999999999999999999"}) {
     INFO(std::string(big));
@@ -151,7 +151,7 @@ TEST_CASE("obj O4: indices beyond every integer") {
   }
 }
 
-TEST_CASE("obj O5: indices out of range") {
+TEST_CASE("obj: indices out of range") {
   CHECK(outcome(with_square("f 1 2 9")) == "5:7 face index is larger than the number of vertices");
   CHECK(outcome(with_square("f 1 2 5")) == "5:7 face index is larger than the number of vertices");
   CHECK(outcome(with_square("f 1 2 4")).empty());
@@ -163,7 +163,7 @@ TEST_CASE("obj O5: indices out of range") {
   CHECK_BOTH(fails_at("v 0 0 0\nf 1 1 2", 2, 7));
 }
 
-TEST_CASE("obj O6: forms of face corners") {
+TEST_CASE("obj: forms of face corners") {
   const std::string data = with_square("vt 0 0\nvt 1 0\nvn 0 0 1\nvn 0 0 -1\n");
   const auto corners = [&](std::string_view s) { return of(data + "f " + std::string(s)).corners; };
   using list = std::vector<irg::mesh_corner>;
@@ -188,7 +188,7 @@ TEST_CASE("obj O6: forms of face corners") {
   CHECK(outcome(data + "f 1 / 2 3") == "9:5 expected the index of a vertex");
 }
 
-TEST_CASE("obj O7: faces that are none") {
+TEST_CASE("obj: faces that are none") {
   CHECK(outcome(with_square("f a b c")) == "5:3 expected the index of a vertex");
   CHECK(outcome(with_square("f")) == "5:1 face has fewer than three corners");
   CHECK(outcome(with_square("f 1 2")) == "5:1 face has fewer than three corners");
@@ -197,7 +197,7 @@ TEST_CASE("obj O7: faces that are none") {
   CHECK(outcome(with_square("f - - -")) == "5:3 expected the index of a vertex");
 }
 
-TEST_CASE("obj O8: forward references are legal, and checked at the end") {
+TEST_CASE("obj: forward references are legal, and checked at the end") {
   CHECK(of("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0").face_count() == 1);
   CHECK(outcome("f 1 2 3\nf 1 2 4\nf 2 3 5\nv 0 0 0\nv 1 0 0\nv 0 1 0") ==
         "2:7 face index is larger than the number of vertices");
@@ -207,7 +207,7 @@ TEST_CASE("obj O8: forward references are legal, and checked at the end") {
   CHECK_BOTH(fails_at("f 1 2 3\nv 0 0 0\nv 1 0 0\n", 1, 7));
 }
 
-TEST_CASE("obj O9: ends of lines, byte order marks, bytes 0") {
+TEST_CASE("obj: ends of lines, byte order marks, bytes 0") {
   const mesh expected = of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   CHECK(of("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n") == expected);
   CHECK(of("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r") == expected);
@@ -227,7 +227,7 @@ TEST_CASE("obj O9: ends of lines, byte order marks, bytes 0") {
   CHECK(outcome("v 0 0 0\n\xEF\xBB\xBFv 0 0 0") == "2:1 expected a statement");
 }
 
-TEST_CASE("obj O10: continuation lines") {
+TEST_CASE("obj: continuation lines") {
   const mesh expected = of(with_square("f 1 2 3 4"));
   CHECK(of(with_square("f 1 2 \\\n3 4")) == expected);
   CHECK(of(with_square("f 1 2\\\n3 4")) == expected);
@@ -263,7 +263,7 @@ TEST_CASE("obj O10: continuation lines") {
   CHECK(of(with_square("usemtl red#5\\\nand 6\nf 1 2 3 4")).parts[0].material == "red#5 and 6");
 }
 
-TEST_CASE("obj O11: long comments, faces and tokens") {
+TEST_CASE("obj: long comments, faces and tokens") {
   CHECK(of(with_square("#" + std::string(2'000'000, 'x') + "\nf 1 2 3 4")).face_count() == 1);
   std::string f = "f";
   for (int i = 0; i < 1'000'000; ++i) f += i % 4 == 0 ? " 1" : i % 4 == 1 ? " 2" : i % 4 == 2 ? " 3" : " 4";
@@ -279,7 +279,7 @@ TEST_CASE("obj O11: long comments, faces and tokens") {
   CHECK(outcome(with_square("f 1 2 " + std::string(1 << 20, '0') + "3")).empty());
 }
 
-TEST_CASE("obj O12: numbers") {
+TEST_CASE("obj: numbers") {
   const auto z = [](std::string_view number) { return of("v 0 0 " + std::string(number)).positions[0].z; };
   const auto why = [](std::string_view number) { return outcome("v 0 0 " + std::string(number)); };
   CHECK(why("nan") == "1:7 number is not finite");
@@ -308,7 +308,7 @@ TEST_CASE("obj O12: numbers") {
   CHECK_BOTH(corner_count("v 0 0 1e-999") == 0);
 }
 
-TEST_CASE("obj O13: too few and too many numbers") {
+TEST_CASE("obj: too few and too many numbers") {
   CHECK(outcome("v") == "1:2 vertex has fewer than three coordinates");
   CHECK(outcome("v 1 2\nv 1 2 3") == "1:6 vertex has fewer than three coordinates");
   CHECK(outcome("v 1 2 # 3") == "1:7 vertex has fewer than three coordinates");
@@ -325,7 +325,7 @@ TEST_CASE("obj O13: too few and too many numbers") {
   CHECK(outcome("vt 1 2 3 4") == "1:10 texture coordinate has more than three numbers");
 }
 
-TEST_CASE("obj O14: polygons stay as they are written; triangulation keeps their area") {
+TEST_CASE("obj: polygons stay as they are written; triangulation keeps their area") {
   // Twice the signed area in the plane z = 0, exact on these small integers.
   const auto area = [](const mesh& m) {
     double sum = 0;
@@ -360,7 +360,7 @@ TEST_CASE("obj O14: polygons stay as they are written; triangulation keeps their
   }
 }
 
-TEST_CASE("obj O15: points and lines beside faces are skipped, unchecked, or refused on request") {
+TEST_CASE("obj: points and lines beside faces are skipped, unchecked, or refused on request") {
   CHECK(of(with_square("l 1\nf 1 2 3\np 1 2 99999999999\nl 7 a\n")).face_count() == 1);
   CHECK(of(with_square("s off\ns 1\nmg 1 2\ncstype bezier\nvp 1 2\nf 1 2 3\nend\nunheard_of 1 2 3")).face_count() == 1);
   const irg::obj_options refuse{irg::obj_unused::refuse};
@@ -377,7 +377,7 @@ TEST_CASE("obj O15: points and lines beside faces are skipped, unchecked, or ref
   }
 }
 
-TEST_CASE("obj O16: objects, groups and materials by name; no file is opened") {
+TEST_CASE("obj: objects, groups and materials by name; no file is opened") {
   const mesh m =
       of(with_square("mtllib missing.mtl\nmtllib ../../etc/passwd\nf 1 2 3\no thing\nf 1 2 4\n"
                      "usemtl  red and #5 \ng a b\t\nf 2 3 4\nf 1 2 3\ng a b\nf 1 2 3\ng\nusemtl\no\nf 1 3 4\n"));
@@ -408,13 +408,13 @@ TEST_CASE("obj O16: objects, groups and materials by name; no file is opened") {
   static_assert(read_obj("v 0 0 0\ng a\\\nb\nf 1 1 1")->parts[0].group == "a b");
 }
 
-TEST_CASE("obj O17: blanks") {
+TEST_CASE("obj: blanks") {
   const mesh expected = of(with_square("f 1 2 3 4"));
   CHECK(of(with_square("\t f\t\t1   2 \t3\v4 \f  ")) == expected);
   CHECK(of("v\t0  0 0   \n \t v 1 0 0\t\nv 1 1 0\n\n\n   \nv 0 1 0 # four\nf 1 2 3 4 #").positions.size() == 4);
 }
 
-TEST_CASE("obj O17: a comment begins where a token could; bytes beyond ASCII are no blanks") {
+TEST_CASE("obj: a comment begins where a token could; bytes beyond ASCII are no blanks") {
   CHECK(of(with_square("f 1 2 3 #4")).corners.size() == 3);
   CHECK(outcome(with_square("f 1 2 3\xA0")) == "5:7 face corner is none of the forms 1, 1/2, 1//3 and 1/2/3");
   CHECK(outcome("v 1 2 \xC2\xA0"
@@ -422,7 +422,7 @@ TEST_CASE("obj O17: a comment begins where a token could; bytes beyond ASCII are
   CHECK(of(with_square("g gr\xC3\xBC\xC2\xA0n\nf 1 2 3")).parts[0].group == "gr\xC3\xBC\xC2\xA0n");
 }
 
-TEST_CASE("obj O18: the locale changes nothing") {
+TEST_CASE("obj: the locale changes nothing") {
   for (const char* name : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8"})
     if (setlocale(LC_ALL, name) == nullptr) MESSAGE("skipped, not installed: locale ", std::string(name));
   CHECK(of("v 1.5 -0.25 1e-3").positions[0] == irg::point<double, 3>{1.5, -0.25, 0.001});
@@ -430,7 +430,7 @@ TEST_CASE("obj O18: the locale changes nothing") {
   setlocale(LC_ALL, "C");
 }
 
-TEST_CASE("obj O19: empty texts, one byte, two bytes") {
+TEST_CASE("obj: empty texts, one byte, two bytes") {
   CHECK(of("") == mesh{});
   CHECK(of(text{}) == mesh{});
   CHECK(of("# nothing\n   # here\r\n\t\n") == mesh{});
@@ -451,7 +451,7 @@ TEST_CASE("obj O19: empty texts, one byte, two bytes") {
   CHECK(meshes < 20000);
 }
 
-TEST_CASE("obj O20: cut off at every byte") {
+TEST_CASE("obj: cut off at every byte") {
   const std::string whole =
       "# model\r\nmtllib a.mtl\r\no thing\r\nv 0 0 0\r\nv 1.5e0 -0.25 +3\r\nv 0 1 0 1\r\nvt 0.5 0.5\r\nvn 0 0 1\r\n"
       "g one\r\nusemtl red\r\nf 1/1/1 2/1/1 \\\r\n3/1/1\r\ns off\r\nl 1 2\r\nf -3//-1 -2//-1 -1//-1\r\nv 9 9 9\r\nf 4 "

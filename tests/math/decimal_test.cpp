@@ -353,7 +353,7 @@ TEST_CASE("decimal: all 2^32 floats, printed and read") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("decimal: a locale with a decimal comma changes nothing (O18)") {
+TEST_CASE("decimal: a locale with a decimal comma changes nothing") {
   for (const char* name : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8"})
     if (setlocale(LC_NUMERIC, name) == nullptr) MESSAGE("skipped, not installed: locale ", std::string(name));
   CHECK(reads("1.5", 1.5));

@@ -23,7 +23,7 @@ constexpr double huge = std::numeric_limits<double>::max(), tiny = std::numeric_
 
 }  // namespace
 
-TEST_CASE("determinant_exact: GOLDEN 1, and by hand") {
+TEST_CASE("determinant_exact: the course's values, and by hand") {
   CHECK_BOTH(determinant_exact(mat3<double>{{{1, 2, 3}, {2, 1, 3}, {4, 5, 1}}}) == 24);
   CHECK_BOTH(determinant_exact(mat3<float>{{{-1, 2, -3}, {5, -2, 7}, {-4, -1, 3}}}) == -48);
   CHECK_BOTH(determinant_exact(mat<double, 1, 1>{{{9}}}) == 9);

@@ -25,14 +25,14 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN(), inf = std::num
 
 }  // namespace
 
-TEST_CASE("homogeneous: GOLDEN 2") {
+TEST_CASE("homogeneous: the course's values") {
   CHECK_BOTH(to_homogeneous(point<int, 2>{3, 4}, 2) == hpoint<int, 2>{6, 8, 2});
   CHECK_BOTH(*try_to_cartesian(hpoint<double, 2>{6, 8, 2}) == point<double, 2>{3, 4});
   CHECK_BOTH(*try_to_cartesian(hpoint<rational, 2>{6, 8, 2}) == point<rational, 2>{3, 4});
   CHECK_BOTH(homogeneous_kind_of(hpoint<int, 2>{-16, 8, 0}) == irg::homogeneous_kind::direction);
 }
 
-TEST_CASE("homogeneous: GOLDEN 12") {
+TEST_CASE("homogeneous: Hank's values") {
   CHECK_BOTH(*try_to_cartesian(H{4, 6, 2, 2}) == point<double, 3>{2, 3, 1});
   CHECK_BOTH(homogeneous_kind_of(H{1, 2, 3, 0}) == homogeneous_kind::direction);
   CHECK_BOTH(!try_to_cartesian(H{1, 2, 3, 0}));

@@ -92,7 +92,7 @@ double condition_of(const mat4& a, const exact4& x) {
 
 }  // namespace
 
-TEST_CASE("inverse: GOLDEN 1") {
+TEST_CASE("inverse: the course's values") {
   using R = rational;
   constexpr mat3<R> A{{{1, 2, 3}, {2, 1, 3}, {4, 5, 1}}}, B{{{-1, 2, -3}, {5, -2, 7}, {-4, -1, 3}}};
   CHECK_BOTH(*inverse(A) ==
@@ -198,7 +198,7 @@ TEST_CASE("inverse: degenerate and hostile") {
     CHECK((*inverse(p) == transpose(p) && *inverse_accurate(p) == transpose(p) && *inverse_exact(p) == transpose(p)));
   } while (std::next_permutation(order, order + 4));
   // Small, or badly scaled, is not singular.
-  CHECK(inverse(mat<double, 2, 2>{{{1e-7, 0}, {0, 1e-7}}}).has_value());  // GOLDEN 12
+  CHECK(inverse(mat<double, 2, 2>{{{1e-7, 0}, {0, 1e-7}}}).has_value());  // Hank's values
   constexpr mat3<double> wide{{{0x1p-900, 0, 0}, {0, 0, 0x1p900}, {0, 1, 0}}};
   constexpr mat3<double> wide_inverse{{{0x1p900, 0, 0}, {0, 0, 1}, {0, 0x1p-900, 0}}};
   CHECK_BOTH((*inverse(wide) == wide_inverse && *inverse_accurate(wide) == wide_inverse));

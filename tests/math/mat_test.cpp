@@ -103,7 +103,7 @@ TEST_CASE("mat: by hand") {
   CHECK_BOTH((determinant(m) == 6 && determinant(mat<int, 1, 1>{{{9}}}) == 9));
 }
 
-TEST_CASE("mat: GOLDEN 1, exercise 1") {
+TEST_CASE("mat: the course's exercise 1") {
   using R = rational;
   constexpr mat3<R> A{{{1, 2, 3}, {2, 1, 3}, {4, 5, 1}}}, B{{{-1, 2, -3}, {5, -2, 7}, {-4, -1, 3}}};
   CHECK_BOTH(A + B == mat3<R>{{{0, 4, 0}, {7, -1, 10}, {0, 4, 4}}});

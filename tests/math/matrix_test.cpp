@@ -48,7 +48,7 @@ TEST_CASE("matrix: by hand") {
   CHECK_BOTH(multiply(matrix<rational>(mat<rational, 1, 1>{{{3}}}), 2)(0, 0) == rational(6));
 }
 
-TEST_CASE("matrix: GOLDEN 1, exercise 1") {
+TEST_CASE("matrix: the course's exercise 1") {
   using R = rational;
   constexpr mat<R, 3, 3> A{{{1, 2, 3}, {2, 1, 3}, {4, 5, 1}}}, B{{{-1, 2, -3}, {5, -2, 7}, {-4, -1, 3}}};
   CHECK_BOTH(is(add(of(A), of(B)), of(mat<R, 3, 3>{{{0, 4, 0}, {7, -1, 10}, {0, 4, 4}}})));

@@ -21,7 +21,7 @@ constexpr double huge = std::numeric_limits<double>::max(), tiny = 0x1p-1074;
 
 }  // namespace
 
-TEST_CASE("solve_exact: GOLDEN 1, exercise 2, and GOLDEN 12") {
+TEST_CASE("solve_exact: the course's exercise 2, and Hank's values") {
   CHECK_BOTH(solve_exact(rows3{{{1, 1, 1, 6}, {-1, -2, 1, -2}, {2, 1, 3, 13}}}).x == vec<double, 3>{1, 2, 3});
   constexpr auto dependent = solve_exact(rows3{{{1, 1, 1, 6}, {2, 2, 2, 12}, {1, -1, 0, 0}}});
   CHECK_BOTH((dependent.kind == solvability::dependent && dependent.rank == 2 && !dependent));

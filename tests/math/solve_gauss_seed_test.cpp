@@ -11,7 +11,7 @@ using irg::solve_gauss_seed;
 using irg::vec;
 using test::rational;
 
-TEST_CASE("solve_gauss_seed: GOLDEN 12") {
+TEST_CASE("solve_gauss_seed: Hank's values") {
   using R = rational;
   CHECK_BOTH(*solve_gauss_seed(mat<R, 3, 4>{{{2, 1, -1, 8}, {-3, -1, 2, -11}, {-2, 1, 2, -3}}}) == vec<R, 3>{2, 3, -1});
   CHECK_BOTH(*solve_gauss_seed(mat<R, 3, 4>{{{0, 2, 1, 7}, {1, 1, 1, 6}, {2, 0, -1, -1}}}) == vec<R, 3>{1, 2, 3});
@@ -27,7 +27,7 @@ TEST_CASE("solve_gauss_seed: GOLDEN 12") {
   CHECK(std::abs(solve_gauss(mat<double, 2, 3>{{{1e-5, 1, 1}, {1, 1, 2}}}).x.x - 1 / (1 - 1e-5)) < 3e-16);
 }
 
-TEST_CASE("back_substitution_textbook: GOLDEN 12, wrong as printed") {
+TEST_CASE("back_substitution_textbook: Hank's values, wrong as printed") {
   using R = rational;
   CHECK_BOTH(back_substitution_textbook(mat<R, 2, 3>{{{1, 2, 5}, {0, 3, 6}}}) == vec<R, 2>{R(2, 9), R(1, 2)});
 }

@@ -25,7 +25,7 @@ constexpr double inf = std::numeric_limits<double>::infinity(), none = std::nume
 
 }  // namespace
 
-TEST_CASE("solve_gauss: GOLDEN 1, exercise 2, and GOLDEN 12") {
+TEST_CASE("solve_gauss: the course's exercise 2, and Hank's values") {
   using R = rational;
   constexpr auto course = solve_gauss(rows3<R>{{{1, 1, 1, 6}, {-1, -2, 1, -2}, {2, 1, 3, 13}}});
   CHECK_BOTH((course && course.rank == 3 && course.x == vec<R, 3>{1, 2, 3}));
@@ -44,7 +44,7 @@ TEST_CASE("solve_gauss: GOLDEN 1, exercise 2, and GOLDEN 12") {
 }
 
 TEST_CASE("solve_gauss: the printed order of the pivots does not matter, nor does size") {
-  // GOLDEN 12: small is not singular.
+  // Small is not singular.
   CHECK_BOTH(solve_gauss(mat<double, 2, 3>{{{1e-7, 0, 1e-7}, {0, 1e-7, 1e-7}}}).x == vec<double, 2>{1, 1});
   CHECK_BOTH(solve_gauss(mat<double, 2, 3>{{{0x1p-1070, 0, 0x1p-1070}, {0, 0x1p1000, 0x1p1001}}}).x ==
              vec<double, 2>{1, 2});
@@ -112,7 +112,7 @@ TEST_CASE("solve_gauss: rationals, any size") {
   CHECK(singular > 20);
 }
 
-TEST_CASE("back_substitution: GOLDEN 12") {
+TEST_CASE("back_substitution: Hank's values") {
   using R = rational;
   constexpr mat<R, 2, 3> triangle{{{1, 2, 5}, {0, 3, 6}}};
   CHECK_BOTH(back_substitution(triangle) == vec<R, 2>{1, 2});

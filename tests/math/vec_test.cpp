@@ -129,7 +129,7 @@ TEST_CASE("vec: points and vectors") {
   CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 2>{2, 4, -2}) == irg::point<double, 2>{-1, -2});
 }
 
-TEST_CASE("vec: GOLDEN 1, exercise 1 of the course") {
+TEST_CASE("vec: the course's exercise 1") {
   constexpr vec3 ga{2, 3, -4}, gb{-1, 4, -1}, gc{2, 2, 4};
   constexpr vec3 v1 = ga + gb, v2 = irg::cross(v1, gc);
   CHECK_BOTH(v1 == vec3{1, 7, -5});

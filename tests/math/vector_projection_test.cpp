@@ -24,7 +24,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN(), inf = std::num
 
 }  // namespace
 
-TEST_CASE("projection: GOLDEN 1") {
+TEST_CASE("projection: the course's values") {
   using R = rational;
   constexpr vec3 v{1, 7, -5}, b{-1, 4, -1};
   CHECK_BOTH(*scalar_projection(v, b) == 7.5424723326565077);

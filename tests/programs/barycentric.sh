@@ -21,7 +21,7 @@ run "" --help
 check "--help: exit 0" is "$status" 0
 for word in --input --list --size -o; do check "--help names $word" has "$out" "$word"; done
 
-# ---- GOLDEN 1: B1 to B9
+# ---- the course's triangles and degenerate ones
 gives B1 "1 0 0 0 1 0 0 0 1 0.5 0.25 0.25" "0.5 0.25 0.25" "0.5 0.25 0.25" yes inside
 gives B2 "1 0 0 0 1 0 0 0 1 2 -0.5 -0.5" "2 -0.5 -0.5" "2 -0.5 -0.5" yes outside
 gives B3 "1 0 0 0 1 0 0 0 1 1 1 1" "1 1 1" "-1 1 1" no outside

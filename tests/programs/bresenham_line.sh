@@ -44,11 +44,11 @@ run "$course" --list
 check "--list: 191 lines" is "$(wc -l <.out)" 191
 check "--list: from" is "$(head -n 1 .out)" "10 10"
 check "--list: to" is "$(tail -n 1 .out)" "200 100"
-check "--list: GOLDEN y at x" is "$(grep -E '^(11|12|13|14|20|50|105|150|199) ' .out | cut -d' ' -f2 | tr '\n' ' ')" \
+check "--list: the course's y at x" is "$(grep -E '^(11|12|13|14|20|50|105|150|199) ' .out | cut -d' ' -f2 | tr '\n' ' ')" \
   "10 11 11 12 15 29 55 76 100 "
-check "--list: GOLDEN sum of y" is "$(awk '{ s += $2 } END { print s }' .out)" 10505
-check "--list: GOLDEN sum of x y" is "$(awk '{ s += $1 * $2 } END { print s }' .out)" 1378215
-check "--list: GOLDEN 82 rows of 2, 9 of 3" is "$(cut -d' ' -f2 .out | uniq -c | awk '{ n[$1]++ } END { print n[2], n[3] }')" "82 9"
+check "--list: the course's sum of y" is "$(awk '{ s += $2 } END { print s }' .out)" 10505
+check "--list: the course's sum of x y" is "$(awk '{ s += $1 * $2 } END { print s }' .out)" 1378215
+check "--list: the course's 82 rows of 2, 9 of 3" is "$(cut -d' ' -f2 .out | uniq -c | awk '{ n[$1]++ } END { print n[2], n[3] }')" "82 9"
 cp .out integer.txt
 run "$course" --list --method textbook
 check "textbook: the same cells" cmp -s .out integer.txt

@@ -28,7 +28,7 @@ for word in --input --rule --list --size -o top-left course closed rounded half-
   check "--help names $word" has "$out" "$word"
 done
 
-# ---- the course's polygon: GOLDEN 3
+# ---- the course's polygon
 run "$course"
 check "the course's polygon: exit 0: $err" is "$status" 0
 check "silent on standard error" is "$err" ""

@@ -16,7 +16,7 @@ run "" --help
 check "--help: exit 0" is "$status" 0
 for word in --input --list --size -o; do check "--help names $word" has "$out" "$word"; done
 
-# ---- GOLDEN 1
+# ---- the course's values
 course="1 1 1 6\n-1 -2 1 -2\n2 1 3 13\n"
 solves "the course's system" "$course" "solution: 1 2 3"
 solves "two equations alike" "1 1 1 6  2 2 2 12  1 -1 0 0" "singular: dependent"

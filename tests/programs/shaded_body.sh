@@ -83,7 +83,7 @@ for word in MODEL --list -o --stats --size --eye --target --up --fov --project -
   check "--help names $word" has "$out" "$word"
 done
 
-# ---- GOLDEN 7: a lamp at (3, 2, 4)
+# ---- a lamp at (3, 2, 4)
 lamp="--light 3,2,4"
 listed "from (3, 2, 2)" "hidden hidden 73.3699507995993 78.3997116070745 46.9076633390697 47.3702931657094 hidden hidden hidden hidden 106.74768752147 105.115923873823" cube.obj --eye 3,2,2 $lamp
 listed "from (1, 1, 3): four faces are seen from their edge" "hidden hidden hidden hidden hidden hidden hidden hidden hidden hidden 106.74768752147 105.115923873823" cube.obj --eye 1,1,3 $lamp

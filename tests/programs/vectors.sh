@@ -9,7 +9,7 @@ run "" --help
 check "--help: exit 0" is "$status" 0
 for word in --example --input --list --size -o; do check "--help names $word" has "$out" "$word"; done
 
-# ---- the course's values: GOLDEN 1
+# ---- the course's values
 expected='v1: 1 7 -5
 s: 32
 v2: 38 -14 -12

@@ -30,7 +30,7 @@ for word in MODEL --input --list --size -o; do
   check "--help names $word" has "$out" "$word"
 done
 
-# ---- the course's first view: GOLDEN 5
+# ---- the course's first view
 cube="0 0 0  0 0 1  1 0 0  1 0 1  1 1 0  1 1 1  0 1 0  0 1 1"
 run "1 1 3  0 0 0  8  $cube"
 check "the cube: exit 0: $err" is "$status" 0

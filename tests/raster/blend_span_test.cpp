@@ -226,7 +226,7 @@ TEST_CASE("blend_span: whole runs, functions, rasters without rows") {
   CHECK_BOTH(serves_any_raster());
 }
 
-TEST_CASE("blend_span: gaps between rows are left alone (L13)") {
+TEST_CASE("blend_span: gaps between rows are left alone") {
   std::vector<irg::rgba8> memory(5 * 8, {1, 2, 3, 4});
   irg::image_view<irg::rgba8> upside_down(memory.data() + 4 * 8, 6, 5,
                                           -8 * static_cast<std::ptrdiff_t>(sizeof(irg::rgba8)));

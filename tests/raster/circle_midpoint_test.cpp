@@ -127,7 +127,7 @@ TEST_CASE("draw_circle, fill_circle: paint by value or function, each pixel once
     const auto add = [](int there) { return there + 1; };
     irg::draw_circle(image, {4, 4}, 4, add);
     irg::fill_circle(image, {4, 4}, 2, add);
-    irg::draw_circle(image, {0, 8}, 3, 5, cell_window{-9, 7, 9, 99});
+    irg::draw_circle(irg::within(image, {-9, 7, 9, 99}), {0, 8}, 3, 5);
     int n = 0;
     for (int y = 0; y < 7; ++y)
       for (int x = 0; x < 9; ++x) {
@@ -140,8 +140,8 @@ TEST_CASE("draw_circle, fill_circle: paint by value or function, each pixel once
   test::framed_raster<double> framed;
   auto& view = framed.view;
   const cell_window beyond{-100, -100, 100, 100};
-  for (int r = 0; r < 12; ++r) irg::draw_circle(view, {5, 3}, r, 1.0, beyond);
-  irg::fill_circle(view, {9, 6}, 4, 2.0, beyond);
+  for (int r = 0; r < 12; ++r) irg::draw_circle(irg::within(view, beyond), {5, 3}, r, 1.0);
+  irg::fill_circle(irg::within(view, beyond), {9, 6}, 4, 2.0);
   irg::fill_circle(view, {-1000, 3}, 1001, 2.0);
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 40);

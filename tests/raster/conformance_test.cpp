@@ -94,10 +94,8 @@ items cells_in_image(const conformance_case& c, const irg::line_options& options
   if (c.window.empty() || !moved(c.from, a) || !moved(c.to, b)) return c.items;
   irg::image<unsigned char> painted(c.window.x_last - c.window.x_first, c.window.y_last - c.window.y_first, 0);
   irg::image<unsigned char> counted = painted;
-  irg::draw_line(painted, a, b, 1, irg::window_of(painted), options);
-  irg::draw_line(
-      counted, a, b, [](unsigned char n) { return static_cast<unsigned char>(n + 1); }, irg::window_of(counted),
-      options);
+  irg::draw_line(painted, a, b, 1, options);
+  irg::draw_line(counted, a, b, [](unsigned char n) { return static_cast<unsigned char>(n + 1); }, options);
   bool once = true;
   for (int y = 0; y < painted.height(); ++y)
     for (int x = 0; x < painted.width(); ++x) {

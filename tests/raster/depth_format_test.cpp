@@ -32,6 +32,8 @@ using reversed16 = depth_fixed<16, irg::nearer_is_greater>;
 static_assert(irg::DepthFormat<depth_float_reversed> && irg::DepthFormat<depth_float> &&
               irg::DepthFormat<depth_inverse_w> && irg::DepthFormat<depth_unorm16> && irg::DepthFormat<depth_unorm24> &&
               irg::DepthFormat<depth24_stencil8> && irg::DepthFormat<reversed16>);
+static_assert(!irg::DepthOrder<depth_float> &&
+              !irg::DepthOrder<depth_unorm24>);  // drawn by orders they would be garbage
 static_assert(!irg::DepthFormat<float> && !irg::DepthFormat<irg::nearer_is_less>);
 static_assert(sizeof(depth_unorm16::stored) == 2 && sizeof(depth_unorm24::stored) == 4);
 static_assert(noexcept(depth_unorm24::encode(0.5f)));
@@ -43,8 +45,14 @@ struct without_encode : depth_float {
 struct without_decode : depth_float {
   static constexpr double decode(stored);
 };
-struct without_nearer : depth_float {
-  static constexpr int nearer(stored, stored);
+struct without_level : depth_float {
+  static constexpr int level(float);
+};
+struct without_level_of : depth_float {
+  static constexpr int level_of(stored);
+};
+struct without_with_level : depth_float {
+  static constexpr double with_level(stored, float);
 };
 struct without_farthest : depth_float {
   static constexpr struct {
@@ -69,7 +77,8 @@ struct without_order : depth_float {
 struct derived_from_one : depth_float {};
 static_assert(irg::DepthFormat<derived_from_one>);
 static_assert(!irg::DepthFormat<without_encode> && !irg::DepthFormat<without_decode> &&
-              !irg::DepthFormat<without_nearer> && !irg::DepthFormat<without_farthest> &&
+              !irg::DepthFormat<without_level> && !irg::DepthFormat<without_level_of> &&
+              !irg::DepthFormat<without_with_level> && !irg::DepthFormat<without_farthest> &&
               !irg::DepthFormat<without_nearest> && !irg::DepthFormat<without_depth_at> &&
               !irg::DepthFormat<without_scale> && !irg::DepthFormat<without_step_below> &&
               !irg::DepthFormat<without_order>);
@@ -100,18 +109,20 @@ TEST_CASE("depth formats: ends, NaN and what lies beyond the range") {
 TEST_CASE("depth formats: depth and stencil share a word, and the stencil does not count") {
   using f = depth24_stencil8;
   CHECK_BOTH(f::encode(1.0f, 0xab) == 0xffffffabu);
-  CHECK_BOTH(f::depth_of(0x123456abu) == 0x123456u);
+  CHECK_BOTH(f::level_of(0x123456abu) == 0x123456);
+  CHECK_BOTH(f::level_of(0xffffffabu) == 0xffffff);
   CHECK_BOTH(f::stencil_of(0x123456abu) == 0xabu);
-  CHECK_BOTH(f::pack(0x123456u, 0xab) == 0x123456abu);
+  CHECK_BOTH(f::with_level(0xabcdefabu, 0x123456) == 0x123456abu);
   CHECK_BOTH(f::decode(0xffffffabu) == 1.0f);
-  CHECK_BOTH(!f::nearer(f::pack(5, 0), f::pack(5, 255)));
-  CHECK_BOTH(!f::nearer(f::pack(5, 255), f::pack(5, 0)));
-  CHECK_BOTH(f::nearer(f::pack(5, 255), f::pack(6, 0)));
-  CHECK_BOTH(f::depth_of(f::farthest) == 0xffffffu);
+  CHECK_BOTH(!irg::is_nearer<f>(0x5ffu, 0x500u));
+  CHECK_BOTH(!irg::is_nearer<f>(0x500u, 0x5ffu));
+  CHECK_BOTH(irg::is_nearer<f>(0x5ffu, 0x600u));
+  CHECK_BOTH(irg::is_nearer<f>(0x7fffffffu, 0x80000000u));
+  CHECK_BOTH(f::level_of(f::farthest) == 0xffffff);
 }
 
-TEST_CASE("depth formats: Z11, what comes to the cleared value is not nearer than it") {
-  const auto hidden = []<class F>(F, float z) { return !F::nearer(F::encode(z), F::farthest); };
+TEST_CASE("depth formats: what comes to the cleared value is not nearer than it") {
+  const auto hidden = []<class F>(F, float z) { return !irg::is_nearer<F>(F::encode(z), F::farthest); };
   CHECK(hidden(depth_float{}, 1.0f));
   CHECK(!hidden(depth_float{}, 0x1.fffffep-1f));
   CHECK(hidden(depth_float_reversed{}, 0.0f));
@@ -134,7 +145,7 @@ void check_values(std::uint32_t step) {
   for (std::uint32_t v = 0; v < F::largest; v += step) {
     const auto s = static_cast<typename F::stored>(v), next = static_cast<typename F::stored>(v + 1);
     wrong += F::encode(F::decode(s)) != s || !(F::decode(s) < F::decode(next)) ? 1u : 0u;
-    wrong += F::nearer(s, next) != Order::nearer(0.0f, 1.0f) ? 1u : 0u;
+    wrong += irg::is_nearer<F>(s, next) != Order::nearer(0.0f, 1.0f) ? 1u : 0u;
     // The change from v to v + 1 is at the least float z with z * largest >= v + 1/2.
     const float middle = static_cast<float>((v + 0.5) / largest);
     float first = middle;
@@ -195,8 +206,8 @@ void check_resolution(F format, double z_near, double z_far) {
     const double distance = z_near * std::pow(reach / z_near, r.unit());
     const double s = depth_resolution(format, z_near, z_far, distance);
     const auto ordered = [&](double apart) {
-      return F::nearer(kept<F>(F::depth_at(z_near, z_far, distance - apart)),
-                       kept<F>(F::depth_at(z_near, z_far, distance)));
+      return irg::is_nearer<F>(kept<F>(F::depth_at(z_near, z_far, distance - apart)),
+                               kept<F>(F::depth_at(z_near, z_far, distance)));
     };
     if (distance - s < z_near) continue;
     wrong += ordered(s * (1 + 1e-6) + distance * 1e-12) ? 0 : 1;
@@ -229,7 +240,7 @@ TEST_CASE("depth_resolution: by hand") {
   static_assert(at_2 > 2 * 0.9999998 * 0x1p-23 && at_2 < 2 * 0x1p-23);
   CHECK_BOTH(depth_resolution(depth_float_reversed{}, 1.0, endless, 1048576.0) == at_2 * 524288.0);
   CHECK_BOTH(depth_resolution(depth_inverse_w{}, 1.0, 100.0, 2.0) == at_2);
-  // Z10: near 1e-3, far 1e9.
+  // near 1e-3, far 1e9.
   CHECK_BOTH(depth_resolution(depth_float_reversed{}, 1e-3, 1e9, 1e8) <= 1e8 * 0x1p-23);
   // 16 bits, near 0.1, far 1e5: at the far end nothing is told from anything behind 0.65.
   CHECK_BOTH(depth_resolution(depth_unorm16{}, 0.1, 1e5, 1e5) > 1e5 - 7000.0);
@@ -289,8 +300,8 @@ tally sort_pairs(int trials, double steps, const Apart& apart, double z_far = st
     if (std::abs(t1 - t2) < steps * F::step_below(std::max(t1, t2))) continue;
     ++t.compared;
     const auto s1 = kept_by_pipeline<F>(m, d1), s2 = kept_by_pipeline<F>(m, d2);
-    t.tied += !F::nearer(s1, s2) && !F::nearer(s2, s1) ? 1 : 0;
-    t.inverted += F::nearer(s2, s1) ? 1 : 0;
+    t.tied += !irg::is_nearer<F>(s1, s2) && !irg::is_nearer<F>(s2, s1) ? 1 : 0;
+    t.inverted += irg::is_nearer<F>(s2, s1) ? 1 : 0;
   }
   return t;
 }

@@ -24,7 +24,7 @@ TEST_CASE("depth orders: strict, so that the first of two equal depths stays; Na
   CHECK_BOTH(irg::drawing_order::nearer(0.5f, 0.5f));
 }
 
-TEST_CASE("depth orders: Z11, everything drawn is nearer than the cleared buffer") {
+TEST_CASE("depth orders: everything drawn is nearer than the cleared buffer") {
   CHECK_BOTH(irg::nearer_is_greater::nearer(1e-45f, irg::nearer_is_greater::farthest));
   CHECK_BOTH(irg::nearer_is_less::nearer(0.99999994f, irg::nearer_is_less::farthest));
   CHECK_BOTH(irg::drawing_order::nearer(0.0f, irg::drawing_order::farthest));

@@ -116,7 +116,7 @@ TEST_CASE("draw_lines: with enough long lines on a large raster it does sort, an
     irg::image<std::uint32_t> plain(width, height);
     std::vector<cell_line> plain_lines;
     for (const auto& line : lines) plain_lines.push_back({line.from, line.to});
-    irg::draw_lines(plain, std::span<const cell_line>(plain_lines), 5, {3, 4, 1000, 650}, options, memory);
+    irg::draw_lines(irg::within(plain, {3, 4, 1000, 650}), std::span<const cell_line>(plain_lines), 5, options, memory);
     irg::image<std::uint32_t> expected(width, height);
     for (const auto& line : lines)
       irg::line_bresenham(line.from, line.to, {3, 4, 1000, 650}, [&](cell c) { expected(c.x, c.y) = 5; }, options);
@@ -228,8 +228,8 @@ TEST_CASE("draw_lines: few lines, no lines, empty windows, functions, constant e
   constexpr auto drawn = [](cell_window w) {
     irg::image<int> image(8, 8, 0), expected(8, 8, 0);
     const std::vector<cell_line> lines{{{0, 0}, {7, 7}}, {{7, 0}, {0, 7}}, {{-5, 3}, {20, 4}}, {{2, 2}, {2, 2}}};
-    irg::draw_lines(image, lines, 3, w);
-    for (const cell_line& line : lines) irg::draw_line(expected, line.from, line.to, 3, w);
+    irg::draw_lines(irg::within(image, w), lines, 3);
+    for (const cell_line& line : lines) irg::draw_line(irg::within(expected, w), line.from, line.to, 3);
     return image == expected;
   };
   CHECK_BOTH(drawn({0, 0, 8, 8}));

@@ -21,7 +21,7 @@ struct count {
 template <class Vertices>
 constexpr irg::image<int> counted(const Vertices& vertices, polyline_shape shape, irg::cell_window w = {0, 0, 99, 99}) {
   irg::image<int> image(12, 9, 0);
-  irg::draw_polyline(image, vertices, count{}, w, shape);
+  irg::draw_polyline(irg::within(image, w), vertices, count{}, shape);
   return image;
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("draw_polyline: the cells are those of the segments, in any window") {
     const auto shape = round % 2 ? polyline_shape::closed : polyline_shape::open;
     const auto ties = round % 4 < 2 ? irg::line_ties::start_side : irg::line_ties::symmetric;
     irg::image<int> image(12, 9, 0), expected(12, 9, 0);
-    irg::draw_polyline(image, vertices, 1, w, shape, ties);
+    irg::draw_polyline(irg::within(image, w), vertices, 1, shape, ties);
     for (std::size_t i = 0; i + (shape == polyline_shape::open) < vertices.size(); ++i)
       irg::line_bresenham(vertices[i], vertices[(i + 1) % vertices.size()], intersect(w, irg::window_of(image)),
                           [&](cell c) { expected(c.x, c.y) = 1; }, {irg::line_ends::closed, ties});

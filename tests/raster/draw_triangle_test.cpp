@@ -9,6 +9,7 @@
 #include <irg/raster/image.hpp>
 
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -165,7 +166,7 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
   CHECK(worst_weight <= 4e-7L);  // although inverse_w spreads over 2^16
 }
 
-TEST_CASE("draw_triangle: Z13, weights stay accurate when inverse_w differs by 1e5") {
+TEST_CASE("draw_triangle: weights stay accurate when inverse_w differs by 1e5") {
   irg::image<float> weight(64, 64), depth(64, 64, -1.0f);
   const screen_vertex v[3] = {{{0, 0}, 0.5f, 1.0f}, {{64 * 256, 0}, 0.5f, 1e-5f}, {{0, 64 * 256}, 0.5f, 1.0f}};
   irg::draw_triangle(weight, depth, v[0], v[1], v[2], [](const irg::pixel_weights<float>& f) { return f.weight1; });
@@ -175,7 +176,7 @@ TEST_CASE("draw_triangle: Z13, weights stay accurate when inverse_w differs by 1
   }
 }
 
-TEST_CASE("draw_triangle: Z7, of equal depths the first drawn stays, and is counted") {
+TEST_CASE("draw_triangle: of equal depths the first drawn stays, and is counted") {
   constexpr auto ties = [] {
     canvas c(4, 4);
     const screen_vertex v[3] = {{{0, 0}, 0.5f}, {{1024, 0}, 0.5f}, {{0, 1024}, 0.5f}};
@@ -186,7 +187,7 @@ TEST_CASE("draw_triangle: Z7, of equal depths the first drawn stays, and is coun
   CHECK_BOTH(ties());
 }
 
-TEST_CASE("draw_triangle: Z14, opaque triangles without ties give one picture in every order") {
+TEST_CASE("draw_triangle: opaque triangles without ties give one picture in every order") {
   test::random random(14);
   screen_vertex v[12][3];
   for (auto& t : v)
@@ -248,7 +249,7 @@ TEST_CASE("draw_triangle: nothing outside the window is written") {
     }
 }
 
-TEST_CASE("intensity_shader: the course's Gouraud triangle, GOLDEN 7") {
+TEST_CASE("intensity_shader: the course's Gouraud triangle") {
   // (0,0) I=10, (4,0) I=50, (0,4) I=90: I(1,1)=40, I(2,0)=30, I(0,3)=70, I(2,2)=70; a sample point is a pixel centre.
   const auto drawn = [](int x, int y) {
     irg::image<float> intensity(6, 6, -1.0f);
@@ -290,6 +291,128 @@ TEST_CASE("draw_triangle: the depth test and depth write of a policy") {
   CHECK_BOTH(over_a_half<always, on>(0.25f) == result{9, 0.25f});
   CHECK_BOTH(over_a_half<always, off>(0.25f) == result{9, 0.5f});
   CHECK_BOTH(over_a_half<never, on>(0.75f) == result{0, 0.5f});
+}
+
+// ---- depth formats
+
+// What a format keeps of a depth, told by the definition: the number that counts, and the word in the buffer.
+struct by_hand {
+  double level;
+  std::uint32_t word;
+};
+template <class F>
+by_hand kept_by_hand(float z, std::uint32_t before) {
+  const double far = irg::nearer_is_less::nearer(F::order::farthest, 0.5f) ? 0 : 1;
+  const double least_or_z = !(z >= 0.0f) ? 0 : static_cast<double>(z);
+  if constexpr (std::same_as<F, irg::depth_inverse_w>) return {least_or_z, 0};
+  const double in_range = std::isnan(z) ? far : std::fmin(least_or_z, 1);
+  if constexpr (std::same_as<typename F::stored, float>) {
+    return {in_range, 0};
+  } else {
+    const double level = std::floor(in_range * double{F::largest} + 0.5);
+    if constexpr (std::same_as<F, irg::depth24_stencil8>)
+      return {level, static_cast<std::uint32_t>(level) * 256 + before % 256};
+    return {level, static_cast<std::uint32_t>(level)};
+  }
+}
+
+// Random triangles into a buffer of the format, by draw_triangle and pixel by pixel; the difference in pixels.
+template <class F, irg::depth_test Test, irg::depth_write Write>
+int drawn_otherwise(std::uint64_t seed, int width) {
+  constexpr int height = 9;
+  using stored = typename F::stored;
+  test::random r(seed);
+  int wrong = 0;
+  irg::image<int> ids(width, height, -1), due_ids(width, height, -1);
+  irg::image<stored> depth(width, height, F::farthest), due(width, height, F::farthest);
+  irg::image<double> levels(width, height, kept_by_hand<F>(F::order::farthest, 0).level);
+  if constexpr (std::same_as<F, irg::depth24_stencil8>)
+    for (int x = 0; x < width; ++x) depth(x, x % height) += 77, due(x, x % height) += 77;
+  for (int i = 0; i < 12; ++i) {
+    screen_vertex v[3] = {random_vertex(r, width), random_vertex(r, width), random_vertex(r, width)};
+    const bool level = r.integer(0, 2) == 0, twice = i > 0 && r.integer(0, 2) == 0;
+    for (auto& c : v) c.depth = level ? v[0].depth : 1.4f * c.depth - 0.2f;
+    const irg::solid_shader<int> paint{i};
+    for (int times = 0; times < (twice ? 2 : 1); ++times) {
+      irg::draw_triangle<F, irg::depth_policy<Test, Write>>(ids, depth, v[0], v[1], v[2], paint);
+      screen_vertex u[3] = {v[0], v[1], v[2]};
+      if (std::same_as<F, irg::depth_inverse_w>)
+        for (auto& c : u) c.depth = c.inverse_w;
+      const auto t = irg::cover_and_set_up(u[0], u[1], u[2]);
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          if (!covers(t.coverage, x, y)) continue;
+          const float z = depth_at(t.setup, x, y);
+          const double mine = kept_by_hand<F>(z, 0).level, there = levels(x, y);
+          const bool nearer = F::order::nearer(mine, there);
+          const bool pass = Test == irg::depth_test::nearer            ? nearer
+                            : Test == irg::depth_test::nearer_or_equal ? nearer || mine == there
+                            : Test == irg::depth_test::equal           ? mine == there
+                                                                       : Test == irg::depth_test::always;
+          if (!pass) continue;
+          due_ids(x, y) = i;
+          if (Write == irg::depth_write::off) continue;
+          levels(x, y) = mine;
+          if constexpr (std::same_as<stored, float>)
+            due(x, y) = static_cast<float>(mine);
+          else
+            due(x, y) = static_cast<stored>(kept_by_hand<F>(z, due(x, y)).word);
+        }
+    }
+  }
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) wrong += ids(x, y) != due_ids(x, y) || depth(x, y) != due(x, y);
+  return wrong;
+}
+
+template <class F>
+int drawn_otherwise(std::uint64_t seed) {
+  using enum irg::depth_test;
+  using enum irg::depth_write;
+  int wrong = 0;
+  for (const int width : {3, 40}) {  // one by one, and in lanes
+    wrong += drawn_otherwise<F, nearer, on>(seed, width) + drawn_otherwise<F, nearer, off>(seed, width) +
+             drawn_otherwise<F, nearer_or_equal, on>(seed, width) + drawn_otherwise<F, equal, on>(seed, width) +
+             drawn_otherwise<F, always, on>(seed, width) + drawn_otherwise<F, never, on>(seed, width);
+  }
+  return wrong;
+}
+
+TEST_CASE("draw_triangle: every depth format, with every depth test and write") {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::trials(30)); ++seed) {
+    REQUIRE(drawn_otherwise<irg::depth_float_reversed>(seed) == 0);
+    REQUIRE(drawn_otherwise<irg::depth_float>(seed) == 0);
+    REQUIRE(drawn_otherwise<irg::depth_inverse_w>(seed) == 0);
+    REQUIRE(drawn_otherwise<irg::depth_unorm16>(seed) == 0);
+    REQUIRE(drawn_otherwise<irg::depth_unorm24>(seed) == 0);
+    REQUIRE(drawn_otherwise<irg::depth24_stencil8>(seed) == 0);
+    REQUIRE(drawn_otherwise<irg::depth_fixed<16, irg::nearer_is_greater>>(seed) == 0);
+    REQUIRE(drawn_otherwise<irg::depth_fixed<7>>(seed) == 0);
+  }
+}
+
+// The word that a level triangle leaves at pixel (10, 2) of a buffer filled with another.
+template <class F>
+constexpr typename F::stored word_left(float depth, typename F::stored before) {
+  irg::image<int> ids(12, 4);
+  irg::image<typename F::stored> words(12, 4, before);
+  irg::draw_triangle<F>(ids, words, {{0, 0}, depth, 4.0f}, {{9000, 0}, depth, 4.0f}, {{0, 9000}, depth, 4.0f},
+                        irg::solid_shader<int>{1});
+  return words(10, 2);
+}
+
+TEST_CASE("draw_triangle: depth formats by hand") {
+  CHECK_BOTH(word_left<irg::depth_unorm16>(0.5f, 65535) == 32768);
+  CHECK_BOTH(word_left<irg::depth_unorm16>(0.5f, 32768) == 32768);
+  CHECK_BOTH(word_left<irg::depth_unorm16>(-3.0f, 1) == 0);
+  CHECK_BOTH(word_left<irg::depth_unorm24>(0.5f, 0xffffffu) == 0x800000u);
+  CHECK_BOTH(word_left<irg::depth24_stencil8>(0.5f, 0xffffff5au) == 0x8000005au);
+  CHECK_BOTH(word_left<irg::depth24_stencil8>(0.5f, 0x8000015au) == 0x8000005au);
+  CHECK_BOTH(word_left<irg::depth24_stencil8>(0.5f, 0x7fffffffu) == 0x7fffffffu);
+  CHECK_BOTH(word_left<irg::depth_inverse_w>(0.5f, 3.0f) == 4.0f);
+  CHECK_BOTH(word_left<irg::depth_inverse_w>(0.5f, 5.0f) == 5.0f);
+  CHECK_BOTH(word_left<irg::depth_float_reversed>(7.0f, 0.5f) == 1.0f);
+  CHECK_BOTH(word_left<irg::depth_float>(-7.0f, 0.5f) == 0.0f);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ long wrong_columns(int trials, std::int64_t reach, bool slivers) {
   return wrong;
 }
 
-TEST_CASE("walk_edge: every column is the rational one, near and far (F13)") {
+TEST_CASE("walk_edge: every column is the rational one, near and far") {
   const int trials = std::getenv("IRG_RELEASE_TIER") ? 5000000 : 50000;
   CHECK(wrong_columns<subpixel>(trials, 4096, false) == 0);
   CHECK(wrong_columns<subpixel>(trials, std::int64_t{irg::snap_limit} * 256, false) == 0);

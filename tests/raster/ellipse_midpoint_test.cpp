@@ -179,7 +179,7 @@ TEST_CASE("draw_ellipse, fill_ellipse: paint by value or function, each pixel on
     const auto add = [](int there) { return there + 1; };
     irg::fill_ellipse(image, {5, 3}, 5, 3, add);
     irg::draw_ellipse(image, {5, 3}, 2, 1, [](int there) { return there + 10; });
-    irg::draw_ellipse(image, {5, 3}, 5, 3, 100, cell_window{0, 3, 1, 4});
+    irg::draw_ellipse(irg::within(image, {0, 3, 1, 4}), {5, 3}, 5, 3, 100);
     int most_painted = 0, sum = 0;
     for (int y = 0; y < 7; ++y)
       for (int x = 0; x < 11; ++x) {
@@ -193,8 +193,8 @@ TEST_CASE("draw_ellipse, fill_ellipse: paint by value or function, each pixel on
   test::framed_raster<double> framed;
   auto& view = framed.view;
   const cell_window beyond{-100, -100, 100, 100};
-  for (int r = 0; r < 12; ++r) irg::draw_ellipse(view, {5, 3}, r, 12 - r, 1.0, beyond);
-  irg::fill_ellipse(view, {9, 6}, 4, 9, 2.0, beyond);
+  for (int r = 0; r < 12; ++r) irg::draw_ellipse(irg::within(view, beyond), {5, 3}, r, 12 - r, 1.0);
+  irg::fill_ellipse(irg::within(view, beyond), {9, 6}, 4, 9, 2.0);
   irg::fill_ellipse(view, {-1000, 3}, 1001, 2, 2.0);
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 30);

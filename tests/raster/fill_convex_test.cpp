@@ -43,7 +43,7 @@ TEST_CASE("convex_spans: triangles, squares and an octagon by hand") {
   CHECK_BOTH(pixel_count(octagon) == 63);
 }
 
-TEST_CASE("convex_spans: F1 and the empty ones: points, lines, rings of 0, 1 and 2 vertices, empty windows") {
+TEST_CASE("convex_spans: the empty ones: points, lines, rings of 0, 1 and 2 vertices, empty windows") {
   constexpr subpixel same[3] = {{128, 128}, {128, 128}, {128, 128}}, two_same[3] = {{128, 128}, {128, 128}, {900, 700}},
                      collinear[3] = {{0, 0}, {512, 512}, {1024, 1024}}, one[1] = {{128, 128}},
                      two[2] = {{0, 0}, {900, 900}}, upright[4] = {{128, 0}, {128, 500}, {128, 1000}, {128, 300}},
@@ -69,7 +69,7 @@ constexpr bool refused(point_d p) {
   return !ok && !drawn;
 }
 
-TEST_CASE("convex_spans: F13, coordinates that are no number or too far are refused, far ones are exact") {
+TEST_CASE("convex_spans: coordinates that are no number or too far are refused, far ones are exact") {
   constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double limit = static_cast<double>(irg::far_limit);
   CHECK_BOTH(refused({nan, 1}));
@@ -119,7 +119,7 @@ std::vector<span_of_cells> spans_of(const ring& r, const cell_window& w) {
   return spans;
 }
 
-TEST_CASE("convex_spans: F2, F3, F4, F15: start, orientation, repeated vertices and spikes change nothing") {
+TEST_CASE("convex_spans: start, orientation, repeated vertices and spikes change nothing") {
   // Squares and diamonds whose sides and corners are centres.
   for (const ring& r :
        {ring{{128, 128}, {640, 128}, {640, 640}, {128, 640}}, ring{{384, 128}, {640, 384}, {384, 640}, {128, 384}},
@@ -140,7 +140,7 @@ TEST_CASE("convex_spans: F2, F3, F4, F15: start, orientation, repeated vertices 
         std::vector<span_of_cells>{{0, 0, 2}, {1, 0, 2}});
 }
 
-TEST_CASE("convex_spans: F14, a sliver of 1/256 pixel across 16k pixels") {
+TEST_CASE("convex_spans: a sliver of 1/256 pixel across 16k pixels") {
   const ring r{{0, 0}, {16384 * 256, 64 * 256}, {0, 1}};
   test::canvas c({0, 0, 16384, 64});
   irg::convex_spans(r, c.window, c);
@@ -148,7 +148,7 @@ TEST_CASE("convex_spans: F14, a sliver of 1/256 pixel across 16k pixels") {
   CHECK(c.wrong([&](int x, int y) { return test::winding_number(r, x, y) != 0; }) == 0);
 }
 
-TEST_CASE("convex_spans: F22, the quad (44,27) (7,37) (7,19) (38,19)") {
+TEST_CASE("convex_spans: the quad (44,27) (7,37) (7,19) (38,19)") {
   const std::vector<point_f> r{{44, 27}, {7, 37}, {7, 19}, {38, 19}};
   ring snapped;
   for (const point_f& p : r) snapped.push_back(irg::snap(p));
@@ -199,7 +199,7 @@ TEST_CASE("convex_spans: equals the rational oracle on random rings of 3 to 40 v
   CHECK(all.wrong == 0);
 }
 
-TEST_CASE("convex_spans: tall, wide and far rings equal the oracle in a small window (F13)") {
+TEST_CASE("convex_spans: tall, wide and far rings equal the oracle in a small window") {
   test::random random(77);
   long wrong = 0, covered = 0, partly = 0;
   for (int i = 0; i < (release ? 200000 : 2000); ++i) {
@@ -288,7 +288,7 @@ TEST_CASE("convex_spans: floating vertices are snapped as snap() does, ties amon
   }
 }
 
-TEST_CASE("convex_spans: F9, exactly once on every quad of the 9 x 9 half-pixel lattice cut along a diagonal") {
+TEST_CASE("convex_spans: exactly once on every quad of the 9 x 9 half-pixel lattice cut along a diagonal") {
   constexpr int points = 9, step = 128, n = points * points;
   const auto at = [&](int i) { return subpixel{(i % points) * step, (i / points) * step}; };
   const auto mask = [](const subpixel(&t)[3]) {
@@ -332,7 +332,7 @@ TEST_CASE("convex_spans: F9, exactly once on every quad of the 9 x 9 half-pixel 
   CHECK(holes == 0);
 }
 
-TEST_CASE("convex_spans: F10, fans of 3 to 12 triangles own the pixels around their hub once") {
+TEST_CASE("convex_spans: fans of 3 to 12 triangles own the pixels around their hub once") {
   for (int spokes = 3; spokes <= 12; ++spokes)
     for (const subpixel hub : {subpixel{640, 640}, subpixel{512, 512}, subpixel{600, 700}}) {
       const int x[12] = {900, 800, 450, 0, -450, -800, -900, -800, -450, 0, 450, 800};
@@ -349,7 +349,7 @@ TEST_CASE("convex_spans: F10, fans of 3 to 12 triangles own the pixels around th
     }
 }
 
-TEST_CASE("convex_spans: F11, a random triangulation of a rectangle into 10,000 triangles paints each pixel once") {
+TEST_CASE("convex_spans: a random triangulation of a rectangle into 10,000 triangles paints each pixel once") {
   test::random random(11);
   struct triangle {
     subpixel v[3];
@@ -376,7 +376,7 @@ TEST_CASE("convex_spans: F11, a random triangulation of a rectangle into 10,000 
   CHECK(canvas.painted() == 300 * 200);
 }
 
-TEST_CASE("convex_spans: F12, a vertex on a neighbour's edge leaves cracks, because snapping moves it off the edge") {
+TEST_CASE("convex_spans: a vertex on a neighbour's edge leaves cracks, because snapping moves it off the edge") {
   test::random random(12);
   long junctions = 0, cracked = 0, missing = 0, doubled = 0;
   for (int i = 0; i < 10000; ++i) {
@@ -406,7 +406,7 @@ TEST_CASE("convex_spans: F12, a vertex on a neighbour's edge leaves cracks, beca
   CHECK(doubled < junctions);
 }
 
-TEST_CASE("convex_spans: F16, a polygon moved by whole pixels has its pixels moved") {
+TEST_CASE("convex_spans: a polygon moved by whole pixels has its pixels moved") {
   test::random random(16);
   for (int i = 0; i < 500; ++i) {
     const ring r = test::random_convex(random, test::random_int(random, 3, 12), 3000);
@@ -419,7 +419,7 @@ TEST_CASE("convex_spans: F16, a polygon moved by whole pixels has its pixels mov
   }
 }
 
-TEST_CASE("convex_spans: F17, a quarter turn maps every pixel but those whose centre is on an edge") {
+TEST_CASE("convex_spans: a quarter turn maps every pixel but those whose centre is on an edge") {
   test::random random(17);
   long on_edges = 0, others = 0, wrong = 0;
   for (int i = 0; i < 500; ++i) {
@@ -501,7 +501,7 @@ void fills_between_guards(P paint) {
   }
 }
 
-TEST_CASE("fill_convex: ids, floats, doubles, bytes; nothing outside the view is written (L13)") {
+TEST_CASE("fill_convex: ids, floats, doubles, bytes; nothing outside the view is written") {
   fills_between_guards<std::uint8_t>(200);
   fills_between_guards<std::uint16_t>(60000);
   fills_between_guards<std::uint32_t>(0xdeadbeef);
@@ -525,7 +525,7 @@ TEST_CASE("fill_convex: a blend function is called once for each pixel, and sees
 
 constexpr int sum_of_filled() {
   irg::image<irg::rgba8> image(9, 9, {0, 0, 0, 0});
-  irg::fill_convex(image, octagon, {3, 1, 4, 1}, {0, 0, 9, 5});
+  irg::fill_convex(irg::within(image, {0, 0, 9, 5}), octagon, {3, 1, 4, 1});
   irg::fill_triangle(image, subpixel{0, 0}, subpixel{512, 0}, subpixel{0, 512}, {100, 0, 0, 0});
   int n = 0;
   for (int y = 0; y < 9; ++y)
@@ -539,7 +539,7 @@ TEST_CASE("fill_convex, fill_triangle: in constant evaluation as at run time") {
   CHECK(
       !irg::fill_triangle(image, point_f{0, 0}, point_f{9, std::numeric_limits<float>::quiet_NaN()}, point_f{0, 9}, 1));
   CHECK(image == irg::image<int>(9, 9, 0));
-  CHECK(irg::fill_triangle(image, point_d{0, 0}, point_d{9, 0}, point_d{0, 9}, 1, {0, 0, 1, 9}));
+  CHECK(irg::fill_triangle(irg::within(image, {0, 0, 1, 9}), point_d{0, 0}, point_d{9, 0}, point_d{0, 9}, 1));
   CHECK(image(0, 0) == 1);
   CHECK(image(1, 0) == 0);
 }
@@ -548,7 +548,7 @@ TEST_CASE("fill_convex: rasters of no size, one pixel, and a window beyond the r
   irg::image<int> none(0, 0), flat(7, 0), pixel(1, 1, 0);
   CHECK(irg::fill_convex(none, square, 1));
   CHECK(irg::fill_convex(flat, square, 1));
-  CHECK(irg::fill_convex(pixel, square, 1, {-1000, -1000, 1000, 1000}));
+  CHECK(irg::fill_convex(irg::within(pixel, {-1000, -1000, 1000, 1000}), square, 1));
   CHECK(pixel(0, 0) == 1);
 }
 

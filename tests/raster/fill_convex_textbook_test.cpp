@@ -53,7 +53,7 @@ constexpr long long count(const Ring& ring, sample_rule rule) {
   return totals_of(ring, rule).count;
 }
 
-TEST_CASE("fill_convex_textbook: GOLDEN 3, the course's polygon by the four rules, either way round") {
+TEST_CASE("fill_convex_textbook: the course's polygon by the four rules, either way round") {
   auto reversed = course;
   std::reverse(reversed.begin(), reversed.end());
   for (const auto& ring : {course, reversed}) {
@@ -72,7 +72,7 @@ TEST_CASE("fill_convex_textbook: GOLDEN 3, the course's polygon by the four rule
   for (const sample_rule rule : rules) CHECK(spans(fine, rule) == spans(course, rule));
 }
 
-TEST_CASE("fill_convex_textbook: GOLDEN 3, rows by hand") {
+TEST_CASE("fill_convex_textbook: the course's values, rows by hand") {
   constexpr auto row = [](int y, sample_rule rule) {
     const auto s = spans(course, rule, {least, y, most, y + 1});
     return s.empty() ? irg::span_of_cells{y, 0, 0} : s[0];
@@ -94,7 +94,7 @@ TEST_CASE("fill_convex_textbook: GOLDEN 3, rows by hand") {
   CHECK_BOTH(row(351, sample_rule::closed) == S{351, 0, 0});
 }
 
-TEST_CASE("fill_convex_textbook: the square of GOLDEN 3 with level edges") {
+TEST_CASE("fill_convex_textbook: the course's square with level edges") {
   constexpr std::array<cell, 4> square{cell{2, 1}, cell{2, 5}, cell{7, 5}, cell{7, 1}};
   CHECK_BOTH(count(square, sample_rule::course) == 30);
   CHECK_BOTH(count(square, sample_rule::closed) == 30);
@@ -116,7 +116,7 @@ TEST_CASE("fill_convex_textbook: rings without area, and hardly any vertices") {
   CHECK_BOTH(count(V{{0, 7}, {5, 7}, {2, 7}}, sample_rule::course) == 6);  // a level segment: no edge narrows the row
   CHECK_BOTH(count(V{{0, 7}, {5, 7}, {2, 7}}, sample_rule::closed) == 6);
   CHECK_BOTH(count(V{{0, 7}, {5, 7}, {2, 7}}, sample_rule::half_open) == 0);
-  // F2: repeated vertices change nothing
+  // repeated vertices change nothing
   for (const sample_rule rule : rules) {
     const V twice{course[0], course[0], course[1], course[2], course[2], course[2], course[3], course[0]};
     CHECK(spans(twice, rule) == spans(course, rule));
@@ -289,7 +289,8 @@ TEST_CASE("fill_convex_textbook: paints rasters of any pixel type, keeps the gap
   irg::image_view<int> view(memory.data() + 4, 12, 10, 20 * static_cast<std::ptrdiff_t>(sizeof(int)));
   const std::array<cell, 4> large{cell{-40, 5}, cell{6, 60}, cell{60, 5}, cell{6, -60}};
   irg::fill_convex_textbook(view, large, sample_rule::course, 7);
-  irg::fill_convex_textbook(view, large, sample_rule::course, [](int there) { return there + 1; }, {2, 3, 40, 5});
+  irg::fill_convex_textbook(irg::within(view, {2, 3, 40, 5}), large, sample_rule::course,
+                            [](int there) { return there + 1; });
   for (int i = 0; i < 20 * 12; ++i) {
     const int x = i % 20 - 4, y = i / 20;
     const bool in = x >= 0 && x < 12 && y < 10, twice = in && x >= 2 && y >= 3 && y < 5;

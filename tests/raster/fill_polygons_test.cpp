@@ -22,7 +22,7 @@ template <class R, class P, class Paints>
 bool one_by_one(R& raster, const P& polygons, fill_rule rule, const Paints& paints, const cell_window& w) {
   bool all = true;
   for (std::size_t i = 0; i < polygons.size(); ++i)
-    all = irg::fill_polygon(raster, polygons[i], rule, paints[i], w) && all;
+    all = irg::fill_polygon(irg::within(raster, w), polygons[i], rule, paints[i]) && all;
   return all;
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("fill_polygons: the pixels of one polygon after another, small and lar
     for (const cell_window w : {cell_window{0, 0, b.width, b.height}, cell_window{7, 5, b.width - 3, b.height - 9}})
       for (const fill_rule rule : {fill_rule::even_odd, fill_rule::non_zero}) {
         irg::image<std::uint32_t> batched(b.width, b.height, 0u), expected = batched;
-        CHECK(irg::fill_polygons(batched, polygons, rule, paints, w, workspace));
+        CHECK(irg::fill_polygons(irg::within(batched, w), polygons, rule, paints, workspace));
         CHECK(one_by_one(expected, polygons, rule, paints, w));
         CHECK(batched == expected);
       }
@@ -74,7 +74,7 @@ TEST_CASE("fill_polygons: a pixel is blended in the order of the polygons, in ba
   std::vector<affine> blends;
   for (int i = 0; i < 80; ++i) blends.push_back({static_cast<std::uint32_t>(2 * i + 3)});
   irg::fill_workspace workspace;
-  CHECK(irg::fill_polygons(batched, polygons, fill_rule::even_odd, blends, {0, 0, 1200, 900}, workspace));
+  CHECK(irg::fill_polygons(irg::within(batched, {0, 0, 1200, 900}), polygons, fill_rule::even_odd, blends, workspace));
   CHECK(workspace.bands.rows > 0);
   CHECK(one_by_one(expected, polygons, fill_rule::even_odd, blends, {0, 0, 1200, 900}));
   CHECK(batched == expected);
@@ -91,7 +91,7 @@ TEST_CASE("fill_polygons: a refused polygon is left out, the others are painted,
     irg::image<int> batched(size, size, 0), expected(size, size, 0);
     irg::fill_workspace workspace;
     const cell_window w = irg::window_of(batched);
-    CHECK(!irg::fill_polygons(batched, polygons, fill_rule::non_zero, paints, w, workspace));
+    CHECK(!irg::fill_polygons(irg::within(batched, w), polygons, fill_rule::non_zero, paints, workspace));
     CHECK((workspace.bands.rows > 0) == (size > 1000));
     CHECK(!one_by_one(expected, polygons, fill_rule::non_zero, paints, w));
     CHECK(batched == expected);
@@ -144,8 +144,8 @@ constexpr int sum_of_filled() {
       small{{{512, 512}, {1536, 512}, {1536, 1536}, {512, 1536}}};
   irg::image<int> image(9, 9, 0);
   irg::fill_polygons(image, std::array<frame, 2>{frame{large, small}, frame{small, small}}, fill_rule::even_odd, 1);
-  irg::fill_polygons(image, std::array<quad, 2>{large, small}, fill_rule::non_zero, std::array<int, 2>{10, 100},
-                     {0, 0, 4, 4});
+  irg::fill_polygons(irg::within(image, {0, 0, 4, 4}), std::array<quad, 2>{large, small}, fill_rule::non_zero,
+                     std::array<int, 2>{10, 100});
   irg::fill_polygons(image, std::array<quad, 1>{large}, fill_rule::non_zero, [](int there) { return there + 1000; });
   int n = 0;
   for (int y = 0; y < 9; ++y)

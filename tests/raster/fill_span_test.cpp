@@ -80,7 +80,7 @@ TEST_CASE("fill_pixels: throws what copying a pixel throws") {
   CHECK_THROWS_AS(irg::fill_pixels(pixels, 2, may_throw{}), int);
 }
 
-TEST_CASE("clear: every pixel, through strides and without touching the gaps (L13)") {
+TEST_CASE("clear: every pixel, through strides and without touching the gaps") {
   std::vector<int> memory(5 * 8, -1);
   irg::image_view<int> upside_down(memory.data() + 4 * 8, 6, 5, -8 * static_cast<std::ptrdiff_t>(sizeof(int)));
   irg::clear(upside_down, 3);

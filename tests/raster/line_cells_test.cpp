@@ -39,7 +39,7 @@ TEST_CASE("line_cells: range-for, size, cells by number") {
   CHECK_BOTH(line_cells({3, 3}, {3, 3}, {.ends = irg::line_ends::half_open}).empty());
 }
 
-TEST_CASE("line_cells: L1, all 2^32 cells of the longest line, by number only") {
+TEST_CASE("line_cells: all 2^32 cells of the longest line, by number only") {
   constexpr line_cells diagonal({test::least, test::least}, {test::most, test::most});
   CHECK_BOTH(diagonal.size() == std::int64_t{1} << 32);
   CHECK_BOTH(diagonal[std::int64_t{1} << 31] == cell{0, 0});
@@ -90,7 +90,7 @@ TEST_CASE("line_cells: every way to a cell leads to the same one") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("line_cells: L9 and the whole int range against the oracle, all options") {
+TEST_CASE("line_cells: every line of a lattice and the whole int range against the oracle, all options") {
   test::check_window_line([](cell a, cell b, const irg::cell_window& w, const irg::line_options& options, auto&& emit) {
     for (const cell c : line_cells(a, b, w, options)) emit(c);
   });

@@ -104,7 +104,7 @@ TEST_CASE("line_dda_exact: the four criteria") {
   test::check_line_criteria([](cell a, cell b) { return exact(a, b); });
 }
 
-TEST_CASE("line_dda_exact: L9 and the whole int range against the oracle, all options") {
+TEST_CASE("line_dda_exact: every line of a lattice and the whole int range against the oracle, all options") {
   test::check_window_line([](cell a, cell b, const irg::cell_window& w, const irg::line_options& options, auto&& emit) {
     irg::line_dda_exact(a, b, w, emit, options);
   });

@@ -24,7 +24,7 @@ TEST_CASE("line_options: a half-open line leaves its last cell out, and a polyli
   CHECK_BOTH(cells({5, 5}, {5, 4}, open) == std::vector<cell>{{5, 5}});
 }
 
-TEST_CASE("line_options: GOLDEN 10, symmetric ties give the same cells both ways") {
+TEST_CASE("line_options: Fabris's values, symmetric ties give the same cells both ways") {
   constexpr irg::line_options symmetric{.ties = irg::line_ties::symmetric};
   CHECK_BOTH(cells({8, 4}, {0, 0}, symmetric) ==
              std::vector<cell>{{8, 4}, {7, 3}, {6, 3}, {5, 2}, {4, 2}, {3, 1}, {2, 1}, {1, 0}, {0, 0}});

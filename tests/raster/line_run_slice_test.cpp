@@ -37,7 +37,7 @@ constexpr void each_cell(const line_run& run, const Emit& emit) {
   }
 }
 
-TEST_CASE("line_run_slice: GOLDEN 2, (10,10)-(200,100): 91 runs, 82 of 2 cells, 9 of 3") {
+TEST_CASE("line_run_slice: the course's values, (10,10)-(200,100): 91 runs, 82 of 2 cells, 9 of 3") {
   const runs line = slice({10, 10}, {200, 100});
   CHECK(line.size() == 91);
   int count[4] = {};
@@ -87,7 +87,7 @@ constexpr auto draw = [](cell a, cell b, const irg::cell_window& w, const irg::l
   irg::line_run_slice(a, b, w, [&](const line_run& run) { each_cell(run, emit); }, options);
 };
 
-TEST_CASE("line_run_slice: L9 and the whole int range against the oracle, all options") {
+TEST_CASE("line_run_slice: every line of a lattice and the whole int range against the oracle, all options") {
   test::check_window_line(draw);
 }
 

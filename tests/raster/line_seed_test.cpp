@@ -45,7 +45,7 @@ cells bresenham(cell a, cell b, irg::line_ends ends = irg::line_ends::closed) {
   return out;
 }
 
-TEST_CASE("line_bresenham_seed: GOLDEN 2, 190 cells of (10,10)-(200,100), the last is (199,100)") {
+TEST_CASE("line_bresenham_seed: the course's values, 190 cells of (10,10)-(200,100), the last is (199,100)") {
   CHECK_BOTH(seed({10, 10}, {200, 100}).size() == 190);
   CHECK_BOTH(seed({10, 10}, {200, 100}).back() == cell{199, 100});
   CHECK(seed({10, 10}, {200, 100}) == bresenham({10, 10}, {200, 100}, irg::line_ends::half_open));
@@ -75,7 +75,7 @@ TEST_CASE("line_bresenham_seed: outside 0 to 45 degrees nothing comes out") {
   CHECK_BOTH(seed({test::most - 2, test::most - 1}, {test::most, test::most}).size() == 2);
 }
 
-TEST_CASE("line_octant_seed: GOLDEN 10, the literal listing corrects before it plots") {
+TEST_CASE("line_octant_seed: Fabris's values, the literal listing corrects before it plots") {
   CHECK_BOTH(octant({8, 4}) == cells{{0, 0}, {1, 1}, {2, 1}, {3, 2}, {4, 2}, {5, 3}, {6, 3}, {7, 4}, {8, 4}});
   CHECK_BOTH(octant({5, 3}) == cells{{0, 1}, {1, 1}, {2, 2}, {3, 2}, {4, 3}, {5, 3}});
   for (const cell to : {cell{3, 3}, cell{2, 5}, cell{-5, 2}, cell{5, -2}, cell{0, 0}})
@@ -90,7 +90,7 @@ TEST_CASE("line_quadrant_seed: the other octant is the mirrored one") {
     CHECK((!irg::line_quadrant_seed(to, [](cell) { FAIL("no cell"); })));
 }
 
-TEST_CASE("line_plane_seed: GOLDEN 10, y moves by the sign of x; all other lines are right") {
+TEST_CASE("line_plane_seed: Fabris's values, y moves by the sign of x; all other lines are right") {
   CHECK_BOTH(plane({0, 0}, {5, -2}) == cells{{0, 0}, {1, 0}, {2, 1}, {3, 1}, {4, 2}, {5, 2}});
   CHECK_BOTH(plane({0, 0}, {8, 4}) == cells{{0, 0}, {1, 0}, {2, 1}, {3, 1}, {4, 2}, {5, 2}, {6, 3}, {7, 3}, {8, 4}});
   int wrong = 0, mirrored = 0;

@@ -112,7 +112,7 @@ TEST_CASE("line_styled: the pattern carries on over a polyline") {
   }
 }
 
-TEST_CASE("line_styled: L1, L2, lines and runs as long as int allows") {
+TEST_CASE("line_styled: lines and runs as long as int allows") {
   static constexpr cell_window w{0, 0, 64, 64};
   // Position 2^31 at column 0: 2^31 = 3 * 715827882 + 2
   CHECK_BOTH(cells({least, 5}, {most, 5}, dash_runs{two_one}, 0, w).front() == cell{1, 5});
@@ -129,8 +129,8 @@ TEST_CASE("draw_line_styled: paints those pixels, by value or by function, and n
   constexpr auto bits = [] {
     irg::image<int> image(8, 2);
     const std::uint64_t phase = irg::draw_line_styled(image, {-3, 0}, {7, 0}, dash_runs{two_one}, 0, 1);
-    irg::draw_line_styled(
-        image, {0, 1}, {7, 1}, dash_mask{0x00f3}, 0, [](int there) { return there + 1; }, cell_window{-5, -5, 6, 9});
+    irg::draw_line_styled(irg::within(image, {-5, -5, 6, 9}), {0, 1}, {7, 1}, dash_mask{0x00f3}, 0,
+                          [](int there) { return there + 1; });
     int n = 0;
     for (int i = 0; i < 16; ++i) n |= image(i % 8, i / 8) << i;
     return phase == 1 ? n : -1;
@@ -138,8 +138,8 @@ TEST_CASE("draw_line_styled: paints those pixels, by value or by function, and n
   CHECK_BOTH(bits() == (0b11011011 | 0b00110011 << 8));
   test::framed_raster<std::uint16_t> framed;
   auto& view = framed.view;
-  irg::draw_line_styled(view, {-99, -77}, {99, 88}, dash_runs{three}, 0, std::uint16_t{1},
-                        cell_window{-100, -100, 100, 100});
+  irg::draw_line_styled(irg::within(view, {-100, -100, 100, 100}), {-99, -77}, {99, 88}, dash_runs{three}, 0,
+                        std::uint16_t{1});
   irg::draw_line_styled(view, {-99, 3}, {99, 3}, dash_mask{0x7777}, 0, std::uint16_t{1});
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 5);

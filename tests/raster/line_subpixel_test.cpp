@@ -148,7 +148,7 @@ bool centre_to_centre(cell a, cell b, const cell_window& w, const irg::line_opti
   return true;
 }
 
-TEST_CASE("line_subpixel: L5, L6, L9, from centre to centre, as for whole cells: random lines and a lattice") {
+TEST_CASE("line_subpixel: from centre to centre, as for whole cells: random lines and a lattice") {
   long drawn = 0;
   test::check_window_line([&](cell a, cell b, const cell_window& w, const irg::line_options& options, auto&& emit) {
     drawn += centre_to_centre(a, b, w, options, emit);
@@ -288,14 +288,14 @@ TEST_CASE("line_subpixel: ends at the limit, clipped to a small window") {
   CHECK(crossing > 15000);
 }
 
-TEST_CASE("line_subpixel: L4, L11, empty and inverted windows") {
+TEST_CASE("line_subpixel: empty and inverted windows") {
   CHECK_BOTH(cells({0, 0}, {2560, 2560}, {}, {3, 3, 3, 9}).empty());
   CHECK_BOTH(cells({0, 0}, {2560, 2560}, {}, {5, 5, 2, 2}).empty());
   CHECK_BOTH(cells({0, 0}, {2560, 2560}, diamond, {5, 5, 6, 6}) == std::vector<cell>{{5, 5}});
   CHECK_BOTH(cells({-1024, 640}, {640, -1024}, {}, {0, 0, 4, 4}).empty());  // the boxes overlap, the line misses
 }
 
-TEST_CASE("line_subpixel: L15, ends in pixels, refused when they are no positions") {
+TEST_CASE("line_subpixel: ends in pixels, refused when they are no positions") {
   using point = irg::point<double, 2>;
   int calls = 0;
   const auto count = [&](cell) { ++calls; };
@@ -315,8 +315,8 @@ TEST_CASE("draw_line_subpixel: paints those pixels, by value or by function, and
   constexpr auto sum = [] {
     irg::image<int> image(5, 3);
     irg::draw_line_subpixel(image, subpixel{-512, 128}, {1152, 640}, 1);
-    irg::draw_line_subpixel(
-        image, subpixel{-512, 128}, {1152, 640}, [](int there) { return there + 2; }, cell_window{0, -9, 1, 9});
+    irg::draw_line_subpixel(irg::within(image, {0, -9, 1, 9}), subpixel{-512, 128}, {1152, 640},
+                            [](int there) { return there + 2; });
     irg::draw_line_subpixel(image, irg::point<float, 2>{4.5f, 0.0f}, irg::point<float, 2>{4.5f, 1.0f}, 7);
     int n = 0;
     for (int y = 0; y < 3; ++y)
@@ -329,12 +329,12 @@ TEST_CASE("draw_line_subpixel: paints those pixels, by value or by function, and
     for (const int p : rows) n = n * 8 % 1000003 + p;
     return n;
   }());
-  // L13: a view whose rows have gaps
+  // a view whose rows have gaps
   test::framed_raster<std::uint8_t> framed;
   auto& view = framed.view;
   irg::draw_line_subpixel(view, subpixel{-9999, -7777}, {9999, 8888}, std::uint8_t{1});
-  irg::draw_line_subpixel(view, irg::point<double, 2>{-50, 40}, irg::point<double, 2>{50, -30}, std::uint8_t{1},
-                          cell_window{-100, -100, 100, 100});
+  irg::draw_line_subpixel(irg::within(view, {-100, -100, 100, 100}), irg::point<double, 2>{-50, 40},
+                          irg::point<double, 2>{50, -30}, std::uint8_t{1});
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 10);
 }

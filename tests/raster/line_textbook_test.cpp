@@ -54,7 +54,7 @@ std::int64_t wrong_cells_of_literal_test(std::int64_t n, std::int64_t m) {
   return wrong;
 }
 
-TEST_CASE("line_bresenham_textbook: GOLDEN 2, all octants, ties, degenerate lines") {
+TEST_CASE("line_bresenham_textbook: the course's values, all octants, ties, degenerate lines") {
   CHECK_BOTH(textbook({10, 10}, {200, 100}).size() == 191);
   CHECK_BOTH(textbook({0, 0}, {5, 2}) == cells{{0, 0}, {1, 0}, {2, 1}, {3, 1}, {4, 2}, {5, 2}});
   CHECK_BOTH(textbook({0, 0}, {2, 5}) == cells{{0, 0}, {0, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}});
@@ -70,7 +70,7 @@ TEST_CASE("line_bresenham_textbook: GOLDEN 2, all octants, ties, degenerate line
   CHECK_BOTH(textbook({4, 2}, {0, 0}) == cells{{4, 2}, {3, 2}, {2, 1}, {1, 1}, {0, 0}});
 }
 
-TEST_CASE("line_bresenham_textbook: GOLDEN 10, the second text's table 1: x, y, and D at the end of each pass") {
+TEST_CASE("line_bresenham_textbook: Fabris's table 1: x, y, and D at the end of each pass") {
   std::vector<std::pair<cell, rational>> rows;
   irg::line_bresenham_textbook<rational>({0, 0}, {8, 4}, [&](cell c, const rational& d) { rows.push_back({c, d}); });
   REQUIRE(rows.size() == 9);
@@ -80,7 +80,7 @@ TEST_CASE("line_bresenham_textbook: GOLDEN 10, the second text's table 1: x, y, 
   }
 }
 
-TEST_CASE("line_bresenham_textbook: GOLDEN 10, the second text's table 3") {
+TEST_CASE("line_bresenham_textbook: Fabris's table 3") {
   const cells there = textbook({0, 0}, {8, 4});
   const cells back = textbook({8, 4}, {0, 0});
   const cells reversed(back.rbegin(), back.rend());
@@ -139,7 +139,7 @@ TEST_CASE("line_bresenham_textbook: up to 2^20 steps and beyond, ties and near-t
   CHECK(tied >= 4);
 }
 
-TEST_CASE("line_bresenham_textbook: L15 and the limits: too many steps for the number, ends at the extremes of int") {
+TEST_CASE("line_bresenham_textbook: the limits: too many steps for the number, ends at the extremes of int") {
   CHECK_BOTH(irg::line_textbook_steps<double> == 1 << 25);
   CHECK_BOTH(irg::line_textbook_steps<float> == 1 << 10);
   CHECK_BOTH(irg::line_textbook_steps<rational> == std::int64_t{1} << 32);

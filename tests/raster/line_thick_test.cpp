@@ -118,7 +118,7 @@ TEST_CASE("line_thick: by hand") {
              span_list{{-2, -1, 5}, {-1, -2, 6}, {0, -2, 6}, {1, -2, 6}, {2, -1, 5}});
 }
 
-TEST_CASE("line_thick: L4, points and widths that draw nothing or little") {
+TEST_CASE("line_thick: points and widths that draw nothing or little") {
   CHECK_BOTH(spans(cell{2, 2}, cell{2, 2}, {}).empty());
   CHECK_BOTH(pixels(cell{2, 2}, cell{2, 2}, {.width = 3 * 256, .caps = line_caps::square}) == 9);
   CHECK_BOTH(pixels(cell{2, 2}, cell{2, 2}, {.width = 3 * 256, .caps = line_caps::round}) == 9);
@@ -200,7 +200,7 @@ TEST_CASE("line_thick: strokes side by side and end to end share no pixel and le
   }
 }
 
-TEST_CASE("line_thick: L14, as many pixels as length times width; mirrored lines are mirrored") {
+TEST_CASE("line_thick: as many pixels as length times width; mirrored lines are mirrored") {
   test::random r(63);
   const cell_window w{-1100, -1100, 1100, 1100};
   for (int i = 0; i < 100; ++i) {
@@ -250,7 +250,7 @@ TEST_CASE("line_thick: cells in 128 bits give what 64 bits give, in range") {
   }
 }
 
-TEST_CASE("line_thick: L1 to L3 and lines far longer than the window, exact there") {
+TEST_CASE("line_thick: lines far longer than the window, exact there") {
   constexpr cell_window w{0, 0, 64, 64};
   CHECK_BOTH(pixels(cell{least, 5}, cell{most, 5}, {.width = 3 * 256}, w) == 192);
   CHECK_BOTH(pixels(cell{5, most}, cell{5, least}, {.width = 256}, w) == 64);
@@ -321,7 +321,7 @@ TEST_CASE("polyline_thick: the union of its parts, each pixel once") {
   }
 }
 
-TEST_CASE("line_thick: L15, ends in pixels, refused when they are no positions") {
+TEST_CASE("line_thick: ends in pixels, refused when they are no positions") {
   using point = irg::point<double, 2>;
   int calls = 0;
   const auto count = [&](span_of_cells) { ++calls; };
@@ -351,13 +351,13 @@ TEST_CASE("draw_line_thick: paints by value or function, each pixel once, and no
   };
   // Rows 0 and 1 from the level line; the triangle's outline, its bends counted once
   CHECK_BOTH(painted() == std::array<int, 24>{2, 2, 2, 2, 2, 1, 1, 2, 2, 1, 2, 1, 0, 0, 1, 1, 1, 0, 5, 5, 5, 0, 1, 0});
-  // L13: a view whose rows have gaps
+  // a view whose rows have gaps
   test::framed_raster<float> framed;
   auto& view = framed.view;
   const cell_window beyond{-100, -100, 100, 100};
-  irg::draw_line_thick(view, subpixel{-9999, -7777}, subpixel{9999, 8888}, {.width = 700, .caps = line_caps::round},
-                       1.0f, beyond);
-  irg::draw_line_thick(view, cell{least, 3}, cell{most, 6}, {.width = 256}, 1.0f, beyond);
+  irg::draw_line_thick(irg::within(view, beyond), subpixel{-9999, -7777}, subpixel{9999, 8888},
+                       {.width = 700, .caps = line_caps::round}, 1.0f);
+  irg::draw_line_thick(irg::within(view, beyond), cell{least, 3}, cell{most, 6}, {.width = 256}, 1.0f);
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 20);
 }

@@ -64,14 +64,14 @@ TEST_CASE("project_vertices: beyond which planes") {
   CHECK_BOTH(cut({0, 0, -0.5}) == clip_planes::z_near);
 }
 
-TEST_CASE("project_vertices: Z1, w = 0 and the eye itself are cut") {
+TEST_CASE("project_vertices: w = 0 and the eye itself are cut") {
   CHECK_BOTH(cut({0, 0, 0}) != clip_planes::none);
   CHECK_BOTH(cut({1, 2, 0}) != clip_planes::none);
   CHECK_BOTH(cut({0, 0, -5e-324}) != clip_planes::none);
   CHECK_BOTH(cut({0, 0, 5e-324}) != clip_planes::none);
 }
 
-TEST_CASE("project_vertices: Z4, what is not finite is cut and outside") {
+TEST_CASE("project_vertices: what is not finite is cut and outside") {
   const double odd[] = {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity,
                         std::numeric_limits<double>::max()};
   for (int axis = 0; axis < 3; ++axis)

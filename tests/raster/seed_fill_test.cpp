@@ -67,11 +67,11 @@ TEST_CASE("boundary_fill: by hand, everything but the boundary is region") {
   }());
   CHECK_BOTH([] {
     auto i = drawing(room);
-    return irg::boundary_fill(i, {2, 0}, '#', 'o') == 0 && equal(i, drawing(room));  // F19: the seed on the boundary
+    return irg::boundary_fill(i, {2, 0}, '#', 'o') == 0 && equal(i, drawing(room));  // the seed on the boundary
   }());
 }
 
-TEST_CASE("seed fill: F19, seeds outside, empty windows, the colour that is there") {
+TEST_CASE("seed fill: seeds outside, empty windows, the colour that is there") {
   for (const cell seed : {cell{-1, 0}, cell{7, 0}, cell{0, -1}, cell{0, 5}, cell{least, least}, cell{most, most}}) {
     auto i = drawing(room);
     CHECK(irg::flood_fill(i, seed, 'o') == 0);
@@ -79,9 +79,9 @@ TEST_CASE("seed fill: F19, seeds outside, empty windows, the colour that is ther
     CHECK(equal(i, drawing(room)));
   }
   auto i = drawing(room);
-  CHECK(irg::flood_fill(i, {6, 0}, 'o', neighbours::four, {6, 0, 6, 5}) == 0);
-  CHECK(irg::flood_fill(i, {6, 0}, 'o', neighbours::four, {9, 9, -9, -9}) == 0);
-  CHECK(irg::flood_fill(i, {2, 2}, 'o', neighbours::four, {0, 0, 2, 5}) == 0);  // in the raster, not in the window
+  CHECK(irg::flood_fill(irg::within(i, {6, 0, 6, 5}), {6, 0}, 'o') == 0);
+  CHECK(irg::flood_fill(irg::within(i, {9, 9, -9, -9}), {6, 0}, 'o') == 0);
+  CHECK(irg::flood_fill(irg::within(i, {0, 0, 2, 5}), {2, 2}, 'o') == 0);  // in the raster, not in the window
   CHECK(equal(i, drawing(room)));
   CHECK(irg::flood_fill(i, {2, 2}, '.') == 5);  // ends, changes nothing, and still counts
   CHECK(irg::boundary_fill(i, {2, 2}, '#', '#') == 5);
@@ -95,13 +95,13 @@ TEST_CASE("seed fill: F19, seeds outside, empty windows, the colour that is ther
 TEST_CASE("seed fill: a clip window bounds the region") {
   CHECK_BOTH([] {
     auto i = drawing({".......", ".......", ".......", "......."});
-    return irg::flood_fill(i, {3, 1}, 'o', neighbours::eight, {2, 1, 40, 3}) == 10 &&
+    return irg::flood_fill(irg::within(i, {2, 1, 40, 3}), {3, 1}, 'o', neighbours::eight) == 10 &&
            equal(i, drawing({".......", "..ooooo", "..ooooo", "......."}));
   }());
   CHECK_BOTH([] {  // the way round lies outside of the window
     auto i = drawing({".......", ".####..", "......."});
-    return irg::flood_fill(i, {0, 2}, 'o', neighbours::four, {0, 0, 4, 3}) == 9 && i(4, 2) == '.' && i(3, 0) == 'o' &&
-           irg::flood_fill(i, {4, 0}, 'o', neighbours::four, {1, 0, 7, 1}) == 3;
+    return irg::flood_fill(irg::within(i, {0, 0, 4, 3}), {0, 2}, 'o') == 9 && i(4, 2) == '.' && i(3, 0) == 'o' &&
+           irg::flood_fill(irg::within(i, {1, 0, 7, 1}), {4, 0}, 'o') == 3;
   }());
 }
 
@@ -182,7 +182,8 @@ TEST_CASE("seed fill: equals breadth-first search on random images, by both rule
            height - within(5)};
     for (const bool flood : {true, false}) {
       irg::image<int> i = original;
-      const auto n = flood ? irg::flood_fill(i, seed, 9, next_to, w) : irg::boundary_fill(i, seed, 2, 9, next_to, w);
+      const auto part = irg::within(i, w);
+      const auto n = flood ? irg::flood_fill(part, seed, 9, next_to) : irg::boundary_fill(part, seed, 2, 9, next_to);
       const auto expected =
           flood ? reachable(
                       original, seed, next_to, w, [](int there, int value) { return there == value; },
@@ -202,7 +203,7 @@ TEST_CASE("seed fill: equals breadth-first search on random images, by both rule
     }
     // spans: longest runs, none twice, blending once per cell
     irg::image<int> i = original;
-    irg::flood_fill(i, seed, [](int there) { return there + 100; }, next_to, w);
+    irg::flood_fill(irg::within(i, w), seed, [](int there) { return there + 100; }, next_to);
     bool once = true;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) once = once && i(x, y) < 200;
@@ -234,9 +235,9 @@ TEST_CASE("seed fill: spans are as long as they can be, and disjoint; no cell is
   }
 }
 
-// ---- F19: what breaks recursion
+// ---- what breaks recursion
 
-TEST_CASE("seed fill: F19, a maze of passages one cell wide is filled to its end") {
+TEST_CASE("seed fill: a maze of passages one cell wide is filled to its end") {
   // A serpentine of rows, and one of columns: the longest ways there are.
   const int n = 1023;
   for (const bool columns : {false, true}) {
@@ -274,7 +275,7 @@ TEST_CASE("seed fill: F19, a maze of passages one cell wide is filled to its end
   CHECK(irg::flood_fill(maze, {0, 0}, 3, neighbours::eight) == 501 * 501 - carved);
 }
 
-TEST_CASE("seed fill: F19, a checkerboard of 4096 x 4096 is half filled over corners, and one cell without") {
+TEST_CASE("seed fill: a checkerboard of 4096 x 4096 is half filled over corners, and one cell without") {
   const int n = 4096;
   irg::image<unsigned char> board(n, n, 0);
   for (int y = 0; y < n; ++y)

@@ -42,4 +42,21 @@ TEST_CASE("snap: agrees with integer arithmetic on random multiples of 2^-30") {
   }
 }
 
+TEST_CASE("snap: cells go to their centres, snapped positions stay; can_snap says where the reach ends") {
+  using irg::cell, irg::subpixel, irg::snap_limit;
+  static_assert(irg::ScreenPosition<cell> && irg::ScreenPosition<subpixel> &&
+                irg::ScreenPosition<irg::point<float, 2>>);
+  static_assert(!irg::ScreenPosition<irg::point<float, 3>> && !irg::ScreenPosition<irg::point<int, 2>>);
+  CHECK_BOTH(irg::snap(cell{3, -2}) == subpixel{3 * 256 + 128, -2 * 256 + 128});
+  CHECK_BOTH(irg::snap(subpixel{3, -2}) == subpixel{3, -2});
+  CHECK_BOTH(irg::can_snap(cell{snap_limit - 1, -snap_limit}));
+  CHECK_BOTH(!irg::can_snap(cell{snap_limit, 0}));
+  CHECK_BOTH(!irg::can_snap(cell{0, -snap_limit - 1}));
+  CHECK_BOTH(!irg::can_snap(cell{(std::numeric_limits<int>::min)(), (std::numeric_limits<int>::max)()}));
+  CHECK_BOTH(irg::can_snap(subpixel{snap_limit * 256, -snap_limit * 256}));
+  CHECK_BOTH(!irg::can_snap(subpixel{0, snap_limit * 256 + 1}));
+  CHECK_BOTH(!irg::can_snap(subpixel{-snap_limit * 256 - 1, 0}));
+  CHECK_BOTH(!irg::can_snap(irg::point<double, 2>{0, std::numeric_limits<double>::quiet_NaN()}));
+}
+
 }  // namespace

@@ -30,11 +30,4 @@ TEST_CASE("triangle_batch: triangles are equal by their indices in order") {
   CHECK_BOTH(t != irg::triangle_indices{{1, 2, 0}});
 }
 
-TEST_CASE("triangle_batch: a whole triangle is a piece of itself") {
-  constexpr irg::piece_weights whole{};
-  CHECK_BOTH((whole.corner[0].second == 0 && whole.corner[0].third == 0));
-  CHECK_BOTH((whole.corner[1].second == 1 && whole.corner[1].third == 0));
-  CHECK_BOTH((whole.corner[2].second == 0 && whole.corner[2].third == 1));
-}
-
 }  // namespace

@@ -54,14 +54,14 @@ TEST_CASE("cover_triangle: a triangle by hand, in both windings and from every v
   CHECK_BOTH(irg::winding_of(a, c, b) == irg::winding::counter_clockwise);
 }
 
-TEST_CASE("cover_triangle: F1, triangles without area cover nothing") {
+TEST_CASE("cover_triangle: triangles without area cover nothing") {
   CHECK_BOTH(pixel_count({128, 128}, {128, 128}, {128, 128}) == 0);
   CHECK_BOTH(pixel_count({128, 128}, {128, 128}, {900, 700}) == 0);
   CHECK_BOTH(pixel_count({0, 0}, {512, 512}, {1024, 1024}) == 0);
   CHECK_BOTH(irg::winding_of({0, 0}, {1, 1}, {2, 2}) == irg::winding::degenerate);
 }
 
-TEST_CASE("cover_triangle: F13, vertices at the limit of the domain") {
+TEST_CASE("cover_triangle: vertices at the limit of the domain") {
   constexpr int far = irg::snap_limit * 256;
   CHECK_BOTH(pixel_count({-far, -far}, {far, -far}, {-far, far}, {-8, -8, 8, 8}) ==
              120);  // half of it, without the diagonal
@@ -70,7 +70,7 @@ TEST_CASE("cover_triangle: F13, vertices at the limit of the domain") {
              std::int64_t{far} * 2 * far * 2);
 }
 
-TEST_CASE("cover_triangle: F14, a sliver of 1/256 pixel across 16k pixels") {
+TEST_CASE("cover_triangle: a sliver of 1/256 pixel across 16k pixels") {
   // It is thinner than the distance between centres, and covers one pixel in about 256 of those it passes.
   const int n = pixel_count({0, 0}, {16384 * 256, 64 * 256}, {0, 1}, {0, 0, 16384, 64});
   CHECK(n > 0);
@@ -82,7 +82,7 @@ TEST_CASE("cover_triangle: F14, a sliver of 1/256 pixel across 16k pixels") {
   CHECK(n == expected);
 }
 
-TEST_CASE("cover_triangle: F15, a centre on each side of a square belongs to the left and the top one") {
+TEST_CASE("cover_triangle: a centre on each side of a square belongs to the left and the top one") {
   // A square whose sides all pass through centres, cut along either diagonal.
   constexpr int l = 128, h = 128 + 512;
   CHECK_BOTH(pixel_count({l, l}, {h, l}, {h, h}) + pixel_count({l, l}, {h, h}, {l, h}) == 4);
@@ -122,7 +122,7 @@ TEST_CASE("cover_triangle: equals the rational oracle on 10,000 random triangles
 }
 
 // Every quad of a lattice, cut along its diagonal: no centre twice, every centre of the inside and of the open diagonal
-// exactly once (ROBUSTNESS row 15, F9). `per_pixel` lattice steps make a pixel; the lattice spans 4 pixels at most.
+// exactly once. `per_pixel` lattice steps make a pixel; the lattice spans 4 pixels at most.
 struct lattice_result {
   long long quads = 0, doubly = 0, holes = 0;
 };
@@ -190,7 +190,7 @@ TEST_CASE("cover_triangle: exactly once on every quad of the 13 x 13 quarter-pix
   CHECK(r.holes == 0);
 }
 
-TEST_CASE("cover_triangle: F10, fans of 3 to 12 triangles own their centre vertex once") {
+TEST_CASE("cover_triangle: fans of 3 to 12 triangles own their centre vertex once") {
   test::random random(7);
   for (int spokes = 3; spokes <= 12; ++spokes)
     for (const subpixel hub : {subpixel{128 + 512, 128 + 512}, subpixel{512, 512}, subpixel{600, 700}}) {
@@ -213,7 +213,7 @@ TEST_CASE("cover_triangle: F10, fans of 3 to 12 triangles own their centre verte
     }
 }
 
-TEST_CASE("cover_triangle: F16, a triangle moved by whole pixels covers the same pixels, moved") {
+TEST_CASE("cover_triangle: a triangle moved by whole pixels covers the same pixels, moved") {
   test::random random(16);
   for (int i = 0; i < 300; ++i) {
     const subpixel v[3] = {random_vertex(random, 2000), random_vertex(random, 2000), random_vertex(random, 2000)};

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -59,6 +60,77 @@ TEST_CASE("triangle_setup: turning a triangle round exchanges two weights and ch
                                                     area;
     CHECK(std::fabs(static_cast<double>(depth - static_cast<long double>(at.depth))) <=
           0x1p-22 * static_cast<double>(at.depth));
+  }
+}
+
+// The worst of depths, in ulp, and of weights, of pixels within triangles of all sizes up to the reach.
+struct worst_errors {
+  double depth = 0, weight = 0;
+  int pixels = 0;
+};
+
+// Depths and inverse w of 2^-exponent to 2^exponent; a depth may also lose what underflow takes, as it is stated.
+worst_errors sweep(int count, int depth_exponent, int w_exponent) {
+  test::random r(29);
+  worst_errors worst;
+  for (int i = 0; i < count; ++i) {
+    screen_vertex v[3];
+    const int reach = static_cast<int>(r.integer(6, 29));
+    for (screen_vertex& c : v) {
+      const auto coordinate = [&] {
+        const std::int64_t most = std::int64_t{1} << r.integer(4, reach);
+        return static_cast<std::int32_t>(r.integer(-most, most));
+      };
+      const auto size = [&](int e) {
+        return static_cast<float>(std::ldexp(1 + r.unit(), static_cast<int>(r.integer(-e, e))));
+      };
+      c.position.x = coordinate();
+      c.position.y = coordinate();
+      c.depth = size(depth_exponent);
+      c.inverse_w = size(w_exponent);
+    }
+    const irg::covered_triangle t = irg::cover_and_set_up(v[0], v[1], v[2]);
+    if (t.coverage.double_area == 0) continue;
+    for (int k = 0; k < 8; ++k) {
+      double s = r.unit(), u = r.unit();
+      if (s + u > 1) s = 1 - s, u = 1 - u;
+      if (k < 3) s *= std::ldexp(1.0, -static_cast<int>(r.integer(0, 20)));
+      const auto at = [&](auto axis) {
+        const double a = axis(v[0]), b = axis(v[1]), c = axis(v[2]);
+        return static_cast<int>(std::floor((a + s * (b - a) + u * (c - a)) / 256));
+      };
+      const int x = at([](const screen_vertex& c) { return static_cast<double>(c.position.x); }),
+                y = at([](const screen_vertex& c) { return static_cast<double>(c.position.y); });
+      if (!irg::covers(t.coverage, x, y)) continue;
+      const irg::subpixel p{x * 256 + 128, y * 256 + 128};
+      long double b[3], depth = 0, q = 0;
+      for (int e = 0; e < 3; ++e) {
+        b[e] = static_cast<long double>(irg::signed_double_area(v[(e + 1) % 3].position, v[(e + 2) % 3].position, p)) /
+               static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
+        depth += b[e] * static_cast<long double>(v[e].depth);
+        q += b[e] * static_cast<long double>(v[e].inverse_w);
+      }
+      const irg::pixel_weights<float> w = irg::weights_at(t.setup, x, y);
+      const long double off = std::fabs(static_cast<long double>(w.depth) - depth) - 0x1p-72L;
+      worst.depth = std::fmax(worst.depth, static_cast<double>(off / depth * 0x1p23L));
+      const long double w1 = b[1] * static_cast<long double>(v[1].inverse_w) / q,
+                        w2 = b[2] * static_cast<long double>(v[2].inverse_w) / q;
+      worst.weight = std::fmax(worst.weight, static_cast<double>(std::fabs(static_cast<long double>(w.weight1) - w1)));
+      worst.weight = std::fmax(worst.weight, static_cast<double>(std::fabs(static_cast<long double>(w.weight2) - w2)));
+      ++worst.pixels;
+    }
+  }
+  return worst;
+}
+
+TEST_CASE("triangle_setup: depths and weights over the whole reach, sizes of all magnitudes") {
+  for (const int e : {8, 40, 90, 118}) {
+    const worst_errors deep = sweep(test::trials(3000), e, 8), wide = sweep(test::trials(3000), 8, e);
+    CHECK(deep.pixels > 10000);
+    for (const worst_errors& worst : {deep, wide}) {
+      CHECK(worst.depth <= 4);
+      CHECK(worst.weight <= 4e-7);
+    }
   }
 }
 

@@ -48,12 +48,10 @@ struct coloured : recorded {
   constexpr rgba8 pixel(const values& v) const { return irg::encode({v[0], v[1], v[2]}); }
 };
 struct coloured_in_lanes : coloured {
-#ifdef IRG_LANES_VECTOR
   template <int N>
   irg::pack<std::uint32_t, N> pixels(const std::array<irg::pack<float, N>, 3>& v) const {
     return irg::encode_lanes(v[0], v[1], v[2]);
   }
-#endif
 };
 static_assert(irg::AttributeShading<recorded, batch> && irg::AttributeShading<coloured_in_lanes, batch>);
 struct no_pixel {

@@ -246,7 +246,7 @@ TEST_CASE("draw_triangles: pictures of every shape, narrower than the lanes and 
   CHECK(sum.wrong == 0);
 }
 
-TEST_CASE("draw_triangles: Z12, 1 x 1, 65535 x 1 and 1 x 65535") {
+TEST_CASE("draw_triangles: 1 x 1, 65535 x 1 and 1 x 65535") {
   test::random r(103);
   agreement sum;
   for (int i = 0; i < 8; ++i) {
@@ -369,7 +369,7 @@ void compare_with_rays(const soup& s, irg::face_culling culling, ray_agreement& 
     }
 }
 
-TEST_CASE("draw_triangles: Z1 to Z3, vertices behind the eye, beside it and beyond the guard band, against rays") {
+TEST_CASE("draw_triangles: vertices behind the eye, beside it and beyond the guard band, against rays") {
   test::random r(104);
   const int scenes = std::getenv("IRG_RELEASE_TIER") ? 10000 : 600;
   ray_agreement sum;
@@ -401,7 +401,7 @@ TEST_CASE("draw_triangles: Z1 to Z3, vertices behind the eye, beside it and beyo
   CHECK(sum.worst_weight < 0.01L);
 }
 
-TEST_CASE("draw_triangles: Z5, each corner in each of the 27 cells that the clip planes cut") {
+TEST_CASE("draw_triangles: each corner in each of the 27 cells that the clip planes cut") {
   test::random r(105);
   ray_agreement sum;
   const matrix finite = irg::perspective(irg::pi<double> / 2, 1.0, 1.0, 4.0);
@@ -422,7 +422,7 @@ TEST_CASE("draw_triangles: Z5, each corner in each of the 27 cells that the clip
   CHECK(sum.wrong == 0);
 }
 
-TEST_CASE("draw_triangles: Z13, weights in a triangle whose corners' distances differ 100,000 times") {
+TEST_CASE("draw_triangles: weights in a triangle whose corners' distances differ 100,000 times") {
   ray_agreement sum;
   const soup s{
       {{-0.3, -0.3, -0.3}, {20000, -5000, -30000}, {-5000, 20000, -30000}}, {{{0, 1, 2}}}, eye_at_origin(), 200, 200};
@@ -458,7 +458,7 @@ soup cube_around(test::random& r, int n, int width, int height) {
   return s;
 }
 
-TEST_CASE("draw_triangles: Z6, inside a cube of triangles every pixel is covered exactly once") {
+TEST_CASE("draw_triangles: inside a cube of triangles every pixel is covered exactly once") {
   test::random r(106);
   const int trials = std::getenv("IRG_RELEASE_TIER") ? 20000 : 600;
   long long holes = 0, doubled = 0;
@@ -479,7 +479,7 @@ TEST_CASE("draw_triangles: Z6, inside a cube of triangles every pixel is covered
   CHECK(doubled == 0);
 }
 
-TEST_CASE("draw_triangles: Z6, a corner exactly on a clip plane") {
+TEST_CASE("draw_triangles: a corner exactly on a clip plane") {
   // The near plane is at distance 1, and the corner is on it; its neighbour beyond the edge is behind the eye.
   const soup s{
       {{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, -3, 2}}, {{{0, 1, 2}}, {{1, 0, 3}}}, eye_at_origin(1), 32, 32};
@@ -493,7 +493,7 @@ TEST_CASE("draw_triangles: Z6, a corner exactly on a clip plane") {
 
 // ---- order
 
-TEST_CASE("draw_triangles: Z7, of equal depths the lowest index wins, in either direction") {
+TEST_CASE("draw_triangles: of equal depths the lowest index wins, in either direction") {
   soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -3}}, {{{0, 1, 2}}, {{0, 1, 2}}, {{0, 2, 1}}}, eye_at_origin(), 32, 32};
   const marks m = draw(s);
   CHECK(m.stats.pixels.shaded > 50);
@@ -522,7 +522,7 @@ TEST_CASE("draw_triangles: in drawing order the last one wins, whatever its dept
   CHECK(m.stats.pixels.shaded < m.stats.pixels.tested);  // what is covered later is not shaded
 }
 
-TEST_CASE("draw_triangles: Z14, any order of triangles gives the same picture where no depths are equal") {
+TEST_CASE("draw_triangles: any order of triangles gives the same picture where no depths are equal") {
   test::random r(107);
   int compared = 0;
   for (int scene = 0; scene < 40; ++scene) {
@@ -586,7 +586,7 @@ TEST_CASE("draw_triangles: counters by hand") {
   CHECK(draw(s, irg::face_culling::none).stats.skipped.backface == 0);
 }
 
-TEST_CASE("draw_triangles: S1, skipping changes no byte, on triangles anywhere") {
+TEST_CASE("draw_triangles: skipping changes no byte, on triangles anywhere") {
   test::random r(108);
   for (int i = 0; i < 1500; ++i) {
     soup s{{},
@@ -612,7 +612,7 @@ TEST_CASE("draw_triangles: S1, skipping changes no byte, on triangles anywhere")
   }
 }
 
-TEST_CASE("draw_triangles: S1, skipping beyond a border does not depend on how clipping is rounded") {
+TEST_CASE("draw_triangles: skipping beyond a border does not depend on how clipping is rounded") {
   // All corners are beyond the right border, and some so far out that clipping them rounds by whole pictures.
   test::random r(111);
   int rounded_into_sight = 0;
@@ -632,7 +632,7 @@ TEST_CASE("draw_triangles: S1, skipping beyond a border does not depend on how c
   CHECK(rounded_into_sight > 10);
 }
 
-TEST_CASE("draw_triangles: Z4, triangles that are not finite are left out, and the rest is as it was") {
+TEST_CASE("draw_triangles: triangles that are not finite are left out, and the rest is as it was") {
   test::random r(109);
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 100; ++i) {

@@ -304,11 +304,11 @@ void skipping_changes_nothing(std::uint64_t seed, int scenes) {
   CHECK(drawn > 100 * scenes);
 }
 
-TEST_CASE("render: S1, skipping and the executor change no byte and no count, on doubles") {
+TEST_CASE("render: skipping and the executor change no byte and no count, on doubles") {
   skipping_changes_nothing<double>(11, std::getenv("IRG_RELEASE_TIER") ? 100000 : 1200);
 }
 
-TEST_CASE("render: S1, skipping and the executor change no byte and no count, on floats") {
+TEST_CASE("render: skipping and the executor change no byte and no count, on floats") {
   skipping_changes_nothing<float>(12, std::getenv("IRG_RELEASE_TIER") ? 100000 : 1200);
 }
 

@@ -87,7 +87,6 @@ TEST_CASE("textured_shading: no texture, no texels, numbers out of range") {
     CHECK(with.pixel({0.1f, 0.1f, 1, 1, 1, n}) == rgba8{0, 0, 0, 255});
 }
 
-#ifdef IRG_LANES_VECTOR
 TEST_CASE("textured_shading: a register of pixels has the bits of single ones") {
   constexpr int N = irg::native_lanes<float>;
   test::random r(51);
@@ -125,9 +124,8 @@ TEST_CASE("textured_shading: a register of pixels has the bits of single ones") 
               shading.pixel({at[0][k], at[1][k], at[2][k], at[3][k], at[4][k], at[5][k]}));
   }
 }
-#endif
 
-// ---- perspective: Z13, corners whose w are as 1 to 100000
+// ---- perspective: corners whose w are as 1 to 100000
 
 // Records the attributes themselves.
 struct recorder {
@@ -139,8 +137,7 @@ struct recorder {
   textured_vertex pixel(const textured_vertex& at) const { return at; }
 };
 
-TEST_CASE(
-    "textured_shading: Z13, u and v within 4e-7 of the exact ones where the w of the corners differ by up to 1e5") {
+TEST_CASE("textured_shading: u and v within 4e-7 of the exact ones where the w of the corners differ by up to 1e5") {
   test::random r(52);
   const int size = 96;
   long long pixels = 0;

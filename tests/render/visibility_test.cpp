@@ -421,7 +421,7 @@ TEST_CASE("visible triangle: the same in one batch and in several") {
 
 // ---- order
 
-TEST_CASE("visible triangle: Z14, 100 orders of the triangles, one depth buffer and one set of visible triangles") {
+TEST_CASE("visible triangle: 100 orders of the triangles, one depth buffer and one set of visible triangles") {
   test::random r(208);
   long long compared = 0, close = 0;
   for (int scene = 0; scene < 10; ++scene) {

@@ -136,7 +136,7 @@ TEST_CASE("draw_wireframe: edges that pass the eye are cut before it, and keep t
   CHECK(count(d.lines) == 32);
 }
 
-TEST_CASE("draw_wireframe: Z1 to Z4, edges at the eye, behind it and without an end draw nothing") {
+TEST_CASE("draw_wireframe: edges at the eye, behind it and without an end draw nothing") {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   CHECK(count(draw(one_triangle({0, 0, 1}, {1, 0, 2}, {0, 1, 3}), 32, 32).lines) == 0);  // behind
   CHECK(count(draw(one_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 32, 32).lines) == 0);  // in the eye's plane

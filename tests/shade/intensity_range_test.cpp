@@ -22,7 +22,7 @@ constexpr auto by_rescale = irg::intensity_range::rescale;
 
 }  // namespace
 
-TEST_CASE("intensity_range: GOLDEN 7") {
+TEST_CASE("intensity_range: the course's values") {
   CHECK_BOTH(irg::clamp_intensity(rational(290), rational(255)) == rational(255));
   constexpr std::array<rational, 3> three{rational(40), rational(120), rational(290)};
   CHECK_BOTH(fitted(three, rational(255), by_rescale) ==

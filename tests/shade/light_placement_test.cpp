@@ -44,7 +44,7 @@ TEST_CASE("light_placement: by coordinates, in a direction, about a target") {
   CHECK_BOTH(light_around(P{1, 2, 3}, polar{inf, 0, 0}, 1.0) == light{{0, 0, 1, 0}, 1});
   CHECK_BOTH(light_around(P{1, 2, 3}, polar{0, 1, 1}, 1.0) == light{{1, 2, 3, 1}, 1});
   static_assert(std::is_same_v<decltype(light_at(irg::point<float, 3>{}, irg::rgb<float>{})), irg::light<float>>);
-  // S3's numbers, GOLDEN 12: alpha = 30, beta = 45, R = 10
+  // Hank's numbers: alpha = 30, beta = 45, R = 10
   const H s3 = light_around(P{0, 0, 0}, polar{10, irg::radians(30.0), irg::radians(45.0)}, 1.0).position;
   CHECK(std::abs(s3.x - 3.53553390593274) + std::abs(s3.y - 7.07106781186548) + std::abs(s3.z - 6.12372435695795) <=
         3e-14);
@@ -93,7 +93,7 @@ TEST_CASE("light_placement: a light radiates equally in all directions") {
   for (int i = 0; i < 5000; ++i) {
     const P target{r.unit(), r.unit(), r.unit()};
     const light source = light_around(target, {2 * r.unit(), (2 * r.unit() - 1) * pi, (r.unit() - 0.5) * pi}, 200.0);
-    // surfaces all round the light, near and far: facing it, at 60 degrees, edge-on, turned away (GOLDEN 12)
+    // surfaces all round the light, near and far: facing it, at 60 degrees, edge-on, turned away
     const V away = polar_to_cartesian(polar{1, (2 * r.unit() - 1) * pi, (r.unit() - 0.5) * pi});
     const double factor = 1 + r.unit();
     const P p = to_cartesian(source.position) + away * std::ldexp(factor, static_cast<int>(r.integer(-3, 6)));

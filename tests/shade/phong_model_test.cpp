@@ -46,7 +46,7 @@ TEST_CASE("phong_model: types") {
                                           point3<float>{}, vec3<float>{})));
 }
 
-TEST_CASE("phong_model: GOLDEN 7, exactly") {
+TEST_CASE("phong_model: the course's values, exactly") {
   constexpr vec3<rational> low{f(3, 5), f(0), f(4, 5)}, mirror{f(-3, 5), f(0), f(4, 5)};
   CHECK_BOTH(irg::reflected_direction(up, up) == up);
   CHECK_BOTH(irg::reflected_direction(low, up) == mirror);

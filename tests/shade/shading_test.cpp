@@ -68,7 +68,7 @@ TEST_CASE("shading: the mean of vertices") {
   CHECK(irg::vertex_mean(std::vector<point3>{{0, 0, 0}, {2, 4, 8}}) == point3{1, 2, 4});
 }
 
-TEST_CASE("shading: GOLDEN 7, the faces of the cube") {
+TEST_CASE("shading: the course's values, the faces of the cube") {
   constexpr double golden[12] = {20, 20, 73.3699507995993, 78.3997116070745, 46.9076633390697, 47.3702931657094, 20, 20,
                                  20, 20, 106.74768752147,  105.115923873823};
   constexpr auto all_right = [](const double(&expected)[12]) {
@@ -83,7 +83,7 @@ TEST_CASE("shading: GOLDEN 7, the faces of the cube") {
   CHECK(flat(face(at_run_time), face_normal(at_run_time)) == in_constant_evaluation);
 }
 
-TEST_CASE("shading: GOLDEN 7, the vertices of the cube") {
+TEST_CASE("shading: the course's values, the vertices of the cube") {
   constexpr double golden[8] = {20, 20, 20, 79.4088525786005, 20, 126.90449676497, 20, 20};
   constexpr auto all_right = [](const double(&expected)[8]) {
     for (std::size_t v = 0; v < 8; ++v)

@@ -157,7 +157,7 @@ line_trial try_random_lines(const Draw& draw, std::int64_t lines, std::uint64_t 
   return trial;
 }
 
-/// L9: all ordered pairs of a side x side lattice, every `pair_stride`th, against all windows in it, every
+/// all ordered pairs of a side x side lattice, every `pair_stride`th, against all windows in it, every
 /// `window_stride`th: the cells are those of the whole line in the window, in order.
 template <class Draw>
 line_trial try_lattice(const Draw& draw, int side, int pair_stride, int window_stride, irg::line_options options) {

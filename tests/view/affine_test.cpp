@@ -116,8 +116,8 @@ TEST_CASE("affine: by hand") {
   CHECK(normal_matrix(at_compile_time * one) == normals);
 }
 
-TEST_CASE("affine: GOLDEN 12") {
-  // S3 2.6: P(20,0,10), translate by -20 along x, rotate by 20 degrees about z.
+TEST_CASE("affine: Hank's values") {
+  // Hank n.d., 2.6: P(20,0,10), translate by -20 along x, rotate by 20 degrees about z.
   constexpr D T = translation(V{-20, 0, 0}), R = rotation_z(20 * degree);
   CHECK_BOTH(distance(transform_point(R * T, P{20, 0, 10}), P{0, 0, 10}) <= 1e-14);
   CHECK_BOTH(distance(transform_point(T * R, P{20, 0, 10}), P{-1.2061475842818323, 6.8404028665133747, 10}) <= 1e-14);

@@ -60,7 +60,7 @@ TEST_CASE("camera_frame: by hand, either handedness, in every life") {
   CHECK(look_at_frame(P{five, 0, 0}, P{0, 0, 0}, V{0, 1, 0}) == from_x);
 }
 
-TEST_CASE("camera_frame: GOLDEN 12, S3's left-handed camera at alpha = beta = 0, R = 5") {
+TEST_CASE("camera_frame: Hank's left-handed camera at alpha = beta = 0, R = 5") {
   constexpr frame s3{{0, 0, 5}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};  // X, Y, Z as printed
   constexpr M m = view_matrix(s3, handedness::left);
   CHECK_BOTH(transform_point(m, P{1, 0, 0}) == P{1, 0, 5});  // X is the viewer's right

@@ -35,7 +35,7 @@ constexpr P2 by_matrix(const P3& p, R d, projection_origin o) {
 
 }  // namespace
 
-TEST_CASE("central projection: GOLDEN 12, the eye at the origin (S3)") {
+TEST_CASE("central projection: Hank, the eye at the origin") {
   CHECK_BOTH(project_central(P3{3, -2, 6}, 2, eye) == P2{1, {-2, 3}});
   CHECK_BOTH(project_central(P3{3, -2, 3}, 2, eye) == P2{2, {-4, 3}});
   CHECK_BOTH(project_central(P3{3, -2, 0}, 2, eye) == std::nullopt);
@@ -48,7 +48,7 @@ TEST_CASE("central projection: GOLDEN 12, the eye at the origin (S3)") {
              D2{-0.633974596215561, -0.776457135307562});
 }
 
-TEST_CASE("central projection: GOLDEN 9, the picture plane at the origin, the eye at (0, 0, 20) (S1)") {
+TEST_CASE("central projection: the slides, the picture plane at the origin, the eye at (0, 0, 20)") {
   CHECK_BOTH(project_central(P3{0, 0, 10}, 20, plane) == P2{0, 0});
   CHECK_BOTH(project_central(P3{8, 0, 6}, 20, plane) == P2{{80, 7}, 0});
   CHECK_BOTH(project_central(P3{0, 4, 2}, 20, plane) == P2{0, {40, 9}});
@@ -75,7 +75,7 @@ TEST_CASE("central projection: the matrix says the same, in rationals, and the r
       // Similar triangles: eye, picture and point are collinear.
       CHECK((q->x * depth == p.x * d && q->y * depth == p.y * d));
     }
-    // Depth of S1's matrix grows with z in front of the eye, and lines stay straight: z * d / (d - z).
+    // Depth of the slides' matrix grows with z in front of the eye, and lines stay straight: z * d / (d - z).
     const R z1 = d - R{r.integer(1, 60), 7}, z2 = d - R{r.integer(1, 60), 7};
     const auto depth_of = [&](R z) { return to_cartesian(central_projection(d, plane) * P3{0, 0, z}).z; };
     CHECK((z1 < z2) == (depth_of(z1) < depth_of(z2)));

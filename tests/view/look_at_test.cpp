@@ -66,8 +66,8 @@ TEST_CASE("look_at: by hand, in every life") {
                              mat<float, 4, 4>>);
 }
 
-TEST_CASE("look_at: GOLDEN 5 and 12, the left-handed frames with their depth turned round") {
-  // S0's eye system looks along +z; its x and y axes are ours, its z is our -z. O = (1,1,3), G = (0,0,0), z up.
+TEST_CASE("look_at: the course's and Hank's left-handed frames with their depth turned round") {
+  // The course's eye system looks along +z; its x and y axes are ours, its z is our -z. O = (1,1,3), G = (0,0,0), z up.
   const M view = look_at(P{1, 1, 3}, P{0, 0, 0}, V{0, 0, 1});
   const double T[4][3] = {{-0.707106781186548, -0.639602149066831, -0.301511344577764},
                           {0.707106781186548, -0.639602149066831, -0.301511344577764},
@@ -80,7 +80,7 @@ TEST_CASE("look_at: GOLDEN 5 and 12, the left-handed frames with their depth tur
   CHECK(std::abs(p.x + 0.8) <= 1e-15);
   CHECK(std::abs(p.y - 1) <= 1e-15);
   CHECK(std::abs(p.z + 4.4) <= 2e-15);
-  // S3's polar camera, alpha = 30, beta = 45, R = 10: (1,2,3) -> (-0.63, -0.78, 6.40), left-handed as well.
+  // Hank's polar camera, alpha = 30, beta = 45, R = 10: (1,2,3) -> (-0.63, -0.78, 6.40), left-handed as well.
   const P q = transform_point(look_at(P{3.53553390593274, 7.07106781186548, 6.12372435695795}, P{0, 0, 0}, V{0, 1, 0}),
                               P{1, 2, 3});
   CHECK(q.x == doctest::Approx(-0.633974596215561).epsilon(1e-13));

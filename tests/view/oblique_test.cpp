@@ -80,7 +80,7 @@ TEST_CASE("oblique: all points of a ray towards the viewer have one picture, the
   }
 }
 
-TEST_CASE("oblique: what is refused (Z10)") {
+TEST_CASE("oblique: what is refused") {
   using enum projection_status;
   const auto status = [](oblique_depth<double> how, view_window<double> w, double n, double f, double z) {
     const auto p = oblique_checked(how, w, n, f, z);

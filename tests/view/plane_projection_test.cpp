@@ -51,10 +51,10 @@ TEST_CASE("plane_projection: by hand, in every life") {
   constexpr auto s = parallel_projection_onto_checked(floor, vec<double, 3>{1, -1, 0});
   CHECK_BOTH(transform_point(s.value, D{1, 2, 3}) == D{3, 0, 3});
   CHECK_BOTH((s.value * D{1, 2, 3}).w == 1);
-  // S1: the eye at (0, 0, d) and the plane z = 0; x * d / (d - z).
+  // The slides: the eye at (0, 0, d) and the plane z = 0; x * d / (d - z).
   constexpr auto s1 = central_projection_onto_checked(plane<R>{0, 0, 1, 0}, P{0, 0, 20});
   CHECK_BOTH(to_cartesian(s1.value * P{8, 0, 6}) == P{{80, 7}, 0, 0});
-  // S3: the eye at the origin and the plane z = d; d * x / z.
+  // Hank: the eye at the origin and the plane z = d; d * x / z.
   constexpr auto s3 = central_projection_onto_checked(plane<R>{0, 0, 1, -2}, P{0, 0, 0});
   CHECK_BOTH(to_cartesian(s3.value * P{3, -2, 6}) == P{1, {-2, 3}, 2});
   constexpr auto any = central_projection_onto_checked(plane<float>{0.1f, 0.2f, 0.7f, 1.3f}, point<float, 3>{3, 1, 2});

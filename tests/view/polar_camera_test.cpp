@@ -53,7 +53,7 @@ double next_to_pole(test::random& r) {
 
 }  // namespace
 
-TEST_CASE("polar_camera: GOLDEN 12, S3's positions and axes") {
+TEST_CASE("polar_camera: Hank's positions and axes") {
   const struct {
     double alpha, beta, distance;
     P c;

@@ -159,7 +159,7 @@ TEST_CASE("perspective of a window: similar triangles, and two tiles join to the
   }
 }
 
-TEST_CASE("perspective of a window: what is refused (Z10)") {
+TEST_CASE("perspective of a window: what is refused") {
   using enum projection_status;
   const auto status = [](irg::view_window<double> w, double d, double n, double f) {
     const auto p = perspective_checked(w, d, n, f);
@@ -181,7 +181,7 @@ TEST_CASE("perspective of a window: what is refused (Z10)") {
   static_assert(perspective_checked(w, -1, 1, 2).status == bad_distance);
 }
 
-TEST_CASE("perspective: GOLDEN 12, central projection") {
+TEST_CASE("perspective: Hank's values, central projection") {
   // Camera point (3,-2,6) on the plane d = 2 of a left-handed camera: (1, -2/3). Here z = -6 and the half height is 2.
   const auto m = perspective(pi<double> / 2, 1, 1, 10);
   const P p = projected(m, P{3, -2, -6});
@@ -242,7 +242,7 @@ TEST_CASE("perspective: depth falls with the distance, float by float, up to and
   CHECK(depth(1e5f) == doctest::Approx(0));
 }
 
-TEST_CASE("projections: what is refused, and extreme ranges (Z10)") {
+TEST_CASE("projections: what is refused, and extreme ranges") {
   using enum projection_status;
   const auto status = [](double angle, double aspect, double n, double f) {
     const auto p = perspective_checked(angle, aspect, n, f);

@@ -26,13 +26,13 @@ namespace {
 
 using R = rational;
 using P = point<R, 3>;
-// GOLDEN 12: m1 = 8, m2 = 6, d = 2, n = 1, h = 10.
+// Hank's: m1 = 8, m2 = 6, d = 2, n = 1, h = 10.
 constexpr view_pyramid<R> course{2, 8, 6, 1, 10};
 constexpr view_pyramid<double> course_double{2, 8, 6, 1, 10};
 
 }  // namespace
 
-TEST_CASE("view_pyramid: GOLDEN 12, corners") {
+TEST_CASE("view_pyramid: Hank's values, corners") {
   constexpr auto c = pyramid_corners(course, handedness::left);
   CHECK_BOTH(c.at[3] == P{2, {3, 2}, 1});
   CHECK_BOTH(c.at[7] == P{20, 15, 10});
@@ -41,7 +41,7 @@ TEST_CASE("view_pyramid: GOLDEN 12, corners") {
   CHECK_BOTH(pyramid_corners(course).at[6] == P{-20, 15, -10});
 }
 
-TEST_CASE("view_pyramid: GOLDEN 12, planes with inward normals") {
+TEST_CASE("view_pyramid: Hank's values, planes with inward normals") {
   constexpr auto f = pyramid_planes(course, handedness::left);
   CHECK_BOTH(f[frustum_plane::left] == plane<R>{12, 0, 24, 0});
   CHECK_BOTH(f[frustum_plane::right] == plane<R>{-12, 0, 24, 0});
@@ -55,7 +55,7 @@ TEST_CASE("view_pyramid: GOLDEN 12, planes with inward normals") {
              plane<int>{12, 0, 24, 0});
 }
 
-TEST_CASE("view_pyramid: GOLDEN 15, what is inside") {
+TEST_CASE("view_pyramid: reference values, what is inside") {
   constexpr auto f = pyramid_planes(course, handedness::left);
   using enum containment;
   CHECK_BOTH(side_of(f, P{0, 0, 5}) == inside);
@@ -123,5 +123,5 @@ TEST_CASE("view_pyramid: what is refused") {
   CHECK(status({2, 8, 6, 1, nan}) == bad_depth);
   CHECK(status({2, 8, 6, 1, inf}) == ordinary);
   CHECK(status({1e300, 1e-300, 6, 1, 10}) == not_representable);
-  CHECK(status({2, 8, 6, 1e-3, 1e9}) == ordinary);  // Z10
+  CHECK(status({2, 8, 6, 1e-3, 1e9}) == ordinary);
 }

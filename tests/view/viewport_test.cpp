@@ -24,7 +24,7 @@ using P = point<double, 3>;
 using R = rational;
 constexpr viewport<double> image{0, 0, 800, 600};
 
-// S3 4.2.2 as corrected: the window with its upper edge at `top`, y up, into the view.
+// Hank n.d., 4.2.2, as corrected: the window with its upper edge at `top`, y up, into the view.
 constexpr point<R, 3> window_to_viewport(R left, R top, R width, R height, const viewport<R>& view, R x, R y) {
   const R nx = (x - left) / width * R(2) - R(1), ny = R(1) - (top - y) / height * R(2);
   return to_pixels(view, point<R, 3>{nx, ny, R(0)});
@@ -46,7 +46,7 @@ TEST_CASE("viewport: by hand, in every life") {
   CHECK(to_pixels(viewport<float>{3, 5, 77, 33}, point<float, 3>{x, 0.7f, 0.3f}) == any);
 }
 
-TEST_CASE("viewport: GOLDEN 12") {
+TEST_CASE("viewport: Hank's values") {
   constexpr viewport<R> whole{0, 0, 800, 600};
   CHECK_BOTH(window_to_viewport(-4, 3, 8, 6, whole, -4, 3) == point<R, 3>{0, 0, 0});
   CHECK_BOTH(window_to_viewport(-4, 3, 8, 6, whole, 4, -3) == point<R, 3>{800, 600, 0});
@@ -61,7 +61,7 @@ TEST_CASE("viewport: GOLDEN 12") {
   CHECK_BOTH(to_pixels(image, m * P{1, 2, 0}) == P{500, 100, 1});
 }
 
-TEST_CASE("viewport: stays within its borders, and there and back (Z12)") {
+TEST_CASE("viewport: stays within its borders, and there and back") {
   test::random r(1);
   for (const viewport<float>& v : {viewport<float>{0, 0, 1, 1}, viewport<float>{0, 0, 65535, 1},
                                    viewport<float>{7, 9, 1920, 1080}, viewport<float>{-3, 0.5f, 13, 17}}) {

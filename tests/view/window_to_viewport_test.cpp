@@ -35,7 +35,7 @@ constexpr point<T, 2> mapped(const view_window<T>& w, const viewport<T>& v, cons
 
 }  // namespace
 
-TEST_CASE("window_to_viewport: GOLDEN 12, and the course's own formula") {
+TEST_CASE("window_to_viewport: Hank's values, and his own formula") {
   constexpr view_window<R> w{-4, 4, -3, 3};
   constexpr irg::textbook::edged_window<R> s{-4, -3, 8, 6};
   const auto both = [&](const P& p, const P& expected, const viewport<R>& v = whole) {
@@ -107,7 +107,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("window_to_viewport: refusals and extremes (Z12), in every life") {
+TEST_CASE("window_to_viewport: refusals and extremes, in every life") {
   constexpr double inf = std::numeric_limits<double>::infinity(),
                    not_a_number = std::numeric_limits<double>::quiet_NaN();
   using enum window_status;

@@ -45,14 +45,14 @@ inline namespace IRG_ABI {
 /// The light that an 8-bit sRGB code stands for: 0 for 0, 1 for 255.
 /// exact   the float nearest to the exact value
 /// cost    one load
-/// source  IEC 61966-2-1 (1999)
+/// source  IEC 61966-2-1
 IRG_INLINE constexpr float srgb_to_linear(std::uint8_t code) noexcept { return detail::srgb_light[code]; }
 
 /// The 8-bit sRGB code whose encoding of `light` is nearest: 0 for 0 and less, 255 for 1 and more.
 /// gives   0 for NaN
 /// exact   round(255 * encoded light) of the exact curve for every float; no float lies half-way
 /// cost    two comparisons and one load from a table of 6.5 KiB
-/// source  IEC 61966-2-1 (1999)
+/// source  IEC 61966-2-1
 IRG_INLINE constexpr std::uint8_t linear_to_srgb8(float light) noexcept {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(clamp(light, detail::srgb_first, detail::srgb_last));
   const std::uint32_t entry = detail::srgb_code_table.entry[(bits - detail::srgb_first_bits) >> 16];
@@ -62,7 +62,7 @@ IRG_INLINE constexpr std::uint8_t linear_to_srgb8(float light) noexcept {
 /// The light that the sRGB value `encoded` stands for, both on the scale 0 to 1; a negative value mirrors its positive.
 /// gives   NaN for NaN
 /// exact   error below 8 ulp for |encoded| <= 1.2: the constants' own rounding, raised by the power
-/// source  IEC 61966-2-1 (1999)
+/// source  IEC 61966-2-1
 template <Floating T>
 constexpr T srgb_to_linear(T encoded) noexcept {
   if (encoded < T(0)) return -srgb_to_linear(-encoded);
@@ -73,7 +73,7 @@ constexpr T srgb_to_linear(T encoded) noexcept {
 /// The sRGB value of `light`, both on the scale 0 to 1; a negative value mirrors its positive.
 /// gives   NaN for NaN
 /// exact   error below 8 ulp for |light| <= 1.2
-/// source  IEC 61966-2-1 (1999)
+/// source  IEC 61966-2-1
 template <Floating T>
 constexpr T linear_to_srgb(T light) noexcept {
   if (light < T(0)) return -linear_to_srgb(-light);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What every other header relies on: the version, the name of the functions' namespace, and a check that the
-// compiler's floating-point mode keeps the promises (DESIGN: "same bits everywhere").
+// compiler's floating-point mode keeps the promises ("same bits everywhere").
 #pragma once
 
 #define IRG_VERSION_MAJOR 0

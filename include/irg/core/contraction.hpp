@@ -57,7 +57,7 @@ IRG_INLINE constexpr T opaque(T value) noexcept {
 
 /// x*y, rounded by itself whatever the contraction flags.
 /// exact   the IEEE product, never fused with a sum
-/// source  the measurements are in docs/numbers.md
+/// source  irg's own: the measurements are in docs/numbers.md
 template <class T>
 IRG_INLINE constexpr T product(T x, T y) noexcept(noexcept(x * y)) {
   if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>)

@@ -14,15 +14,15 @@ inline namespace IRG_ABI {
 
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, const pack<T, N>& b) noexcept {
-  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x & y); });
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x & y; }, a, b);
 }
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator|(const pack<T, N>& a, const pack<T, N>& b) noexcept {
-  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x | y); });
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x | y; }, a, b);
 }
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, const pack<T, N>& b) noexcept {
-  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x ^ y); });
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x ^ y; }, a, b);
 }
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
@@ -38,30 +38,18 @@ IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, std::type_identity_t<T> b) 
 }
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator~(const pack<T, N>& a) noexcept {
-#ifdef IRG_LANES_VECTOR
-  return {~a.v};
-#else
-  return lanes<pack<T, N>>::generate([&](int i) { return static_cast<T>(~a[i]); });
-#endif
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x) { r = ~x; }, a);
 }
 
 /// Each lane moved by so many bits: to the right, signs are carried along.
 /// needs   0 <= bits, less than T has
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator<<(const pack<T, N>& a, int bits) noexcept {
-#ifdef IRG_LANES_VECTOR
-  return {a.v << static_cast<T>(bits)};
-#else
-  return lanes<pack<T, N>>::generate([&](int i) { return static_cast<T>(a[i] << bits); });
-#endif
+  return lanes_detail::lanewise<T, N>([bits](auto& r, const auto& x) { r = x << static_cast<T>(bits); }, a);
 }
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator>>(const pack<T, N>& a, int bits) noexcept {
-#ifdef IRG_LANES_VECTOR
-  return {a.v >> static_cast<T>(bits)};
-#else
-  return lanes<pack<T, N>>::generate([&](int i) { return static_cast<T>(a[i] >> bits); });
-#endif
+  return lanes_detail::lanewise<T, N>([bits](auto& r, const auto& x) { r = x >> static_cast<T>(bits); }, a);
 }
 
 /// The bits of a pack, read as numbers of another type: as many as its bytes hold.
@@ -114,12 +102,9 @@ IRG_INLINE pack<float, N> to_float(const pack<std::int32_t, N>& i) noexcept {
 }
 
 /// Whether upper_product is one instruction.
-#if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
+#if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
 template <int N>
-inline constexpr bool has_upper_product = N == 8 || N == 16;
-#elif defined(IRG_LANES_VECTOR) && defined(__SSE2__)
-template <int N>
-inline constexpr bool has_upper_product = N == 8;
+inline constexpr bool has_upper_product = N == 8 || 2 * N == native_bytes;
 #else
 template <int N>
 inline constexpr bool has_upper_product = false;

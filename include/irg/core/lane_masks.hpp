@@ -235,41 +235,36 @@ IRG_INLINE constexpr bool all_lanes(const Mask& mask) noexcept {
   return bits == ~decltype(mask_bits(mask)){0} >> (8 * static_cast<int>(sizeof bits) - lanes<Mask>::count);
 }
 
+namespace lanes_detail {
+
+template <class T, class Op>
+IRG_INLINE constexpr T folded(T x, const Op&) noexcept {
+  return x;
+}
+template <class T, int N, class Op>
+IRG_INLINE T folded(const pack<T, N>& p, const Op& op) noexcept {
+  if constexpr (N == 1)
+    return p[0];
+  else
+    return folded(op(low_half(p), high_half(p)), op);
+}
+
+}  // namespace lanes_detail
+
 /// The least and the greatest of all lanes, and their sum: each lane of the lower half with that of the upper, until
 /// one is left.
 /// exact   lanes 0 to 3 are summed as (0 + 2) + (1 + 3); the order follows the number of lanes. No NaN among floats
-template <class T>
-IRG_INLINE constexpr T least_of(T x) noexcept {
-  return x;
+template <class F>
+IRG_INLINE constexpr auto least_of(const F& x) noexcept {
+  return lanes_detail::folded(x, [](const auto& a, const auto& b) { return low_of(a, b); });
 }
-template <class T>
-IRG_INLINE constexpr T greatest_of(T x) noexcept {
-  return x;
+template <class F>
+IRG_INLINE constexpr auto greatest_of(const F& x) noexcept {
+  return lanes_detail::folded(x, [](const auto& a, const auto& b) { return high_of(a, b); });
 }
-template <class T>
-IRG_INLINE constexpr T total(T x) noexcept {
-  return x;
-}
-template <class T, int N>
-IRG_INLINE T least_of(const pack<T, N>& p) noexcept {
-  if constexpr (N == 1)
-    return p[0];
-  else
-    return least_of(low_of(low_half(p), high_half(p)));
-}
-template <class T, int N>
-IRG_INLINE T greatest_of(const pack<T, N>& p) noexcept {
-  if constexpr (N == 1)
-    return p[0];
-  else
-    return greatest_of(high_of(low_half(p), high_half(p)));
-}
-template <class T, int N>
-IRG_INLINE T total(const pack<T, N>& p) noexcept {
-  if constexpr (N == 1)
-    return p[0];
-  else
-    return total(low_half(p) + high_half(p));
+template <class F>
+IRG_INLINE constexpr auto total(const F& x) noexcept {
+  return lanes_detail::folded(x, [](const auto& a, const auto& b) { return a + b; });
 }
 
 }  // namespace IRG_ABI

@@ -55,7 +55,7 @@ IRG_INLINE pack<std::uint8_t, N> repeated_bytes(const V& value) noexcept {
 template <int Bytes, class T, int N>
 IRG_INLINE void store_first_bytes(void* p, const pack<T, N>& f) noexcept {
   static_assert(Bytes <= static_cast<int>(sizeof f));
-  std::memcpy(p, lanes_detail::address_of(f), static_cast<std::size_t>(Bytes));
+  std::memcpy(p, &f.v, static_cast<std::size_t>(Bytes));
 }
 
 /// Whether load_some and store_some leave out what is beyond by instructions of their own.

@@ -61,9 +61,8 @@ IRG_INLINE pack<T, N / 2> high_half(const pack<T, N>& p) noexcept {
 template <class T, int N>
 IRG_INLINE pack<T, N> join_halves(const pack<T, N / 2>& low, const pack<T, N / 2>& high) noexcept {
   pack<T, N> joined;
-  std::memcpy(lanes_detail::address_of(joined), lanes_detail::address_of(low), sizeof low);
-  std::memcpy(reinterpret_cast<char*>(lanes_detail::address_of(joined)) + sizeof low, lanes_detail::address_of(high),
-              sizeof high);
+  std::memcpy(&joined.v, &low.v, sizeof low);
+  std::memcpy(reinterpret_cast<char*>(&joined.v) + sizeof low, &high.v, sizeof high);
   return joined;
 }
 

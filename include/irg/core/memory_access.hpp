@@ -11,22 +11,24 @@
 namespace irg {
 inline namespace IRG_ABI {
 
-/// Asks for the cache line `ahead` bytes behind p, to read it or to write it. Where that is beyond all memory, nothing
-/// happens.
-IRG_INLINE void prefetch([[maybe_unused]] const void* p, [[maybe_unused]] std::ptrdiff_t ahead = 0) noexcept {
+namespace lanes_detail {
+
+template <int Write>
+IRG_INLINE void ask_for([[maybe_unused]] const void* p, [[maybe_unused]] std::ptrdiff_t ahead) noexcept {
 #ifdef __GNUC__
   // May be behind the array, where no pointer may lead but one made from an integer.
-  // NOLINTNEXTLINE(performance-no-int-to-ptr)
-  __builtin_prefetch(
-      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) + static_cast<std::uintptr_t>(ahead)));
+  const std::uintptr_t place = reinterpret_cast<std::uintptr_t>(p) + static_cast<std::uintptr_t>(ahead);
+  __builtin_prefetch(reinterpret_cast<const void*>(place), Write);  // NOLINT(performance-no-int-to-ptr)
 #endif
 }
-IRG_INLINE void prefetch_to_write([[maybe_unused]] const void* p, [[maybe_unused]] std::ptrdiff_t ahead = 0) noexcept {
-#ifdef __GNUC__
-  // NOLINTNEXTLINE(performance-no-int-to-ptr)
-  __builtin_prefetch(
-      reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) + static_cast<std::uintptr_t>(ahead)), 1);
-#endif
+
+}  // namespace lanes_detail
+
+/// Asks for the cache line `ahead` bytes behind p, to read it or to write it. Where that is beyond all memory, nothing
+/// happens.
+IRG_INLINE void prefetch(const void* p, std::ptrdiff_t ahead = 0) noexcept { lanes_detail::ask_for<0>(p, ahead); }
+IRG_INLINE void prefetch_to_write(const void* p, std::ptrdiff_t ahead = 0) noexcept {
+  lanes_detail::ask_for<1>(p, ahead);
 }
 
 /// Whether stream() writes past the caches.

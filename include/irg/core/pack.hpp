@@ -49,18 +49,18 @@ inline constexpr int native_lanes = native_bytes / static_cast<int>(sizeof(T));
 template <class T>
 inline constexpr int widest_lanes = widest_bytes / static_cast<int>(sizeof(T));
 
-/// N numbers computed with at once. In memory they are an array: lane 0 first.
+/// N numbers computed with at once. In memory they are an array: lane 0 first. It is `v` that is copied to and from
+/// memory, not the pack: g++ would copy halves of that by way of memory.
 template <class T, int N>
 struct pack {
   static_assert(std::is_arithmetic_v<T> && N >= 1 && (N & (N - 1)) == 0);
 #ifdef IRG_LANES_VECTOR
   typedef T storage __attribute__((vector_size(sizeof(T) * static_cast<unsigned>(N))));
   storage v;  // for core alone: arrays have no such member
-  IRG_INLINE T operator[](int i) const noexcept { return v[i]; }
 #else
-  T number[static_cast<unsigned>(N)];
-  IRG_INLINE T operator[](int i) const noexcept { return number[i]; }
+  T v[static_cast<unsigned>(N)];
 #endif
+  IRG_INLINE T operator[](int i) const noexcept { return v[i]; }
 };
 
 /// Lane i of a number or a pack.
@@ -80,11 +80,7 @@ IRG_INLINE constexpr void set_lane(T& p, int, std::type_identity_t<T> x) noexcep
 }
 template <class T, int N>
 IRG_INLINE void set_lane(pack<T, N>& p, int i, std::type_identity_t<T> x) noexcept {
-#ifdef IRG_LANES_VECTOR
   p.v[i] = x;
-#else
-  p.number[i] = x;
-#endif
 }
 
 /// The pack of these numbers, the first in lane 0.
@@ -134,27 +130,6 @@ using signed_integer = std::conditional_t<
     Bytes == 1, std::int8_t,
     std::conditional_t<Bytes == 2, std::int16_t, std::conditional_t<Bytes == 4, std::int32_t, std::int64_t>>>;
 
-// Where the lanes stand, to be copied. Of the pack itself g++ copies halves by way of memory.
-#ifdef IRG_LANES_VECTOR
-template <class T, int N>
-IRG_INLINE auto* address_of(pack<T, N>& p) noexcept {
-  return &p.v;
-}
-template <class T, int N>
-IRG_INLINE const auto* address_of(const pack<T, N>& p) noexcept {
-  return &p.v;
-}
-#else
-template <class T, int N>
-IRG_INLINE T* address_of(pack<T, N>& p) noexcept {
-  return p.number;
-}
-template <class T, int N>
-IRG_INLINE const T* address_of(const pack<T, N>& p) noexcept {
-  return p.number;
-}
-#endif
-
 }  // namespace lanes_detail
 
 /// Of each lane of T, whether something holds: all bits set, or none.
@@ -182,12 +157,10 @@ struct lanes<pack<T, N>> {
   IRG_INLINE static void store(T* p, const pack<T, N>& f) noexcept { store_bytes(p, f); }
   IRG_INLINE static pack<T, N> load_bytes(const void* p) noexcept {
     pack<T, N> f;
-    std::memcpy(lanes_detail::address_of(f), p, sizeof f);
+    std::memcpy(&f.v, p, sizeof f);
     return f;
   }
-  IRG_INLINE static void store_bytes(void* p, const pack<T, N>& f) noexcept {
-    std::memcpy(p, lanes_detail::address_of(f), sizeof f);
-  }
+  IRG_INLINE static void store_bytes(void* p, const pack<T, N>& f) noexcept { std::memcpy(p, &f.v, sizeof f); }
   template <class Make>
   IRG_INLINE static pack<T, N> generate(const Make& make) {
     pack<T, N> r;
@@ -223,42 +196,38 @@ IRG_INLINE pack<T, N> opaque(const pack<T, N>& p) noexcept {
 
 namespace lanes_detail {
 
-// op(r, a, b) gives r lane by lane: on whole registers where there are some. Of arrays, integers without sign are
-// computed in at least 32 bits, so that none becomes a signed one on the way.
-template <class T, int N, class Op>
-IRG_INLINE pack<T, N> lanewise(const pack<T, N>& a, const pack<T, N>& b, const Op& op) noexcept {
+// op(r, numbers...) gives r lane by lane: on whole registers where there are some. Of arrays, integers are computed in
+// at least 32 bits, with or without sign as they are.
+template <class T, int N, class Op, std::same_as<pack<T, N>>... Packs>
+IRG_INLINE pack<T, N> lanewise(const Op& op, const Packs&... numbers) noexcept {
   pack<T, N> r;
 #ifdef IRG_LANES_VECTOR
-  op(r.v, a.v, b.v);
+  op(r.v, numbers.v...);
 #else
-  using wide =
-      typename std::conditional_t<std::is_unsigned_v<T>, std::common_type<T, unsigned>, std::type_identity<T>>::type;
-  for (int i = 0; i < N; ++i) op(r.number[i], static_cast<wide>(a.number[i]), static_cast<wide>(b.number[i]));
+  using wide = std::common_type_t<T, std::conditional_t<std::is_unsigned_v<T>, unsigned, int>>;
+  for (int i = 0; i < N; ++i) {
+    wide one;
+    op(one, static_cast<wide>(numbers.v[i])...);
+    r.v[i] = static_cast<T>(one);
+  }
 #endif
   return r;
-}
-
-// r = x, where x is of r's type, or an integer that r's was promoted to.
-template <class T, class U>
-IRG_INLINE void assign(T& r, const U& x) noexcept {
-  r = static_cast<T>(x);
 }
 
 }  // namespace lanes_detail
 
 template <class T, int N>
 IRG_INLINE pack<T, N> operator+(const pack<T, N>& a, const pack<T, N>& b) noexcept {
-  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x + y); });
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x + y; }, a, b);
 }
 template <class T, int N>
 IRG_INLINE pack<T, N> operator-(const pack<T, N>& a, const pack<T, N>& b) noexcept {
-  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x - y); });
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x - y; }, a, b);
 }
 /// The product of each lane, rounded on its own: packs are never contracted.
 template <class T, int N>
 IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, const pack<T, N>& b) noexcept {
-  const auto p =
-      lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x * y); });
+  const auto p = lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x * y; }, a, b);
   if constexpr (std::is_floating_point_v<T>)
     return opaque(p);
   else
@@ -266,7 +235,7 @@ IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, const pack<T, N>& b) noexce
 }
 template <class T, int N>
 IRG_INLINE pack<T, N> operator/(const pack<T, N>& a, const pack<T, N>& b) noexcept {
-  return lanes_detail::lanewise(a, b, [](auto& r, const auto& x, const auto& y) { lanes_detail::assign(r, x / y); });
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x / y; }, a, b);
 }
 
 /// The same with one number for all lanes.
@@ -286,11 +255,7 @@ IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, std::type_identity_t<T> b) 
 /// The negative of each lane: of floating numbers the sign is turned, also that of zero and NaN.
 template <class T, int N>
 IRG_INLINE pack<T, N> operator-(const pack<T, N>& a) noexcept {
-#ifdef IRG_LANES_VECTOR
-  return {-a.v};
-#else
-  return lanes<pack<T, N>>::generate([&](int i) { return static_cast<T>(-a[i]); });
-#endif
+  return lanes_detail::lanewise<T, N>([](auto& r, const auto& x) { r = -x; }, a);
 }
 
 }  // namespace IRG_ABI

@@ -26,8 +26,11 @@ IRG_INLINE wide_pack<N> operator+(const wide_pack<N>& a, const wide_pack<N>& b) 
 }
 template <int N>
 IRG_INLINE wide_pack<N> operator*(const wide_pack<N>& a, const wide_pack<N>& b) noexcept {
-  const auto times = [](auto& r, const auto& x, const auto& y) { r = x * y; };
-  return {{lanes_detail::lanewise(a.half[0], b.half[0], times), lanes_detail::lanewise(a.half[1], b.half[1], times)}};
+  const auto half = [&](int i) {
+    return lanes_detail::lanewise<double, N / 2>([](auto& r, const auto& x, const auto& y) { r = x * y; }, a.half[i],
+                                                 b.half[i]);
+  };
+  return {{half(0), half(1)}};
 }
 template <int N>
 IRG_INLINE double lane(const wide_pack<N>& a, int i) noexcept {
@@ -56,7 +59,7 @@ struct lanes<wide_pack<N>> {
   static constexpr int count = N;
   using half = lanes<pack<double, N / 2>>;
   IRG_INLINE static wide_pack<N> broadcast(double x) noexcept { return {{half::broadcast(x), half::broadcast(x)}}; }
-  IRG_INLINE static wide_pack<N> ramp() noexcept { return {{half::ramp(), half::ramp() + N / 2}}; }
+  IRG_INLINE static wide_pack<N> ramp() noexcept { return {{half::ramp(), half::ramp() + static_cast<double>(N / 2)}}; }
 };
 
 }  // namespace IRG_ABI

@@ -135,7 +135,7 @@ inline namespace IRG_ABI {
 ///         3*degree*u*max(abs b) in each coordinate (degree 20, measured: 5 u), to first order and where nothing
 ///         underflows
 /// cost    degree*(degree + 1)/2 blends
-/// source  de Casteljau 1959; S0 6.2 of the course
+/// source  de Casteljau 1959; Mihajlovic 2016, 6.2
 template <ControlPoints R>
 constexpr detail::control_point<R> bezier_point(const R& points, parameter_of<R> t,
                                                 std::span<detail::control_point<R>> scratch) noexcept {
@@ -195,7 +195,7 @@ constexpr void bezier_split(const R& points, parameter_of<R> t, std::span<detail
 /// exact   ends bit for bit; each step is a blend of two points, so the result stays in the hull up to rounding (degree
 ///         20, measured: 6 u*max(abs b)); where control points cancel, bezier_point keeps more
 /// cost    degree blends and divisions
-/// source  Wozny, Chudy 2020
+/// source  Wozny and Chudy 2020
 template <ControlPoints R>
 constexpr detail::control_point<R> bezier_point_wozny_chudy(const R& points, parameter_of<R> t) noexcept {
   using T = scalar_of<detail::control_point<R>>;
@@ -239,7 +239,7 @@ constexpr std::array<T, static_cast<std::size_t>(N) + 1> bernstein_basis(T t) no
 /// gives   0 for i outside [0, n]; b(0, 0) = 1 also at t = 0
 /// exact   relative error below 4*n*u within [0, 1], unless a factor underflows
 /// cost    n products and at most n/2 quotients
-/// source  Bernstein 1912; S0 6.2 (4) of the course
+/// source  Bernstein 1912; Mihajlovic 2016, 6.2 (4)
 template <Real T>
 constexpr T bernstein(int n, int i, T t) noexcept {
   if (i < 0 || i > n) return T(0);

@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 /// exact   corners bit for bit; a border depends on that border's control points alone and equals the curve's
 ///         bezier_point bit for bit, so that patches that share border points share the border without a gap
 /// cost    bicubic: 36 blends of points
-/// source  de Casteljau 1959; Farin, Curves and Surfaces for CAGD
+/// source  de Casteljau 1959; Farin 2002
 template <Coordinates P, int U, int V>
 constexpr surface_sample<P> patch_sample(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
                                          curve_parameter<scalar_of<P>> v) noexcept {

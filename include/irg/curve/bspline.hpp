@@ -119,7 +119,7 @@ constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<c
 ///         last() those of the last stretch
 /// exact   never negative, their sum within 4u of 1 for every legal knot vector (u = 2^-53, float 2^-24); at an end
 ///         knot of full multiplicity exactly one of them is 1
-/// source  Cox 1972, de Boor 1972, as Piegl and Tiller have it (A2.2)
+/// source  Cox 1972; de Boor 1972; Piegl and Tiller 1997, A2.2
 template <Floating T, int Degree>
 constexpr std::optional<bspline_values<T, Degree>> bspline_basis(const bspline_knots<T, Degree>& knots,
                                                                  std::type_identity_t<T> t) noexcept {
@@ -200,7 +200,7 @@ constexpr std::optional<bspline_values<T, Degree>> nurbs_basis(const bspline_kno
 /// needs   as many control points and weights as knots.size()
 /// gives   as nurbs_basis
 /// exact   as bspline_point
-/// source  Piegl and Tiller, The NURBS Book, 1997
+/// source  Piegl and Tiller 1997
 template <Floating T, int Degree, PolygonRing R>
 constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                    std::type_identity_t<std::span<const T>> weights,

@@ -195,7 +195,7 @@ constexpr std::optional<int> widest_view(const P& a, const P& b, const P& c) noe
 ///         within 2), 0 where it is 0, with its right sign elsewhere. For T in the triangle all lie in [0, 1], and
 ///         their sum is within 2^-52 of 1 (float 2^-23)
 /// cost    in the plane about 40 ns; nearly collinear or immoderate points take exact sums, about a microsecond
-/// source  areas of part triangles, Moebius 1827
+/// source  Moebius 1827, the areas of part triangles
 template <Point P>
   requires((size_of<P> == 2 || size_of<P> == 3) && Real<scalar_of<P>>)
 constexpr std::optional<vec<scalar_of<P>, 3>> barycentric(const P& a, const P& b, const P& c, const P& t) noexcept {

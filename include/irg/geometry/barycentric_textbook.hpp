@@ -18,7 +18,7 @@ inline namespace IRG_ABI {
 ///         coordinates is not 1
 /// exact   singularity is decided exactly; each coordinate is rounded once, as by solve_exact. Rationals are exact
 /// cost    four exact determinants, about a microsecond
-/// source  formula 1.3 of the course
+/// source  Mihajlovic 2016, formula 1.3
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_direct(const P& a, const P& b, const P& c,
@@ -42,7 +42,7 @@ constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_direct(const P& a, con
 /// needs   finite coordinates; 0 <= axis < 3
 /// gives   nothing when the triangle shows no area along the axis, in particular when it has none
 /// exact   as barycentric
-/// source  the course's rule for singular cases
+/// source  Mihajlovic 2016, 1.3, the rule for singular cases
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_replaced(const P& a, const P& b, const P& c, const P& t,

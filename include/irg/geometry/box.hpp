@@ -136,7 +136,7 @@ constexpr auto enclosing_box(const M& m) noexcept {
 /// The minimax test: whether two boxes have a point in common.
 /// gives   false when either is empty
 /// exact   comparisons alone
-/// source  the bounding-rectangle tests of the course (S0 7.1)
+/// source  Mihajlovic 2016, 7.1 (tests of bounding rectangles)
 template <class T, int N>
 IRG_INLINE constexpr bool overlap(const box<T, N>& a, const box<T, N>& b,
                                   box_boundary boundary = box_boundary::closed) noexcept {

@@ -267,8 +267,7 @@ inline namespace IRG_ABI {
 ///         attributes say (found: 7u; where that underflows, 2 * guard of the smallest numbers). Clipping again changes
 ///         no bit; polygons that share an edge get the same bits on it
 /// cost    a polygon all inside or all outside costs its codes; each plane that cuts costs one pass
-/// source  Sutherland and Hodgman, Reentrant polygon clipping, 1974; Blinn and Newell, Clipping using homogeneous
-///         coordinates, 1978
+/// source  Sutherland and Hodgman 1974; Blinn and Newell 1978
 template <ClipVertex V, std::size_t N, class F = lerp_clip_vertex>
 constexpr clipped_polygon<V, static_cast<int>(N) + 6> clip_homogeneous(
     const V (&polygon)[N], const clip_volume<std::type_identity_t<clip_scalar<V>>>& volume = {},

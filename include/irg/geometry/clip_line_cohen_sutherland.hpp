@@ -50,7 +50,7 @@ inline namespace IRG_ABI {
 /// cost    two codes when both ends are inside or beyond one boundary; else up to four divisions, where Liang and
 ///         Barsky's and Nicholl, Lee and Nicholl's need two: about twice their time for the same result. It is here
 ///         because it is taught, and for codes that are known already
-/// source  Cohen and Sutherland, 1967, in Newman and Sproull, Principles of Interactive Computer Graphics, 1973
+/// source  Newman and Sproull 1973 (Cohen and Sutherland)
 template <Point P>
   requires(size_of<P> == 2)
 constexpr std::optional<clipped_line<P>> clip_line_cohen_sutherland(const P& a, const P& b,

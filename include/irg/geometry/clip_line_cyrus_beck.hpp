@@ -54,7 +54,7 @@ inline namespace IRG_ABI {
 ///         boundary no double may lie on the line, so that clipping again may move an end by an ulp
 /// cost    two orientation tests per edge, 0.1 us per boundary that is crossed. Where the polygon is a window,
 ///         clip_line_liang_barsky gives the same in a fraction of the time
-/// source  Cyrus and Beck, Generalized two- and three-dimensional clipping, 1978
+/// source  Cyrus and Beck 1978
 template <Point P, PolygonRing R>
   requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<scalar_of<ring_point<R>>, scalar_of<P>>)
 constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b, const R& polygon) noexcept {
@@ -72,7 +72,7 @@ constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const 
 ///         when there are no planes
 /// exact   as for a polygon, for the planes as their coefficients say
 /// cost    two exact signs per plane, 0.2 us per plane that is crossed
-/// source  Cyrus and Beck, Generalized two- and three-dimensional clipping, 1978
+/// source  Cyrus and Beck 1978
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b,

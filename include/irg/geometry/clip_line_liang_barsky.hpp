@@ -23,7 +23,7 @@ inline namespace IRG_ABI {
 /// cost    comparisons when both ends are inside or beyond one boundary; one orientation test per corner in doubt, one
 ///         division per end that is cut; where rounding is in doubt (about 1 of 10^12, and near the ends of the
 ///         exponent range) some microseconds of integer arithmetic
-/// source  Liang and Barsky, A new concept and method for line clipping, 1984
+/// source  Liang and Barsky 1984
 template <Point P>
 constexpr std::optional<clipped_line<P>> clip_line_liang_barsky(const P& a, const P& b,
                                                                 const box<scalar_of<P>, size_of<P>>& window) noexcept {

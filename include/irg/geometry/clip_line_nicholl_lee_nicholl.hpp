@@ -15,7 +15,7 @@ inline namespace IRG_ABI {
 /// gives   as clip_line_liang_barsky, bit for bit
 /// exact   as clip_line_liang_barsky
 /// cost    as few tests and divisions as there can be: one division per end that is cut
-/// source  Nicholl, Lee and Nicholl, An efficient new algorithm for 2-D line clipping, 1987
+/// source  Nicholl, Lee and Nicholl 1987
 template <Point P>
   requires(size_of<P> == 2)
 constexpr std::optional<clipped_line<P>> clip_line_nicholl_lee_nicholl(const P& a, const P& b,

@@ -4,7 +4,6 @@
 // simplicity where the polygon is not convex; clip_weiler_atherton gives the pieces apart.
 #pragma once
 
-#include <iterator>
 #include <span>
 #include <vector>
 
@@ -228,7 +227,7 @@ inline namespace IRG_ABI {
 ///         and in delicate cases, about twice as much or more; nothing allocates. Other regions: 3 ns per vertex and
 ///         boundary, 0.1 us per cut, 0.2 us per cut that is left in the end (where two planes meet 0.4), and two
 ///         allocations. Numbers beyond 2^+-80 some 5 us per cut and boundary
-/// source  Sutherland and Hodgman, Reentrant polygon clipping, 1974
+/// source  Sutherland and Hodgman 1974
 template <VertexRange R, class Region, class F = lerp_vertex>
   requires ClipRegion<Region, range_vertex<R>> && VertexInterpolation<F, range_vertex<R>>
 constexpr std::size_t clip_sutherland_hodgman(const R& polygon, const Region& region,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sutherland and Hodgman's clipping as the course's text has it, for teaching and comparison: one boundary after the
+// Sutherland and Hodgman's clipping as Hank's text has it, for teaching and comparison: one boundary after the
 // other, a whole list of vertices between two of them, points on a boundary inside, whatever comes out. Cuts are made
 // on what the boundaries before have left, each of them rounded. clip_sutherland_hodgman is the one to use.
 #pragma once
@@ -35,7 +35,7 @@ inline namespace IRG_ABI {
 /// gives   vertices twice, or a chain of two, where the polygon touches the boundary; with NaN whatever comes out
 /// exact   in rationals; in floats each operation rounded once
 /// cost    one pass; allocates the result
-/// source  4.1.5.3 (S3) of the course
+/// source  Hank n.d., 4.1.5.3
 template <PolygonRing R, class Boundary>
   requires requires(const R& ring, const Boundary& b) { detail::boundary_value(b, ring_vertex(ring, 0)); }
 constexpr std::vector<ring_point<R>> clip_stage_textbook(const R& ring, const Boundary& boundary) {
@@ -62,7 +62,7 @@ constexpr std::vector<ring_point<R>> clip_stage_textbook(const R& ring, const Bo
 /// gives   as clip_stage_textbook; a concave polygon stays one ring, whose edges may overlap
 /// exact   as clip_stage_textbook; in floats cuts may lie outside of the region by some ulps, and clipping again may
 ///         change them
-/// source  4.1.5.3 (S3) of the course
+/// source  Hank n.d., 4.1.5.3
 template <PolygonRing R, class Boundaries>
   requires requires(const R& ring, const Boundaries& b) { clip_stage_textbook(ring, *std::begin(b)); }
 constexpr std::vector<ring_point<R>> clip_sutherland_hodgman_textbook(const R& ring, const Boundaries& boundaries) {

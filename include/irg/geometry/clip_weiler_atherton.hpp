@@ -311,8 +311,7 @@ inline namespace IRG_ABI {
 ///         exact. So areas add up, a + b = union + intersection, to within an ulp of the coordinates times the length
 ///         of the boundaries; where no crossing has to be rounded nothing is lost at all
 /// cost    n pieces of boundary: n log n, n for each that overlaps in x; some 0.2 us a crossing
-/// source  Weiler and Atherton, Hidden surface removal using polygon area sorting, 1977; Weiler, Polygon comparison
-///         using a graph representation, 1980; Hobby, Practical segment intersection with finite precision output, 1999
+/// source  Weiler and Atherton 1977; Weiler 1980; Hobby 1999
 template <Floating T>
 constexpr clipped_rings<T> clip_weiler_atherton(std::span<const std::vector<point<T, 2>>> a,
                                                 std::span<const std::vector<point<T, 2>>> b,

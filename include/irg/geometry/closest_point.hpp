@@ -103,7 +103,7 @@ constexpr std::optional<P> closest_point_on_plane(const L& plane, const P& p) no
 /// gives   nothing when a coordinate is NaN or infinite
 /// exact   the part; a corner comes back bit for bit, each other coordinate and weight is within 0.501 ulp
 /// cost    some 500 ns; about 20 us near a degenerate case or for coordinates beyond 2^+-80
-/// source  Ericson, Real-Time Collision Detection, 2004, 5.1.5, with exact signs
+/// source  Ericson 2004, 5.1.5, with exact signs
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 constexpr std::optional<point_on_triangle<P>> closest_point_on_triangle(const P& a, const P& b, const P& c,

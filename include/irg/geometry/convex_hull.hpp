@@ -152,8 +152,7 @@ inline namespace IRG_ABI {
 ///         in `hull` is overwritten
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    O(n log n), of which sorting is most; nothing allocates
-/// source  Andrew 1979, Another efficient algorithm for convex hulls in two dimensions; Akl and Toussaint 1978 (points
-///         within a polygon of eight far ones are left out first)
+/// source  Andrew 1979; Akl and Toussaint 1978 (points within a polygon of eight far ones are left out first)
 template <PlaneRing R>
 constexpr std::size_t convex_hull(const R& points, std::span<std::uint32_t> hull,
                                   side_points option = side_points::leave_out) noexcept {

@@ -17,7 +17,7 @@ inline namespace IRG_ABI {
 /// gives   (0, 0, 0) when the points coincide
 /// exact   in integers (without overflow) and rationals; in floats a and b are rounded once, c is within 1 ulp (2^-1073
 ///         more where it underflows)
-/// source  formulas 2.6 and 3.1 of the course
+/// source  Mihajlovic 2016, formulas 2.6 and 3.1
 template <Point P>
   requires(size_of<P> == 2)
 constexpr edge_equation<scalar_of<P>> edge_through(const P& p, const P& q) noexcept {

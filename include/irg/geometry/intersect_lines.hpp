@@ -24,7 +24,7 @@ struct lines_meeting {
   scalar_of<P> t{}, s{};
 };
 
-/// The numbers below which the source's Gauss elimination takes a pivot for zero.
+/// The numbers below which Hank's Gauss elimination takes a pivot for zero.
 template <Scalar T>
 inline constexpr T seed_zero = T(1) / T(1000000);
 
@@ -167,12 +167,12 @@ constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>
       detail::gathered<T>(first.origin, first.direction, second.origin, second.direction)));
 }
 
-/// The crossing of two lines in space as the course computes it: two of the three coordinate equations are solved, the
+/// The crossing of two lines in space as Hank computes it: two of the three coordinate equations are solved, the
 /// third is checked. Pairs of equations are tried until one can be solved.
 /// gives   nothing where no pair can be solved (parallel and coincident lines) or the third equation is not fulfilled
 ///         within the tolerance (skew ones)
 /// exact   in rationals; in floats rounded lines rarely pass the check with tolerance 0: intersect_lines decides
-/// source  1.3.4 (S3) of the course, corrected: the first pair alone misses (0,0,0)-(0,1,1) and (0,0,1)-(0,1,0)
+/// source  Hank n.d., 1.3.4, corrected: the first pair alone misses (0,0,0)-(0,1,1) and (0,0,1)-(0,1,0)
 template <Point P>
   requires(Real<scalar_of<P>> && size_of<P> == 3)
 constexpr std::optional<lines_meeting<P>> intersect_lines_textbook(const P& a, const P& b, const P& c, const P& d,
@@ -186,10 +186,10 @@ constexpr std::optional<lines_meeting<P>> intersect_lines_textbook(const P& a, c
   return std::nullopt;
 }
 
-/// The crossing of two lines in space as the source's program finds it: by the equations of x and y alone, with a fixed
+/// The crossing of two lines in space as Hank's program finds it: by the equations of x and y alone, with a fixed
 /// threshold for zero.
 /// gives   nothing as well for crossing lines whose x and y equations depend on each other, and for short ones
-/// source  1.3.4 (S3) of the course as printed
+/// source  Hank n.d., 1.3.4 as printed
 template <Point P>
   requires(Real<scalar_of<P>> && size_of<P> == 3)
 constexpr std::optional<lines_meeting<P>> intersect_lines_seed(const P& a, const P& b, const P& c, const P& d,

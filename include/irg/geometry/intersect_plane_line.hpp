@@ -119,7 +119,7 @@ constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, con
 /// The same for a parametric plane: also the parameters s1 and s2 of the crossing in the plane.
 /// gives   `none` when the plane's directions are dependent or the line's is zero
 /// exact   as for coefficients, for the directions as they are
-/// source  1.3.5 (S3) of the course: s1*first + s2*second - t*direction = line's origin - plane's origin
+/// source  Hank n.d., 1.3.5: s1*first + s2*second - t*direction = line's origin - plane's origin
 template <Real T>
 constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& plane,
                                                      const parametric_line<T, 3>& line) noexcept {
@@ -147,7 +147,7 @@ constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& 
 /// The parameter by the course's formula, t = -(V1 R)/((V2 - V1) R), as printed for points of weight 1.
 /// gives   nothing when the divisor comes out as zero: parallel or contained, or nearly
 /// exact   in rationals; in floats each operation rounded once
-/// source  4.5 (S0) of the course
+/// source  Mihajlovic 2016, 4.5
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
 constexpr std::optional<scalar_of<P>> intersect_plane_line_textbook(const L& plane, const P& a, const P& b) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The course program's plane against line: three equations in s1, s2 and t by its own Gauss elimination.
+// Hank's program's plane against line: three equations in s1, s2 and t by its own Gauss elimination.
 // intersect_plane_line (intersect_plane_line.hpp) is the one to use.
 #pragma once
 
@@ -11,11 +11,11 @@
 namespace irg {
 inline namespace IRG_ABI {
 
-/// The crossing of a parametric plane and a parametric line as the source's program finds it.
+/// The crossing of a parametric plane and a parametric line as Hank's program finds it.
 /// gives   nothing when its elimination calls the equations singular: for parallel and contained lines, and for planes
 ///         and lines whose directions are merely short
 /// exact   no bound: the pivot is whatever stands on the diagonal
-/// source  1.3.5 (S3) of the course: s1*first + s2*second - t*direction = line's origin - plane's origin
+/// source  Hank n.d., 1.3.5: s1*first + s2*second - t*direction = line's origin - plane's origin
 template <Real T>
 constexpr std::optional<parametric_meeting<T>> intersect_plane_line_seed(
     const parametric_plane<T>& plane, const parametric_line<T, 3>& line,

@@ -103,12 +103,12 @@ constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const
           {detail::coordinates_over<point<T, 3>>(*origin, 1, (*origin)[0]), {u[0], u[1], u[2]}}};
 }
 
-/// The course's construction of the common line of two parametric planes: one parameter of the second plane is held at
+/// Hank's construction of the common line of two parametric planes: one parameter of the second plane is held at
 /// 0 and at 1, which gives two lines of that plane; where they cross the first plane are two points of the common line.
 /// When those lines are parallel to the first plane, the other parameter is held.
 /// exact   the relation; each coordinate within 0.501 ulp, for the directions as
 ///         they are
-/// source  1.3.6 (S3) of the course: the program holds s4 first, the text s3
+/// source  Hank n.d., 1.3.6: the program holds s4 first, the text s3
 template <Real T>
 constexpr planes_meeting_hungarian<T> intersect_planes_hungarian(
     const parametric_plane<T>& first, const parametric_plane<T>& second,

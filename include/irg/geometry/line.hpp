@@ -41,7 +41,7 @@ inline namespace IRG_ABI {
 /// exact   in integers (without overflow) and rationals; in floats each coefficient within 0.501 ulp; all are
 ///         multiplied by one power of two where they are beyond the range
 /// cost    some 100 ns; edge_through (edge_equation.hpp) is the plain formula
-/// source  formula 2.6 (S0) of the course, expanded
+/// source  Mihajlovic 2016, formula 2.6, expanded
 template <Point P>
   requires(size_of<P> == 2)
 constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
@@ -56,7 +56,7 @@ constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q)
 /// c); a negative weight turns the sides round.
 /// gives   nothing when the points are the same (proportional), and when a coordinate is NaN or infinite
 /// exact   as for points
-/// source  formula 2.5 (S0) of the course
+/// source  Mihajlovic 2016, formula 2.5
 template <HomogeneousPoint P>
   requires(size_of<P> == 3 && !Point<P>)
 constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
@@ -70,7 +70,7 @@ constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q)
 /// gives   nothing for equal points and for lines along an axis, whose quotients do not exist. The side of positive
 ///         values is the left one only where x or y falls from p to q, not both or neither
 /// exact   each operation rounded once
-/// source  formula 2.6 (S0) of the course as printed
+/// source  Mihajlovic 2016, formula 2.6 as printed
 template <Point P>
   requires(size_of<P> == 2 && Real<scalar_of<P>>)
 constexpr std::optional<line<scalar_of<P>>> line_through_textbook(const P& p, const P& q) noexcept {
@@ -85,7 +85,7 @@ constexpr std::optional<line<scalar_of<P>>> line_through_textbook(const P& p, co
 /// exact   in integers (without overflow) and rationals; in floats each coordinate within 0.501 ulp; all are multiplied
 ///         by one power of two where they are beyond the range. The weight is zero
 ///         for exactly parallel lines only
-/// source  the dual of formula 2.5 (S0) of the course; parallel lines have a common point at infinity
+/// source  Mihajlovic 2016, the dual of formula 2.5; parallel lines have a common point at infinity
 template <Scalar T>
 constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const line<T>& second) noexcept {
   const auto v = detail::evaluate<2>(
@@ -99,7 +99,7 @@ constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const l
 /// a*x + b*y + c: the distance of p from the line times the length of (a, b), positive on the left.
 /// exact   in integers and rationals; in floats, where nothing over- or underflows, off by at most 3u times the sum of
 ///         the absolute values of the terms. side_of_line and orient2d decide sides exactly
-/// source  2.3 (S0) of the course
+/// source  Mihajlovic 2016, 2.3
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
 constexpr T line_value(const line<T>& l, const P& p) noexcept {
@@ -118,7 +118,7 @@ constexpr T line_value(const line<T>& l, const hpoint<T, 2>& p) noexcept {
 /// needs   finite numbers
 /// gives   `on` when a number is NaN or infinite and the line is not vertical
 /// exact   for every finite float, double and integer
-/// source  2.3 (S0) of the course, whose sign means above for x2 > x1 only
+/// source  Mihajlovic 2016, 2.3, whose sign means above for x2 > x1 only
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
 constexpr height_over_line height_of(const line<T>& l, const P& p) noexcept {

@@ -36,7 +36,7 @@ constexpr auto rectangle_of(const X& x) noexcept {
 /// overlap. Where they do not, neither hides the other.
 /// gives   false when either has no points
 /// exact   comparisons alone
-/// source  7.1 (S0) of the course: body-body, polygon-body, edge-body, polygon-polygon, edge-polygon and edge-edge
+/// source  Mihajlovic 2016, 7.1: body-body, polygon-body, edge-body, polygon-polygon, edge-polygon and edge-edge
 template <HasRectangle A, HasRectangle B>
 constexpr bool rectangles_overlap(const A& a, const B& b, box_boundary boundary = box_boundary::closed) noexcept {
   return overlap(rectangle_of(a), rectangle_of(b), boundary);

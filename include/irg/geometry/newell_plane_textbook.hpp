@@ -14,7 +14,7 @@ inline namespace IRG_ABI {
 /// gives   nothing for fewer than three vertices and when the normal comes out as zero
 /// exact   in integers and rationals. In floats the error of the normal grows with the square of the distance from the
 ///         origin over the polygon's size
-/// source  formula 4.2 (S0) of the course, with j = i + 1 for i != n - 1 where i != n is printed
+/// source  Mihajlovic 2016, formula 4.2, with j = i + 1 for i != n - 1 where i != n is printed
 template <PolygonRing R>
   requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3)
 constexpr std::optional<plane<scalar_of<ring_point<R>>>> newell_plane_textbook(const R& ring) noexcept {
@@ -36,7 +36,7 @@ constexpr std::optional<plane<scalar_of<ring_point<R>>>> newell_plane_textbook(c
 /// the vertices of a polygon that is not quite flat are off by the least sum of squares.
 /// gives   as newell_plane
 /// exact   in rationals; in floats the normal as newell_plane's
-/// source  formula 4.2 (S0) of the course
+/// source  Mihajlovic 2016, formula 4.2
 template <PolygonRing R>
   requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Real<scalar_of<ring_point<R>>>
 constexpr std::optional<plane<scalar_of<ring_point<R>>>> newell_plane_through_centroid(const R& ring) noexcept {

@@ -34,7 +34,7 @@ inline namespace IRG_ABI {
 /// The line from a (t = 0) to b (t = 1).
 /// gives   nothing when the points are equal, or a coordinate is NaN
 /// exact   the direction b - a is rounded once; functions that take the two points themselves are not affected by that
-/// source  formulas 2.7 (S0) and 1.3.1 (S3) of the courses
+/// source  Mihajlovic 2016, formula 2.7; Hank n.d., 1.3.1
 template <Point P>
 constexpr std::optional<parametric_line<scalar_of<P>, size_of<P>>> parametric_line_through(const P& a,
                                                                                            const P& b) noexcept {
@@ -53,7 +53,7 @@ constexpr std::optional<parametric_line<scalar_of<P>, size_of<P>>> parametric_li
 }
 
 /// The line's matrix of two columns, direction and origin: the point at t is the matrix times (t, 1).
-/// source  1.3.1 (S3) of the course
+/// source  Hank n.d., 1.3.1
 template <class T, int N>
 constexpr mat<T, N, 2> columns_of(const parametric_line<T, N>& line) noexcept {
   mat<T, N, 2> m;
@@ -70,7 +70,7 @@ constexpr point<T, N> point_at(const parametric_line<T, N>& line, std::type_iden
 
 /// The homogeneous point at t. With unequal weights t is not proportional to the distance.
 /// exact   difference, product and sum rounded once each
-/// source  formula 2.7 of the course
+/// source  Mihajlovic 2016, formula 2.7
 template <class T, int N>
 constexpr hpoint<T, N> point_at(const homogeneous_line<T, N>& line, std::type_identity_t<T> t) noexcept {
   return generate_coordinates<hpoint<T, N>>(

@@ -61,7 +61,7 @@ inline namespace IRG_ABI {
 /// The plane with v1 at (0, 0), v2 at (1, 0) and v3 at (0, 1): directions v2 - v1 and v3 - v1.
 /// gives   nothing when the points lie exactly on a line, or a coordinate is NaN or infinite
 /// exact   each difference rounded once; whether the points are collinear, exactly
-/// source  4.5 to 4.8 (S0) of the course
+/// source  Mihajlovic 2016, 4.5 to 4.8
 template <Point P>
   requires(size_of<P> == 3)
 constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_through(const P& v1, const P& v2,
@@ -74,7 +74,7 @@ constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_through
 /// The plane whose origin is the middle point: directions a - b and c - b, origin b.
 /// gives   nothing when the points lie exactly on a line, or a coordinate is NaN or infinite
 /// exact   as parametric_plane_through
-/// source  1.3.2 (S3) of the course, which refuses coincident points only
+/// source  Hank n.d., 1.3.2, which refuses coincident points only
 template <Point P>
   requires(size_of<P> == 3)
 constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_hungarian(const P& a, const P& b,
@@ -82,9 +82,9 @@ constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_hungari
   return parametric_plane_through(b, a, c);
 }
 
-/// The same with the source's check: points must differ from each other, nothing more. (0,0,0), (1,1,1), (2,2,2) pass
+/// The same with Hank's check: points must differ from each other, nothing more. (0,0,0), (1,1,1), (2,2,2) pass
 /// and give two dependent directions.
-/// source  1.3.2 (S3) of the course as printed
+/// source  Hank n.d., 1.3.2 as printed
 template <Point P>
   requires(size_of<P> == 3)
 constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_seed(const P& a, const P& b,
@@ -95,7 +95,7 @@ constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_seed(co
 }
 
 /// The matrix of the columns first, second and origin: the point at (s1, s2) is the matrix times (s1, s2, 1).
-/// source  1.3.2 (S3) of the course
+/// source  Hank n.d., 1.3.2
 template <class T>
 constexpr mat<T, 3, 3> columns_of(const parametric_plane<T>& p) noexcept {
   mat<T, 3, 3> m;
@@ -105,7 +105,7 @@ constexpr mat<T, 3, 3> columns_of(const parametric_plane<T>& p) noexcept {
 
 /// The characteristic matrix K with [x y z h] = [u w 1] K: its rows are the two directions, of weight 0, and the
 /// origin, of weight 1.
-/// source  4.5 to 4.8 (S0) of the course
+/// source  Mihajlovic 2016, 4.5 to 4.8
 template <class T>
 constexpr mat<T, 3, 4> characteristic_matrix(const parametric_plane<T>& p) noexcept {
   mat<T, 3, 4> k;

@@ -55,7 +55,7 @@ IRG_INLINE constexpr vec<typename plane_traits<P>::scalar, 3> normal_of(const P&
 ///         collinear may give a plane of any direction, since the normal is rounded
 /// exact   in integers and rationals; in floats each difference, product and sum is rounded once, and the products are
 ///         of differences, so that the distance from the origin costs the normal no accuracy
-/// source  formula 4.1 of the course
+/// source  Mihajlovic 2016, formula 4.1
 template <Point P>
   requires(size_of<P> == 3)
 constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2, const P& p3) noexcept {
@@ -68,7 +68,7 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P&
 /// gives   nothing for fewer than three vertices and when the normal comes out as zero
 /// exact   in integers and rationals. In floats the normal is at most 2e-10 rad off where coordinates are 10^6 sizes
 ///         away from the origin (double), since vertices count from the first one
-/// source  Newell; Sutherland, Sproull and Schumacker, A characterization of ten hidden-surface algorithms, 1974
+/// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <PolygonRing R>
   requires Point<typename ring_traits<R>::point> && (size_of<typename ring_traits<R>::point> == 3)
 constexpr std::optional<plane<scalar_of<typename ring_traits<R>::point>>> newell_plane(const R& ring) noexcept {

@@ -21,7 +21,7 @@ inline namespace IRG_ABI {
 ///         three vertices differ
 /// exact   as plane_through: in integers and rationals; in floats of a needle's tip only the rounded plane
 /// cost    one pass
-/// source  4.7 (S0) of the course
+/// source  Mihajlovic 2016, 4.7
 template <PolygonRing R>
   requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3)
 constexpr std::optional<plane<scalar_of<ring_point<R>>>> plane_at_corner(const R& ring) noexcept {

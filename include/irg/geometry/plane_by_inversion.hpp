@@ -26,7 +26,7 @@ inline namespace IRG_ABI {
 /// shape   value has a meaning only where the outcome is `plane`
 /// exact   the outcome for all finite points; each coefficient within 0.501 ulp, d itself. Infinity where a coefficient
 ///         is beyond the range
-/// source  formula 4.3 (S0) of the course in its consistent form
+/// source  Mihajlovic 2016, formula 4.3 in its consistent form
 template <HomogeneousPoint P>
   requires(size_of<P> == 4 && Real<scalar_of<P>>)
 constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& p2, const P& p3,
@@ -52,7 +52,7 @@ constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& 
 
 /// The formula as printed, D in the matrix and 1 on the right side: its solution ends in 1/D, not in D.
 /// needs   a d that is not zero
-/// source  formula 4.3 (S0) of the course
+/// source  Mihajlovic 2016, formula 4.3
 template <HomogeneousPoint P>
   requires(size_of<P> == 4 && Real<scalar_of<P>>)
 constexpr inverted_plane<scalar_of<P>> plane_by_inversion_textbook(const P& p1, const P& p2, const P& p3,

@@ -49,7 +49,7 @@ inline namespace IRG_ABI {
 /// exact   each coefficient within 0.501 ulp; all four are multiplied by one
 ///         power of two where they are beyond the range or too small for it
 /// cost    some 200 ns; about 4 us near a degenerate case. plane_through takes 5 ns
-/// source  formulas 4.1 and 4.4 (S0) of the course
+/// source  Mihajlovic 2016, formulas 4.1 and 4.4
 template <Point P>
   requires(size_of<P> == 3)
 constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1, const P& p2, const P& p3) noexcept {
@@ -70,7 +70,7 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1,
 /// gives   nothing when the points do not span a plane (equal, proportional or collinear), when all three are at
 ///         infinity, and when a coordinate is NaN or infinite
 /// exact   as plane_through_accurate
-/// source  the general case of formula 4.3 (S0) of the course, planes through the origin included
+/// source  Mihajlovic 2016, the general case of formula 4.3, planes through the origin included
 template <HomogeneousPoint P>
   requires(size_of<P> == 4)
 constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2, const P& p3) noexcept {

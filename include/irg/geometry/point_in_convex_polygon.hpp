@@ -17,7 +17,7 @@ inline namespace IRG_ABI {
 ///         when a coordinate of p is NaN or infinite
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    up to one turn for each edge; ends at the first two edges that see p on different sides
-/// source  rules 3.3 and 3.4 of the course
+/// source  Mihajlovic 2016, rules 3.3 and 3.4
 template <PlaneRing R>
 constexpr point_location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
   if (!detail::is_finite_point(p)) return point_location::outside;
@@ -37,7 +37,7 @@ constexpr point_location point_in_convex_polygon(const R& ring, const ring_point
 /// needs   a clockwise convex ring without repeated vertices: an edge without length has the value 0 everywhere, so
 ///         that it takes the inside for the boundary
 /// exact   as point_in_convex_polygon
-/// source  rules 3.3 and 3.4 of the course. Its exercise prints the boundary as inside
+/// source  Mihajlovic 2016, rules 3.3 and 3.4. Its exercise prints the boundary as inside
 template <PlaneRing R>
 constexpr point_location point_in_convex_polygon_textbook(const R& ring, const ring_point<R>& p) noexcept {
   bool all_negative = true;

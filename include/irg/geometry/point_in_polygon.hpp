@@ -79,7 +79,7 @@ constexpr std::optional<int> winding_number(const P& polygon, const polygon_poin
 /// gives   `outside` when a coordinate is NaN or infinite, and for empty rings
 /// exact   as winding_number
 /// cost    as winding_number
-/// source  the crossings rule; Hormann and Agathos 2001
+/// source  Hormann and Agathos 2001 (the crossings rule)
 template <PlanePolygon P>
 constexpr point_location point_in_polygon(const P& polygon, const polygon_point<P>& p,
                                           fill_rule rule = fill_rule::non_zero) noexcept {

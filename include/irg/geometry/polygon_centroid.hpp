@@ -39,7 +39,7 @@ inline namespace IRG_ABI {
 /// exact   float and double: each coordinate within 0.52 ulp for all finite coordinates, however far from the origin;
 ///         exact in rationals
 /// cost    some 100 ns for a vertex; nothing allocates
-/// source  the moments of the triangles from the origin to each edge
+/// source  irg's own: the moments of the triangles from the origin to each edge
 template <PlanePolygon P>
   requires(!std::integral<scalar_of<polygon_point<P>>> || sizeof(scalar_of<polygon_point<P>>) <= 4)
 constexpr auto polygon_centroid(const P& polygon) noexcept {

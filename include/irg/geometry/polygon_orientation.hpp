@@ -48,7 +48,7 @@ constexpr polygon_orientation orientation_of(const R& ring) noexcept {
 /// gives   `degenerate` when the signs differ or one is zero. It looks at three vertices at a time: a pentagram passes,
 ///         a convex polygon with collinear vertices does not; is_convex and orientation_of decide those
 /// exact   as orientation_of
-/// source  criterion 3.2 of the course
+/// source  Mihajlovic 2016, criterion 3.2
 template <PlaneRing R>
 constexpr polygon_orientation orientation_textbook(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
@@ -94,7 +94,7 @@ constexpr void reverse_ring(R& ring) noexcept {
 /// Makes the ring counter-clockwise (y up), reversing it when it runs clockwise; the first vertex stays first.
 /// gives   which way it ran before; a `degenerate` one is left as it was
 /// exact   as orientation_of
-/// source  the course's repair of the orientation, after criterion 3.2
+/// source  Mihajlovic 2016, 3.2, the repair of the orientation
 template <PlaneRing R>
   requires requires(R& r, std::size_t i) { std::swap(r[i], r[i]); }
 constexpr polygon_orientation make_counter_clockwise(R& ring) noexcept {

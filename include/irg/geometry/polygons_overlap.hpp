@@ -158,7 +158,7 @@ inline namespace IRG_ABI {
 /// gives   `touching` for what meets a polygon without area, wherever; `separate` from an empty ring
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    up to n * m turns; ends at the first edge that separates the polygons
-/// source  the separating axis theorem: disjoint convex polygons are separated by the line of an edge
+/// source  irg's own, by the separating axis theorem: disjoint convex polygons are separated by the line of an edge
 template <PlaneRing A, PlaneRing B>
   requires std::same_as<ring_point<A>, ring_point<B>>
 constexpr polygon_overlap convex_polygons_overlap(const A& a, const B& b) noexcept {
@@ -181,7 +181,7 @@ constexpr polygon_overlap convex_polygons_overlap(const A& a, const B& b) noexce
 /// gives   `separate` when a ring has no area
 /// exact   as convex_polygons_overlap
 /// cost    n * m comparisons of edges' extents, turns where these overlap
-/// source  edge crossings and containment; at common points the angles of both polygons are compared
+/// source  irg's own: edge crossings and containment; at common points the angles of both polygons are compared
 template <PlaneRing A, PlaneRing B>
   requires std::same_as<ring_point<A>, ring_point<B>>
 constexpr polygon_overlap polygons_overlap(const A& a, const B& b) noexcept {

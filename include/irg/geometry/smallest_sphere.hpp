@@ -137,8 +137,8 @@ inline namespace IRG_ABI {
 /// gives   nothing for no points, and when a coordinate is NaN or infinite; radius 0 when all points are equal
 /// exact   the points it rests on; centre and radius as sphere_through's, so that points may stand out by that much
 /// cost    some ten passes over the points as a rule; nothing allocates
-/// source  Welzl 1991, Smallest enclosing disks (balls and ellipsoids), for the few points that matter; these are found
-///         by taking in the farthest point each time, after Gaertner 1999
+/// source  Welzl 1991, for the few points that matter; these are found by taking in the farthest point each time, after
+///         Gaertner 1999
 template <PolygonRing R>
   requires(Point<ring_point<R>> && Floating<scalar_of<ring_point<R>>> &&
            (size_of<ring_point<R>> == 2 || size_of<ring_point<R>> == 3))

@@ -106,7 +106,7 @@ IRG_INLINE constexpr scalar_of<P> signed_triangle_area_fast(const P& a, const P&
 /// gives   nothing when a side is negative, NaN or infinite, or longer than the other two together; 0 when it is as
 ///         long
 /// exact   within 6 ulp, for needles too, over the whole range
-/// source  Kahan 1986, "Miscalculating area and angles of a needle-like triangle"
+/// source  Kahan 1986a
 template <Floating T>
 constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
   double x = widened(greater(a, greater(b, c))), z = widened(lesser(a, lesser(b, c)));
@@ -134,7 +134,7 @@ constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
 
 /// The area of the triangle with sides of these lengths by Heron's formula as the textbooks have it.
 /// exact   needles lose all digits
-/// source  Heron of Alexandria
+/// source  Heron, Metrica
 template <Floating T>
 constexpr std::optional<T> triangle_area_from_sides_textbook(T a, T b, T c) noexcept {
   const T s = (a + b + c) / 2;

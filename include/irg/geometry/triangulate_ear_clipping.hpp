@@ -29,7 +29,7 @@ inline namespace IRG_ABI {
 ///         fan. False, and no triangle, for fewer than three vertices and for rings without area
 /// exact   decisions are exact for all finite floats and all integers
 /// cost    linear for strictly convex rings, else O(n log n) and up to tests_per_vertex * n tests
-/// source  Meisters 1975, Polygons have ears
+/// source  Meisters 1975
 template <PlaneRing R, class Emit>
 constexpr bool triangulate_ear_clipping(const R& ring, const Emit& emit,
                                         ear_clipping_memory<scalar_of<ring_point<R>>>& memory,

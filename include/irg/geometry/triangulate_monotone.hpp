@@ -43,8 +43,8 @@ inline namespace IRG_ABI {
 ///         once (even-odd)
 /// cost    O(n log n); some 50 bytes for a vertex and 80 for each edge that one level line meets, beside the triangles;
 ///         about twice the time where rings turn back on themselves
-/// source  Lee and Preparata 1977; Garey, Johnson, Preparata and Tarjan 1978; de Berg et al., Computational Geometry,
-///         chapter 3. Here both passes are one, and ties are broken by the rings themselves
+/// source  Lee and Preparata 1977; Garey, Johnson, Preparata and Tarjan 1978; de Berg et al. 2008, chapter 3. Here both
+///         passes are one, and ties are broken by the rings themselves
 template <PlanePolygon P>
 constexpr triangulation triangulate_monotone(const P& polygon) {
   triangulation result;

@@ -50,7 +50,7 @@ IRG_INLINE constexpr bool is_hidden(face_side side, edge_on_faces edge_on = edge
 /// shape   the plane's normal points outward; the eye is a point, or homogeneous: weight 0 is the direction towards an
 ///         infinitely far eye, as in parallel projection
 /// exact   as the sign of plane_value: in integers and rationals
-/// source  S0 7.1; the same as the angle's form
+/// source  Mihajlovic 2016, 7.1; the same as the angle's form
 template <Plane P, Coordinates Q>
 constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
   return static_cast<face_side>(static_cast<int>(side_of(face, eye)));
@@ -60,7 +60,7 @@ constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
 /// eye: below a right angle in front.
 /// gives   edge_on when the eye is in the centre or the normal is 0
 /// exact   by the sign of the cosine, a sum of three products: in integers and rationals
-/// source  S0 7.1, whose text says that normals point inward; what it describes holds for outward ones
+/// source  Mihajlovic 2016, 7.1, whose text says that normals point inward; what it describes holds for outward ones
 template <Scalar T>
 constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
                                   normals_point direction = normals_point::outward) noexcept {
@@ -72,7 +72,7 @@ constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& ce
 /// polygon's area. The polygon may be concave.
 /// gives   edge_on for collinear vertices and for fewer than three
 /// exact   in integers and rationals; in floats each difference, product and sum is rounded once
-/// source  S0 7.3, with the area in place of its edges
+/// source  Mihajlovic 2016, 7.3, with the area in place of its edges
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 2)
 constexpr face_side side_by_order(const R& projected, vertex_order order = vertex_order::counter_clockwise) noexcept {
@@ -92,8 +92,8 @@ constexpr face_side side_by_order(const R& projected, vertex_order order = verte
 /// needs   a convex polygon: of a concave one every edge may lie within the hull, and its back goes unnoticed
 /// exact   the sign of the edge (y1 - y2, x2 - x1, x1 y2 - x2 y1) at each vertex, in integers and rationals
 /// cost    n^2 values
-/// source  S0 7.3, for clockwise vertices; for counter-clockwise ones, as the same course lists them elsewhere, with
-///         the inequality reversed
+/// source  Mihajlovic 2016, 7.3, for clockwise vertices; for counter-clockwise ones, as the same course lists them
+///         elsewhere, with the inequality reversed
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 2)
 constexpr bool is_back_by_edges_textbook(const R& projected, vertex_order order = vertex_order::clockwise) noexcept {
@@ -117,7 +117,7 @@ constexpr bool is_back_by_edges_textbook(const R& projected, vertex_order order 
 /// The normal of a face whose vertices are counter-clockwise seen from outside: (p3 - p2) x (p1 - p2), outward.
 /// gives   0 for collinear points
 /// exact   in integers and rationals
-/// source  S1
+/// source  Hidden-surface slides
 template <Scalar T>
 IRG_INLINE constexpr vec<T, 3> face_normal_textbook(const point<T, 3>& p1, const point<T, 3>& p2,
                                                     const point<T, 3>& p3) noexcept {
@@ -127,7 +127,7 @@ IRG_INLINE constexpr vec<T, 3> face_normal_textbook(const point<T, 3>& p1, const
 /// The mixed product w . (v x u) of a face and a viewer in (0, 0, d): positive when the viewer sees the front.
 /// shape   v = p3 - p2, u = p1 - p2, w = (0, 0, d) - p2
 /// exact   in integers and rationals, in the order of terms of the source
-/// source  S1
+/// source  Hidden-surface slides
 template <Scalar T>
 constexpr T mixed_product_textbook(const point<T, 3>& p1, const point<T, 3>& p2, const point<T, 3>& p3,
                                    const T& d) noexcept {
@@ -138,8 +138,8 @@ constexpr T mixed_product_textbook(const point<T, 3>& p1, const point<T, 3>& p2,
 
 /// Whether a polygon is hidden from a viewer in (0, 0, d), by its first three vertices.
 /// needs   three vertices, the first three not collinear
-/// gives   faces seen from their edge: hidden, as the source's text has it; its procedure draws them
-/// source  S1, procedure HiddenPoly
+/// gives   faces seen from their edge: hidden, as the slides' text has it; their procedure draws them
+/// source  Hidden-surface slides, procedure HiddenPoly
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 3)
 constexpr bool is_hidden_polygon_textbook(const R& polygon, const scalar_of<typename ring_traits<R>::point>& d,
@@ -156,7 +156,7 @@ constexpr bool is_hidden_polygon_textbook(const R& polygon, const scalar_of<type
 /// needs   parallel projection along z, which points from the camera into the scene: under central projection the rule
 ///         errs in both directions
 /// gives   false, which is visible, for faces seen from their edge
-/// source  S3 4.1.5.1
+/// source  Hank n.d., 4.1.5.1
 template <Scalar T>
 IRG_INLINE constexpr bool is_back_by_axis_seed(const vec<T, 3>& camera_z, const vec<T, 3>& normal) noexcept {
   return T(0) < dot(camera_z, normal);

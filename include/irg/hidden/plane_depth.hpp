@@ -35,7 +35,7 @@ inline namespace IRG_ABI {
 /// The z at which a plane is met above (x, y): (-D - A x - B y) / C.
 /// gives   nothing when C is 0: the plane is seen edge on
 /// exact   for rationals; in floats off by at most 5u (|D| + |A x| + |B y|) / |C|
-/// source  S1, the z-buffer algorithm
+/// source  Hidden-surface slides, the z-buffer algorithm
 template <Plane P>
   requires Real<plane_scalar<P>>
 constexpr std::optional<plane_scalar<P>> plane_depth(const P& p, const plane_scalar<P>& x,
@@ -52,7 +52,7 @@ constexpr std::optional<plane_scalar<P>> plane_depth(const P& p, const plane_sca
 /// gives   nothing when the ray is parallel to the plane or meets it at the eye or behind it, and when d is 0
 /// exact   for rationals; in floats numerator and denominator are each off by at most 4u times the sum of the absolute
 ///         values of their terms
-/// source  S1; not linear in x'
+/// source  Hidden-surface slides; not linear in x'
 template <Plane P>
   requires Real<plane_scalar<P>>
 constexpr std::optional<plane_scalar<P>> plane_depth_perspective(const P& p, const plane_scalar<P>& d,
@@ -69,7 +69,7 @@ constexpr std::optional<plane_scalar<P>> plane_depth_perspective(const P& p, con
 
 /// The depth of a plane as steps over the picture: -A/C from column to column, -B/C from row to row.
 /// gives   nothing when C is 0
-/// source  S1: A/C is computed once for the whole polygon
+/// source  Hidden-surface slides: A/C is computed once for the whole polygon
 template <Plane P>
   requires Real<plane_scalar<P>>
 constexpr std::optional<depth_steps<plane_scalar<P>>> plane_depth_steps(
@@ -85,7 +85,7 @@ constexpr std::optional<depth_steps<plane_scalar<P>>> plane_depth_steps(
 /// 1/(d - z) of a plane as steps over the picture: (C d - A x' - B y') / (d (C d + D)). Unlike z it is linear in x'; it
 /// orders as z does, and z is d - 1/value.
 /// gives   nothing when the plane holds the eye: it is seen edge on; and when d is 0
-/// source  S1-5 rearranged
+/// source  Hidden-surface slides, the perspective depth, rearranged
 template <Plane P>
   requires Real<plane_scalar<P>>
 constexpr std::optional<depth_steps<plane_scalar<P>>> inverse_depth_steps(

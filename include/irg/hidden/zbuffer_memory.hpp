@@ -40,7 +40,7 @@ IRG_INLINE constexpr int bits_for_levels(std::uint64_t n) noexcept {
 /// needs   width >= 0, height >= 0
 /// gives   2^64 - 1 bytes where it is that or more
 /// exact   in integers; a last byte that is used in part counts as one
-/// source  S1: 2048 x 1024 pixels, 256 depths, 2^24 colours: 2 MiB and 6 MiB
+/// source  Hidden-surface slides: 2048 x 1024 pixels, 256 depths, 2^24 colours: 2 MiB and 6 MiB
 constexpr zbuffer_memory_table zbuffer_memory(int width, int height, const zbuffer_levels& levels) noexcept {
   IRG_EXPECTS(width >= 0 && height >= 0);
   constexpr std::uint64_t most = (std::numeric_limits<std::uint64_t>::max)();

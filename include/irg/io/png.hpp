@@ -134,7 +134,7 @@ inline namespace IRG_ABI {
 /// gives   an error when the raster has no pixel or more than max_picture_pixels
 /// exact   every pixel as to_rgba8 gives it; the same file from every compiler, flag set and constant evaluation
 /// cost    each pixel is read once; memory for about 9 bytes per pixel besides the file
-/// source  PNG specification (ISO/IEC 15948); RFC 1950 and 1951
+/// source  PNG; RFC 1950; RFC 1951
 template <EncodableRaster R>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& raster, const png_options& options = {}) {
   const int width = width_of(raster), height = height_of(raster);

@@ -141,7 +141,7 @@ inline namespace IRG_ABI {
 /// exact   within 1 ulp while the sum of the sizes is below 10^14 times the size of the sum and there are fewer than
 ///         2^20 numbers; infinity only when the sum itself overflows
 /// cost    8 operations a number; where one is beyond 2^960, an exact sum in integers
-/// source  Ogita, Rump, Oishi 2005
+/// source  Ogita, Rump and Oishi 2005
 template <Floating T>
 constexpr T sum_accurate(std::span<const T> numbers) noexcept {
   const auto x = detail::doubles_of(numbers);
@@ -168,7 +168,7 @@ constexpr T sum_exact(std::span<const T> numbers) noexcept {
 /// exact   within 1 ulp up to condition 10^14 (2 * sum of |a_i*b_i| / |dot|); beyond, the error is below 2^-100 times
 ///         the sum of the sizes of the products
 /// cost    some 7 times that of dot; with a coordinate that is not 0 beyond 2^480 or below 2^-480, that of dot_exact
-/// source  Ogita, Rump, Oishi 2005
+/// source  Ogita, Rump and Oishi 2005
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 constexpr scalar_of<A> dot_accurate(const A& a, const B& b) noexcept {

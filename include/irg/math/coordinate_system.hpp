@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Named coordinate systems, told by where their axes point as a viewer sees it, and the matrices that lead from one to
-// another: their entries are 0, 1 and -1, so nothing is rounded. The course's world is right-handed, its camera
+// another: their entries are 0, 1 and -1, so nothing is rounded. Hank's world is right-handed, its camera
 // left-handed; files and devices have still other habits.
 #pragma once
 
@@ -15,7 +15,7 @@ enum class axis_direction { right, left, up, down, toward_viewer, away_from_view
 /// space with x to the right and y up:
 enum class handedness {
   right,  // z towards the viewer: the view goes along -z; irg's own
-  left  // z along the view: the depth; the eye's and the camera's space of the course's texts
+  left  // z along the view: the depth; the eye's and the camera's space of Mihajlovic 2016 and Hank n.d.
 };
 
 /// Where the three axes of a coordinate system point.
@@ -25,17 +25,17 @@ struct coordinate_system {
   constexpr bool operator==(const coordinate_system&) const = default;
 };
 
-/// The course's world, OpenGL's and this library's: y up, z toward the viewer. Right-handed.
+/// Hank's world, OpenGL's and this library's: y up, z toward the viewer. Right-handed.
 inline constexpr coordinate_system world_y_up{axis_direction::right, axis_direction::up, axis_direction::toward_viewer};
 /// Maps, architecture, Blender: z up, y away from the viewer. Right-handed.
 inline constexpr coordinate_system world_z_up{axis_direction::right, axis_direction::away_from_viewer,
                                               axis_direction::up};
-/// The course's camera, Direct3D's: x right, y up, z into the picture. Left-handed.
+/// Hank's camera, Direct3D's: x right, y up, z into the picture. Left-handed.
 inline constexpr coordinate_system camera_left_handed{axis_direction::right, axis_direction::up,
                                                       axis_direction::away_from_viewer};
 /// This library's camera: x right, y up, the view along -z. Right-handed.
 inline constexpr coordinate_system camera_right_handed = world_y_up;
-/// The plane of projection: x right, y up, z the depth behind it. Left-handed, as the course's camera.
+/// The plane of projection: x right, y up, z the depth behind it. Left-handed, as Hank's camera.
 inline constexpr coordinate_system projection_plane = camera_left_handed;
 /// Pixels and most image files: x right, y down, z the depth. Right-handed.
 inline constexpr coordinate_system screen_y_down{axis_direction::right, axis_direction::down,

@@ -44,8 +44,7 @@ inline namespace IRG_ABI {
 ///         zero of the text's sign
 /// exact   correctly rounded to T, ties to even, for any number of digits
 /// cost    15 to 50 ns for up to 19 digits, 240 ns for 120 beside the middle of two doubles; linear in the digits
-/// source  Lemire 2021, Number Parsing at a Gigabyte per Second (the bounds); Clinger 1990, How to Read Floating Point
-///         Numbers Accurately (the exact comparison)
+/// source  Lemire 2021 (the bounds); Clinger 1990 (the exact comparison)
 template <Floating T>
 constexpr decimal_result<T> parse_decimal(const char* first, const char* last) noexcept {
   const detail::decimal_text text = detail::scan_decimal(first, last);
@@ -91,7 +90,7 @@ constexpr decimal_result<I> parse_integer(const char* first, const char* last) n
 /// gives   first, and nothing written, when there is not enough room; longest_decimal<T> bytes always are
 /// exact   parse_decimal<T> gives the same bits for every finite value
 /// cost    20 to 80 ns
-/// source  Giulietti 2020, The Schubfach way to render doubles
+/// source  Giulietti 2020
 template <Floating T>
 constexpr char* print_decimal(char* first, char* last, T value) noexcept {
   if (last - first >= longest_decimal<T>) return detail::write_value(first, value);

@@ -80,7 +80,7 @@ public:
 
   /// exact   relative error below 3u^2 + 13u^3
   /// cost    20 operations
-  /// source  AccurateDWPlusDW (Li et al. 2002)
+  /// source  Li et al. 2002 (AccurateDWPlusDW)
   IRG_INLINE friend constexpr double_word operator+(const double_word& x, const double_word& y) noexcept {
     const auto [heads, heads_error] = two_sum(x.high, y.high);
     if (!detail::is_finite(heads)) return heads;
@@ -90,7 +90,7 @@ public:
   }
   /// exact   relative error at most 2u^2
   /// cost    10 operations
-  /// source  DWPlusFP
+  /// source  Joldes, Muller and Popescu 2017 (DWPlusFP)
   IRG_INLINE friend constexpr double_word operator+(const double_word& x, T y) noexcept {
     const auto [heads, heads_error] = two_sum(x.high, y);
     if (!detail::is_finite(heads)) return heads;
@@ -105,14 +105,14 @@ public:
 
   /// exact   relative error at most 5u^2
   /// cost    a two_product and 8 operations
-  /// source  DWTimesDW1 (Dekker 1971)
+  /// source  Dekker 1971 (DWTimesDW1)
   IRG_INLINE friend constexpr double_word operator*(const double_word& x, const double_word& y) noexcept {
     const auto [heads, error] = two_product(x.high, y.high);
     const T cross = product(x.high, y.low) + product(x.low, y.high);
     return detail::is_finite(heads) ? detail::normalised_words(heads, error + cross) : double_word(heads);
   }
   /// exact   relative error at most 3u^2
-  /// source  DWTimesFP2
+  /// source  Joldes, Muller and Popescu 2017 (DWTimesFP2)
   IRG_INLINE friend constexpr double_word operator*(const double_word& x, T y) noexcept {
     const auto [heads, error] = two_product(x.high, y);
     return detail::is_finite(heads) ? detail::normalised_words(heads, error + product(x.low, y)) : double_word(heads);
@@ -121,7 +121,7 @@ public:
 
   /// exact   relative error at most 15u^2 + 56u^3 (measured: below 6u^2)
   /// cost    two divisions, a two_product and 15 operations
-  /// source  DWDivDW2
+  /// source  Joldes, Muller and Popescu 2017 (DWDivDW2)
   IRG_INLINE friend constexpr double_word operator/(const double_word& x, const double_word& y) noexcept {
     const T quotient = x.high / y.high;
     if (!detail::is_finite(quotient) || quotient == 0 || !detail::is_finite(y.high)) return quotient;
@@ -178,7 +178,7 @@ inline namespace IRG_ABI {
 /// The square root.
 /// gives   -0 for -0, infinity for infinity, NaN for NaN and everything below zero
 /// exact   relative error at most 25/8 u^2
-/// source  SQRTDWtoDW (Lefevre, Louvet, Muller, Picot, Rideau 2023)
+/// source  Lefevre et al. 2023 (SQRTDWtoDW)
 template <Floating T>
 constexpr double_word<T> sqrt(const double_word<T>& x) noexcept {
   const T root = sqrt(x.high);

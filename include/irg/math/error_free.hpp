@@ -35,7 +35,7 @@ inline namespace IRG_ABI {
 /// gives   an error that is NaN when the sum overflows
 /// exact   value + error == a + b, underflow included
 /// cost    6 operations
-/// source  Moller 1965, Knuth 1969 (TwoSum)
+/// source  Moller 1965; Knuth 1969 (TwoSum)
 template <Floating T>
 IRG_INLINE constexpr exact_sum<T> two_sum(T a, T b) noexcept {
   const T sum = a + b;
@@ -58,7 +58,7 @@ IRG_INLINE constexpr exact_sum<T> fast_two_sum(T large, T lesser_one) noexcept {
 /// x as two numbers of half the bits: 26 + 26 for double, 12 + 12 for float.
 /// needs   |x| <= 2^995 (double), 2^114 (float)
 /// exact   high + low == x
-/// source  Veltkamp 1968, Dekker 1971
+/// source  Veltkamp 1968; Dekker 1971
 template <Floating T>
 IRG_INLINE constexpr split_number<T> split(T x) noexcept {
   constexpr T factor = std::is_same_v<T, double> ? T(134217729) : T(4097);  // 2^27 + 1, 2^12 + 1
@@ -147,7 +147,8 @@ IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
 /// exact   within 1 ulp (measured: 0.51), where |a*b| or |c*d| is at least 2^-900;
 ///         below, within 2^-1073 more; exactly zero when the products are equal
 /// cost    two two_products and about 12 operations; float: 3 operations in double
-/// source  Kahan; Jeannerod, Louvet, Muller 2013. Here both errors are kept, which needs no fused multiply-add.
+/// source  Jeannerod, Louvet and Muller 2013 (Kahan's algorithm). Here both errors are kept, which needs no fused
+///         multiply-add.
 template <Floating T>
 IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
   if constexpr (std::is_same_v<T, float>) {

@@ -103,7 +103,7 @@ constexpr expansion<T, N + M> operator+(const expansion<T, N>& e, const expansio
 }
 
 /// e + b, exactly.
-/// source  as the sum of two expansions: Shewchuk's Grow-Expansion leaves parts that the next sum could not take
+/// source  Shewchuk 1997, as the sum of two expansions: Grow-Expansion leaves parts that the next sum could not take
 template <Floating T, int N>
 constexpr expansion<T, N + 1> operator+(const expansion<T, N>& e, T b) noexcept {
   return e + expansion_of(b);

@@ -67,7 +67,7 @@ constexpr T log10(T x) noexcept {
 ///         0 or infinity with x's sign where y is an odd integer and without it elsewhere
 /// exact   double within 0.52 ulp, subnormal results too; float within 0.5001 ulp
 /// cost    log, an exact product and exp
-/// source  the logarithm carries 14 bits beyond double
+/// source  irg's own: the logarithm carries 14 bits beyond double
 template <Floating T>
 constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
   return detail::narrow<T>(detail::pow_of(widened(x), widened(y)));

@@ -156,7 +156,7 @@ constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) no
 /// cost    in floats up to size 4 that of inverse_fast and of a matrix product, which shows whether the result is good
 ///         enough; where it is not, and for others, Gauss-Jordan elimination with partial pivoting, 2 N^3 operations;
 ///         where that fails and entries differ by more than 2^16, inverse_accurate
-/// source  Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 14; condition after Bauer, 1963
+/// source  Higham 2002, ch. 14; Bauer 1963 for the condition
 template <Real T, int N>
 constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
   if constexpr (Floating<T> && N >= 2 && N <= 4)
@@ -181,7 +181,7 @@ constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
 ///         after any scaling that leaves the condition number below the limit
 /// cost    about 35 times that of `inverse`: elimination in double, then each column is corrected with residuals in
 ///         twice the precision; floats are inverted in double
-/// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
+/// source  Higham 2002, ch. 12; Demmel et al. 2006
 template <Floating T, int N>
 constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
   const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });

@@ -174,7 +174,7 @@ IRG_INLINE constexpr V normalized_fast(const V& v) noexcept {
 /// cost    eleven exact products, a square root, two divisions, a table lookup (in the plane five, no root and one
 ///         division): 1.3 to 4 times the plain formula, which takes less for small angles. Up to three times that where
 ///         a coordinate other than 0 is outside 2^-180 to 2^180
-/// source  atan2 of the cross product's length and the dot product, both in twice the precision (after Kahan 2006)
+/// source  Kahan 2006; here atan2 of the cross product's length and the dot product, both in twice the precision
 template <Vector A, Vector B>
   requires((size_of<A> == 2 || size_of<A> == 3) && size_of<A> == size_of<B> &&
            std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)

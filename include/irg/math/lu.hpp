@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 ///         through by rounding: reciprocal_condition tells
 /// exact   in rationals. In floats L*U differs from the permuted matrix by at most N u |L|*|U|
 /// cost    2/3 N^3 operations
-/// source  Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 9
+/// source  Higham 2002, ch. 9
 template <Real T, int N>
 constexpr std::optional<lu_factors<T, N>> lu_factor(const mat<T, N, N>& a) noexcept {
   lu_factors<T, N> f{a, {}};
@@ -232,7 +232,7 @@ inline namespace IRG_ABI {
 /// exact   every component that is no less than 2^-8 of the largest (after the scaling of columns) within 0.51 ulp; up
 ///         to N = 4 after any scaling that leaves the condition number below that limit
 /// cost    about 3 corrections, each N^2 exact products; floats are solved in double
-/// source  Higham 2002, ch. 12; Demmel et al., Error bounds from extra-precise iterative refinement, 2006
+/// source  Higham 2002, ch. 12; Demmel et al. 2006
 template <Floating T, int N>
 constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
   const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <iterator>
+#include <span>
 #include <utility>
 
 #include <irg/core/conversion.hpp>
@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 /// Horner's rule with exact errors for n coefficients c(i), and with a bound of what the sum of value and error lacks;
 /// 0 when nothing was rounded.
 /// needs   can_be_bounded
-/// source  Graillat, Langlois, Louvet 2005 (CompHorner)
+/// source  Graillat, Langlois and Louvet 2005 (CompHorner)
 template <class C>
 IRG_INLINE constexpr compensated_sum bounded_horner(std::size_t n, const C& c, double x) noexcept {
   compensated_sum sum{c(n - 1), 0, 0};
@@ -160,7 +160,7 @@ constexpr value_and_derivative<coefficient_of<C>> evaluate_polynomial_with_deriv
 /// exact   the error is at most u times the value and (2n u)^2 times the sum of |c_i*x^i| for degree n: within 1 ulp up
 ///         to condition 10^14 and degree 20
 /// cost    some 5 times that of evaluate_polynomial
-/// source  Graillat, Langlois, Louvet 2005
+/// source  Graillat, Langlois and Louvet 2005
 template <PolynomialCoefficients C>
   requires Floating<coefficient_of<C>>
 constexpr coefficient_of<C> evaluate_polynomial_accurate(const C& c,

@@ -161,7 +161,7 @@ constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
 /// needs   a not 0; a*c and b*b 0 or between 2^-900 and 2^1000 (float: no limit), quotients in the range
 /// exact   within 3 ulp (measured: 2.0); the number of roots is right
 /// cost    a square root, two divisions and a difference_of_products
-/// source  the root of larger size first, the other from the product of both; the discriminant after Kahan 2004
+/// source  Kahan 2004 (the discriminant); the root of larger size first, the other from the product of both
 template <Floating T>
 constexpr real_roots<T, 2> quadratic_roots_fast(T a, T b, T c) noexcept {
   real_roots<T, 2> roots;
@@ -194,7 +194,7 @@ constexpr real_roots<T, 2> quadratic_roots_textbook(T a, T b, T c) noexcept {
 /// exact   the number of distinct roots and their multiplicities for all finite coefficients; each root within 1 ulp,
 ///         two that are nearer to each other than 2 ulp within 3
 /// cost    some 0.2 us for one root, 0.7 us for three; coefficients beyond 2^-60 to 2^60 some 20 us
-/// source  Kahan 1986 and Blinn 2006 (starting places); the enclosure by exact signs is irg's own
+/// source  Kahan 1986b and Blinn 2006 (starting places); the enclosure by exact signs is irg's own
 template <Floating T>
 constexpr real_roots<T, 3> cubic_roots(T a, T b, T c, T d) noexcept {
   const detail::cubic_coefficients p{widened(d), widened(c), widened(b), widened(a)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gauss's elimination as the course's text has it, for teaching and comparison: a fixed threshold for zero, rows that
+// Gauss's elimination as Hank's text has it, for teaching and comparison: a fixed threshold for zero, rows that
 // are exchanged only when a pivot is below it, and the back substitution as printed, which is wrong. solve_gauss
 // (math/solve.hpp) is the one to use.
 #pragma once
@@ -11,10 +11,10 @@
 namespace irg {
 inline namespace IRG_ABI {
 
-/// The solution of a(i, 0) x_0 + ... = a(i, N) as the course's program finds it.
+/// The solution of a(i, 0) x_0 + ... = a(i, N) as Hank's program finds it.
 /// gives   nothing when it calls the system singular: also for equations that are merely small
 /// exact   no bound: the pivot is whatever stands on the diagonal
-/// source  S3 1.3.3: numbers below 1e-6 are zero, pivot rows are divided by the pivot
+/// source  Hank n.d., 1.3.3: numbers below 1e-6 are zero, pivot rows are divided by the pivot
 template <Real T, int N, int M>
   requires(M == N + 1)
 constexpr std::optional<vec<T, N>> solve_gauss_seed(mat<T, N, M> a,
@@ -45,7 +45,7 @@ constexpr std::optional<vec<T, N>> solve_gauss_seed(mat<T, N, M> a,
 /// The back substitution as printed, x_i = a_ii / (b_i - sum of x_j over j > i): wrong, to be looked at beside
 /// back_substitution.
 /// needs   no divisor that is zero
-/// source  S3 1.3.3
+/// source  Hank n.d., 1.3.3
 template <Real T, int N, int M>
   requires(M == N + 1)
 constexpr vec<T, N> back_substitution_textbook(const mat<T, N, M>& a) noexcept {

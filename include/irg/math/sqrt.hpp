@@ -43,7 +43,7 @@ inline namespace IRG_ABI {
 /// gives   -0 for -0, infinity for infinity, NaN for NaN and everything below zero
 /// exact   correctly rounded (IEEE 754)
 /// cost    one instruction
-/// source  IEEE 754; Heron of Alexandria in constant evaluation
+/// source  IEEE 754; Heron, Metrica, in constant evaluation
 template <Floating T>
 IRG_INLINE constexpr T sqrt(T x) noexcept {
   if (!std::is_constant_evaluated()) return square_root_instruction(x);

@@ -54,7 +54,7 @@ constexpr sine_and_cosine<T> sin_cos(T x) noexcept {
 /// gives   NaN for infinity and NaN; -0 for -0
 /// exact   double within 0.55 ulp for every x up to the largest; float the nearest one
 /// cost    a table lookup and about 40 operations, 60 more from 2^20 on; float: about 20
-/// source  Payne, Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
+/// source  Payne and Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
 constexpr T sin(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;
@@ -79,7 +79,7 @@ constexpr T cos(T x) noexcept {
 /// gives   NaN for infinity and NaN; -0 for -0; never infinity, because no number is an odd multiple of pi/2
 /// exact   double within 0.54 ulp for every x up to the largest; float the nearest one
 /// cost    that of sin, and a division for every other quadrant; float: a division and two sines
-/// source  Payne, Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
+/// source  Payne and Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
 constexpr T tan(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;

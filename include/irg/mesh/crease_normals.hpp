@@ -6,67 +6,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
+#include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/normals.hpp>
 
 namespace irg {
-namespace detail {
-
-/// Corners of a mesh in groups, each known by its lowest corner.
-class corner_groups {
-public:
-  constexpr explicit corner_groups(std::size_t count) : above_(count, 0) {
-    std::iota(above_.begin(), above_.end(), std::uint32_t{0});
-  }
-  constexpr std::uint32_t of(std::uint32_t corner) noexcept {
-    while (above_[corner] != corner) corner = above_[corner] = above_[above_[corner]];
-    return corner;
-  }
-  constexpr void join(std::uint32_t a, std::uint32_t b) noexcept {
-    a = of(a);
-    b = of(b);
-    above_[a < b ? b : a] = a < b ? a : b;
-  }
-
-private:
-  std::vector<std::uint32_t> above_;
-};
-
-/// One end of an edge: the corner at its position, the position at its other end, and which way the corner's face runs.
-struct edge_end {
-  std::uint32_t from, to, corner;
-  bool leaves;
-  friend constexpr auto operator<=>(const edge_end&, const edge_end&) = default;
-};
-
-inline namespace IRG_ABI {
-
-/// The ends of all edges, by the position that they are at, those of one edge side by side.
-template <class T>
-constexpr std::vector<edge_end> edge_ends(const mesh<T>& m) {
-  std::vector<std::size_t> next(m.positions.size() + 1, 0);  // where the next end at a position goes
-  for (const mesh_corner& c : m.corners) next[c.position + std::size_t{1}] += 2;
-  for (std::size_t v = 0; v < m.positions.size(); ++v) next[v + 1] += next[v];
-  std::vector<edge_end> ends(2 * m.corners.size(), edge_end{});
-  for (std::size_t f = 0; f < m.face_count(); ++f) {
-    const std::size_t count = m.face_size(f), first = m.face_starts[f];
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto corner = static_cast<std::uint32_t>(first + k);
-      const std::uint32_t here = m.corners[corner].position;
-      ends[next[here]++] = {here, m.corners[first + (k + 1 < count ? k + 1 : 0)].position, corner, true};
-      ends[next[here]++] = {here, m.corners[first + (k > 0 ? k - 1 : count - 1)].position, corner, false};
-    }
-  }
-  for (std::size_t v = 0, begin = 0; v < m.positions.size(); begin = next[v++])
-    std::sort(ends.begin() + static_cast<std::ptrdiff_t>(begin), ends.begin() + static_cast<std::ptrdiff_t>(next[v]));
-  return ends;
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
 inline namespace IRG_ABI {
 
 /// Gives the corners of a mesh that have no normal one: the normal of the faces around the corner's position that are
@@ -79,7 +24,7 @@ inline namespace IRG_ABI {
 ///         NaN makes every edge sharp
 /// exact   normals as vertex_normals; the angle that decides is that of rounded unit normals
 /// cost    n log n in the corners around a position; allocates some 120 bytes a corner, nothing where all have normals
-/// source  the crease angle of VRML 97 (ISO/IEC 14772-1, 4.6.3.5)
+/// source  VRML 97, 4.6.3.5 (the crease angle)
 template <Floating T>
 constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight = normal_weight::angle) {
   if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != mesh_corner::none; })) return;

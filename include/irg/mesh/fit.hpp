@@ -44,7 +44,7 @@ inline namespace IRG_ABI {
 /// The map that fits a box into [-1, 1]^3.
 /// gives   a map that does nothing for a box that is empty or not finite; a scale of 1 when all sizes are zero
 /// exact   centre and scale rounded once each (two to three times for boxes wider than half the range)
-/// source  S0 7.2 of the course: centre (max + min)/2, scale 2/max(size)
+/// source  Mihajlovic 2016, 7.2: centre (max + min)/2, scale 2/max(size)
 template <Floating T>
 constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
   if (is_empty(extents)) return {};
@@ -102,7 +102,7 @@ constexpr fit_status fit_mesh(mesh<T>& m) noexcept {
 /// needs   as many placements as meshes
 /// gives   one status per mesh; a mesh that is empty or not finite is left as it is
 /// exact   as fitted, then placed
-/// source  S0 7.2 of the course
+/// source  Mihajlovic 2016, 7.2
 template <Floating T>
 constexpr std::vector<fit_status> fit_each(std::span<mesh<T>> meshes, std::span<const placement<T>> placements) {
   IRG_EXPECTS(meshes.size() == placements.size());

@@ -139,7 +139,7 @@ inline namespace IRG_ABI {
 /// gives   zero for fewer than three vertices and for collinear ones
 /// exact   a triangle's is the cross product of two edges, computed in double; infinite where it is beyond the range
 /// cost    one pass
-/// source  Sutherland, Sproull, Schumacker 1974 (Newell's method)
+/// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 3 && Floating<scalar_of<typename ring_traits<R>::point>>)
 constexpr auto newell_normal(const R& ring) noexcept {
@@ -155,7 +155,7 @@ constexpr auto newell_normal(const R& ring) noexcept {
 /// gives   nothing when the face has no area to working precision, or a coordinate that is NaN or infinite
 /// exact   a triangle's is within 8u of the unit normal times its longest edge over its height; no overflow and no
 ///         underflow for finite positions of any size
-/// source  Sutherland, Sproull, Schumacker 1974 (Newell's method)
+/// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <detail::mesh_in_space M>
 constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
   using V = detail::mesh_normal<M>;
@@ -171,8 +171,8 @@ constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::siz
 ///         zero, as on both sides of a thin sheet; never NaN
 /// exact   each coordinate of the sum rounded once per face; areas smaller than 2^-1000 of the mesh's count nothing
 /// cost    one pass over the corners; allocates the result
-/// source  average: S0 7.3 of the course, whose division by the count is left out as it keeps the direction;
-///         angle: Thuermer, Wuethrich 1998; area: the length of Newell's vector
+/// source  Mihajlovic 2016, 7.3 (average; its division by the count is left out as it keeps the direction); Thuermer
+///         and Wuethrich 1998 (angle); area: the length of Newell's vector
 template <detail::mesh_in_space M>
 constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m,
                                                              normal_weight weight = normal_weight::average) {

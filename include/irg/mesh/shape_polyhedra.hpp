@@ -54,7 +54,7 @@ inline namespace IRG_ABI {
 /// The unit cube of the course, from (0, 0, 0) to (1, 1, 1).
 /// shape   8 vertices, 12 triangles in the order of figure 4.1's file, counter-clockwise from outside, 6 normals
 /// exact   yes
-/// source  S0 4.6 of the course, its f list (its P list runs the other way round)
+/// source  Mihajlovic 2016, 4.6, its f list (its P list runs the other way round)
 template <Scalar T>
 constexpr mesh<T> shape_cube() {
   constexpr T o(0), i(1);

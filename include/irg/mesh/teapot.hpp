@@ -148,9 +148,8 @@ inline namespace IRG_ABI {
 /// shape   y up (the original's z), spout towards +x; du x dv points outward; from -3 to 3.525 in x, 0 to 3.15 in y
 ///         and -2 to 2 in z by control points
 /// exact   each coordinate is the published decimal, rounded once
-/// source  Newell 1975 (The Utilization of Procedure Models in Digital Image Synthesis), with Blinn's flattened height;
-///         bottom: Crow 1987. The point at the top of the knob is taken four times, as is usual; Newell's own list has
-///         neighbours of it that are 0.002 away
+/// source  Newell 1975, with Blinn's flattened height; bottom: Crow 1987. The point at the top of the knob is taken
+///         four times, as is usual; Newell's own list has neighbours of it that are 0.002 away
 template <Real T>
 constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept {
   std::array<bezier_patch<point<T, 3>>, 32> patches{};

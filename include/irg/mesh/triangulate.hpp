@@ -31,7 +31,7 @@ inline namespace IRG_ABI {
 /// exact   decisions on the corners' own coordinates, without the one along which the Newell normal is longest, are
 ///         exact for every finite float and double; which coordinate that is, is decided in rounded arithmetic
 /// cost    linear for strictly convex faces, else O(n log n) and up to tests_per_corner * n tests
-/// source  Meisters 1975, Polygons have ears
+/// source  Meisters 1975
 template <Scalar T>
 constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {}) {
   const std::size_t triangles = m.corners.size() - 2 * m.face_count();

@@ -20,9 +20,10 @@ inline namespace IRG_ABI {
 /// cost    rows of pixels of four 8-bit channels: a register at a time; runs without coverages: as fill_span
 template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr void blend_span(R& raster, const coverage_span& span, const Paint& paint) {
-  if (span.y < 0 || span.y >= height_of(raster)) return;
-  const int first = greater(span.x_first, 0);
-  const int last = lesser(span.x_last, width_of(raster));
+  const cell_window w = window_of(raster);
+  if (span.y < w.y_first || span.y >= w.y_last) return;
+  const int first = greater(span.x_first, w.x_first);
+  const int last = lesser(span.x_last, w.x_last);
   if (first >= last) return;
   if constexpr (CoverageBlendFunction<Paint, R>) {
     for (int x = first; x < last; ++x)

@@ -13,44 +13,27 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// The height of the circle at k, 0 <= k <= r.
-constexpr std::int64_t circle_height(std::int64_t r, std::int64_t k) noexcept {
-  const std::int64_t square = r * r - k * k, root = floor_sqrt(square);
-  return square > root * root + root ? root + 1 : root;
-}
+struct circle_shape {
+  std::int64_t r;
 
-// How many k >= 0 have a height of m or more.
-constexpr std::int64_t circle_reach(std::int64_t r, std::int64_t m) noexcept {
-  return m <= 0 ? r + 1 : m > r ? 0 : floor_sqrt(r * r - m * (m - 1) - 1) + 1;
-}
-
-// One past the last k of an octant.
-constexpr std::int64_t circle_octant_end(std::int64_t r) noexcept {
-  const std::int64_t k = floor_sqrt(r * r / 2);
-  return k + 1 <= r && circle_height(r, k + 1) == k + 1 ? k + 2 : k + 1;
-}
-
-// The cells of one octant with first <= k < last that lie in the window.
-template <CellSink Sink>
-constexpr void circle_octant(const conic_arc& arc, std::int64_t r, std::int64_t end, const cell_window& w,
-                             Sink&& emit) {
-  const step_range along = arc.along(w), aside = arc.aside(w);
-  std::int64_t first = along.first, last = lesser(along.last, end);
-  if (first >= last || aside.first >= aside.last) return;
-  last = lesser(last, circle_reach(r, aside.first));
-  first = greater(first, circle_reach(r, aside.last));
-  if (first >= last) return;
-  std::int64_t m = circle_height(r, first);
-  std::int64_t excess = r * r - first * first - m * (m - 1);  // positive while m is not too high
-  for (std::int64_t k = first; k < last; ++k) {
-    emit(arc.at(k, m));
-    excess -= 2 * k + 1;
-    if (excess <= 0) {
-      --m;
-      excess += 2 * m;
-    }
+  constexpr std::int64_t excess(std::int64_t k, std::int64_t m) const noexcept {
+    return r * r - k * k - m * (m - 1) - 1;
   }
-}
+  constexpr std::int64_t step() const noexcept { return 1; }
+  constexpr std::int64_t drop() const noexcept { return 2; }
+  constexpr std::int64_t height(std::int64_t k) const noexcept {
+    const std::int64_t square = r * r - k * k, root = floor_sqrt(square);
+    return square > root * root + root ? root + 1 : root;
+  }
+  constexpr std::int64_t reach(std::int64_t m) const noexcept {
+    return m <= 0 ? r + 1 : m > r ? 0 : floor_sqrt(r * r - m * (m - 1) - 1) + 1;
+  }
+  // One past the last k of an octant.
+  constexpr std::int64_t octant_end() const noexcept {
+    const std::int64_t k = floor_sqrt(r * r / 2);
+    return k + 1 <= r && height(k + 1) == k + 1 ? k + 2 : k + 1;
+  }
+};
 
 }  // namespace IRG_ABI
 }  // namespace detail
@@ -67,13 +50,14 @@ inline namespace IRG_ABI {
 template <CellSink Sink>
 constexpr void circle_midpoint(const cell& centre, int radius, const cell_window& window, Sink&& emit) {
   if (window.empty() || radius < 0) return;
-  const std::int64_t r = radius, end = detail::circle_octant_end(r);
+  const detail::circle_shape circle{radius};
+  const std::int64_t end = circle.octant_end();
   // The cells on the diagonals belong to the octants that run along x; a circle of one cell has these only.
-  const std::int64_t upright_end = detail::circle_height(r, end - 1) == end - 1 ? end - 1 : end;
-  detail::for_mirrored_arcs(centre, false,
-                            [&](const detail::conic_arc& arc) { detail::circle_octant(arc, r, end, window, emit); });
-  detail::for_mirrored_arcs(
-      centre, true, [&](const detail::conic_arc& arc) { detail::circle_octant(arc, r, upright_end, window, emit); });
+  const std::int64_t upright_end = circle.height(end - 1) == end - 1 ? end - 1 : end;
+  for (const bool upright : {false, true})
+    detail::for_mirrored_arcs(centre, upright, [&](const detail::conic_arc& arc) {
+      detail::emit_arc(arc, circle, upright ? upright_end : end, window, emit);
+    });
 }
 
 /// Calls emit(span) for the rows in the window of the disc around a cell, from top to bottom.
@@ -89,32 +73,18 @@ constexpr void circle_spans(const cell& centre, int radius, const cell_window& w
                           [r](std::int64_t dy) { return detail::floor_sqrt(r * r - dy * dy); });
 }
 
-/// Paints the pixels of the circle that lie in the window, each once.
+/// Paints the pixels of the circle, each once.
 /// exact   the cells of circle_midpoint
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_circle(R& raster, const cell& centre, int radius, const Paint& paint, const cell_window& window) {
-  circle_midpoint(centre, radius, intersect(window, window_of(raster)),
-                  [&](const cell& c) { paint_pixel(raster, c.x, c.y, paint); });
-}
-
-/// Paints the pixels of the circle, each once.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void draw_circle(R& raster, const cell& centre, int radius, const Paint& paint) {
-  draw_circle(raster, centre, radius, paint, window_of(raster));
-}
-
-/// Paints the pixels of the disc that lie in the window, each once.
-/// exact   the spans of circle_spans
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void fill_circle(R& raster, const cell& centre, int radius, const Paint& paint, const cell_window& window) {
-  circle_spans(centre, radius, intersect(window, window_of(raster)),
-               [&](const span_of_cells& s) { fill_span(raster, s, paint); });
+  circle_midpoint(centre, radius, window_of(raster), [&](const cell& c) { paint_pixel(raster, c.x, c.y, paint); });
 }
 
 /// Paints the pixels of the disc, each once.
+/// exact   the spans of circle_spans
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void fill_circle(R& raster, const cell& centre, int radius, const Paint& paint) {
-  fill_circle(raster, centre, radius, paint, window_of(raster));
+  circle_spans(centre, radius, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI

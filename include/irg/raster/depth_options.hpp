@@ -58,16 +58,5 @@ IRG_INLINE constexpr typename lanes<F>::mask passes(const F& depth, const F& sto
     return lanes<mask>::broadcast(0);
 }
 
-/// The depth that the buffer holds after a test: `depth` where `passed` holds and writing is on, else `stored`.
-/// shape   as passes
-template <depth_write Write, class F>
-IRG_INLINE constexpr F depth_after([[maybe_unused]] const typename lanes<F>::mask& passed,
-                                   [[maybe_unused]] const F& depth, const F& stored) noexcept {
-  if constexpr (Write == depth_write::on)
-    return select(passed, depth, stored);
-  else
-    return stored;
-}
-
 }  // namespace IRG_ABI
 }  // namespace irg

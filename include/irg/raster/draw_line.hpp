@@ -12,14 +12,13 @@
 namespace irg {
 inline namespace IRG_ABI {
 
-/// Paints the pixels of the line from a to b that lie in the window, in the order from a to b.
-/// gives   nothing when the window is empty or the line misses it; a function paint is called once per pixel
+/// Paints the pixels of the line from a to b, in the order from a to b.
+/// gives   nothing when the line misses the raster's window; a function paint is called once per pixel
 /// exact   for all int coordinates the cells of line_bresenham with the same options
-/// cost    one division per line that lies in the window, at most five otherwise, and one store per visible pixel
+/// cost    one division per line that lies in the raster, at most five otherwise, and one store per visible pixel
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line(R& raster, cell a, cell b, const Paint& paint, const cell_window& window,
-                         const line_options& options = {}) {
-  const cell_window visible = intersect(window, window_of(raster));
+constexpr void draw_line(R& raster, cell a, cell b, const Paint& paint, const line_options& options = {}) {
+  const cell_window visible = window_of(raster);
   if constexpr (RowRaster<R> && !BlendFunction<Paint, R>) {
     if (a.y == b.y)
       return detail::draw_level_line(raster, a, b, visible, options.ends, static_cast<pixel_of<R>>(paint));
@@ -38,12 +37,6 @@ constexpr void draw_line(R& raster, cell a, cell b, const Paint& paint, const ce
     }
   }
   line_bresenham(a, b, visible, [&](cell c) { paint_pixel(raster, c.x, c.y, paint); }, options);
-}
-
-/// Paints the pixels of the line from a to b.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line(R& raster, cell a, cell b, const Paint& paint, const line_options& options = {}) {
-  draw_line(raster, a, b, paint, window_of(raster), options);
 }
 
 }  // namespace IRG_ABI

@@ -49,14 +49,15 @@ private:
 inline namespace IRG_ABI {
 
 /// Paints the lines one after the other, as draw_line does.
-/// gives   nothing for an empty sequence, an empty window and lines that miss it
+/// gives   nothing for an empty sequence and lines that miss the raster's window
 /// exact   the bytes of one draw_line per line, in order; a function paint is called as often and in that order
 /// cost    sorted when the raster exceeds the caches and the lines are long and many; allocates then, unless memory is
 ///         left from an earlier call
-template <WritableRaster R, LineSequence Lines, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, const cell_window& window,
-                          const line_options& options, line_batch& memory) {
-  const cell_window visible = intersect(window, window_of(raster));
+template <WritableRaster R, LineSequence Lines, PaintFor<R> Paint = pixel_of<R>, class Memory = line_batch>
+  requires std::same_as<Memory&, line_batch&>
+constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, const line_options& options = {},
+                          Memory&& memory = Memory{}) {
+  const cell_window visible = window_of(raster);
   if (visible.empty()) return;
   if constexpr (EvenRowRaster<R> && !BlendFunction<Paint, R>) {
     if (!std::is_constant_evaluated()) {
@@ -70,24 +71,15 @@ constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, con
     }
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(lines.size()); ++i)
-    draw_line(raster, lines[i].from, lines[i].to, paint, visible, options);
-}
-template <WritableRaster R, LineSequence Lines, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, const cell_window& window,
-                          const line_options& options = {}) {
-  line_batch memory;
-  draw_lines(raster, lines, paint, window, options, memory);
-}
-template <WritableRaster R, LineSequence Lines, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_lines(R& raster, const Lines& lines, const Paint& paint, const line_options& options = {}) {
-  draw_lines(raster, lines, paint, window_of(raster), options);
+    draw_line(raster, lines[i].from, lines[i].to, paint, options);
 }
 
 /// The same, each line in its own paint.
-template <WritableRaster R, PaintedLineSequence<R> Lines>
-constexpr void draw_painted_lines(R& raster, const Lines& lines, const cell_window& window, const line_options& options,
-                                  line_batch& memory) {
-  const cell_window visible = intersect(window, window_of(raster));
+template <WritableRaster R, PaintedLineSequence<R> Lines, class Memory = line_batch>
+  requires std::same_as<Memory&, line_batch&>
+constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_options& options = {},
+                                  Memory&& memory = Memory{}) {
+  const cell_window visible = window_of(raster);
   if (visible.empty()) return;
   using paint_type = std::remove_cvref_t<decltype(lines[std::size_t{}].paint)>;
   if constexpr (EvenRowRaster<R> && !BlendFunction<paint_type, R>) {
@@ -97,17 +89,7 @@ constexpr void draw_painted_lines(R& raster, const Lines& lines, const cell_wind
                                          [&](std::size_t i) { return static_cast<pixel_of<R>>(lines[i].paint); });
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(lines.size()); ++i)
-    draw_line(raster, lines[i].from, lines[i].to, lines[i].paint, visible, options);
-}
-template <WritableRaster R, PaintedLineSequence<R> Lines>
-constexpr void draw_painted_lines(R& raster, const Lines& lines, const cell_window& window,
-                                  const line_options& options = {}) {
-  line_batch memory;
-  draw_painted_lines(raster, lines, window, options, memory);
-}
-template <WritableRaster R, PaintedLineSequence<R> Lines>
-constexpr void draw_painted_lines(R& raster, const Lines& lines, const line_options& options = {}) {
-  draw_painted_lines(raster, lines, window_of(raster), options);
+    draw_line(raster, lines[i].from, lines[i].to, lines[i].paint, options);
 }
 
 }  // namespace IRG_ABI

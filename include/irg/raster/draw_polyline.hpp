@@ -21,13 +21,13 @@ enum class polyline_shape {
 
 inline namespace IRG_ABI {
 
-/// Paints the pixels of the lines that join the vertices one after the other, those that lie in the window.
+/// Paints the pixels of the lines that join the vertices one after the other.
 /// shape   each segment without its end, which the next one starts with; the last vertex of an open one, too
 /// gives   nothing without vertices; one pixel when all vertices are equal
 /// exact   the cells of draw_line; a function paint is called once per vertex that two segments share, but as often as
 ///         segments cross or overlap elsewhere
 template <WritableRaster R, CellSequence Vertices, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_polyline(R& raster, const Vertices& vertices, const Paint& paint, const cell_window& window,
+constexpr void draw_polyline(R& raster, const Vertices& vertices, const Paint& paint,
                              polyline_shape shape = polyline_shape::open, line_ties ties = line_ties::start_side) {
   const auto size = static_cast<std::size_t>(vertices.size());
   if (size == 0) return;
@@ -37,21 +37,14 @@ constexpr void draw_polyline(R& raster, const Vertices& vertices, const Paint& p
   bool moved = false;
   for (std::size_t i = 1; i < size; ++i) {
     const cell to = vertices[i];
-    draw_line(raster, from, to, paint, window, half_open);
+    draw_line(raster, from, to, paint, half_open);
     moved = moved || !(from == to);
     from = to;
   }
   if (shape == polyline_shape::closed && moved)
-    draw_line(raster, from, first, paint, window, half_open);
+    draw_line(raster, from, first, paint, half_open);
   else
-    draw_line(raster, from, from, paint, window);
-}
-
-/// The same on the whole raster.
-template <WritableRaster R, CellSequence Vertices, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_polyline(R& raster, const Vertices& vertices, const Paint& paint,
-                             polyline_shape shape = polyline_shape::open, line_ties ties = line_ties::start_side) {
-  draw_polyline(raster, vertices, paint, window_of(raster), shape, ties);
+    draw_line(raster, from, from, paint);
 }
 
 }  // namespace IRG_ABI

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include <irg/core/lanes.hpp>
+#include <irg/raster/depth_format.hpp>
 #include <irg/raster/depth_options.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/pixel_weights.hpp>
@@ -17,8 +18,16 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// Stands in for a depth raster where none is wanted.
+// Stands in for a depth raster where none is wanted, and for its pixels.
 struct no_depth {};
+template <class Depth>
+struct depth_pixel {
+  using type = pixel_of<Depth>;
+};
+template <>
+struct depth_pixel<const no_depth> {
+  using type = float;
+};
 
 // Counts of pixels, lane by lane.
 template <class I>
@@ -34,12 +43,6 @@ IRG_INLINE constexpr void count_up(I& counter, bool mask) noexcept {
 template <int N>
 IRG_INLINE void count_up(pack<std::int32_t, N>& counter, const pack<std::int32_t, N>& mask) noexcept {
   counter = counter - mask;
-}
-template <class I>
-IRG_INLINE constexpr std::int64_t total(const I& counter) noexcept {
-  std::int64_t sum = 0;
-  for (int i = 0; i < lanes<I>::count; ++i) sum += lane(counter, i);
-  return sum;
 }
 
 // Writes the shaded colour of every lane whose bit is set.
@@ -69,17 +72,17 @@ struct shade_over {
 };
 
 // A row of the picture, and the part of it that may be drawn to.
-template <class P>
+template <class P, class Z>
 struct triangle_row {
   int y, x_first, x_last;
-  float* depth;  // null where there are no depths
+  Z* depth;  // null where there are no depths
   P* colour;
 };
 
 // The pixels [x, x + count) of a row. F is float or a pack of them; I is the integer of the same shape, or int64 with a
 // plain float. Returns early when nothing is left to do.
-template <class Order, class Policy, class F, class I, class P, class Paint>
-IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, const triangle_row<P>& row,
+template <class Kept, class Policy, class F, class I, class P, class Z, class Paint>
+IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, const triangle_row<P, Z>& row,
                                           const Paint& paint, lane_counts<I>& counts) {
   using integers = lanes<I>;
   using integer = typename integers::scalar;
@@ -99,11 +102,14 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, const 
                               all(s.depth_rest), all(s.depth_low), all(s.depth_high));
   auto visible = covered;
   if (row.depth != nullptr) {
-    const F stored = lanes<F>::load(row.depth + x);
-    visible = both(covered, passes<Policy::test, Order>(depth, stored));
-    count_up(counts.ties, both(covered, depth == stored));
+    using kept = lanes<typename lanes<F>::template rebind<Z>>;
+    const auto stored = kept::load(row.depth + x);
+    const auto level = Kept::level(depth), there = Kept::level_of(stored);
+    visible = both(covered, passes<Policy::test, typename Kept::order>(level, there));
+    count_up(counts.ties, both(covered, level == there));
     if (mask_bits(visible) == 0) return;
-    if constexpr (Policy::write == depth_write::on) lanes<F>::store(row.depth + x, select(visible, depth, stored));
+    if constexpr (Policy::write == depth_write::on)
+      kept::store(row.depth + x, Kept::with_level(stored, select(visible, level, there)));
   }
   count_up(counts.shaded, visible);
   paint(row.colour + x, mask_bits(visible),
@@ -111,9 +117,10 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, const 
 }
 
 // Walks over the rows of the triangle's part of the window; packs of F never leave the window.
-template <class Order, class Policy, class F, class I, class Colour, class Depth, class Paint>
+template <class How, class Policy, class F, class I, class Colour, class Depth, class Paint>
 constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_triangle& t, const Paint& paint,
                                     const cell_window& window) {
+  using Z = typename depth_pixel<Depth>::type;
   constexpr int count = lanes<F>::count;
   const cell_window w = intersect(t.coverage.bounds, window);
   const I none = lanes<I>::broadcast(0);
@@ -122,17 +129,18 @@ constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_
     span_of_cells span{y, w.x_first, w.x_last};
     if (w.x_last - w.x_first > 4 * count)  // finding the ends pays
       span = covered_span(t.coverage, y, w.x_first, w.x_last);
-    triangle_row<pixel_of<Colour>> row{y, span.x_first, span.x_last, nullptr, raster_traits<Colour>::row(colour, y)};
+    triangle_row<pixel_of<Colour>, Z> row{y, span.x_first, span.x_last, nullptr, raster_traits<Colour>::row(colour, y)};
     if constexpr (!std::same_as<Depth, const no_depth>) row.depth = raster_traits<Depth>::row(depth, y);
     for (; row.x_first < row.x_last; row.x_first += count)
-      triangle_pixels<Order, Policy, F, I>(t.setup, lesser(row.x_first, window.x_last - count), row, paint, counts);
+      triangle_pixels<depth_kept<How, Z>, Policy, F, I>(t.setup, lesser(row.x_first, window.x_last - count), row, paint,
+                                                        counts);
   }
   return {total(counts.tested), total(counts.shaded), total(counts.ties)};
 }
 
 // Paints what is visible of a triangle: lanes with 32-bit coverage where the numbers fit, else one pixel at a time with
 // 64 bits.
-template <class Order, class Policy, class Colour, class Depth, class Paint>
+template <class How, class Policy, class Colour, class Depth, class Paint>
 constexpr draw_counts paint_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Paint& paint,
                                      const cell_window& window) {
   const cell_window w = intersect(t.coverage.bounds, window);
@@ -140,20 +148,28 @@ constexpr draw_counts paint_triangle(Colour& colour, Depth& depth, const covered
   if (!std::is_constant_evaluated()) {
     constexpr int count = native_lanes<float>;
     if (window.x_last - window.x_first >= count && fits_32_bits(t.coverage, w, count))
-      return triangle_rows<Order, Policy, pack<float, count>, pack<std::int32_t, count>>(colour, depth, t, paint,
-                                                                                         window);
+      return triangle_rows<How, Policy, pack<float, count>, pack<std::int32_t, count>>(colour, depth, t, paint, window);
   }
-  return triangle_rows<Order, Policy, float, std::int64_t>(colour, depth, t, paint, window);
+  return triangle_rows<How, Policy, float, std::int64_t>(colour, depth, t, paint, window);
 }
 
 }  // namespace IRG_ABI
+}  // namespace detail
+
+namespace detail {
+
+// A raster that triangles can be drawn into by depth: in an order floats are kept, in a format what it says.
+template <class R, class How>
+concept KeepsDepths = DepthKeeping<How, pixel_of<R>> && (DepthFormat<How> || std::same_as<pixel_of<R>, float>);
+
 }  // namespace detail
 
 inline namespace IRG_ABI {
 
 /// Draws the pixels of a triangle whose depths pass the test, by default those nearer than what `depth` holds, and
 /// returns how many were tested and drawn.
-/// shape   `shader` receives the weights of the second and third vertex
+/// shape   How says how `depth` keeps depths: a DepthOrder, floats as they come, or a DepthFormat, its `stored`.
+///         `shader` receives the weights of the second and third vertex
 /// needs   positions within snap_limit, depths that are finite, inverse_w > 0; colour and depth cover `window`
 /// gives   nothing for a degenerate triangle; with the default policy equal depths leave the pixel as it was, so the
 ///         first drawn wins
@@ -161,22 +177,25 @@ inline namespace IRG_ABI {
 ///         vertices' depths; weights within 4e-7
 /// cost    proportional to the pixels of the bounding box for small triangles, to the covered ones for wide ones
 /// source  Pineda 1988; Heckbert and Moreton 1991 for the perspective correction
-template <DepthOrder Order = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
+template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
           PixelShader<pixel_of<Colour>> Shader>
-  requires std::same_as<pixel_of<Depth>, float>
+  requires detail::KeepsDepths<Depth, How>
 constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const covered_triangle& t, const Shader& shader,
                                     const cell_window& window) {
-  return detail::paint_triangle<Order, Policy>(colour, depth, t, detail::shade_over<Shader>{shader}, window);
+  return detail::paint_triangle<How, Policy>(colour, depth, t, detail::shade_over<Shader>{shader}, window);
 }
 
 /// As above, the coverage worked out here and the whole raster open to drawing.
-/// shape   v0, v1, v2 in either winding; `shader` receives the weights of v1 and v2
-template <DepthOrder Order = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
+/// shape   v0, v1, v2 in either winding; `shader` receives the weights of v1 and v2; depth_inverse_w keeps their
+///         inverse_w
+template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
           PixelShader<pixel_of<Colour>> Shader>
-  requires std::same_as<pixel_of<Depth>, float>
+  requires detail::KeepsDepths<Depth, How>
 constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_vertex& v0, const screen_vertex& v1,
                                     const screen_vertex& v2, const Shader& shader) {
-  return draw_triangle<Order, Policy>(colour, depth, cover_and_set_up(v0, v1, v2), shader, window_of(colour));
+  return draw_triangle<How, Policy>(colour, depth,
+                                    cover_and_set_up(vertex_for<How>(v0), vertex_for<How>(v1), vertex_for<How>(v2)),
+                                    shader, window_of(colour));
 }
 
 /// Draws every covered pixel of a triangle: no depth buffer, what is drawn later covers what was drawn before.

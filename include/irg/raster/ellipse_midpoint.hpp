@@ -27,6 +27,8 @@ struct ellipse_radii {
     const I odd = 2 * m - 1, along = static_cast<I>(p) * p;
     return 4 * (static_cast<I>(q) * q) * (along - static_cast<I>(k) * k) - odd * odd * along;
   }
+  constexpr I step() const noexcept { return 4 * (static_cast<I>(q) * q); }
+  constexpr I drop() const noexcept { return 8 * (static_cast<I>(p) * p); }
   // The nearest height at k, 0 <= k <= p.
   constexpr std::int64_t height(std::int64_t k) const noexcept {
     const I along = static_cast<I>(p) * p;
@@ -37,7 +39,7 @@ struct ellipse_radii {
   // How many k >= 0 have a height of m or more.
   constexpr std::int64_t reach(std::int64_t m) const noexcept {
     if (m <= 0 || m > q) return m <= 0 ? p + 1 : 0;
-    return floor_sqrt(static_cast<std::int64_t>((excess(0, m) - 1) / (4 * (static_cast<I>(q) * q)))) + 1;
+    return floor_sqrt(static_cast<std::int64_t>((excess(0, m) - 1) / step())) + 1;
   }
   // One past the last k of the flat part.
   constexpr std::int64_t flat_end() const noexcept {
@@ -46,29 +48,6 @@ struct ellipse_radii {
   }
 };
 
-// The cells of an arc with k < end that lie in the window.
-template <class I, CellSink Sink>
-constexpr void ellipse_arc(const conic_arc& arc, const ellipse_radii<I>& e, std::int64_t end, const cell_window& w,
-                           Sink&& emit) {
-  const step_range along = arc.along(w), aside = arc.aside(w);
-  std::int64_t first = along.first, last = lesser(along.last, end);
-  if (first >= last || aside.first >= aside.last) return;
-  last = lesser(last, e.reach(aside.first));
-  first = greater(first, e.reach(aside.last));
-  if (first >= last) return;
-  const I step = 4 * (static_cast<I>(e.q) * e.q), drop = 8 * (static_cast<I>(e.p) * e.p);
-  std::int64_t m = e.height(first);
-  I excess = e.excess(first, m);
-  for (std::int64_t k = first; k < last; ++k) {
-    emit(arc.at(k, m));
-    excess -= step * (2 * k + 1);
-    if (excess < 0 && m > 0) {
-      --m;
-      excess += drop * m;
-    }
-  }
-}
-
 template <class I, CellSink Sink>
 constexpr void ellipse_outline(const cell& centre, std::int64_t a, std::int64_t b, const cell_window& w, Sink&& emit) {
   const ellipse_radii<I> columns{a, b}, rows{b, a};
@@ -76,12 +55,12 @@ constexpr void ellipse_outline(const cell& centre, std::int64_t a, std::int64_t 
   const bool same_last_cell = columns.height(x - 1) == y - 1 && rows.height(y - 1) == x - 1;
   const bool corner = (x <= a && columns.height(x) == y) || (y <= b && rows.height(y) == x);
   for_mirrored_arcs(centre, false, [&](const conic_arc& arc) {
-    ellipse_arc(arc, columns, x, w, emit);
+    emit_arc(arc, columns, x, w, emit);
     const step_range along = arc.along(w), aside = arc.aside(w);
     if (corner && x >= along.first && x < along.last && y >= aside.first && y < aside.last) emit(arc.at(x, y));
   });
   for_mirrored_arcs(centre, true,
-                    [&](const conic_arc& arc) { ellipse_arc(arc, rows, same_last_cell ? y - 1 : y, w, emit); });
+                    [&](const conic_arc& arc) { emit_arc(arc, rows, same_last_cell ? y - 1 : y, w, emit); });
 }
 
 // Radii for which 64 bits hold 4 * a^2 * b^2.
@@ -146,34 +125,20 @@ constexpr void ellipse_spans(const cell& centre, int radius_x, int radius_y, con
     detail::full_ellipse_spans<detail::int128>(centre, radius_x, radius_y, window, emit);
 }
 
-/// Paints the pixels of the ellipse that lie in the window, each once.
+/// Paints the pixels of the ellipse, each once.
 /// exact   the cells of ellipse_midpoint
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint,
-                            const cell_window& window) {
-  ellipse_midpoint(centre, radius_x, radius_y, intersect(window, window_of(raster)),
+constexpr void draw_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint) {
+  ellipse_midpoint(centre, radius_x, radius_y, window_of(raster),
                    [&](const cell& c) { paint_pixel(raster, c.x, c.y, paint); });
 }
 
-/// Paints the pixels of the ellipse, each once.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint) {
-  draw_ellipse(raster, centre, radius_x, radius_y, paint, window_of(raster));
-}
-
-/// Paints the pixels of the filled ellipse that lie in the window, each once.
+/// Paints the pixels of the filled ellipse, each once.
 /// exact   the spans of ellipse_spans
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void fill_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint,
-                            const cell_window& window) {
-  ellipse_spans(centre, radius_x, radius_y, intersect(window, window_of(raster)),
-                [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// Paints the pixels of the filled ellipse, each once.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void fill_ellipse(R& raster, const cell& centre, int radius_x, int radius_y, const Paint& paint) {
-  fill_ellipse(raster, centre, radius_x, radius_y, paint, window_of(raster));
+  ellipse_spans(centre, radius_x, radius_y, window_of(raster),
+                [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI

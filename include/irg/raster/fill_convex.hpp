@@ -31,33 +31,21 @@ constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& 
 /// Paints the pixels of a convex polygon, each once.
 /// gives   false, and nothing painted, when a vertex is NaN, infinite or more than far_limit pixels from the origin
 template <WritableRaster R, FillableRing Ring, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_convex(R& raster, const Ring& ring, const Paint& paint, const cell_window& window) {
+constexpr bool fill_convex(R& raster, const Ring& ring, const Paint& paint) {
   decltype(auto) prepared = detail::prepared_paint<R>(paint);
   const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
-  return detail::walk_ring(ring, intersect(window, window_of(raster)), [&](int y, int first, int last) {
+  return detail::walk_ring(ring, window_of(raster), [&](int y, int first, int last) {
     detail::paint_run(raster, y, first, last, prepared, ahead);
   });
-}
-
-template <WritableRaster R, FillableRing Ring, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_convex(R& raster, const Ring& ring, const Paint& paint) {
-  return fill_convex(raster, ring, paint, window_of(raster));
 }
 
 /// Paints the pixels of a triangle, each once.
 /// gives   as fill_convex does
 template <WritableRaster R, class P, PaintFor<R> Paint = pixel_of<R>>
   requires FillableRing<P[3]>
-constexpr bool fill_triangle(R& raster, const P& a, const P& b, const P& c, const Paint& paint,
-                             const cell_window& window) {
-  const P corners[3] = {a, b, c};
-  return fill_convex(raster, corners, paint, window);
-}
-
-template <WritableRaster R, class P, PaintFor<R> Paint = pixel_of<R>>
-  requires FillableRing<P[3]>
 constexpr bool fill_triangle(R& raster, const P& a, const P& b, const P& c, const Paint& paint) {
-  return fill_triangle(raster, a, b, c, paint, window_of(raster));
+  const P corners[3] = {a, b, c};
+  return fill_convex(raster, corners, paint);
 }
 
 }  // namespace IRG_ABI

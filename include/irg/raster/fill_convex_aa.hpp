@@ -23,7 +23,7 @@ inline namespace IRG_ABI {
 ///         the exact area of the snapped polygon. No window changes a pixel within it; a polygon mirrored in x has
 ///         mirrored coverages, one shifted by whole pixels has shifted ones
 /// cost    two divisions per edge; per row, a closed form for the pixels that edges cross; nothing is allocated
-/// source  the areas add up as in Catmull 1978; closed forms per edge and row
+/// source  Catmull 1978 (areas add up); closed forms per edge and row
 template <FillableRing Ring, CoverageSink Sink>
 constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink&& emit) {
   return detail::send_convex_areas(ring, window, emit);
@@ -33,17 +33,12 @@ constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink
 /// gives   false, and nothing painted, when a vertex is NaN, infinite or more than snap_limit pixels from the origin
 /// exact   the pixels that convex_coverage and blend_span make
 template <WritableRaster R, FillableRing Ring, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint, const cell_window& window) {
-  const cell_window w = intersect(window, window_of(raster));
+constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint) {
+  const cell_window w = window_of(raster);
   if constexpr (RowRaster<R> && !CoverageBlendFunction<Paint, R>)
     return detail::mix_convex_areas(raster, ring, static_cast<pixel_of<R>>(paint), w);
   else
     return convex_coverage(ring, w, [&](const coverage_span& span) { blend_span(raster, span, paint); });
-}
-
-template <WritableRaster R, FillableRing Ring, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_convex_aa(R& raster, const Ring& ring, const Paint& paint) {
-  return fill_convex_aa(raster, ring, paint, window_of(raster));
 }
 
 }  // namespace IRG_ABI

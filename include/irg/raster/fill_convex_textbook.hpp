@@ -117,7 +117,7 @@ inline namespace IRG_ABI {
 ///         half_open), another segment and a point only what `closed` finds on them
 /// exact   crossings are compared and rounded as fractions
 /// cost    one pass over the edges per row of the polygon in the window, in 128-bit arithmetic
-/// source  the course, chapter 3.4: L is the maximum over left edges (y_i < y_i+1 when clockwise, y up), D the minimum
+/// source  Mihajlovic 2016, 3.4: L is the maximum over left edges (y_i < y_i+1 when clockwise, y up), D the minimum
 ///         over right edges, edges taken as endless lines, horizontal ones skipped
 template <LatticeRing Ring, SpanSink Sink>
 constexpr void convex_spans_textbook(const Ring& ring, sample_rule rule, const cell_window& window, Sink&& emit) {
@@ -146,19 +146,11 @@ constexpr void convex_spans_textbook(const Ring& ring, sample_rule rule, const c
   }
 }
 
-/// Paints the convex polygon's cells that lie in the window and the raster; row y of the raster is y of the polygon.
+/// Paints the convex polygon's cells; row y of the raster is y of the polygon.
 /// needs, gives, exact, cost   as convex_spans_textbook
 template <WritableRaster R, LatticeRing Ring, PaintFor<R> Paint = pixel_of<R>>
-constexpr void fill_convex_textbook(R& raster, const Ring& ring, sample_rule rule, const Paint& paint,
-                                    const cell_window& window) {
-  convex_spans_textbook(ring, rule, intersect(window, window_of(raster)),
-                        [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// Paints the convex polygon's cells that lie in the raster.
-template <WritableRaster R, LatticeRing Ring, PaintFor<R> Paint = pixel_of<R>>
 constexpr void fill_convex_textbook(R& raster, const Ring& ring, sample_rule rule, const Paint& paint) {
-  fill_convex_textbook(raster, ring, rule, paint, window_of(raster));
+  convex_spans_textbook(ring, rule, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI

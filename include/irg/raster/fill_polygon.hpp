@@ -77,41 +77,25 @@ inline namespace IRG_ABI {
 /// cost    per row of the window, one step and at best one comparison per edge that crosses it, after sorting the
 ///         edges; rows whose edges are much out of order are counted by column, or sorted. The workspace keeps memory
 ///         for the edges; a single ring that no level line crosses more than twice needs none
-template <FillablePolygon P, SpanSink Sink>
+template <FillablePolygon P, SpanSink Sink, class Workspace = fill_workspace>
+  requires std::same_as<Workspace&, fill_workspace&>
 constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,
-                             fill_workspace& workspace) {
+                             Workspace&& workspace = Workspace{}) {
   return detail::walk_polygon(polygon, rule, window, workspace,
                               [&](int y, int first, int last) { emit(span_of_cells{y, first, last}); });
 }
 
-template <FillablePolygon P, SpanSink Sink>
-constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit) {
-  fill_workspace workspace;
-  return polygon_spans(polygon, rule, window, emit, workspace);
-}
-
 /// Paints the pixels of a polygon, each once.
 /// gives   false, and nothing painted, when a vertex is NaN, infinite or more than far_limit pixels from the origin
-template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint, const cell_window& window,
-                            fill_workspace& workspace) {
+template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>, class Workspace = fill_workspace>
+  requires std::same_as<Workspace&, fill_workspace&>
+constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
+                            Workspace&& workspace = Workspace{}) {
   decltype(auto) prepared = detail::prepared_paint<R>(paint);
   const std::ptrdiff_t ahead = detail::bytes_to_row_below(raster);
-  return detail::walk_polygon(
-      polygon, rule, intersect(window, window_of(raster)), workspace,
-      [&](int y, int first, int last) { detail::paint_run(raster, y, first, last, prepared, ahead); });
-}
-
-template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
-                            const cell_window& window) {
-  fill_workspace workspace;
-  return fill_polygon(raster, polygon, rule, paint, window, workspace);
-}
-
-template <WritableRaster R, FillablePolygon P, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_polygon(R& raster, const P& polygon, fill_rule rule, const Paint& paint) {
-  return fill_polygon(raster, polygon, rule, paint, window_of(raster));
+  return detail::walk_polygon(polygon, rule, window_of(raster), workspace, [&](int y, int first, int last) {
+    detail::paint_run(raster, y, first, last, prepared, ahead);
+  });
 }
 
 }  // namespace IRG_ABI

@@ -82,10 +82,11 @@ inline namespace IRG_ABI {
 /// cost    per row, sorting its edges (they are nearly in order); per pixel that an edge crosses, one closed form; per
 ///         crossing of edges, a few more. The workspace keeps memory for the edges, what crosses in a row, and one row.
 ///         A single convex ring goes the way of convex_coverage
-/// source  sweep and crossings as in Bentley and Ottmann 1979, a pixel row at a time
-template <FillablePolygon P, CoverageSink Sink>
+/// source  Bentley and Ottmann 1979 (sweep and crossings), a pixel row at a time
+template <FillablePolygon P, CoverageSink Sink, class Workspace = coverage_workspace>
+  requires std::same_as<Workspace&, coverage_workspace&>
 constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,
-                                coverage_workspace& workspace) {
+                                Workspace&& workspace = Workspace{}) {
   detail::area_memory& m = workspace.memory;
   if (detail::reach_of_polygon(polygon) != detail::ring_reach::within_snap_limit) return false;
   if constexpr (FillableRing<P>)
@@ -101,35 +102,19 @@ constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_win
   return true;
 }
 
-template <FillablePolygon P, CoverageSink Sink>
-constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit) {
-  coverage_workspace workspace;
-  return polygon_coverage(polygon, rule, window, emit, workspace);
-}
-
 /// Paints a polygon, each pixel as far as it is covered.
 /// gives   false, and nothing painted, when a vertex is NaN, infinite or more than snap_limit pixels from the origin
 /// exact   the pixels that polygon_coverage and blend_span make
-template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel_of<R>>
+template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel_of<R>,
+          class Workspace = coverage_workspace>
+  requires std::same_as<Workspace&, coverage_workspace&>
 constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
-                               const cell_window& window, coverage_workspace& workspace) {
+                               Workspace&& workspace = Workspace{}) {
   if constexpr (FillableRing<P>)
     if (detail::reach_of(polygon) == detail::ring_reach::within_snap_limit && detail::is_convex_ring(polygon))
-      return fill_convex_aa(raster, polygon, paint, window);
+      return fill_convex_aa(raster, polygon, paint);
   const auto blend = [&](const coverage_span& span) { blend_span(raster, span, paint); };
-  return polygon_coverage(polygon, rule, intersect(window, window_of(raster)), blend, workspace);
-}
-
-template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
-                               const cell_window& window) {
-  coverage_workspace workspace;
-  return fill_polygon_aa(raster, polygon, rule, paint, window, workspace);
-}
-
-template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint) {
-  return fill_polygon_aa(raster, polygon, rule, paint, window_of(raster));
+  return polygon_coverage(polygon, rule, window_of(raster), blend, workspace);
 }
 
 }  // namespace IRG_ABI

@@ -82,31 +82,24 @@ inline namespace IRG_ABI {
 ///         A blend function is called for a pixel in the order of the polygons, but for different pixels in any order
 /// cost    that of the polygons one by one, or less: where the pixels of a large raster are painted more than once, it
 ///         is worked through in bands that fit the second-level cache, with 32 bytes a polygon and 4 a polygon and band
-template <WritableRaster R, FillablePolygons P, PaintsFor<R> Paints = pixel_of<R>>
+template <WritableRaster R, FillablePolygons P, PaintsFor<R> Paints = pixel_of<R>, class Workspace = fill_workspace>
+  requires std::same_as<Workspace&, fill_workspace&>
 constexpr bool fill_polygons(R& raster, const P& polygons, fill_rule rule, const Paints& paints,
-                             const cell_window& window, fill_workspace& workspace) {
+                             Workspace&& workspace = Workspace{}) {
   const std::size_t n = static_cast<std::size_t>(polygons.size());
-  const cell_window w = intersect(window, window_of(raster));
-  const auto paint_one = [&](std::size_t i, const cell_window& part) {
-    return fill_polygon(raster, polygons[i], rule, detail::paint_at<R>(paints, i), part, workspace);
+  const cell_window w = window_of(raster);
+  const auto paint_one = [&](auto& target, std::size_t i) {
+    return fill_polygon(target, polygons[i], rule, detail::paint_at<R>(paints, i), workspace);
   };
   workspace.bands.rows = detail::polygon_band_height(raster, polygons, n, w);
-  if (workspace.bands.rows > 0) return detail::for_each_in_band(polygons, n, w, workspace.bands, paint_one);
+  if (workspace.bands.rows > 0)
+    return detail::for_each_in_band(polygons, n, w, workspace.bands, [&](std::size_t i, const cell_window& band) {
+      const auto part = within(raster, band);
+      paint_one(part, i);
+    });
   bool all = true;
-  for (std::size_t i = 0; i < n; ++i) all = paint_one(i, w) && all;
+  for (std::size_t i = 0; i < n; ++i) all = paint_one(raster, i) && all;
   return all;
-}
-
-template <WritableRaster R, FillablePolygons P, PaintsFor<R> Paints = pixel_of<R>>
-constexpr bool fill_polygons(R& raster, const P& polygons, fill_rule rule, const Paints& paints,
-                             const cell_window& window) {
-  fill_workspace workspace;
-  return fill_polygons(raster, polygons, rule, paints, window, workspace);
-}
-
-template <WritableRaster R, FillablePolygons P, PaintsFor<R> Paints = pixel_of<R>>
-constexpr bool fill_polygons(R& raster, const P& polygons, fill_rule rule, const Paints& paints) {
-  return fill_polygons(raster, polygons, rule, paints, window_of(raster));
 }
 
 }  // namespace IRG_ABI

@@ -124,16 +124,18 @@ inline namespace IRG_ABI {
 /// gives   nothing when the span is empty or misses the raster
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 IRG_INLINE constexpr void fill_span(R& raster, const span_of_cells& span, const Paint& paint) {
-  if (span.y < 0 || span.y >= height_of(raster)) return;
-  const int first = greater(span.x_first, 0);
-  const int last = lesser(span.x_last, width_of(raster));
+  const cell_window w = window_of(raster);
+  if (span.y < w.y_first || span.y >= w.y_last) return;
+  const int first = greater(span.x_first, w.x_first);
+  const int last = lesser(span.x_last, w.x_last);
   if (first < last) detail::paint_run(raster, span.y, first, last, detail::prepared_paint<R>(paint));
 }
 
-/// Writes value to every pixel of the raster.
+/// Writes value to every pixel of the raster, or of its window.
 template <WritableRaster R>
 constexpr void clear(R& raster, const pixel_of<R>& value) {
-  for (int y = 0; y < height_of(raster); ++y) fill_span(raster, {y, 0, width_of(raster)}, value);
+  const cell_window w = window_of(raster);
+  for (int y = w.y_first; y < w.y_last; ++y) fill_span(raster, {y, w.x_first, w.x_last}, value);
 }
 
 }  // namespace IRG_ABI

@@ -156,9 +156,7 @@ constexpr void aa_box(const aa_overlap& x, const aa_overlap& y, const cell_windo
 }
 
 IRG_INLINE constexpr bool aa_can_draw(const subpixel& a, const subpixel& b, std::int32_t width) noexcept {
-  constexpr std::int32_t limit = snap_limit * one_pixel;
-  const auto within = [](std::int32_t v) { return v >= -limit && v <= limit; };
-  return within(a.x) && within(a.y) && within(b.x) && within(b.y) && width > 0 && width <= max_line_aa_width;
+  return can_snap(a) && can_snap(b) && width > 0 && width <= max_line_aa_width;
 }
 
 template <bool Inside, class Writer>
@@ -242,60 +240,26 @@ constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& 
   return true;
 }
 
-/// Mixes the paint into the pixels of the line from a to b that lie in the window, as far as each is covered.
-/// gives   false and nothing drawn when a coordinate or the width is out of range
+/// Mixes the paint into the pixels of the line from a to b, as far as each is covered.
+/// gives   false and nothing drawn when a position cannot be snapped or the width is out of range
 /// exact   the coverages of line_aa; pixels as by paint_pixel, those of coverage 0 keep their value
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_aa(R& raster, const subpixel& a, const subpixel& b, const Paint& paint,
-                            const cell_window& window, const line_aa_options& options = {}) {
-  const cell_window w = intersect(window, window_of(raster));
+template <WritableRaster R, ScreenPosition P, CoveragePaintFor<R> Paint = pixel_of<R>>
+constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& paint,
+                            const line_aa_options& options = {}) {
+  if (!can_snap(a) || !can_snap(b)) return false;
+  const subpixel from = snap(a), to = snap(b);
+  const cell_window w = window_of(raster);
   if constexpr (RowRaster<R> && detail::mixes_in_lanes<pixel_of<R>> && !CoverageBlendFunction<Paint, R>) {
     if (!std::is_constant_evaluated()) {
-      if (!detail::aa_can_draw(a, b, options.width)) return false;
-      detail::aa_mix_line(raster, a, b, static_cast<pixel_of<R>>(paint), options, w);
+      if (!detail::aa_can_draw(from, to, options.width)) return false;
+      detail::aa_mix_line(raster, from, to, static_cast<pixel_of<R>>(paint), options, w);
       return true;
     }
   }
   const auto blend = [&](const coverage_span& s) {
     for (int x = s.x_first; x < s.x_last; ++x) paint_pixel(raster, x, s.y, paint, s.coverage[x - s.x_first]);
   };
-  return line_aa(a, b, w, blend, options);
-}
-
-/// Mixes the paint into the pixels of the line from a to b, as far as each is covered.
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_aa(R& raster, const subpixel& a, const subpixel& b, const Paint& paint,
-                            const line_aa_options& options = {}) {
-  return draw_line_aa(raster, a, b, paint, window_of(raster), options);
-}
-
-/// The line between the centres of two pixels.
-/// gives   false and nothing drawn also for cells farther than snap_limit
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_aa(R& raster, cell a, cell b, const Paint& paint, const cell_window& window,
-                            const line_aa_options& options = {}) {
-  const auto in_reach = [](int v) { return v >= -snap_limit && v < snap_limit; };
-  if (!in_reach(a.x) || !in_reach(a.y) || !in_reach(b.x) || !in_reach(b.y)) return false;
-  const auto centre = [](cell c) { return subpixel{c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel}; };
-  return draw_line_aa(raster, centre(a), centre(b), paint, window, options);
-}
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_aa(R& raster, cell a, cell b, const Paint& paint, const line_aa_options& options = {}) {
-  return draw_line_aa(raster, a, b, paint, window_of(raster), options);
-}
-
-/// The line between two points in pixels, snapped to 1/256 pixel.
-/// gives   false and nothing drawn when a coordinate is NaN, infinite or beyond snap_limit
-template <WritableRaster R, Floating T, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_aa(R& raster, const point<T, 2>& a, const point<T, 2>& b, const Paint& paint,
-                            const cell_window& window, const line_aa_options& options = {}) {
-  if (!can_snap(a.x) || !can_snap(a.y) || !can_snap(b.x) || !can_snap(b.y)) return false;
-  return draw_line_aa(raster, snap(a), snap(b), paint, window, options);
-}
-template <WritableRaster R, Floating T, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_aa(R& raster, const point<T, 2>& a, const point<T, 2>& b, const Paint& paint,
-                            const line_aa_options& options = {}) {
-  return draw_line_aa(raster, a, b, paint, window_of(raster), options);
+  return line_aa(from, to, w, blend, options);
 }
 
 }  // namespace IRG_ABI

@@ -25,8 +25,6 @@ inline constexpr std::int64_t line_dda_steps = detail::proven_steps<T>(1, 2);
 namespace detail {
 inline namespace IRG_ABI {
 
-__extension__ typedef unsigned __int128 dda_uint128;
-
 // A walk by 64-bit fractions, from a step that is known exactly; see above.
 struct dda_walk {
   std::uint64_t fraction, slope;
@@ -34,12 +32,12 @@ struct dda_walk {
 };
 
 constexpr dda_walk dda_walk_from(const bresenham_frame& f, std::int64_t i) noexcept {
-  const auto n = static_cast<dda_uint128>(f.n), m = static_cast<dda_uint128>(f.m);
+  const auto n = static_cast<uint128>(f.n), m = static_cast<uint128>(f.m);
   const std::int64_t aside = f.aside_at(i);
   // rest: v - floor(v) in units of 1/(2n), so 0 <= rest < 2n.
-  const auto rest = static_cast<dda_uint128>(int128{2} * i * f.m + f.n - 1 + f.tie - int128{2} * f.n * aside);
-  const dda_uint128 slope = f.m == f.n ? ~std::uint64_t{0} : (m << 64) / n;
-  const dda_uint128 unit = (dda_uint128{1} << 64) / (2 * n), room = lesser(unit - 2, dda_uint128{1} << 33);
+  const auto rest = static_cast<uint128>(int128{2} * i * f.m + f.n - 1 + f.tie - int128{2} * f.n * aside);
+  const uint128 slope = f.m == f.n ? ~std::uint64_t{0} : (m << 64) / n;
+  const uint128 unit = (uint128{1} << 64) / (2 * n), room = lesser(unit - 2, uint128{1} << 33);
   return {static_cast<std::uint64_t>(((rest + 1) << 64) / (2 * n) - 1), static_cast<std::uint64_t>(slope), aside,
           static_cast<std::int64_t>(room)};
 }

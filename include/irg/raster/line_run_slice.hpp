@@ -59,7 +59,7 @@ inline namespace IRG_ABI {
 /// gives   no call when the line misses the window or the window is empty; runs are cut where they leave the window
 /// exact   the cells of line_bresenham with the same options, for all int coordinates
 /// cost    two additions per run and six divisions per line, whatever the length of its runs
-/// source  Bresenham 1985, Run length slice algorithm for incremental lines; Abrash 1992
+/// source  Bresenham 1985; Abrash 1992
 template <LineRunSink Sink>
 constexpr void line_run_slice(cell a, cell b, const cell_window& window, Sink&& emit,
                               const line_options& options = {}) {

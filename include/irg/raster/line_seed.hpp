@@ -48,7 +48,7 @@ inline namespace IRG_ABI {
 /// needs   0 to 45 degrees: 0 <= b.y - a.y <= b.x - a.x and a.x < b.x
 /// gives   false, and no call, outside that domain or beyond line_textbook_steps<Number> steps
 /// exact   in exact numbers the cells of the half-open line_bresenham
-/// source  the first course text, 2.6.1 steps 1 to 8: "for D > 0" is a loop, and the end point is not plotted
+/// source  Mihajlovic 2016, 2.6.1 steps 1 to 8: "for D > 0" is a loop, and the end point is not plotted
 template <Real Number = double, CellSink Sink>
 constexpr bool line_bresenham_seed(cell a, cell b, Sink&& emit) {
   const std::int64_t x0 = std::int64_t{b.x} - a.x, y0 = std::int64_t{b.y} - a.y;
@@ -70,7 +70,7 @@ constexpr bool line_bresenham_seed(cell a, cell b, Sink&& emit) {
 /// gives   false, and no call, outside that domain or beyond line_textbook_steps<Number> steps
 /// exact   never meant to be: each cell lies where line_bresenham has the next one, so the line to (5, 3) begins at
 ///         (0, 1); the line to (8, 4) is that of the opposite direction
-/// source  the second course text, 3.1
+/// source  Fabris 2012, 3.1
 template <Real Number = double, CellSink Sink>
 constexpr bool line_octant_seed(cell to, Sink&& emit) {
   if (to.y < 0 || to.x <= to.y || to.x > line_textbook_steps<Number>) return false;
@@ -82,7 +82,7 @@ constexpr bool line_octant_seed(cell to, Sink&& emit) {
 /// it did.
 /// needs   to.x >= 0 and to.y >= 0, not both 0
 /// gives   false, and no call, outside that domain or beyond line_textbook_steps<Number> steps
-/// source  the second course text, 3.2, first listing, D moved on in every pass (its indentation is lost in print)
+/// source  Fabris 2012, 3.2, first listing, D moved on in every pass (its indentation is lost in print)
 template <Real Number = double, CellSink Sink>
 constexpr bool line_quadrant_seed(cell to, Sink&& emit) {
   if (to.x > to.y) return line_octant_seed<Number>(to, emit);
@@ -97,7 +97,7 @@ constexpr bool line_quadrant_seed(cell to, Sink&& emit) {
 ///         would leave int. Lines driven by x move y by the sign of x: those with b.x > a.x and b.y < a.y go up instead
 ///         of down, and those with b.x < a.x and b.y > a.y down instead of up
 /// exact   in exact numbers all other lines have the cells of line_bresenham
-/// source  the second course text, 3.2, last listing (`linija`)
+/// source  Fabris 2012, 3.2, last listing (`linija`)
 template <Real Number = double, CellSink Sink>
 constexpr bool line_plane_seed(cell a, cell b, Sink&& emit) {
   const detail::bresenham_frame f = detail::frame_of(a, b);

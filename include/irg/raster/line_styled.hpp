@@ -130,25 +130,15 @@ constexpr std::uint64_t line_styled(cell a, cell b, const dash_mask& pattern, st
   return detail::dashed_line(detail::dash_mask_walk(pattern), a, b, phase, window, emit, options);
 }
 
-/// Paints the drawn pixels of the dashed line from a to b that lie in the window.
+/// Paints the drawn pixels of the dashed line from a to b.
 /// gives   the phase at b
 /// exact   the cells of line_styled with the same options
 template <class Pattern, WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
   requires std::same_as<Pattern, dash_runs> || std::same_as<Pattern, dash_mask>
 constexpr std::uint64_t draw_line_styled(R& raster, cell a, cell b, const Pattern& pattern, std::uint64_t phase,
-                                         const Paint& paint, const cell_window& window,
-                                         const line_options& options = {}) {
-  return line_styled(
-      a, b, pattern, phase, intersect(window, window_of(raster)), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); },
-      options);
-}
-
-/// The same in the whole raster.
-template <class Pattern, WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-  requires std::same_as<Pattern, dash_runs> || std::same_as<Pattern, dash_mask>
-constexpr std::uint64_t draw_line_styled(R& raster, cell a, cell b, const Pattern& pattern, std::uint64_t phase,
                                          const Paint& paint, const line_options& options = {}) {
-  return draw_line_styled(raster, a, b, pattern, phase, paint, window_of(raster), options);
+  return line_styled(
+      a, b, pattern, phase, window_of(raster), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); }, options);
 }
 
 }  // namespace IRG_ABI

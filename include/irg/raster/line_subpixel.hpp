@@ -8,9 +8,9 @@
 #pragma once
 
 #include <irg/raster/detail/floor_division.hpp>
-#include <irg/raster/detail/snap_range.hpp>
 #include <irg/raster/line_options.hpp>
 #include <irg/raster/paint.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>
 
 namespace irg {
@@ -131,21 +131,21 @@ inline namespace IRG_ABI {
 
 /// Calls emit(cell) for the cells of the line from a to b that lie in the window, in the order from a to b.
 /// shape   8-connected, one cell per column whose centre lies between the ends (per row, from 45 degrees up)
-/// units   a and b in 1/256 pixel; pixel (0, 0) has its centre at (128, 128)
-/// needs   coordinates within snap_limit pixels of the origin
-/// gives   no call when the line misses the window, or passes no centre because it is too short
+/// units   points in pixels, snapped to 1/256 pixel once; pixel (0, 0) has its centre at (128, 128) of these
+/// gives   false, and no call, when a position cannot be snapped; else true. No call when the line misses the window,
+///         or passes no centre because it is too short
 /// exact   clipped cells are the unclipped line's; a height half-way between two centres goes where the options say,
 ///         on a level line to the greater row (column), with diamond_exit as if both ends were moved by (-e, -e^2)
 /// cost    one addition per visible cell and three divisions per line, whatever its length
 /// source  Vulkan 1.3, "Bresenham line segment rasterization", and OpenGL 4.6, 14.5.1, for diamond_exit
-template <CellSink Sink>
-constexpr void line_subpixel(const subpixel& a, const subpixel& b, const cell_window& window, Sink&& emit,
+template <ScreenPosition P, CellSink Sink>
+constexpr bool line_subpixel(const P& a, const P& b, const cell_window& window, Sink&& emit,
                              const line_subpixel_options& options = {}) {
-  IRG_EXPECTS(detail::within_snap_limit(a) && detail::within_snap_limit(b));
-  if (window.empty()) return;
-  detail::subpixel_walk w = detail::subpixel_walk_of(a, b, options);
+  if (!can_snap(a) || !can_snap(b)) return false;
+  if (window.empty()) return true;
+  detail::subpixel_walk w = detail::subpixel_walk_of(snap(a), snap(b), options);
   detail::clip_walk(w, window);
-  if (w.first >= w.last) return;
+  if (w.first >= w.last) return true;
   const std::int64_t height = w.at_zero + w.first * w.dv;
   std::int64_t row = height >= 0 ? height / w.du : -((-height + w.du - 1) / w.du);
   std::int64_t rest = height - row * w.du;  // in [0, du)
@@ -157,48 +157,16 @@ constexpr void line_subpixel(const subpixel& a, const subpixel& b, const cell_wi
       rest -= w.du;
     }
   }
-}
-
-/// The same for ends in pixels, each snapped to 1/256 pixel once.
-/// gives   false, and no call, when a coordinate is NaN, infinite or beyond snap_limit
-template <Floating T, CellSink Sink>
-constexpr bool line_subpixel(const point<T, 2>& a, const point<T, 2>& b, const cell_window& window, Sink&& emit,
-                             const line_subpixel_options& options = {}) {
-  if (!can_snap(a.x) || !can_snap(a.y) || !can_snap(b.x) || !can_snap(b.y)) return false;
-  line_subpixel(snap(a), snap(b), window, emit, options);
   return true;
 }
 
-/// Paints the pixels of the line from a to b that lie in the window.
-/// exact   the cells of line_subpixel with the same options
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_subpixel(R& raster, const subpixel& a, const subpixel& b, const Paint& paint,
-                                  const cell_window& window, const line_subpixel_options& options = {}) {
-  line_subpixel(
-      a, b, intersect(window, window_of(raster)), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); }, options);
-}
-
 /// Paints the pixels of the line from a to b.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_subpixel(R& raster, const subpixel& a, const subpixel& b, const Paint& paint,
+/// gives   false, and no pixel, when a position cannot be snapped
+/// exact   the cells of line_subpixel with the same options
+template <WritableRaster R, ScreenPosition P, PaintFor<R> Paint = pixel_of<R>>
+constexpr bool draw_line_subpixel(R& raster, const P& a, const P& b, const Paint& paint,
                                   const line_subpixel_options& options = {}) {
-  draw_line_subpixel(raster, a, b, paint, window_of(raster), options);
-}
-
-/// The same for ends in pixels.
-/// gives   false, and no pixel, when a coordinate is NaN, infinite or beyond snap_limit
-template <WritableRaster R, Floating T, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_subpixel(R& raster, const point<T, 2>& a, const point<T, 2>& b, const Paint& paint,
-                                  const cell_window& window, const line_subpixel_options& options = {}) {
-  return line_subpixel(
-      a, b, intersect(window, window_of(raster)), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); }, options);
-}
-
-/// The same in the whole raster.
-template <WritableRaster R, Floating T, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_subpixel(R& raster, const point<T, 2>& a, const point<T, 2>& b, const Paint& paint,
-                                  const line_subpixel_options& options = {}) {
-  return draw_line_subpixel(raster, a, b, paint, window_of(raster), options);
+  return line_subpixel(a, b, window_of(raster), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); }, options);
 }
 
 }  // namespace IRG_ABI

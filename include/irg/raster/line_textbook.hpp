@@ -46,7 +46,7 @@ inline namespace IRG_ABI {
 /// gives   false, and no call, when the line has more than line_textbook_steps<Number> steps
 /// exact   the cells of line_bresenham: ties on the start's side
 /// cost    two additions per cell; nothing is clipped
-/// source  Bresenham 1965, in the form of the course's text, for every direction and with the last cell
+/// source  Bresenham 1965; Mihajlovic 2016, 2.4.1, for every direction and with the last cell
 template <Real Number = double, class Sink>
   requires CellSink<Sink> || requires(Sink& sink, const cell c, const Number& d) { sink(c, d); }
 constexpr bool line_bresenham_textbook(cell a, cell b, Sink&& emit) {

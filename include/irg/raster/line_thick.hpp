@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include <irg/raster/detail/snap_range.hpp>
 #include <irg/raster/detail/thick_stroke.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/line_pen.hpp>
@@ -29,41 +28,24 @@ inline namespace IRG_ABI {
 /// Calls emit(span) for the pixels in the window whose centres lie in the thick line from a to b, from top to bottom.
 /// shape   one span per row: butt caps give the rectangle of the pen's width around the line, square caps one longer by
 ///         half the width at both ends, round caps all points within half the width of the line
-/// units   a and b in 1/256 pixel; pixel (0, 0) has its centre at (128, 128)
-/// needs   coordinates within snap_limit pixels of the origin
-/// gives   no call for a width of 0 or less, nor for a == b with butt caps; a == b gives a disc with round caps and a
-///         square along the axes with square caps
-/// exact   decided without rounding; a centre exactly on the outline belongs to the line when the outline is a left or
-///         a level top edge there, so that lines which touch share no pixel and leave none out; the highest and the
-///         lowest point of a round cap do not belong to it
-/// cost    some twenty divisions per line, a dozen additions and, with round caps, two square roots per visible row
-template <SpanSink Sink>
-constexpr void line_thick(const subpixel& a, const subpixel& b, const line_pen& pen, const cell_window& window,
-                          Sink&& emit) {
-  IRG_EXPECTS(detail::within_snap_limit(a) && detail::within_snap_limit(b));
-  detail::stroke_spans(detail::thick_stroke_between(a, b, pen.width, pen.caps, pen.caps), window, emit);
-}
-
-/// The same from the centre of cell a to the centre of cell b.
-/// exact   for all int coordinates
-/// cost    divides in 128 bits when an end lies more than snap_limit pixels from the origin
-template <SpanSink Sink>
-constexpr void line_thick(const cell& a, const cell& b, const line_pen& pen, const cell_window& window, Sink&& emit) {
-  if (detail::within_snap_limit(a) && detail::within_snap_limit(b))
-    line_thick(subpixel{a.x * one_pixel + half_pixel, a.y * one_pixel + half_pixel},
-               subpixel{b.x * one_pixel + half_pixel, b.y * one_pixel + half_pixel}, pen, window, emit);
-  else
+/// units   points in pixels, snapped to 1/256 pixel once; pixel (0, 0) has its centre at (128, 128) of these
+/// gives   false, and no call, when a position that is no cell cannot be snapped; else true. No call for a width of 0
+///         or less, nor for a == b with butt caps; a == b gives a disc with round caps and a square along the axes with
+///         square caps
+/// exact   for all cells; decided without rounding; a centre exactly on the outline belongs to the line when the
+///         outline is a left or a level top edge there, so that lines which touch share no pixel and leave none out;
+///         the highest and the lowest point of a round cap do not belong to it
+/// cost    some twenty divisions per line, a dozen additions and, with round caps, two square roots per visible row;
+///         divides in 128 bits when the end cells are out of reach of snap()
+template <ScreenPosition P, SpanSink Sink>
+constexpr bool line_thick(const P& a, const P& b, const line_pen& pen, const cell_window& window, Sink&& emit) {
+  if (can_snap(a) && can_snap(b))
+    detail::stroke_spans(detail::thick_stroke_between(snap(a), snap(b), pen.width, pen.caps, pen.caps), window, emit);
+  else if constexpr (std::same_as<P, cell>)
     detail::stroke_spans(
         detail::thick_stroke_of<detail::int128, 0>({a.x, a.y, b.x, b.y}, pen.width, pen.caps, pen.caps), window, emit);
-}
-
-/// The same for ends in pixels, each snapped to 1/256 pixel once.
-/// gives   false, and no call, when a coordinate is NaN, infinite or beyond snap_limit
-template <Floating T, SpanSink Sink>
-constexpr bool line_thick(const point<T, 2>& a, const point<T, 2>& b, const line_pen& pen, const cell_window& window,
-                          Sink&& emit) {
-  if (!can_snap(a.x) || !can_snap(a.y) || !can_snap(b.x) || !can_snap(b.y)) return false;
-  line_thick(snap(a), snap(b), pen, window, emit);
+  else
+    return false;
   return true;
 }
 
@@ -102,66 +84,20 @@ constexpr void polyline_thick(std::span<const subpixel> points, const line_pen& 
   }
 }
 
-/// Paints the pixels of the thick line from a to b that lie in the window, each once.
+/// Paints the pixels of the thick line from a to b, each once.
+/// gives   false, and no pixel, when line_thick does
 /// exact   the spans of line_thick
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_thick(R& raster, const subpixel& a, const subpixel& b, const line_pen& pen, const Paint& paint,
-                               const cell_window& window) {
-  line_thick(a, b, pen, intersect(window, window_of(raster)),
-             [&](const span_of_cells& s) { fill_span(raster, s, paint); });
+template <WritableRaster R, ScreenPosition P, PaintFor<R> Paint = pixel_of<R>>
+constexpr bool draw_line_thick(R& raster, const P& a, const P& b, const line_pen& pen, const Paint& paint) {
+  return line_thick(a, b, pen, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-/// The same in the whole raster.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_thick(R& raster, const subpixel& a, const subpixel& b, const line_pen& pen,
-                               const Paint& paint) {
-  draw_line_thick(raster, a, b, pen, paint, window_of(raster));
-}
-
-/// The same from the centre of cell a to the centre of cell b, for all int coordinates.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_thick(R& raster, const cell& a, const cell& b, const line_pen& pen, const Paint& paint,
-                               const cell_window& window) {
-  line_thick(a, b, pen, intersect(window, window_of(raster)),
-             [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// The same in the whole raster.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_thick(R& raster, const cell& a, const cell& b, const line_pen& pen, const Paint& paint) {
-  draw_line_thick(raster, a, b, pen, paint, window_of(raster));
-}
-
-/// The same for ends in pixels.
-/// gives   false, and no pixel, when a coordinate is NaN, infinite or beyond snap_limit
-template <WritableRaster R, Floating T, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_thick(R& raster, const point<T, 2>& a, const point<T, 2>& b, const line_pen& pen,
-                               const Paint& paint, const cell_window& window) {
-  return line_thick(a, b, pen, intersect(window, window_of(raster)),
-                    [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// The same in the whole raster.
-template <WritableRaster R, Floating T, PaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_thick(R& raster, const point<T, 2>& a, const point<T, 2>& b, const line_pen& pen,
-                               const Paint& paint) {
-  return draw_line_thick(raster, a, b, pen, paint, window_of(raster));
-}
-
-/// Paints the pixels of the thick line through all points that lie in the window, each once.
+/// Paints the pixels of the thick line through all points, each once.
 /// exact   the spans of polyline_thick
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_polyline_thick(R& raster, std::span<const subpixel> points, const line_pen& pen, const Paint& paint,
-                                   const cell_window& window) {
-  polyline_thick(points, pen, intersect(window, window_of(raster)),
-                 [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// The same in the whole raster.
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr void draw_polyline_thick(R& raster, std::span<const subpixel> points, const line_pen& pen,
                                    const Paint& paint) {
-  draw_polyline_thick(raster, points, pen, paint, window_of(raster));
+  polyline_thick(points, pen, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI

@@ -155,46 +155,18 @@ constexpr void line_wu(const subpixel& a, const subpixel& b, const cell_window& 
   detail::wu_walk(detail::wu_frame_of(a.x, a.y, b.x, b.y, options.ties, 0, 0), window, emit);
 }
 
-/// Mixes the paint into the cells of line_wu that lie in the window, each as far as it is covered.
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_wu(R& raster, cell a, cell b, const Paint& paint, const cell_window& window,
-                            const line_options& options = {}) {
-  line_wu(
-      a, b, intersect(window, window_of(raster)),
-      [&](cell c, std::uint8_t coverage) { paint_pixel(raster, c.x, c.y, paint, coverage); }, options);
-}
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_wu(R& raster, cell a, cell b, const Paint& paint, const line_options& options = {}) {
-  draw_line_wu(raster, a, b, paint, window_of(raster), options);
-}
-
-/// The same with ends between pixels.
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_wu(R& raster, const subpixel& a, const subpixel& b, const Paint& paint,
-                            const cell_window& window, const line_options& options = {}) {
-  line_wu(
-      a, b, intersect(window, window_of(raster)),
-      [&](cell c, std::uint8_t coverage) { paint_pixel(raster, c.x, c.y, paint, coverage); }, options);
-}
-template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr void draw_line_wu(R& raster, const subpixel& a, const subpixel& b, const Paint& paint,
-                            const line_options& options = {}) {
-  draw_line_wu(raster, a, b, paint, window_of(raster), options);
-}
-
-/// The line between two points in pixels, snapped to 1/256 pixel.
-/// gives   false and nothing drawn when a coordinate is NaN, infinite or beyond snap_limit
-template <WritableRaster R, Floating T, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_wu(R& raster, const point<T, 2>& a, const point<T, 2>& b, const Paint& paint,
-                            const cell_window& window, const line_options& options = {}) {
-  if (!can_snap(a.x) || !can_snap(a.y) || !can_snap(b.x) || !can_snap(b.y)) return false;
-  draw_line_wu(raster, snap(a), snap(b), paint, window, options);
+/// Mixes the paint into the cells of line_wu, each as far as it is covered.
+/// gives   false and nothing drawn when a point cannot be snapped
+template <WritableRaster R, ScreenPosition P, CoveragePaintFor<R> Paint = pixel_of<R>>
+constexpr bool draw_line_wu(R& raster, const P& a, const P& b, const Paint& paint, const line_options& options = {}) {
+  const auto mix_in = [&](cell c, std::uint8_t coverage) { paint_pixel(raster, c.x, c.y, paint, coverage); };
+  if constexpr (std::same_as<P, cell> || std::same_as<P, subpixel>) {
+    line_wu(a, b, window_of(raster), mix_in, options);
+  } else {
+    if (!can_snap(a) || !can_snap(b)) return false;
+    line_wu(snap(a), snap(b), window_of(raster), mix_in, options);
+  }
   return true;
-}
-template <WritableRaster R, Floating T, CoveragePaintFor<R> Paint = pixel_of<R>>
-constexpr bool draw_line_wu(R& raster, const point<T, 2>& a, const point<T, 2>& b, const Paint& paint,
-                            const line_options& options = {}) {
-  return draw_line_wu(raster, a, b, paint, window_of(raster), options);
 }
 
 }  // namespace IRG_ABI

@@ -133,7 +133,7 @@ inline namespace IRG_ABI {
 /// gives   0, and no call, when the seed is outside of the window or not inside the region
 /// cost    one question per cell of the region and per cell beside it. Memory: one bit per cell of the window, and 24
 ///         bytes per run of the front at most, which is never more than height * (width + 1) / 2 runs
-/// source  Smith 1979, Tint fill; Heckbert 1990 (Graphics Gems): runs in place of cells
+/// source  Smith 1979; Heckbert 1990: runs in place of cells
 template <CellPredicate Inside, SpanSink Sink>
 constexpr std::int64_t seed_fill_spans(const cell_window& window, Inside&& inside, cell seed, neighbours next_to,
                                        Sink&& emit) {
@@ -160,14 +160,13 @@ constexpr std::int64_t seed_fill_spans(const cell_window& window, Inside&& insid
 
 /// Paints the region around the seed that has the seed's value: all cells connected to it with an equal pixel. Returns
 /// their number.
-/// gives   0, and nothing painted, when the seed is outside of the window or the raster, or its pixel does not equal
-///         itself (NaN). The same region and number whatever the paint, also one that leaves pixels as they are
+/// gives   0, and nothing painted, when the seed is outside of the raster's window, or its pixel does not equal itself
+///         (NaN). The same region and number whatever the paint, also one that leaves pixels as they are
 /// cost    as seed_fill_spans
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
   requires std::equality_comparable<pixel_of<R>>
-constexpr std::int64_t flood_fill(R& raster, cell seed, const Paint& paint, neighbours next_to,
-                                  const cell_window& window) {
-  const cell_window w = intersect(window, window_of(raster));
+constexpr std::int64_t flood_fill(R& raster, cell seed, const Paint& paint, neighbours next_to = neighbours::four) {
+  const cell_window w = window_of(raster);
   if (seed.x < w.x_first || seed.x >= w.x_last || seed.y < w.y_first || seed.y >= w.y_last) return 0;
   const pixel_of<R> value = get_pixel(raster, seed.x, seed.y);
   return seed_fill_spans(
@@ -175,34 +174,19 @@ constexpr std::int64_t flood_fill(R& raster, cell seed, const Paint& paint, neig
       [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-/// As above, with the whole raster as window.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-  requires std::equality_comparable<pixel_of<R>>
-constexpr std::int64_t flood_fill(R& raster, cell seed, const Paint& paint, neighbours next_to = neighbours::four) {
-  return flood_fill(raster, seed, paint, next_to, window_of(raster));
-}
-
 /// Paints the region around the seed up to pixels of the boundary's value, whatever else it has. Returns the number of
 /// its cells.
-/// gives   0, and nothing painted, when the seed is outside of the window or the raster, or on the boundary. Pixels
-///         that have the paint's value already are no boundary
+/// gives   0, and nothing painted, when the seed is outside of the raster's window, or on the boundary. Pixels that
+///         have the paint's value already are no boundary
 /// cost    as seed_fill_spans
 template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
   requires std::equality_comparable<pixel_of<R>>
 constexpr std::int64_t boundary_fill(R& raster, cell seed, const pixel_of<R>& boundary, const Paint& paint,
-                                     neighbours next_to, const cell_window& window) {
+                                     neighbours next_to = neighbours::four) {
   const pixel_of<R> edge = boundary;  // a copy: the argument may be one of the pixels that are painted
   return seed_fill_spans(
-      intersect(window, window_of(raster)), [&](const cell& c) { return !(get_pixel(raster, c.x, c.y) == edge); }, seed,
-      next_to, [&](const span_of_cells& s) { fill_span(raster, s, paint); });
-}
-
-/// As above, with the whole raster as window.
-template <WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-  requires std::equality_comparable<pixel_of<R>>
-constexpr std::int64_t boundary_fill(R& raster, cell seed, const pixel_of<R>& boundary, const Paint& paint,
-                                     neighbours next_to = neighbours::four) {
-  return boundary_fill(raster, seed, boundary, paint, next_to, window_of(raster));
+      window_of(raster), [&](const cell& c) { return !(get_pixel(raster, c.x, c.y) == edge); }, seed, next_to,
+      [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
 }  // namespace IRG_ABI

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/sinks.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -46,12 +47,37 @@ IRG_INLINE constexpr std::int32_t snap(T v) noexcept {
   return toward_zero + (rest >= T(0.5) ? 1 : rest < T(-0.5) ? -1 : 0);
 }
 
-/// The snapped position of a point given in pixels.
-/// needs   can_snap(p.x) and can_snap(p.y)
+/// Whether a position can be snapped: whether it, of a cell its centre, lies within snap_limit pixels of the origin on
+/// both axes.
+IRG_INLINE constexpr bool can_snap(const subpixel& p) noexcept {
+  constexpr std::int32_t limit = snap_limit * one_pixel;
+  return p.x >= -limit && p.x <= limit && p.y >= -limit && p.y <= limit;
+}
+IRG_INLINE constexpr bool can_snap(const cell& c) noexcept {
+  return c.x >= -snap_limit && c.x < snap_limit && c.y >= -snap_limit && c.y < snap_limit;
+}
+template <Floating T>
+IRG_INLINE constexpr bool can_snap(const point<T, 2>& p) noexcept {
+  return can_snap(p.x) && can_snap(p.y);
+}
+
+/// The snapped position of a point given in pixels; of a cell its centre; a snapped position as it is.
+/// needs   can_snap(p)
+IRG_INLINE constexpr subpixel snap(const subpixel& p) noexcept { return p; }
+IRG_INLINE constexpr subpixel snap(const cell& c) noexcept {
+  return {c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel};
+}
 template <Floating T>
 IRG_INLINE constexpr subpixel snap(const point<T, 2>& p) noexcept {
   return {snap(p.x), snap(p.y)};
 }
 
 }  // namespace IRG_ABI
+
+/// Where a line may begin or end: at the centre of a cell, between pixels in 1/256 pixel, or at a point in pixels.
+template <class P>
+concept ScreenPosition = requires(const P& p) {
+  { can_snap(p) } -> std::same_as<bool>;
+  { snap(p) } -> std::same_as<subpixel>;
+};
 }  // namespace irg

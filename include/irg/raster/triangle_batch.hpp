@@ -30,15 +30,4 @@ IRG_INLINE constexpr bool has_vertices(const triangle_batch<T>& batch, std::uint
 }
 
 }  // namespace IRG_ABI
-
-/// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
-struct source_weights {
-  float second = 0, third = 0;
-};
-
-/// Where the corners of a piece lie in its source triangle.
-struct piece_weights {
-  source_weights corner[3] = {{0, 0}, {1, 0}, {0, 1}};
-};
-
 }  // namespace irg

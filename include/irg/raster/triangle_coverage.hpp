@@ -73,9 +73,15 @@ IRG_INLINE constexpr triangle_edge make_edge(const subpixel& a, const subpixel& 
           static_cast<std::int32_t>(at_first_centre - f * one_pixel)};
 }
 
-// The first pixel whose centre is at or after v; one past the last pixel whose centre is at or before v.
-IRG_INLINE constexpr int first_centre(std::int32_t v) noexcept { return (v + half_pixel - 1) >> subpixel_bits; }
-IRG_INLINE constexpr int last_centre(std::int32_t v) noexcept { return ((v - half_pixel) >> subpixel_bits) + 1; }
+// The first pixel whose centre is at or after v; one past the last pixel whose centre is at or before v. Also of packs.
+template <class I>
+IRG_INLINE constexpr I first_centre(const I& v) noexcept {
+  return (v + (half_pixel - 1)) >> subpixel_bits;
+}
+template <class I>
+IRG_INLINE constexpr I last_centre(const I& v) noexcept {
+  return (v + (one_pixel - half_pixel)) >> subpixel_bits;
+}
 
 IRG_INLINE constexpr cell_window centres_within(const subpixel& a, const subpixel& b, const subpixel& c) noexcept {
   const std::int32_t left = lesser(lesser(a.x, b.x), c.x), right = greater(greater(a.x, b.x), c.x);

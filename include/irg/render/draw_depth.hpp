@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include <irg/render/detail/tile_driver.hpp>
+#include <irg/render/detail/visible/tile_driver.hpp>
 
 namespace irg {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <irg/colour/over.hpp>
-#include <irg/render/detail/transparent_kernel.hpp>
+#include <irg/render/detail/shade/transparent_kernel.hpp>
 #include <irg/render/draw_triangles.hpp>
 
 namespace irg {
@@ -108,7 +108,7 @@ constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::s
           Order::nearer(t.setup.depth_low, t.setup.depth_high) ? t.setup.depth_low : t.setup.depth_high;
       if (occluded == skipping::on && hidden_depths.template hides<Test>(nearest, w)) continue;
     }
-    mark_seen(seen[find.source(number)]);
+    store_relaxed(seen[find.source(number)], 1);
     const auto shader = shader_for(make_shader, find, number, t.coverage.flipped ? facing::front : facing::back);
     counts += paint_triangle<Order, depth_policy<Test, depth_write::off>>(
         colour, depth, t, blend_over<decltype(shader), Blend>{shader, blend, piece_weights_of(find, number)}, window);
@@ -145,7 +145,7 @@ constexpr render_stats draw_transparent(Colour& colour, Depth& depth,
                                         const E& executor = {}) {
   const detail::picture_tiles grid(width_of(colour), height_of(colour));
   detail::triangle_bins bins;
-  detail::bin_triangles(bins, batches, mapping, grid, settings.culling, settings.skip, executor);
+  detail::bin_triangles(bins, batches, {mapping, grid, settings.culling, settings.skip}, executor);
   const detail::triangle_finder<T> find{batches, &bins};
   const std::vector<std::uint32_t> numbers =
       detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());
@@ -159,12 +159,7 @@ constexpr render_stats draw_transparent(Colour& colour, Depth& depth,
   });
   render_stats stats;
   for (const draw_counts& c : done) stats.pixels += c;
-  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
-  stats.skipped = bins.skipped;
-  if (settings.skip.occluded == skipping::on) {
-    stats.skipped.occluded = bins.listed;
-    for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
-  }
+  detail::add_skips(stats, bins, seen, settings.skip);
   return stats;
 }
 

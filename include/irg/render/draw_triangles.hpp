@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/render/detail/attribute_kernel.hpp>
-#include <irg/render/detail/tile_driver.hpp>
+#include <irg/render/detail/shade/attribute_kernel.hpp>
+#include <irg/render/detail/visible/tile_driver.hpp>
 
 namespace irg {
 
@@ -35,7 +35,6 @@ struct colour_tiles {
 
   // The pixels of a window; returns how many show a triangle. Not inlined: one copy for all hidden-surface methods.
   IRG_NOINLINE constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const {
-#ifdef IRG_LANES_VECTOR
     if (!std::is_constant_evaluated()) {
       if constexpr (AttributeShading<MakeShader, triangle_batch<T>>)
         return attribute_kernel<T, MakeShader, Colour>{
@@ -43,7 +42,6 @@ struct colour_tiles {
       if (background != nullptr) clear(v.window);
       return shade_by_triangle<T, MakeShader>{v, find, make_shader}.template in_lanes<pack<float, tile_lanes>>(colour);
     }
-#endif
     if (background != nullptr) clear(v.window);
     return shade_by_triangle<T, MakeShader>{v, find, make_shader}.template in_lanes<float>(colour);
   }

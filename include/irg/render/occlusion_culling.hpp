@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <irg/geometry/box.hpp>
-#include <irg/render/detail/occlusion_view.hpp>
+#include <irg/render/detail/occlude/occlusion_view.hpp>
 #include <irg/raster/triangle_batch.hpp>
 
 namespace irg {

@@ -12,8 +12,8 @@
 #include <irg/core/executor.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/detail/mask_query.hpp>
-#include <irg/render/detail/scratch_portion.hpp>
+#include <irg/render/detail/occlude/mask_query.hpp>
+#include <irg/render/detail/bin/scratch_portion.hpp>
 #include <irg/render/draw_depth.hpp>
 
 namespace irg {
@@ -107,7 +107,7 @@ template <class Order, class T, class E>
 constexpr void draw_occluders(occluder_depths& m, std::span<const triangle_batch<T>> batches,
                               const screen_mapping<T>& mapping, face_culling culling, const E& executor) {
   triangle_bins& bins = m.workspace.bins;
-  bin_triangles(bins, batches, mapping, m.grid, culling, skip_options{}, executor);
+  bin_triangles(bins, batches, {mapping, m.grid, culling}, executor);
   m.workspace.seen.assign(bins.triangle_count, 0);
   executor(m.grid.count(), [&](std::size_t i) {
     if (bins.list_of(i).empty()) return;
@@ -172,7 +172,7 @@ constexpr occlusion test_triangles(const occluder_depths& m, const triangle_batc
   bin_portion scratch = scratch_portion(m.grid);
   occlusion answer = occlusion::outside;
   for (std::uint32_t i = 0; i < batch.triangles.size() && answer != occlusion::visible; ++i)
-    list_and_draw(scratch, batch, i, mapping, m.grid, culling, [&](const triangle_corners& c) {
+    list_and_draw(scratch, batch, i, {mapping, m.grid, culling}, [&](const triangle_corners& c) {
       const occlusion one = test_triangle<Order>(m, c, work);
       if (one == occlusion::visible || answer == occlusion::outside) answer = one;
     });

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <irg/mesh/validate.hpp>
-#include <irg/render/detail/method_tiles.hpp>
-#include <irg/render/detail/object_selection.hpp>
-#include <irg/render/detail/styled_drawing.hpp>
+#include <irg/render/detail/visible/method_tiles.hpp>
+#include <irg/render/detail/project/object_selection.hpp>
+#include <irg/render/detail/shade/styled_drawing.hpp>
 #include <irg/render/wireframe.hpp>
 #include <irg/scene/scene.hpp>
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/render/detail/method_tiles.hpp>
+#include <irg/render/detail/visible/method_tiles.hpp>
 #include <irg/render/draw_triangles.hpp>
 
 namespace irg {

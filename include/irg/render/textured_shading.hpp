@@ -77,7 +77,6 @@ struct textured_shading {
     return encode({product(texel.r, r), product(texel.g, g), product(texel.b, b)});
   }
 
-#ifdef IRG_LANES_VECTOR
   template <int N>
   IRG_INLINE pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 6>& at) const noexcept {
     const float number = at[5][0];
@@ -87,7 +86,8 @@ struct textured_shading {
     if (of_one && bilinear_in_lanes(t)) return bilinear(t, at);
     pack<std::uint32_t, N> words;
     for (int i = 0; i < N; ++i)
-      words.v[i] = std::bit_cast<std::uint32_t>(pixel({at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i]}));
+      set_lane(words, i,
+               std::bit_cast<std::uint32_t>(pixel({at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i]})));
     return words;
   }
 
@@ -107,9 +107,7 @@ private:
   IRG_INLINE static rgb<pack<float, N>> light_at(const rgba8* texels, const pack<std::int32_t, N>& index) noexcept {
     static_assert(std::endian::native == std::endian::little);
     const auto word = gather<std::int32_t>(texels, index);
-    const auto light = [&](int shift) {
-      return gather<float>(detail::srgb_light, pack<std::int32_t, N>{(word.v >> shift) & 255});
-    };
+    const auto light = [&](int shift) { return gather<float>(detail::srgb_light, (word >> shift) & 255); };
     return {light(0), light(8), light(16)};
   }
 
@@ -133,7 +131,6 @@ private:
                         value(four[0].g, four[1].g, four[2].g, four[3].g, at[3]),
                         value(four[0].b, four[1].b, four[2].b, four[3].b, at[4]));
   }
-#endif
 };
 
 }  // namespace irg

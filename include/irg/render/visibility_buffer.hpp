@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
-#include <irg/render/detail/scratch_portion.hpp>
-#include <irg/render/detail/tile_shading.hpp>
+#include <irg/render/detail/bin/scratch_portion.hpp>
+#include <irg/render/detail/shade/tile_shading.hpp>
 #include <irg/render/draw_depth.hpp>
 
 namespace irg {
@@ -52,7 +52,7 @@ inline namespace IRG_ABI {
 ///         there
 /// exact   the depths and triangles of draw_batches, the same bytes for every executor and all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-/// source  Burns and Hunt, The visibility buffer, 2013
+/// source  Burns and Hunt 2013
 template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Ids, RowRaster Depth, Executor E = sequential>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
 constexpr render_stats draw_visibility(Ids& ids, Depth& depth,
@@ -81,9 +81,8 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // The weights of three vertices on the screen at a pixel.
-constexpr std::optional<pixel_weights<float>> weights_of_pixel(const screen_vertex& a, const screen_vertex& b,
-                                                               const screen_vertex& c, int x, int y) noexcept {
-  const covered_triangle t = cover_and_set_up(a, b, c);
+constexpr std::optional<pixel_weights<float>> weights_of_pixel(const triangle_corners& c, int x, int y) noexcept {
+  const covered_triangle t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
   if (!covers(t.coverage, x, y)) return std::nullopt;
   return weights_at(t.setup, x, y);
 }
@@ -108,16 +107,15 @@ constexpr std::optional<pixel_weights<float>> barycentrics_at(const triangle_bat
   if (number < batch.first_number || i >= batch.triangles.size()) return std::nullopt;
   if (!has_vertices(batch, i)) return std::nullopt;
   const auto [a, b, c] = batch.triangles[i].v;
-  const projected_vertices<T>& v = *batch.vertices;
-  if ((v.codes[a] | v.codes[b] | v.codes[c]).cut == 0)
-    return detail::weights_of_pixel(v.screen[a], v.screen[b], v.screen[c], x, y);
+  const std::vector<clip_code_pair>& codes = batch.vertices->codes;
+  if ((codes[a] | codes[b] | codes[c]).cut == 0) return detail::weights_of_pixel(detail::corners_of(batch, i), x, y);
   const detail::picture_tiles grid(static_cast<int>(mapping.half_width * T(2)),
                                    static_cast<int>(mapping.half_height * T(2)));
   detail::bin_portion portion = detail::scratch_portion(grid);
-  detail::list_alone(portion, batch, i, mapping, grid, face_culling::none);
+  detail::list_alone(portion, batch, i, {mapping, grid, face_culling::none});
   std::optional<pixel_weights<float>> nearest;
   for (const detail::clipped_piece& p : portion.pieces) {
-    const auto at = detail::weights_of_pixel(p.v[0], p.v[1], p.v[2], x, y);
+    const auto at = detail::weights_of_pixel(detail::corners_of(p.v), x, y);
     if (at && (!nearest || Order::nearer(at->depth, nearest->depth))) nearest = detail::in_source(*at, p.weights);
   }
   return nearest;

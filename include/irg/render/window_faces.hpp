@@ -8,7 +8,7 @@
 
 #include <irg/raster/image.hpp>
 #include <irg/raster/screen_face.hpp>
-#include <irg/render/detail/triangle_finder.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg {
 

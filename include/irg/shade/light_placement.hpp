@@ -30,7 +30,7 @@ constexpr light<T, I> light_from(const vec<T, 3>& direction, const I& intensity)
 /// gives   a light with all coordinates 0, which shines on nothing, when an angle is NaN or infinite, the distance NaN
 ///         or -infinity, or the target or the distance beyond a quarter of the largest number
 /// exact   the polar camera's position, bit by bit
-/// source  S3 4.1.3.2
+/// source  Hank n.d., 4.1.3.2
 template <Floating T, class I>
 constexpr light<T, I> light_around(const point<T, 3>& target, const polar_coordinates<T>& p, const I& intensity,
                                    polar_axis axis = polar_axis::y_up) {

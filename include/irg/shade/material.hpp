@@ -9,7 +9,7 @@ namespace irg {
 
 /// The share of the light that a surface reflects in each of the three ways of Phong's model, 0 to 1 per channel.
 /// needs   shininess > 0; the larger, the smaller and sharper the highlight
-/// source  B. T. Phong, Illumination for Computer Generated Pictures (1975)
+/// source  Phong 1975
 template <class T, class I = rgb<T>>
 struct material {
   I ambient{};

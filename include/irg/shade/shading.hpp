@@ -37,7 +37,7 @@ constexpr typename ring_traits<R>::point vertex_mean(const R& ring) noexcept {
 
 /// Constant shading: one intensity for a whole face, from its centre and its normal.
 /// needs   lights that outlive the shader
-/// source  W. J. Bouknight, A Procedure for Generation of Three-Dimensional Half-Toned Computer Graphics (1970)
+/// source  Bouknight 1970
 template <Floating T, class I = rgb<T>>
 struct flat_shader {
   material<T, I> surface;
@@ -58,7 +58,7 @@ struct flat_shader {
 
 /// Gouraud shading: the intensity at a vertex; the rasterizer interpolates intensities.
 /// needs   lights that outlive the shader
-/// source  H. Gouraud, Continuous Shading of Curved Surfaces (1971)
+/// source  Gouraud 1971
 template <Floating T, class I = rgb<T>>
 struct gouraud_shader {
   material<T, I> surface;
@@ -74,7 +74,7 @@ struct gouraud_shader {
 
 /// Phong shading: the intensity at a pixel; the rasterizer interpolates positions and normals.
 /// needs   lights that outlive the shader
-/// source  B. T. Phong, Illumination for Computer Generated Pictures (1975)
+/// source  Phong 1975
 template <Floating T, class I = rgb<T>>
 struct phong_shader {
   material<T, I> surface;

@@ -70,7 +70,7 @@ constexpr mat<T, 4, 4> rotation_z(T angle) noexcept {
 /// units   radians
 /// gives   the identity for an axis that is zero, NaN or infinite
 /// exact   entries within 10u of the true ones (u = 2^-53, float 2^-24; found: 7.1u), orthonormal within 16u
-/// source  Rodrigues, 1840
+/// source  Rodrigues 1840
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) noexcept {
@@ -131,7 +131,8 @@ constexpr map_orientation orientation_of(const mat<T, 4, 4>& m) noexcept {
 /// Normals that point outward stay so, under mirror images too; renormalise what comes out.
 /// gives   for a map that flattens space onto a plane, normals of that plane (or 0); for one onto a line or point, 0
 /// exact   in rationals; in floats each entry is off by at most 2u times the sum of its two products' absolute values
-/// source  the cofactor matrix times the sign of the determinant; no division, so singular maps need no exception
+/// source  irg's own: the cofactor matrix times the sign of the determinant; no division, so singular maps need no
+///         exception
 template <class T>
 constexpr mat<T, 3, 3> normal_matrix(const mat<T, 4, 4>& m) noexcept {
   const mat<T, 3, 3> a = detail::scaled_linear_part(m);

@@ -44,8 +44,8 @@ constexpr vec<T, 3> axonometric_direction(T turn, std::type_identity_t<T> tilt) 
 /// gives   impossible, with the direction 0, 0, 1, unless the numbers are finite and none is negative, and the square
 ///         of none is larger than the sum of the squares of the other two
 /// exact   coordinates within 4u where the three are of ordinary size (1e-30 to 1e30)
-/// source  a direction (a, b, c) of length 1 shortens x by sqrt(1 - a^2), so that the squares of the three factors add
-///         up to 2
+/// source  irg's own: a direction (a, b, c) of length 1 shortens x by sqrt(1 - a^2), so that the squares of the three
+///         factors add up to 2
 template <Floating T>
 constexpr axonometry<T> axonometry_by_ratios(T x, std::type_identity_t<T> y, std::type_identity_t<T> z) noexcept {
   const auto usable = [](T r) { return T(0) <= r && r <= (std::numeric_limits<T>::max)(); };

@@ -63,7 +63,7 @@ constexpr mat<T, 4, 4> view_translation(const camera_frame<T>& f) noexcept {
 /// M = R * T: from world space into the frame's camera space.
 /// needs   a position of at most a quarter of the largest number
 /// exact   equal to look_at for the same camera; for a general frame the product's own roundings only
-/// source  S3 4.1.4
+/// source  Hank n.d., 4.1.4
 template <class T>
 constexpr mat<T, 4, 4> view_matrix(const camera_frame<T>& f, handedness sense = handedness::right) noexcept {
   return view_rotation(f, sense) * view_translation(f);

@@ -2,7 +2,7 @@
 // The textbook projections of points: central by the distance between eye and picture plane, and parallel. For pictures
 // with depth and clipping, projection.hpp has the matrices to clip space.
 //
-//      picture_plane: S1                      eye: S3
+//      picture_plane: the slides              eye: Hank
 //      x' = x * d / (d - z)                   x' = d * x / z
 //      the picture plane is z = 0, the        the eye is the origin, the picture plane z = d,
 //      eye is at (0, 0, d), z to the viewer   z away from the viewer
@@ -39,7 +39,7 @@ inline namespace IRG_ABI {
 /// The picture of a point on a plane at a distance from the eye.
 /// gives   nothing for a point beside or behind the eye, for a distance that is not positive and for NaN
 /// exact   in rationals; in floats (x * d) / depth with each operation rounded once
-/// source  the course, S1 5 and S3 4.1.6.2
+/// source  Hidden-surface slides; Hank n.d., 4.1.6.2
 template <Real T>
 constexpr std::optional<point<T, 2>> project_central(const point<T, 3>& p, const std::type_identity_t<T>& distance,
                                                      projection_origin origin) noexcept {
@@ -50,7 +50,7 @@ constexpr std::optional<point<T, 2>> project_central(const point<T, 3>& p, const
 
 /// The picture of a point by rays at right angles to the picture plane: z is dropped.
 /// exact   no arithmetic
-/// source  the course, S0 5.2, S3 4.1.6.1
+/// source  Mihajlovic 2016, 5.2; Hank n.d., 4.1.6.1
 template <Scalar T>
 constexpr point<T, 2> project_parallel(const point<T, 3>& p) noexcept {
   return {p.x, p.y};

@@ -111,7 +111,7 @@ inline namespace IRG_ABI {
 /// gives   for an infinite far plane 0, 0, 0, 1; for coefficients that are NaN or infinite 0, 0, 0, 0
 /// exact   in rationals, where normals keep their length; in floats each coefficient within 3u of the sum of the
 ///         absolute values it is made of
-/// source  Gribb and Hartmann, Fast extraction of viewing frustum planes, 2001
+/// source  Gribb and Hartmann 2001
 template <Real T>
 constexpr frustum<T> frustum_of(const mat<T, 4, 4>& to_clip, depth_range depth = depth_range::reversed) noexcept {
   const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
@@ -175,8 +175,7 @@ constexpr std::optional<frustum_corner_points<T>> frustum_corners(const frustum<
 /// exact   in rationals. In floats the margin of 16u covers the rounding of the planes, of this test and of the clip
 ///         coordinates: for every position of a box called outside, m * p has the clip code of the same plane
 /// cost    per plane two scalar products
-/// source  Assarsson and Moller, Optimized view frustum culling algorithms, 2000: the corner nearest to the plane and
-///         the one farthest from it
+/// source  Assarsson and Moller 2000: the corner nearest to the plane and the one farthest from it
 template <Real T>
 constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
   if (is_empty(b)) return containment::outside;

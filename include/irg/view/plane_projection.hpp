@@ -79,7 +79,7 @@ inline namespace IRG_ABI {
 /// exact   in rationals; in floats each entry is within 6u (u = 2^-53; then rounded to T) times the sum of the absolute
 ///         values of the products in the distance, over the distance, as long as the numbers of the eye, and those of
 ///         the plane, differ by less than a factor of 2^900. The rounding does not depend on scale
-/// source  J. Blinn, Me and my (fake) shadow, 1988
+/// source  Blinn 1988
 template <Plane P>
 constexpr checked<mat<typename plane_traits<P>::scalar, 4, 4>, plane_projection_status> projection_onto_plane_checked(
     const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& eye) noexcept

@@ -16,8 +16,8 @@ namespace irg {
 /// Which axis of the world elevation rises towards, and where azimuth counts from: counter-clockwise as seen from that
 /// axis' tip in either case.
 enum class polar_axis {
-  y_up,  // azimuth from +z towards +x; S3's
-  z_up  // azimuth from +x towards +y; geography's, for S0's scene
+  y_up,  // azimuth from +z towards +x; Hank's
+  z_up  // azimuth from +x towards +y; geography's, for the course's scene
 };
 
 /// A displacement as its length and two angles.
@@ -74,7 +74,7 @@ constexpr T angle_or_zero(T sine, T cosine) noexcept {
 
 inline namespace IRG_ABI {
 
-/// The displacement with the given length, azimuth and elevation, S3's PolarToDescartes:
+/// The displacement with the given length, azimuth and elevation, Hank's PolarToDescartes:
 /// R (cos b sin a, sin b, cos b cos a).
 /// units   radians
 /// gives   coordinates that are NaN or infinite where the angles or the distance are
@@ -117,7 +117,7 @@ constexpr camera_frame<T> polar_frame(const point<T, 3>& target, std::type_ident
 ///         Beyond the poles the picture is upside down; with a distance of 0 the eye is the target; with a negative one
 ///         it stands on the other side and looks away from the target
 /// exact   as polar_frame
-/// source  S3 4.1.3.1
+/// source  Hank n.d., 4.1.3.1
 template <Floating T>
 constexpr std::optional<camera_frame<T>> try_frame_of(const polar_camera<T>& c,
                                                       polar_axis axis = polar_axis::y_up) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// view_pyramid<T>: the part of space that a camera sees, as the course describes it: a screen of width m1 and height m2
+// view_pyramid<T>: the part of space that a camera sees, as Hank n.d. describes it: a screen of width m1 and height m2
 // at the distance d in front of the eye, and what lies between the distances n and h.
 #pragma once
 
@@ -86,7 +86,7 @@ inline namespace IRG_ABI {
 
 /// The corners of the pyramid in camera space: those of the screen times n/d and h/d.
 /// exact   in rationals; in floats each coordinate is rounded twice
-/// source  the course, S3 4.1.5.2, the factor of the far corners corrected
+/// source  Hank n.d., 4.1.5.2, the factor of the far corners corrected
 template <Real T>
 constexpr pyramid_corner_points<T> pyramid_corners(const view_pyramid<T>& p,
                                                    handedness hand = handedness::right) noexcept {
@@ -96,7 +96,7 @@ constexpr pyramid_corner_points<T> pyramid_corners(const view_pyramid<T>& p,
 /// The six planes of the pyramid in camera space, normals inward: those of the sides through the eye and two corners of
 /// the screen, so that their normals are as long as the parallelogram of the two rays.
 /// exact   in integers and rationals
-/// source  the course, S3 4.1.5.2: a plane from three points each
+/// source  Hank n.d., 4.1.5.2: a plane from three points each
 template <Scalar T>
 constexpr frustum<T> pyramid_planes(const view_pyramid<T>& p, handedness hand = handedness::right) noexcept {
   const T x = p.width / T(2), y = p.height / T(2), forward = hand == handedness::left ? T(1) : T(-1);

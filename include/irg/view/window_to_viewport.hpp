@@ -69,7 +69,7 @@ inline namespace IRG_ABI {
 /// shape   a window whose sides are exchanged comes out mirrored
 /// gives   bad_window, bad_viewport, not_representable
 /// exact   in rationals; in floats scales within 2u, `onto` within 4u of the viewport's borders
-/// source  the course, S3 4.2.2
+/// source  Hank n.d., 4.2.2
 template <Real T>
 constexpr checked<window_mapping<T>, window_status> window_to_viewport(const view_window<T>& window,
                                                                        const viewport<T>& view,

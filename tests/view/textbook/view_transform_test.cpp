@@ -46,7 +46,7 @@ constexpr view_steps<double> steps(const P& eye, const P& view_point) { return v
 
 }  // namespace
 
-TEST_CASE("view_transform: GOLDEN 5, every step of the first view") {
+TEST_CASE("view_transform: the course's values, every step of the first view") {
   constexpr auto s = steps({1, 1, 3}, {0, 0, 0});
   static_assert(s.status == view_status::ordinary);
   const double r2 = std::sqrt(2.0) / 2, r11 = std::sqrt(11.0), r22 = std::sqrt(22.0);
@@ -69,7 +69,7 @@ TEST_CASE("view_transform: GOLDEN 5, every step of the first view") {
   CHECK(view_transform(P{one, one, 3 * one}, P{0, 0, 0}) == t);
 }
 
-TEST_CASE("view_transform: GOLDEN 5, the cubes as the eye sees them") {
+TEST_CASE("view_transform: the course's values, the cubes as the eye sees them") {
   const M t = view_transform(P{1, 1, 3}, P{0, 0, 0});
   const double h = view_transform_steps(P{1, 1, 3}, P{0, 0, 0}).h;
   const double r2 = std::sqrt(2.0), r11 = std::sqrt(11.0) / 11, r22 = std::sqrt(22.0);
@@ -114,7 +114,7 @@ TEST_CASE("view_transform: GOLDEN 5, the cubes as the eye sees them") {
   CHECK(transform_row(P{1, 1, 3}, t) == P{0, 0, 0});
 }
 
-TEST_CASE("view_transform: GOLDEN 5, views that are whole or rational numbers") {
+TEST_CASE("view_transform: the course's values, views that are whole or rational numbers") {
   constexpr M t = view_transform(P{0, -5, 0}, P{0, 0, 0});
   CHECK_BOTH(t == M{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}, {0, 0, 5, 1}}});
   CHECK_BOTH(transform_row(P{1, 0, 0}, t) == P{1, 0, 5});
@@ -133,7 +133,7 @@ TEST_CASE("view_transform: GOLDEN 5, views that are whole or rational numbers") 
 }
 
 TEST_CASE("view_transform: where the course divides by zero") {
-  constexpr auto down = steps({0, 0, 5}, {0, 0, 0});  // GOLDEN 5: cosine 1, sine 0
+  constexpr auto down = steps({0, 0, 5}, {0, 0, 0});  // cosine 1, sine 0
   static_assert(down.status == view_status::view_vertical && down.h == 5);
   CHECK_BOTH(view_transform(P{0, 0, 5}, P{0, 0, 0}) == M{{{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, -1, 0}, {0, 0, 5, 1}}});
   CHECK_BOTH(down.t2 == identity<double, 4>());
@@ -234,7 +234,7 @@ TEST_CASE("view_transform: hostile numbers give finite matrices") {
 
 TEST_CASE("project_perspective: what cannot be seen, and the ends of the range") {
   using opt = std::optional<point<double, 2>>;
-  CHECK_BOTH(project_perspective(P{3, -2, 6}, 2) == point<double, 2>{1, -2.0 / 3});  // GOLDEN 12
+  CHECK_BOTH(project_perspective(P{3, -2, 6}, 2) == point<double, 2>{1, -2.0 / 3});  // Hank's
   CHECK_BOTH(project_perspective(P{3, -2, 3}, 2) == point<double, 2>{2, -4.0 / 3});
   CHECK_BOTH(project_perspective(P{3, -2, 0}, 2) == opt{});
   CHECK_BOTH(project_perspective(P{3, -2, -0.0}, 2) == opt{});

@@ -93,7 +93,7 @@ constexpr auto squared_from_segment(const P& a, const P& b, const P& p) noexcept
 }
 
 /// The region of the triangle nearest to p, by the signs that Ericson's algorithm decides it with.
-/// source  Ericson, Real-Time Collision Detection, 2004, 5.1.5; edges of no length are passed over
+/// source  Ericson 2004, 5.1.5; edges of no length are passed over
 template <Point P>
 constexpr auto foot_on_triangle(const P& a, const P& b, const P& c, const P& p) noexcept {
   const auto v = evaluate<4>(

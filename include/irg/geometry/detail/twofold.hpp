@@ -19,7 +19,7 @@ struct twofold {
   IRG_INLINE constexpr twofold(double h, double l, double b) noexcept : high(h), low(l), bound(b) {}
 
   IRG_INLINE friend constexpr twofold operator-(const twofold& a) noexcept { return {-a.high, -a.low, a.bound}; }
-  /// source  Joldes, Muller, Popescu 2017, Tight and rigorous error bounds: AccurateDWPlusDW, at most 3u^2 + 13u^3
+  /// source  Joldes, Muller and Popescu 2017: AccurateDWPlusDW, at most 3u^2 + 13u^3
   IRG_INLINE friend constexpr twofold operator+(const twofold& a, const twofold& b) noexcept {
     const auto heads = two_sum(a.high, b.high), tails = two_sum(a.low, b.low);
     const auto upper = fast_two_sum(heads.value, heads.error + tails.value);
@@ -28,7 +28,7 @@ struct twofold {
     return {sum.value, sum.error, a.bound + b.bound + (is_exact ? 0.0 : magnitude(sum.value) * 0x1p-104)};
   }
   IRG_INLINE friend constexpr twofold operator-(const twofold& a, const twofold& b) noexcept { return a + -b; }
-  /// source  as above: DWTimesDW1, at most 5u^2
+  /// source  Joldes, Muller and Popescu 2017: DWTimesDW1, at most 5u^2
   IRG_INLINE friend constexpr twofold operator*(const twofold& a, const twofold& b) noexcept {
     const auto heads = fast_two_product(a.high, b.high);
     const double cross = product(a.high, b.low) + product(a.low, b.high);

@@ -92,11 +92,10 @@ constexpr void draw_row(const Buffers& buffers, const span_of_cells& s, Walk& wa
         value);
 }
 
-template <class Buffers, class R, class Project, class Walk, class T, class V>
-constexpr bool draw_polygon(const Buffers& buffers, const R& ring, const Project& project, Walk walk,
-                            const depth_bounds<T>& b, const V& value, const cell_window& window) {
-  return convex_spans(picture_ring<R, Project>{&ring, &project}, intersect(window, buffers.window()),
-                      [&](const span_of_cells& s) { draw_row(buffers, s, walk, b, value); });
+template <class Buffers, class Picture, class Walk, class T, class V>
+constexpr bool draw_polygon(const Buffers& buffers, const Picture& picture, Walk walk, const depth_bounds<T>& b,
+                            const V& value) {
+  return convex_spans(picture, buffers.window(), [&](const span_of_cells& s) { draw_row(buffers, s, walk, b, value); });
 }
 
 // A coordinate of the picture plane in pixels.

@@ -24,7 +24,7 @@ struct crc32_table {
 inline constexpr crc32_table crc32_steps{};
 
 /// The CRC-32 of the bytes, continuing one over earlier bytes (0 at the start).
-/// source  ISO 3309; PNG specification, annex D
+/// source  ISO 3309; PNG, annex D
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t earlier = 0) noexcept {
   std::uint32_t c = ~earlier;
   for (const std::uint8_t byte : bytes) c = crc32_steps.of[(c ^ byte) & 255] ^ (c >> 8);

@@ -218,7 +218,7 @@ constexpr void write_block(bit_writer<Bytes>& out, std::span<const token> tokens
 
 /// Appends the DEFLATE stream of the data; it ends on a whole byte.
 /// cost    time proportional to the data times effort.candidates; memory for 2^15 tokens and the search's 128 KiB
-/// source  Deutsch 1996 (RFC 1951); Ziv and Lempel 1977
+/// source  RFC 1951; Ziv and Lempel 1977
 template <class Bytes>
 constexpr void deflate(std::span<const std::uint8_t> data, const deflate_effort& effort, Bytes& bytes) {
   bit_writer out(bytes);
@@ -255,7 +255,7 @@ constexpr void deflate(std::span<const std::uint8_t> data, const deflate_effort&
 }
 
 /// The zlib stream of the data.
-/// source  Deutsch and Gailly 1996 (RFC 1950)
+/// source  RFC 1950
 template <class Bytes = std::vector<std::uint8_t>>
 constexpr Bytes zlib_compress(std::span<const std::uint8_t> data, const deflate_effort& effort) {
   Bytes bytes = {0x78, 0x01};

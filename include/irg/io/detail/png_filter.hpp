@@ -59,7 +59,7 @@ IRG_INLINE constexpr std::uint32_t sum_of_differences(const png_row& r, std::siz
 }
 
 /// The filter whose differences have the smallest sum of sizes; the first of equals.
-/// source  PNG specification, 12.8 (minimum sum of absolute differences)
+/// source  PNG, 12.8 (minimum sum of absolute differences)
 constexpr png_filter best_filter(const png_row& r) noexcept {
   std::uint64_t sums[5] = {};
   const auto add = [&]<int Count>(std::size_t first) {

@@ -26,7 +26,7 @@ IRG_INLINE constexpr bool is_compensable(double x) noexcept {
 
 /// The sum of the n products a(i)*b(i) as if computed in twice the precision: value + error, yet to be rounded.
 /// needs   products and sums that do not overflow
-/// source  Ogita, Rump, Oishi 2005 (Dot2)
+/// source  Ogita, Rump and Oishi 2005 (Dot2)
 template <class A, class B>
 IRG_INLINE constexpr compensated_sum compensated_dot(std::size_t n, const A& a, const B& b) noexcept {
   compensated_sum sum;
@@ -58,7 +58,7 @@ IRG_INLINE constexpr compensated_sum bounded_dot(std::size_t n, const A& a, cons
 }
 
 /// The sum of n numbers a(i) in twice the precision, with a bound as bounded_dot gives it.
-/// source  Ogita, Rump, Oishi 2005 (Sum2)
+/// source  Ogita, Rump and Oishi 2005 (Sum2)
 template <class A>
 IRG_INLINE constexpr compensated_sum bounded_sum(std::size_t n, const A& a) noexcept {
   compensated_sum sum;

@@ -140,7 +140,7 @@ constexpr double polished(const cubic_coefficients& p, double x, double last_ste
 }
 
 /// Near the only real root: Newton's iteration from a place beyond it, from where it cannot turn back.
-/// source  Kahan 1986 (QBC), with a coarse cube root
+/// source  Kahan 1986b (QBC), with a coarse cube root
 constexpr double only_root_guess(const cubic_coefficients& p) noexcept {
   const double middle = -p[2] / (3 * p[3]);
   const auto [value, slope] = evaluate_polynomial_with_derivative(p, middle);

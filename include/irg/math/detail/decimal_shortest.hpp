@@ -49,7 +49,7 @@ constexpr std::uint64_t product_rounded_to_odd(std::uint64_t m, word_pair power)
 /// The decimal number of fewest digits among those that are nearer to a floating-point number than to its neighbours,
 /// and of those the nearest. It may end in zeros.
 /// needs   significand > 0
-/// source  Giulietti 2020, The Schubfach way to render doubles
+/// source  Giulietti 2020
 constexpr short_decimal shortest_decimal(const binary_parts& v) noexcept {
   // Between the middles to both neighbours there are 1 to 10 multiples of 10^k, and 0 or 1 of 10^(k + 1).
   const int k = (v.exponent * 1262611 - (v.lowest_of_binade ? 524031 : 0)) >> 22;

@@ -46,13 +46,15 @@ struct interleaved_affine {
         for (int i = 0; i < 16; ++i) set_lane(m[g][c], i, a((16 * g + i) % 3, c));
   }
   // Coordinate k of the point that each lane of register g belongs to; it stands in registers r[g - 1] to r[g + 1].
-  template <int g, int k>
+  template <int Register, int Coordinate>
   IRG_INLINE static F coordinate_of_lanes(const F (&r)[3]) noexcept {
-    constexpr int low = (16 * g / 3 * 3 + k) / 16, high = (16 * g + 15) / 3 * 3 + k < 16 * (low + 1) ? low : low + 1;
+    constexpr int g = Register, k = Coordinate, low = (16 * g / 3 * 3 + k) / 16;
+    constexpr int high = (16 * g + 15) / 3 * 3 + k < 16 * (low + 1) ? low : low + 1;
     return shuffled_by<16>(r[low], r[high], [](int i) { return (16 * g + i) / 3 * 3 + k - 16 * low; });
   }
-  template <int Columns, int g>
+  template <int Columns, int Register>
   IRG_INLINE F image(const F (&r)[3]) const noexcept {
+    constexpr int g = Register;
     const F sum = (m[g][0] * coordinate_of_lanes<g, 0>(r) + m[g][1] * coordinate_of_lanes<g, 1>(r)) +
                   m[g][2] * coordinate_of_lanes<g, 2>(r);
     if constexpr (Columns == 4)

@@ -18,6 +18,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/lanes.hpp>
+#include <irg/raster/detail/snapped_ring.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>
 
@@ -207,7 +208,7 @@ struct area_side : area_edge {
   IRG_INLINE constexpr void lead_on(std::int32_t y) {
     do {
       a = b;
-      i = forward ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n : i) - 1;
+      i = next_vertex(i, n, forward);
       b = at(i);
     } while (b.y <= y);
     static_cast<area_edge&>(*this) = area_edge(a, b);

@@ -92,7 +92,7 @@ struct small_polygon {
     int last_row = row_first - 1;  // the row of the piece before
     do {
       const subpixel a = b;
-      i = forward ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n : i) - 1;
+      i = next_vertex(i, n, forward);
       b = vertex(i);
       b.x *= Mirror;
       if (b.y <= a.y) continue;

@@ -43,6 +43,30 @@ constexpr void for_mirrored_arcs(const cell& centre, bool upright, Body&& body) 
       body(conic_arc{centre, sign_along, sign_aside, upright});
 }
 
+// The cells of an arc with k < end that lie in the window. A shape has height(k), the m nearest to it at k; reach(m),
+// how many k >= 0 have a height of m or more; and excess(k, m), negative when it passes below m - 1/2 at k, which loses
+// step * (2k + 1) from k to k + 1 and gains drop * (m - 1) from m to m - 1.
+template <class Shape, CellSink Sink>
+constexpr void emit_arc(const conic_arc& arc, const Shape& shape, std::int64_t end, const cell_window& w, Sink& emit) {
+  const step_range along = arc.along(w), aside = arc.aside(w);
+  std::int64_t first = along.first, last = lesser(along.last, end);
+  if (first >= last || aside.first >= aside.last) return;
+  last = lesser(last, shape.reach(aside.first));
+  first = greater(first, shape.reach(aside.last));
+  if (first >= last) return;
+  const auto step = shape.step(), drop = shape.drop();
+  std::int64_t m = shape.height(first);
+  auto excess = shape.excess(first, m);
+  for (std::int64_t k = first; k < last; ++k) {
+    emit(arc.at(k, m));
+    excess -= step * (2 * k + 1);
+    if (excess < 0 && m > 0) {
+      --m;
+      excess += drop * m;
+    }
+  }
+}
+
 // Calls emit(span) for the rows of the window that are at most radius_y away from the centre, half_width(dy) being the
 // reach to both sides of it.
 template <class HalfWidth, SpanSink Sink>

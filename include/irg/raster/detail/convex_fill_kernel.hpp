@@ -73,10 +73,7 @@ IRG_INLINE constexpr void lead_on(ring_side<Edge>& side, std::size_t n, const Ve
   typename Edge::vertex from = side.at, to = from;
   do {
     from = to;
-    if constexpr (Forward)
-      side.i = side.i + 1 == n ? 0 : side.i + 1;
-    else
-      side.i = (side.i == 0 ? n : side.i) - 1;
+    side.i = next_vertex(side.i, n, Forward);
     to = vertex(side.i);
     reaches = row_from(to.y);
   } while (reaches <= y);
@@ -120,10 +117,7 @@ IRG_INLINE constexpr void columns_of_side(std::size_t n, std::size_t i, std::siz
   subpixel from = vertex(i);
   int row = row_of(from);
   do {
-    if constexpr (Forward)
-      i = i + 1 == n ? 0 : i + 1;
-    else
-      i = (i == 0 ? n : i) - 1;
+    i = next_vertex(i, n, Forward);
     const subpixel to = vertex(i);
     const int end = row_of(to);
     if (row < end) {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Quotients of integers, rounded down or up whatever their sign; the language's own division rounds towards 0.
+// Integers of 128 bits, and quotients of integers, rounded down or up whatever their sign; the language's own division
+// rounds towards 0.
 #pragma once
 
 #include <irg/core/config.hpp>
 
 namespace irg::detail {
+
+__extension__ typedef __int128 int128;
+__extension__ typedef unsigned __int128 uint128;
+
 inline namespace IRG_ABI {
 
 // The greatest integer that is not above n / d; d > 0. I is a signed integer of any width.

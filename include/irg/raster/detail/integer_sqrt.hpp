@@ -5,12 +5,11 @@
 #include <cstdint>
 
 #include <irg/math/sqrt.hpp>
+#include <irg/raster/detail/floor_division.hpp>
 
 namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
-
-__extension__ typedef unsigned __int128 uint128;
 
 // floor(sqrt(n)); 0 <= n < 2^62. The floating root is off by one at most, whatever the rounding of n.
 constexpr std::int64_t floor_sqrt(std::int64_t n) noexcept {

@@ -164,7 +164,7 @@ void draw_pieces(const byte_rows<P>& rows, line_pieces& pieces, std::uint32_t ti
 IRG_INLINE constexpr line_walk<std::uint32_t> visible_walk(cell a, cell b, const cell_window& window,
                                                            const line_options& options) noexcept {
   const bresenham_frame f = frame_of(a, b, options.ties);
-  const step_range steps = visible_steps_64(f, window, options.ends);
+  const step_range steps = visible_steps<std::int64_t>(f, window, options.ends);
   if (steps.first >= steps.last) return {};
   return walk_of_steps_32(f, steps);
 }

@@ -11,13 +11,12 @@
 #include <cstdint>
 
 #include <irg/core/sinks.hpp>
+#include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/line_options.hpp>
 #include <irg/raster/window.hpp>
 
 namespace irg {
 namespace detail {
-
-__extension__ typedef __int128 int128;
 
 // A line seen along its longer axis: `along` counts steps 0..n, `aside` is 0..m; signs lead back to x and y. An exact
 // tie stays on the start's side when tie is 0, goes to the end's side when it is 1.
@@ -57,7 +56,7 @@ constexpr bresenham_frame frame_of(cell a, cell b, line_ties ties = line_ties::s
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
   const std::int64_t width = dx < 0 ? -dx : dx, height = dy < 0 ? -dy : dy;
   const int sx = dx < 0 ? -1 : 1, sy = dy < 0 ? -1 : 1;
-  const bool steep = height >= width;  // 45 degrees counts as steep, as in the course's text
+  const bool steep = height >= width;  // 45 degrees counts as steep, as in Fabris's text
   const int tie = ties == line_ties::symmetric && (steep ? sy : sx) < 0 ? 1 : 0;
   return steep ? bresenham_frame{height, width, sy, sx, true, a, tie}
                : bresenham_frame{width, height, sx, sy, false, a, tie};
@@ -70,11 +69,14 @@ constexpr step_range steps_within(std::int64_t start, int sign, std::int64_t low
 }
 
 // The first step whose aside is >= k, for k >= 1 and m >= 1: i*m/n > k - 1/2, or equal to it where ties go there.
+template <class I>
 constexpr std::int64_t first_step_aside(const bresenham_frame& f, std::int64_t k) noexcept {
-  return static_cast<std::int64_t>(((int128{2} * k - 1) * f.n - f.tie) / (int128{2} * f.m)) + 1;
+  return static_cast<std::int64_t>(((I{2} * k - 1) * f.n - f.tie) / (I{2} * f.m)) + 1;
 }
 
-// The steps [first, last) of a line that lie in a window: a run, because a line is monotone in both axes.
+// The steps [first, last) of a line that lie in a window: a run, because a line is monotone in both axes. I holds
+// 2 * n * m.
+template <class I = int128>
 constexpr step_range visible_steps(const bresenham_frame& f, const cell_window& w,
                                    line_ends ends = line_ends::closed) noexcept {
   const step_range x = steps_within(f.start.x, f.steep ? f.sign_aside : f.sign_along, w.x_first, w.x_last);
@@ -82,8 +84,8 @@ constexpr step_range visible_steps(const bresenham_frame& f, const cell_window& 
   const step_range along = f.steep ? y : x, aside = f.steep ? x : y;
   step_range steps{along.first, lesser(along.last, steps_drawn(f, ends))};
   if (aside.first > f.m || aside.last <= 0) return {0, 0};
-  if (aside.first > 0) steps.first = greater(steps.first, first_step_aside(f, aside.first));
-  if (aside.last <= f.m) steps.last = lesser(steps.last, first_step_aside(f, aside.last));
+  if (aside.first > 0) steps.first = greater(steps.first, first_step_aside<I>(f, aside.first));
+  if (aside.last <= f.m) steps.last = lesser(steps.last, first_step_aside<I>(f, aside.last));
   return steps;
 }
 

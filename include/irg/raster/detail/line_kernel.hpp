@@ -22,8 +22,6 @@
 
 namespace irg::detail {
 
-__extension__ typedef unsigned __int128 line_uint128;
-
 // Which way a line runs. The masks have all bits set when their name is true, else none.
 struct line_octant {
   std::ptrdiff_t sign_x, sign_y;  // 1 or -1
@@ -188,24 +186,10 @@ constexpr line_walk<std::uint64_t> walk_of_steps_64(const bresenham_frame& f, co
   const int128 twice = int128{2} * f.n, v = int128{2} * steps.first * f.m + f.n - 1 + f.tie;
   const auto count = static_cast<std::uint64_t>(steps.last - steps.first);
   const auto aside = static_cast<std::int64_t>(v / twice);
-  const auto wide = [](auto x) { return static_cast<line_uint128>(x); };
+  const auto wide = [](auto x) { return static_cast<uint128>(x); };
   const auto part = static_cast<std::uint64_t>((wide(v - twice * aside) << 64) / wide(twice)) + count;
   const auto slope = static_cast<std::uint64_t>(((wide(f.m) << 64) - (f.m != 0 ? 1u : 0u)) / wide(f.n));
   return {part, slope, static_cast<int>(count), f.at(steps.first, aside), octant_of(f)};
-}
-
-// visible_steps in 64 bits.
-// needs   f.n <= longest_walk_in_32_bits
-constexpr step_range visible_steps_64(const bresenham_frame& f, const cell_window& w, line_ends ends) noexcept {
-  const step_range x = steps_within(f.start.x, f.steep ? f.sign_aside : f.sign_along, w.x_first, w.x_last);
-  const step_range y = steps_within(f.start.y, f.steep ? f.sign_along : f.sign_aside, w.y_first, w.y_last);
-  const step_range along = f.steep ? y : x, aside = f.steep ? x : y;
-  const auto first_step = [&](std::int64_t k) { return ((2 * k - 1) * f.n - f.tie) / (2 * f.m) + 1; };
-  step_range steps{along.first, lesser(along.last, steps_drawn(f, ends))};
-  if (aside.first > f.m || aside.last <= 0) return {0, 0};
-  if (aside.first > 0) steps.first = greater(steps.first, first_step(aside.first));
-  if (aside.last <= f.m) steps.last = lesser(steps.last, first_step(aside.last));
-  return steps;
 }
 
 // The lines that walk_line_in leaves over.
@@ -221,7 +205,7 @@ IRG_NOINLINE void walk_clipped_line(R& raster, cell a, cell b, const cell_window
       walk_line(rows, walk, plot);
   };
   if (f.n <= longest_walk_in_32_bits) {
-    const step_range steps = visible_steps_64(f, window, options.ends);
+    const step_range steps = visible_steps<std::int64_t>(f, window, options.ends);
     if (steps.first < steps.last) draw(walk_of_steps_32(f, steps));
   } else {
     const step_range steps = visible_steps(f, window, options.ends);

@@ -18,6 +18,7 @@
 
 #include <irg/core/contraction.hpp>
 #include <irg/core/sinks.hpp>
+#include <irg/raster/detail/area_kernel.hpp>
 #include <irg/raster/detail/snapped_ring.hpp>
 #include <irg/raster/window.hpp>
 
@@ -83,13 +84,6 @@ struct area_memory {
 };
 
 inline namespace IRG_ABI {
-
-// What lies right of an edge that reaches from low to low + width over a height, within column 0; all in pixels.
-IRG_INLINE constexpr double area_right_of(double low, double width, double height, double scale) noexcept {
-  const double high = low + width;
-  const double t0 = clamp(high, 0.0, width), t1 = clamp(high - 1, 0.0, width);
-  return height - (product(product(t0 - t1, t0 + t1), scale) + product(clamp(low, 0.0, 1.0), height));
-}
 
 // Calls emit(coverage_span) for the rows of the lines in memory.
 template <class Emit>
@@ -228,7 +222,7 @@ private:
     std::int64_t x = greater(first, std::int64_t{w_.x_first});
     for (; x < stop; ++x) {
       const double from = static_cast<double>(low - (x << fine_bits)) * 0x1p-32;
-      const double area = area_right_of(from, width, tall, scale);
+      const double area = tall - uncovered_near(0.0, from, width, scale, tall);  // on its right
       const auto cut = static_cast<std::int64_t>(area * 0x1p40 + 0.5);
       change_at(x) += role * (cut - so_far);
       so_far = cut;

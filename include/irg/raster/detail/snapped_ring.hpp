@@ -32,6 +32,11 @@ struct ring_extent {
   }
 };
 
+// The vertex after vertex i of n, or before it.
+IRG_INLINE constexpr std::size_t next_vertex(std::size_t i, std::size_t n, bool forward) noexcept {
+  return forward ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n : i) - 1;
+}
+
 template <class R>
 inline constexpr bool is_snapped_ring = std::same_as<ring_point<R>, subpixel>;
 
@@ -90,9 +95,7 @@ template <FillableRing R>
 constexpr ring_reach reach_of_vertex(const R& ring, std::size_t i) {
   const auto& p = ring_traits<R>::vertex(ring, i);
   if constexpr (is_snapped_ring<R>) {
-    constexpr std::int32_t limit = snap_limit * one_pixel;
-    return p.x >= -limit && p.x <= limit && p.y >= -limit && p.y <= limit ? ring_reach::within_snap_limit
-                                                                          : ring_reach::within_far_limit;
+    return can_snap(p) ? ring_reach::within_snap_limit : ring_reach::within_far_limit;
   } else {
     const auto x = coordinate(p, 0), y = coordinate(p, 1);
     if (can_snap(x) && can_snap(y)) return ring_reach::within_snap_limit;

@@ -7,7 +7,7 @@
 namespace irg::textbook {
 inline namespace IRG_ABI {
 
-/// The corners as S3 4.1.5.2 prints them: the far ones by the factor n/h, which puts them before the near ones.
+/// The corners as Hank prints them (4.1.5.2): the far ones by the factor n/h, which puts them before the near ones.
 template <Real T>
 constexpr pyramid_corner_points<T> pyramid_corners(const view_pyramid<T>& p,
                                                    handedness hand = handedness::left) noexcept {

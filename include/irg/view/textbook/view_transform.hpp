@@ -128,7 +128,7 @@ constexpr view_steps<T> view_transform_steps(const point<T, 3>& eye, const point
 /// gives   a finite matrix always; view_transform_steps says what stands in for what
 /// exact   the upper 3x3 block orthonormal within 8u, of determinant -1 within 16u; transform_row takes the eye
 ///         to the origin exactly
-/// source  the course, 5.1 to 5.6
+/// source  Mihajlovic 2016, 5.1 to 5.6
 template <Floating T>
 constexpr mat<T, 4, 4> view_transform(const point<T, 3>& eye, const point<T, 3>& view_point) noexcept {
   const view_steps<T> s = view_transform_steps(eye, view_point);

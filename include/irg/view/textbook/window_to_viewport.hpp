@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Window to viewport by the formula of the course.
+// Window to viewport by Hank's formula.
 #pragma once
 
 #include <irg/view/window_to_viewport.hpp>
 
 namespace irg::textbook {
 
-/// A window as the course writes it: its left and upper edge, width and height. For its formula to be right `top` must
+/// A window as Hank writes it: its left and upper edge, width and height. For its formula to be right `top` must
 /// be the negated height of the upper edge.
 template <Real T>
 struct edged_window {
@@ -15,10 +15,10 @@ struct edged_window {
 
 inline namespace IRG_ABI {
 
-/// The course's own formula: ((x - left) * (VW / width) + VL, (-y - top) * (VH / height) + VT).
+/// Hank's own formula: ((x - left) * (VW / width) + VL, (-y - top) * (VH / height) + VT).
 /// needs   width and height that are not 0
 /// exact   in rationals; in floats each operation is rounded once
-/// source  the course, S3 4.2.2
+/// source  Hank n.d., 4.2.2
 template <Real T>
 constexpr point<T, 2> to_pixels(const edged_window<T>& window, const viewport<T>& view, const point<T, 2>& p) noexcept {
   return {product(p.x - window.left, view.width / window.width) + view.x,

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// fractal: escape time, Mandelbrot, Julia.
+#pragma once
+
+#include <irg/fractal/complex_plane.hpp>
+#include <irg/fractal/escape_job.hpp>
+#include <irg/fractal/escape_picture.hpp>
+#include <irg/fractal/escape_time.hpp>
+#include <irg/fractal/julia.hpp>
+#include <irg/fractal/mandelbrot.hpp>

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The runs of equal pixels that an SVG file shows, and its text.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <irg/core/result.hpp>
+#include <irg/io/picture_limits.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+constexpr void append_text(std::vector<std::uint8_t>& out, std::string_view text) {
+  for (const char c : text) out.push_back(static_cast<std::uint8_t>(c));
+}
+
+// The number in decimal digits.
+constexpr void append_number(std::vector<std::uint8_t>& out, int n) {
+  char digits[10] = {};
+  int count = 0;
+  do {
+    digits[count++] = static_cast<char>('0' + n % 10);
+    n /= 10;
+  } while (n > 0);
+  while (count > 0) out.push_back(static_cast<std::uint8_t>(digits[--count]));
+}
+
+// fill="#rrggbb", and the opacity where it is not full.
+constexpr void append_fill(std::vector<std::uint8_t>& out, const rgba8& p) {
+  constexpr std::string_view hex = "0123456789abcdef";
+  append_text(out, "fill=\"#");
+  for (const std::uint8_t channel : {p.r, p.g, p.b})
+    for (const int digit : {channel >> 4, channel & 15})
+      out.push_back(static_cast<std::uint8_t>(hex[static_cast<std::size_t>(digit)]));
+  append_text(out, "\"");
+  if (p.a == 255) return;
+  append_text(out, " fill-opacity=\"0.");  // rounded down to a thousandth; no opacity below 255 comes to 1
+  const int thousandths = p.a * 1000 / 255;
+  for (const int digit : {thousandths / 100, thousandths / 10 % 10, thousandths % 10})
+    out.push_back(static_cast<std::uint8_t>('0' + digit));
+  append_text(out, "\"");
+}
+
+constexpr void append_run(std::vector<std::uint8_t>& out, int x, int y, int width, int height, const rgba8& p) {
+  append_text(out, "<rect x=\"");
+  append_number(out, x);
+  append_text(out, "\" y=\"");
+  append_number(out, y);
+  append_text(out, "\" width=\"");
+  append_number(out, width);
+  append_text(out, "\" height=\"");
+  append_number(out, height);
+  append_text(out, "\" ");
+  append_fill(out, p);
+  append_text(out, "/>\n");
+}
+
+// One past the last row that looks like row y.
+template <class R>
+constexpr int end_of_equal_rows(const R& raster, int y) {
+  const int width = width_of(raster), height = height_of(raster);
+  int end = y + 1;
+  for (; end < height; ++end)
+    for (int x = 0; x < width; ++x)
+      if (to_rgba8(get_pixel(raster, x, end)) != to_rgba8(get_pixel(raster, x, y))) return end;
+  return end;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

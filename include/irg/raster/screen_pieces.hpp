@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// From clip space to faces on the screen: a triangle behind the eye or beyond the rasterizer's numbers in part is cut,
+// in the one way that all who draw it share, and each corner of what is left is projected and rounded once.
+#pragma once
+
+#include <cstdint>
+
+#include <irg/geometry/clip_homogeneous.hpp>
+#include <irg/raster/screen_face.hpp>
+#include <irg/raster/screen_mapping.hpp>
+
+namespace irg {
+
+/// The weights of the second and third vertex of a source triangle; the first has the rest of 1.
+struct source_weights {
+  float second = 0, third = 0;
+};
+
+/// Where the corners of a piece lie in its source triangle.
+struct piece_weights {
+  source_weights corner[3] = {{0, 0}, {1, 0}, {0, 1}};
+};
+
+/// A part of a source triangle, on the screen under the triangle's number.
+struct screen_piece {
+  screen_face face;
+  piece_weights weights;
+};
+
+/// What clipping leaves of a triangle on the screen.
+/// shape   size() pieces, a fan about its first corner, all with the winding of `double_area`, which is that of the
+///         whole: positive where corners run clockwise as seen with y down. A piece may have no area
+struct screen_pieces {
+  screen_piece piece[7]{};
+  int count = 0;
+  std::int64_t double_area = 0;
+  bool outside = false;  // nothing is left: not even a part without area
+
+  IRG_INLINE constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
+  IRG_INLINE constexpr const screen_piece& operator[](std::size_t i) const noexcept { return piece[i]; }
+  IRG_INLINE constexpr const screen_piece* begin() const noexcept { return piece; }
+  IRG_INLINE constexpr const screen_piece* end() const noexcept { return piece + count; }
+};
+
+inline namespace IRG_ABI {
+
+/// The faces that a triangle in clip space comes to on the screen, all under its number: itself where no corner is
+/// beyond the depth planes or the guard band, else the pieces that are left of it.
+/// shape   corners as a projection matrix gives them, in either winding, which is kept; 0 <= z <= w is in front
+/// gives   nothing where nothing is left, where the whole has no area once it is snapped, and where a corner is not
+///         finite, larger than clip_homogeneous takes, or 0, 0, 0, 0
+/// exact   coordinates as clip_homogeneous and to_screen round them: the faces that render draws, bit for bit.
+///         Triangles that share an edge get the same corners on it
+/// cost    that of clip_homogeneous, and a division for each corner left
+template <Floating T>
+constexpr screen_pieces clip_to_screen(const hpoint<T, 3> (&corner)[3], const screen_mapping<T>& mapping,
+                                       std::uint32_t number) noexcept {
+  screen_pieces pieces;
+  const clip_vertex<T, 2> polygon[3] = {
+      {corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};
+  const auto left = clip_homogeneous(polygon, mapping.guard);
+  pieces.outside = left.empty();
+
+  screen_vertex on_screen[9]{};
+  source_weights share[9]{};
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    on_screen[k] = to_screen(left[k].position, mapping);
+    share[k] = {converted<float>(left[k].attributes[0]), converted<float>(left[k].attributes[1])};
+  }
+  const auto area_of = [&](std::size_t k) {
+    return signed_double_area(on_screen[0].position, on_screen[k].position, on_screen[k + 1].position);
+  };
+  for (std::size_t k = 1; k + 1 < left.size(); ++k) pieces.double_area += area_of(k);
+  for (std::size_t k = 1; k + 1 < left.size() && pieces.double_area != 0; ++k) {
+    // Snapping may turn round a piece thinner than 1/256 pixel; the pieces beside it cover its place.
+    if (area_of(k) != 0 && (area_of(k) > 0) != (pieces.double_area > 0)) continue;
+    pieces.piece[pieces.count++] = {make_screen_face(on_screen[0], on_screen[k], on_screen[k + 1], number),
+                                    {{share[0], share[k], share[k + 1]}}};
+  }
+  return pieces;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// The pixel shaders of the objects of a picture, in each of its styles.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <irg/core/conversion.hpp>
+#include <irg/colour/srgb.hpp>
+#include <irg/colour/srgb_lanes.hpp>
+#include <irg/render/detail/shade/collected_points.hpp>
+#include <irg/render/detail/shade/vertex_light_kernel.hpp>
+#include <irg/render/prepared_scene.hpp>
+#include <irg/shade/shading.hpp>
+
+namespace irg {
+namespace detail {
+
+// What light becomes in the picture: its pixel; or it stays as it is until the range of all of it is known.
+struct encoded_light {
+  IRG_INLINE constexpr rgba8 operator()(const rgb<float>& light) const noexcept { return encode(light); }
+};
+struct light_itself {
+  IRG_INLINE constexpr rgb<float> operator()(const rgb<float>& light) const noexcept { return light; }
+};
+
+// Phong shading of one triangle.
+template <Floating T, class Output>
+struct phong_pixel_shader {
+  const phong_shader<T>& shader;
+  const phong_lanes<T>* in_lanes;  // of doubles
+  point<T, 3> position;
+  vec<T, 3> normal;
+  vec<T, 3> to_position[2], to_normal[2];  // from the first corner to the second and the third
+
+  constexpr phong_pixel_shader(const phong_shader<T>& s, const phong_lanes<T>* many, const point<T, 3> (&p)[3],
+                               const vec<T, 3> (&n)[3]) noexcept
+      : shader(s), in_lanes(many), position(p[0]), normal(n[0]), to_position{p[1] - p[0], p[2] - p[0]},
+        to_normal{n[1] - n[0], n[2] - n[0]} {}
+
+  IRG_INLINE constexpr auto operator()(const pixel_weights<float>& at) const {
+    const T s = converted<T>(at.weight1), t = converted<T>(at.weight2);
+    const point<T, 3> p = position + (to_position[0] * s + to_position[1] * t);
+    const vec<T, 3> n = normal + (to_normal[0] * s + to_normal[1] * t);
+    const rgb<T> light = shader(p, n);
+    return Output{}({converted<float>(light.r), converted<float>(light.g), converted<float>(light.b)});
+  }
+
+  // Puts what the chosen pixels show of the triangle to what the others show.
+  template <int N>
+    requires std::same_as<T, double>
+  IRG_INLINE void place(surface_points<N>& points, const pixel_weights<pack<float, N>>& at,
+                        const pack<std::int32_t, N>& chosen) const noexcept {
+    using f = lanes<pack<double, native_lanes<double>>>;
+    alignas(64) float weight1[static_cast<unsigned>(N)], weight2[static_cast<unsigned>(N)];
+    alignas(64) std::int32_t mask[static_cast<unsigned>(N)];
+    lanes<pack<float, N>>::store(weight1, at.weight1);
+    lanes<pack<float, N>>::store(weight2, at.weight2);
+    lanes<pack<std::int32_t, N>>::store(mask, chosen);
+    for (int first = 0; first < N; first += f::count) {
+      const auto few = [&](const auto* from) {
+        return lanes<pack<std::remove_cvref_t<decltype(*from)>, f::count>>::load(from + first);
+      };
+      const auto s = converted<double>(few(weight1)), t = converted<double>(few(weight2));
+      const auto where = converted<std::int64_t>(few(mask));
+      const auto put = [&](double(&to)[static_cast<unsigned>(N)], T from, T to_second, T to_third) {
+        const auto between = f::broadcast(from) + (f::broadcast(to_second) * s + f::broadcast(to_third) * t);
+        f::store(to + first, select(where, between, f::load(to + first)));
+      };
+      for (int k = 0; k < 3; ++k) {
+        put(points.coordinate[k], position[k], to_position[0][k], to_position[1][k]);
+        put(points.coordinate[3 + k], normal[k], to_normal[0][k], to_normal[1][k]);
+      }
+    }
+  }
+  // Shades the chosen pixels of a row.
+  template <int N, class P>
+  IRG_INLINE static void shade(const phong_lanes<T>& light_of, const surface_points<N>& points, unsigned chosen,
+                               P* row) {
+    using f = lanes<pack<double, native_lanes<double>>>;
+    alignas(64) float r[static_cast<unsigned>(N)], g[static_cast<unsigned>(N)], b[static_cast<unsigned>(N)];
+    for (int first = 0; first < N; first += f::count) {
+      const auto of = [&](int k) {
+        const auto at = [&](int i) { return f::load(points.coordinate[k + i] + first); };
+        return triple_lanes<double, f::count>{at(0), at(1), at(2)};
+      };
+      const auto light = light_of(of(0), of(3), chosen >> first);
+      using few = lanes<pack<float, f::count>>;
+      few::store(r + first, converted<float>(light.r));
+      few::store(g + first, converted<float>(light.g));
+      few::store(b + first, converted<float>(light.b));
+    }
+    if constexpr (std::same_as<Output, encoded_light> && sizeof(P) == 4) {
+      using floats = lanes<pack<float, N>>;
+      std::uint32_t words[static_cast<unsigned>(N)];
+      lanes<pack<std::uint32_t, N>>::store(words, encode_lanes(floats::load(r), floats::load(g), floats::load(b)));
+      for (; chosen != 0; chosen &= chosen - 1)
+        row[std::countr_zero(chosen)] = std::bit_cast<P>(words[std::countr_zero(chosen)]);
+    } else {
+      for (; chosen != 0; chosen &= chosen - 1) {
+        const int i = std::countr_zero(chosen);
+        row[i] = Output{}({r[i], g[i], b[i]});
+      }
+    }
+  }
+};
+
+inline namespace IRG_ABI {
+
+template <class T>
+IRG_INLINE constexpr rgb<float> to_float_colour(const rgb<T>& c) noexcept {
+  return {converted<float>(c.r), converted<float>(c.g), converted<float>(c.b)};
+}
+
+// One object of a picture: its triangles, its colours or what they come from.
+template <class T>
+struct object_shading {
+  prepared_object<T>& made;
+  flat_shader<T> flat;
+  phong_shader<T> phong;
+  std::optional<phong_lanes<T>> phong_in_lanes{};  // of doubles, where the style needs it: at vertices, too
+
+  constexpr object_shading(prepared_object<T>& object, const lighting<T>& light, const point<T, 3>& eye)
+      : made(object), flat{object.surface, light, eye}, phong{object.surface, light, eye} {}
+
+  constexpr const phong_lanes<T>* shared_light() const noexcept { return phong_in_lanes ? &*phong_in_lanes : nullptr; }
+
+  // What a triangle's back shows has its normal turned towards the eye.
+  constexpr rgb<float> face_colour(std::size_t f, facing side) const noexcept {
+    const mesh<T>& shape = made.shape;
+    const vec<T, 3> normal = face_normal(shape, f).value_or(vec<T, 3>{});
+    vec<T, 3> sum{};  // about the first vertex: the mean of the differences
+    const point<T, 3>& first = shape.positions[shape.corner(f, 0).position];
+    for (std::size_t k = 1; k < shape.face_size(f); ++k) sum += shape.positions[shape.corner(f, k).position] - first;
+    const point<T, 3> centre = first + sum / static_cast<T>(shape.face_size(f));
+    return to_float_colour(flat(centre, side == facing::front ? normal : -normal));
+  }
+
+  // Works out the colours that the style keeps, unless they are there from the last picture.
+  template <class E>
+  constexpr void prepare(picture_style style, face_culling culling, const E& executor) {
+    const lighting<T>& light = flat.light;
+    object_frame<T>& frame = made.frame;
+    shading_key<T> key{
+        style,         culling,        made.surface, flat.eye, {light.lights.begin(), light.lights.end()},
+        light.ambient, light.distance, light.k};
+    if constexpr (std::same_as<T, double>)
+      if (style == picture_style::phong || style == picture_style::gouraud) phong_in_lanes.emplace(phong);
+    if (frame.key == key) return;
+    frame.key = std::move(key);
+    if (style == picture_style::flat) {
+      frame.face_colours.resize(made.shape.face_count(), rgb<float>{});
+      for_portions(executor, made.shape.face_count(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t f = first; f < last; ++f) frame.face_colours[f] = face_colour(f, facing::front);
+      });
+    }
+    if (style != picture_style::gouraud) return;
+    for (const facing side : {facing::front, facing::back}) {
+      if (side == facing::back && culling == face_culling::back) continue;
+      auto& colours = frame.vertex_colours[static_cast<int>(side)];
+      colours.resize(made.body.positions.size(), std::array<float, 3>{});
+      const lit_vertices<T> to{made.body, side == facing::front ? T(1) : T(-1), colours};
+      for_portions(executor, colours.size(), [&](std::size_t first, std::size_t last) {
+        light_vertices(to, first, last, phong, shared_light());
+      });
+    }
+  }
+
+private:
+  // Calls f(first, last) for all of count, a thousand of them in a task.
+  template <class E, class F>
+  static constexpr void for_portions(const E& executor, std::size_t count, const F& f) {
+    constexpr std::size_t portion = 1024;
+    executor((count + portion - 1) / portion, [&](std::size_t k) { f(k * portion, lesser((k + 1) * portion, count)); });
+  }
+};
+
+// Makes the pixel shaders of flat faces.
+template <class Output, class T>
+struct flat_pixels {
+  std::span<const object_shading<T>> objects;
+
+  IRG_INLINE constexpr auto operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
+                                       facing side) const noexcept {
+    const object_shading<T>& o = objects[batch.object];
+    const std::uint32_t f = o.made.body.face_of[triangle];
+    return solid_shader<decltype(Output{}({}))>{
+        Output{}(side == facing::front ? o.made.frame.face_colours[f] : o.face_colour(f, side))};
+  }
+};
+
+// Colours between the vertices.
+template <class Output, class T>
+struct gouraud_pixels {
+  static constexpr int attribute_count = 3;
+  std::span<const object_shading<T>> objects;
+
+  IRG_INLINE constexpr const float* attributes(const triangle_batch<T>& batch, std::uint32_t vertex,
+                                               facing side) const noexcept {
+    return objects[batch.object].made.frame.vertex_colours[static_cast<int>(side)][vertex].data();
+  }
+  IRG_INLINE constexpr auto pixel(const std::array<float, 3>& light) const noexcept {
+    return Output{}({light[0], light[1], light[2]});
+  }
+  template <int N>
+    requires std::same_as<Output, encoded_light>
+  IRG_INLINE pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 3>& light) const noexcept {
+    return encode_lanes(light[0], light[1], light[2]);
+  }
+};
+
+// Makes the pixel shaders of Phong's style.
+template <class Output, class T>
+struct phong_pixels {
+  std::span<const object_shading<T>> objects;
+
+  IRG_INLINE constexpr phong_pixel_shader<T, Output> operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
+                                                                facing side) const noexcept {
+    const object_shading<T>& o = objects[batch.object];
+    const drawable<T>& body = o.made.body;
+    const auto [a, b, c] = body.triangles[triangle].v;
+    const auto normal = [&](std::uint32_t v) { return side == facing::front ? body.normals[v] : -body.normals[v]; };
+    const point<T, 3> p[3] = {body.positions[a], body.positions[b], body.positions[c]};
+    const vec<T, 3> n[3] = {normal(a), normal(b), normal(c)};
+    return {o.phong, o.shared_light(), p, n};
+  }
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+}  // namespace irg

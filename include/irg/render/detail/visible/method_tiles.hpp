@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// From ids, whoever wrote them, to what a window shows.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <irg/render/detail/visible/tile_driver.hpp>
+#include <irg/render/window_faces.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+// The place in a tile's list of the triangle, or the piece of one, that has this number and covers a pixel; no_face
+// where there is none. Lists are in the order of sources.
+template <class T>
+constexpr std::uint32_t place_of(std::uint32_t id, int x, int y, std::span<const std::uint32_t> numbers,
+                                 const triangle_finder<T>& find) noexcept {
+  std::size_t first = 0;
+  for (std::size_t size = numbers.size(); size > 0;) {
+    const std::size_t half = size / 2;
+    if (find.source(numbers[first + half]) < id) {
+      first += half + 1;
+      size -= half + 1;
+    } else {
+      size = half;
+    }
+  }
+  for (; first < numbers.size() && find.source(numbers[first]) == id; ++first) {
+    const triangle_corners c = find.corners(numbers[first]);
+    if (covers(cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position), x, y))
+      return static_cast<std::uint32_t>(first);
+  }
+  return no_face;
+}
+
+// The places of the faces that ids name in a window, and their depths. Ids of faces that do not cover the pixel, or are
+// not on the window's list, count as none.
+template <class T, class Ids>
+constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const std::uint32_t> numbers,
+                           const triangle_finder<T>& find, const cell_window& w) {
+  std::uint32_t last_id = no_face, place = no_face;
+  covered_triangle t{};
+  for (int y = w.y_first; y < w.y_last; ++y)
+    for (int x = w.x_first; x < w.x_last; ++x) {
+      const std::uint32_t id = get_pixel(ids, x, y);
+      if (id == no_face) continue;
+      if (id != last_id || place == no_face || !covers(t.coverage, x, y)) {
+        last_id = id;
+        place = place_of(id, x, y, numbers, find);
+        if (place == no_face) continue;
+        const triangle_corners c = find.corners(numbers[place]);
+        t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
+      }
+      const std::size_t at = visible_pixels::at(w, x, y);
+      out.place[at] = place;
+      out.key[at] = depth_at(t.setup, x, y);
+    }
+}
+
+// Tiles whose ids another method finds. `ids` belongs to the picture, all no_face before.
+template <class Order, class Method>
+struct method_tiles {
+  using order = Order;
+  const Method& method;
+  image<std::uint32_t>& ids;
+
+  template <class T, class Depth, class Finish>
+  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) const {
+    const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
+    const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    const triangle_finder<T> find = job.finder();
+    draw_counts counts;
+    method(window_faces<T>(find, numbers), w, ids, counts);
+    mark_all_seen(job, numbers);
+    visible_pixels pixels(w);
+    find_places(pixels, ids, numbers, find, w);
+    if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
+    for (int y = w.y_first; y < w.y_last; ++y)
+      for (int x = w.x_first; x < w.x_last; ++x) {
+        const std::size_t at = visible_pixels::at(w, x, y);
+        if (pixels.place[at] != no_face) set_pixel(depth, x, y, pixels.key[at]);
+      }
+    counts.shaded = finish(visible_window{pixels.place.data(), pixels.key.data(), 1.0f, numbers, w}, find);
+    return counts;
+  }
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// A tile of the picture while it is drawn: for each pixel the depth and the nearest triangle so far (its place in the
+// tile's list), in the cache from the first triangle to the last. Colours come later, for what is still visible then.
+//
+// Depths are kept as keys, of which the greater is always the nearer: the depth itself or its negative.
+//
+// The tile is cut into blocks of 8 x 8 pixels. `farthest_key` holds for each a key that no pixel of it lies behind: a
+// triangle that lies behind that is not seen there.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include <irg/core/lanes.hpp>
+#include <irg/raster/depth.hpp>
+#include <irg/raster/screen_face.hpp>
+#include <irg/raster/window.hpp>
+
+namespace irg {
+namespace detail {
+
+inline constexpr int tile_size = 64, block_size = 8, blocks_across = tile_size / block_size;
+inline constexpr int tile_stride = tile_size + block_size;  // runs of pixels may reach beyond the right border
+
+struct tile {
+  alignas(64) float key[tile_size * tile_stride];
+  alignas(64) std::uint32_t id[tile_size * tile_stride];
+  alignas(64) float farthest_key[blocks_across * blocks_across];
+  float farthest;  // the least of `farthest_key`
+  std::uint64_t stale;  // the blocks that were drawn to since their `farthest_key` was reckoned
+};
+
+// How pixels are decided in a tile: by depth, always for the later triangle, or by depth where nobody asks whose it is.
+enum class tile_test { nearer, always, depth_only };
+
+// How an order of depths is turned into one of keys. Orders of other makers are drawn pixel by pixel.
+template <class Order>
+inline constexpr float key_sign = 0;
+template <>
+inline constexpr float key_sign<nearer_is_greater> = 1;
+template <>
+inline constexpr float key_sign<nearer_is_less> = -1;
+template <>
+inline constexpr float key_sign<drawing_order> = 1;
+
+inline namespace IRG_ABI {
+
+inline constexpr int tile_lanes = native_lanes<float>;
+
+// What pixels beside the picture hold: nothing is nearer, so they are never drawn to and never tested in earnest.
+inline constexpr float beyond_everything = std::numeric_limits<float>::infinity();
+
+// Makes the tile empty: nothing drawn, everything at the key of the farthest depth.
+// needs   1 <= width, height <= tile_size: the part that lies in the picture
+IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexcept {
+  using F = lanes<pack<float, tile_lanes>>;
+  const auto x = F::ramp(), end = F::broadcast(static_cast<float>(width));
+  const auto none = lanes<pack<std::int32_t, tile_lanes>>::broadcast(-1);
+  for (int row = 0; row < tile_size; ++row)
+    for (int k = 0; k < tile_stride; k += tile_lanes) {
+      const auto inside = x + F::broadcast(static_cast<float>(k)) < end;
+      const auto key =
+          select(inside, F::broadcast(row < height ? farthest : beyond_everything), F::broadcast(beyond_everything));
+      F::store(t.key + row * tile_stride + k, key);
+      lanes<pack<std::int32_t, tile_lanes>>::store_bytes(t.id + row * tile_stride + k, none);
+    }
+  for (int b = 0; b < blocks_across * blocks_across; ++b)
+    t.farthest_key[b] = b % blocks_across * block_size < width && b / blocks_across * block_size < height
+                            ? farthest
+                            : beyond_everything;
+  t.farthest = farthest;
+  t.stale = 0;
+}
+
+// Reckons `farthest` anew.
+IRG_INLINE void refresh_farthest(tile& t) noexcept {
+  using F = lanes<pack<float, tile_lanes>>;
+  auto least = F::load(t.farthest_key);
+  for (int i = tile_lanes; i < blocks_across * blocks_across; i += tile_lanes)
+    least = low_of(F::load(t.farthest_key + i), least);
+  t.farthest = least_of(least);
+}
+
+// Reckons `farthest_key` anew for the stale blocks, and `farthest`.
+IRG_INLINE void refresh_far(tile& t) noexcept {
+  using F = lanes<pack<float, tile_lanes>>;
+  for (; t.stale != 0; t.stale &= t.stale - 1) {
+    const int block = std::countr_zero(t.stale);
+    const float* row = t.key + block / blocks_across * block_size * tile_stride + block % blocks_across * block_size;
+    auto least = F::load(row);
+    for (int r = 0; r < block_size; ++r, row += tile_stride)
+      for (int k = 0; k < block_size; k += tile_lanes) least = low_of(F::load(row + k), least);
+    t.farthest_key[block] = least_of(least);
+  }
+  refresh_farthest(t);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

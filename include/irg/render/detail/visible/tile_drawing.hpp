@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+// The list of a tile, drawn: groups of triangles are made ready together; those of a pixel or few are drawn together,
+// too, the others one after the other. Where so much is drawn on top of each other that it pays, nearer triangles come
+// first, and what lies behind them is passed over.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/render/detail/visible/tile_kernel.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
+
+namespace irg {
+namespace detail {
+
+inline namespace IRG_ABI {
+
+// How a tile's list is drawn.
+struct tile_order {
+  float sign;  // of keys
+  bool front_to_back;  // nearer ones first, and with rejection by depth
+};
+
+template <class T>
+struct tile_painter {
+  static constexpr int count = tile_triangles::most;
+  using integers = pack<std::int32_t, count>;
+  using floats = pack<float, count>;
+
+  triangle_finder<T> find;
+  std::span<const std::uint32_t> numbers;  // what the tile has to draw; its pixels hold places in this list
+  cell_window window;
+  tile_order order;
+  tile& out;
+  std::uint8_t* seen;  // by source triangle: whether any part of it was gone into
+  tile_counts counts{lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
+  std::int64_t tested = 0, ties = 0;
+
+  IRG_INLINE void note_seen(std::uint32_t place) const noexcept { store_relaxed(seen[find.source(numbers[place])], 1); }
+
+  // Triangles of few pixels, a lane each: F, depth and box, as in tile_triangles.
+  struct dots {
+    static constexpr int most = 3;  // columns and rows
+    integers f[3], right[3], down[3], columns, rows, at;
+    floats gain[3], rest, low, high;
+  };
+
+  // Decides one pixel of each box at a time, the same in all lanes; what is covered is then drawn one by one, in the
+  // order of the list.
+  template <tile_test Test>
+  IRG_INLINE void draw_dots(const dots& d, const std::uint32_t* place, unsigned which) noexcept {
+    using I = lanes<integers>;
+    for (unsigned bits = which; bits != 0; bits &= bits - 1) note_seen(place[std::countr_zero(bits)]);
+    constexpr int across = 4;  // a pixel's number is across * row + column
+    float key[dots::most * across][count];
+    integers covered = I::broadcast(0), row[3] = {d.f[0], d.f[1], d.f[2]};
+    const bool third_column = mask_bits(I::broadcast(2) < d.columns) != 0,
+               third_row = mask_bits(I::broadcast(2) < d.rows) != 0;
+    for (int y = 0; y < (third_row ? 3 : 2); ++y) {
+      integers f[3] = {row[0], row[1], row[2]};
+      for (int x = 0; x < (third_column ? 3 : 2); ++x) {
+        const int pixel = across * y + x;
+        const integers here =
+            both(none_negative(f[0], f[1], f[2]), both(I::broadcast(x) < d.columns, I::broadcast(y) < d.rows));
+        counts.tested = counts.tested - here;
+        covered = covered | both(here, I::broadcast(1 << pixel));
+        lanes<floats>::store(
+            key[pixel], depth_at<floats>(f[0], f[1], f[2], d.gain[0], d.gain[1], d.gain[2], d.rest, d.low, d.high));
+        for (int k = 0; k < 3; ++k) f[k] = f[k] + d.right[k];
+      }
+      for (int k = 0; k < 3; ++k) row[k] = row[k] + d.down[k];
+    }
+    std::int32_t at[count];
+    I::store(at, d.at);
+    // 16 bits to a triangle, four triangles to a word.
+    std::uint64_t words[count / 4];
+    lanes<pack<std::uint16_t, count>>::store_bytes(words, converted<std::uint16_t>(covered));
+    for (int w = 0; w < count / 4; ++w)
+      for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
+        const int bit = std::countr_zero(bits), i = 4 * w + bit / 16, pixel = bit % 16;
+        draw_dot<Test>(key[pixel][i], at[i] + pixel / across * tile_stride + pixel % across, place[i]);
+      }
+  }
+  template <tile_test Test>
+  IRG_INLINE void draw_dot(float key, std::int32_t at, std::uint32_t place) noexcept {
+    if constexpr (Test == tile_test::nearer) {
+      const float stored = out.key[at];
+      if (key < stored) return;
+      if (key == stored) {
+        ++ties;
+        if (out.id[at] == no_face || !comes_before(place, out.id[at])) return;
+      }
+    }
+    if constexpr (Test == tile_test::depth_only)
+      if (key <= out.key[at]) return;
+    out.key[at] = key;
+    out.id[at] = place;
+    if (order.front_to_back) {
+      const int y = at / tile_stride, x = at % tile_stride;
+      out.stale |= std::uint64_t{1} << (y / block_size * blocks_across + x / block_size);
+    }
+  }
+
+  // Which of two equally near triangles is seen.
+  IRG_INLINE bool comes_before(std::uint32_t a, std::uint32_t b) const noexcept {
+    return find.source(numbers[a]) < find.source(numbers[b]);
+  }
+
+  // What is left to do of a group: a bit for each triangle whose sides are too long for 32-bit lanes, and for each one
+  // that is drawn already.
+  struct group_state {
+    unsigned large = 0, drawn = 0;
+  };
+
+  // Sets up `used` triangles, and draws those whose boxes have two columns and rows at most.
+  template <tile_test Test>
+  IRG_INLINE group_state set_up_group(tile_triangles& g, std::size_t first, int used) noexcept {
+    using I = lanes<integers>;
+    using F = lanes<floats>;
+    corner_lanes<count> c;
+    c.collect(find, numbers.data() + first, used);
+    const auto &x = c.x, &y = c.y;
+    const auto& depth = c.depth;
+    for (int i = 0; i < count; ++i) g.place[i] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i);
+    const triangle_boxes<count> boxes(x, y);
+    const integers &narrow = boxes.narrow, &area = boxes.double_area, zero = I::broadcast(0), one = I::broadcast(1);
+    const unsigned everyone = (1u << used) - 1, large = ~mask_bits(narrow) & everyone;
+
+    const auto within = [&](const integers& v, int least, int end) {
+      return low_of(high_of(v, I::broadcast(least)), I::broadcast(end));
+    };
+    const integers x_first = within(first_centre(boxes.left), window.x_first, window.x_last),
+                   x_last = within(last_centre(boxes.right), window.x_first, window.x_last),
+                   y_first = within(first_centre(boxes.top), window.y_first, window.y_last),
+                   y_last = within(last_centre(boxes.bottom), window.y_first, window.y_last);
+
+    const integers flip = area < zero;
+    const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
+    const floats scale = F::broadcast(one_pixel) / to_float(turned(area)),
+                 unit = scale * F::broadcast(1.0f / one_pixel);
+    const integers centre_x = x_first * I::broadcast(one_pixel) + I::broadcast(half_pixel),
+                   centre_y = y_first * I::broadcast(one_pixel) + I::broadcast(half_pixel);
+    floats part[3];
+    dots d;
+    for (int k = 0; k < 3; ++k) {
+      const int p = (k + 1) % 3, q = (k + 2) % 3;
+      const integers dx = turned(x[q] - x[p]), dy = turned(y[q] - y[p]);
+      const integers e = dx * (centre_y - y[p]) - dy * (centre_x - x[p]);
+      const integers owns = (dy < zero) | both(dy == zero, zero < dx);
+      d.f[k] = ((e - one) - owns) >> subpixel_bits;
+      d.right[k] = zero - dy;
+      d.down[k] = dx;
+      part[k] = (to_float(e - d.f[k] * I::broadcast(one_pixel)) * unit) * depth[k];
+      d.gain[k] = (scale * depth[k]) * F::broadcast(order.sign);
+    }
+    d.rest = (part[0] + (part[1] + part[2])) * F::broadcast(order.sign);
+    const floats key0 = depth[0] * F::broadcast(order.sign), key1 = depth[1] * F::broadcast(order.sign),
+                 key2 = depth[2] * F::broadcast(order.sign);
+    d.low = low_of(low_of(key0, key1), key2);
+    d.high = high_of(high_of(key0, key1), key2);
+    d.columns = select(area == zero, zero, x_last - x_first);
+    d.rows = y_last - y_first;
+    // Where rejection pays, only the smallest do without it.
+    const integers end = I::broadcast(order.front_to_back ? dots::most : dots::most + 1);
+    // They are drawn before the others of their group, which is of no account unless the later one always wins.
+    const integers is_dot = both(both(d.columns < end, d.rows < end), both(narrow, I::ramp() < I::broadcast(used)));
+    const unsigned few = Test == tile_test::always ? 0u : mask_bits(is_dot);
+    const integers columns = d.columns;
+    if (few != 0) {
+      d.columns = both(d.columns, is_dot);
+      d.at = (y_first - I::broadcast(window.y_first)) * I::broadcast(tile_stride) +
+             (x_first - I::broadcast(window.x_first));
+      draw_dots<Test>(d, g.place, few);
+    }
+    if (few != everyone) {
+      for (int k = 0; k < 3; ++k) {
+        I::store(g.f[k], d.f[k]);
+        I::store(g.right[k], d.right[k]);
+        I::store(g.down[k], d.down[k]);
+        F::store(g.gain[k], d.gain[k]);
+      }
+      F::store(g.rest, d.rest);
+      F::store(g.low, d.low);
+      F::store(g.high, d.high);
+      I::store(g.x_first, x_first - I::broadcast(window.x_first));
+      I::store(g.x_last, x_first + columns - I::broadcast(window.x_first));
+      I::store(g.y_first, y_first - I::broadcast(window.y_first));
+      I::store(g.y_last, y_last - I::broadcast(window.y_first));
+    }
+    return {large, few};
+  }
+
+  // Draws a triangle that is ready: its box row by row when it is small, else block by block.
+  template <tile_test Test, class I>
+  IRG_INLINE void draw_ready(const tile_triangle<I>& t, const cell_window& box) noexcept {
+    constexpr int small_box = 2 * block_size;
+    const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
+    if (box.x_last - box.x_first > small_box || box.y_last - box.y_first > small_box) {
+      if (tile_blocks<Test>(out, t, box, counts, before, order.front_to_back)) note_seen(t.place);
+      return;
+    }
+    if (order.front_to_back) {
+      float farthest_key = beyond_everything;
+      std::uint64_t touched = 0;
+      for (int by = box.y_first / block_size; by * block_size < box.y_last; ++by)
+        for (int bx = box.x_first / block_size; bx * block_size < box.x_last; ++bx) {
+          farthest_key = lesser(farthest_key, out.farthest_key[by * blocks_across + bx]);
+          touched |= std::uint64_t{1} << (by * blocks_across + bx);
+        }
+      if (t.high[0] < farthest_key) return;
+      out.stale |= touched;
+    }
+    note_seen(t.place);
+    tile_rows<Test>(out, t, box, counts, before);
+  }
+
+  template <class I>
+  IRG_INLINE static void broadcast_depths(tile_triangle<I>& t, const tile_triangles& g, int i) noexcept {
+    using F = lanes<floats>;
+    for (int k = 0; k < 3; ++k) t.gain[k] = F::broadcast(g.gain[k][i]);
+    t.rest = F::broadcast(g.rest[i]);
+    t.low = F::broadcast(g.low[i]);
+    t.high = F::broadcast(g.high[i]);
+    t.place = g.place[i];
+  }
+
+  // Triangle i of a group.
+  template <tile_test Test>
+  IRG_INLINE void draw_small(const tile_triangles& g, int i) noexcept {
+    using I = lanes<integers>;
+    if (g.x_first[i] >= g.x_last[i] || g.y_first[i] >= g.y_last[i]) return;
+    if (order.front_to_back && g.high[i] < out.farthest) return;
+    tile_triangle<integers> t;
+    for (int k = 0; k < 3; ++k) {
+      t.f[k] = g.f[k][i];
+      t.right[k] = g.right[k][i];
+      t.down[k] = g.down[k][i];
+      t.ramp[k] = I::ramp() * I::broadcast(g.right[k][i]);
+    }
+    broadcast_depths(t, g, i);
+    draw_ready<Test>(t, {g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]});
+  }
+
+  // A triangle with long sides: 32-bit lanes where F fits them all over the tile, else doubles, which hold it exactly.
+  template <tile_test Test>
+  IRG_NOINLINE void draw_large(const tile_triangles& g, int i) noexcept {
+    if (order.front_to_back && g.high[i] < out.farthest) return;
+    const triangle_corners c = find.corners(numbers[g.place[i]]);
+    const auto [coverage, s] = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
+    const cell_window w = intersect(coverage.bounds, window);
+    if (coverage.double_area == 0 || w.empty()) return;
+    tile_triangles one = g;
+    for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth_gain[k], order.sign);
+    one.rest[i] = product(s.depth_rest, order.sign);
+    const auto draw = [&]<class I>(I) {
+      tile_triangle<I> t;
+      using integer = typename tile_triangle<I>::integer;
+      for (int k = 0; k < 3; ++k) {
+        t.f[k] = static_cast<integer>(s.edge[k](w.x_first, w.y_first));
+        t.right[k] = static_cast<integer>(s.edge[k].right);
+        t.down[k] = static_cast<integer>(s.edge[k].down);
+        t.ramp[k] = lanes<I>::ramp() * lanes<I>::broadcast(t.right[k]);
+      }
+      broadcast_depths(t, one, i);
+      draw_ready<Test>(t, {w.x_first - window.x_first, w.y_first - window.y_first, w.x_last - window.x_first,
+                           w.y_last - window.y_first});
+    };
+    const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
+    if (fits_32_bits(coverage, whole, block_size))
+      draw(integers{});
+    else
+      draw(wide_pack<count>{});
+  }
+
+  // Asks for what later groups will read: their vertices, and before that the indices that name them.
+  IRG_INLINE void fetch_ahead(std::size_t first) const noexcept {
+    constexpr std::size_t vertices_ahead = 16, indices_ahead = 32;
+    if (find.batches.size() != 1 || first + indices_ahead + count > numbers.size()) return;
+    const triangle_batch<T>& batch = find.batches[0];
+    const screen_vertex* const screen = batch.vertices->screen.data();
+    const auto named = [&](std::size_t i) {  // for a piece any triangle will do
+      return batch.triangles.data() + lesser(numbers[i], find.bins->triangle_count - 1);
+    };
+    for (std::size_t i = first; i < first + count; ++i) {
+      prefetch(named(i + indices_ahead));
+      prefetch_vertices(screen, *named(i + vertices_ahead));
+    }
+  }
+
+  // The whole list, eight triangles at a time however many lanes there are: so the counts, too, are equal everywhere.
+  // Not inlined: one copy serves all shaders, which keeps their callers quick to compile.
+  template <tile_test Test>
+  IRG_NOINLINE void draw_list() noexcept {
+    constexpr std::size_t at_once = 8, refresh = 8 * at_once, counted = 1024 * at_once, groups = at_once / count;
+    static_assert(at_once % count == 0);
+    for (std::size_t first = 0; first < numbers.size(); first += at_once) {
+      tile_triangles g[groups];
+      group_state state[groups];
+      int used[groups];
+      for (std::size_t k = 0; k < groups; ++k) {
+        const std::size_t from = lesser(first + k * count, numbers.size());
+        used[k] = static_cast<int>(lesser(numbers.size() - from, std::size_t{count}));
+        fetch_ahead(from);
+        if (used[k] > 0) state[k] = set_up_group<Test>(g[k], from, used[k]);
+      }
+      for (std::size_t k = 0; k < groups; ++k)
+        if (used[k] > 0) draw_rest<Test>(g[k], state[k], used[k]);
+      if (order.front_to_back) {
+        if (first % refresh == 0)
+          refresh_far(out);
+        else
+          refresh_farthest(out);
+      }
+      if (first % counted == 0) add_counts();
+    }
+    add_counts();
+  }
+
+  // What is left to do of a group that is set up.
+  template <tile_test Test>
+  IRG_INLINE void draw_rest(const tile_triangles& g, const group_state& state, int used) noexcept {
+    for (unsigned bits = ((1u << used) - 1) & ~state.drawn; bits != 0; bits &= bits - 1) {
+      const int i = std::countr_zero(bits);
+      if ((state.large >> i & 1) != 0)
+        draw_large<Test>(g, i);
+      else
+        draw_small<Test>(g, i);
+    }
+  }
+
+  // Moves the counts from the lanes to where they cannot overflow.
+  IRG_INLINE void add_counts() noexcept {
+    tested += total(counts.tested);
+    ties += total(counts.ties);
+    counts = {lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
+  }
+};
+
+// The numbers of a list, roughly from the nearest triangle to the farthest: sorted by 8 bits of the greatest key.
+template <class T>
+std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers, const triangle_finder<T>& find,
+                                         float sign) {
+  constexpr int count = tile_triangles::most;
+  using F = lanes<pack<float, count>>;
+  const std::size_t size = numbers.size();
+  std::vector<float> key(size + count);
+  auto least = F::broadcast(beyond_everything), greatest = F::broadcast(-beyond_everything);
+  for (std::size_t i = 0; i < size; i += count) {
+    corner_lanes<count> c;
+    c.collect(find, numbers.data() + i, static_cast<int>(lesser(size - i, std::size_t{count})));
+    const auto of = [&](int k) { return c.depth[k] * F::broadcast(sign); };
+    const auto nearest = high_of(high_of(of(0), of(1)), of(2));
+    F::store(key.data() + i, nearest);
+    least = low_of(nearest, least);
+    greatest = high_of(nearest, greatest);
+  }
+  const float front = -least_of(F::broadcast(0.0f) - greatest), range = front - least_of(least);
+  const float scale = 0.0f < range ? 255.0f / range : 0.0f;
+  std::vector<std::uint8_t> bucket(size);
+  std::uint32_t start[257] = {};
+  for (std::size_t i = 0; i < size; ++i) {
+    bucket[i] = static_cast<std::uint8_t>(clamp((front - key[i]) * scale, 0.0f, 255.0f));
+    ++start[bucket[i] + 1];
+  }
+  for (int b = 0; b < 256; ++b) start[b + 1] += start[b];
+  std::vector<std::uint32_t> sorted(size);
+  for (std::size_t i = 0; i < size; ++i) sorted[start[bucket[i]]++] = numbers[i];
+  return sorted;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Batches of triangles, tile by tile: culled, clipped and sorted into tiles, then for each tile what is seen there,
+// then what is to be made of it, be it colours, numbers or nothing but depths.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/core/executor.hpp>
+#include <irg/raster/fill_span.hpp>
+#include <irg/raster/triangle_batch.hpp>
+#include <irg/render/detail/visible/streamed_rows.hpp>
+#include <irg/render/detail/visible/tile_drawing.hpp>
+#include <irg/render/detail/visible/visible_window.hpp>
+
+namespace irg {
+
+/// Whether the picture and its depth are cleared first: tile by tile, just before each is drawn, while it is in the
+/// cache.
+enum class clearing { none, before_drawing };
+
+/// Whether the depths are wanted afterwards. Where they are not, and the picture is cleared first, the depth raster is
+/// left as it is at run time: no work is spent on it.
+enum class depth_result { kept, dropped };
+
+/// The lists that drawing makes. Kept from picture to picture, they spare the next one the allocation.
+struct draw_workspace {
+  detail::triangle_bins bins;
+  std::vector<std::uint8_t> seen;  // by triangle: whether any part of it was not passed over
+};
+
+namespace detail {
+
+// What is drawn, and how, whatever becomes of it.
+template <class T>
+struct tile_job {
+  std::span<const triangle_batch<T>> batches;
+  const screen_mapping<T>& mapping;
+  draw_workspace& workspace;
+  face_culling culling;
+  skip_options skip;
+  clearing clear;
+  depth_result depth = depth_result::kept;
+
+  constexpr triangle_finder<T> finder() const noexcept { return {batches, &workspace.bins}; }
+};
+
+inline namespace IRG_ABI {
+
+template <class R>
+IRG_INLINE constexpr void clear_window(R& raster, const cell_window& w, const pixel_of<R>& value) {
+  for (int y = w.y_first; y < w.y_last; ++y) fill_span(raster, {y, w.x_first, w.x_last}, value);
+}
+
+// How many triangles there were, and why some were not drawn.
+constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::span<const std::uint8_t> seen,
+                         const skip_options& skip) noexcept {
+  stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
+  stats.skipped = bins.skipped;
+  if (skip.occluded == skipping::off) return;
+  stats.skipped.occluded = bins.listed;
+  for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
+}
+
+// Notes that none of a list is passed over.
+template <class T>
+IRG_INLINE constexpr void mark_all_seen(const tile_job<T>& job, std::span<const std::uint32_t> numbers) noexcept {
+  for (const std::uint32_t number : numbers) store_relaxed(job.workspace.seen[job.finder().source(number)], 1);
+}
+
+// The window of a tile without triangles and of those to its right; empty for one that has such a tile to its left:
+// neighbours are cleared together, since long runs of pixels are written much faster.
+IRG_INLINE constexpr cell_window empty_tiles(const triangle_bins& bins, const picture_tiles& grid,
+                                             std::size_t i) noexcept {
+  const auto is_empty = [&](std::size_t k) { return bins.list_of(k).empty(); };
+  const auto across = static_cast<std::size_t>(grid.across);
+  cell_window w = grid.window(i);
+  if (i % across != 0 && is_empty(i - 1)) return {w.x_first, w.y_first, w.x_first, w.y_last};
+  while ((i + 1) % across != 0 && is_empty(i + 1)) ++i;
+  w.x_last = grid.window(i).x_last;
+  return w;
+}
+
+// The depths of a raster into the tile.
+template <class Depth>
+IRG_INLINE void load_depths(tile& t, Depth& depth, const cell_window& w, float sign) {
+  for (int y = w.y_first; y < w.y_last; ++y) {
+    const float* row = raster_traits<Depth>::row(depth, y);
+    float* key = t.key + (y - w.y_first) * tile_stride;
+    for (int x = w.x_first; x < w.x_last; ++x) key[x - w.x_first] = row[x] * sign;
+  }
+  t.stale = ~std::uint64_t{0};
+  refresh_far(t);
+}
+// The depths of the tile into a raster. Without numbers, a zero's sign would tell which of equally near triangles came
+// last; so all zeros are positive.
+template <tile_test Test, class Depth>
+IRG_INLINE void store_depths(const tile& t, Depth& depth, const cell_window& w, float sign) {
+  const row_store how = row_store_for(depth);
+  const int width = w.x_last - w.x_first;
+  for (int y = w.y_first; y < w.y_last; ++y) {
+    const float* key = t.key + (y - w.y_first) * tile_stride;
+    float depths[tile_size];
+    if (sign != 1 || Test == tile_test::depth_only) {
+      constexpr float zero = Test == tile_test::depth_only ? 0.0f : -0.0f;  // adding -0 leaves every number as it is
+      for (int x = 0; x < width; ++x) depths[x] = key[x] * sign + zero;
+      key = depths;
+    }
+    copy_row(raster_traits<Depth>::row(depth, y) + w.x_first, key, static_cast<std::size_t>(width) * sizeof *key, how);
+  }
+  end_of_rows(how);
+}
+
+// A tile that is drawn in lanes, and the list that its places are of: the one that was binned, or `sorted`.
+struct drawn_tile {
+  tile t;
+  std::span<const std::uint32_t> numbers;
+  std::vector<std::uint32_t> sorted;
+};
+
+// Which triangle each pixel of tile i shows, in lanes: the same whatever becomes of it, and so one copy for all.
+template <class Order, tile_test Test, class T, class Depth>
+IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_job<T>& job, std::size_t i) {
+  auto& [t, numbers, sorted] = out;
+  constexpr float sign = key_sign<Order>;
+  const picture_tiles grid(width_of(depth), height_of(depth));
+  const cell_window w = grid.window(i);
+  const triangle_finder<T> find = job.finder();
+  numbers = job.workspace.bins.list_of(i);
+  clear_tile(t, w.x_last - w.x_first, w.y_last - w.y_first, Order::farthest * sign);
+  if (job.clear == clearing::none) load_depths(t, depth, w, sign);
+  // Where pixels are covered more than twice, order and rejection pay. A triangle covers half of its box.
+  const bool front_first =
+      Test != tile_test::always && job.skip.occluded == skipping::on &&
+      job.workspace.bins.tile_area[i] > 4.0f * static_cast<float>((w.x_last - w.x_first) * (w.y_last - w.y_first));
+  if (front_first) {
+    sorted = front_to_back(numbers, find, sign);
+    numbers = sorted;
+  }
+  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, job.workspace.seen.data()};
+  painter.template draw_list<Test>();
+  if (job.clear == clearing::none || job.depth == depth_result::kept) store_depths<Test>(t, depth, w, sign);
+  return {painter.tested, 0, painter.ties};
+}
+
+// The z-buffer, and drawing in the order given: what a tile shows by comparing depths.
+template <class Order, tile_test Test>
+struct zbuffer_tiles {
+  using order = Order;
+
+  // Tile i, which has a list: what is seen, and then finish(visible_window, finder), which says how many pixels it was.
+  template <class T, class Depth, class Finish>
+  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) const {
+    const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
+    if constexpr (key_sign<Order> != 0)
+      if (!std::is_constant_evaluated()) return in_lanes(depth, job, i, finish);
+    if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
+    visible_pixels pixels(w);
+    const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
+    mark_all_seen(job, numbers);
+    draw_counts counts = find_visible_plainly<Order, Test>(pixels, depth, numbers, job.finder(), w);
+    counts.shaded =
+        finish(visible_window{pixels.place.data(), pixels.key.data(), plain_sign<Order>, numbers, w}, job.finder());
+    return counts;
+  }
+
+private:
+  template <class T, class Depth, class Finish>
+  static draw_counts in_lanes(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) {
+    drawn_tile d;
+    draw_counts counts = find_visible<Order, Test>(d, depth, job, i);
+    const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
+    counts.shaded = finish(visible_window{d.t.id, d.t.key, key_sign<Order>, d.numbers, w}, job.finder());
+    return counts;
+  }
+};
+
+// The z-buffer where it matters which triangle is seen.
+template <class Order>
+using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ? tile_test::always : tile_test::nearer>;
+
+// All tiles. What is seen is the method's affair, what becomes of it finish's; finish.clear(window) is asked for where
+// no triangle is.
+template <class T, class Method, class Depth, class Finish, class E>
+constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job, const Finish& finish,
+                                  const E& executor) {
+  const picture_tiles grid(width_of(depth), height_of(depth));
+  triangle_bins& bins = job.workspace.bins;
+  bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);
+  job.workspace.seen.assign(bins.triangle_count, 0);
+  std::vector<draw_counts> done(grid.count(), draw_counts{});
+  executor(grid.count(), [&](std::size_t i) {
+    if (!bins.list_of(i).empty()) {
+      done[i] = method(depth, job, i, finish);
+    } else if (job.clear == clearing::before_drawing) {
+      const cell_window w = empty_tiles(bins, grid, i);
+      finish.clear(w);
+      if (job.depth == depth_result::kept) clear_window(depth, w, Method::order::farthest);
+    }
+  });
+  render_stats stats;
+  for (const draw_counts& c : done) stats.pixels += c;
+  stats.drawn = stats.pixels.shaded;
+  add_skips(stats, bins, job.workspace.seen, job.skip);
+  return stats;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

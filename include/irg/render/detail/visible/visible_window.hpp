@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What a window of the picture shows, before it has colours: for each pixel the triangle that is seen there, and its
+// depth. Hidden-surface methods end here, and shading begins.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <irg/raster/triangle_setup.hpp>
+#include <irg/render/detail/visible/tile.hpp>
+#include <irg/render/detail/bin/triangle_finder.hpp>
+
+namespace irg {
+namespace detail {
+
+// The pixels of a window, at most tile_size a side, in rows of tile_stride.
+struct visible_window {
+  const std::uint32_t* place;  // of the triangle or piece, in `numbers`; no_face where nothing is seen
+  const float* key;  // of the depth that is there; infinite beside the window
+  float sign;  // of keys
+  std::span<const std::uint32_t> numbers;
+  cell_window window;
+};
+
+// The sign of keys where a depth order has none.
+template <class Order>
+inline constexpr float plain_sign = key_sign<Order> == 0 ? 1.0f : key_sign<Order>;
+
+inline namespace IRG_ABI {
+
+// The memory of such a window outside of a tile.
+struct visible_pixels {
+  std::vector<std::uint32_t> place;
+  std::vector<float> key;
+
+  constexpr explicit visible_pixels(const cell_window& w)
+      : place(static_cast<std::size_t>((w.y_last - w.y_first) * tile_stride), no_face),
+        key(place.size(), std::numeric_limits<float>::infinity()) {}
+  static constexpr std::size_t at(const cell_window& w, int x, int y) noexcept {
+    return static_cast<std::size_t>((y - w.y_first) * tile_stride + (x - w.x_first));
+  }
+};
+
+// A list's triangles one after the other, each pixel by itself: what the lanes have to equal. Serves constant
+// evaluation, orders of depth that are not irg's, and compilers without vector registers.
+template <class Order, tile_test Test, class T, class Depth>
+constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, std::span<const std::uint32_t> numbers,
+                                           const triangle_finder<T>& find, const cell_window& window) {
+  draw_counts counts;
+  for (std::uint32_t i = 0; i < numbers.size(); ++i) {
+    const triangle_corners c = find.corners(numbers[i]);
+    const covered_triangle t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
+    covered_spans(t.coverage, window, [&](const span_of_cells& span) {
+      float* const row = raster_traits<Depth>::row(depth, span.y);
+      counts.tested += span.x_last - span.x_first;
+      for (int x = span.x_first; x < span.x_last; ++x) {
+        const float here = depth_at(t.setup, x, span.y);
+        if (Test != tile_test::depth_only && here == row[x]) ++counts.ties;
+        if (!Order::nearer(here, row[x])) continue;
+        row[x] = here;
+        out.place[visible_pixels::at(window, x, span.y)] = i;
+      }
+    });
+  }
+  for (int y = window.y_first; y < window.y_last; ++y)
+    for (int x = window.x_first; x < window.x_last; ++x)
+      out.key[visible_pixels::at(window, x, y)] = raster_traits<Depth>::row(depth, y)[x] * plain_sign<Order>;
+  return counts;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <irg/fractal/escape_picture.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+#include <irg/core/threads.hpp>
+#include <irg/raster/image.hpp>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+using irg::draw_julia;
+using irg::draw_mandelbrot;
+using irg::make_escape_limit;
+using irg::skipping;
+
+namespace {
+
+using counts = irg::image<int>;
+using job = irg::escape_job<double>;
+constexpr irg::point<double, 2> course_c{0.32, 0.043};
+
+constexpr int mandelbrot_table[9][9] = {
+    {4, 4, 4, 5, 5, 8, 16, 5, 4},       {4, 5, 5, 6, 8, 16, 16, 7, 5},       {5, 6, 7, 8, 16, 16, 16, 16, 6},
+    {7, 11, 16, 15, 16, 16, 16, 16, 7}, {16, 16, 16, 16, 16, 16, 16, 16, 6}, {7, 11, 16, 15, 16, 16, 16, 16, 7},
+    {5, 6, 7, 8, 16, 16, 16, 16, 6},    {4, 5, 5, 6, 8, 16, 16, 7, 5},       {4, 4, 4, 5, 5, 8, 16, 5, 4}};
+constexpr int julia_table[9][9] = {  // from the lowest row up
+    {3, 3, 4, 5, 5, 5, 4, 3, 3},        {3, 5, 16, 16, 10, 16, 16, 5, 4}, {4, 16, 16, 16, 16, 16, 16, 15, 4},
+    {4, 8, 16, 16, 16, 15, 12, 16, 4},  {4, 6, 10, 16, 16, 16, 10, 6, 4}, {4, 16, 12, 15, 16, 16, 16, 8, 4},
+    {4, 15, 16, 16, 16, 16, 16, 16, 4}, {4, 5, 16, 16, 10, 16, 16, 5, 3}, {3, 3, 4, 5, 5, 5, 4, 3, 3}};
+
+constexpr job course_job(irg::view_window<double> window, int size) {
+  return {{window, size, size}, make_escape_limit(100.0, 16), {}};
+}
+constexpr job mandelbrot_job(int size) { return course_job({-1.5, 0.5, -1, 1}, size); }
+constexpr job julia_job(int size) { return course_job({-1, 1, -1.2, 1.2}, size); }
+
+constexpr bool course_tables() {
+  counts m(9, 9), j(9, 9);
+  draw_mandelbrot(m, mandelbrot_job(9));
+  draw_julia(j, julia_job(9), course_c);
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 9; ++x)
+      if (m(x, 8 - y) != mandelbrot_table[y][x] || j(x, 8 - y) != julia_table[y][x]) return false;
+  return true;
+}
+
+// How many counts are not those of one point alone.
+template <class T, class Count>
+int wrong(const irg::image<int>& drawn, const irg::escape_job<T>& j, const Count& count) {
+  int n = 0;
+  for (int y = 0; y < drawn.height(); ++y)
+    for (int x = 0; x < drawn.width(); ++x) n += drawn(x, y) != count(j.plane.at(x, y));
+  return n;
+}
+
+template <class T>
+void try_random_windows() {
+  test::random r(8);
+  for (int i = 0; i < 60; ++i) {
+    const auto any = [&](double about, double reach) { return static_cast<T>(about + (2 * r.unit() - 1) * reach); };
+    const double reach = std::ldexp(1.0, -static_cast<int>(r.integer(0, sizeof(T) == 4 ? 15 : 40)));
+    const T x = any(-0.5, 1.2), y = any(0, 1.1);
+    irg::escape_job<T> j{{{x, any(static_cast<double>(x), reach), y, any(static_cast<double>(y), reach)},
+                          static_cast<int>(r.integer(2, 70)),
+                          static_cast<int>(r.integer(2, 12))},
+                         make_escape_limit(i % 4 == 0   ? T(1e6)
+                                           : i % 4 == 1 ? T(0.5)
+                                                        : T(2),
+                                           static_cast<int>(r.integer(0, 500))),
+                         {}};
+    if (i % 5 == 0) j.plane.sampling = irg::plane_sampling::centres;
+    counts on(j.plane.width, j.plane.height), off = on, parallel = on, julia = on;
+    const auto stats = draw_mandelbrot(on, j);
+    CHECK(stats.pixels == std::int64_t{j.plane.width} * j.plane.height);
+    CHECK(draw_mandelbrot(parallel, j, irg::parallel{3}) == stats);
+    j.skip = {skipping::off, skipping::off};
+    CHECK((draw_mandelbrot(off, j) == irg::escape_stats{stats.pixels, 0, 0}));
+    CHECK(on == off);
+    CHECK(on == parallel);
+    CHECK(wrong(on, j, [&](const irg::point<T, 2>& c) { return mandelbrot_count(c, j.limit); }) == 0);
+    const irg::point<T, 2> c{any(-0.3, 0.8), any(0, 0.8)};
+    j.skip = {};
+    draw_julia(julia, j, c);
+    CHECK(wrong(julia, j, [&](const irg::point<T, 2>& z) { return julia_count(z, c, j.limit); }) == 0);
+  }
+}
+
+std::int64_t sum(const counts& c, int& at_most) {
+  std::int64_t s = 0;
+  for (int y = 0; y < c.height(); ++y)
+    for (int x = 0; x < c.width(); ++x) s += c(x, y), at_most += c(x, y) == 16;
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("escape pictures: the course's samples, while compiling too") {
+  CHECK_BOTH(course_tables());
+  counts m(65, 65), j(65, 65);
+  int m_most = 0, j_most = 0;
+  draw_mandelbrot(m, mandelbrot_job(65));
+  draw_julia(j, julia_job(65), course_c);
+  CHECK(sum(m, m_most) == 47026);
+  CHECK(sum(j, j_most) == 46350);
+  CHECK(m_most == 1916);
+  CHECK(j_most == 2017);
+}
+
+TEST_CASE("escape pictures: each pixel as alone, skips on and off, in lanes, threads, doubles and floats") {
+  try_random_windows<double>();
+  try_random_windows<float>();
+}
+
+TEST_CASE("escape pictures: what is skipped") {
+  counts m(200, 160);
+  const job whole{{{-2, 1, -1.2, 1.2}, 200, 160}, make_escape_limit(2.0, 5000), {}};
+  const auto stats = draw_mandelbrot(m, whole);
+  CHECK(stats.interior > 32000 * 0.18);
+  CHECK(stats.cycles > 300);  // the smaller discs
+  job small = whole;
+  small.limit = make_escape_limit(1.0, 50);  // a disc that the set does not fit in
+  CHECK(draw_mandelbrot(m, small).interior == 0);
+}
+
+TEST_CASE("escape pictures: degenerate") {
+  counts none(0, 0), one(1, 1), row(3, 1);
+  CHECK((draw_mandelbrot(none, job{{{-2, 1, -1, 1}, 0, 0}, make_escape_limit(2.0, 9), {}}) == irg::escape_stats{}));
+  draw_mandelbrot(one, job{{{0, 0, 1, 1}, 1, 1}, make_escape_limit(2.0, 9), {}});
+  CHECK(one(0, 0) == 9);
+  draw_julia(row, job{{{-9, 9, 0, 0}, 3, 1}, make_escape_limit(2.0, 0), {}}, course_c);
+  CHECK(row(0, 0) == 0);
+  irg::image<std::uint16_t> narrow(40, 40);
+  draw_mandelbrot(narrow, job{{{-2, 1, -1, 1}, 40, 40}, make_escape_limit(2.0, 65535), {}});
+  CHECK(narrow(20, 20) == 65535);
+}
