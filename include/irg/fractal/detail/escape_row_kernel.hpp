@@ -43,7 +43,7 @@ struct julia_orbits {
   }
 };
 
-// Whether points of the cardioid and the disc need no orbit: theirs stay within |z| <= 2, in smaller discs they may end.
+// Whether points of the cardioid and the disc need no orbit: theirs stay in |z| <= 2, but may leave a smaller disc.
 template <class Orbits, class T>
 constexpr bool skips_interior(const escape_job<T>& job) noexcept {
   return Orbits::has_interior && job.skip.interior == skipping::on && T(4) <= job.limit.square;
