@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // mandelbrot_julia - escape counts of the Mandelbrot set or of a Julia set, as the university course computes them.
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <string>
 
-#include <irg/colour/mix.hpp>
 #include <irg/core/threads.hpp>
+#include <irg/fractal/escape_colour.hpp>
 #include <irg/fractal/escape_picture.hpp>
 #include <irg/raster/image.hpp>
 
@@ -92,16 +91,6 @@ irg::image<int> counts_of(const irg::escape_job<double>& job, const settings& s)
   return counts;
 }
 
-// Sixteen counts from one colour to the next, round and round.
-irg::rgba8 colour_of(int count, int most) {
-  constexpr std::array<irg::rgba8, 5> stops{
-      {{18, 32, 74, 255}, {62, 130, 180, 255}, {238, 240, 230, 255}, {226, 160, 62, 255}, {120, 36, 52, 255}}};
-  if (count >= most) return {0, 0, 0, 255};
-  const auto stop = static_cast<std::size_t>(count) / 16;
-  return irg::mix(stops[stop % stops.size()], stops[(stop + 1) % stops.size()],
-                  static_cast<std::uint8_t>(count % 16 * 16));
-}
-
 void draw(const program::command_line& line, irg::escape_job<double> job, const settings& s) {
   if (s.sized) {
     job.plane.width = s.size.width;
@@ -112,7 +101,7 @@ void draw(const program::command_line& line, irg::escape_job<double> job, const 
   const irg::image<int> counts = counts_of(job, s);
   irg::image<irg::rgba8> picture(counts.width(), counts.height());
   for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) picture(x, y) = colour_of(counts(x, y), job.limit.most);
+    for (int x = 0; x < picture.width(); ++x) picture(x, y) = irg::escape_colour(counts(x, y), job.limit.most);
   program::write_picture(line, s.out, picture);
 }
 

@@ -2,9 +2,7 @@
 // The Mandelbrot set and a Julia set by their counts. Included by pictures.cpp.
 #pragma once
 
-#include <array>
-
-#include <irg/colour/mix.hpp>
+#include <irg/fractal/escape_colour.hpp>
 #include <irg/fractal/escape_picture.hpp>
 
 #include "enlarged.hpp"
@@ -12,16 +10,6 @@
 namespace escape_pictures {
 
 using enlarging::picture;
-
-// Sixteen counts from one colour to the next, round and round; what stays is black.
-inline irg::rgba8 colour_of(int count, int most) {
-  constexpr std::array<irg::rgba8, 5> stops{
-      {{18, 32, 74, 255}, {62, 130, 180, 255}, {238, 240, 230, 255}, {226, 160, 62, 255}, {120, 36, 52, 255}}};
-  if (count >= most) return {0, 0, 0, 255};
-  const auto stop = static_cast<std::size_t>(count) / 16;
-  return irg::mix(stops[stop % stops.size()], stops[(stop + 1) % stops.size()],
-                  static_cast<std::uint8_t>(count % 16 * 16));
-}
 
 inline picture both() {
   constexpr int width = 360, height = 288, most = 200;
@@ -33,8 +21,8 @@ inline picture both() {
   picture p(2 * width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      p(x, y) = colour_of(set(x, y), most);
-      p(width + x, y) = colour_of(julia(x, y), most);
+      p(x, y) = irg::escape_colour(set(x, y), most);
+      p(width + x, y) = irg::escape_colour(julia(x, y), most);
     }
   return p;
 }

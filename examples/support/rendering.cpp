@@ -54,7 +54,9 @@ void draw_scene(const command_line& line, const render_settings& s, const irg::s
       irg::render(world, picture, depth, s.options, {}, irg::parallel{s.threads},
                   [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
   if (stats.drawn == 0)
-    line.hint("the picture is empty: nothing of the model is in view; without --eye and --target all of it is");
+    line.hint(s.eye || s.target
+                  ? "the picture is empty: nothing of the model is in view; without --eye and --target all of it is"
+                  : "the picture is empty: no face of the model shows");
   const auto old_picture = irg::read_file(s.stats.empty() ? std::string() : s.out);
   watch.lap();
   if (!s.out.empty()) write_picture(line, s.out, picture);

@@ -5,6 +5,7 @@
 #include <irg/colour/encode_pixel.hpp>
 #include <irg/colour/mix.hpp>
 #include <irg/colour/over.hpp>
+#include <irg/colour/palette.hpp>
 #include <irg/colour/pixel.hpp>
 #include <irg/colour/pixel_layout.hpp>
 #include <irg/colour/srgb.hpp>

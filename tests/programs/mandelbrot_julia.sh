@@ -45,6 +45,10 @@ check "negative m: place: $err" ends "$err" "stdin:1:5"
 fails "xmax 0" "100 9 -1 1 -1 1 0 8"
 fails "too many points" "100 9 -1 1 -1 1 100000 100000"
 fails "nan" "100 9 nan 1 -1 1 8 8"
+fails "infinite eps" "inf 9 -1 1 -1 1 8 8"
+fails "m beyond int" "100 99999999999 -1 1 -1 1 8 8"
+fails "no such folder" "$course" -o nowhere/set.png
+fails "a size of 1e300" "$course" -o set.png --size 1e300x8
 fails "one number for --julia" "$course" --julia 0.3
 fails "a word for --julia" "$course" --julia 0.3 x
 fails "no option" "$course" --deep

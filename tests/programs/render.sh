@@ -248,6 +248,8 @@ for project in perspective orthographic; do
   drawn "a model of no size, $project" dot.obj $small --project $project
   check "a model of no size: the background, $project" is "$(number pixels_drawn s.json)" 0
 done
+drawn "a model without area" dot.obj $small
+check "no place of the eye is blamed: $err" is "$err" "render: the picture is empty: no face of the model shows"
 drawn "the widest angle" cube $small --fov 179.99999999999997
 drawn "the narrowest angle" cube $small --fov 0.000001
 for size in 1x1 3x1 1x3 65535x1 1x65535; do

@@ -43,11 +43,17 @@ struct julia_orbits {
   }
 };
 
+// Whether points of the cardioid and the disc need no orbit: theirs stay in |z| <= 2, but may leave a smaller disc.
+template <class Orbits, class T>
+constexpr bool skips_interior(const escape_job<T>& job) noexcept {
+  return Orbits::has_interior && job.skip.interior == skipping::on && T(4) <= job.limit.square;
+}
+
 // One row, pixel by pixel.
 template <class T, class Orbits, class P>
 constexpr escape_stats escape_row_plainly(P* row, int y, int x_first, const escape_job<T>& job, const Orbits& orbits) {
   escape_stats stats{job.plane.width - x_first, 0, 0};
-  const bool skips = Orbits::has_interior && job.skip.interior == skipping::on && T(4) <= job.limit.square;
+  const bool skips = skips_interior<Orbits>(job);
   for (int x = x_first; x < job.plane.width; ++x) {
     const point<T, 2> at = job.plane.at(x, y);
     const bool known = skips && mandelbrot_part_of(at) != mandelbrot_part::elsewhere;
@@ -65,7 +71,7 @@ IRG_NOINLINE escape_stats escape_row_in_lanes(P* row, int y, const escape_job<T>
   constexpr unsigned packs = sizeof(F) == 64 ? 4 : 2;
   using kernel = escape_kernel<F, packs>;
   using mask = typename kernel::mask;
-  const bool skips = Orbits::has_interior && job.skip.interior == skipping::on && T(4) <= job.limit.square;
+  const bool skips = skips_interior<Orbits>(job);
   const F margin = f::broadcast(T(0) - static_cast<T>(interior_margin)),
           imaginary = f::broadcast(job.plane.imaginary(static_cast<T>(y)));
   escape_stats stats;

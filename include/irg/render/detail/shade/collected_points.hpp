@@ -39,7 +39,7 @@ struct collected_points<Shader, Count, P> {
   IRG_INLINE explicit collected_points(P* to) noexcept : row(to) {}
   IRG_INLINE ~collected_points() { flush(); }
   IRG_INLINE void flush() {
-    if (chosen != 0) Shader::shade(*light, points, chosen, row);
+    if (chosen != 0) shade_chosen();
     chosen = 0;
   }
   IRG_INLINE void add(const Shader& shader, const pixel_weights<pack<float, Count>>& at,
@@ -49,6 +49,10 @@ struct collected_points<Shader, Count, P> {
     shader.place(points, at, shown);
     chosen |= same;
   }
+
+private:
+  // Once for many points: its code, the light model's, stands in one place and not at each call of flush.
+  IRG_NOINLINE void shade_chosen() { Shader::shade(*light, points, chosen, row); }
 };
 
 }  // namespace IRG_ABI
