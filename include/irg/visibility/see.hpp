@@ -85,7 +85,7 @@ inline namespace IRG_ABI {
 /// gives   false when a or b is no cell of the grid; a cell sees itself, unless it is full and full ends are tested
 /// exact   for all int coordinates; see(g, a, b) == see(g, b, a)
 /// cost    a few additions and one look at the grid per cell on the way; no memory
-/// source  Amanatides, Woo 1987 for the steps; Fabris 2012 for the definition
+/// source  Amanatides and Woo 1987 for the steps; Fabris 2012 for the definition
 template <CellGrid G>
 constexpr bool see(const G& g, const cell3& a, const cell3& b, const sight_rules& rules = {}) {
   const grid_extent e = extent_of(g);
