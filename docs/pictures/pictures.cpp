@@ -37,6 +37,7 @@
 #include "projections.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
+#include "sight.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
 #include "textbook_fill.hpp"
@@ -378,6 +379,12 @@ int main(int argc, char** argv) {
   save("blend_span", fills_aa::run());
   save("screen_face", face_pictures::order());
   save("escape_time", escape_pictures::both());
+  save("field_of_view", sight_pictures::variants());
+  save("visible_part", sight_pictures::parts());
+  save("see", sight_pictures::corners());
+  save("sight_2d", sight_pictures::thirds());
+  save("viewshed", sight_pictures::hills());
+  failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;
   save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
   save("view_transform_textbook", viewing::steps());

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <irg/spatial/grid_concept.hpp>
 
-#include <array>
-
 #include "support/check_both.hpp"
 
 namespace {
 
 // A type that knows nothing of irg.
 struct dungeon {
-  std::array<const char*, 2> rows{"..#", "#.."};
+  const char* rows[2]{"..#", "#.."};
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,8 +27,7 @@ struct stretch {
   part first{0, 1}, last{1, 1};
   bool empty() const { return last < first; }
 };
-inline stretch within_box(const irg::cell3& a, const irg::cell3& b, const std::array<int, 3>& low,
-                          const std::array<int, 3>& high) {
+inline stretch within_box(const irg::cell3& a, const irg::cell3& b, const int (&low)[3], const int (&high)[3]) {
   stretch s;
   for (int k = 0; k < 3; ++k) {
     const std::int64_t d = 2 * (b[k] - a[k]), p = 2 * a[k];
@@ -49,7 +47,7 @@ inline stretch within_box(const irg::cell3& a, const irg::cell3& b, const std::a
 
 // Whether a way without repetition leads from the cell of subset s to that of `goal`.
 template <class G>
-bool way_exists(const G& g, const irg::cell3& origin, const std::array<int, 3>& sign, unsigned goal, unsigned s,
+bool way_exists(const G& g, const irg::cell3& origin, const int (&sign)[3], unsigned goal, unsigned s,
                 unsigned visited) {
   const auto at = [&](unsigned t) {
     return irg::cell3{origin.x + ((t & 1) ? sign[0] : 0), origin.y + ((t & 2) ? sign[1] : 0),
@@ -71,7 +69,7 @@ bool sees(const G& g, const irg::cell3& a, const irg::cell3& b, const irg::sight
   const irg::grid_extent e = irg::extent_of(g);
   if (!e.holds(a) || !e.holds(b)) return false;
   if (rules.ends == irg::end_cells::tested && (irg::is_full(g, a) || irg::is_full(g, b))) return false;
-  std::array<int, 3> least, most, sign;
+  int least[3], most[3], sign[3];
   for (int k = 0; k < 3; ++k) {
     least[k] = std::max(0, std::min(a[k], b[k]) - 1);
     most[k] = std::min((k == 0 ? e.width : k == 1 ? e.height : e.depth) - 1, std::max(a[k], b[k]) + 1);
@@ -89,7 +87,7 @@ bool sees(const G& g, const irg::cell3& a, const irg::cell3& b, const irg::sight
         }
         for (int axis = 0; axis < 3; ++axis) {
           if (!irg::has_wall(g, c, axis)) continue;
-          std::array<int, 3> low{2 * x - 1, 2 * y - 1, 2 * z - 1}, high{2 * x + 1, 2 * y + 1, 2 * z + 1};
+          int low[3]{2 * x - 1, 2 * y - 1, 2 * z - 1}, high[3]{2 * x + 1, 2 * y + 1, 2 * z + 1};
           low[axis] = high[axis];
           const stretch s = within_box(a, b, low, high);
           if (s.empty()) continue;

@@ -81,7 +81,7 @@ cell3 any_cell(test::random& r, const grid_extent& e) {
 }
 
 TEST_CASE("field_of_view: all 4 x 4 maps, from every cell") {
-  for (unsigned bits = 0; bits < 1u << 16; bits += release() ? 1 : 13) {
+  for (unsigned bits = 0; bits < 1u << 16; bits += release() ? 1u : 13u) {
     walled_grid g(grid_extent{4, 4, 1});
     for (int i = 0; i < 16; ++i)
       if ((bits >> i & 1) != 0) g.set({i % 4, i / 4, 0});

@@ -34,26 +34,6 @@ struct sight_step {
   passage through = passage::none;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
-
-// Whether the wall between two neighbours blocks.
-template <CellGrid G>
-constexpr bool wall_between(const G& g, const cell3& a, const cell3& b) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (a[axis] != b[axis]) return has_wall(g, a[axis] < b[axis] ? a : b, axis);
-  return false;
-}
-
-// Whether the way from one cell to the one diagonally next to it is closed by the cell between them or its walls.
-template <CellGrid G>
-constexpr bool way_blocked(const G& g, const cell3& from, const cell3& side, const cell3& to) {
-  return is_full(g, side) || wall_between(g, from, side) || wall_between(g, side, to);
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
 inline namespace IRG_ABI {
 
 /// Calls emit(step) for the steps between the cells of a line, in canonical direction: x rising where |dx| > |dy|, y
@@ -86,6 +66,32 @@ constexpr bool sight_steps(cell a, cell b, Emit&& emit) {
   }
   return true;
 }
+
+}  // namespace IRG_ABI
+}  // namespace irg::textbook
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// Whether the wall between two neighbours blocks.
+template <CellGrid G>
+constexpr bool wall_between(const G& g, const cell3& a, const cell3& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a[axis] != b[axis]) return has_wall(g, a[axis] < b[axis] ? a : b, axis);
+  return false;
+}
+
+// Whether the way from one cell to the one diagonally next to it is closed by the cell between them or its walls.
+template <CellGrid G>
+constexpr bool way_blocked(const G& g, const cell3& from, const cell3& side, const cell3& to) {
+  return is_full(g, side) || wall_between(g, from, side) || wall_between(g, side, to);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+namespace irg::textbook {
+inline namespace IRG_ABI {
 
 /// What is seen of b from a in the layer z = 0: full or partial sight, or none. The end cells are not tested.
 /// gives   blocked when a or b is no cell of the layer; full when they are one
