@@ -2,6 +2,8 @@
 #include <irg/io/grid_text.hpp>
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "support/check_both.hpp"
 #include "support/sight_oracle.hpp"
@@ -77,6 +79,24 @@ TEST_CASE("read_grid: what write_grid wrote") {
     CHECK(back->units == units);
     for (int axis = 0; axis < 3; ++axis) CHECK(back->grid.wall({0, 0, 0}, axis) == g.wall({0, 0, 0}, axis));
   }
+}
+
+TEST_CASE("read_grid: each side and kind of a wall by its name") {
+  const std::string_view sides[] = {"x+", "y+", "z+"};
+  const std::pair<std::string_view, irg::wall_kind> kinds[] = {{"wall", irg::wall_kind::wall},
+                                                               {"half", irg::wall_kind::half_wall},
+                                                               {"open-door", irg::wall_kind::open_door},
+                                                               {"closed-door", irg::wall_kind::closed_door},
+                                                               {"laser", irg::wall_kind::laser_field}};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const auto& [name, kind] : kinds) {
+      const std::string text =
+          "2 2 2\n..\n..\n..\n..\nwall 0 1 0 " + std::string(sides[axis]) + ' ' + std::string(name) + '\n';
+      const auto map = irg::read_grid(text);
+      REQUIRE(map.has_value());
+      for (int other = 0; other < 3; ++other)
+        CHECK(map->grid.wall({0, 1, 0}, other) == (other == axis ? kind : irg::wall_kind::none));
+    }
 }
 
 }  // namespace

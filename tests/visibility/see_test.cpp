@@ -132,4 +132,23 @@ TEST_CASE("see: random maps with walls, in the plane and in space, against the o
   }
 }
 
+TEST_CASE("see: both ways on all maps of 2 x 2 x 3 cells, and on 64 x 64 and 16 x 16 x 16 ones") {
+  int wrong = 0;
+  for (unsigned bits = 0; bits < 1u << 12; ++bits) {
+    irg::cell_grid g(irg::grid_extent{2, 2, 3});
+    const auto at = [](int i) { return cell3{i & 1, i >> 1 & 1, i >> 2}; };
+    for (int i = 0; i < 12; ++i)
+      if ((bits >> i & 1) != 0) g.set(at(i));
+    for (int i = 0; i < 12; ++i)
+      for (int j = i + 1; j < 12; ++j) wrong += irg::see(g, at(i), at(j)) != irg::see(g, at(j), at(i));
+  }
+  CHECK(wrong == 0);
+  const bool release = std::getenv("IRG_RELEASE_TIER") != nullptr;
+  test::random r(3);
+  for (int i = 0; i < (release ? 10000 : 50); ++i)
+    agree_with_oracle(test::random_map(r, {64, 64, 1}, static_cast<int>(r.integer(0, 6)), 0), r, 10);
+  for (int i = 0; i < (release ? 1000 : 20); ++i)
+    agree_with_oracle(test::random_map(r, {16, 16, 16}, static_cast<int>(r.integer(0, 12)), 0), r, 10);
+}
+
 }  // namespace
