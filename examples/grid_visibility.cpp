@@ -40,7 +40,7 @@ KIND is wall, half, open-door, closed-door or laser. Prints how many cells any u
   --list               print the cells that are seen instead: x y z
   --percent            print how much of each cell is seen instead: x y z percent, of the unit that sees most; depth 1
   --pairs              print who sees whom instead: a row of 0 and 1 per unit
-  -o OUT               draw the layers: .png, .ppm or .svg
+  -o OUT               draw the layers: .png, .ppm or .svg; seen cells bright, walls that block as bars
   --size WxH           pixels of the picture (640x480)
 )";
 
@@ -139,28 +139,59 @@ std::string pairs_text(const irg::grid_text& map, const settings& s) {
   return text;
 }
 
+constexpr irg::rgba8 paper{250, 249, 246, 255}, dark{150, 150, 146, 255}, lit{255, 228, 140, 255},
+    full{60, 66, 84, 255}, seen_full{120, 96, 60, 255}, wall{32, 44, 66, 255}, unit{204, 96, 72, 255};
+
 // The layers beside each other, a square per cell.
+struct map_layout {
+  std::int64_t side;  // pixels of a cell
+  irg::grid_extent extent;
+
+  map_layout(const irg::grid_extent& e, const program::picture_size& size) : extent(e) {
+    const std::int64_t columns = (std::int64_t{e.width} + 1) * e.depth + 1;
+    side = std::max<std::int64_t>(1, std::min(size.width / columns, size.height / (std::int64_t{e.height} + 2)));
+  }
+  irg::cell3 cell_at(int x, int y) const {  // may be no cell of the map
+    const std::int64_t column = x / side - 1, row = y / side - 1, step = extent.width + std::int64_t{1};
+    if (column < 0) return {-1, -1, -1};
+    return {static_cast<int>(column % step), static_cast<int>(row), static_cast<int>(column / step)};
+  }
+  irg::cell corner_of(const irg::cell3& c) const {
+    return {static_cast<int>((c.x + 1 + c.z * (extent.width + std::int64_t{1})) * side),
+            static_cast<int>((c.y + std::int64_t{1}) * side)};
+  }
+};
+
+// The walls that block, across x and y, as bars over the lines between cells; the whole map is in the picture.
+void draw_walls(irg::image<irg::rgba8>& p, const irg::walled_grid& map, const map_layout& at) {
+  const int side = static_cast<int>(at.side), thick = side / 12;
+  for (int z = 0; z < at.extent.depth; ++z)
+    for (int y = 0; y < at.extent.height; ++y)
+      for (int x = 0; x < at.extent.width; ++x) {
+        const irg::cell corner = at.corner_of({x, y, z});
+        if (map.has_wall({x, y, z}, 0))
+          for (int row = 0; row <= side; ++row)
+            irg::fill_span(p, {corner.y + row, corner.x + side - thick, corner.x + side + thick + 1}, wall);
+        if (map.has_wall({x, y, z}, 1))
+          for (int row = side - thick; row <= side + thick; ++row)
+            irg::fill_span(p, {corner.y + row, corner.x, corner.x + side + 1}, wall);
+      }
+}
+
 irg::image<irg::rgba8> picture_of(const irg::grid_text& map, const irg::cell_grid& seen,
                                   const program::picture_size& size) {
-  constexpr irg::rgba8 paper{250, 249, 246, 255}, dark{150, 150, 146, 255}, lit{255, 228, 140, 255},
-      full{60, 66, 84, 255}, wall{120, 96, 60, 255}, unit{204, 96, 72, 255};
   irg::image<irg::rgba8> p(size.width, size.height, paper);
-  const irg::grid_extent e = map.grid.extent();
-  const std::int64_t columns = (std::int64_t{e.width} + 1) * e.depth + 1;
+  const map_layout at(map.grid.extent(), size);
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
-      const std::int64_t side =
-          std::max<std::int64_t>(1, std::min(size.width / columns, size.height / (std::int64_t{e.height} + 2)));
-      const std::int64_t column = x / side - 1, row = y / side - 1, z = column / (e.width + std::int64_t{1});
-      const irg::cell3 c{static_cast<int>(column % (e.width + std::int64_t{1})), static_cast<int>(row),
-                         static_cast<int>(z)};
-      if (column < 0 || !e.holds(c)) continue;
-      if (side > 2 && (x % side == 0 || y % side == 0)) continue;
+      const irg::cell3 c = at.cell_at(x, y);
+      if (!at.extent.holds(c) || (at.side > 2 && (x % at.side == 0 || y % at.side == 0))) continue;
       p(x, y) = std::ranges::find(map.units, c) != map.units.end() ? unit
-                : map.grid.is_full(c)                              ? (seen.is_full(c) ? wall : full)
+                : map.grid.is_full(c)                              ? (seen.is_full(c) ? seen_full : full)
                 : seen.is_full(c)                                  ? lit
                                                                    : dark;
     }
+  if (at.side > 2 && map.grid.walled()) draw_walls(p, map.grid, at);
   return p;
 }
 
