@@ -124,6 +124,16 @@ TEST_CASE("escape pictures: what is skipped") {
   CHECK(draw_mandelbrot(m, small).interior == 0);
 }
 
+TEST_CASE("escape pictures: rows shorter than a register and the ends of rows skip what the others skip") {
+  for (int width : {1, 3, 21}) {
+    counts m(width, 2);
+    const job inner{{{-0.7, 0.2, -0.1, 0.1}, width, 2}, make_escape_limit(2.0, 2147483647), {irg::skipping::off}};
+    const auto stats = draw_mandelbrot(m, inner);  // each orbit ends in a point or a cycle; most is out of reach
+    CHECK(stats == irg::escape_stats{2 * width, 0, 2 * width});
+    for (int x = 0; x < width; ++x) CHECK(m(x, 0) == 2147483647);
+  }
+}
+
 TEST_CASE("escape pictures: degenerate") {
   counts none(0, 0), one(1, 1), row(3, 1);
   CHECK((draw_mandelbrot(none, job{{{-2, 1, -1, 1}, 0, 0}, make_escape_limit(2.0, 9), {}}) == irg::escape_stats{}));

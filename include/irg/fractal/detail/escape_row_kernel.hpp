@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cstdint>
 #include <type_traits>
 
 #include <irg/fractal/detail/escape_kernel.hpp>
@@ -49,12 +50,12 @@ constexpr bool skips_interior(const escape_job<T>& job) noexcept {
   return Orbits::has_interior && job.skip.interior == skipping::on && T(4) <= job.limit.square;
 }
 
-// One row, pixel by pixel.
+// One row, pixel by pixel, for constant evaluation.
 template <class T, class Orbits, class P>
-constexpr escape_stats escape_row_plainly(P* row, int y, int x_first, const escape_job<T>& job, const Orbits& orbits) {
-  escape_stats stats{job.plane.width - x_first, 0, 0};
+constexpr escape_stats escape_row_plainly(P* row, int y, const escape_job<T>& job, const Orbits& orbits) {
+  escape_stats stats{job.plane.width, 0, 0};
   const bool skips = skips_interior<Orbits>(job);
-  for (int x = x_first; x < job.plane.width; ++x) {
+  for (int x = 0; x < job.plane.width; ++x) {
     const point<T, 2> at = job.plane.at(x, y);
     const bool known = skips && mandelbrot_part_of(at) != mandelbrot_part::elsewhere;
     stats.interior += known;
@@ -63,7 +64,7 @@ constexpr escape_stats escape_row_plainly(P* row, int y, int x_first, const esca
   return stats;
 }
 
-// One row in lanes, and what is left of it pixel by pixel.
+// One row in lanes; those past its end have left before they begin.
 template <class T, class Orbits, class P>
 IRG_NOINLINE escape_stats escape_row_in_lanes(P* row, int y, const escape_job<T>& job, const Orbits& orbits) {
   using F = pack<T, widest_lanes<T>>;
@@ -74,33 +75,35 @@ IRG_NOINLINE escape_stats escape_row_in_lanes(P* row, int y, const escape_job<T>
   const bool skips = skips_interior<Orbits>(job);
   const F margin = f::broadcast(T(0) - static_cast<T>(interior_margin)),
           imaginary = f::broadcast(job.plane.imaginary(static_cast<T>(y)));
-  escape_stats stats;
-  int x = 0;
-  for (; job.plane.width - x >= kernel::count; x += kernel::count) {
+  escape_stats stats{job.plane.width, 0, 0};
+  for (std::int64_t x = 0; x < job.plane.width; x += kernel::count) {
     kernel k;
-    int known = 0;
+    const int here = static_cast<int>(lesser<std::int64_t>(kernel::count, job.plane.width - x));
     for (unsigned p = 0; p < packs; ++p) {
+      using number = typename lanes<mask>::scalar;
+      const mask in_row =
+          lanes<mask>::ramp() < lanes<mask>::broadcast(static_cast<number>(here - static_cast<int>(p) * f::count));
       const F real = job.plane.real(f::ramp() + f::broadcast(static_cast<T>(x + static_cast<int>(p) * f::count)));
       orbits.begin(real, imaginary, k.x[p], k.y[p], k.cx[p], k.cy[p]);
-      k.inside[p] = lanes<mask>::broadcast(-1);
+      k.inside[p] = in_row;
       k.counts[p] = lanes<mask>::broadcast(0);
       if (!skips) continue;
-      const mask inner = (outside_cardioid(real, imaginary) < margin) | (outside_disc(real, imaginary) < margin);
-      known += std::popcount(mask_bits(inner));
-      k.inside[p] = ~inner;
+      const mask inner =
+          in_row & ((outside_cardioid(real, imaginary) < margin) | (outside_disc(real, imaginary) < margin));
+      stats.interior += std::popcount(mask_bits(inner));
+      k.inside[p] = in_row & ~inner;
       k.counts[p] = select(inner, lanes<mask>::broadcast(job.limit.most), k.counts[p]);
     }
-    stats += {kernel::count, known, k.run(job.limit, job.skip.cycles == skipping::on)};
-    for (unsigned p = 0; p < packs; ++p)
-      for (int i = 0; i < f::count; ++i)
-        row[x + static_cast<int>(p) * f::count + i] = static_cast<P>(lane(k.counts[p], i));
+    stats.cycles += k.run(job.limit, job.skip.cycles == skipping::on);
+    for (int i = 0; i < here; ++i)
+      row[x + i] = static_cast<P>(lane(k.counts[static_cast<unsigned>(i / f::count)], i % f::count));
   }
-  return stats += escape_row_plainly(row, y, x, job, orbits);
+  return stats;
 }
 
 template <class T, class Orbits, class P>
 constexpr escape_stats escape_row(P* row, int y, const escape_job<T>& job, const Orbits& orbits) {
-  if (std::is_constant_evaluated()) return escape_row_plainly(row, y, 0, job, orbits);
+  if (std::is_constant_evaluated()) return escape_row_plainly(row, y, job, orbits);
   return escape_row_in_lanes(row, y, job, orbits);
 }
 
