@@ -12,6 +12,7 @@
 #include <irg/mesh/shapes.hpp>
 
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
 
@@ -222,6 +223,73 @@ TEST_CASE("back_faces: the slides' forms are the plane's value at (0, 0, d), for
     CHECK(irg::is_hidden_polygon_textbook(p, d) == irg::is_hidden(side));
   }
 }
+
+// A quadrilateral in a plane through the eye, by coordinates whose products round; and an eye the least step above.
+constexpr face_side side_of_quadrilateral(double z) {
+  irg::mesh<double> m;
+  m.positions = {{0.1, 0.7, 0.3}, {1.1, 0.7, 0.3}, {1.1, 1e9, 0.3}, {0.1, 1e9, 0.3}};
+  irg::add_face(m, std::array{0, 1, 2, 3});
+  return irg::side_of_face(m, 0, hpoint3{1e-9, 1e17, z, 1});
+}
+static_assert(side_of_quadrilateral(0.3) == face_side::edge_on);
+static_assert(side_of_quadrilateral(0.30000000000000004) == face_side::front);
+static_assert(side_of_quadrilateral(0.29999999999999993) == face_side::back);
+static_assert(irg::side_by_angle(vec3{1e-300, 1e300, 1}, point3{1, 1, 1}, point3{1e300, 1, -1}) == face_side::back);
+
+#ifdef IRG_HAVE_MPFR
+// Sides by rationals: Newell's normal as the sum of the cross products of neighbouring vertices themselves.
+TEST_CASE_TEMPLATE("back_faces: every form is exact, for coordinates of every size", T, double, float) {
+  using E = test::exact;
+  test::random r(9);
+  int edge_on = 0;
+  for (const test::spread kind : test::all_spreads)
+    for (int trial = 0; trial < test::trials(300); ++trial) {
+      const auto any = [&] { return test::any_coordinate<T>(r, kind); };
+      const std::size_t n = 3 + static_cast<std::size_t>(trial % 3);
+      irg::mesh<T> m;
+      std::vector<int> face;
+      for (std::size_t k = 0; k < n; ++k) {
+        m.positions.push_back({any(), any(), trial % 5 == 0 ? T(1) : any()});
+        face.push_back(static_cast<int>(k));
+      }
+      irg::add_face(m, face);
+      const T weight = trial % 4 == 0 ? T(0) : trial % 4 == 1 ? std::abs(any()) : T(1);
+      irg::hpoint<T, 3> eye{any(), any(), trial % 7 == 0 ? T(1) : any(), weight};
+      if (trial % 3 == 0) {  // in the plane of the first three vertices, but for roundings
+        const T u = static_cast<T>(r.unit()), v = static_cast<T>(r.unit());
+        for (int i = 0; i < 3; ++i) {
+          const T a = m.positions[0][i], b = m.positions[1][i], c = m.positions[2][i],
+                  x = a + u * (b - a) + v * (c - a);
+          if (std::isfinite(x)) (i == 0 ? eye.x : i == 1 ? eye.y : eye.z) = x;
+        }
+      }
+      const auto at = [&](std::size_t k, int i) { return E(static_cast<double>(m.positions[k % n][i])); };
+      const auto sign = [](const E& x) { return static_cast<face_side>(x.sign()); };
+      E value(0), area(0), cosine(0);
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        E normal(0);
+        for (std::size_t v = 0; v < n; ++v) normal = normal + at(v, j) * at(v + 1, k) - at(v, k) * at(v + 1, j);
+        if (i == 2) area = normal;
+        const E way = E(static_cast<double>(eye[i])) - E(static_cast<double>(eye.w)) * at(0, i);
+        value = value + normal * way;
+        cosine = cosine + at(1, i) * (at(2, i) - at(0, i));
+      }
+      const face_side side = irg::side_of_face(m, 0, eye);
+      CHECK(side == sign(value));
+      edge_on += side == face_side::edge_on;
+      const irg::point<T, 3> p0 = m.positions[0], p1 = m.positions[1], p2 = m.positions[2];
+      CHECK(irg::side_by_angle(irg::vec<T, 3>{p1.x, p1.y, p1.z}, p0, p2) == sign(cosine));
+      std::vector<irg::point<T, 2>> flat;
+      for (const auto& q : m.positions) flat.push_back({q.x, q.y});
+      CHECK(irg::side_by_order(flat) == sign(area));
+      CHECK(irg::side_by_order(flat, vertex_order::clockwise) == sign(E(0) - area));
+      if (n == 3 && area.sign() != 0)
+        CHECK(irg::is_back_by_edges_textbook(flat, vertex_order::counter_clockwise) == (area.sign() < 0));
+    }
+  CHECK(edge_on > 100);
+}
+#endif
 
 TEST_CASE("back_faces: what cannot be seen, and what is out of range") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
