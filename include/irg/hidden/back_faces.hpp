@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Back faces: polygons of a closed body that turn their outer side away from the eye, and so can be left out before
-// anything is projected. The result must be the side that the eye sees: all forms agree on planes and
-// normals that are not rounded. Back-face removal alone makes a right picture of a single opaque convex body only; of other bodies it leaves
-// hidden faces over, but what it removes is certainly invisible. Every form decides exactly for the numbers it is given.
+// anything is projected. The result must be the side that the eye sees; every form decides it exactly for the numbers
+// that it is given, so all agree on planes and normals that are not rounded. Back-face removal alone makes a right
+// picture of a single opaque convex body only; of other bodies it leaves hidden faces over, but what it removes is
+// certainly invisible.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include <irg/core/ring.hpp>
+#include <irg/geometry/compare.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
-#include <irg/geometry/plane.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
-#include <irg/hidden/detail/face_volume.hpp>
+#include <irg/geometry/side_of_polygon.hpp>
 #include <irg/mesh/normals.hpp>
 
 namespace irg {
@@ -31,6 +30,22 @@ enum class normals_point { outward, inward };
 
 /// The order of a face's vertices as seen from outside, with y up.
 enum class vertex_order { counter_clockwise, clockwise };
+
+namespace detail {
+
+// A face of a mesh as a ring.
+template <class M>
+struct mesh_face_ring {
+  const M* m;
+  std::size_t face;
+
+  IRG_INLINE constexpr std::size_t size() const noexcept { return mesh_face_size(*m, face); }
+  IRG_INLINE constexpr mesh_point<M> operator[](std::size_t k) const noexcept {
+    return mesh_position(*m, mesh_face_vertex(*m, face, k));
+  }
+};
+
+}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -57,8 +72,8 @@ constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
 template <Scalar T>
 constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
                                   normals_point direction = normals_point::outward) noexcept {
-  const auto cosine = [](const auto& x) { return x[0] * (x[6] - x[3]) + x[1] * (x[7] - x[4]) + x[2] * (x[8] - x[5]); };
-  const int sign = detail::sign_of_degree_2(cosine, detail::gathered<T>(normal, centre, eye));
+  const point<T, 3> tip{normal.x, normal.y, normal.z};
+  const int sign = order_along_line(point<T, 3>{}, tip, eye, centre);
   return static_cast<face_side>(direction == normals_point::outward ? sign : -sign);
 }
 
@@ -142,27 +157,20 @@ constexpr bool is_hidden_polygon_textbook(const R& polygon, const scalar_of<type
 /// source  Hank n.d., 4.1.5.1
 template <Scalar T>
 constexpr bool is_back_by_axis_seed(const vec<T, 3>& camera_z, const vec<T, 3>& normal) noexcept {
-  const auto cosine = [](const auto& x) { return x[0] * x[3] + x[1] * x[4] + x[2] * x[5]; };
-  return detail::sign_of_degree_2(cosine, detail::gathered<T>(camera_z, normal)) > 0;
+  const point<T, 3> origin{};
+  return order_along_line(origin, point<T, 3>{camera_z.x, camera_z.y, camera_z.z},
+                          point<T, 3>{normal.x, normal.y, normal.z}, origin) > 0;
 }
 
 /// The side of face f of a mesh that an eye sees.
 /// shape   vertices counter-clockwise seen from outside; the eye's weight is not negative: 0 for the direction towards
 ///         an infinitely far eye
 /// gives   edge_on for faces without area and for coordinates that are not finite
-/// exact   the sign of Newell's normal times the direction from the first vertex to the eye, for every finite float and
-///         double
-/// cost    a few operations per vertex; where roundings do not tell, as for an eye in the face's plane, some
-///         microseconds, less for triangles
+/// exact   for every finite float and double, by Newell's normal, as side_of_polygon
+/// cost    as side_of_polygon
 template <detail::mesh_in_space M>
 constexpr face_side side_of_face(const M& m, std::size_t f, const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
-  using T = scalar_of<mesh_point<M>>;
-  const auto position = [&](std::size_t k) {
-    const auto p = mesh_position(m, mesh_face_vertex(m, f, k));
-    return std::array<T, 3>{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};
-  };
-  return static_cast<face_side>(
-      detail::face_volume_sign(mesh_face_size(m, f), position, std::array<T, 4>{eye.x, eye.y, eye.z, eye.w}));
+  return static_cast<face_side>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
 }
 
 /// The faces of a mesh that are left when back faces are removed, in their order.
