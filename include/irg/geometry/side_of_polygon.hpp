@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which side of a polygon of space is seen from a point: the sign of Newell's normal times the way from the first vertex
-// to the point, exactly, in doubles with a bound where that tells. A polynomial of degree 4 in the coordinates.
+// Which side of a polygon of space is seen from a point: the sign of Newell's normal times the way from the first
+// vertex to the point, exactly, in doubles with a bound where that tells. A polynomial of degree 4 in the coordinates.
 #pragma once
 
 #include <array>
