@@ -59,7 +59,9 @@ struct lanes<wide_pack<N>> {
   static constexpr int count = N;
   using half = lanes<pack<double, N / 2>>;
   IRG_INLINE static wide_pack<N> broadcast(double x) noexcept { return {{half::broadcast(x), half::broadcast(x)}}; }
-  IRG_INLINE static wide_pack<N> ramp() noexcept { return {{half::ramp(), half::ramp() + static_cast<double>(N / 2)}}; }
+  IRG_INLINE static wide_pack<N> ramp() noexcept {
+    return {{half::ramp(), half::ramp() + static_cast<double>(half::count)}};
+  }
 };
 
 }  // namespace IRG_ABI

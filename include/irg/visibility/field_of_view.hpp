@@ -3,6 +3,7 @@
 // sweep over sectors.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -86,8 +87,8 @@ constexpr std::int64_t open_rows(const walled_grid& map, cell viewer, int sign_y
   return n;
 }
 
-constexpr void sweep(const walled_grid& map, const cell3& viewer, const view_options& o, view_memory& memory,
-                     cell_grid& seen) {
+template <std::same_as<walled_grid> Map>
+constexpr void sweep(const Map& map, const cell3& viewer, const view_options& o, view_memory& memory, cell_grid& seen) {
   if (map.extent().depth == 1) {
     const cell at{viewer.x, viewer.y};
     for (int sign_y = -1; sign_y <= 1; sign_y += 2) {
@@ -115,7 +116,8 @@ inline namespace IRG_ABI {
 /// exact   always
 /// cost    in the plane: a few operations per row and gap between what blocks, and per word of 64 cells that are seen;
 ///         in space: a few per row of each sector that is wholly open, see() for cells at the borders of what is hidden
-constexpr void add_field_of_view(const walled_grid& map, const cell3& viewer, cell_grid& seen, view_memory& memory,
+template <std::same_as<walled_grid> Map>
+constexpr void add_field_of_view(const Map& map, const cell3& viewer, cell_grid& seen, view_memory& memory,
                                  const view_options& o = {}) {
   IRG_EXPECTS(seen.extent() == map.extent());
   if (!map.extent().holds(viewer) || o.radius < 0) return;

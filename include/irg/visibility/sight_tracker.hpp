@@ -5,6 +5,7 @@
 // to units whose light touches one of the cells around it: the others' fields are left as they are.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -38,13 +39,14 @@ struct light_marks {
 }  // namespace IRG_ABI
 }  // namespace detail
 
-/// What units on a map see.
+/// What units on a map see. (A template, so that whoever does not use it does not compile it.)
+template <std::same_as<walled_grid> Map = walled_grid>
 class sight_tracker {
 public:
-  IRG_INLINE constexpr explicit sight_tracker(walled_grid map, const view_options& options = {})
+  IRG_INLINE constexpr explicit sight_tracker(Map map, const view_options& options = {})
       : map_(std::move(map)), options_(options) {}
 
-  IRG_INLINE constexpr const walled_grid& map() const noexcept { return map_; }
+  IRG_INLINE constexpr const Map& map() const noexcept { return map_; }
   IRG_INLINE constexpr std::size_t size() const noexcept { return units_.size(); }
   /// needs   a unit's number, here and below
   IRG_INLINE constexpr const cell3& unit(std::size_t i) const noexcept { return units_[i].at; }
@@ -118,7 +120,7 @@ private:
     return n;
   }
 
-  walled_grid map_;
+  Map map_;
   view_options options_;
   std::vector<state> units_;
   view_memory memory_;

@@ -65,9 +65,9 @@ private:
   }
 
   // Cells that slopes from s to s + 1 touch between two distances from the viewer, in halves of a slab.
-  static constexpr range touched(std::int64_t s, int level, std::int64_t near, std::int64_t far) noexcept {
+  static constexpr range touched(std::int64_t s, int level, std::int64_t first, std::int64_t last) noexcept {
     const std::int64_t half = std::int64_t{1} << level;
-    const std::int64_t low = s * (s >= 0 ? near : far), high = (s + 1) * (s + 1 >= 0 ? far : near);
+    const std::int64_t low = s * (s >= 0 ? first : last), high = (s + 1) * (s + 1 >= 0 ? last : first);
     return {-((half - low) >> (level + 1)), (high + half) >> (level + 1)};
   }
   // Cells whose centres they hold; centres between sectors belong to the second where each is wanted once.
