@@ -5,4 +5,5 @@
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/plane_depth.hpp>
 #include <irg/hidden/zbuffer_memory.hpp>
-#include <irg/hidden/zbuffer_textbook.hpp>
+#include <irg/hidden/textbook/back_faces.hpp>
+#include <irg/hidden/textbook/zbuffer.hpp>

@@ -25,7 +25,6 @@
 #include <irg/math/roots.hpp>
 #include <irg/math/solve.hpp>
 #include <irg/math/solve_exact.hpp>
-#include <irg/math/solve_gauss_seed.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/transform_points.hpp>
 #include <irg/math/trigonometry.hpp>
@@ -33,3 +32,5 @@
 #include <irg/math/vector_batch.hpp>
 #include <irg/math/vector_projection.hpp>
 #include <irg/math/wide_int.hpp>
+#include <irg/math/textbook/roots.hpp>
+#include <irg/math/textbook/solve_gauss.hpp>
