@@ -11,7 +11,6 @@
 #include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/geometry/clip_line_nicholl_lee_nicholl.hpp>
 #include <irg/geometry/clip_sutherland_hodgman.hpp>
-#include <irg/geometry/clip_weiler_atherton.hpp>
 #include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/closest_point.hpp>
 #include <irg/geometry/compare.hpp>
@@ -44,6 +43,7 @@
 #include <irg/geometry/polygon_centroid.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
+#include <irg/geometry/polygon_overlay.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_line.hpp>
@@ -57,6 +57,7 @@
 #include <irg/geometry/triangulate_monotone.hpp>
 #include <irg/geometry/textbook/barycentric.hpp>
 #include <irg/geometry/textbook/clip_sutherland_hodgman.hpp>
+#include <irg/geometry/textbook/clip_weiler_atherton.hpp>
 #include <irg/geometry/textbook/intersect_lines.hpp>
 #include <irg/geometry/textbook/intersect_plane_line.hpp>
 #include <irg/geometry/textbook/intersect_planes.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Intersection, union and differences of arbitrary polygons: concave, with holes, of several parts, touching and
-// overlapping each other, or crossing themselves. As Weiler and Atherton have it, boundaries are joined where they
-// cross and walked; what to walk along is told by which polygons lie on either side of each piece of boundary.
+// overlapping each other, or crossing themselves. Boundaries are cut where they meet; each piece is kept when the
+// result lies on one side of it alone; pieces are joined to rings. Weiler and Atherton's own walk along entering and
+// leaving points stands in textbook/clip_weiler_atherton.hpp.
 //
 // Crossings are rounded to the numbers' grid, and pieces that cross after that are cut again, until none do. From then
 // on every decision is exact, whatever coincides.
@@ -11,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,6 +20,7 @@
 #include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
+#include <irg/geometry/polygon.hpp>
 #include <irg/math/exact_sum.hpp>
 
 namespace irg {
@@ -31,7 +32,11 @@ enum class polygon_operation { intersection, unite, difference, symmetric_differ
 /// holes are holes whatever their direction, or any number but 0.
 enum class ring_rule { even_odd, non_zero };
 
-/// How clip_weiler_atherton ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
+/// The coordinates of which polygon_overlay keeps every bit.
+template <class T>
+concept OverlayScalar = Floating<T> || (std::integral<T> && sizeof(T) <= 4);
+
+/// How polygon_overlay ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
 /// made new crossings again and again (never seen).
 enum class polygon_clip_status { done, not_finite, unresolved };
 
@@ -258,13 +263,16 @@ constexpr std::vector<std::vector<point<T, 2>>> rings_of(std::vector<std::pair<p
   return rings;
 }
 
-template <class T>
-constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, std::span<const point<T, 2>> ring, int polygon) {
+template <class T, PlaneRing R>
+constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, const R& ring, int polygon) {
   const int times[2] = {polygon == 0 ? 1 : 0, polygon == 1 ? 1 : 0};
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (!has_finite_coordinates(ring[i])) return false;
-    const auto& q = ring[i + 1 < ring.size() ? i + 1 : 0];
-    if (has_finite_coordinates(q)) add_piece(pieces, ring[i], q, times);
+  const auto at = [&](std::size_t i) {
+    const auto v = ring_vertex(ring, i);
+    return point<T, 2>{static_cast<T>(coordinate(v, 0)), static_cast<T>(coordinate(v, 1))};
+  };
+  for (std::size_t i = 0; i < ring_size(ring); ++i) {
+    if (!has_finite_coordinates(at(i))) return false;
+    if (has_finite_coordinates(at(i + 1))) add_piece(pieces, at(i), at(i + 1), times);
   }
   return true;
 }
@@ -302,46 +310,33 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
 inline namespace IRG_ABI {
 
 /// The polygon that belongs to both a and b (intersection), to either (unite), to a but not b (difference), or to one
-/// of them alone (symmetric_difference). A polygon is a list of rings, of any direction and in any order; vertices may
-/// repeat, rings may touch, overlap and cross themselves and each other: `rule` says what is inside.
-/// shape   rings that do not cross, outer ones counter-clockwise, holes clockwise; pieces that touch in a point are
-///         rings of their own. Vertices on straight edges are left out; no ring is without area
-/// gives   no rings when nothing is left; status not_finite when a coordinate is NaN or infinite
+/// of them alone (symmetric_difference). A polygon is a ring or a list of rings, of any direction and in any order;
+/// vertices may repeat, rings may touch, overlap and cross themselves and each other: `rule` says what is inside.
+/// shape   floats, doubles, or integers of up to 32 bits, whose crossings are doubles
+/// gives   rings that do not cross, outer ones counter-clockwise, holes clockwise; pieces that touch in a point are
+///         rings of their own. Vertices on straight edges are left out; no ring is without area. No rings when nothing
+///         is left; status not_finite when a coordinate is NaN or infinite
 /// exact   crossings are rounded to within 0.501 ulp, edges bend by as much; for the polygons so bent every decision is
 ///         exact. So areas add up, a + b = union + intersection, to within an ulp of the coordinates times the length
 ///         of the boundaries; where no crossing has to be rounded nothing is lost at all
 /// cost    n pieces of boundary: n log n, n for each that overlaps in x; some 0.2 us a crossing
 /// source  Weiler and Atherton 1977; Weiler 1980; Hobby 1999
-template <Floating T>
-constexpr clipped_rings<T> clip_weiler_atherton(std::span<const std::vector<point<T, 2>>> a,
-                                                std::span<const std::vector<point<T, 2>>> b,
-                                                polygon_operation operation = polygon_operation::intersection,
-                                                ring_rule rule = ring_rule::even_odd) {
+template <PlanePolygon A, PlanePolygon B>
+  requires OverlayScalar<scalar_of<polygon_point<A>>> &&
+           std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
+constexpr auto polygon_overlay(const A& a, const B& b, polygon_operation operation = polygon_operation::intersection,
+                               ring_rule rule = ring_rule::even_odd) {
+  using S = scalar_of<polygon_point<A>>;
+  using T = std::conditional_t<Floating<S>, S, double>;
   std::vector<detail::boundary_piece<T>> pieces;
-  for (int polygon = 0; polygon < 2; ++polygon)
-    for (const auto& ring : polygon == 0 ? a : b)
-      if (!detail::add_ring(pieces, std::span<const point<T, 2>>(ring), polygon))
-        return {polygon_clip_status::not_finite, {}};
+  bool finite = true;
+  const auto add = [&](const auto& polygon, int number) {
+    for (std::size_t i = 0; i < detail::ring_count(polygon); ++i)
+      finite = finite && detail::add_ring(pieces, detail::ring_of(polygon, i), number);
+  };
+  add(a, 0), add(b, 1);
+  if (!finite) return clipped_rings<T>{polygon_clip_status::not_finite, {}};
   return detail::combine_pieces(pieces, operation, rule);
-}
-
-/// As above, for lists of rings.
-template <Floating T>
-constexpr clipped_rings<T> clip_weiler_atherton(const std::vector<std::vector<point<T, 2>>>& a,
-                                                const std::vector<std::vector<point<T, 2>>>& b,
-                                                polygon_operation operation = polygon_operation::intersection,
-                                                ring_rule rule = ring_rule::even_odd) {
-  using rings = std::span<const std::vector<point<T, 2>>>;
-  return clip_weiler_atherton<T>(rings(a), rings(b), operation, rule);
-}
-
-/// As above, for polygons of one ring each.
-template <Floating T>
-constexpr clipped_rings<T> clip_weiler_atherton(const std::vector<point<T, 2>>& a, const std::vector<point<T, 2>>& b,
-                                                polygon_operation operation = polygon_operation::intersection,
-                                                ring_rule rule = ring_rule::even_odd) {
-  using rings = std::span<const std::vector<point<T, 2>>>;
-  return clip_weiler_atherton<T>(rings(&a, 1), rings(&b, 1), operation, rule);
 }
 
 }  // namespace IRG_ABI
