@@ -14,6 +14,7 @@
 #include <irg/math/exponential.hpp>
 #include <irg/math/homogeneous.hpp>
 #include <irg/math/hypot.hpp>
+#include <irg/math/int128.hpp>
 #include <irg/math/interval.hpp>
 #include <irg/math/inverse.hpp>
 #include <irg/math/inverse_exact.hpp>
