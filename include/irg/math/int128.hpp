@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integers of 128 bits: products of two 64-bit numbers, and sums of some, without loss. All of irg takes them from here.
+// Integers of 128 bits: products of two 64-bit numbers, and sums of some, without loss. irg takes them from here alone.
 #pragma once
 
 namespace irg {
