@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A binary space partition of the picture's faces: the plane of a face parts the others into those nearer than it and
-// those farther, which are parted in turn. A face on both sides is split. The tree, walked from far to near, is an order
-// in which everything can be drawn.
+// those farther, which are parted in turn. A face on both sides is split. The tree, walked from far to near, is an
+// order in which everything can be drawn.
 //
 // A part of a face is its face and limits (face_fragment), so that splitting makes no coordinate: which side a part
 // lies on is decided at the pixels that it may have. Of planes equally deep the lower number is in front, so that
@@ -223,8 +223,8 @@ constexpr void draw_by_trees(const std::vector<const screen_face*>& list, const 
 }  // namespace IRG_ABI
 }  // namespace detail
 
-/// A hidden-surface method: the faces as binary space partitions, drawn from back to front. A crowded window is cut into
-/// four, since faces that cross each other make trees that grow with the square of their number.
+/// A hidden-surface method: the faces as binary space partitions, drawn from back to front. A crowded window is cut
+/// into four, since faces that cross each other make trees that grow with the square of their number.
 /// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are;
 ///         counts.tested counts the parts drawn
 /// exact   as picture_face_at, in every pixel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How two faces lie behind each other over a whole window of pixels: the question that painter, Warnock and BSP ask, and
-// the only one, besides is_nearer at a single pixel, by which they decide. Depth is linear on the screen, so that four
-// pixels tell of all between them.
+// How two faces lie behind each other over a whole window of pixels: the question that painter, Warnock and BSP ask,
+// and the only one, besides is_nearer at a single pixel, by which they decide. Depth is linear on the screen, so that
+// four pixels tell of all between them.
 #pragma once
 
 #include <irg/raster/face_order.hpp>
@@ -13,12 +13,12 @@ enum class window_order { nearer, farther, crossing };
 
 inline namespace IRG_ABI {
 
-/// Whether face a is_nearer than face b at every pixel of a window, at none, or perhaps at some. Both are taken as their
-/// whole planes.
+/// Whether face a is_nearer than face b at every pixel of a window, at none, or perhaps at some. Both are taken as
+/// their whole planes.
 /// needs   a window that is not empty, within snap_limit; faces with an area
 /// gives   nearer or farther exactly if all centres of the window say so, `crossing` else
-/// exact   by is_nearer at the corners: where the difference of two planes has one sign there, it has it in between, and
-///         where it is 0 the lower number is the nearer one, as at a pixel
+/// exact   by is_nearer at the corners: where the difference of two planes has one sign there, it has it in between,
+///         and where it is 0 the lower number is the nearer one, as at a pixel
 /// cost    two to four is_nearer
 template <DepthOrder Order = nearer_is_greater>
 constexpr window_order order_in_window(const screen_face& a, const screen_face& b, const cell_window& w) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The painter's algorithm in its naive form: faces sorted by the depth of their centroids and drawn from far to near. An
-// approximation: faces that overlap in depth may come in the wrong order, and faces that hide each other in turn have no
-// right one. painter_newell.hpp has the complete algorithm.
+// The painter's algorithm in its naive form: faces sorted by the depth of their centroids and drawn from far to near.
+// An approximation: faces that overlap in depth may come in the wrong order, and faces that hide each other in turn
+// have no right one. painter_newell.hpp has the complete algorithm.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace irg {
 
-/// A hidden-surface method that is often wrong: faces are drawn in the order of their centroids' depths, far ones first,
-/// of equal depths those with the higher number first.
+/// A hidden-surface method that is often wrong: faces are drawn in the order of their centroids' depths, far ones
+/// first, of equal depths those with the higher number first.
 /// gives   into each pixel that some face covers the number of the last one drawn there: not always the nearest;
 ///         counts.tested counts the pixels drawn
 /// exact   centroids are sums of three floats in double, rounded twice; what hides what is not decided at all

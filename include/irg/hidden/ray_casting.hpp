@@ -16,7 +16,8 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// Of equal faces, whose corners are the same in the same order, the one of the lowest number: the others are never seen.
+// Of equal faces, whose corners are the same in the same order, the one of the lowest number: the others are never
+// seen.
 template <class Face>
 constexpr void leave_out_equal_faces(std::vector<Face>& list) {
   const auto compare = [](const Face& a, const Face& b) {

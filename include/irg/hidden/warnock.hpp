@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Warnock's subdivision of windows: look at a window of the picture; if it is easy to draw, draw it; if not, cut it into
-// four and look at each. A window is easy when no face touches it, when a single one does, when a face that surrounds it
-// lies in front of all others, and when it is one pixel. There is no depth buffer.
+// Warnock's subdivision of windows: look at a window of the picture; if it is easy to draw, draw it; if not, cut it
+// into four and look at each. A window is easy when no face touches it, when a single one does, when a face that
+// surrounds it lies in front of all others, and when it is one pixel. There is no depth buffer.
 //
 // A window's list holds the faces that touch it, those that surround it apart: children take their lists from their
 // parent's, and what surrounds a window surrounds its parts. What a surrounding face hides in all of the window is left

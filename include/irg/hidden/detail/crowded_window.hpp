@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faces that a window may show, and the four parts of a window: for methods that cut the picture where it is crowded.
+// The faces that a window may show, and the four parts of a window: for methods that cut the picture where it is
+// crowded.
 #pragma once
 
 #include <array>

@@ -17,8 +17,8 @@
 
 namespace irg {
 
-/// The tests of Newell, Newell and Sancha by which P does not hide Q, the last of them where the extents of P and Q meet;
-/// and what is done.
+/// The tests of Newell, Newell and Sancha by which P does not hide Q, the last of them where the extents of P and Q
+/// meet; and what is done.
 enum class newell_step {
   x_apart,
   y_apart,
