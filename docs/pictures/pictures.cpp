@@ -29,6 +29,7 @@
 #include "faces.hpp"
 #include "fills.hpp"
 #include "fills_aa.hpp"
+#include "hidden_methods.hpp"
 #include "line_kernels.hpp"
 #include "line_teaching.hpp"
 #include "line_variants.hpp"
@@ -183,6 +184,10 @@ void methods() {
       all(width + x, y) = one(x, y);
     }
   save("hidden_surface_methods", all);
+  save("ray_casting", hidden_pictures::rays());
+  save("warnock", hidden_pictures::windows());
+  save("painter", hidden_pictures::painters());
+  save("bsp_faces", hidden_pictures::parts());
 }
 
 void teapots() {

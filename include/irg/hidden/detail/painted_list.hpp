@@ -86,6 +86,17 @@ constexpr bool edge_parts(const screen_face& a, const screen_face& b) noexcept {
   return false;
 }
 
+template <DepthOrder Order>
+constexpr bool share_no_pixel(const face_fragment& a, const face_fragment& b, const cell_window& w) noexcept {
+  for (int y = w.y_first; y < w.y_last; ++y) {
+    const span_of_cells one = covered_span(a.face->coverage, y, w.x_first, w.x_last);
+    const span_of_cells both = covered_span(b.face->coverage, y, one.x_first, one.x_last);
+    for (int x = both.x_first; x < both.x_last; ++x)
+      if (covers<Order>(a, x, y) && covers<Order>(b, x, y)) return false;
+  }
+  return true;
+}
+
 // What a limit of `part` by the plane of `other` says: 1 where the part is nearer, -1 where it is farther, 0 no limit.
 constexpr int limited(const painted_part& part, const screen_face* other) noexcept {
   for (const face_limit& l : part.part.limits)
@@ -127,9 +138,9 @@ public:
   }
 
 private:
-  // Whether a face would be held against more than a dozen others.
+  // Whether there are more than four tests for each face.
   static constexpr bool overlaps_much(const std::vector<const screen_face*>& faces) noexcept {
-    constexpr std::ptrdiff_t few = 12;
+    constexpr std::ptrdiff_t few = 4;
     std::ptrdiff_t pairs = 0;
     for (auto i = faces.begin(); i != faces.end(); ++i)
       pairs += i - std::partition_point(faces.begin(), i, [&](const screen_face* f) {
@@ -164,11 +175,17 @@ private:
     const cell_window both = intersect(p.box, q.box);
     if (both.x_first >= both.x_last) return told(newell_step::x_apart);
     if (both.y_first >= both.y_last) return told(newell_step::y_apart);
-    if (const int known = limited(q, &fp) - limited(p, &fq); known != 0) return known > 0;
-    if (order_in_window<Order>(fp, fq, p.box) == window_order::farther) return told(newell_step::behind_plane);
-    if (order_in_window<Order>(fq, fp, q.box) == window_order::nearer) return told(newell_step::in_front_of_plane);
-    if (edge_parts(fp, fq) || edge_parts(fq, fp)) return told(newell_step::projections_apart);
-    return order_in_window<Order>(fp, fq, both) == window_order::farther && told(newell_step::behind_where_they_meet);
+    const int known = limited(q, &fp) - limited(p, &fq);
+    if (known > 0) return true;
+    if (known == 0) {
+      if (order_in_window<Order>(fp, fq, p.box) == window_order::farther) return told(newell_step::behind_plane);
+      if (order_in_window<Order>(fq, fp, q.box) == window_order::nearer) return told(newell_step::in_front_of_plane);
+      if (edge_parts(fp, fq) || edge_parts(fq, fp)) return told(newell_step::projections_apart);
+      if (order_in_window<Order>(fp, fq, both) == window_order::farther)
+        return told(newell_step::behind_where_they_meet);
+    }
+    // The last resort before a part is split that was moved already: a look at the pixels.
+    return q.moved && share_no_pixel<Order>(p.part, q.part, both) && told(newell_step::projections_apart);
   }
 
   // The last of the list, P, may hide part i, Q: Q, or a part of it, has to be drawn before.
@@ -187,7 +204,7 @@ private:
     };
     if (ordered && (!q.moved || is_one_pixel(q.box))) {
       note(newell_step::moved, p, q);
-      put_last(q.part, q.box);
+      put_last(q.part, q.box, true);
     } else if (!ordered) {
       note(newell_step::split_by_plane, p, q);
       const fragment_parts parts = split_fragment(q.part, *p.part.face);
@@ -201,8 +218,8 @@ private:
     }
   }
 
-  constexpr void put_last(const face_fragment& part, const cell_window& box) {
-    if (!has_no_pixel<Order>(part, box)) list_.push_back({part, box, true});
+  constexpr void put_last(const face_fragment& part, const cell_window& box, bool moved = false) {
+    if (!has_no_pixel<Order>(part, box)) list_.push_back({part, box, moved});
   }
 
   constexpr void draw(const painted_part& p) {
