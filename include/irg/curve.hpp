@@ -3,5 +3,6 @@
 #pragma once
 
 #include <irg/curve/bezier.hpp>
+#include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bspline.hpp>
