@@ -3,6 +3,8 @@
 #pragma once
 
 #include <irg/curve/bezier.hpp>
+#include <irg/curve/bezier_accurate.hpp>
+#include <irg/curve/bezier_degree.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bspline.hpp>
