@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Curves: the weights of both forms of a Bezier curve. Included by pictures.cpp.
+// Curves: the weights of both forms of a Bezier curve, steps of equal length, frames. Included by pictures.cpp.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include <irg/curve/arc_length.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
+#include <irg/curve/curve_frame.hpp>
 
 #include "sketch.hpp"
 
@@ -32,6 +34,51 @@ inline picture weights() {
       stroke(p, line, 5, families[i]);
     }
   }
+  return halved(p);
+}
+
+// A cubic with dots at equal steps of its parameter (blue, above) and at equal steps of its length (red, below).
+inline void equal_steps(picture& p) {
+  for (const bool by_length : {false, true}) {
+    const double down = by_length ? 270 : 0;
+    const std::array<point2, 4> cubic{point2{40, 260 + down}, {60, -60 + down}, {120, 70 + down}, {560, 240 + down}};
+    const auto speed = [&](double t) { return irg::length(irg::bezier_sample(cubic, t).derivative); };
+    std::array<double, 33> lengths{};
+    const auto table = irg::arc_lengths<double>(speed, 0, 1, lengths);
+    ring line;
+    for (int k = 0; k <= 100; ++k) line.push_back(irg::bezier_point(cubic, k / 100.0));
+    stroke(p, line, 3, grey);
+    for (int k = 0; k <= 20; ++k) {
+      const double t = by_length ? irg::parameter_at_length(speed, table, table.length() * k / 20) : k / 20.0;
+      mark(p, irg::bezier_point(cubic, t), 6, by_length ? red : blue);
+    }
+  }
+}
+
+// Normals (red) and binormals (blue) carried along a rising curve without turning about it.
+inline void carried_frames(picture& p) {
+  const oblique_view view({930, 290}, 150);
+  const auto place = [](double t) {
+    return point3{1.6 * irg::cos(t), 1.1 * irg::sin(t) + 0.5 * irg::sin(3 * t), 0.9 * irg::cos(2 * t)};
+  };
+  constexpr int steps = 48;
+  const auto at = [&](int k) { return place(irg::two_pi<double> * k / steps); };
+  auto frame = *irg::frame_with_up(at(1) - at(-1), vec3{0, 0, 1});
+  ring line{view.at(at(0))};
+  for (int k = 1; k <= steps; ++k) line.push_back(view.at(at(k)));
+  stroke(p, line, 4, ink);
+  for (int k = 0; k < steps; ++k) {
+    const point2 foot = view.at(at(k));
+    stroke(p, {foot, view.at(at(k) + 0.4 * frame.normal)}, 3, red);
+    stroke(p, {foot, view.at(at(k) + 0.4 * frame.binormal)}, 3, blue);
+    frame = irg::rotation_minimising_frame(frame, at(k + 1) - at(k), at(k + 2) - at(k));
+  }
+}
+
+inline picture paths() {
+  picture p(1320, 580, paper);
+  equal_steps(p);
+  carried_frames(p);
   return halved(p);
 }
 

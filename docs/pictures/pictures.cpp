@@ -352,6 +352,7 @@ int main(int argc, char** argv) {
   bezier();
   save("bspline", splines::both());
   save("bezier_weights", curve_pictures::weights());
+  save("curve_paths", curve_pictures::paths());
   number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());
