@@ -8,6 +8,7 @@
 #include <irg/curve/arc_length.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/curve_frame.hpp>
+#include <irg/curve/flatten.hpp>
 
 #include "sketch.hpp"
 
@@ -79,6 +80,24 @@ inline picture paths() {
   picture p(1320, 580, paper);
   equal_steps(p);
   carried_frames(p);
+  return halved(p);
+}
+
+// One curve (pale) as polylines that stay within 16, 4 and 1 pixels of it.
+inline picture flattened() {
+  picture p(1320, 400, paper);
+  for (int i = 0; i < 3; ++i) {
+    const double left = 440.0 * i;
+    const std::array<point2, 5> curve{
+        point2{left + 30, 360}, {left + 60, -260}, {left + 250, 780}, {left + 330, -260}, {left + 410, 350}};
+    ring smooth, line;
+    for (int k = 0; k <= 200; ++k) smooth.push_back(irg::bezier_point(curve, k / 200.0));
+    stroke(p, smooth, 12, pale);
+    std::array<point2, 15> scratch{};
+    irg::flatten(curve, i == 0 ? 16 : i == 1 ? 4 : 1, scratch, [&](const point2& q) { line.push_back(q); });
+    stroke(p, line, 3, red);
+    for (const point2& q : line) mark(p, q, 6, ink);
+  }
   return halved(p);
 }
 

@@ -353,6 +353,7 @@ int main(int argc, char** argv) {
   save("bspline", splines::both());
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
+  save("flattened_curves", curve_pictures::flattened());
   number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());

@@ -10,4 +10,5 @@
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/curve_frame.hpp>
+#include <irg/curve/flatten.hpp>
 #include <irg/curve/keyframes.hpp>
