@@ -23,6 +23,7 @@
 #include <irg/view/affine.hpp>
 
 #include "cameras.hpp"
+#include "curves.hpp"
 #include "depths.hpp"
 #include "enlarged.hpp"
 #include "escape.hpp"
@@ -355,6 +356,9 @@ int main(int argc, char** argv) {
   srgb();
   bezier();
   save("bspline", splines::both());
+  save("bezier_weights", curve_pictures::weights());
+  save("curve_paths", curve_pictures::paths());
+  save("flattened_curves", curve_pictures::flattened());
   number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());

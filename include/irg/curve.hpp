@@ -2,6 +2,13 @@
 // curve: Bezier curves and surfaces, B-splines, NURBS.
 #pragma once
 
+#include <irg/curve/arc_length.hpp>
 #include <irg/curve/bezier.hpp>
+#include <irg/curve/bezier_accurate.hpp>
+#include <irg/curve/bezier_degree.hpp>
+#include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bspline.hpp>
+#include <irg/curve/curve_frame.hpp>
+#include <irg/curve/flatten.hpp>
+#include <irg/curve/keyframes.hpp>

@@ -214,20 +214,29 @@ constexpr detail::control_point<R> bezier_point_wozny_chudy(const R& points, par
   return result;
 }
 
-/// The values of the N + 1 Bernstein polynomials of degree N at t.
-/// exact   within [0, 1] each is not negative and has relative error below 2*N*u, unless it underflows
-/// cost    N*(N + 1)/2 steps
+/// The values at t of the Bernstein polynomials of degree basis.size() - 1.
+/// needs   room for one value or more
+/// exact   within [0, 1] each is not negative and has relative error below 2*n*u for degree n, unless it underflows
+/// cost    n*(n + 1)/2 steps
 /// source  Bernstein 1912; the recursion b_{i,n} = (1 - t) b_{i,n-1} + t b_{i-1,n-1}
+template <Real T>
+constexpr void bernstein_basis(std::type_identity_t<curve_parameter<T>> t, std::span<T> basis) noexcept {
+  IRG_EXPECTS(!basis.empty());
+  basis[0] = T(1);
+  for (std::size_t n = 1; n < basis.size(); ++n) {
+    basis[n] = product(t.t, basis[n - 1]);
+    for (std::size_t i = n - 1; i > 0; --i) basis[i] = product(t.rest, basis[i]) + product(t.t, basis[i - 1]);
+    basis[0] = product(t.rest, basis[0]);
+  }
+}
+
+/// The values of the N + 1 Bernstein polynomials of degree N at t.
+/// exact   as the form that fills a span
 template <int N, Real T>
   requires(N >= 0)
 constexpr std::array<T, static_cast<std::size_t>(N) + 1> bernstein_basis(curve_parameter<T> t) noexcept {
   std::array<T, static_cast<std::size_t>(N) + 1> b{};
-  b[0] = T(1);
-  for (std::size_t n = 1; n <= static_cast<std::size_t>(N); ++n) {
-    b[n] = product(t.t, b[n - 1]);
-    for (std::size_t i = n - 1; i > 0; --i) b[i] = product(t.rest, b[i]) + product(t.t, b[i - 1]);
-    b[0] = product(t.rest, b[0]);
-  }
+  bernstein_basis<T>(t, b);
   return b;
 }
 template <int N, Real T>

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Curves: the weights of both forms of a Bezier curve, steps of equal length, frames. Included by pictures.cpp.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <irg/curve/arc_length.hpp>
+#include <irg/curve/bezier_edge_form.hpp>
+#include <irg/curve/curve_frame.hpp>
+#include <irg/curve/flatten.hpp>
+
+#include "sketch.hpp"
+
+namespace curve_pictures {
+
+using namespace sketching;
+
+constexpr irg::rgba8 families[] = {blue, red, green, {190, 140, 40, 255}, {150, 96, 160, 255}, {92, 142, 196, 255}};
+
+// The cubic weights of both forms over t: left Bernstein's, right Bezier's.
+inline picture weights() {
+  picture p(1320, 560, paper);
+  for (const bool by_edges : {false, true}) {
+    const double left = by_edges ? 700 : 40, bottom = 520, size = 480;
+    outline(p, {{left, bottom}, {left, bottom - size}, {left + 580, bottom - size}, {left + 580, bottom}}, 2, grey);
+    for (std::size_t i = 0; i <= 3; ++i) {
+      ring line;
+      for (int k = 0; k <= 100; ++k) {
+        std::array<double, 4> value{};
+        const double t = k / 100.0;
+        by_edges ? irg::bezier_weights<double>(t, value) : irg::bernstein_basis<double>(t, value);
+        line.push_back({left + 580 * t, bottom - size * value[i]});
+      }
+      stroke(p, line, 5, families[i]);
+    }
+  }
+  return halved(p);
+}
+
+// A cubic with dots at equal steps of its parameter (blue, above) and at equal steps of its length (red, below).
+inline void equal_steps(picture& p) {
+  for (const bool by_length : {false, true}) {
+    const double down = by_length ? 270 : 0;
+    const std::array<point2, 4> cubic{point2{40, 260 + down}, {60, -60 + down}, {120, 70 + down}, {560, 240 + down}};
+    const auto speed = [&](double t) { return irg::length(irg::bezier_sample(cubic, t).derivative); };
+    std::array<double, 33> lengths{};
+    const auto table = irg::arc_lengths<double>(speed, 0, 1, lengths);
+    ring line;
+    for (int k = 0; k <= 100; ++k) line.push_back(irg::bezier_point(cubic, k / 100.0));
+    stroke(p, line, 3, grey);
+    for (int k = 0; k <= 20; ++k) {
+      const double t = by_length ? irg::parameter_at_length(speed, table, table.length() * k / 20) : k / 20.0;
+      mark(p, irg::bezier_point(cubic, t), 6, by_length ? red : blue);
+    }
+  }
+}
+
+// Normals (red) and binormals (blue) carried along a rising curve without turning about it.
+inline void carried_frames(picture& p) {
+  const oblique_view view({930, 290}, 150);
+  const auto place = [](double t) {
+    return point3{1.6 * irg::cos(t), 1.1 * irg::sin(t) + 0.5 * irg::sin(3 * t), 0.9 * irg::cos(2 * t)};
+  };
+  constexpr int steps = 48;
+  const auto at = [&](int k) { return place(irg::two_pi<double> * k / steps); };
+  auto frame = *irg::frame_with_up(at(1) - at(-1), vec3{0, 0, 1});
+  ring line{view.at(at(0))};
+  for (int k = 1; k <= steps; ++k) line.push_back(view.at(at(k)));
+  stroke(p, line, 4, ink);
+  for (int k = 0; k < steps; ++k) {
+    const point2 foot = view.at(at(k));
+    stroke(p, {foot, view.at(at(k) + 0.4 * frame.normal)}, 3, red);
+    stroke(p, {foot, view.at(at(k) + 0.4 * frame.binormal)}, 3, blue);
+    frame = irg::rotation_minimising_frame(frame, at(k + 1) - at(k), at(k + 2) - at(k));
+  }
+}
+
+inline picture paths() {
+  picture p(1320, 580, paper);
+  equal_steps(p);
+  carried_frames(p);
+  return halved(p);
+}
+
+// One curve (pale) as polylines that stay within 16, 4 and 1 pixels of it.
+inline picture flattened() {
+  picture p(1320, 400, paper);
+  for (int i = 0; i < 3; ++i) {
+    const double left = 440.0 * i;
+    const std::array<point2, 5> curve{
+        point2{left + 30, 360}, {left + 60, -260}, {left + 250, 780}, {left + 330, -260}, {left + 410, 350}};
+    ring smooth, line;
+    for (int k = 0; k <= 200; ++k) smooth.push_back(irg::bezier_point(curve, k / 200.0));
+    stroke(p, smooth, 12, pale);
+    std::array<point2, 15> scratch{};
+    irg::flatten(curve, i == 0 ? 16 : i == 1 ? 4 : 1, scratch, [&](const point2& q) { line.push_back(q); });
+    stroke(p, line, 3, red);
+    for (const point2& q : line) mark(p, q, 6, ink);
+  }
+  return halved(p);
+}
+
+}  // namespace curve_pictures

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Bezier curves as polylines with a guaranteed chord error: pieces as long as the bound of each allows, one after the
+// other. The bound of a piece comes from the second differences of its control points across the chord, which is the
+// more nearly the error itself the shorter the piece.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+#include <irg/curve/bezier.hpp>
+#include <irg/math/length.hpp>
+
+namespace irg {
+
+/// What flatten did: how many chords, and whether each was found within the tolerance.
+struct flattening {
+  std::size_t pieces = 0;
+  bool within_tolerance = true;
+  constexpr bool operator==(const flattening&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+/// A bound of how far the curve of these control points is from its chord: degree (degree - 1) / 8 times the largest
+/// second difference; of these only what is across the chord, where no control point lies beyond the chord's ends.
+template <Coordinates P>
+constexpr scalar_of<P> chord_error_bound(std::span<const P> c) noexcept {
+  using T = scalar_of<P>;
+  using V = typename curve_sample<P>::vector;
+  const std::size_t n = c.size() - 1;
+  const V chord = scaled_difference(c[0], c[n], 1);
+  const V along = normalized(chord);
+  bool is_beside = true;
+  for (const P& p : c) {
+    const T from_begin = dot(scaled_difference(c[0], p, 1), along), to_end = dot(scaled_difference(p, c[n], 1), along);
+    is_beside = is_beside && from_begin >= T(0) && to_end >= T(0);
+  }
+  T largest = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    V second = generate_coordinates<V>([&](int i) {
+      return (coordinate(c[k + 1], i) - coordinate(c[k], i)) - (coordinate(c[k], i) - coordinate(c[k - 1], i));
+    });
+    const T ahead = is_beside ? dot(second, along) : T(0);
+    second =
+        generate_coordinates<V>([&](int i) { return coordinate(second, i) - product(ahead, coordinate(along, i)); });
+    const T size = length(second);
+    if (!(size <= largest) && largest == largest) largest = size;  // NaN stays
+  }
+  return product(largest, static_cast<T>(static_cast<int>(n * (n - 1)))) / T(8);
+}
+
+/// The bound for the stretch of the curve from first to last of 2^16.
+template <ControlPoints R>
+constexpr scalar_of<control_point<R>> stretch_error_bound(const R& points, int first, int last,
+                                                          std::span<control_point<R>> scratch) noexcept {
+  using P = control_point<R>;
+  const std::size_t count = ring_traits<R>::size(points);
+  const auto left = scratch.first(count), right = scratch.subspan(count, count);
+  bezier_split(points, curve_fraction<scalar_of<P>>(last, 65536), left, right);
+  const auto rest = scratch.subspan(2 * count, count);
+  bezier_split(left, curve_fraction<scalar_of<P>>(first, last), right, rest);
+  return chord_error_bound(std::span<const P>(rest));
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Hands the points of a polyline near the Bezier curve to sink(point), the curve's first and last point included.
+/// needs   one or more control points; scratch three times as long, its contents are lost
+/// gives   how many chords there are, and whether each is within the tolerance; no chord is shorter than 2^-16 of the
+///         parameter, so that tolerance 0 ends, too. A single control point is handed over alone
+/// exact   no point of the curve is farther from the polyline than the tolerance and the rounding of bezier_point; the
+///         points are bezier_point's at k / 2^16
+/// cost    for each chord some 5 to 20 pairs of bezier_split
+/// source  irg's own: the bound of linear interpolation across each chord
+template <ControlPoints R, class Sink>
+  requires Floating<scalar_of<detail::control_point<R>>>
+constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<detail::control_point<R>>> tolerance,
+                             std::span<detail::control_point<R>> scratch, Sink sink) {
+  using T = scalar_of<detail::control_point<R>>;
+  constexpr int end = 65536;
+  const std::size_t count = ring_traits<R>::size(points);
+  IRG_EXPECTS(count > 0 && scratch.size() >= 3 * count);
+  flattening done;
+  sink(ring_traits<R>::vertex(points, 0));
+  int stride = end;
+  for (int at = 0; at < end && count > 1; ++done.pieces) {
+    const auto is_within = [&](int to) { return detail::stretch_error_bound(points, at, to, scratch) <= tolerance; };
+    int good = at, bad = lesser(at + stride, end);  // from the last chord's length up, then halving
+    while (good < end && is_within(bad)) {
+      good = bad;
+      bad = lesser(at + 2 * (bad - at), end);
+    }
+    while (good < end && bad - good > 1) {
+      const int middle = good + (bad - good) / 2;
+      (is_within(middle) ? good : bad) = middle;
+    }
+    if (good == at) done.within_tolerance = false, ++good;
+    stride = good - at;
+    at = good;
+    sink(bezier_point(points, curve_fraction<T>(at, end), scratch));
+  }
+  return done;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
