@@ -25,6 +25,7 @@
 #include "cameras.hpp"
 #include "depths.hpp"
 #include "enlarged.hpp"
+#include "convex_bodies.hpp"
 #include "escape.hpp"
 #include "faces.hpp"
 #include "fills.hpp"
@@ -398,6 +399,7 @@ int main(int argc, char** argv) {
   save("mesh", mesh_pictures::faces());
   save("normals", mesh_pictures::normals());
   save("fit", mesh_pictures::fitting());
+  save("convex_body", convex_body_pictures::bodies());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());
