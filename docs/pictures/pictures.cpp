@@ -36,6 +36,7 @@
 #include "occlusion.hpp"
 #include "occlusion_culling.hpp"
 #include "projections.hpp"
+#include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
 #include "sight.hpp"
@@ -399,6 +400,7 @@ int main(int argc, char** argv) {
   save("mesh", mesh_pictures::faces());
   save("normals", mesh_pictures::normals());
   save("fit", mesh_pictures::fitting());
+  save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
