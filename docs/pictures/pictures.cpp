@@ -26,6 +26,7 @@
 #include "curves.hpp"
 #include "depths.hpp"
 #include "enlarged.hpp"
+#include "convex_bodies.hpp"
 #include "escape.hpp"
 #include "faces.hpp"
 #include "fills.hpp"
@@ -37,6 +38,7 @@
 #include "occlusion.hpp"
 #include "occlusion_culling.hpp"
 #include "projections.hpp"
+#include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
 #include "sight.hpp"
@@ -407,6 +409,8 @@ int main(int argc, char** argv) {
   save("mesh", mesh_pictures::faces());
   save("normals", mesh_pictures::normals());
   save("fit", mesh_pictures::fitting());
+  save("minimax", rectangle_pictures::minimax());
+  save("convex_body", convex_body_pictures::bodies());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());

@@ -2,6 +2,7 @@
 // mesh: indexed mesh, validation, triangulation, normals, shapes (the teapot from its patches).
 #pragma once
 
+#include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/fit.hpp>
 #include <irg/mesh/mesh.hpp>

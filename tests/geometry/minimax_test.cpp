@@ -62,6 +62,30 @@ TEST_CASE("minimax: the six pairs") {
   CHECK_BOTH(rectangle_of(b) == box<double, 2>{{0, 0}, {2, 2}});
 }
 
+TEST_CASE("minimax: each test is counted by its kind, in either order") {
+  using irg::minimax_test;
+  using polygon = std::array<P3, 3>;
+  CHECK_BOTH(irg::minimax_test_of<edge, edge> == minimax_test::edge_edge);
+  CHECK_BOTH(irg::minimax_test_of<polygon, edge> == minimax_test::edge_polygon);
+  CHECK_BOTH(irg::minimax_test_of<edge, polygon> == minimax_test::edge_polygon);
+  CHECK_BOTH(irg::minimax_test_of<body, edge> == minimax_test::edge_body);
+  CHECK_BOTH(irg::minimax_test_of<edge, body> == minimax_test::edge_body);
+  CHECK_BOTH(irg::minimax_test_of<polygon, polygon> == minimax_test::polygon_polygon);
+  CHECK_BOTH(irg::minimax_test_of<polygon, body> == minimax_test::polygon_body);
+  CHECK_BOTH(irg::minimax_test_of<body, polygon> == minimax_test::polygon_body);
+  CHECK_BOTH(irg::minimax_test_of<body, body> == minimax_test::body_body);
+  constexpr irg::minimax_counts counts = [] {
+    irg::minimax_counts c;
+    rectangles_overlap(of(0, 0, 2, 2), of(2, 0, 3, 1), c);
+    rectangles_overlap(of(0, 0, 2, 2), of(2, 0, 3, 1), c, box_boundary::open);
+    rectangles_overlap(polygon{P3{5, 5, 0}, P3{6, 5, 0}, P3{5, 6, 0}}, of(0, 0, 1, 1), c);
+    return c;
+  }();
+  CHECK_BOTH(counts.test[0] == irg::minimax_count{2, 1});
+  CHECK_BOTH(counts.test[1] == irg::minimax_count{1, 1});
+  CHECK_BOTH((counts.test[2] == irg::minimax_count{} && counts.test[5] == irg::minimax_count{}));
+}
+
 TEST_CASE("minimax: nothing overlaps what has no points") {
   CHECK_BOTH(!rectangles_overlap(std::array<P2, 0>{}, of(0, 0, 1, 1)));
   constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

@@ -3,6 +3,8 @@
 // plane cannot hide each other. Coordinates beyond x and y are not looked at.
 #pragma once
 
+#include <cstdint>
+
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/segment.hpp>
 
@@ -19,6 +21,39 @@ inline constexpr bool is_segment<segment<T, N>> = true;
 /// What has a rectangle in the projection plane: bodies (meshes), polygons (rings of points) and edges (segments).
 template <class X>
 concept HasRectangle = Mesh<X> || (PolygonRing<X> && Point<ring_point<X>>) || detail::is_segment<X>;
+
+/// The minimax tests, by what they are between, in either order.
+enum class minimax_test { edge_edge, edge_polygon, edge_body, polygon_polygon, polygon_body, body_body };
+
+/// How often a minimax test was made, and how often it showed that neither hides the other.
+struct minimax_count {
+  std::int64_t tested = 0, apart = 0;
+  constexpr bool operator==(const minimax_count&) const = default;
+};
+
+/// The work of minimax tests.
+/// shape   test[k] counts those of minimax_test k
+struct minimax_counts {
+  minimax_count test[6];
+  constexpr bool operator==(const minimax_counts&) const = default;
+};
+
+namespace detail {
+
+// 0 for an edge, 1 for a polygon, 2 for a body.
+template <HasRectangle X>
+inline constexpr int minimax_rank = is_segment<X> ? 0
+                                    : Mesh<X>     ? 2
+                                                  : 1;
+
+}  // namespace detail
+
+/// The minimax test between things of types A and B.
+template <HasRectangle A, HasRectangle B>
+inline constexpr minimax_test minimax_test_of = [] {
+  constexpr int a = detail::minimax_rank<A>, b = detail::minimax_rank<B>, low = a < b ? a : b;
+  return static_cast<minimax_test>(a + b + (low > 0 ? 1 : 0));
+}();
 
 inline namespace IRG_ABI {
 
@@ -40,6 +75,17 @@ constexpr auto rectangle_of(const X& x) noexcept {
 template <HasRectangle A, HasRectangle B>
 constexpr bool rectangles_overlap(const A& a, const B& b, box_boundary boundary = box_boundary::closed) noexcept {
   return overlap(rectangle_of(a), rectangle_of(b), boundary);
+}
+
+/// The same, counted.
+template <HasRectangle A, HasRectangle B>
+constexpr bool rectangles_overlap(const A& a, const B& b, minimax_counts& counts,
+                                  box_boundary boundary = box_boundary::closed) noexcept {
+  minimax_count& count = counts.test[static_cast<int>(minimax_test_of<A, B>)];
+  const bool found = rectangles_overlap(a, b, boundary);
+  ++count.tested;
+  if (!found) ++count.apart;
+  return found;
 }
 
 }  // namespace IRG_ABI

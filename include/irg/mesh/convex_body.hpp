@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Whether a mesh is closed, and whether it is the surface of a convex body: of such a body nothing but back faces is
+// hidden by itself. A closed surface that bends one way at every edge may still wind round more than once; so the rays
+// from a point within are counted, too.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <irg/geometry/box.hpp>
+#include <irg/geometry/orient3d.hpp>
+#include <irg/mesh/normals.hpp>
+
+namespace irg {
+namespace detail {
+
+// The side of a face from one position to the next.
+struct mesh_side {
+  std::size_t from, to, face;
+};
+
+inline namespace IRG_ABI {
+
+// All sides of a mesh, those between the same two positions beside each other, the one that ascends first.
+template <Mesh M>
+constexpr std::vector<mesh_side> sorted_sides(const M& m) {
+  std::vector<mesh_side> sides;
+  for (std::size_t f = 0; f < mesh_face_count(m); ++f)
+    for (std::size_t k = 0, n = mesh_face_size(m, f); k < n; ++k)
+      sides.push_back({mesh_face_vertex(m, f, k), mesh_face_vertex(m, f, k + 1 < n ? k + 1 : 0), f});
+  std::sort(sides.begin(), sides.end(), [](const mesh_side& a, const mesh_side& b) {
+    const std::size_t low_a = lesser(a.from, a.to), low_b = lesser(b.from, b.to);
+    if (low_a != low_b) return low_a < low_b;
+    const std::size_t high_a = greater(a.from, a.to), high_b = greater(b.from, b.to);
+    return high_a != high_b ? high_a < high_b : a.from < b.from;
+  });
+  return sides;
+}
+
+// Whether each side has one other that runs back along it, in sides as above.
+constexpr bool are_paired(const std::vector<mesh_side>& sides) noexcept {
+  if (sides.size() % 2 != 0) return false;
+  const auto joins = [](const mesh_side& a, const mesh_side& b) { return a.from == b.to && a.to == b.from; };
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    const mesh_side &there = sides[i], &back = sides[i + 1];
+    if (there.from == there.to || !joins(there, back)) return false;
+    if (i > 0 && joins(sides[i - 1], there)) return false;
+  }
+  return true;
+}
+
+template <mesh_in_space M>
+class convexity_check {
+  using P = mesh_point<M>;
+
+public:
+  constexpr explicit convexity_check(const M& m) : m_(m), within_(point_within(m)) {}
+
+  constexpr bool operator()() const {
+    if (!is_finite_mesh()) return false;
+    const std::vector<mesh_side> sides = sorted_sides(m_);
+    if (sides.empty() || !are_paired(sides)) return false;
+    for (std::size_t f = 0; f < mesh_face_count(m_); ++f)
+      if (!is_plane_and_outward(f)) return false;
+    for (std::size_t i = 0; i < sides.size(); i += 2)
+      if (!bends_outward(sides[i].face, sides[i + 1].face)) return false;
+    return faces_on_first_ray() == 1;
+  }
+
+private:
+  constexpr bool is_finite_mesh() const {
+    for (std::size_t v = 0; v < mesh_vertex_count(m_); ++v)
+      for (int i = 0; i < 3; ++i)
+        if (!is_finite(coordinate(mesh_position(m_, v), i))) return false;
+    return true;
+  }
+
+  // A mean of all faces' corners, by halves.
+  static constexpr P point_within(const M& m) {
+    std::vector<P> left;
+    for (std::size_t f = 0; f < mesh_face_count(m); ++f)
+      for (std::size_t k = 0; k < mesh_face_size(m, f); ++k)
+        left.push_back(mesh_position(m, mesh_face_vertex(m, f, k)));
+    while (left.size() > 1) {
+      const std::size_t half = left.size() / 2;
+      for (std::size_t i = 0; i < half; ++i) left[i] = halfway(left[2 * i], left[2 * i + 1]);
+      if (left.size() % 2 != 0) left[half] = left.back();
+      left.resize(left.size() - half);
+    }
+    return left.empty() ? P{} : left[0];
+  }
+  static constexpr P halfway(const P& a, const P& b) {
+    using T = scalar_of<P>;
+    return generate_coordinates<P>([&](int i) { return coordinate(a, i) * T(0.5) + coordinate(b, i) * T(0.5); });
+  }
+
+  constexpr P at(std::size_t f, std::size_t k) const { return mesh_position(m_, mesh_face_vertex(m_, f, k)); }
+  // Positive where a, b and c run counter-clockwise seen from outside, the point within being behind them.
+  constexpr int turn(const P& a, const P& b, const P& c) const { return -orient3d(a, b, c, within_); }
+  // Positive where p is in front of the plane of a face.
+  constexpr int side(std::size_t f, const P& p) const { return orient3d(at(f, 0), at(f, 1), at(f, 2), p); }
+
+  constexpr bool is_plane_and_outward(std::size_t f) const {
+    const std::size_t n = mesh_face_size(m_, f);
+    if (n < 3) return false;
+    for (std::size_t k = 2; k < n; ++k)
+      if (turn(at(f, 0), at(f, k - 1), at(f, k)) <= 0 || side(f, at(f, k)) != 0) return false;
+    return true;
+  }
+
+  // Of two plane faces with a side in common: when one lies behind the plane of the other, so does the other.
+  constexpr bool bends_outward(std::size_t f, std::size_t g) const {
+    if (mesh_face_size(m_, f) < mesh_face_size(m_, g)) std::swap(f, g);
+    for (std::size_t k = 0; k < mesh_face_size(m_, g); ++k)
+      if (side(f, at(g, k)) > 0) return false;
+    return true;
+  }
+
+  // How many triangles, fanned from the faces' first corners, the ray from within to the first corner meets, moved a
+  // little towards the second and infinitely less towards the third: then it meets no side.
+  constexpr std::size_t faces_on_first_ray() const {
+    const P ray[3] = {at(0, 0), at(0, 1), at(0, 2)};
+    const auto is_left_of_ray = [&](const P& a, const P& b) {
+      for (const P& p : ray)
+        if (const int sign = turn(a, b, p); sign != 0) return sign > 0;
+      return false;
+    };
+    std::size_t met = 0;
+    for (std::size_t f = 0; f < mesh_face_count(m_); ++f)
+      for (std::size_t k = 2; k < mesh_face_size(m_, f); ++k) {
+        const P a = at(f, 0), b = at(f, k - 1), c = at(f, k);
+        if (is_left_of_ray(a, b) && is_left_of_ray(b, c) && is_left_of_ray(c, a)) ++met;
+      }
+    return met;
+  }
+
+  const M& m_;
+  P within_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Whether a mesh is closed: along each side of a face one other side runs the other way.
+/// gives   true for a mesh without faces; false where a side joins a position to itself or more than two faces meet.
+///         Positions are told apart by their numbers: seams of equal positions are open
+/// exact   no arithmetic
+/// cost    sorts the sides; allocates them
+template <Mesh M>
+constexpr bool is_closed(const M& m) {
+  return detail::are_paired(detail::sorted_sides(m));
+}
+
+/// Whether a mesh is the whole surface of one convex body, its faces counter-clockwise seen from outside. Its front
+/// faces then hide none of each other.
+/// needs   as validate: faces that name positions of the mesh
+/// gives   false where it cannot be shown, too: for faces that are not plane or whose triangles, fanned from the first
+///         corner, are not all proper; for a body so thin that the rounded mean of its corners does not lie within;
+///         for bodies turned inside out, and for positions that are not finite
+/// exact   true only where it is so for the numbers as they are; faces in one plane may meet
+/// cost    sorts the sides, then some eight signs of orient3d for each triangle; allocates sides and corners
+/// source  Mehlhorn et al. 1999 (convexity by edges and one ray)
+template <detail::mesh_in_space M>
+constexpr bool is_convex_body(const M& m) {
+  return detail::convexity_check<M>(m)();
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
