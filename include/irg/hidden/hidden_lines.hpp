@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Hidden lines in vectors: the parts of edges that faces hide, and those that are seen. A point of an edge is hidden
+// when a face covers it, sides and corners included, and the plane of the face is strictly nearer there. So a face
+// hides none of its own edges, nor an edge that lies in its plane, and nothing shows between two faces that meet.
+//
+// Edges and faces are what snapping left of them: corners on 1/256 of a pixel and depths as floats, both taken as exact
+// numbers. Where an edge appears or disappears is then a ratio of integers, and all decisions are made by these.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/hidden/detail/face_grids.hpp>
+#include <irg/hidden/detail/hidden_intervals.hpp>
+#include <irg/raster/face_order.hpp>
+
+namespace irg {
+
+/// An edge on the screen, between two vertices.
+struct screen_edge {
+  screen_vertex v[2];
+};
+
+/// Whether a part of an edge is seen.
+enum class line_visibility { visible, hidden };
+
+/// A part of an edge, the whole of it having one visibility.
+/// shape   edge: the number of the edge in its range; from < to: of the way from its first end to the second, multiples
+///         of 2^-53. Parts that meet share the place
+struct edge_part {
+  std::size_t edge;
+  line_visibility visibility;
+  double from, to;
+};
+
+/// Which faces are tried for an edge: those near it that may be nearer than it, or every one.
+enum class face_search { nearby, every };
+
+/// What was done to find the hidden parts.
+struct hidden_line_counts {
+  std::int64_t edges = 0;  // with a length
+  std::int64_t faces = 0;  // with an area, no two the same
+  std::int64_t tried = 0;  // pairs of an edge and a face whose boxes meet and whose depths do not part them
+  std::int64_t hiding = 0;  // pairs where the face hides something
+  std::int64_t visible = 0, hidden = 0;  // parts
+};
+
+namespace detail {
+
+// The faces that can hide something, the nearest first, one of those that are the same.
+template <class Face>
+struct sorted_faces {
+  std::vector<Face> faces;
+  std::vector<float> nearest;
+};
+
+inline namespace IRG_ABI {
+
+// A face with its corners clockwise, the first one the first by its coordinates.
+template <int Sense>
+constexpr hiding_face hiding_face_of(const screen_face& f) noexcept {
+  hiding_face h{};
+  int first = 0;
+  const auto before = [&](int i, int j) {
+    const subpixel &p = f.v[i].position, &q = f.v[j].position;
+    return p.x != q.x ? p.x < q.x : p.y < q.y;
+  };
+  for (int i = 1; i < 3; ++i)
+    if (before(i, first)) first = i;
+  for (int i = 0; i < 3; ++i) {
+    const screen_vertex& v = f.v[(first + (f.coverage.flipped ? 3 - i : i)) % 3];
+    h.p[i] = v.position;
+    h.depth[i] = Sense > 0 ? v.depth : -v.depth;
+  }
+  return h;
+}
+
+template <class Face>
+IRG_INLINE constexpr bool hides_first(const Face& a, float a_nearest, const Face& b, float b_nearest) noexcept {
+  if (a_nearest != b_nearest) return a_nearest > b_nearest;
+  for (int i = 0; i < 3; ++i) {
+    if (a.p[i].x != b.p[i].x) return a.p[i].x < b.p[i].x;
+    if (a.p[i].y != b.p[i].y) return a.p[i].y < b.p[i].y;
+    if (a.depth[i] != b.depth[i]) return a.depth[i] < b.depth[i];
+  }
+  return false;
+}
+
+template <int Sense, class Faces>
+constexpr sorted_faces<hiding_face> sort_faces(const Faces& faces) {
+  sorted_faces<hiding_face> all, sorted;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const screen_face& f = faces[i];
+    if (f.coverage.double_area == 0) continue;
+    all.faces.push_back(hiding_face_of<Sense>(f));
+    all.nearest.push_back(Sense > 0 ? f.depth_high : -f.depth_low);
+  }
+  std::vector<std::uint32_t> order(all.faces.size(), std::uint32_t{0});
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return hides_first(all.faces[a], all.nearest[a], all.faces[b], all.nearest[b]);
+  });
+  for (const std::uint32_t i : order) {
+    if (!sorted.faces.empty() && sorted.faces.back() == all.faces[i]) continue;
+    sorted.faces.push_back(all.faces[i]);
+    sorted.nearest.push_back(all.nearest[i]);
+  }
+  return sorted;
+}
+
+// Finds what is hidden of one edge after another.
+template <class Faces>
+class hidden_part_finder {
+public:
+  constexpr hidden_part_finder(const Faces& sorted, face_search search)
+      : sorted_(sorted), last_tried_by_(sorted.faces.size(), std::uint64_t{0}), search_(search) {
+    if (search == face_search::nearby) grids_ = face_grids<Faces>(sorted);
+  }
+
+  // The hidden parts of an edge, in order and apart from each other.
+  constexpr const std::vector<hidden_interval>& find(const hidden_edge& e, hidden_line_counts& counts) {
+    hidden_.clear();
+    ++edges_;
+    if (search_ == face_search::every) {
+      for (const auto& f : sorted_.faces) try_face(f, e, counts);
+    } else {
+      const screen_box box = box_of(e.p);
+      const float farthest = lesser(e.depth[0], e.depth[1]);
+      grids_.visit_cells(e, [&](const listed_face* i, const listed_face* end) {
+        for (; i != end && i->nearest > farthest; ++i) {
+          if (!boxes_meet(i->box, box) || last_tried_by_[i->face] == edges_) continue;
+          last_tried_by_[i->face] = edges_;
+          try_face(sorted_.faces[i->face], e, counts);
+          if (hidden_.is_whole()) return true;
+        }
+        return false;
+      });
+    }
+    return hidden_.intervals();
+  }
+
+private:
+  constexpr void try_face(const hiding_face& f, const hidden_edge& e, hidden_line_counts& counts) {
+    ++counts.tried;
+    if (const auto interval = interval_hidden_by(f, e)) {
+      ++counts.hiding;
+      hidden_.add(*interval, e);
+    }
+  }
+
+  const Faces& sorted_;
+  face_grids<Faces> grids_{};
+  std::vector<std::uint64_t> last_tried_by_;
+  interval_union<hidden_interval> hidden_{};
+  std::uint64_t edges_ = 0;
+  face_search search_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Finds which parts of edges are seen and which are hidden behind faces, and calls emit(part) for each edge_part: the
+/// edges in their order, the parts of each from its first end to the second. Returns what was done.
+/// shape   edges and faces are ranges with size() and [i], of screen_edge and screen_face
+/// needs   positions within snap_limit pixels of the origin, finite depths
+/// gives   parts of visible and hidden in turn, which make up the edge; parts without a length are left out, as are
+///         edges whose ends have one position. Faces without area hide nothing
+/// exact   the parts by integers, `from` and `to` then rounded once: the same bytes for every order of the faces and
+///         for either search. Depths may be of any sign and size
+/// cost    n log n for the faces; an edge is tried with the faces of the cells that it meets, the nearest first, until
+///         all of it is hidden. Allocates about 200 bytes a face
+/// source  Roberts 1963; Appel 1967, for intervals along the edge
+template <DepthOrder Order = nearer_is_greater, class Faces, class Edges, class Emit>
+  requires(detail::depth_sense<Order> != 0)
+constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& emit,
+                                          face_search search = face_search::nearby) {
+  constexpr int sense = detail::depth_sense<Order>;
+  const auto sorted = detail::sort_faces<sense>(faces);
+  detail::hidden_part_finder finder(sorted, search);
+  hidden_line_counts counts;
+  counts.faces = static_cast<std::int64_t>(sorted.faces.size());
+  const auto give = [&](std::size_t edge, line_visibility visibility, double from, double to) {
+    if (!(from < to)) return;
+    ++(visibility == line_visibility::visible ? counts.visible : counts.hidden);
+    emit(edge_part{edge, visibility, from, to});
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const screen_edge& line = edges[i];
+    const screen_vertex &a = line.v[0], &b = line.v[1];
+    if (a.position == b.position) continue;
+    ++counts.edges;
+    const auto nearness = [](float depth) { return sense > 0 ? depth : -depth; };
+    const detail::hidden_edge e{{a.position, b.position}, {nearness(a.depth), nearness(b.depth)}};
+    double seen_from = 0;
+    for (const detail::hidden_interval& h : finder.find(e, counts)) {
+      const double from = detail::place_of(h.from, e), to = detail::place_of(h.to, e);
+      give(i, line_visibility::visible, seen_from, from);
+      give(i, line_visibility::hidden, from, to);
+      seen_from = to;
+    }
+    give(i, line_visibility::visible, seen_from, 1.0);
+  }
+  return counts;
+}
+
+/// The point of an edge a share t of the way from its first end to the second, in pixels.
+/// exact   each coordinate rounded three times; the ends as they are
+template <class Edge>
+  requires std::same_as<Edge, screen_edge>
+[[nodiscard]] constexpr point<double, 2> point_on(const Edge& edge, double t) noexcept {
+  const auto between = [t](std::int32_t a, std::int32_t b) {
+    const double from = static_cast<double>(a), to = static_cast<double>(b);
+    return (t == 1.0 ? to : from + product(to - from, t)) / one_pixel;
+  };
+  const subpixel &a = edge.v[0].position, &b = edge.v[1].position;
+  return {between(a.x, b.x), between(a.y, b.y)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
