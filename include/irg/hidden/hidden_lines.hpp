@@ -78,8 +78,7 @@ constexpr hiding_face hiding_face_of(const screen_face& f) noexcept {
 }
 
 template <class Face>
-IRG_INLINE constexpr bool hides_first(const Face& a, float a_nearest, const Face& b, float b_nearest) noexcept {
-  if (a_nearest != b_nearest) return a_nearest > b_nearest;
+constexpr bool comes_before(const Face& a, const Face& b) noexcept {
   for (int i = 0; i < 3; ++i) {
     if (a.p[i].x != b.p[i].x) return a.p[i].x < b.p[i].x;
     if (a.p[i].y != b.p[i].y) return a.p[i].y < b.p[i].y;
@@ -90,22 +89,30 @@ IRG_INLINE constexpr bool hides_first(const Face& a, float a_nearest, const Face
 
 template <int Sense, class Faces>
 constexpr sorted_faces<hiding_face> sort_faces(const Faces& faces) {
-  sorted_faces<hiding_face> all, sorted;
+  struct key {
+    float nearest;
+    std::uint32_t face;
+  };
+  std::vector<hiding_face> all;
+  std::vector<key> keys;
+  all.reserve(faces.size());
+  keys.reserve(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const screen_face& f = faces[i];
     if (f.coverage.double_area == 0) continue;
-    all.faces.push_back(hiding_face_of<Sense>(f));
-    all.nearest.push_back(Sense > 0 ? f.depth_high : -f.depth_low);
+    keys.push_back({Sense > 0 ? f.depth_high : -f.depth_low, static_cast<std::uint32_t>(all.size())});
+    all.push_back(hiding_face_of<Sense>(f));
   }
-  std::vector<std::uint32_t> order(all.faces.size(), std::uint32_t{0});
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return hides_first(all.faces[a], all.nearest[a], all.faces[b], all.nearest[b]);
+  std::sort(keys.begin(), keys.end(), [&](const key& a, const key& b) {
+    return a.nearest != b.nearest ? a.nearest > b.nearest : comes_before(all[a.face], all[b.face]);
   });
-  for (const std::uint32_t i : order) {
-    if (!sorted.faces.empty() && sorted.faces.back() == all.faces[i]) continue;
-    sorted.faces.push_back(all.faces[i]);
-    sorted.nearest.push_back(all.nearest[i]);
+  sorted_faces<hiding_face> sorted;
+  sorted.faces.reserve(all.size());
+  sorted.nearest.reserve(all.size());
+  for (const key& k : keys) {
+    if (!sorted.faces.empty() && sorted.faces.back() == all[k.face]) continue;
+    sorted.faces.push_back(all[k.face]);
+    sorted.nearest.push_back(k.nearest);
   }
   return sorted;
 }

@@ -17,7 +17,6 @@ namespace detail {
 struct hiding_face {
   subpixel p[3];
   float depth[3];
-  std::uint32_t number;
   friend constexpr bool operator==(const hiding_face& a, const hiding_face& b) noexcept {
     for (int i = 0; i < 3; ++i)
       if (!(a.p[i] == b.p[i] && a.depth[i] == b.depth[i])) return false;
