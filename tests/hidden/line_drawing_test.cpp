@@ -41,6 +41,8 @@ TEST_CASE("line_drawing: a cube has twelve edges, nine of which are seen from be
     const line_drawing d = drawn<double>(cube, {.culling = culling});
     CHECK(d.faces.size() == (culling == irg::face_culling::none ? 12 : 6));
     CHECK(d.edges.size() == (culling == irg::face_culling::none ? 12 : 9));
+    CHECK(d.triangles == 12);
+    CHECK(d.culled == (culling == irg::face_culling::none ? 0 : 6));
     CHECK(count(d, line_role::silhouette) == 6);
     CHECK(count(d, line_role::crease) == (culling == irg::face_culling::none ? 6 : 3));
     double seen = 0;

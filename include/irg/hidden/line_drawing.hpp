@@ -42,6 +42,7 @@ struct line_drawing {
   std::vector<screen_face> faces;
   std::vector<screen_edge> edges;
   std::vector<line_role> roles;
+  std::int64_t triangles = 0, culled = 0;  // all of the meshes, and those that culling left out
 };
 
 namespace detail {
@@ -77,7 +78,12 @@ private:
       std::int64_t area = 0;
       for (std::size_t k = 2; k < mesh_.face_size(f); ++k, ++t) area += add_triangle(drawing, triangles, t);
       const bool left_out = options_.culling == face_culling::back && area >= 0;
-      if (left_out) drawing.faces.resize(first);
+      const auto count = static_cast<std::int64_t>(mesh_.face_size(f)) - 2;
+      drawing.triangles += count;
+      if (left_out) {
+        drawing.faces.resize(first);
+        drawing.culled += count;
+      }
       side_.push_back(area < 0 ? 1 : area > 0 ? -1 : 0);
       face_of_corner_.resize(mesh_.face_starts[f + 1], static_cast<std::uint32_t>(f));
     }
