@@ -137,6 +137,7 @@ public:
       }
       s.add(v[0], v[1], v[2]);
       if (random_.integer(0, 7) == 0) s.add(v[1], v[0], v[2]);
+      if (random_.integer(0, 7) == 0) s.add(v[0], v[1], v[2]);  // the same face and edges once more
     }
     return s;
   }
