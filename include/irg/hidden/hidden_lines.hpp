@@ -236,7 +236,7 @@ constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges
     ++(visibility == line_visibility::visible ? counts.visible : counts.hidden);
     emit(edge_part{edge, visibility, from, to});
   };
-  // What is hidden of edge i stands from starts[i] to starts[i + 1]; where it was met before, with the first of its like.
+  // What is hidden of edge i stands from starts[i] to starts[i + 1]; of one met before, it stands with the first one.
   struct hidden_places {
     double from, to;
   };
