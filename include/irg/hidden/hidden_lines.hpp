@@ -11,8 +11,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include <irg/hidden/detail/face_grids.hpp>
@@ -90,13 +89,13 @@ constexpr bool comes_before(const Face& a, const Face& b) noexcept {
   return false;
 }
 
-template <int Sense, class Faces>
-constexpr sorted_faces<hiding_face> sort_faces(const Faces& faces) {
+template <int Sense, class Face = hiding_face, class Faces>
+constexpr sorted_faces<Face> sort_faces(const Faces& faces) {
   struct key {
     float nearest;
     std::uint32_t face;
   };
-  std::vector<hiding_face> all;
+  std::vector<Face> all;
   std::vector<key> keys;
   all.reserve(faces.size());
   keys.reserve(faces.size());
@@ -109,7 +108,7 @@ constexpr sorted_faces<hiding_face> sort_faces(const Faces& faces) {
   std::sort(keys.begin(), keys.end(), [&](const key& a, const key& b) {
     return a.nearest != b.nearest ? a.nearest > b.nearest : comes_before(all[a.face], all[b.face]);
   });
-  sorted_faces<hiding_face> sorted;
+  sorted_faces<Face> sorted;
   sorted.faces.reserve(all.size());
   sorted.nearest.reserve(all.size());
   for (const key& k : keys) {
@@ -121,8 +120,8 @@ constexpr sorted_faces<hiding_face> sort_faces(const Faces& faces) {
 }
 
 // Of each edge the first one in the range that has the same ends.
-template <class Edges>
-constexpr std::vector<std::size_t> first_alike(const Edges& edges) {
+template <class Index = std::size_t, class Edges>
+constexpr std::vector<Index> first_alike(const Edges& edges) {
   const auto order = [&](std::size_t i, std::size_t j) {
     const screen_edge &e = edges[i], &f = edges[j];
     for (int k = 0; k < 2; ++k) {
@@ -133,7 +132,7 @@ constexpr std::vector<std::size_t> first_alike(const Edges& edges) {
     }
     return std::strong_ordering::equal;
   };
-  std::vector<std::size_t> sorted(edges.size(), std::size_t{0}), first(edges.size(), std::size_t{0});
+  std::vector<Index> sorted(edges.size(), Index{0}), first(edges.size(), Index{0});
   for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = i;
   std::sort(sorted.begin(), sorted.end(), [&](std::size_t i, std::size_t j) {
     const auto o = order(i, j);
@@ -145,7 +144,7 @@ constexpr std::vector<std::size_t> first_alike(const Edges& edges) {
 }
 
 // Finds what is hidden of one edge after another.
-template <class Faces>
+template <class Faces, class Interval = hidden_interval>
 class hidden_part_finder {
 public:
   constexpr hidden_part_finder(const Faces& sorted, face_search search)
@@ -154,7 +153,7 @@ public:
   }
 
   // The hidden parts of an edge, in order and apart from each other.
-  constexpr const std::vector<hidden_interval>& find(const hidden_edge& e, hidden_line_counts& counts) {
+  constexpr const std::vector<Interval>& find(const hidden_edge& e, hidden_line_counts& counts) {
     hidden_.clear();
     ++edges_;
     if (search_ == face_search::every) {
@@ -174,7 +173,11 @@ private:
       if (face >= sorted_.faces.size() || !(sorted_.nearest[face] > farthest)) continue;
       last_tried_by_[face] = edges_;
       try_face(sorted_.faces[face], e, counts);
-      if (hidden_.is_whole()) return std::swap(face, finishers_[0]);
+      if (!hidden_.is_whole()) continue;
+      const std::uint32_t first = finishers_[0];
+      finishers_[0] = face;
+      face = first;
+      return;
     }
     grids_.visit_cells(e, [&](const listed_face* i, const listed_face* end) {
       for (; i != end && i->nearest > farthest; ++i) {
@@ -182,7 +185,7 @@ private:
         last_tried_by_[i->face] = edges_;
         try_face(sorted_.faces[i->face], e, counts);
         if (!hidden_.is_whole()) continue;
-        for (std::size_t k = std::size(finishers_) - 1; k > 0; --k) finishers_[k] = finishers_[k - 1];
+        for (std::size_t k = 3; k > 0; --k) finishers_[k] = finishers_[k - 1];
         finishers_[0] = i->face;
         return true;
       }
@@ -200,7 +203,7 @@ private:
   const Faces& sorted_;
   face_grids<Faces> grids_{};
   std::vector<std::uint64_t> last_tried_by_;
-  interval_union<hidden_interval> hidden_{};
+  interval_union<Interval> hidden_{};
   std::uint32_t finishers_[4] = {no_face, no_face, no_face, no_face};
   std::uint64_t edges_ = 0;
   face_search search_;
@@ -228,7 +231,7 @@ constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges
                                           face_search search = face_search::nearby) {
   constexpr int sense = detail::depth_sense<Order>;
   const auto sorted = detail::sort_faces<sense>(faces);
-  detail::hidden_part_finder finder(sorted, search);
+  detail::hidden_part_finder<std::remove_const_t<decltype(sorted)>> finder(sorted, search);
   hidden_line_counts counts;
   counts.faces = static_cast<std::int64_t>(sorted.faces.size());
   const auto give = [&](std::size_t edge, line_visibility visibility, double from, double to) {
@@ -242,7 +245,7 @@ constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges
   };
   std::vector<hidden_places> hidden;
   std::vector<std::size_t> starts(edges.size() + 1, std::size_t{0});
-  const std::vector<std::size_t> first = detail::first_alike(edges);
+  const auto first = detail::first_alike(edges);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     starts[i + 1] = starts[i] = hidden.size();
     const screen_edge& line = edges[i];
