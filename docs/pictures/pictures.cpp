@@ -32,6 +32,7 @@
 #include "fills.hpp"
 #include "fills_aa.hpp"
 #include "hidden_methods.hpp"
+#include "line_drawings.hpp"
 #include "line_kernels.hpp"
 #include "line_teaching.hpp"
 #include "line_variants.hpp"
@@ -422,6 +423,7 @@ int main(int argc, char** argv) {
   save("textured_shading", shaders::textured_torus());
   save("mip_textured_shading", shaders::mip_floors());
   save("draw_transparent", shaders::panes());
+  save("hidden_lines", line_drawings::hidden_lines());
   save("occlusion_mask", occlusion_pictures::mask());
   save("visibility_buffer", occlusion_pictures::ids());
   save("occlusion_culling", occlusion_culling_pictures::seen_from_above());

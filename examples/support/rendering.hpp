@@ -37,7 +37,7 @@ inline constexpr std::string_view render_options_help =
                        --eye sets with --target how far away the eye is
   --hidden METHOD      zbuffer, painter (Newell, Newell and Sancha), warnock, bsp, raycast, none; the first five
                        draw the same picture
-  --style STYLE        gouraud, wire, flat, phong
+  --style STYLE        gouraud, wire, hidden-line, flat, phong; an .svg of hidden-line is made of lines
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
   --cull WHAT          back, none
   --crease DEG         edges sharper than this stay sharp where the model has no normals (60)
@@ -63,6 +63,15 @@ struct render_settings {
   hidden_name hidden = hidden_name::zbuffer;
   std::vector<irg::light<double>> lights;
   irg::render_options options;
+  bool hidden_line = false;  // in place of options.style
+
+  /// Reads the value of --style.
+  void read_style(command_line& line) {
+    const auto choice = line.choice("--style", {"gouraud", "wire", "hidden-line", "flat", "phong"});
+    hidden_line = choice == 2;
+    options.style = std::array{irg::picture_style::gouraud, irg::picture_style::wire, irg::picture_style::wire,
+                               irg::picture_style::flat, irg::picture_style::phong}[choice];
+  }
 
   /// Reads the value of the option `word`, or takes the word as the model.
   void read(command_line& line, std::string_view word) {
@@ -92,8 +101,7 @@ struct render_settings {
     else if (word == "--hidden")
       hidden = static_cast<hidden_name>(line.choice(word, {"zbuffer", "painter", "warnock", "bsp", "raycast", "none"}));
     else if (word == "--style")
-      options.style = std::array{irg::picture_style::gouraud, irg::picture_style::wire, irg::picture_style::flat,
-                                 irg::picture_style::phong}[line.choice(word, {"gouraud", "wire", "flat", "phong"})];
+      read_style(line);
     else if (word == "--light")
       lights.push_back({irg::to_homogeneous(triple()), {1, 1, 1}});
     else if (word == "--cull")

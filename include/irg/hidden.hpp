@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// hidden: back faces; ray casting, Warnock, painter, BSP of faces; the textbook z-buffer, its depths and memory.
+// hidden: back faces; ray casting, Warnock, painter, BSP of faces; hidden lines; the textbook z-buffer.
 #pragma once
 
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/hidden_lines.hpp>
+#include <irg/hidden/line_drawing.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/painter_newell.hpp>

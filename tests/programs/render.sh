@@ -138,7 +138,7 @@ drawn "wire painter" teapot $small --style wire --hidden painter
 check "edges hide nothing, whatever the method" is "$(hash_in s.json)" "$hash"
 
 # ---- hashes
-for style in gouraud wire flat phong; do
+for style in gouraud wire hidden-line flat phong; do
   for hidden in zbuffer none; do
     drawn "$style $hidden" teapot $small --style $style --hidden $hidden
     hash=$(hash_in s.json)
@@ -168,6 +168,16 @@ for style in gouraud wire flat phong; do
   done
 done
 
+# ---- hidden lines as lines: a cube seen from beside a corner shows nine edges and the diagonals of three faces
+run "" cube $small --style hidden-line -o lines.svg
+check "an .svg of hidden lines: exit 0: $err" is "$status" 0
+check "twelve lines" is "$(grep -c '^<line x1="[0-9.]*" y1="[0-9.]*" x2="[0-9.]*" y2="[0-9.]*"/>$' lines.svg)" 12
+check "no pixels" is "$(grep -c '<rect' lines.svg)" 1
+run "" cube $small --style hidden-line --hidden none --cull none -o lines.svg
+check "nothing hidden: all edges and diagonals" is "$(grep -c '^<line ' lines.svg)" 18
+run "" square.obj $small --style hidden-line --cull none --eye 0.5,0.5,9 -o lines.svg
+check "a polygon has no diagonals" is "$(grep -c '^<line ' lines.svg)" 4
+
 # ---- what options do
 hash_with() { drawn "$*" "$@" && hash_in s.json; }
 # A cube without normals, which a wide crease makes a pillow: its smooth styles differ.
@@ -189,7 +199,7 @@ f 2 4 6 8
 END
 pillow="bare.obj $small --crease 120"
 plain=$(hash_with $pillow)
-for option in "--crease 60" "--crease 0" "--style wire" "--style flat" "--style phong" "--fov 60" "--up 1,0,0" \
+for option in "--crease 60" "--crease 0" "--style wire" "--style hidden-line" "--style flat" "--style phong" "--fov 60" "--up 1,0,0" \
   "--up -1,0.5,0" "--light -3,2,-4" \
   "--project orthographic" "--project isometric" "--project dimetric" "--project trimetric" "--project oblique" \
   "--eye 3,2,5" "--eye -3,2,-5" "--target 0.5,0.75,0.5" "--size 36x48"; do

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// From meshes to a line drawing: the faces that hide, and the edges that are drawn, both on the screen. Which edges say
+// what a body looks like is told by their role.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <irg/core/facing.hpp>
+#include <irg/hidden/hidden_lines.hpp>
+#include <irg/mesh/crease_normals.hpp>
+#include <irg/mesh/triangulate.hpp>
+#include <irg/raster/projected_vertices.hpp>
+#include <irg/raster/screen_pieces.hpp>
+
+namespace irg {
+
+/// What an edge is to its body. Of several the first that holds.
+enum class line_role {
+  border,  // it belongs to one face only
+  silhouette,  // of two faces one shows its front on the screen and the other does not
+  crease,  // two faces meet at more than the angle named, or in opposite directions, or more than two meet
+  smooth  // none of these
+};
+
+/// Which edges are drawn: all of them, or those that are not smooth.
+enum class drawn_edges { every, features };
+
+/// What goes into a line drawing.
+/// units   crease in radians: two faces that turn by no more are smooth
+template <Floating T>
+struct line_drawing_options {
+  drawn_edges edges = drawn_edges::features;
+  T crease = T(0.5235987755982988);  // 30 degrees
+  face_culling culling = face_culling::none;
+};
+
+/// Faces and edges on the screen, ready for hidden_lines; roles[i] is that of edges[i].
+struct line_drawing {
+  std::vector<screen_face> faces;
+  std::vector<screen_edge> edges;
+  std::vector<line_role> roles;
+  std::int64_t triangles = 0, culled = 0;  // all of the meshes, and those that culling left out
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// A mesh on its way into a drawing.
+template <class T>
+class drawn_mesh {
+public:
+  constexpr drawn_mesh(const mesh<T>& m, const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping,
+                       const line_drawing_options<T>& options)
+      : mesh_(m), mapping_(mapping), options_(options),
+        vertices_(project_vertices<T>(std::span<const point<T, 3>>(m.positions), to_clip, mapping)) {}
+
+  constexpr void add_to(line_drawing& drawing) {
+    add_faces(drawing);
+    const std::vector<edge_end> ends = edge_ends(mesh_);
+    for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
+      while (next < ends.size() && ends[next].from == ends[i].from && ends[next].to == ends[i].to) ++next;
+      if (ends[i].from < ends[i].to) add_edge(drawing, {ends.data() + i, next - i});
+    }
+  }
+
+private:
+  // Gives out what hides, and notes the side that each face turns to the eye, by its winding on the screen: 1 the
+  // front, -1 the back, 0 its edge.
+  constexpr void add_faces(line_drawing& drawing) {
+    const mesh<T> triangles = triangulate(mesh_);
+    drawing.faces.reserve(drawing.faces.size() + triangles.face_count());
+    face_of_corner_.reserve(mesh_.corners.size());
+    for (std::size_t f = 0, t = 0; f < mesh_.face_count(); ++f) {
+      const std::size_t first = drawing.faces.size();
+      std::int64_t area = 0;
+      for (std::size_t k = 2; k < mesh_.face_size(f); ++k, ++t) area += add_triangle(drawing, triangles, t);
+      const bool left_out = options_.culling == face_culling::back && area >= 0;
+      const auto count = static_cast<std::int64_t>(mesh_.face_size(f)) - 2;
+      drawing.triangles += count;
+      if (left_out) {
+        drawing.faces.resize(first);
+        drawing.culled += count;
+      }
+      side_.push_back(area < 0 ? 1 : area > 0 ? -1 : 0);
+      face_of_corner_.resize(mesh_.face_starts[f + 1], static_cast<std::uint32_t>(f));
+    }
+  }
+
+  constexpr std::int64_t add_triangle(line_drawing& drawing, const mesh<T>& triangles, std::size_t t) const {
+    std::uint32_t v[3]{};
+    std::uint8_t cut = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] = triangles.corner(t, k).position;
+      cut |= vertices_.codes[v[k]].cut;
+    }
+    const auto number = static_cast<std::uint32_t>(drawing.faces.size());
+    if (cut == 0) {
+      const screen_vertex &a = vertices_.screen[v[0]], &b = vertices_.screen[v[1]], &c = vertices_.screen[v[2]];
+      drawing.faces.push_back(make_screen_face(a, b, c, number));
+      return signed_double_area(a.position, b.position, c.position);
+    }
+    const hpoint<T, 3> corner[3] = {clip_position(vertices_, v[0]), clip_position(vertices_, v[1]),
+                                    clip_position(vertices_, v[2])};
+    const screen_pieces pieces = clip_to_screen(corner, mapping_, number);
+    for (const screen_piece& p : pieces) drawing.faces.push_back(p.face);
+    return pieces.double_area;
+  }
+
+  constexpr line_role role_of(std::span<const edge_end> ends) const {
+    if (ends.size() == 1) return line_role::border;
+    if (ends.size() != 2) return line_role::crease;
+    const std::uint32_t f = face_of_corner_[ends[0].corner], g = face_of_corner_[ends[1].corner];
+    if ((side_[f] > 0) != (side_[g] > 0)) return line_role::silhouette;
+    if (ends[0].leaves == ends[1].leaves) return line_role::crease;
+    const auto a = face_normal(mesh_, f), b = face_normal(mesh_, g);
+    return a && b && angle_between(*a, *b) <= options_.crease ? line_role::smooth : line_role::crease;
+  }
+
+  constexpr void add_edge(line_drawing& drawing, std::span<const edge_end> ends) const {
+    bool drawn = options_.culling == face_culling::none;
+    for (const edge_end& e : ends) drawn = drawn || side_[face_of_corner_[e.corner]] > 0;
+    if (!drawn) return;
+    screen_edge line{{vertices_.screen[ends[0].from], vertices_.screen[ends[0].to]}};
+    if ((vertices_.codes[ends[0].from].cut | vertices_.codes[ends[0].to].cut) != 0) {
+      const auto left =
+          clip_segment_homogeneous(clip_vertex<T, 0>{clip_position(vertices_, ends[0].from)},
+                                   clip_vertex<T, 0>{clip_position(vertices_, ends[0].to)}, mapping_.guard);
+      if (!left) return;
+      line = {{to_screen(left->first.position, mapping_), to_screen(left->second.position, mapping_)}};
+    }
+    const line_role role = role_of(ends);
+    if (options_.edges == drawn_edges::features && role == line_role::smooth) return;
+    drawing.edges.push_back(line);
+    drawing.roles.push_back(role);
+  }
+
+  const mesh<T>& mesh_;
+  const screen_mapping<T>& mapping_;
+  const line_drawing_options<T>& options_;
+  projected_vertices<T> vertices_;
+  std::vector<std::int8_t> side_{};  // of each face
+  std::vector<std::uint32_t> face_of_corner_{};
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Adds a mesh to a line drawing: its faces, as the renderer has them, and its edges, each once.
+/// shape   edges from the lower vertex to the higher, in the order of these; polygons are cut into triangles by
+///         triangulate, whose diagonals are no edges
+/// needs   a mesh in which validate() finds no defect
+/// gives   with culling, faces that turn their back or their edge to the eye neither hide nor have edges of their own;
+///         an edge beyond the eye or the guard band is cut in the points where its faces are
+/// exact   sides are those of the snapped corners; the angle of a crease is that of rounded unit normals
+/// cost    n log n in the edges at a vertex; allocates
+template <Floating T>
+constexpr void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
+                        const screen_mapping<T>& mapping, const line_drawing_options<T>& options = {}) {
+  detail::drawn_mesh<T>(m, to_clip, mapping, options).add_to(drawing);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
