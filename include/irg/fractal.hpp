@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/fractal/complex_plane.hpp>
+#include <irg/fractal/deep_mandelbrot.hpp>
 #include <irg/fractal/escape_colour.hpp>
 #include <irg/fractal/escape_job.hpp>
 #include <irg/fractal/escape_picture.hpp>
