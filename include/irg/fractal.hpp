@@ -10,3 +10,4 @@
 #include <irg/fractal/escape_time.hpp>
 #include <irg/fractal/julia.hpp>
 #include <irg/fractal/mandelbrot.hpp>
+#include <irg/fractal/smooth_count.hpp>
