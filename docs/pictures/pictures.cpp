@@ -24,6 +24,7 @@
 
 #include "cameras.hpp"
 #include "curves.hpp"
+#include "deep.hpp"
 #include "depths.hpp"
 #include "enlarged.hpp"
 #include "convex_bodies.hpp"
@@ -391,6 +392,7 @@ int main(int argc, char** argv) {
   save("blend_span", fills_aa::run());
   save("screen_face", face_pictures::order());
   save("escape_time", escape_pictures::both());
+  save("deep_mandelbrot", deep_pictures::four_widths());
   save("field_of_view", sight_pictures::variants());
   save("visible_part", sight_pictures::parts());
   save("see", sight_pictures::corners());

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <irg/fractal/complex_plane.hpp>
+#include <irg/fractal/deep_mandelbrot.hpp>
 #include <irg/fractal/escape_colour.hpp>
 #include <irg/fractal/escape_job.hpp>
 #include <irg/fractal/escape_picture.hpp>
 #include <irg/fractal/escape_time.hpp>
 #include <irg/fractal/julia.hpp>
 #include <irg/fractal/mandelbrot.hpp>
+#include <irg/fractal/smooth_count.hpp>

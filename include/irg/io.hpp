@@ -2,6 +2,7 @@
 // io: OBJ read from memory; PPM, PNG, SVG of any raster; nothing else touches files.
 #pragma once
 
+#include <irg/io/apng.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/grid_text.hpp>
 #include <irg/io/image_file.hpp>

@@ -167,12 +167,15 @@ inline inflated unzip(std::span<const std::uint8_t> in) {
   return out;
 }
 
-/// A decoded PNG file of 8 bits per channel.
+/// A decoded PNG file of 8 bits per channel, one picture or an animation of pictures that replace each other.
 struct decoded_png {
   const char* error = nullptr;
   int colour_type = -1, data_chunks = 0, srgb_chunks = 0;
   unsigned filters = 0;  // bit f: some row has filter f
   irg::image<irg::rgba8> picture;
+  unsigned frames = 0, repeats = 0;  // as the animation states them; no frames: it is none
+  std::vector<double> seconds;       // of each frame
+  std::vector<irg::image<irg::rgba8>> shown;
 };
 
 /// The remainder of the message over GF(2), a bit at a time.
@@ -214,6 +217,8 @@ inline decoded_png decode_png(std::span<const std::uint8_t> file) {
     if (file.size() < 8 || file[i] != signature[i]) return out.error = "signature", out;
   std::size_t width = 0, height = 0, at = 8;
   bytes stream;
+  std::vector<bytes> later;   // streams of the frames after the first
+  std::uint32_t sequence = 0;
   for (bool ended = false; !ended;) {
     if (file.size() - at < 12 || file.size() - at - 12 < number(at)) return out.error = "chunk", out;
     const std::size_t length = number(at);
@@ -230,7 +235,26 @@ inline decoded_png decode_png(std::span<const std::uint8_t> file) {
     } else if (name == "sRGB") {
       if (length != 1 || data[0] > 3 || out.data_chunks > 0) return out.error = "sRGB", out;
       ++out.srgb_chunks;
+    } else if (name == "acTL") {
+      if (length != 8 || out.data_chunks > 0 || out.frames != 0) return out.error = "acTL", out;
+      out.frames = number(at + 8);
+      out.repeats = number(at + 12);
+      if (out.frames == 0) return out.error = "no frames", out;
+    } else if (name == "fcTL") {
+      const bool first = out.seconds.empty();
+      if (length != 26 || out.frames == 0 || first != (out.data_chunks == 0)) return out.error = "fcTL", out;
+      if (number(at + 8) != sequence++) return out.error = "sequence", out;
+      if (number(at + 12) != width || number(at + 16) != height || number(at + 20) != 0 || number(at + 24) != 0)
+        return out.error = "part of a frame", out;
+      const int times = data[20] * 256 + data[21], of = data[22] * 256 + data[23];
+      out.seconds.push_back(static_cast<double>(times) / (of == 0 ? 100 : of));
+      if (data[24] != 0 || data[25] != 0) return out.error = "frame is not replaced", out;
+      if (!first) later.emplace_back();
+    } else if (name == "fdAT") {
+      if (length < 4 || later.empty() || number(at + 8) != sequence++) return out.error = "fdAT", out;
+      later.back().insert(later.back().end(), data.begin() + 4, data.end());
     } else if (name == "IDAT") {
+      if (!later.empty() || (out.frames != 0 && out.seconds.empty())) return out.error = "IDAT", out;
       ++out.data_chunks;
       stream.insert(stream.end(), data.begin(), data.end());
     } else if (name == "IEND") {
@@ -242,20 +266,29 @@ inline decoded_png decode_png(std::span<const std::uint8_t> file) {
     at += length + 12;
   }
   const std::size_t channels = out.colour_type == 0 ? 1 : out.colour_type == 2 ? 3 : out.colour_type == 4 ? 2 : 4;
-  inflated rows = unzip(stream);
-  if (rows.error != nullptr) return out.error = rows.error, out;
-  if (rows.data.size() != height * (1 + channels * width)) return out.error = "number of bytes", out;
-  for (std::size_t y = 0; y < height; ++y)
-    if (rows.data[y * (1 + channels * width)] > 4) return out.error = "filter", out;
-  unfilter(rows.data, channels * width, height, channels, out.filters);
-  out.picture = irg::image<irg::rgba8>(static_cast<int>(width), static_cast<int>(height));
-  for (std::size_t y = 0; y < height; ++y)
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::uint8_t* p = &rows.data[y * (1 + channels * width) + 1 + channels * x];
-      const bool colour = channels >= 3, opacity = channels == 2 || channels == 4;
-      out.picture(static_cast<int>(x), static_cast<int>(y)) =
-          irg::rgba8{p[0], p[colour ? 1 : 0], p[colour ? 2 : 0], opacity ? p[channels - 1] : std::uint8_t{255}};
-    }
+  const auto decode = [&](const bytes& compressed) {
+    irg::image<irg::rgba8> picture(static_cast<int>(width), static_cast<int>(height));
+    inflated rows = unzip(compressed);
+    if (rows.error != nullptr) return out.error = rows.error, picture;
+    if (rows.data.size() != height * (1 + channels * width)) return out.error = "number of bytes", picture;
+    for (std::size_t y = 0; y < height; ++y)
+      if (rows.data[y * (1 + channels * width)] > 4) return out.error = "filter", picture;
+    unfilter(rows.data, channels * width, height, channels, out.filters);
+    for (std::size_t y = 0; y < height; ++y)
+      for (std::size_t x = 0; x < width; ++x) {
+        const std::uint8_t* p = &rows.data[y * (1 + channels * width) + 1 + channels * x];
+        const bool colour = channels >= 3, opacity = channels == 2 || channels == 4;
+        picture(static_cast<int>(x), static_cast<int>(y)) =
+            irg::rgba8{p[0], p[colour ? 1 : 0], p[colour ? 2 : 0], opacity ? p[channels - 1] : std::uint8_t{255}};
+      }
+    return picture;
+  };
+  out.picture = decode(stream);
+  if (out.frames == 0) return out;
+  out.shown.push_back(out.picture);
+  for (const bytes& frame : later) out.shown.push_back(decode(frame));
+  if (out.error == nullptr && (out.shown.size() != out.frames || out.seconds.size() != out.frames))
+    out.error = "number of frames";
   return out;
 }
 

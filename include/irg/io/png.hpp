@@ -124,6 +124,34 @@ constexpr deflate_effort effort_of(png_options::compression c) noexcept {
   return {64, 64, 258};
 }
 
+/// The rows of a picture as its chunks hold them. Bytes depends on the raster: what compresses is then instantiated by
+/// those who write a picture.
+template <class Bytes>
+constexpr Bytes compress_rows(const png_pixels<Bytes>& p, png_options::compression effort) {
+  const bool stored = effort == png_options::compression::stored;
+  return zlib_compress(filter_rows(p, stored ? filtering::none : filtering::adaptive), effort_of(effort));
+}
+
+/// What every file begins with.
+template <class Bytes>
+constexpr Bytes begin_png(const png_pixels<Bytes>& p) {
+  Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  append_header(file, p);
+  const std::uint8_t perceptual[] = {0};
+  append_chunk(file, "sRGB", perceptual);
+  return file;
+}
+
+/// Calls append(part) for the parts of a stream, one for each chunk.
+template <class Bytes, class Append>
+constexpr void append_in_chunks(const Bytes& stream, const Append& append) {
+  constexpr std::size_t chunk_size = 1u << 20;  // far below the format's limit, and testable
+  for (std::size_t first = 0; first < stream.size(); first += chunk_size) {
+    const std::size_t rest = stream.size() - first;
+    append(std::span<const std::uint8_t>(stream).subspan(first, rest < chunk_size ? rest : chunk_size));
+  }
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -140,21 +168,10 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
   const int width = width_of(raster), height = height_of(raster);
   if (const auto refused = detail::refuse_picture_size(width, height)) return *refused;
 
-  const bool stored = options.effort == png_options::compression::stored;
-  // Types that depend on the raster's: what compresses is then instantiated by those who write a picture.
   const auto pixels = detail::read_pixels(raster, width, height, options.kept);
-  const auto filtered = detail::filter_rows(pixels, stored ? detail::filtering::none : detail::filtering::adaptive);
-  const auto stream = detail::zlib_compress(filtered, detail::effort_of(options.effort));
-
-  std::vector<std::uint8_t> file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  detail::append_header(file, pixels);
-  const std::uint8_t perceptual[] = {0};
-  detail::append_chunk(file, "sRGB", perceptual);
-  constexpr std::size_t chunk_size = 1u << 20;  // far below the format's limit, and testable
-  for (std::size_t first = 0; first < stream.size(); first += chunk_size) {
-    const std::size_t rest = stream.size() - first;
-    detail::append_chunk(file, "IDAT", std::span(stream).subspan(first, rest < chunk_size ? rest : chunk_size));
-  }
+  auto file = detail::begin_png(pixels);
+  detail::append_in_chunks(detail::compress_rows(pixels, options.effort),
+                           [&](auto part) { detail::append_chunk(file, "IDAT", part); });
   detail::append_chunk(file, "IEND", {});
   return file;
 }
