@@ -6,7 +6,7 @@
 #include <string>
 
 #include <irg/geometry/barycentric.hpp>
-#include <irg/geometry/barycentric_textbook.hpp>
+#include <irg/geometry/textbook/barycentric.hpp>
 
 #include "support/command_line.hpp"
 #include "support/number_input.hpp"
@@ -73,7 +73,7 @@ std::string numbers_of(const program::command_line& line, const coordinates& t, 
 std::string report_of(const program::command_line& line, const problem& p, bool list) {
   std::string robust = numbers_of(line, irg::barycentric(p.a, p.b, p.c, p.t), "degenerate");
   if (list) return robust;
-  const coordinates direct = irg::barycentric_direct(p.a, p.b, p.c, p.t);
+  const coordinates direct = irg::textbook::barycentric_direct(p.a, p.b, p.c, p.t);
   if (!direct && irg::orient3d(p.a, p.b, p.c, point{}) != 0) line.fail("a coordinate is too large");
   std::string text = "direct: " + numbers_of(line, direct, "singular") + "robust: " + robust;
   const auto place = irg::locate_in_triangle(p.a, p.b, p.c, p.t);

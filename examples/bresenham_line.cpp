@@ -14,8 +14,8 @@
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_cells.hpp>
 #include <irg/raster/line_run_slice.hpp>
-#include <irg/raster/line_seed.hpp>
-#include <irg/raster/line_textbook.hpp>
+#include <irg/raster/textbook/line_printed.hpp>
+#include <irg/raster/textbook/line_bresenham.hpp>
 
 #include "support/command_line.hpp"
 #include "support/number_input.hpp"
@@ -143,7 +143,7 @@ struct fraction {
 // Calls emit(cell) for the cells of the procedure as it is printed, computed without rounding.
 template <class Emit>
 void draw_as_printed(const problem& p, const Emit& emit) {
-  irg::line_bresenham_seed<fraction>(p.a, p.b, emit);
+  irg::textbook::line_bresenham_printed<fraction>(p.a, p.b, emit);
 }
 
 // Calls use(range) with all cells of a line; with those that the printed procedure should draw for that.
@@ -153,7 +153,7 @@ auto with_cells(const problem& p, line_method method, const Use& use) {
     return use(irg::line_cells(
         p.a, p.b, {.ties = method == line_method::symmetric ? irg::line_ties::symmetric : irg::line_ties::start_side}));
   std::vector<irg::cell> cells;
-  irg::line_bresenham_textbook<double>(p.a, p.b, [&](irg::cell c) { cells.push_back(c); });
+  irg::textbook::line_bresenham<double>(p.a, p.b, [&](irg::cell c) { cells.push_back(c); });
   return use(cells);
 }
 

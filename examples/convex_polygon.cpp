@@ -12,7 +12,7 @@
 #include <irg/geometry/polygon_orientation.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_convex.hpp>
-#include <irg/raster/fill_convex_textbook.hpp>
+#include <irg/raster/textbook/fill_convex.hpp>
 #include <irg/raster/fill_polygon.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/triangle_coverage.hpp>
@@ -125,7 +125,7 @@ std::vector<irg::subpixel> rounded_hull(const problem& in) {
 // The rows of a hull with the vertices of at least a triangle. Each row is given only the two edges that it crosses:
 // asking every edge in every row, as the textbook does, takes hours for a million vertices.
 template <class Sink>
-void hull_spans(const std::vector<irg::subpixel>& hull, irg::sample_rule rule, const irg::cell_window& window,
+void hull_spans(const std::vector<irg::subpixel>& hull, irg::textbook::sample_rule rule, const irg::cell_window& window,
                 Sink&& sink) {
   const auto next = [&](std::size_t i) { return i + 1 == hull.size() ? 0 : i + 1; };
   const auto before = [&](std::size_t i) { return i == 0 ? hull.size() - 1 : i - 1; };
@@ -145,7 +145,7 @@ void hull_spans(const std::vector<irg::subpixel>& hull, irg::sample_rule rule, c
     while (is_passed(hull[next(right)])) right = next(right);
     while (is_passed(hull[before(left)])) left = before(left);
     const irg::subpixel slab[] = {hull[right], hull[next(right)], hull[before(left)], hull[left]};
-    irg::convex_spans_textbook(slab, rule, {window.x_first, y, window.x_last, y + 1}, sink);
+    irg::textbook::convex_spans(slab, rule, {window.x_first, y, window.x_last, y + 1}, sink);
   }
 }
 
@@ -158,12 +158,13 @@ void filled_spans(const problem& in, fill_choice rule, const irg::cell_window& w
       irg::polygon_spans(in.rounded, irg::fill_rule::non_zero, window, sink);
     return;
   }
-  const irg::sample_rule rules[] = {irg::sample_rule::course, irg::sample_rule::closed, irg::sample_rule::rounded,
-                                    irg::sample_rule::half_open};
+  const irg::textbook::sample_rule rules[] = {irg::textbook::sample_rule::course, irg::textbook::sample_rule::closed,
+                                              irg::textbook::sample_rule::rounded,
+                                              irg::textbook::sample_rule::half_open};
   const std::vector<irg::subpixel> hull = rounded_hull(in);
-  const irg::sample_rule sampled = rules[static_cast<int>(rule) - 1];
+  const irg::textbook::sample_rule sampled = rules[static_cast<int>(rule) - 1];
   if (hull.size() < 3)
-    irg::convex_spans_textbook(hull, sampled, window, sink);
+    irg::textbook::convex_spans(hull, sampled, window, sink);
   else
     hull_spans(hull, sampled, window, sink);
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <irg/geometry/textbook/triangle_area.hpp>
+#include <irg/geometry/textbook/polygon.hpp>
 #include <irg/geometry/barycentric.hpp>
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/triangle_area.hpp>
@@ -61,7 +63,7 @@ void polygon(bench::study& s, const std::string& name, double offset, double lef
       bench::for_each_item("irg", items, [](const ring& p) { return irg::polygon_area(p); }),
       bench::for_each_item("irg: polygon_area_fast", items, [](const ring& p) { return irg::polygon_area_fast(p); }),
       bench::for_each_item("irg: polygon_area_exact", items, [](const ring& p) { return irg::polygon_area_exact(p); }),
-      bench::for_each_item("textbook", items, [](const ring& p) { return irg::polygon_area_textbook(p); })};
+      bench::for_each_item("textbook", items, [](const ring& p) { return irg::textbook::polygon_area(p); })};
 #ifdef IRG_HAVE_OPENCV_IMGPROC
   auto& in_float = bench::keep(std::vector<std::array<cv::Point2f, 16>>(items.size()));
   for (std::size_t k = 0; k < items.size(); ++k)
@@ -199,7 +201,7 @@ void sides() {
                  [](const auto& t) { return irg::triangle_area_from_sides(t[0], t[1], t[2]).value_or(none); }),
              bench::for_each_item("textbook (Heron)", items,
                                   [](const auto& t) {
-                                    return irg::triangle_area_from_sides_textbook(t[0], t[1], t[2]).value_or(none);
+                                    return irg::textbook::triangle_area_from_sides(t[0], t[1], t[2]).value_or(none);
                                   })},
             bench::text_of_items(items));
   }

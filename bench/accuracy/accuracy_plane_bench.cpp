@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <irg/geometry/newell_plane_textbook.hpp>
+#include <irg/geometry/textbook/newell_plane.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/math/length.hpp>
@@ -157,7 +157,7 @@ void polygons() {
     s.panel(d,
             {bench::for_each_vector<3>("irg", items, [](const auto& p) { return unit_normal(irg::newell_plane(p)); }),
              bench::for_each_vector<3>("textbook", items,
-                                       [](const auto& p) { return unit_normal(irg::newell_plane_textbook(p)); }),
+                                       [](const auto& p) { return unit_normal(irg::textbook::newell_plane(p)); }),
              bench::for_each_vector<3>(
                  "first three corners", items,
                  [](const auto& p) { return unit_normal(irg::plane_through(p[0], p[1], p[2])); }, false)},

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/math/textbook/roots.hpp>
 #include <irg/math/roots.hpp>
 
 #include "accuracy/vector_sets.hpp"
@@ -136,7 +137,7 @@ void quadratic() {
         entry("irg", [](double a, double b, double c) { return irg::quadratic_roots(a, b, c); }),
         entry("irg: quadratic_roots_fast",
               [](double a, double b, double c) { return irg::quadratic_roots_fast(a, b, c); }),
-        entry("textbook", [](double a, double b, double c) { return irg::quadratic_roots_textbook(a, b, c); }),
+        entry("textbook", [](double a, double b, double c) { return irg::textbook::quadratic_roots(a, b, c); }),
         bench::for_each_vector<2>("pbrt form", items, pbrt_quadratic)};
 #ifdef IRG_HAVE_OPENCV_IMGPROC
     who.push_back(bench::for_each_vector<2>("OpenCV solvePoly", items, opencv_roots<2>));

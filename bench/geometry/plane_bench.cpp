@@ -2,7 +2,7 @@
 // Run time against error of planes through polygons and of the point two lines have in common, on input whose
 // difficulty is set. Errors are measured in rationals of any size.
 #include <irg/geometry/intersect_lines.hpp>
-#include <irg/geometry/newell_plane_textbook.hpp>
+#include <irg/geometry/textbook/newell_plane.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/math/constants.hpp>
 
@@ -131,7 +131,7 @@ void planes() {
         angle_off,
         {variant_of<sloped>("irg", [](const sloped& s) { return normal_of(irg::newell_plane(s.at)); }),
          variant_of<sloped>("irg:textbook",
-                            [](const sloped& s) { return normal_of(irg::newell_plane_textbook(s.at)); }),
+                            [](const sloped& s) { return normal_of(irg::textbook::newell_plane(s.at)); }),
          variant_of<sloped>("irg:three_points",
                             [](const sloped& s) { return normal_of(irg::plane_through(s.at[0], s.at[1], s.at[2])); }),
          variant_of<sloped>("irg:three_points_accurate", [](const sloped& s) {

@@ -14,6 +14,7 @@
 #include <CGAL/convex_hull_2.h>
 #endif
 
+#include <irg/geometry/textbook/polygon.hpp>
 #include <irg/geometry/convex_hull.hpp>
 #include <irg/geometry/point_in_convex_polygon.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
@@ -91,7 +92,7 @@ void areas() {
     list.push_back(add("irg", [](const ring& r) { return irg::polygon_area(r); }));
     list.push_back(add("irg:fast", [](const ring& r) { return irg::polygon_area_fast(r); }));
     list.push_back(add("irg:exact", [](const ring& r) { return irg::polygon_area_exact(r); }));
-    list.push_back(add("irg:textbook", [](const ring& r) { return irg::polygon_area_textbook(r); }));
+    list.push_back(add("irg:textbook", [](const ring& r) { return irg::textbook::polygon_area(r); }));
 #ifdef IRG_HAVE_CGAL
     list.push_back(add("CGAL", [](const ring& r) {
       double area = 0;

@@ -6,7 +6,7 @@
 #include <irg/raster/draw_lines.hpp>
 #include <irg/raster/line_dda.hpp>
 #include <irg/raster/line_run_slice.hpp>
-#include <irg/raster/line_textbook.hpp>
+#include <irg/raster/textbook/line_bresenham.hpp>
 
 #include "raster/lines.hpp"
 #include "raster/peers.hpp"
@@ -52,14 +52,14 @@ void add_unclipped(std::vector<drawer>& d, const canvas& c, line_list& lines, in
     d.push_back(own(
         "irg:dda float", lines,
         [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::line_dda<float>(a, b, plot); }, promise::none));
-  if (steps <= irg::line_textbook_steps<float>)
+  if (steps <= irg::textbook::line_bresenham_steps<float>)
     d.push_back(own(
         "irg:textbook float", lines,
-        [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::line_bresenham_textbook<float>(a, b, plot); },
+        [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::textbook::line_bresenham<float>(a, b, plot); },
         promise::none, "real-valued error variable"));
   d.push_back(own(
       "irg:textbook double", lines,
-      [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::line_bresenham_textbook<double>(a, b, plot); },
+      [plot = plotter(c)](irg::cell a, irg::cell b) { (void)irg::textbook::line_bresenham<double>(a, b, plot); },
       promise::nothing_wrong, "real-valued error variable"));
   d.push_back(textbook_lines(c, lines));
 }

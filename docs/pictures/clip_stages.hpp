@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include <irg/geometry/clip_sutherland_hodgman_textbook.hpp>
+#include <irg/geometry/textbook/clip_sutherland_hodgman.hpp>
 
 #include "board.hpp"
 
@@ -29,7 +29,7 @@ inline picture triangle() {
   ring before{{-1, 1}, {5, 1}, {2, 5}};
   for (std::size_t k = 0; k < boundaries.size(); ++k) {
     const board b{p, 38.0 + 160 * static_cast<double>(k), 131, 21};
-    const ring after = irg::clip_stage_textbook(before, boundaries[k]);
+    const ring after = irg::textbook::clip_stage(before, boundaries[k]);
     b.fill(taken[k], {234, 232, 227, 255});
     b.fill(before, {204, 203, 200, 255});
     b.fill(after, light_blue);

@@ -9,7 +9,8 @@
 #include <irg/geometry/clip_line_cyrus_beck.hpp>
 #include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/geometry/clip_sutherland_hodgman.hpp>
-#include <irg/geometry/clip_weiler_atherton.hpp>
+#include <irg/geometry/polygon_overlay.hpp>
+#include <irg/geometry/textbook/clip_weiler_atherton.hpp>
 #include <irg/raster/fill_polygon_aa.hpp>
 #include <irg/raster/line_aa.hpp>
 
@@ -102,13 +103,31 @@ inline picture operations() {
   double left = 0;
   for (const auto operation : {irg::polygon_operation::intersection, irg::polygon_operation::unite,
                                irg::polygon_operation::difference, irg::polygon_operation::symmetric_difference}) {
-    std::vector<Ring> rings = clip_weiler_atherton(a, b, operation).rings;
+    std::vector<Ring> rings = polygon_overlay(a, b, operation).rings;
     for (Ring& ring : rings) ring = moved(ring, left);
     irg::fill_polygon_aa(p, rings, irg::fill_rule::non_zero, blue);
     for (const Ring& ring : a) outline(p, moved(ring, left), faint);
     for (const Ring& ring : b) outline(p, moved(ring, left), faint);
     for (const Ring& ring : rings) outline(p, ring, ink);
     left += 220;
+  }
+  return p;
+}
+
+// A comb and a lens: entering points are blue, leaving ones red. On the right what the walk from each entering point gives.
+inline picture entering_and_leaving() {
+  picture p(640, 240, paper);
+  const Ring comb{{30, 30},   {270, 30},  {270, 70},  {110, 70},  {110, 95},  {270, 95},
+                  {270, 145}, {110, 145}, {110, 170}, {270, 170}, {270, 210}, {30, 210}};
+  const Ring lens = round({225, 120}, 98, 16);
+  const auto clip = irg::textbook::clip_weiler_atherton(comb, lens);
+  outline(p, comb, ink);
+  outline(p, lens, faint);
+  for (const P& at : clip.entering) mark(p, at, blue);
+  for (const P& at : clip.leaving) mark(p, at, red);
+  for (const Ring& ring : clip.rings) {
+    irg::fill_polygon_aa(p, moved(ring, 310), irg::fill_rule::non_zero, blue);
+    outline(p, moved(ring, 310), ink);
   }
   return p;
 }

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include <irg/hidden/zbuffer_textbook.hpp>
+#include <irg/hidden/textbook/zbuffer.hpp>
 #include <irg/raster/depth_format.hpp>
 #include <irg/raster/image.hpp>
 
@@ -22,12 +22,13 @@ constexpr double eye = 300, back = -620;
 
 // Draws the scene; `away` is 1 where z points at the viewer, -1 where it is the distance.
 template <class Order>
-void draw(const irg::zbuffer_textbook<Order, picture, irg::image<double>>& buffers, double away) {
+void draw(const irg::textbook::zbuffer<Order, picture, irg::image<double>>& buffers, double away) {
   using P = irg::point<double, 3>;
   const irg::picture_grid<double> about_axis{0.5 - width / 2, height / 2 - 0.5, 1, -1};
   const auto polygon = [&](auto ring, irg::rgba8 colour) {
     for (P& p : ring) p.z *= away;
-    irg::zbuffer_polygon_perspective(buffers, ring, away * eye, colour, {irg::depth_evaluation::plane, about_axis});
+    irg::textbook::zbuffer_polygon_perspective(buffers, ring, away * eye, colour,
+                                               {irg::textbook::depth_evaluation::plane, about_axis});
   };
   for (int i = 0; i < 10; ++i)
     for (int k = 0; k < 9; ++k) {
@@ -61,12 +62,12 @@ inline picture forms() {
   };
   picture screen(width, height);
   irg::image<double> depth(width, height);
-  const irg::zbuffer_textbook toward{irg::nearer_is_greater{}, screen, depth};
+  const irg::textbook::zbuffer toward{irg::nearer_is_greater{}, screen, depth};
   toward.clear({120, 160, 196, 255}, back);
   draw(toward, 1);
   paste(all, screen, 0, 0);
   paste(all, grey(depth, back, 110), width + gap, 0);
-  const irg::zbuffer_textbook distances{irg::nearer_is_less{}, screen, depth};
+  const irg::textbook::zbuffer distances{irg::nearer_is_less{}, screen, depth};
   distances.clear({120, 160, 196, 255}, -back);
   draw(distances, -1);
   paste(all, grey(depth, -110, -back), 2 * (width + gap), 0);

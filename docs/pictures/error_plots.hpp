@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <string>
 
+#include <irg/math/textbook/roots.hpp>
 #include <irg/math/compensated.hpp>
 #include <irg/math/roots.hpp>
 #include <irg/math/vec.hpp>
@@ -139,9 +140,9 @@ inline bool write_roots(const std::string& path) {
   plot p(path, 60, "larger root over smaller root");
   p.curve(
       [](int e) {
-        return root_error(e, [](double a, double b, double c) { return irg::quadratic_roots_textbook(a, b, c); });
+        return root_error(e, [](double a, double b, double c) { return irg::textbook::quadratic_roots(a, b, c); });
       },
-      "#b04030", "quadratic_roots_textbook", 54);
+      "#b04030", "textbook::quadratic_roots", 54);
   p.curve(
       [](int e) {
         return root_error(e, [](double a, double b, double c) { return irg::quadratic_roots_fast(a, b, c); });

@@ -11,7 +11,7 @@
 #include <irg/raster/line_cells.hpp>
 #include <irg/raster/line_dda.hpp>
 #include <irg/raster/line_run_slice.hpp>
-#include <irg/raster/line_seed.hpp>
+#include <irg/raster/textbook/line_printed.hpp>
 
 #include "enlarged.hpp"
 
@@ -52,7 +52,9 @@ void compare(picture& p, irg::cell a, irg::cell b, const Form& form) {
 // Where D > 0 fails: the first lines whose ties it spoils.
 inline picture textbook() {
   picture p = grid(33, 12);
-  const auto seed = [](irg::cell a, irg::cell b, auto emit) { irg::line_bresenham_seed<double>(a, b, emit); };
+  const auto seed = [](irg::cell a, irg::cell b, auto emit) {
+    irg::textbook::line_bresenham_printed<double>(a, b, emit);
+  };
   compare(p, {1, 3}, {7, 8}, seed);
   compare(p, {8, 1}, {18, 10}, seed);
   compare(p, {19, 0}, {31, 10}, seed);

@@ -56,7 +56,8 @@ void saving::number_and_geometry_pages() {
   failures += error_plots::write_roots(folder + "/root_errors.svg") ? 0 : 1;
   save("clip_line", clipping_pictures::lines());
   save("clip_sutherland_hodgman", clipping_pictures::polygons());
-  save("clip_weiler_atherton", clipping_pictures::operations());
+  save("polygon_overlay", clipping_pictures::operations());
+  save("clip_weiler_atherton", clipping_pictures::entering_and_leaving());
   save("intersect_segments", lines_geometry::segments());
   save("closest_point", lines_geometry::regions());
   save("smallest_sphere", lines_geometry::circle());

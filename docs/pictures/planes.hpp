@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include <irg/geometry/textbook/parametric_plane.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/geometry/intersect_planes.hpp>
 #include <irg/geometry/parametric_plane.hpp>
@@ -90,7 +91,7 @@ inline picture parameters() {
   picture big(2 * width, 2 * height, paper);
   const oblique_view view({390, 400}, 170, 40, 0.5);
   const point3 a{2.35, 0.05, 0.9}, b{0.5, 0.35, 0.5}, c{0.95, 1.05, -1.25};
-  const auto form = *irg::parametric_plane_hungarian(a, b, c);
+  const auto form = *irg::textbook::parametric_plane_at_middle(a, b, c);
   const irg::plane<double> whole = *irg::implicit_plane_of(form);
   const vec3 to_viewer = view.to_viewer();
   const auto at = [&](double s1, double s2) { return view.at(irg::point_at(form, s1, s2)); };

@@ -10,7 +10,7 @@
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_convex.hpp>
-#include <irg/raster/fill_convex_textbook.hpp>
+#include <irg/raster/textbook/fill_convex.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/seed_fill.hpp>
 
@@ -29,10 +29,10 @@ inline picture rules() {
                                           irg::subpixel{9 * 256, 10 * 256}, irg::subpixel{10 * 256 + 90, 4 * 256},
                                           irg::subpixel{5 * 256, 1 * 256}};
   int left = 0;
-  for (const auto rule :
-       {irg::sample_rule::course, irg::sample_rule::closed, irg::sample_rule::rounded, irg::sample_rule::half_open}) {
+  for (const auto rule : {irg::textbook::sample_rule::course, irg::textbook::sample_rule::closed,
+                          irg::textbook::sample_rule::rounded, irg::textbook::sample_rule::half_open}) {
     picture small(columns, rows, paper);
-    irg::convex_spans_textbook(ring, rule, irg::window_of(small), [&](irg::span_of_cells s) {
+    irg::textbook::convex_spans(ring, rule, irg::window_of(small), [&](irg::span_of_cells s) {
       irg::fill_span(small, {rows - 1 - s.y, s.x_first, s.x_last}, blue);
     });
     paste(big, enlarged(small, size), left, 0);

@@ -7,6 +7,7 @@
 
 #include <irg/core/threads.hpp>
 #include <irg/io/file.hpp>
+#include <irg/render/classical_methods.hpp>
 
 namespace program {
 namespace {
@@ -43,6 +44,26 @@ std::string stats_json(const irg::render_stats& s, const timings& ms, std::uint6
   return {text, static_cast<std::size_t>(length)};
 }
 
+/// The picture by the method that the options name. Edges are not faces: `wire` knows none of the classical methods.
+template <class Observer>
+irg::render_stats draw(const render_settings& s, const irg::scene<double>& world, irg::image<irg::rgba8>& picture,
+                       irg::image<float>& depth, const Observer& observer) {
+  irg::render_options options = s.options;
+  options.hidden =
+      s.hidden == hidden_name::none ? irg::hidden_surface_method::none : irg::hidden_surface_method::zbuffer;
+  const irg::parallel threads{s.threads};
+  if (options.style == irg::picture_style::wire || s.hidden == hidden_name::none || s.hidden == hidden_name::zbuffer)
+    return irg::render(world, picture, depth, options, {}, threads, observer);
+  using irg::classical_method;
+  const auto method = s.hidden == hidden_name::painter   ? classical_method::painter_newell
+                      : s.hidden == hidden_name::warnock ? classical_method::warnock
+                      : s.hidden == hidden_name::bsp     ? classical_method::bsp
+                                                         : classical_method::ray_casting;
+  const irg::render_stats stats = irg::render(irg::hidden_surfaces_by{method}, world, picture, depth, options, threads);
+  observer(irg::render_stage::draw);
+  return stats;
+}
+
 }  // namespace
 
 void draw_scene(const command_line& line, const render_settings& s, const irg::scene<double>& world, timings ms) {
@@ -50,9 +71,8 @@ void draw_scene(const command_line& line, const render_settings& s, const irg::s
   irg::image<irg::rgba8> picture(s.size.width, s.size.height);
   irg::image<float> depth(s.size.width, s.size.height);
   watch.lap();
-  const irg::render_stats stats =
-      irg::render(world, picture, depth, s.options, {}, irg::parallel{s.threads},
-                  [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
+  const irg::render_stats stats = draw(
+      s, world, picture, depth, [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
   if (stats.drawn == 0)
     line.hint(s.eye || s.target
                   ? "the picture is empty: nothing of the model is in view; without --eye and --target all of it is"

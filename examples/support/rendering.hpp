@@ -35,7 +35,8 @@ inline constexpr std::string_view render_options_help =
   --project KIND       perspective, orthographic, isometric, dimetric, trimetric, oblique (seen from the
                        front, depth at half its length); the last four fix the direction of the view, and
                        --eye sets with --target how far away the eye is
-  --hidden METHOD      zbuffer, none
+  --hidden METHOD      zbuffer, painter (Newell, Newell and Sancha), warnock, bsp, raycast, none; the first five
+                       draw the same picture
   --style STYLE        gouraud, wire, flat, phong
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
   --cull WHAT          back, none
@@ -47,6 +48,9 @@ inline constexpr std::string_view render_options_help =
 /// The kinds of --project.
 enum class view_kind { perspective, orthographic, isometric, dimetric, trimetric, oblique };
 
+/// The names of --hidden.
+enum class hidden_name { zbuffer, painter, warnock, bsp, raycast, none };
+
 /// What the options say. A picture's name is what `-o` gives.
 struct render_settings {
   std::string model, out, stats;
@@ -56,6 +60,7 @@ struct render_settings {
   irg::vec<double, 3> up{0, 1, 0};
   double angle = 40, crease = 60;  // degrees
   view_kind project = view_kind::perspective;
+  hidden_name hidden = hidden_name::zbuffer;
   std::vector<irg::light<double>> lights;
   irg::render_options options;
 
@@ -85,8 +90,7 @@ struct render_settings {
       project = static_cast<view_kind>(
           line.choice(word, {"perspective", "orthographic", "isometric", "dimetric", "trimetric", "oblique"}));
     else if (word == "--hidden")
-      options.hidden = std::array{irg::hidden_surface_method::zbuffer,
-                                  irg::hidden_surface_method::none}[line.choice(word, {"zbuffer", "none"})];
+      hidden = static_cast<hidden_name>(line.choice(word, {"zbuffer", "painter", "warnock", "bsp", "raycast", "none"}));
     else if (word == "--style")
       options.style = std::array{irg::picture_style::gouraud, irg::picture_style::wire, irg::picture_style::flat,
                                  irg::picture_style::phong}[line.choice(word, {"gouraud", "wire", "flat", "phong"})];

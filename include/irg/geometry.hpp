@@ -4,7 +4,6 @@
 
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/barycentric.hpp>
-#include <irg/geometry/barycentric_textbook.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/geometry/clip_line_cohen_sutherland.hpp>
@@ -12,8 +11,6 @@
 #include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/geometry/clip_line_nicholl_lee_nicholl.hpp>
 #include <irg/geometry/clip_sutherland_hodgman.hpp>
-#include <irg/geometry/clip_sutherland_hodgman_textbook.hpp>
-#include <irg/geometry/clip_weiler_atherton.hpp>
 #include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/closest_point.hpp>
 #include <irg/geometry/compare.hpp>
@@ -25,13 +22,11 @@
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
-#include <irg/geometry/intersect_plane_line_seed.hpp>
 #include <irg/geometry/intersect_planes.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/line.hpp>
 #include <irg/geometry/line_forms.hpp>
 #include <irg/geometry/minimax.hpp>
-#include <irg/geometry/newell_plane_textbook.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient2d_batch.hpp>
 #include <irg/geometry/orient3d.hpp>
@@ -48,6 +43,7 @@
 #include <irg/geometry/polygon_centroid.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
+#include <irg/geometry/polygon_overlay.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_line.hpp>
@@ -59,3 +55,15 @@
 #include <irg/geometry/triangle_area.hpp>
 #include <irg/geometry/triangulate_ear_clipping.hpp>
 #include <irg/geometry/triangulate_monotone.hpp>
+#include <irg/geometry/textbook/barycentric.hpp>
+#include <irg/geometry/textbook/clip_sutherland_hodgman.hpp>
+#include <irg/geometry/textbook/clip_weiler_atherton.hpp>
+#include <irg/geometry/textbook/intersect_lines.hpp>
+#include <irg/geometry/textbook/intersect_plane_line.hpp>
+#include <irg/geometry/textbook/intersect_planes.hpp>
+#include <irg/geometry/textbook/line.hpp>
+#include <irg/geometry/textbook/newell_plane.hpp>
+#include <irg/geometry/textbook/parametric_plane.hpp>
+#include <irg/geometry/textbook/plane_by_inversion.hpp>
+#include <irg/geometry/textbook/polygon.hpp>
+#include <irg/geometry/textbook/triangle_area.hpp>

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
-// hidden: back faces; the textbook z-buffer, its depths and its memory.
+// hidden: back faces; ray casting, Warnock, painter, BSP of faces; the textbook z-buffer, its depths and memory.
 #pragma once
 
 #include <irg/hidden/back_faces.hpp>
+#include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/order_in_window.hpp>
+#include <irg/hidden/painter.hpp>
+#include <irg/hidden/painter_newell.hpp>
 #include <irg/hidden/plane_depth.hpp>
+#include <irg/hidden/ray_casting.hpp>
+#include <irg/hidden/warnock.hpp>
 #include <irg/hidden/zbuffer_memory.hpp>
-#include <irg/hidden/zbuffer_textbook.hpp>
+#include <irg/hidden/textbook/back_faces.hpp>
+#include <irg/hidden/textbook/zbuffer.hpp>

@@ -14,6 +14,7 @@
 #include <irg/math/exponential.hpp>
 #include <irg/math/homogeneous.hpp>
 #include <irg/math/hypot.hpp>
+#include <irg/math/int128.hpp>
 #include <irg/math/interval.hpp>
 #include <irg/math/inverse.hpp>
 #include <irg/math/inverse_exact.hpp>
@@ -25,7 +26,6 @@
 #include <irg/math/roots.hpp>
 #include <irg/math/solve.hpp>
 #include <irg/math/solve_exact.hpp>
-#include <irg/math/solve_gauss_seed.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/transform_points.hpp>
 #include <irg/math/trigonometry.hpp>
@@ -33,3 +33,5 @@
 #include <irg/math/vector_batch.hpp>
 #include <irg/math/vector_projection.hpp>
 #include <irg/math/wide_int.hpp>
+#include <irg/math/textbook/roots.hpp>
+#include <irg/math/textbook/solve_gauss.hpp>

@@ -18,7 +18,6 @@
 #include <irg/raster/face_order.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_aa.hpp>
-#include <irg/raster/fill_convex_textbook.hpp>
 #include <irg/raster/fill_polygon.hpp>
 #include <irg/raster/fill_polygon_aa.hpp>
 #include <irg/raster/fill_polygons.hpp>
@@ -34,10 +33,8 @@
 #include <irg/raster/line_options.hpp>
 #include <irg/raster/line_pen.hpp>
 #include <irg/raster/line_run_slice.hpp>
-#include <irg/raster/line_seed.hpp>
 #include <irg/raster/line_styled.hpp>
 #include <irg/raster/line_subpixel.hpp>
-#include <irg/raster/line_textbook.hpp>
 #include <irg/raster/line_thick.hpp>
 #include <irg/raster/line_wu.hpp>
 #include <irg/raster/paint.hpp>
@@ -57,3 +54,6 @@
 #include <irg/raster/view_sdl.hpp>
 #include <irg/raster/window.hpp>
 #include <irg/raster/window_coverage.hpp>
+#include <irg/raster/textbook/fill_convex.hpp>
+#include <irg/raster/textbook/line_bresenham.hpp>
+#include <irg/raster/textbook/line_printed.hpp>

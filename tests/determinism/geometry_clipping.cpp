@@ -8,7 +8,7 @@
 #include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/geometry/clip_line_nicholl_lee_nicholl.hpp>
 #include <irg/geometry/clip_sutherland_hodgman.hpp>
-#include <irg/geometry/clip_weiler_atherton.hpp>
+#include <irg/geometry/polygon_overlay.hpp>
 
 #include "hashes.hpp"
 
@@ -40,7 +40,7 @@ constexpr std::uint64_t clipping(int rounds) {
     const std::vector<P> polygon{a, b, c, d};
     for (const P& p : clip_sutherland_hodgman(polygon, window)) add(p);
     for (const P& p : clip_sutherland_hodgman(polygon, hexagon)) add(p);
-    for (const auto& ring : clip_weiler_atherton(polygon, hexagon).rings)
+    for (const auto& ring : polygon_overlay(polygon, hexagon).rings)
       for (const P& p : ring) add(p);
   }
   return h.value();

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include <irg/geometry/textbook/polygon.hpp>
 #include <irg/geometry/convex_hull.hpp>
 #include <irg/geometry/point_in_convex_polygon.hpp>
 #include <irg/geometry/polygon_area.hpp>
@@ -37,7 +38,7 @@ constexpr std::uint64_t geometry_polygon_measures(int rounds) {
     h.add(irg::polygon_area(ring));
     h.add(irg::polygon_area_exact(ring));
     h.add(irg::polygon_area_fast(ring));
-    h.add(irg::polygon_area_textbook(ring));
+    h.add(irg::textbook::polygon_area(ring));
     h.add(irg::polygon_perimeter(ring));
     const auto centre = irg::polygon_centroid(ring), fast = irg::polygon_centroid_fast(ring);
     h.add(centre ? centre->x : -1);

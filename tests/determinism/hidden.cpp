@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/back_faces.hpp>
-#include <irg/hidden/zbuffer_textbook.hpp>
+#include <irg/hidden/textbook/zbuffer.hpp>
 #include <irg/raster/image.hpp>
 
 #include <array>
@@ -18,7 +19,7 @@ constexpr std::uint64_t textbook_buffers(int rounds) {
   const int size = rounds < 10 ? 7 : 60;
   irg::image<int> ids(size, size);
   irg::image<T> depth(size, size);
-  const irg::zbuffer_textbook buffers{irg::nearer_is_greater{}, ids, depth};
+  const irg::textbook::zbuffer buffers{irg::nearer_is_greater{}, ids, depth};
   for (int i = 0; i < rounds; ++i) {
     const auto any = [&](double low, double high) { return static_cast<T>(low + irg::product(high - low, r.unit())); };
     const auto corner = [&] {
@@ -27,11 +28,11 @@ constexpr std::uint64_t textbook_buffers(int rounds) {
     };
     if (i % 4 == 0) buffers.clear(-1, T(-1000));
     const P a = corner(), b = corner(), c = corner();
-    const auto how = i % 2 ? irg::depth_evaluation::steps : irg::depth_evaluation::plane;
+    const auto how = i % 2 ? irg::textbook::depth_evaluation::steps : irg::textbook::depth_evaluation::plane;
     if (i % 4 < 2)
-      irg::zbuffer_polygon(buffers, std::array{a, b, c}, i, {how});
+      irg::textbook::zbuffer_polygon(buffers, std::array{a, b, c}, i, {how});
     else
-      irg::zbuffer_polygon_perspective(buffers, std::array{a, b, c}, T(20), i, {how});
+      irg::textbook::zbuffer_polygon_perspective(buffers, std::array{a, b, c}, T(20), i, {how});
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {
         h.add(ids(x, y));
@@ -56,14 +57,14 @@ constexpr std::uint64_t hidden_back_faces(int rounds) {
     irg::add_face(m, std::array{0, 1, 2});
     const irg::point<double, 3> eye{number(), number(), number()};
     h.add(static_cast<int>(irg::side_of_face(m, 0, irg::hpoint<double, 3>{eye.x, eye.y, eye.z, i % 3 ? 1.0 : 0.0})));
-    h.add(irg::mixed_product_textbook(m.positions[0], m.positions[1], m.positions[2], eye.z));
-    const irg::vec<double, 3> n = irg::face_normal_textbook(m.positions[0], m.positions[1], m.positions[2]);
+    h.add(irg::textbook::mixed_product(m.positions[0], m.positions[1], m.positions[2], eye.z));
+    const irg::vec<double, 3> n = irg::textbook::face_normal(m.positions[0], m.positions[1], m.positions[2]);
     h.add(static_cast<int>(irg::side_by_angle(n, m.positions[0], eye)));
     const irg::point<double, 2> flat[] = {{m.positions[0].x, m.positions[0].y},
                                           {m.positions[1].x, m.positions[1].y},
                                           {m.positions[2].x, m.positions[2].y}};
     h.add(static_cast<int>(irg::side_by_order(flat)));
-    h.add(irg::is_back_by_edges_textbook(flat) ? 1 : 0);
+    h.add(irg::textbook::is_back_by_edges(flat) ? 1 : 0);
   }
   return h.value();
 }

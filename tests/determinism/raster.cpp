@@ -3,7 +3,7 @@
 #include <irg/raster/draw_lines.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/ellipse_midpoint.hpp>
-#include <irg/raster/fill_convex_textbook.hpp>
+#include <irg/raster/textbook/fill_convex.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_aa.hpp>
 #include <irg/raster/fill_polygon.hpp>
@@ -16,7 +16,7 @@
 #include <irg/raster/line_run_slice.hpp>
 #include <irg/raster/line_styled.hpp>
 #include <irg/raster/line_subpixel.hpp>
-#include <irg/raster/line_textbook.hpp>
+#include <irg/raster/textbook/line_bresenham.hpp>
 #include <irg/raster/line_thick.hpp>
 #include <irg/raster/line_wu.hpp>
 #include <irg/raster/seed_fill.hpp>
@@ -125,7 +125,7 @@ constexpr std::uint64_t lines_in(int rounds) {
   for (int i = 0; i < rounds; ++i) {
     const int x = static_cast<int>(r.integer(-90, 90));
     const irg::cell b{x, static_cast<int>(r.integer(-90, 90))};
-    irg::line_bresenham_textbook<Number>({0, 0}, b, add);
+    irg::textbook::line_bresenham<Number>({0, 0}, b, add);
     irg::line_dda<Number>({0, 0}, b, add);
     irg::line_dda_exact({0, 0}, b, add);
     irg::line_run_slice({0, 0}, b, [&](const irg::line_run& run) { add(run.first), add(run.last); });
@@ -187,9 +187,9 @@ constexpr std::uint64_t raster_textbook_fill(int rounds) {
       v.x = static_cast<std::int32_t>(r.integer(-3000, 3000));
       v.y = static_cast<std::int32_t>(r.integer(-3000, 3000));
     }
-    const auto rule = static_cast<irg::sample_rule>(r.integer(0, 3));
-    irg::convex_spans_textbook(ring, rule, {-9, -9, 9, 9},
-                               [&](irg::span_of_cells s) { h.add(s.y * 1000000 + s.x_first * 1000 + s.x_last); });
+    const auto rule = static_cast<irg::textbook::sample_rule>(r.integer(0, 3));
+    irg::textbook::convex_spans(ring, rule, {-9, -9, 9, 9},
+                                [&](irg::span_of_cells s) { h.add(s.y * 1000000 + s.x_first * 1000 + s.x_last); });
   }
   return h.value();
 }

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/geometry/clip_sutherland_hodgman_textbook.hpp>
+#include <irg/geometry/textbook/clip_sutherland_hodgman.hpp>
 #include <irg/geometry/convex_hull.hpp>
 
 #include "line_clip_cases.hpp"
@@ -245,7 +245,7 @@ bool rounds_to(const irg::point<T, 2>& p, const std::vector<irg::line<mpq>>& lin
   const auto midway = [&](T x, T to) { return (q(x) + q(std::nextafter(x, to))) / mpq(2); };
   const mpq left = midway(p.x, -most), right = midway(p.x, most), low = midway(p.y, -most), high = midway(p.y, most);
   const std::vector<exact_place> cell{{left, low}, {right, low}, {right, high}, {left, high}};
-  return !clip_sutherland_hodgman_textbook(cell, lines).empty();
+  return !irg::textbook::clip_sutherland_hodgman(cell, lines).empty();
 }
 
 struct verdict {
@@ -285,7 +285,7 @@ void judge(const clip_case<T>& c, const Region& region, verdict& v) {
   });
   std::vector<exact_place> rounded;
   for (const P& p : kept) rounded.push_back({q(p.x), q(p.y)});
-  const mpq area = twice_area(clip_sutherland_hodgman_textbook(exact, lines));
+  const mpq area = twice_area(irg::textbook::clip_sutherland_hodgman(exact, lines));
   const bool same_area = !(area_tolerance(ccw, kept.size()) < abs(twice_area(rounded) - area));
   const bool same_corners = same_cycle(without_region(kept), without_region(ends));
   v.with_region_corners += std::any_of(kept.begin(), kept.end(), is_region_corner) ? 1 : 0;

@@ -9,8 +9,6 @@
 #include "support/rational.hpp"
 
 using irg::intersect_lines;
-using irg::intersect_lines_seed;
-using irg::intersect_lines_textbook;
 using irg::line_relation;
 using irg::parametric_line;
 using irg::point;
@@ -60,23 +58,6 @@ TEST_CASE("intersect_lines: Hank's values") {
   CHECK_BOTH(crosses(meeting(pairs<Q3>[0]), {1, 1, 1}, half, half));
   CHECK_BOTH(crosses(meeting(pairs<Q3>[2]), {0, half, half}, half, half));
   CHECK_BOTH(crosses(meeting(pairs<P3>[2]), {0, 0.5, 0.5}, 0.5, 0.5));
-}
-
-TEST_CASE("intersect_lines: the course's form and its program's") {
-  for (int i = 0; i < 6; ++i) {
-    const auto& p = pairs<Q3>[i];
-    const auto m = intersect_lines_textbook(p[0], p[1], p[2], p[3]);
-    CHECK(m.has_value() == (relations[i] == line_relation::crossing));
-    if (m) CHECK(crosses(*m, meeting(p).at, half, half));
-    const auto seed = intersect_lines_seed(p[0], p[1], p[2], p[3]);
-    CHECK(seed.has_value() == (i == 0));  // the third pair meets, but not by the equations of x and y
-  }
-  // Lines of some 1e-4 are none to the program's threshold.
-  constexpr double e = 1e-4;
-  CHECK_BOTH(!intersect_lines_seed(P3{0, 0, 0}, P3{e, e, 0}, P3{e, 0, 0}, P3{0, e, 0}));
-  CHECK_BOTH(meeting<P3>({P3{0, 0, 0}, P3{e, e, 0}, P3{e, 0, 0}, P3{0, e, 0}}).relation == line_relation::crossing);
-  CHECK_BOTH(crosses(*intersect_lines_textbook(P3{0, 0, 0}, P3{e, e, 0}, P3{e, 0, 0}, P3{0, e, 0}), {e / 2, e / 2, 0},
-                     0.5, 0.5));
 }
 
 TEST_CASE("intersect_lines: the plane") {

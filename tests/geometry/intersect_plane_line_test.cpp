@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <irg/geometry/textbook/parametric_plane.hpp>
+#include <irg/geometry/textbook/intersect_plane_line.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 
 #include <array>
@@ -9,10 +11,8 @@
 #include "support/rational.hpp"
 
 using irg::intersect_plane_line;
-using irg::intersect_plane_line_textbook;
 using irg::parametric_line;
 using irg::parametric_plane;
-using irg::parametric_plane_hungarian;
 using irg::plane;
 using irg::plane_line_relation;
 using irg::point;
@@ -44,14 +44,14 @@ TEST_CASE("intersect_plane_line: the course's values") {
   CHECK_BOTH(at_golden({0, 0, 0}, {1, -2, 0}).relation == parallel);
   CHECK_BOTH(at_golden({0, 0, 10}, {0, 0, 9}).t == rational(7));
   CHECK_BOTH(at_golden({0, 0, 10}, {0, 0, 9}).at == Q{0, 0, 3});
-  CHECK_BOTH(intersect_plane_line_textbook(golden, Q{0, 0, 0}, Q{1, 1, 1}) == rational(6, 11));
-  CHECK_BOTH(!intersect_plane_line_textbook(golden, Q{2, 0, 0}, Q{0, 4, 0}));
+  CHECK_BOTH(irg::textbook::intersect_plane_line(golden, Q{0, 0, 0}, Q{1, 1, 1}) == rational(6, 11));
+  CHECK_BOTH(!irg::textbook::intersect_plane_line(golden, Q{2, 0, 0}, Q{0, 4, 0}));
   CHECK_BOTH(intersect_plane_line(plane<double>{6, 3, 2, -6}, P{0, 0, 10}, P{0, 0, 9}).at == P{0, 0, 3});
   CHECK_BOTH(intersect_plane_line(P{1, 0, 0}, P{0, 2, 0}, P{0, 0, 3}, P{0, 0, 10}, P{0, 0, 9}).at == P{0, 0, 3});
 }
 
 TEST_CASE("intersect_plane_line: Hank's values, s1, s2 and t") {
-  constexpr auto p = *parametric_plane_hungarian(P{1, 0, 0}, P{0, 0, 0}, P{0, 1, 0});
+  constexpr auto p = *irg::textbook::parametric_plane_at_middle(P{1, 0, 0}, P{0, 0, 0}, P{0, 1, 0});
   constexpr auto line = [](const P& a, const P& b) constexpr { return *irg::parametric_line_through(a, b); };
   constexpr auto is = [=](const P& a, const P& b, double s1, double s2, double t, const P& at) constexpr {
     const auto m = intersect_plane_line(p, line(a, b));

@@ -7,11 +7,8 @@
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
-using irg::held_parameter;
 using irg::intersect_planes;
-using irg::intersect_planes_hungarian;
 using irg::parametric_line;
-using irg::parametric_plane_hungarian;
 using irg::plane;
 using irg::planes_relation;
 using irg::point;
@@ -27,17 +24,6 @@ constexpr auto none = planes_relation::none, crossing = planes_relation::crossin
                coincident = planes_relation::coincident;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double huge = (std::numeric_limits<double>::max)();
-
-using held = irg::planes_meeting_hungarian<rational>::parameter;
-constexpr auto ground = *parametric_plane_hungarian(Q{1, 0, 0}, Q{0, 0, 0}, Q{0, 1, 0});
-constexpr bool hungarian(const Q& a, const Q& b, const Q& c, held which, const Q& at_zero, const Q& at_one,
-                         held_parameter order = held_parameter::s4_then_s3) {
-  const auto m = intersect_planes_hungarian(ground, *parametric_plane_hungarian(a, b, c), order);
-  return m.relation == crossing && m.held == which && m.at_zero == at_zero && m.at_one == at_one;
-}
-constexpr planes_relation hungarian(const Q& a, const Q& b, const Q& c) {
-  return intersect_planes_hungarian(ground, *parametric_plane_hungarian(a, b, c)).relation;
-}
 
 }  // namespace
 
@@ -55,20 +41,6 @@ TEST_CASE("intersect_planes: two planes by hand") {
   CHECK_BOTH(intersect_planes(L{1, 0, 0, huge}, L{1, 0x1p-52, 0, huge}).line.origin == P{-huge, 0, 0});
   CHECK_BOTH(intersect_planes(L{huge, 0, 0, 0}, L{0, huge, 0, 0}).line.direction.z > 0);
   CHECK_BOTH(intersect_planes(L{5e-324, 0, 0, 0}, L{0, 5e-324, 0, 0}).line.direction == irg::vec<double, 3>{0, 0, 1});
-}
-
-TEST_CASE("intersect_planes_hungarian: Hank's values") {
-  CHECK_BOTH(hungarian({1, 1, 0}, {1, 0, 0}, {1, 0, 1}, held::s3, {1, 0, 0}, {1, 1, 0}));
-  CHECK_BOTH(hungarian({3, 0, 0}, {0, 3, 0}, {0, 0, 3}, held::s3, {0, 3, 0}, {3, 0, 0}));
-  CHECK_BOTH(hungarian({1, 0, 1}, {1, 0, 0}, {1, 1, 0}, held::s4, {1, 0, 0}, {1, 1, 0}));
-  CHECK_BOTH(hungarian({1, 0, 1}, {0, 0, 1}, {0, 1, 1}) == parallel);
-  CHECK_BOTH(hungarian({5, 5, 0}, {1, 2, 0}, {7, 1, 0}) == coincident);
-  // The text's order: another pair of points, the same line.
-  CHECK_BOTH(hungarian({1, 1, 1}, {1, 0, 0}, {1, 0, 1}, held::s4, {1, 0, 0}, {1, -1, 0}));
-  CHECK_BOTH(hungarian({1, 1, 1}, {1, 0, 0}, {1, 0, 1}, held::s3, {1, 0, 0}, {1, 1, 0}, held_parameter::s3_then_s4));
-  CHECK_BOTH(intersect_planes_hungarian(irg::parametric_plane<double>{{1, 1, 1}, {2, 2, 2}, {0, 0, 0}},
-                                        irg::parametric_plane<double>{{1, 1, 1}, {2, 2, 0}, {0, 0, 0}})
-                 .relation == none);
 }
 
 TEST_CASE("intersect_planes: three planes") {

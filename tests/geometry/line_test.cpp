@@ -13,7 +13,6 @@ using irg::height_over_line;
 using irg::hpoint;
 using irg::line;
 using irg::line_through;
-using irg::line_through_textbook;
 using irg::line_value;
 using irg::point;
 using test::rational;
@@ -46,15 +45,6 @@ TEST_CASE("line: the course's values") {
   CHECK_BOTH(common_point(L{1, 2, 3}, L{1, 2, -5}) == H{-16, 8, 0});  // parallel: a point at infinity
   CHECK_BOTH(common_point(L{2, -1, 0}, L{1, 1, -3}) == H{3, 6, 3});
   CHECK_BOTH(to_cartesian(*common_point(L{2, -1, 0}, L{1, 1, -3})) == P{1, 2});
-}
-
-TEST_CASE("line: the printed quotients") {
-  using Q = point<rational, 2>;
-  CHECK_BOTH(line_through_textbook(Q{1, 1}, Q{4, 3}) ==
-             line<rational>{rational(-1, 3), rational(1, 2), rational(-1, 6)});  // (-2, 3, -1)/6
-  CHECK_BOTH(!line_through_textbook(P{0, 5}, P{0, 1}));
-  CHECK_BOTH(!line_through_textbook(P{1, 5}, P{4, 5}));
-  CHECK_BOTH(line_through(P{0, 5}, P{0, 1}).has_value());
 }
 
 TEST_CASE("line: equal points, NaN, ends of the range") {

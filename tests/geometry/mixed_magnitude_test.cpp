@@ -10,8 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include <irg/geometry/textbook/polygon.hpp>
+#include <irg/geometry/textbook/intersect_planes.hpp>
 #include <irg/geometry/barycentric.hpp>
-#include <irg/geometry/barycentric_textbook.hpp>
+#include <irg/geometry/textbook/barycentric.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/geometry/clip_line_cyrus_beck.hpp>
@@ -305,7 +307,8 @@ TEST_CASE_TEMPLATE("mixed magnitudes: barycentric coordinates", T, double, float
         if (widest_view(p[0], p[1], p[2]) != (size[best].sign() == 0 ? std::nullopt : std::optional(best)))
           return wrong;
         const P2* s = seen[best];
-        if (barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3])) return wrong;
+        if (irg::textbook::barycentric_replaced(p[0], p[1], p[2], p[3], best) != barycentric(p[0], p[1], p[2], p[3]))
+          return wrong;
         return compare(barycentric(p[0], p[1], p[2], p[3]), s[0], s[1], s[2], s[3]);
       },
       2000);
@@ -876,13 +879,13 @@ TEST_CASE_TEMPLATE("mixed magnitudes: intersections", T, double, float) {
       },
       1000);
   sweep(
-      named<T>("intersect_planes_hungarian"), 0.501,
+      named<T>("textbook::intersect_planes"), 0.501,
       [](test::random& r, sizes which) {
         const auto p = points<T, 3, 6>(r, which);
         place<3> e[6];
         for (std::size_t i = 0; i < 6; ++i) e[i] = exactly(p[i]);
         const irg::parametric_plane<T> one{to_vec(p[0]), to_vec(p[1]), p[2]}, two{to_vec(p[3]), to_vec(p[4]), p[5]};
-        const auto got = intersect_planes_hungarian(one, two);
+        const auto got = irg::textbook::intersect_planes(one, two);
         const auto n = minors(e[0], e[1]);
         const bool exist = !all_zero(n) && !all_zero(minors(e[3], e[4]));
         const bool crossing = exist && !(dot(n, e[3]).sign() == 0 && dot(n, e[4]).sign() == 0);
@@ -996,7 +999,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: barycentric coordinates by equations", T, 
       named<T>("barycentric_direct"), 0.5,
       [](test::random& r, sizes which) {
         const auto p = points<T, 3, 4>(r, which);
-        const auto got = barycentric_direct(p[0], p[1], p[2], p[3]);
+        const auto got = irg::textbook::barycentric_direct(p[0], p[1], p[2], p[3]);
         const auto a = exactly(p[0]), b = exactly(p[1]), c = exactly(p[2]), t = exactly(p[3]);
         const E whole = determinant(a, b, c),
                 over[3] = {determinant(t, b, c), determinant(a, t, c), determinant(a, b, t)};
@@ -1068,7 +1071,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: plain formulas, of their bounds", T, doubl
         const E area = twice_area(ring).times_power_of_two(-1);
         const auto n = static_cast<double>(ring.size());
         return std::fmax(share_of(irg::polygon_area_fast(ring), area, n + 4, triangles),
-                         share_of(irg::polygon_area_textbook(ring), area, n + 1, products));
+                         share_of(irg::textbook::polygon_area(ring), area, n + 1, products));
       },
       3000);
 }

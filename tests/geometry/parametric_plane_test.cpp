@@ -12,9 +12,7 @@ using irg::in_triangle;
 using irg::mat;
 using irg::parameters_of;
 using irg::parametric_plane;
-using irg::parametric_plane_hungarian;
 using irg::parametric_plane_of;
-using irg::parametric_plane_seed;
 using irg::parametric_plane_through;
 using irg::plane;
 using irg::plane_parameters;
@@ -42,22 +40,6 @@ TEST_CASE("parametric_plane: the course's values, the characteristic matrix K") 
   // [u w 1] K
   CHECK_BOTH(mat<rational, 1, 3>{{{third, third, 1}}} * characteristic_matrix(p) ==
              mat<rational, 1, 4>{{{third, rational(2, 3), 1, 1}}});
-}
-
-TEST_CASE("parametric_plane: Hank's values, the middle point is the origin") {
-  constexpr auto p = *parametric_plane_hungarian(P{1, 0, 0}, P{0, 0, 0}, P{0, 1, 0});
-  CHECK_BOTH(p == parametric_plane<double>{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
-  CHECK_BOTH(columns_of(*parametric_plane_hungarian(P{1, 2, 3}, P{4, 0, 0}, P{7, 8, 9})) ==
-             mat<double, 3, 3>{{{-3, 3, 4}, {2, 8, 0}, {3, 9, 0}}});
-  // Collinear points are no plane; the source lets them pass.
-  CHECK_BOTH(!parametric_plane_hungarian(P{0, 0, 0}, P{1, 1, 1}, P{2, 2, 2}));
-  CHECK_BOTH(parametric_plane_seed(P{0, 0, 0}, P{1, 1, 1}, P{2, 2, 2}) ==
-             parametric_plane<double>{{-1, -1, -1}, {1, 1, 1}, {1, 1, 1}});
-  CHECK_BOTH(!parametric_plane_seed(P{0, 0, 0}, P{1, 1, 1}, P{0, 0, 0}));
-  CHECK_BOTH(!implicit_plane_of(*parametric_plane_seed(P{0, 0, 0}, P{1, 1, 1}, P{2, 2, 2})));
-  // Nearly collinear is not collinear.
-  CHECK_BOTH(parametric_plane_hungarian(P{0, 0, 0}, P{1, 1, 1}, P{2, 2, 2 + 0x1p-51}).has_value());
-  CHECK_BOTH(!parametric_plane_hungarian(P{0, 0, not_a_number}, P{1, 1, 1}, P{2, 2, 5}));
 }
 
 TEST_CASE("parametric_plane: to the implicit form and back") {

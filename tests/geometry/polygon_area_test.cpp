@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <irg/geometry/textbook/polygon.hpp>
 #include <irg/geometry/polygon_area.hpp>
 
 #include <algorithm>
@@ -26,7 +27,6 @@ TEST_CASE("polygon_area: the course's values, both ways round, holes, every numb
   CHECK_BOTH(irg::polygon_area(course) == -38750);
   CHECK_BOTH(irg::polygon_area_exact(course) == -38750);
   CHECK_BOTH(irg::polygon_area_fast(course) == -38750);
-  CHECK_BOTH(irg::polygon_area_textbook(course) == -38750);
   constexpr std::array<I, 4> whole{I{50, 200}, I{150, 350}, I{300, 150}, I{100, 50}};
   CHECK_BOTH(irg::twice_polygon_area(whole) == -77500);
   CHECK_BOTH(irg::polygon_area(whole) == -38750.0);
@@ -34,10 +34,8 @@ TEST_CASE("polygon_area: the course's values, both ways round, holes, every numb
   CHECK(irg::polygon_area(frame) == 72);
   CHECK(irg::polygon_area_exact(frame) == 72);
   CHECK(irg::polygon_area_fast(frame) == 72);
-  CHECK(irg::polygon_area_textbook(frame) == 72);
   using Q = irg::point<test::rational, 2>;
   CHECK(irg::polygon_area(std::array{Q{0, 0}, Q{{1, 3}, 0}, Q{0, {1, 5}}}) == test::rational{1, 30});
-  CHECK(irg::polygon_area_textbook(std::array{Q{0, 0}, Q{{1, 3}, 0}, Q{0, {1, 5}}}) == test::rational{1, 30});
   using L = irg::point<std::int64_t, 2>;
   constexpr std::int64_t high = std::numeric_limits<std::int64_t>::max(),
                          low = std::numeric_limits<std::int64_t>::min();
@@ -121,7 +119,7 @@ void against_rationals(std::uint64_t seed, int trials) {
     worst = std::max(worst, off(irg::polygon_area(r)));
     if (t % 3 != 0) {
       worst_fast = std::max(worst_fast, off(irg::polygon_area_fast(r)));
-      worst_textbook = std::max(worst_textbook, off(irg::polygon_area_textbook(r)));
+      worst_textbook = std::max(worst_textbook, off(irg::textbook::polygon_area(r)));
     }
   }
   MESSAGE(trials, " rings: exact wrong ", exact_wrong, "; ulp off: default ", worst, ", fast ", worst_fast,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <irg/geometry/textbook/polygon.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 
 #include <algorithm>
@@ -41,15 +42,15 @@ constexpr R turned_round(R ring) {
 TEST_CASE("orientation and convexity: the course's values") {
   CHECK_BOTH(irg::orientation_of(course) == polygon_orientation::clockwise);
   CHECK_BOTH(irg::orientation_of(turned_round(course)) == polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::orientation_textbook(course) == polygon_orientation::clockwise);
-  CHECK_BOTH(irg::orientation_textbook(turned_round(course)) == polygon_orientation::counter_clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(course) == polygon_orientation::clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(turned_round(course)) == polygon_orientation::counter_clockwise);
   CHECK_BOTH(irg::is_convex(course));
   constexpr std::array<I, 4> dart{I{0, 0}, I{0, 4}, I{2, 1}, I{4, 4}};
   CHECK_BOTH(!irg::is_convex(dart));
-  CHECK_BOTH(irg::orientation_textbook(dart) == polygon_orientation::degenerate);
+  CHECK_BOTH(irg::textbook::orientation_of(dart) == polygon_orientation::degenerate);
   CHECK_BOTH(irg::orientation_of(dart) == polygon_orientation::clockwise);
   // The pentagram satisfies the course's criterion and is not convex.
-  CHECK_BOTH(irg::orientation_textbook(pentagram) == polygon_orientation::clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(pentagram) == polygon_orientation::clockwise);
   CHECK_BOTH(irg::orientation_of(pentagram) == polygon_orientation::clockwise);
   CHECK_BOTH(!irg::is_convex(pentagram));
 }
@@ -75,7 +76,7 @@ TEST_CASE("NaN and infinity: no polygon, nowhere") {
   for (const double bad : {nan_, inf, -inf}) {
     const std::array<P, 3> ring{P{0, 0}, P{1, bad}, P{0, 1}};
     CHECK(irg::orientation_of(ring) == polygon_orientation::degenerate);
-    CHECK(irg::orientation_textbook(ring) == polygon_orientation::degenerate);
+    CHECK(irg::textbook::orientation_of(ring) == polygon_orientation::degenerate);
     CHECK(!irg::is_convex(ring));
     CHECK(irg::locate_point(ring, {0, 0}) == point_location::outside);
     CHECK(irg::locate_point(course, {bad, 200}) == point_location::outside);
@@ -121,7 +122,7 @@ TEST_CASE("turns: right where floats are wrong, on grids of neighbouring doubles
       collinear += expected == 0;
       for (const double scale : {1.0, 0x1p-1000, 0x1p900, -0x1p-390, 0x1p390}) {
         const auto at = [&](const P& v) { return P{v.x * scale, v.y * scale}; };
-        wrong += static_cast<int>(irg::orientation_textbook(std::array{at(p), at(q), at(r)})) != expected;
+        wrong += static_cast<int>(irg::textbook::orientation_of(std::array{at(p), at(q), at(r)})) != expected;
         wrong += static_cast<int>(irg::orientation_of(std::array{at(p), at(q), at(r)})) != expected;
         wrong += irg::orient2d(at(p), at(q), at(r)) != expected;
       }

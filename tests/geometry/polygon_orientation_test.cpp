@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <irg/geometry/textbook/polygon.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
 #include <irg/geometry/edge_equation.hpp>
 
@@ -25,17 +26,6 @@ TEST_CASE("orientation_of: degenerate polygons") {
   CHECK_BOTH(irg::orientation_of(V{{1, 2}, {3, 4}}) == polygon_orientation::degenerate);
   CHECK_BOTH(irg::orientation_of(V{{0, 0}, {3, 1}, {9, 3}, {6, 2}}) == polygon_orientation::degenerate);
   CHECK_BOTH(irg::orientation_of(V{{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == polygon_orientation::degenerate);
-  CHECK_BOTH(irg::orientation_textbook(V{{0, 0}, {2, 0}, {4, 0}, {4, 4}}) == polygon_orientation::degenerate);
-}
-
-TEST_CASE("orientation_textbook: three vertices at a time") {
-  using V = std::vector<I>;
-  // A pentagram turns one way at every vertex, whichever way round its corners lie.
-  CHECK_BOTH(irg::orientation_textbook(V{{10, 0}, {-8, 6}, {3, -10}, {3, 10}, {-8, -6}}) ==
-             polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::orientation_textbook(V{{-8, -6}, {3, 10}, {3, -10}, {-8, 6}, {10, 0}}) ==
-             polygon_orientation::clockwise);
-  CHECK_BOTH(irg::orientation_textbook(V{{0, 0}, {4, 0}, {2, 1}, {4, 4}, {0, 4}}) == polygon_orientation::degenerate);
 }
 
 TEST_CASE("make_counter_clockwise: the course's values, the reversed list and its edges") {
@@ -46,7 +36,7 @@ TEST_CASE("make_counter_clockwise: the course's values, the reversed list and it
   CHECK_BOTH(repaired().first == polygon_orientation::clockwise);
   CHECK_BOTH(repaired().second == std::array<P, 4>{P{50, 200}, P{100, 50}, P{300, 150}, P{150, 350}});
   CHECK_BOTH(irg::orientation_of(repaired().second) == polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::orientation_textbook(repaired().second) == polygon_orientation::counter_clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(repaired().second) == polygon_orientation::counter_clockwise);
   constexpr auto again = [] {
     auto ring = repaired().second;
     return std::pair{irg::make_counter_clockwise(ring), ring};

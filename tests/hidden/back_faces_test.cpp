@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/back_faces.hpp>
 
 #include <array>
@@ -93,8 +94,8 @@ constexpr bool back_by_both(const point2 (&ring)[N], bool back) {
   const bool by_order = irg::side_by_order(ring, vertex_order::clockwise) != face_side::front;
   std::array<point2, N> reversed{};
   for (std::size_t i = 0; i < N; ++i) reversed[i] = ring[N - 1 - i];
-  return by_order == back && irg::is_back_by_edges_textbook(ring) == back &&
-         irg::is_back_by_edges_textbook(reversed, vertex_order::counter_clockwise) == back &&
+  return by_order == back && irg::textbook::is_back_by_edges(ring) == back &&
+         irg::textbook::is_back_by_edges(reversed, vertex_order::counter_clockwise) == back &&
          (irg::side_by_order(reversed) != face_side::front) == back;
 }
 
@@ -110,69 +111,6 @@ TEST_CASE("back_faces: the course's values, orientation in the projection plane"
   CHECK_BOTH(irg::side_by_order(line) == face_side::edge_on);
   CHECK_BOTH(irg::side_by_order(std::array<point2, 0>{}) == face_side::edge_on);
   CHECK_BOTH(irg::side_by_order(std::array{point2{1, 2}, point2{3, 4}}) == face_side::edge_on);
-}
-
-TEST_CASE("back_faces: the rule of edges does not notice the back of a star, the area does") {
-  constexpr point2 star[] = {{0, 4},  {-1, 1}, {-4, 0}, {-1, -1},
-                             {0, -4}, {1, -1}, {4, 0},  {1, 1}};  // counter-clockwise
-  CHECK_BOTH(irg::side_by_order(star, vertex_order::clockwise) == face_side::back);
-  CHECK_BOTH(!irg::is_back_by_edges_textbook(star, vertex_order::clockwise));
-}
-
-struct seen_polygon {
-  point3 p[3];
-  vec3 normal;
-  double mixed;
-};
-
-TEST_CASE("back_faces: the slides' normal, mixed product and procedure, the viewer in (0, 0, 10)") {
-  constexpr seen_polygon all[] = {
-      {{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {0, 0, 12}, 120},   {{{0, 3, 0}, {4, 0, 0}, {0, 0, 0}}, {0, 0, -12}, -120},
-      {{{1, 2, 3}, {4, 0, 1}, {2, 5, -1}}, {14, 10, 11}, 43}, {{{1, 0, 0}, {2, 0, 5}, {3, 0, 1}}, {0, 9, 0}, 0},
-      {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}, {0, 0, 1}, 9},      {{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}}, {0, 0, -1}, -10},
-      {{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {1, 0, 0}, -1},     {{{0, 1, 0}, {0, 0, 0}, {0, 1, 1}}, {-1, 0, 0}, 0}};
-  for (const auto& [p, normal, mixed] : all) {
-    CHECK(irg::face_normal_textbook(p[0], p[1], p[2]) == normal);
-    CHECK(irg::mixed_product_textbook(p[0], p[1], p[2], 10.0) == mixed);
-    CHECK(irg::is_hidden_polygon_textbook(p, 10.0) == !(mixed > 0));
-    CHECK(irg::is_hidden_polygon_textbook(p, 10.0, irg::edge_on_faces::drawn) == (mixed < 0));
-  }
-  static_assert(irg::mixed_product_textbook(all[2].p[0], all[2].p[1], all[2].p[2], 10.0) == 43);
-  static_assert(irg::is_hidden_polygon_textbook(all[3].p, 10.0));
-  static_assert(!irg::is_hidden_polygon_textbook(all[3].p, 10.0, irg::edge_on_faces::drawn));
-}
-
-TEST_CASE("back_faces: Hank's values, the rule of the camera's axis errs in both directions under central projection") {
-  constexpr vec3 z{0, 0, 1};
-  CHECK_BOTH(irg::is_back_by_axis_seed(z, vec3{3, 0, 1}));
-  CHECK_BOTH(irg::side_by_angle(vec3{3, 0, 1}, point3{-2, 0, 4}, point3{}) == face_side::front);
-  CHECK_BOTH(!irg::is_back_by_axis_seed(z, vec3{3, 0, -1}));
-  CHECK_BOTH(irg::side_by_angle(vec3{3, 0, -1}, point3{2, 0, 4}, point3{}) == face_side::back);
-  CHECK_BOTH(!irg::is_back_by_axis_seed(z, vec3{1, 0, 0}));
-  // Under parallel projection it is right: the eye is at infinity, against the axis.
-  constexpr auto by_axis = [] {
-    const irg::mesh<double> cube = irg::shape_cube<double>();
-    faces visible;  // the axis' rule shows faces seen from their edge, too
-    for (std::uint32_t f = 0; f < cube.face_count(); ++f)
-      if (!irg::is_back_by_axis_seed(vec3{0, 0, 1}, *irg::face_normal(cube, f))) visible.push_back(f);
-    return visible.size() == 10 && visible == irg::front_faces(cube, hpoint3{0, 0, -1, 0}, irg::edge_on_faces::drawn) &&
-           irg::front_faces(cube, hpoint3{0, 0, -1, 0}).size() == 2;
-  };
-  CHECK_BOTH(by_axis());
-}
-
-TEST_CASE("back_faces: an infinitely far eye sees as the camera's axis has it") {
-  const irg::mesh<double> m = irg::shape_sphere<double>();
-  test::random r(7);
-  for (int trial = 0; trial < 50; ++trial) {
-    const auto number = [&] { return static_cast<double>(r.integer(-100, 100)) / 64; };
-    const vec3 z{number(), number(), number()};
-    for (std::size_t f = 0; f < m.face_count(); ++f) {
-      const vec3 normal = irg::face_normal(m, f).value_or(vec3{});
-      const face_side side = irg::side_of_face(m, f, hpoint3{-z.x, -z.y, -z.z, 0});
-      if (std::abs(dot(z, normal)) > 1e-12) CHECK(irg::is_back_by_axis_seed(z, normal) == (side == face_side::back));
-    }
-  }
 }
 
 // The side by rationals, from the first vertex and the cross product of two edges.
@@ -206,22 +144,6 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
     if (plane) CHECK(irg::side_by_angle(irg::normal_of(*plane), m.positions[0], eye) == side);
   }
   CHECK(edge_on > 100);
-}
-
-TEST_CASE("back_faces: the slides' forms are the plane's value at (0, 0, d), for random triangles of integers") {
-  test::random r(8);
-  for (int trial = 0; trial < 5000; ++trial) {
-    const auto number = [&] { return static_cast<double>(r.integer(-9, 9)); };
-    const point3 p[3] = {
-        {number(), number(), number()}, {number(), number(), number()}, {number(), number(), number()}};
-    const double d = number(), mixed = irg::mixed_product_textbook(p[0], p[1], p[2], d);
-    const vec3 normal = irg::face_normal_textbook(p[0], p[1], p[2]);
-    CHECK(mixed == dot(point3{0, 0, d} - p[1], normal));
-    const auto plane = irg::plane_through(p[0], p[1], p[2]);
-    CHECK((plane ? irg::normal_of(*plane) : vec3{}) == normal);
-    const face_side side = plane ? irg::side_by_plane(*plane, point3{0, 0, d}) : face_side::edge_on;
-    CHECK(irg::is_hidden_polygon_textbook(p, d) == irg::is_hidden(side));
-  }
 }
 
 static_assert(irg::side_by_angle(vec3{1e-300, 1e300, 1}, point3{1, 1, 1}, point3{1e300, 1, -1}) == face_side::back);
@@ -267,7 +189,7 @@ TEST_CASE_TEMPLATE("back_faces: every form is exact, for coordinates of every si
       CHECK(irg::side_by_order(flat) == sign(area));
       CHECK(irg::side_by_order(flat, vertex_order::clockwise) == sign(E(0) - area));
       if (n == 3 && area.sign() != 0)
-        CHECK(irg::is_back_by_edges_textbook(flat, vertex_order::counter_clockwise) == (area.sign() < 0));
+        CHECK(irg::textbook::is_back_by_edges(flat, vertex_order::counter_clockwise) == (area.sign() < 0));
     }
   CHECK(edge_on > 100);
 }

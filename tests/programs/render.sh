@@ -120,6 +120,23 @@ check "6 of them face away" is "$(number backface s.json)" 6
 drawn "a cube's statistics without culling" cube $small --cull none
 check "none of them is left out" is "$(number backface s.json)" 0
 
+# ---- the classical methods draw the z-buffer's picture
+for style in gouraud flat phong; do
+  drawn "$style zbuffer" teapot $small --style $style --cull none
+  hash=$(hash_in s.json)
+  for hidden in painter warnock bsp raycast; do
+    drawn "$style $hidden" teapot $small --style $style --cull none --hidden $hidden --threads 2
+    check "$style $hidden: the z-buffer's picture" is "$(hash_in s.json)" "$hash"
+    [ $style = flat ] || continue
+    drawn "$style $hidden without skips" teapot $small --style $style --cull none --hidden $hidden --skip off
+    check "$style $hidden without skips: the z-buffer's picture" is "$(hash_in s.json)" "$hash"
+  done
+done
+drawn "wire zbuffer" teapot $small --style wire
+hash=$(hash_in s.json)
+drawn "wire painter" teapot $small --style wire --hidden painter
+check "edges hide nothing, whatever the method" is "$(hash_in s.json)" "$hash"
+
 # ---- hashes
 for style in gouraud wire flat phong; do
   for hidden in zbuffer none; do
@@ -303,13 +320,13 @@ refused_choice() { # option value supported...
 }
 for value in nothing "" Wire; do
   refused_choice --project "$value" perspective orthographic isometric dimetric trimetric oblique
-  refused_choice --hidden "$value" zbuffer none
+  refused_choice --hidden "$value" zbuffer painter warnock bsp raycast none
   refused_choice --style "$value" gouraud wire flat phong
   refused_choice --cull "$value" back none
   refused_choice --skip "$value" on off
 done
 # What is promised for later works or is refused with the list; never anything else.
-for pair in "--hidden painter" "--hidden warnock" "--hidden bsp" "--hidden raytrace" "--style hidden-line"; do
+for pair in "--hidden raytrace" "--style hidden-line"; do
   run "" cube $small -o later.ppm $pair
   if [ "$status" = 0 ]; then
     check "$pair: a picture" test -s later.ppm

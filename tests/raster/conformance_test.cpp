@@ -12,7 +12,7 @@
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/fill_convex.hpp>
-#include <irg/raster/fill_convex_textbook.hpp>
+#include <irg/raster/textbook/fill_convex.hpp>
 #include <irg/raster/fill_polygon.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_bresenham.hpp>
@@ -158,11 +158,11 @@ double_ring in_doubles(const std::vector<test::conformance_vertex>& ring) {
 bool is_sample_rule(const std::string& rule) {
   return rule == "course" || rule == "closed" || rule == "rounded" || rule == "half-open";
 }
-irg::sample_rule sample_rule_of(const std::string& rule) {
-  return rule == "course"    ? irg::sample_rule::course
-         : rule == "closed"  ? irg::sample_rule::closed
-         : rule == "rounded" ? irg::sample_rule::rounded
-                             : irg::sample_rule::half_open;
+irg::textbook::sample_rule sample_rule_of(const std::string& rule) {
+  return rule == "course"    ? irg::textbook::sample_rule::course
+         : rule == "closed"  ? irg::textbook::sample_rule::closed
+         : rule == "rounded" ? irg::textbook::sample_rule::rounded
+                             : irg::textbook::sample_rule::half_open;
 }
 
 // Calls check(name of the kernel, its spans) for every kernel that can fill these rings by this rule.
@@ -175,8 +175,8 @@ void fill_in_every_way(const std::vector<std::vector<test::conformance_vertex>>&
   const bool all_fit = std::all_of(rings.begin(), rings.end(), [](const auto& r) { return fits(r, 0x7fffffff); });
   if (is_sample_rule(rule)) {
     REQUIRE((rings.size() == 1 && all_fit));
-    irg::convex_spans_textbook(in_subpixels(rings[0]), sample_rule_of(rule), window, sink);
-    return done("convex_spans_textbook");
+    irg::textbook::convex_spans(in_subpixels(rings[0]), sample_rule_of(rule), window, sink);
+    return done("textbook::convex_spans");
   }
   REQUIRE((rule == "even-odd" || rule == "non-zero"));
   const irg::fill_rule fill = rule == "even-odd" ? irg::fill_rule::even_odd : irg::fill_rule::non_zero;

@@ -177,12 +177,12 @@ std::int64_t inverse(std::int64_t m, std::int64_t n) {
 // the line lies as close as it can to half-way between two cells, which one unit too much or too little would show.
 template <class Walk>
 bool walk_is_exact(const Walk& walk, const irg::detail::bresenham_frame& f, std::int64_t first, test::random& random) {
-  using irg::detail::int128;
+  using irg::int128;
   constexpr int bits = 8 * static_cast<int>(sizeof(walk.part));
   const std::int64_t aside = f.aside_at(first), last = first + walk.cells - 1, unit = inverse(f.m, f.n);
   bool right = walk.start == f.at(first, aside);
   const auto check = [&](std::int64_t step) {
-    const auto sum = walk.part + static_cast<irg::detail::uint128>(step - first) * walk.slope;
+    const auto sum = walk.part + static_cast<irg::uint128>(step - first) * walk.slope;
     right = right && static_cast<std::int64_t>(sum >> bits) + aside == f.aside_at(step);
   };
   check(first);
@@ -245,7 +245,7 @@ TEST_CASE("draw_line: the lines on which the start of the walk in 32 bits has le
 
 TEST_CASE("draw_line: the walk in 64 bits on the lines that need its last units") {
   using namespace irg::detail;
-  using wide_uint = uint128;
+  using wide_uint = irg::uint128;
   test::random random(18);
   constexpr std::int64_t cells = 2147483647;  // the widest window
   int lowest = 0;

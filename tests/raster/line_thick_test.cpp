@@ -80,9 +80,9 @@ std::int32_t coordinate(test::random& r, int low, int high) {
 }
 
 TEST_CASE("floor_sqrt: both widths, at squares and beside them") {
+  using irg::uint128;
   using irg::detail::floor_sqrt;
   using irg::detail::floor_sqrt_wide;
-  using irg::detail::uint128;
   test::random r(60);
   for (int i = 0; i < 20000; ++i) {
     const auto root = static_cast<std::uint64_t>(r.integer(0, (std::int64_t{1} << r.integer(1, 62)) - 1));
@@ -242,9 +242,8 @@ TEST_CASE("line_thick: cells in 128 bits give what 64 bits give, in range") {
     const auto width = static_cast<std::int32_t>(r.integer(1, 2000));
     for (const line_caps caps : all_caps) {
       std::vector<span_of_cells> far;
-      irg::detail::stroke_spans(
-          irg::detail::thick_stroke_of<irg::detail::int128, 0>({a.x, a.y, b.x, b.y}, width, caps, caps),
-          {-64, -64, 64, 64}, [&](span_of_cells s) { far.push_back(s); });
+      irg::detail::stroke_spans(irg::detail::thick_stroke_of<irg::int128, 0>({a.x, a.y, b.x, b.y}, width, caps, caps),
+                                {-64, -64, 64, 64}, [&](span_of_cells s) { far.push_back(s); });
       REQUIRE(far == spans(a, b, {width, caps}));
     }
   }

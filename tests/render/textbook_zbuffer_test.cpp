@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The z-buffer as textbooks have it against irg's own and against the definition of the picture, pixel by pixel.
-#include <irg/hidden/zbuffer_textbook.hpp>
+#include <irg/hidden/textbook/zbuffer.hpp>
 
 #include <cmath>
 #include <map>
@@ -66,11 +66,11 @@ struct textbook_method {
   void operator()(const Faces& faces, const irg::cell_window& window, irg::image<std::uint32_t>& ids,
                   irg::draw_counts&) const {
     irg::image<float> depth(window.x_last, window.y_last, irg::nearer_is_greater::farthest);
-    const auto buffers = irg::zbuffer_textbook{irg::nearer_is_greater{}, ids, depth}.within(window);
+    const auto buffers = irg::textbook::zbuffer{irg::nearer_is_greater{}, ids, depth}.within(window);
     std::vector<irg::screen_face> all;
     for (std::size_t i = 0; i < faces.size(); ++i) {
       all.push_back(faces[i]);
-      irg::zbuffer_face(buffers, all.back(), all.back().number);
+      irg::textbook::zbuffer_face(buffers, all.back(), all.back().number);
     }
     for (int y = window.y_first; y < window.y_last; ++y)
       for (int x = window.x_first; x < window.x_last; ++x) (*shown)(x, y) = ids(x, y);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sutherland and Hodgman's polygon clipping, in the plane against windows and convex polygons, in space against convex
 // regions given by planes, such as a view pyramid's. Edges of the result that run along a boundary are the price of its
-// simplicity where the polygon is not convex; clip_weiler_atherton gives the pieces apart.
+// simplicity where the polygon is not convex; polygon_overlay gives the pieces apart.
 #pragma once
 
 #include <span>

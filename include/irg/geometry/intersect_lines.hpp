@@ -24,10 +24,6 @@ struct lines_meeting {
   scalar_of<P> t{}, s{};
 };
 
-/// The numbers below which Hank's Gauss elimination takes a pivot for zero.
-template <Scalar T>
-inline constexpr T seed_zero = T(1) / T(1000000);
-
 namespace detail {
 
 // What is known of two crossing lines: t and s times the divisor, what they lack of 1, and the point times it.
@@ -112,29 +108,6 @@ constexpr lines_meeting<P> rounded_meeting(const line_crossing<V, D>& c) noexcep
           rounded_to<T>(c.s / c.divisor)};
 }
 
-// The crossing by two of the coordinate equations, unless their determinant is at most `zero`.
-template <Point P>
-constexpr std::optional<lines_meeting<P>> cross_in_two(const P& a, const P& b, const P& c, const P& d, int i, int j,
-                                                       const scalar_of<P>& zero) noexcept {
-  using T = scalar_of<P>;
-  const auto way = [](const P& from, const P& to, int k) { return coordinate(to, k) - coordinate(from, k); };
-  const auto minor = [&](const P& p, const P& q, const P& r, const P& s) {
-    return product(way(p, q, i), way(r, s, j)) - product(way(p, q, j), way(r, s, i));
-  };
-  const T n = minor(a, b, c, d);
-  if (!(zero < n || n < -zero)) return std::nullopt;
-  const T t = minor(a, c, c, d) / n, s = minor(a, c, a, b) / n;
-  const auto at = [&](int k) { return coordinate(a, k) + product(t, way(a, b, k)); };
-  return lines_meeting<P>{line_relation::crossing, generate_coordinates<P>(at), t, s};
-}
-
-template <Point P>
-constexpr bool fits_third(const lines_meeting<P>& m, const P& c, const P& d, int k,
-                          const scalar_of<P>& tolerance) noexcept {
-  const auto off = coordinate(m.at, k) - (coordinate(c, k) + product(m.s, coordinate(d, k) - coordinate(c, k)));
-  return !(tolerance < off) && !(off < -tolerance);
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -165,38 +138,6 @@ constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>
   if (detail::is_zero_vector(first.direction) || detail::is_zero_vector(second.direction)) return {};
   return detail::rounded_meeting<point<T, N>>(detail::cross_lines<true, static_cast<std::size_t>(N)>(
       detail::gathered<T>(first.origin, first.direction, second.origin, second.direction)));
-}
-
-/// The crossing of two lines in space as Hank computes it: two of the three coordinate equations are solved, the
-/// third is checked. Pairs of equations are tried until one can be solved.
-/// gives   nothing where no pair can be solved (parallel and coincident lines) or the third equation is not fulfilled
-///         within the tolerance (skew ones)
-/// exact   in rationals; in floats rounded lines rarely pass the check with tolerance 0: intersect_lines decides
-/// source  Hank n.d., 1.3.4, corrected: the first pair alone misses (0,0,0)-(0,1,1) and (0,0,1)-(0,1,0)
-template <Point P>
-  requires(Real<scalar_of<P>> && size_of<P> == 3)
-constexpr std::optional<lines_meeting<P>> intersect_lines_textbook(const P& a, const P& b, const P& c, const P& d,
-                                                                   scalar_of<P> tolerance = scalar_of<P>(0)) noexcept {
-  for (int third = 2; third >= 0; --third) {
-    const auto m = detail::cross_in_two(a, b, c, d, third == 0 ? 1 : 0, third == 2 ? 1 : 2, scalar_of<P>(0));
-    if (!m) continue;
-    if (!detail::fits_third(*m, c, d, third, tolerance)) return std::nullopt;
-    return m;
-  }
-  return std::nullopt;
-}
-
-/// The crossing of two lines in space as Hank's program finds it: by the equations of x and y alone, with a fixed
-/// threshold for zero.
-/// gives   nothing as well for crossing lines whose x and y equations depend on each other, and for short ones
-/// source  Hank n.d., 1.3.4 as printed
-template <Point P>
-  requires(Real<scalar_of<P>> && size_of<P> == 3)
-constexpr std::optional<lines_meeting<P>> intersect_lines_seed(const P& a, const P& b, const P& c, const P& d,
-                                                               scalar_of<P> zero = seed_zero<scalar_of<P>>) noexcept {
-  const auto m = detail::cross_in_two(a, b, c, d, 0, 1, zero);
-  if (!m || !detail::fits_third(*m, c, d, 2, zero)) return std::nullopt;
-  return m;
 }
 
 }  // namespace IRG_ABI

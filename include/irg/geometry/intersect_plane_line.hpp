@@ -144,18 +144,5 @@ constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& 
   return {m.relation, {}, {}, {}, {}};
 }
 
-/// The parameter by the course's formula, t = -(V1 R)/((V2 - V1) R), as printed for points of weight 1.
-/// gives   nothing when the divisor comes out as zero: parallel or contained, or nearly
-/// exact   in rationals; in floats each operation rounded once
-/// source  Mihajlovic 2016, 4.5
-template <Plane L, Point P>
-  requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
-constexpr std::optional<scalar_of<P>> intersect_plane_line_textbook(const L& plane, const P& a, const P& b) noexcept {
-  using T = scalar_of<P>;
-  const T divisor = dot(normal_of(plane), detail::displacement<T>(a, b));
-  if (!(divisor < T(0) || T(0) < divisor)) return std::nullopt;
-  return -plane_value(plane, a) / divisor;
-}
-
 }  // namespace IRG_ABI
 }  // namespace irg

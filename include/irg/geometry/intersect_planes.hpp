@@ -22,19 +22,6 @@ struct planes_meeting {
   parametric_line<T, 3> line{};
 };
 
-/// Two points of the line that two parametric planes have in common, and the parameter of the second plane that was
-/// held at 0 and at 1 to find them.
-/// shape   points and parameter have a meaning only where the planes cross
-template <Scalar T>
-struct planes_meeting_hungarian {
-  planes_relation relation = planes_relation::none;
-  point<T, 3> at_zero{}, at_one{};
-  enum class parameter { s3, s4 } held = parameter::s4;
-};
-
-/// Which parameter of the second plane is held first: the program's order or the text's.
-enum class held_parameter { s4_then_s3, s3_then_s4 };
-
 /// What three planes have in common: a point, a line, the plane they all are, or nothing: since two are parallel and
 /// distinct, or since they cross in three parallel lines (`prism`). `none` when one of them is no plane.
 enum class three_planes_relation { none, point, line, coincident, parallel, prism };
@@ -101,45 +88,6 @@ constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const
   const auto u = detail::rounded_together<T, 3>(*direction);
   return {planes_relation::crossing,
           {detail::coordinates_over<point<T, 3>>(*origin, 1, (*origin)[0]), {u[0], u[1], u[2]}}};
-}
-
-/// Hank's construction of the common line of two parametric planes: one parameter of the second plane is held at
-/// 0 and at 1, which gives two lines of that plane; where they cross the first plane are two points of the common line.
-/// When those lines are parallel to the first plane, the other parameter is held.
-/// exact   the relation; each coordinate within 0.501 ulp, for the directions as
-///         they are
-/// source  Hank n.d., 1.3.6: the program holds s4 first, the text s3
-template <Real T>
-constexpr planes_meeting_hungarian<T> intersect_planes_hungarian(
-    const parametric_plane<T>& first, const parametric_plane<T>& second,
-    held_parameter order = held_parameter::s4_then_s3) noexcept {
-  using result = planes_meeting_hungarian<T>;
-  const auto n1 = detail::directions_normal(first), n2 = detail::directions_normal(second);
-  if (!n1 || !n2 || detail::are_zero(*n1, 0, 3) || detail::are_zero(*n2, 0, 3)) return {};
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    const bool hold_s4 = (order == held_parameter::s4_then_s3) == (attempt == 0);
-    const vec<T, 3>&along = hold_s4 ? second.first : second.second, &held = hold_s4 ? second.second : second.first;
-    const auto v = detail::evaluate<4>(
-        [](const auto& x) {
-          using N = std::remove_cvref_t<decltype(x[0])>;
-          const auto n = detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3));
-          const auto zero = detail::part_of<3>(x, 6), u = detail::part_of<3>(x, 12);
-          const auto one = detail::sum_of(zero, detail::part_of<3>(x, 15)), base = detail::part_of<3>(x, 9);
-          const N h0 = detail::dot_of(n, detail::difference_of(zero, base));
-          const N h1 = detail::dot_of(n, detail::difference_of(one, base));
-          return detail::joined(detail::cross_plane(n, zero, u, h0), detail::cross_plane(n, one, u, h1));
-        },
-        detail::gathered<T>(first.first, first.second, second.origin, first.origin, along, held));
-    if (!v) return {};
-    const auto& x = *v;
-    if (detail::known_sign(x[0]) != 0)
-      return {planes_relation::crossing, detail::coordinates_over<point<T, 3>>(x, 2, x[0]),
-              detail::coordinates_over<point<T, 3>>(x, 7, x[0]),
-              hold_s4 ? result::parameter::s4 : result::parameter::s3};
-    if (attempt == 1)
-      return {detail::known_sign(x[1]) == 0 ? planes_relation::coincident : planes_relation::parallel, {}, {}, {}};
-  }
-  return {};
 }
 
 /// What three planes have in common.

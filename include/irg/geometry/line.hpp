@@ -66,20 +66,6 @@ constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q)
       detail::gathered<T>(p, q)));
 }
 
-/// The line by the quotients as printed, (y - y1)/(y2 - y1) = (x - x1)/(x2 - x1).
-/// gives   nothing for equal points and for lines along an axis, whose quotients do not exist. The side of positive
-///         values is the left one only where x or y falls from p to q, not both or neither
-/// exact   each operation rounded once
-/// source  Mihajlovic 2016, formula 2.6 as printed
-template <Point P>
-  requires(size_of<P> == 2 && Real<scalar_of<P>>)
-constexpr std::optional<line<scalar_of<P>>> line_through_textbook(const P& p, const P& q) noexcept {
-  using T = scalar_of<P>;
-  const T width = coordinate(q, 0) - coordinate(p, 0), height = coordinate(q, 1) - coordinate(p, 1);
-  if (width == T(0) || height == T(0)) return std::nullopt;
-  return line<T>{T(-1) / width, T(1) / height, coordinate(p, 0) / width - coordinate(p, 1) / height};
-}
-
 /// The point that two lines have in common, their cross product: of weight 0, a direction, for parallel lines.
 /// gives   nothing when the lines are the same (proportional), or a coefficient is NaN or infinite
 /// exact   in integers (without overflow) and rationals; in floats each coordinate within 0.501 ulp; all are multiplied

@@ -132,5 +132,27 @@ constexpr plane_side side_of(const P& p, const Q& q) noexcept {
   }
 }
 
+/// newell_plane moved so that it passes through the centroid of the vertices: of all parallel planes the one from which
+/// the vertices of a polygon that is not quite flat are off by the least sum of squares.
+/// gives   as newell_plane
+/// exact   in rationals; in floats the normal as newell_plane's
+/// source  Mihajlovic 2016, formula 4.2
+template <PolygonRing R>
+  requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Real<scalar_of<ring_point<R>>>
+constexpr std::optional<plane<scalar_of<ring_point<R>>>> newell_plane_through_centroid(const R& ring) noexcept {
+  using T = scalar_of<ring_point<R>>;
+  auto p = newell_plane(ring);
+  if (!p) return p;
+  const auto origin = ring_vertex(ring, 0);
+  vec<T, 3> sum{T(0), T(0), T(0)};
+  T count(0);
+  for (std::size_t i = 0; i < ring_size(ring); ++i) {
+    sum = sum + detail::displacement<T>(origin, ring_vertex(ring, i));
+    count = count + T(1);
+  }
+  p->d = p->d - dot(normal_of(*p), sum) / count;
+  return p;
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg

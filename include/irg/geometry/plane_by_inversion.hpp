@@ -50,15 +50,5 @@ constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& 
   return {inversion_outcome::plane, {coefficient(0), coefficient(1), coefficient(2), d}};
 }
 
-/// The formula as printed, D in the matrix and 1 on the right side: its solution ends in 1/D, not in D.
-/// needs   a d that is not zero
-/// source  Mihajlovic 2016, formula 4.3
-template <HomogeneousPoint P>
-  requires(size_of<P> == 4 && Real<scalar_of<P>>)
-constexpr inverted_plane<scalar_of<P>> plane_by_inversion_textbook(const P& p1, const P& p2, const P& p3,
-                                                                   scalar_of<P> d) noexcept {
-  return plane_by_inversion(p1, p2, p3, scalar_of<P>(1) / d);
-}
-
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -32,23 +32,6 @@ constexpr point_location point_in_convex_polygon(const R& ring, const ring_point
   return side == 0 ? point_location::outside : point_location::inside;
 }
 
-/// Rules 3.3 and 3.4 of the course as they stand, for a clockwise ring: outside when p lies on the left of some edge (a
-/// positive value of its equation), inside when it lies on the right of all, boundary otherwise.
-/// needs   a clockwise convex ring without repeated vertices: an edge without length has the value 0 everywhere, so
-///         that it takes the inside for the boundary
-/// exact   as point_in_convex_polygon
-/// source  Mihajlovic 2016, rules 3.3 and 3.4. Its exercise prints the boundary as inside
-template <PlaneRing R>
-constexpr point_location point_in_convex_polygon_textbook(const R& ring, const ring_point<R>& p) noexcept {
-  bool all_negative = true;
-  for (std::size_t i = 0; i < ring_size(ring); ++i) {
-    const int value = orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), p);
-    if (value > 0) return point_location::outside;
-    all_negative = all_negative && value < 0;
-  }
-  return all_negative ? point_location::inside : point_location::boundary;
-}
-
 }  // namespace IRG_ABI
 
 namespace detail {

@@ -109,16 +109,20 @@ constexpr std::size_t ring_count(const P& polygon) noexcept {
     return static_cast<std::size_t>(polygon.size());
 }
 
+template <PlanePolygon P>
+constexpr decltype(auto) ring_of(const P& polygon, [[maybe_unused]] std::size_t i) noexcept {
+  if constexpr (PlaneRing<P>)
+    return (polygon);
+  else
+    return polygon[i];
+}
+
 // Calls f(ring) for each ring, until it returns false; whether it never did.
 template <PlanePolygon P, class F>
 constexpr bool each_ring(const P& polygon, F&& f) noexcept {
-  if constexpr (PlaneRing<P>) {
-    return f(polygon);
-  } else {
-    for (std::size_t i = 0; i < ring_count(polygon); ++i)
-      if (!f(polygon[i])) return false;
-    return true;
-  }
+  for (std::size_t i = 0; i < ring_count(polygon); ++i)
+    if (!f(ring_of(polygon, i))) return false;
+  return true;
 }
 
 // Calls f(from, to) for each edge of each ring.

@@ -152,20 +152,5 @@ constexpr auto polygon_area_fast(const P& polygon) noexcept {
   return twice * T(0.5);
 }
 
-/// The signed area by half the sum of x1*y2 - x2*y1 as it stands, the textbook's shoelace formula.
-/// exact   in rationals; in floats off by (n + 1) u times the sum of all |x1*y2| and |x2*y1|, which grows with the
-///         square of the distance from the origin: at 10^8 sizes away nothing is left of a double
-/// source  Meister 1769 (the shoelace formula)
-template <PlanePolygon P>
-  requires Real<scalar_of<polygon_point<P>>>
-constexpr auto polygon_area_textbook(const P& polygon) noexcept {
-  using T = scalar_of<polygon_point<P>>;
-  T twice(0);
-  detail::each_edge(polygon, [&](const auto& p, const auto& q) {
-    twice = twice + (product(coordinate(p, 0), coordinate(q, 1)) - product(coordinate(q, 0), coordinate(p, 1)));
-  });
-  return T(twice / T(2));
-}
-
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -44,24 +44,6 @@ constexpr polygon_orientation orientation_of(const R& ring) noexcept {
   return static_cast<polygon_orientation>(detail::shoelace_sign(ring));
 }
 
-/// The course's criterion 3.2: clockwise or counter-clockwise when every vertex V(i+2) lies on that side of edge i.
-/// gives   `degenerate` when the signs differ or one is zero. It looks at three vertices at a time: a pentagram passes,
-///         a convex polygon with collinear vertices does not; is_convex and orientation_of decide those
-/// exact   as orientation_of
-/// source  Mihajlovic 2016, criterion 3.2
-template <PlaneRing R>
-constexpr polygon_orientation orientation_textbook(const R& ring) noexcept {
-  const std::size_t n = ring_size(ring);
-  if (n < 3 || !detail::is_finite_ring(ring)) return polygon_orientation::degenerate;
-  const auto turn = [&](std::size_t i) {
-    return orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), ring_vertex(ring, i + 2));
-  };
-  const int first = turn(0);
-  for (std::size_t i = 1; i < n; ++i)
-    if (turn(i) != first) return polygon_orientation::degenerate;
-  return static_cast<polygon_orientation>(first);
-}
-
 /// The ring, read the other way round.
 /// cost    constant; nothing is copied
 template <PlaneRing R>

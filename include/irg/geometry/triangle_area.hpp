@@ -132,15 +132,5 @@ constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
       detail::scale({parts.significand, 0}, parts.exponent + (place - (place & 1)) / 2 - (is_small ? 200 : 0)));
 }
 
-/// The area of the triangle with sides of these lengths by Heron's formula as the textbooks have it.
-/// exact   needles lose all digits
-/// source  Heron, Metrica
-template <Floating T>
-constexpr std::optional<T> triangle_area_from_sides_textbook(T a, T b, T c) noexcept {
-  const T s = (a + b + c) / 2;
-  const T square = product(product(s, s - a), product(s - b, s - c));
-  return square >= 0 ? std::optional<T>(sqrt(square)) : std::nullopt;
-}
-
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -10,11 +10,10 @@
 
 #include <irg/core/config.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/math/int128.hpp>
 
 namespace irg {
 namespace detail {
-
-__extension__ typedef unsigned __int128 product_of_words;
 
 // x = +-significand * 2^(place - 1074).
 struct integer_double {
@@ -56,7 +55,7 @@ constexpr void accumulate(std::uint64_t* word, word_range& range, const std::uin
     const int k = i - base;
     const std::uint64_t high = k < n ? magnitude[k] << shift : 0;
     const std::uint64_t low = shift != 0 && k >= 1 && k <= n ? magnitude[k - 1] >> (64 - shift) : 0;
-    const product_of_words sum = product_of_words{word[i]} + ((high | low) ^ flip) + carry;
+    const uint128 sum = uint128{word[i]} + ((high | low) ^ flip) + carry;
     word[i] = static_cast<std::uint64_t>(sum);
     carry = static_cast<std::uint64_t>(sum >> 64);
   }
@@ -68,7 +67,7 @@ constexpr void accumulate(std::uint64_t* word, word_range& range, const std::uin
 constexpr void multiply_in(std::uint64_t* magnitude, int n, std::uint64_t factor) noexcept {
   std::uint64_t carry = 0;
   for (int i = 0; i < n; ++i) {
-    const product_of_words p = product_of_words{magnitude[i]} * factor + carry;
+    const uint128 p = uint128{magnitude[i]} * factor + carry;
     magnitude[i] = static_cast<std::uint64_t>(p);
     carry = static_cast<std::uint64_t>(p >> 64);
   }

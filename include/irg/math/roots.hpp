@@ -176,19 +176,6 @@ constexpr real_roots<T, 2> quadratic_roots_fast(T a, T b, T c) noexcept {
   return detail::two_real_roots(detail::narrow<T>(x), detail::narrow<T>(y), discriminant == 0);
 }
 
-/// The real roots of a*x^2 + b*x + c = 0 by the formula of the textbooks, (-b +- sqrt(b*b - 4*a*c)) / (2*a).
-/// needs   a not 0; a*c and b*b neither over- nor underflow
-/// exact   near-double roots lose up to half the digits, and their number can be wrong; the smaller root has no right
-///         digit when the roots are 10^8 apart (float: 10^4)
-template <Floating T>
-constexpr real_roots<T, 2> quadratic_roots_textbook(T a, T b, T c) noexcept {
-  real_roots<T, 2> roots;
-  const T discriminant = product(b, b) - product(4 * a, c);
-  if (!(discriminant >= 0)) return roots;
-  const T root = sqrt(discriminant);
-  return detail::two_real_roots((-b - root) / (2 * a), (-b + root) / (2 * a), discriminant == 0);
-}
-
 /// The real roots of a*x^3 + b*x^2 + c*x + d = 0.
 /// gives   as quadratic_roots; that of quadratic_roots when a = 0
 /// exact   the number of distinct roots and their multiplicities for all finite coefficients; each root within 1 ulp,

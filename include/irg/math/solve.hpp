@@ -255,7 +255,7 @@ constexpr system_solution<T, N> solve_gauss(const mat<T, N, N>& a, const vec<T, 
 /// The solution of equations whose coefficients left of the diagonal are zero, from the last to the first:
 /// x_i = (b_i - sum of a_ij x_j over j > i) / a_ii.
 /// needs   a diagonal without zeros; what stands left of it is not read
-/// source  Hank n.d., 1.3.3, corrected; as printed it is back_substitution_textbook (math/solve_gauss_seed.hpp)
+/// source  Hank n.d., 1.3.3, corrected; as printed it is textbook::back_substitution (math/textbook/solve_gauss.hpp)
 template <Real T, int N, int M>
   requires(M == N + 1)
 constexpr vec<T, N> back_substitution(const mat<T, N, M>& a) noexcept {

@@ -10,13 +10,11 @@
 #include <type_traits>
 
 #include <irg/core/config.hpp>
+#include <irg/math/int128.hpp>
 
 namespace irg {
 
 namespace detail {
-
-__extension__ typedef __int128 wide_signed;
-__extension__ typedef unsigned __int128 wide_unsigned;
 
 template <class T>
 concept word_sized = std::integral<T> && sizeof(T) <= 8;
@@ -24,11 +22,9 @@ concept word_sized = std::integral<T> && sizeof(T) <= 8;
 inline namespace IRG_ABI {
 
 // The low and the high word of a double word.
-IRG_INLINE constexpr std::uint64_t low_word(wide_unsigned v) noexcept { return static_cast<std::uint64_t>(v); }
-IRG_INLINE constexpr std::uint64_t high_word(wide_unsigned v) noexcept { return static_cast<std::uint64_t>(v >> 64); }
-IRG_INLINE constexpr wide_unsigned two_words(const std::uint64_t* w) noexcept {
-  return (wide_unsigned{w[1]} << 64) | w[0];
-}
+IRG_INLINE constexpr std::uint64_t low_word(uint128 v) noexcept { return static_cast<std::uint64_t>(v); }
+IRG_INLINE constexpr std::uint64_t high_word(uint128 v) noexcept { return static_cast<std::uint64_t>(v >> 64); }
+IRG_INLINE constexpr uint128 two_words(const std::uint64_t* w) noexcept { return (uint128{w[1]} << 64) | w[0]; }
 // All bits set when the sign bit of w is.
 IRG_INLINE constexpr std::uint64_t sign_mask(std::uint64_t w) noexcept {
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(w) >> 63);
@@ -41,8 +37,8 @@ IRG_INLINE constexpr void add_words(std::uint64_t* word, const std::uint64_t* v,
   if constexpr (N == 1) {
     word[0] += (v[0] ^ flip) + carry;
   } else {  // in pairs, for which there are instructions
-    const wide_unsigned x = two_words(word), y = two_words(v) ^ ((wide_unsigned{flip} << 64) | flip);
-    const wide_unsigned sum = x + y, total = sum + carry;
+    const uint128 x = two_words(word), y = two_words(v) ^ ((uint128{flip} << 64) | flip);
+    const uint128 sum = x + y, total = sum + carry;
     word[0] = low_word(total);
     word[1] = high_word(total);
     if constexpr (N > 2)
@@ -69,7 +65,7 @@ struct wide_int {
     if constexpr (std::is_signed_v<T>)
       for (int i = 1; i < N; ++i) word[i] = detail::sign_mask(word[0]);
   }
-  IRG_INLINE constexpr wide_int(detail::wide_signed v) noexcept {
+  IRG_INLINE constexpr wide_int(int128 v) noexcept {
     word[0] = static_cast<std::uint64_t>(v);
     if constexpr (N >= 2) word[1] = static_cast<std::uint64_t>(v >> 64);
     for (int i = 2; i < N; ++i) word[i] = detail::sign_mask(word[1]);
@@ -124,7 +120,7 @@ IRG_INLINE constexpr wide_int<N + M> long_product(const wide_int<N>& a, const wi
   for (int j = 0; j < M; ++j) {
     std::uint64_t carry = 0;
     for (int i = 0; i < N; ++i) {
-      const wide_unsigned t = wide_unsigned{a.word[i]} * b.word[j] + p.word[i + j] + carry;
+      const uint128 t = uint128{a.word[i]} * b.word[j] + p.word[i + j] + carry;
       p.word[i + j] = low_word(t);
       carry = high_word(t);
     }
@@ -149,16 +145,15 @@ inline namespace IRG_ABI {
 /// exact   for all values
 template <int N, int M>
 IRG_INLINE constexpr wide_int<N + M> operator*(const wide_int<N>& a, const wide_int<M>& b) noexcept {
-  using detail::wide_signed, detail::wide_unsigned;
   if constexpr (N == 1 && M == 1) {
-    return wide_signed{static_cast<std::int64_t>(a.word[0])} * static_cast<std::int64_t>(b.word[0]);
+    return int128{static_cast<std::int64_t>(a.word[0])} * static_cast<std::int64_t>(b.word[0]);
   } else if constexpr (N < M) {
     return b * a;
   } else if constexpr (N == 2 && M == 1) {
-    const wide_unsigned low = wide_unsigned{a.word[0]} * b.word[0];
+    const uint128 low = uint128{a.word[0]} * b.word[0];
     const std::uint64_t middle = detail::high_word(low) - (a.word[0] & detail::sign_mask(b.word[0]));
-    const wide_signed high = wide_signed{static_cast<std::int64_t>(a.word[1])} * static_cast<std::int64_t>(b.word[0]) +
-                             static_cast<std::int64_t>(middle);
+    const int128 high = int128{static_cast<std::int64_t>(a.word[1])} * static_cast<std::int64_t>(b.word[0]) +
+                        static_cast<std::int64_t>(middle);
     wide_int<3> p;
     p.word[0] = detail::low_word(low);
     p.word[1] = static_cast<std::uint64_t>(high);
@@ -166,14 +161,13 @@ IRG_INLINE constexpr wide_int<N + M> operator*(const wide_int<N>& a, const wide_
     return p;
   } else if constexpr (N == 2 && M == 2) {
     // In double words: through arrays, g++ would have vector loads wait for stores of words.
-    const wide_unsigned low = wide_unsigned{a.word[0]} * b.word[0], high = wide_unsigned{a.word[1]} * b.word[1];
-    const wide_unsigned one = wide_unsigned{a.word[1]} * b.word[0], other = wide_unsigned{a.word[0]} * b.word[1];
-    const wide_unsigned middle =
-        wide_unsigned{detail::high_word(low)} + detail::low_word(one) + detail::low_word(other);
+    const uint128 low = uint128{a.word[0]} * b.word[0], high = uint128{a.word[1]} * b.word[1];
+    const uint128 one = uint128{a.word[1]} * b.word[0], other = uint128{a.word[0]} * b.word[1];
+    const uint128 middle = uint128{detail::high_word(low)} + detail::low_word(one) + detail::low_word(other);
     const std::uint64_t a_mask = detail::sign_mask(a.word[1]), b_mask = detail::sign_mask(b.word[1]);
-    const wide_unsigned from_a = (wide_unsigned{b.word[1] & a_mask} << 64) | (b.word[0] & a_mask);
-    const wide_unsigned from_b = (wide_unsigned{a.word[1] & b_mask} << 64) | (a.word[0] & b_mask);
-    const wide_unsigned top =
+    const uint128 from_a = (uint128{b.word[1] & a_mask} << 64) | (b.word[0] & a_mask);
+    const uint128 from_b = (uint128{a.word[1] & b_mask} << 64) | (a.word[0] & b_mask);
+    const uint128 top =
         high + detail::high_word(one) + detail::high_word(other) + detail::high_word(middle) - from_a - from_b;
     wide_int<4> p;
     p.word[0] = detail::low_word(low);

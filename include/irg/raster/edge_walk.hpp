@@ -118,10 +118,8 @@ constexpr edge_walk<std::int64_t> walk_edge(const far_subpixel& upper, const far
                                             std::int64_t row) noexcept {
   const std::int64_t dx = lower.x - upper.x, dy = lower.y - upper.y;
   const std::int64_t below = row * one_pixel + half_pixel - upper.y;
-  const detail::int128 n =
-      (detail::int128{upper.x - half_pixel} * dy + detail::int128{below} * dx - 1) >> subpixel_bits;
-  const detail::quotient_and_rest start = detail::divide_down(n, dy),
-                                  slope = detail::divide_down(detail::int128{dx}, dy);
+  const int128 n = (int128{upper.x - half_pixel} * dy + int128{below} * dx - 1) >> subpixel_bits;
+  const detail::quotient_and_rest start = detail::divide_down(n, dy), slope = detail::divide_down(int128{dx}, dy);
   return {start.quotient + 1, start.rest - dy, slope.quotient, slope.rest, dy};
 }
 

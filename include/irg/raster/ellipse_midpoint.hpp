@@ -106,7 +106,7 @@ constexpr void ellipse_midpoint(const cell& centre, int radius_x, int radius_y, 
   else if (detail::is_small_ellipse(radius_x, radius_y))
     detail::ellipse_outline<std::int64_t>(centre, radius_x, radius_y, window, emit);
   else
-    detail::ellipse_outline<detail::int128>(centre, radius_x, radius_y, window, emit);
+    detail::ellipse_outline<int128>(centre, radius_x, radius_y, window, emit);
 }
 
 /// Calls emit(span) for the rows in the window of the filled ellipse around a cell, from top to bottom.
@@ -122,7 +122,7 @@ constexpr void ellipse_spans(const cell& centre, int radius_x, int radius_y, con
   else if (detail::is_small_ellipse(radius_x, radius_y))
     detail::full_ellipse_spans<std::int64_t>(centre, radius_x, radius_y, window, emit);
   else
-    detail::full_ellipse_spans<detail::int128>(centre, radius_x, radius_y, window, emit);
+    detail::full_ellipse_spans<int128>(centre, radius_x, radius_y, window, emit);
 }
 
 /// Paints the pixels of the ellipse, each once.

@@ -14,7 +14,7 @@
 
 #include <cstdint>
 
-#include <irg/raster/line_textbook.hpp>
+#include <irg/raster/textbook/line_bresenham.hpp>
 
 namespace irg {
 

@@ -42,8 +42,8 @@ constexpr bool line_thick(const P& a, const P& b, const line_pen& pen, const cel
   if (can_snap(a) && can_snap(b))
     detail::stroke_spans(detail::thick_stroke_between(snap(a), snap(b), pen.width, pen.caps, pen.caps), window, emit);
   else if constexpr (std::same_as<P, cell>)
-    detail::stroke_spans(
-        detail::thick_stroke_of<detail::int128, 0>({a.x, a.y, b.x, b.y}, pen.width, pen.caps, pen.caps), window, emit);
+    detail::stroke_spans(detail::thick_stroke_of<int128, 0>({a.x, a.y, b.x, b.y}, pen.width, pen.caps, pen.caps),
+                         window, emit);
   else
     return false;
   return true;

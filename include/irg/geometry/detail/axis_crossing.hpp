@@ -131,7 +131,7 @@ constexpr T axis_crossing_of(T ax, T ay, T bx, T by, T x) noexcept {
     return p < q ? static_cast<U>(q) - static_cast<U>(p) : static_cast<U>(p) - static_cast<U>(q);
   };
   const U width = distance(ax, bx);
-  const product_of_words way = product_of_words{distance(ay, by)} * distance(ax, x);
+  const uint128 way = uint128{distance(ay, by)} * distance(ax, x);
   const U whole = static_cast<U>(way / width), rest = static_cast<U>(way % width);
   const bool rises = ay<by, half_or_more = rest >= width - rest, more_than_half = rest> width - rest;
   const U steps = whole + static_cast<U>(rises ? half_or_more : more_than_half);

@@ -8,10 +8,9 @@
 
 #include <irg/core/config.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/math/int128.hpp>
 
 namespace irg::detail {
-
-__extension__ typedef unsigned __int128 dyadic_double_word;
 
 /// A real number to some 106 bits: (high + low) * 2^exponent.
 /// shape   high is high + low rounded
@@ -89,8 +88,7 @@ public:
     for (int i = 0; i < a.size_; ++i) {
       std::uint64_t carry = 0;
       for (int k = 0; k < b.size_; ++k) {
-        const dyadic_double_word t =
-            dyadic_double_word{a.word_[i]} * b.word_[k] + product.word_[i + k] + carry;  // at most 2^128 - 1
+        const uint128 t = uint128{a.word_[i]} * b.word_[k] + product.word_[i + k] + carry;  // at most 2^128 - 1
         product.word_[i + k] = static_cast<std::uint64_t>(t);
         carry = static_cast<std::uint64_t>(t >> 64);
       }

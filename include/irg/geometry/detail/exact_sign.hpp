@@ -15,10 +15,9 @@
 #include <irg/core/coordinates.hpp>
 #include <irg/geometry/detail/dyadic.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/math/int128.hpp>
 
 namespace irg::detail {
-
-__extension__ typedef __int128 sign_int128;
 
 inline namespace IRG_ABI {
 
@@ -124,14 +123,14 @@ IRG_INLINE constexpr int sign_of_degree_2(const Formula& formula, const std::arr
       if (!is_finite(number)) return 0;
     return exact_sign_of_degree_2(formula, in);
   } else if constexpr (std::is_integral_v<T>) {
-    std::array<sign_int128, Size> x{};
+    std::array<int128, Size> x{};
     bool fits = true;
     for (std::size_t i = 0; i < Size; ++i) {
       x[i] = in[i];
       if constexpr (sizeof(T) > 4) fits = fits && (x[i] >> 57 == 0 || x[i] >> 57 == -1);
     }
     if (fits) {  // products of sums and differences stay below 2^119
-      const sign_int128 value = formula(x);
+      const int128 value = formula(x);
       return value < 0 ? -1 : value > 0 ? 1 : 0;
     }
     return exact_sign_of_degree_2(formula, in);

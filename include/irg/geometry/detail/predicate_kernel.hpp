@@ -121,10 +121,10 @@ constexpr bool to_double_words(const point_table<double, M, D>& x, point_table<w
   for (int i = 0; i < M * D; ++i) {
     const integer_double part = integer_parts(x.v[i]);
     const int shift = part.place - largest + 72;  // 53 bits and these make 125
-    const wide_unsigned size = part.significand;
+    const uint128 size = part.significand;
     if (part.significand == 0) continue;
     if (shift < 0 && (shift <= -64 || size >> -shift << -shift != size)) return false;
-    const auto value = static_cast<wide_signed>(shift < 0 ? size >> -shift : size << shift);
+    const auto value = static_cast<int128>(shift < 0 ? size >> -shift : size << shift);
     integers.v[i] = part.negative ? -value : value;
   }
   return true;
@@ -212,8 +212,8 @@ IRG_INLINE constexpr int predicate(const P& first, const Ps&... others) noexcept
       if (const int sign = filtered_sign(table_of<double>(first, others...), least); sign != 0) return sign;
     return exact_predicate_of(table_of<T>(first, others...));
   } else if constexpr (std::is_integral_v<T>) {
-    using of_bytes = std::conditional_t<is_round, wide_signed, std::int64_t>;
-    using of_ints = std::conditional_t<is_round, wide_int<1>, wide_signed>;
+    using of_bytes = std::conditional_t<is_round, int128, std::int64_t>;
+    using of_ints = std::conditional_t<is_round, wide_int<1>, int128>;
     using wide = std::conditional_t<sizeof(T) <= 2, of_bytes, std::conditional_t<sizeof(T) <= 4, of_ints, wide_int<2>>>;
     return sign_of(table_of<wide>(first, others...));
   } else {

@@ -18,7 +18,7 @@ constexpr auto shoelace_zero() noexcept {
   if constexpr (Floating<T>)
     return exact_accumulator<2>();
   else if constexpr (std::integral<T> && sizeof(T) <= 4)
-    return wide_signed{0};
+    return int128{0};
   else if constexpr (std::integral<T>)
     return wide_int<4>();
   else
@@ -36,7 +36,7 @@ constexpr auto shoelace(const P& polygon) noexcept {
       twice.add(widened(x1), widened(y2));
       twice.subtract(widened(x2), widened(y1));
     } else if constexpr (std::integral<T> && sizeof(T) <= 4) {
-      twice += wide_signed{x1} * y2 - wide_signed{x2} * y1;
+      twice += int128{x1} * y2 - int128{x2} * y1;
     } else if constexpr (std::integral<T>) {
       twice += wide_int<2>(x1) * wide_int<2>(y2) - wide_int<2>(x2) * wide_int<2>(y1);
     } else {

@@ -8,11 +8,11 @@
 
 #include <irg/core/config.hpp>
 #include <irg/math/detail/powers_of_five_table.hpp>
+#include <irg/math/int128.hpp>
 
 namespace irg::detail {
 
 #ifdef __SIZEOF_INT128__
-__extension__ typedef unsigned __int128 word_pair_integer;
 #endif
 
 /// high * 2^64 + low.
@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 /// a * b + addend, which always fits.
 IRG_INLINE constexpr word_pair multiply_words(std::uint64_t a, std::uint64_t b, std::uint64_t addend = 0) noexcept {
 #ifdef __SIZEOF_INT128__
-  const word_pair_integer p = word_pair_integer{a} * b + addend;
+  const uint128 p = uint128{a} * b + addend;
   return {static_cast<std::uint64_t>(p >> 64), static_cast<std::uint64_t>(p)};
 #else
   const std::uint64_t half = 0xffffffffu;

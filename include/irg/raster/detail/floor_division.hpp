@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Integers of 128 bits, and quotients of integers, rounded down or up whatever their sign; the language's own division
-// rounds towards 0.
+// Quotients of integers, rounded down or up whatever their sign; the language's own division rounds towards 0.
 #pragma once
 
 #include <irg/core/config.hpp>
+#include <irg/math/int128.hpp>
 
 namespace irg::detail {
-
-__extension__ typedef __int128 int128;
-__extension__ typedef unsigned __int128 uint128;
 
 inline namespace IRG_ABI {
 

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// The list of Newell, Newell and Sancha: faces and parts of faces, the farthest last, and the tests by which one may be
+// drawn before the others.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/hidden/detail/crowded_window.hpp>
+#include <irg/hidden/detail/part_box.hpp>
+#include <irg/hidden/order_in_window.hpp>
+#include <irg/raster/face_fragment.hpp>
+#include <irg/raster/image.hpp>
+
+namespace irg {
+
+/// The tests of Newell, Newell and Sancha by which P does not hide Q, the last of them where the extents of P and Q
+/// meet; and what is done.
+enum class newell_step {
+  x_apart,
+  y_apart,
+  behind_plane,  // P lies behind the plane of Q
+  in_front_of_plane,  // Q lies in front of the plane of P
+  projections_apart,
+  behind_where_they_meet,
+  moved,  // Q is drawn before P
+  split_by_plane,  // Q by the plane of P
+  split_by_extent,  // Q by the extent of P: they hide others in turn, but their planes do not cross there
+  drawn  // P
+};
+
+/// How often each test told, and what had to be done.
+struct newell_counts {
+  std::int64_t steps[10] = {};  // by newell_step
+  std::int64_t hidden = 0;  // faces left out in windows where another hides them
+  IRG_INLINE constexpr std::int64_t operator[](newell_step s) const noexcept { return steps[static_cast<int>(s)]; }
+  constexpr bool operator==(const newell_counts&) const = default;
+};
+
+/// Sees no steps.
+struct no_newell_observer {
+  IRG_INLINE constexpr void operator()(newell_step, std::uint32_t, std::uint32_t) const noexcept {}
+};
+
+namespace detail {
+
+// A face, or a part of one, on the way to the picture; `box` holds all pixels that it may have.
+struct painted_part {
+  face_fragment part;
+  cell_window box;
+  bool moved = false;
+};
+
+inline namespace IRG_ABI {
+
+constexpr cell_window halved(cell_window w) noexcept {
+  if (w.x_last - w.x_first > 1)
+    w.x_last = w.x_first + (w.x_last - w.x_first) / 2;
+  else
+    w.y_last = w.y_first + (w.y_last - w.y_first) / 2;
+  return w;
+}
+
+// What of a window lies around a part of it.
+constexpr std::array<cell_window, 4> around(const cell_window& part, const cell_window& w) noexcept {
+  return {{{w.x_first, w.y_first, w.x_last, part.y_first},
+           {w.x_first, part.y_last, w.x_last, w.y_last},
+           {w.x_first, part.y_first, part.x_first, part.y_last},
+           {part.x_last, part.y_first, w.x_last, part.y_last}}};
+}
+
+// Whether an edge of a has all of b on its outer side, as corners: then no pixel is covered by both.
+constexpr bool edge_parts(const screen_face& a, const screen_face& b) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    const subpixel &p = a.v[i].position, &q = a.v[(i + 1) % 3].position;
+    bool outside = true;
+    for (const screen_vertex& v : b.v) {
+      const std::int64_t side = signed_double_area(p, q, v.position);
+      outside = outside && (a.coverage.flipped ? side >= 0 : side <= 0);
+    }
+    if (outside) return true;
+  }
+  return false;
+}
+
+// What a limit of `part` by the plane of `other` says: 1 where the part is nearer, -1 where it is farther, 0 no limit.
+constexpr int limited(const painted_part& part, const screen_face* other) noexcept {
+  for (const face_limit& l : part.part.limits)
+    if (l.plane == other) return l.part == face_part::nearer ? 1 : -1;
+  return 0;
+}
+
+template <DepthOrder Order, class Observer>
+class newell_painter {
+  static_assert(depth_sense<Order> != 0, "the painter needs depths");
+
+public:
+  constexpr newell_painter(image<std::uint32_t>& ids, Observer& observer) : ids_(ids), observer_(observer) {}
+
+  constexpr const newell_counts& counts() const noexcept { return counts_; }
+
+  // Paints faces that are sorted from near to far. A face that covers a whole window hides what is behind it there; a
+  // list in which most overlap in depth is cut with its window.
+  constexpr void paint(const std::vector<const screen_face*>& sorted, const cell_window& w) {
+    if (w.empty()) return;
+    const std::vector<const screen_face*> faces = faces_of_window<Order>(sorted, w, counts_.hidden);
+    if (is_one_pixel(w)) {
+      if (const screen_face* seen = seen_in_pixel<Order>(faces, w)) draw({{seen, {}}, w});
+      return;
+    }
+    if (overlaps_much(faces)) {
+      for (const cell_window& part : quarters(w)) paint(faces, part);
+      return;
+    }
+    list_.clear();
+    for (const screen_face* f : faces) list_.push_back({{f, {}}, intersect(f->coverage.bounds, w)});
+    sorted_ = list_.size();
+    while (!list_.empty()) {
+      if (!may_be_drawn()) continue;
+      draw(list_.back());
+      list_.pop_back();
+      sorted_ = lesser(sorted_, list_.size());
+    }
+  }
+
+private:
+  // Whether a face would be held against more than a dozen others.
+  static constexpr bool overlaps_much(const std::vector<const screen_face*>& faces) noexcept {
+    constexpr std::ptrdiff_t few = 12;
+    std::ptrdiff_t pairs = 0;
+    for (auto i = faces.begin(); i != faces.end(); ++i)
+      pairs += i - std::partition_point(faces.begin(), i, [&](const screen_face* f) {
+                 return Order::nearer(farthest_depth<Order>(*f), nearest_depth<Order>(**i));
+               });
+    return pairs > few * static_cast<std::ptrdiff_t>(faces.size());
+  }
+
+  constexpr void note(newell_step step, const painted_part& p, const painted_part& q) {
+    ++counts_.steps[static_cast<int>(step)];
+    observer_(step, p.part.face->number, q.part.face->number);
+  }
+
+  // Whether the last of the list hides none of the others; if not, the list is changed.
+  constexpr bool may_be_drawn() {
+    const painted_part& p = list_.back();
+    for (std::size_t i = list_.size() - 1; i-- > 0;) {
+      const painted_part& q = list_[i];
+      // The list is sorted but for what was moved, which stands behind.
+      if (i < sorted_ && Order::nearer(farthest_depth<Order>(*q.part.face), nearest_depth<Order>(*p.part.face))) break;
+      if (does_not_hide(p, q)) continue;
+      draw_first(i);
+      return false;
+    }
+    return true;
+  }
+
+  constexpr bool does_not_hide(const painted_part& p, const painted_part& q) {
+    const auto told = [&](newell_step step) { return note(step, p, q), true; };
+    const screen_face &fp = *p.part.face, &fq = *q.part.face;
+    if (&fp == &fq) return true;  // parts of a face have no pixel in common
+    const cell_window both = intersect(p.box, q.box);
+    if (both.x_first >= both.x_last) return told(newell_step::x_apart);
+    if (both.y_first >= both.y_last) return told(newell_step::y_apart);
+    if (const int known = limited(q, &fp) - limited(p, &fq); known != 0) return known > 0;
+    if (order_in_window<Order>(fp, fq, p.box) == window_order::farther) return told(newell_step::behind_plane);
+    if (order_in_window<Order>(fq, fp, q.box) == window_order::nearer) return told(newell_step::in_front_of_plane);
+    if (edge_parts(fp, fq) || edge_parts(fq, fp)) return told(newell_step::projections_apart);
+    return order_in_window<Order>(fp, fq, both) == window_order::farther && told(newell_step::behind_where_they_meet);
+  }
+
+  // The last of the list, P, may hide part i, Q: Q, or a part of it, has to be drawn before.
+  constexpr void draw_first(std::size_t i) {
+    const painted_part p = list_.back(), q = list_[i];
+    const cell_window both = intersect(p.box, q.box);
+    const bool ordered = limited(q, p.part.face) != 0 || limited(p, q.part.face) != 0 ||
+                         order_in_window<Order>(*p.part.face, *q.part.face, both) != window_order::crossing;
+    const bool was_sorted = i < sorted_;
+    list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(i));
+    sorted_ -= was_sorted ? 1 : 0;
+    const auto put_back = [&](const face_fragment& part, const cell_window& box) {
+      if (has_no_pixel<Order>(part, box)) return;
+      list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(i), painted_part{part, box});
+      sorted_ += was_sorted ? 1 : 0;
+    };
+    if (ordered && (!q.moved || is_one_pixel(q.box))) {
+      note(newell_step::moved, p, q);
+      put_last(q.part, q.box);
+    } else if (!ordered) {
+      note(newell_step::split_by_plane, p, q);
+      const fragment_parts parts = split_fragment(q.part, *p.part.face);
+      put_back(parts.nearer, trimmed_box<Order>(parts.nearer, q.box));
+      put_last(parts.farther, trimmed_box<Order>(parts.farther, q.box));
+    } else {
+      note(newell_step::split_by_extent, p, q);
+      const cell_window inside = both == q.box ? halved(both) : both;
+      for (const cell_window& rest : around(inside, q.box)) put_back(q.part, rest);
+      put_last(q.part, inside);
+    }
+  }
+
+  constexpr void put_last(const face_fragment& part, const cell_window& box) {
+    if (!has_no_pixel<Order>(part, box)) list_.push_back({part, box, true});
+  }
+
+  constexpr void draw(const painted_part& p) {
+    note(newell_step::drawn, p, p);
+    covered_spans(p.part.face->coverage, p.box, [&](const span_of_cells& s) {
+      for (int x = s.x_first; x < s.x_last; ++x)
+        if (p.part.limits.empty() || covers<Order>(p.part, x, s.y)) ids_(x, s.y) = p.part.face->number;
+    });
+  }
+
+  image<std::uint32_t>& ids_;
+  Observer& observer_;
+  std::vector<painted_part> list_{};
+  std::size_t sorted_ = 0;
+  newell_counts counts_{};
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The painter's algorithm in its naive form: faces sorted by the depth of their centroids and drawn from far to near.
+// An approximation: faces that overlap in depth may come in the wrong order, and faces that hide each other in turn
+// have no right one. painter_newell.hpp has the complete algorithm.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/core/conversion.hpp>
+#include <irg/hidden/ray_casting.hpp>
+#include <irg/raster/draw_counts.hpp>
+
+namespace irg {
+
+/// A hidden-surface method that is often wrong: faces are drawn in the order of their centroids' depths, far ones
+/// first, of equal depths those with the higher number first.
+/// gives   into each pixel that some face covers the number of the last one drawn there: not always the nearest;
+///         counts.tested counts the pixels drawn
+/// exact   centroids are sums of three floats in double, rounded twice; what hides what is not decided at all
+/// cost    a sort, and each pixel as often as it is covered; memory for a copy of the faces, none for depths
+/// source  Hank n.d., 4.2.1.3 (the naive painter)
+template <DepthOrder Order = nearer_is_greater>
+struct painter_by_centroid_rounded {
+  template <class Faces>
+  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                            draw_counts& counts) const {
+    std::vector<screen_face> list = detail::copied_faces(faces, window);
+    const auto depth = [](const screen_face& f) {
+      return static_cast<float>((widened(f.v[0].depth) + widened(f.v[1].depth)) + widened(f.v[2].depth));
+    };
+    std::sort(list.begin(), list.end(), [&](const screen_face& a, const screen_face& b) {
+      const float da = depth(a), db = depth(b);
+      return da != db ? Order::nearer(db, da) : b.number < a.number;
+    });
+    for (const screen_face& f : list)
+      covered_spans(f.coverage, window, [&](const span_of_cells& s) {
+        for (int x = s.x_first; x < s.x_last; ++x, ++counts.tested) ids(x, s.y) = f.number;
+      });
+  }
+};
+
+}  // namespace irg

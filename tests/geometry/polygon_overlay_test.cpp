@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include <irg/geometry/polygon_overlay.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+using irg::point;
+using irg::polygon_clip_status;
+using irg::polygon_operation;
+using irg::polygon_overlay;
+using irg::ring_rule;
+using P = point<double, 2>;
+using Ring = std::vector<P>;
+using Rings = std::vector<Ring>;
+
+namespace {
+
+constexpr polygon_operation all_operations[] = {polygon_operation::intersection, polygon_operation::unite,
+                                                polygon_operation::difference, polygon_operation::symmetric_difference};
+
+template <class R>
+constexpr double area(const R& rings) {
+  double sum = 0;
+  for (const auto& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      sum += static_cast<double>(p.x) * static_cast<double>(q.y) - static_cast<double>(p.y) * static_cast<double>(q.x);
+    }
+  return sum / 2;
+}
+constexpr double area_of(const Ring& a, const Ring& b, polygon_operation op) {
+  return area(polygon_overlay(a, b, op).rings);
+}
+
+// How often the rings go round a place that is on none of them.
+int winding(const Rings& rings, double x, double y) {
+  int turns = 0;
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const P &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      if ((p.x < x) == (q.x < x)) continue;
+      const double side = (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
+      if (p.x < q.x ? side < 0 : 0 < side) turns += p.x < q.x ? -1 : 1;
+    }
+  return turns;
+}
+
+bool expected_inside(bool a, bool b, polygon_operation op) {
+  if (op == polygon_operation::intersection) return a && b;
+  if (op == polygon_operation::unite) return a || b;
+  if (op == polygon_operation::difference) return a && !b;
+  return a != b;
+}
+
+int release_or(int ci) { return std::getenv("IRG_RELEASE_TIER") ? 50 * ci : ci; }
+
+constexpr Ring square(double x, double y, double size) {
+  return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+}
+
+}  // namespace
+
+TEST_CASE("polygon_overlay: by hand, in every life") {
+  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::intersection) == 1);
+  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::unite) == 7);
+  CHECK(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::difference) == 3);
+  CHECK(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::symmetric_difference) == 6);
+  // A comb cut by a bar falls apart.
+  const Ring comb{{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const auto teeth = polygon_overlay(comb, Ring{{-1, 2}, {9, 2}, {9, 9}, {-1, 9}});
+  CHECK(teeth.rings.size() == 3);
+  CHECK(area(teeth.rings) == 3);
+  for (const Ring& r : teeth.rings) CHECK(r.size() == 4);
+  // A hole: a square out of the middle, one out of an edge.
+  const auto frame = polygon_overlay(square(0, 0, 3), square(1, 1, 1), polygon_operation::difference);
+  CHECK(frame.rings.size() == 2);
+  CHECK(area(frame.rings) == 8);
+  const auto again = polygon_overlay(frame.rings, Rings{square(1, 1, 1)}, polygon_operation::unite);
+  CHECK(again.rings == Rings{Ring{{0, 0}, {3, 0}, {3, 3}, {0, 3}}});
+}
+
+TEST_CASE("polygon_overlay: shared edges, touching vertices, equal polygons") {
+  const Ring a = square(0, 0, 2);
+  CHECK(polygon_overlay(a, a).rings == Rings{a});
+  CHECK(polygon_overlay(a, a, polygon_operation::unite).rings == Rings{a});
+  CHECK(polygon_overlay(a, a, polygon_operation::difference).rings.empty());
+  CHECK(polygon_overlay(a, a, polygon_operation::symmetric_difference).rings.empty());
+  const Ring back(a.rbegin(), a.rend());
+  CHECK(area(polygon_overlay(a, back).rings) == 4);
+  // Side by side: nothing in common, one rectangle.
+  CHECK(polygon_overlay(a, square(2, 0, 2)).rings.empty());
+  CHECK(polygon_overlay(a, square(2, 0, 2), polygon_operation::unite).rings ==
+        Rings{Ring{{0, 0}, {4, 0}, {4, 2}, {0, 2}}});
+  CHECK(area(polygon_overlay(a, square(2, 1, 2), polygon_operation::unite).rings) == 8);
+  // Corner to corner: two pieces.
+  CHECK(polygon_overlay(a, square(2, 2, 2)).rings.empty());
+  CHECK(polygon_overlay(a, square(2, 2, 2), polygon_operation::unite).rings.size() == 2);
+  // A corner on an edge, from within and from without; a common part of an edge from within.
+  CHECK(area(polygon_overlay(a, Ring{{1, 0}, {1.5, 1}, {0.5, 1}}).rings) == 0.5);
+  CHECK(polygon_overlay(a, Ring{{1, 0}, {1.5, -1}, {0.5, -1}}).rings.empty());
+  CHECK(area(polygon_overlay(a, Ring{{0.5, 0}, {1.5, 0}, {1, 1}}, polygon_operation::difference).rings) == 3.5);
+  // A hole that touches its outline in a corner.
+  const auto touched = polygon_overlay(a, Ring{{0, 0}, {1, 0.5}, {0.5, 1}}, polygon_operation::difference);
+  CHECK(area(touched.rings) == 4 - 0.375);
+  CHECK(touched.rings.size() == 1);
+}
+
+TEST_CASE("polygon_overlay: what crosses itself goes by the rule; degenerate and hostile input") {
+  const Ring bow{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+  const Ring all = square(-9, -9, 20);
+  CHECK(polygon_overlay(bow, all).rings.size() == 2);
+  CHECK(area(polygon_overlay(bow, all).rings) == 2);
+  const Ring twice{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  CHECK(polygon_overlay(twice, all).rings.empty());
+  CHECK(area(polygon_overlay(twice, all, polygon_operation::intersection, ring_rule::non_zero).rings) == 4);
+  const Ring spike{{0, 0}, {2, 0}, {2, 2}, {5, 2}, {2, 2}, {0, 2}};
+  CHECK(polygon_overlay(spike, all).rings == Rings{square(0, 0, 2)});
+  for (const Ring& flat :
+       {Ring{}, Ring{{1, 1}}, Ring{{0, 0}, {1, 1}}, Ring{{0, 0}, {1, 1}, {2, 2}}, Ring(5, P{1, 1})}) {
+    CHECK(polygon_overlay(flat, all).rings.empty());
+    CHECK(polygon_overlay(all, flat, polygon_operation::difference).rings == Rings{all});
+  }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, inf, -inf})
+    for (int i = 0; i < 4; ++i) {
+      Ring broken = square(0, 0, 2);
+      broken[static_cast<std::size_t>(i)][i % 2] = bad;
+      CHECK(polygon_overlay(broken, all).status == polygon_clip_status::not_finite);
+      CHECK(polygon_overlay(all, broken).status == polygon_clip_status::not_finite);
+    }
+  const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  const Ring huge{{-most, -most}, {most, -most}, {most, most}, {-most, most}};
+  CHECK(polygon_overlay(huge, square(0, 0, 2)).rings == Rings{square(0, 0, 2)});
+  const auto quarter = polygon_overlay(huge, Ring{{0, 0}, {most, 0}, {0, most}});
+  CHECK(quarter.rings == Rings{Ring{{0, 0}, {most, 0}, {0, most}}});
+  const Ring dust{{0, 0}, {4 * least, 0}, {4 * least, 4 * least}, {0, 4 * least}};
+  const auto grain =
+      polygon_overlay(dust, Ring{{2 * least, 2 * least}, {9 * least, 2 * least}, {2 * least, 9 * least}});
+  CHECK(grain.rings.size() == 1);
+}
+
+TEST_CASE("polygon_overlay: samples and areas, polygons of all kinds") {
+  test::random r(1);
+  int wrong = 0, rings_found = 0;
+  for (int k = 0; k < release_or(250); ++k) {
+    const auto draw = [&](int n, double size) {
+      Ring ring;
+      for (int i = 0; i < n; ++i) {
+        const double angle = 6.283185307179586 * i / n, radius = size * (0.2 + 0.8 * r.unit());
+        ring.push_back({radius * std::cos(angle) + 0.1, radius * std::sin(angle)});
+      }
+      return ring;
+    };
+    Rings a{draw(static_cast<int>(r.integer(3, 25)), 3)}, b{draw(static_cast<int>(r.integer(3, 25)), 3)};
+    if (r.integer(0, 1) != 0) a.push_back(draw(5, 0.5));  // a hole, or something over the rim
+    if (r.integer(0, 2) == 0) {                           // crosses itself
+      Ring wild;
+      for (int i = 0; i < 7; ++i) wild.push_back({r.unit() * 6 - 3, r.unit() * 6 - 3});
+      b = {wild};
+    }
+    const auto rule = r.integer(0, 1) != 0 ? ring_rule::even_odd : ring_rule::non_zero;
+    const auto inside = [&](const Rings& rings, double x, double y) {
+      const int w = winding(rings, x, y);
+      return rule == ring_rule::even_odd ? w % 2 != 0 : w != 0;
+    };
+    double areas[4];
+    for (std::size_t o = 0; o < 4; ++o) {
+      const auto result = polygon_overlay(a, b, all_operations[o], rule);
+      wrong += result.status == polygon_clip_status::done ? 0 : 1;
+      areas[o] = area(result.rings);
+      rings_found += static_cast<int>(result.rings.size());
+      for (int s = 0; s < 20; ++s) {
+        const double x = r.unit() * 6 - 3, y = r.unit() * 6 - 3;
+        const int w = winding(result.rings, x, y);
+        wrong += w == (expected_inside(inside(a, x, y), inside(b, x, y), all_operations[o]) ? 1 : 0) ? 0 : 1;
+      }
+      // Clipped to itself it stays as it is.
+      const auto again = polygon_overlay(result.rings, result.rings, polygon_operation::intersection, rule);
+      wrong += std::abs(area(again.rings) - areas[o]) <= 0 ? 0 : 1;
+    }
+    // A polygon cut off and put together: (a - b) + (a and b) = a, and what the identity says of all four.
+    wrong += std::abs(areas[1] - areas[0] - areas[3]) <= 1e-13 ? 0 : 1;
+    const double whole_a = area(polygon_overlay(a, Rings{}, polygon_operation::unite, rule).rings);
+    const double whole_b = area(polygon_overlay(b, Rings{}, polygon_operation::unite, rule).rings);
+    wrong += std::abs(whole_a + whole_b - areas[0] - areas[1]) <= 1e-13 ? 0 : 1;
+    wrong += std::abs(whole_a - areas[0] - areas[2]) <= 1e-13 ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  CHECK(rings_found > 2000);
+}
+
+TEST_CASE("polygon_overlay: on a lattice, where everything touches and overlaps") {
+  test::random r(2);
+  int wrong = 0, touching = 0;
+  for (int k = 0; k < release_or(1500); ++k) {
+    const auto draw = [&] {
+      Ring ring;
+      const auto n = r.integer(3, 9);
+      for (int i = 0; i < n; ++i)
+        ring.push_back({static_cast<double>(r.integer(0, 4)), static_cast<double>(r.integer(0, 4))});
+      return Rings{ring};
+    };
+    const Rings a = draw(), b = draw();
+    double areas[4];
+    for (std::size_t o = 0; o < 4; ++o) {
+      const auto result = polygon_overlay(a, b, all_operations[o]);
+      wrong += result.status == polygon_clip_status::done ? 0 : 1;
+      areas[o] = area(result.rings);
+      for (int s = 0; s < 10; ++s) {
+        const double x = r.unit() * 4, y = r.unit() * 4;
+        const bool in_a = winding(a, x, y) % 2 != 0, in_b = winding(b, x, y) % 2 != 0;
+        wrong += winding(result.rings, x, y) == (expected_inside(in_a, in_b, all_operations[o]) ? 1 : 0) ? 0 : 1;
+      }
+    }
+    touching += areas[0] == 0 ? 1 : 0;
+    wrong += std::abs(areas[1] - areas[0] - areas[3]) <= 1e-14 * 16 ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  CHECK(touching > 20);
+}
+
+TEST_CASE("polygon_overlay: integers, plain arrays, a ring against a list of rings") {
+  using I = point<int, 2>;
+  constexpr int most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
+  constexpr auto whole = [] {
+    constexpr I square[] = {{least, least}, {most, least}, {most, most}, {least, most}};
+    const std::vector<std::vector<I>> holed{{{least, 0}, {most, 0}, {most, 9}, {least, 9}},
+                                            {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
+    const auto both = irg::polygon_overlay(square, holed);
+    return both.rings.size() == 2 && area(both.rings) == 9 * 0x1.fffffffep31 - 1;
+  };
+  CHECK_BOTH(whole());
+  // Crossings are doubles.
+  constexpr auto crossing = [] {
+    constexpr I a[] = {{0, 0}, {1, 0}, {1, 1}}, b[] = {{0, 1}, {1, 0}, {1, 1}};
+    const auto both = irg::polygon_overlay(a, b);
+    return both.rings.size() == 1 && both.rings[0].size() == 3 && both.rings[0][0] == P{0.5, 0.5};
+  };
+  CHECK_BOTH(crossing());
+}
+
+TEST_CASE("polygon_overlay: ends within an ulp of edges; float") {
+  test::random r(3);
+  int wrong = 0;
+  for (int k = 0; k < release_or(400); ++k) {
+    // Thin triangles on nearly one line: crossings are rounded across their neighbours.
+    using F = point<float, 2>;
+    const auto near_line = [&](float x) {
+      const auto off = static_cast<float>(r.integer(-3, 3)) * 0x1p-23f;
+      return F{x, 0.3f * x + 1 + off};
+    };
+    const auto draw = [&] {
+      std::vector<F> ring;
+      for (int i = 0; i < 6; ++i) ring.push_back(near_line(static_cast<float>(r.unit())));
+      return ring;
+    };
+    const auto a = draw(), b = draw();
+    double areas[4];
+    for (std::size_t o = 0; o < 4; ++o) {
+      const auto result = polygon_overlay(a, b, all_operations[o]);
+      wrong += result.status == polygon_clip_status::done ? 0 : 1;
+      areas[o] = area(result.rings);
+      wrong += areas[o] >= 0 ? 0 : 1;
+      const auto again = polygon_overlay(result.rings, result.rings);
+      wrong += area(again.rings) == areas[o] ? 0 : 1;
+    }
+    wrong += std::abs(areas[1] - areas[0] - areas[3]) <= 1e-14 ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+}
