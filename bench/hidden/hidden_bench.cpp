@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The classical hidden-surface methods on the same faces: from 100 to a million triangles, at depth complexities from 1
 // to 64, of which shares are coplanar or hide each other in turn. Wrong are the pixels that do not show what is nearest,
-// exactly; `growth` is the exponent of the number of triangles in the time, taken from the size before.
+// exactly; `growth` is the exponent of the number of triangles in the time, between this size and the next one that was
+// measured.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -121,14 +122,14 @@ struct plain_zbuffer {
   }
 };
 
-// A method's times by the number of triangles.
+// A method's times by the number of triangles; rounds come in any order, so that the size before may be still to come.
 using times = std::map<int, double>;
 
 double growth(const times& of, int n) {
   const auto here = of.find(n);
-  if (here == of.end() || here == of.begin()) return not_said;
-  const auto before = std::prev(here);
-  return std::log(here->second / before->second) / std::log(static_cast<double>(n) / before->first);
+  if (here == of.end() || of.size() < 2) return not_said;
+  const auto other = here == of.begin() ? std::next(here) : std::prev(here);
+  return std::log(here->second / other->second) / std::log(static_cast<double>(n) / other->first);
 }
 
 struct series {
