@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The classical hidden-surface methods on the same faces: from 100 to a million triangles, at depth complexities from 1
-// to 64, of which shares are coplanar or hide each other in turn. Wrong are the pixels that do not show what is nearest,
+// to 64, apart, crossing, coplanar, or over each other in turn. Wrong are the pixels that do not show what is nearest,
 // exactly; `growth` is the exponent of the number of triangles in the time, between this size and the next one that was
 // measured.
 #include <algorithm>
