@@ -11,18 +11,18 @@ constexpr irg::render_stats sum_of(irg::render_stats a, const irg::render_stats&
 TEST_CASE("skip_counts and render_stats: sums take every member along") {
   CHECK_BOTH(sum_of(irg::skip_counts{1, 2, 3, 4}, irg::skip_counts{10, 20, 30, 40}) ==
              irg::skip_counts{11, 22, 33, 44});
-  CHECK_BOTH(sum_of(irg::render_stats{1, {2, 3, 4, 5}, {6, 7, 8}, 9},
-                    irg::render_stats{10, {20, 30, 40, 50}, {60, 70, 80}, 90}) ==
-             irg::render_stats{11, {22, 33, 44, 55}, {66, 77, 88}, 99});
+  CHECK_BOTH(sum_of(irg::render_stats{1, {2, 3, 4, 5}, {6, 7, 8}, 9, 100},
+                    irg::render_stats{10, {20, 30, 40, 50}, {60, 70, 80}, 90, 200}) ==
+             irg::render_stats{11, {22, 33, 44, 55}, {66, 77, 88}, 99, 300});
 }
 
 TEST_CASE("skip_counts and render_stats: comparison looks at every member") {
   const irg::render_stats zero;
-  for (int member = 0; member < 9; ++member) {
+  for (int member = 0; member < 10; ++member) {
     irg::render_stats s;
-    std::int64_t* const at[9] = {&s.triangles,     &s.skipped.frustum,  &s.skipped.backface,
-                                 &s.skipped.tiny,  &s.skipped.occluded, &s.pixels.tested,
-                                 &s.pixels.shaded, &s.pixels.ties,      &s.drawn};
+    std::int64_t* const at[10] = {
+        &s.triangles,     &s.skipped.frustum, &s.skipped.backface, &s.skipped.tiny, &s.skipped.occluded,
+        &s.pixels.tested, &s.pixels.shaded,   &s.pixels.ties,      &s.drawn,        &s.clipped};
     ++*at[member];
     CHECK(!(s == zero));
   }

@@ -580,6 +580,8 @@ TEST_CASE("draw_triangles: counters by hand") {
   CHECK(on.skipped.frustum == 2);
   CHECK(on.skipped.tiny == 2);
   CHECK(on.skipped.occluded == 0);
+  CHECK(on.clipped == 1);  // the last one
+  CHECK(off.clipped == 1);
   CHECK(off.skipped == irg::skip_counts{0, 1, 0, 0});
   CHECK(off.pixels.shaded == on.pixels.shaded);
   CHECK(draw(s, irg::face_culling::none, irg::skip_nothing).stats.skipped == irg::skip_counts{});

@@ -2,6 +2,8 @@
 // The visible triangle of every pixel, against an exact oracle, and the same bytes however the work is done.
 #include <irg/render/draw_triangles.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -455,6 +457,51 @@ TEST_CASE("visible triangle: 100 orders of the triangles, one depth buffer and o
     }
   }
   CHECK(close * 1000 < compared);
+}
+
+// How many triangles are cut and cover a pixel's centre, and how many are cut and have one in the box of what is left.
+std::pair<std::int64_t, std::int64_t> cut_triangles(const triangle_scene& s) {
+  const auto mapping = irg::map_to_screen<double>(s.width, s.height);
+  std::vector<int> found(s.triangles.size(), 0);
+  for (const test::snapped_triangle& t : test::snapped_triangles(s, face_culling::none)) {
+    bool cut = false;
+    for (const std::uint32_t v : s.triangles[t.id - 1].v) {
+      const auto p = s.to_clip * s.positions[v];
+      cut = cut || p.z < 0 || p.z > p.w || std::fabs(p.x) > mapping.guard.guard_x * p.w ||
+            std::fabs(p.y) > mapping.guard.guard_y * p.w;
+    }
+    if (!cut) continue;
+    std::int64_t weight[3];
+    const auto [x_low, x_high] = std::minmax({t.v[0].position.x, t.v[1].position.x, t.v[2].position.x});
+    const auto [y_low, y_high] = std::minmax({t.v[0].position.y, t.v[1].position.y, t.v[2].position.y});
+    for (int y = 0; y < s.height; ++y)
+      for (int x = 0; x < s.width; ++x) {
+        const int cx = x * 256 + 128, cy = y * 256 + 128;
+        const bool boxed = x_low <= cx && cx <= x_high && y_low <= cy && cy <= y_high;
+        const bool covered = boxed && test::visibility_oracle<greater>::covers(t, x, y, weight);
+        found[t.id - 1] = std::max(found[t.id - 1], covered ? 2 : boxed ? 1 : 0);
+      }
+  }
+  return {std::count(found.begin(), found.end(), 2),
+          std::count_if(found.begin(), found.end(), [](int f) { return f > 0; })};
+}
+
+TEST_CASE("visibility: triangles that are cut are counted once each, whatever is skipped") {
+  test::random r(77);
+  std::int64_t least = 0, most = 0, counted = 0;
+  for (int i = 0; i < 60; ++i) {
+    test::scene_maker make(r, i % 3 == 0 ? scene_kind::huge : scene_kind::through_the_eye, 24, 17);
+    const triangle_scene s = make(20);
+    const auto [covering, boxed] = cut_triangles(s);
+    const std::int64_t clipped = test::visible_ids(s).stats.clipped;
+    REQUIRE(covering <= clipped);
+    REQUIRE(clipped <= boxed);
+    REQUIRE(test::visible_ids(s, face_culling::none, irg::skip_nothing).stats.clipped == clipped);
+    least += covering, most += boxed, counted += clipped;
+  }
+  CHECK(least > 100);
+  CHECK(counted < 60 * 20);
+  MESSAGE(counted, " triangles are cut; ", least, " cover a centre, of ", most, " the box holds one");
 }
 
 }  // namespace

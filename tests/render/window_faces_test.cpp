@@ -66,6 +66,8 @@ TEST_CASE("hidden-surface methods: one that follows the picture's rule gives the
     CHECK(stats.pixels.shaded == expected.stats.pixels.shaded);
     CHECK(stats.drawn == expected.stats.drawn);
     CHECK(stats.triangles == expected.stats.triangles);
+    CHECK(stats.skipped.frustum == expected.stats.skipped.frustum);
+    CHECK(stats.clipped == expected.stats.clipped);
   }
 }
 

@@ -61,12 +61,14 @@ struct render_stats {
   skip_counts skipped;
   draw_counts pixels;
   std::int64_t drawn = 0;  // pixels that show a triangle, or a line of one
+  std::int64_t clipped = 0;  // triangles cut at the depth planes or the guard band, whose rest holds pixel centres
 
   IRG_INLINE constexpr render_stats& operator+=(const render_stats& o) noexcept {
     triangles += o.triangles;
     skipped += o.skipped;
     pixels += o.pixels;
     drawn += o.drawn;
+    clipped += o.clipped;
     return *this;
   }
   constexpr bool operator==(const render_stats&) const = default;

@@ -65,6 +65,7 @@ struct bin_portion {
   std::vector<clipped_piece> pieces;
   skip_counts skipped;
   std::int64_t listed = 0;  // triangles of which some part is on a list
+  std::int64_t clipped = 0;  // triangles that were cut, and hold pixel centres of the picture
   std::uint32_t first_piece = 0;  // the number of its first piece among all pieces
 };
 
@@ -77,7 +78,7 @@ struct triangle_bins {
   std::vector<clipped_piece> pieces;
   std::uint32_t triangle_count = 0;
   skip_counts skipped;
-  std::int64_t listed = 0;
+  std::int64_t listed = 0, clipped = 0;
 
   // The list of a tile.
   IRG_INLINE constexpr std::span<const std::uint32_t> list_of(std::size_t tile) const noexcept {
@@ -194,6 +195,7 @@ constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T
   if (pieces.outside) return count_listing(p, listing::out_of_sight, rules.skip);
   if (pieces.double_area > 0 && rules.culling == face_culling::back) return static_cast<void>(++p.skipped.backface);
   listing result = listing::tiny;
+  bool holds_centres = false;  // whatever is skipped
   for (const auto& [face, weights] : pieces) {
     const auto& [a, b, c] = face.v;
     const auto number = piece_bit | static_cast<std::uint32_t>(p.pieces.size());
@@ -201,7 +203,9 @@ constexpr void list_clipped(bin_portion& p, std::uint32_t source, const hpoint<T
     const listing l = list_triangle(p, number, corners_of(piece.v), face.coverage.double_area, rules);
     if (l == listing::listed) p.pieces.push_back(piece);
     result = greater(result, l);
+    holds_centres |= !intersect(face.coverage.bounds, {0, 0, rules.grid.width, rules.grid.height}).empty();
   }
+  p.clipped += holds_centres ? 1 : 0;
   count_listing(p, result, rules.skip);
 }
 
@@ -300,13 +304,14 @@ constexpr void join_portions(triangle_bins& bins, std::size_t tiles, const E& ex
   bins.tile_first.assign(tiles + 1, 0);
   bins.tile_area.assign(tiles, 0.0f);
   bins.skipped = {};
-  bins.listed = 0;
+  bins.listed = bins.clipped = 0;
   bins.pieces.clear();
   for (bin_portion& p : bins.portions) {
     p.first_piece = bins.triangle_count + static_cast<std::uint32_t>(bins.pieces.size());
     bins.pieces.insert(bins.pieces.end(), p.pieces.begin(), p.pieces.end());
     bins.skipped += p.skipped;
     bins.listed += p.listed;
+    bins.clipped += p.clipped;
   }
   std::uint32_t start = 0;
   for (std::size_t t = 0; t < tiles; ++t) {
@@ -346,7 +351,7 @@ constexpr void bin_triangles(triangle_bins& bins, std::span<const triangle_batch
       p.first = first;
       p.last = lesser(first + portion, count);
       p.skipped = {};
-      p.listed = 0;
+      p.listed = p.clipped = 0;
     }
     bins.triangle_count += count;
   }

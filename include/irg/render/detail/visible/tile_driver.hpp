@@ -58,6 +58,7 @@ constexpr void add_skips(render_stats& stats, const triangle_bins& bins, std::sp
                          const skip_options& skip) noexcept {
   stats.triangles = static_cast<std::int64_t>(bins.triangle_count);
   stats.skipped = bins.skipped;
+  stats.clipped = bins.clipped;
   if (skip.occluded == skipping::off) return;
   stats.skipped.occluded = bins.listed;
   for (const std::uint8_t s : seen) stats.skipped.occluded -= s;
