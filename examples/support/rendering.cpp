@@ -141,7 +141,8 @@ void draw_scene(const command_line& line, const render_settings& s, const irg::s
     if (s.hidden_line) return draw_hidden_lines(s, world, picture, svg, watch, ms);
     irg::image<float> depth(s.size.width, s.size.height);
     watch.lap();
-    return draw(s, world, picture, depth, [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
+    return draw(s, world, picture, depth,
+                [&](irg::render_stage stage) { ms.stage[static_cast<int>(stage)] += watch.lap(); });
   }();
   if (stats.drawn == 0)
     line.hint(s.eye || s.target

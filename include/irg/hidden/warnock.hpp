@@ -40,7 +40,7 @@ struct no_window_observer {
 namespace detail {
 
 // A face on a window's list.
-struct listed_face {
+struct warnock_face {
   const screen_face* face;
   bool surrounds;
 };
@@ -61,7 +61,7 @@ private:
   constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last) {
     const std::size_t own = lists_.size();
     for (std::size_t i = first; i < last; ++i) {
-      const listed_face f = lists_[i];
+      const warnock_face f = lists_[i];
       if (f.surrounds) {
         lists_.push_back(f);
         continue;
@@ -79,7 +79,7 @@ private:
       for (const cell_window& part : quarters(w))
         if (!part.empty()) look_at(part, own, end);
     }
-    lists_.resize(own, listed_face{});
+    lists_.resize(own, warnock_face{});
   }
 
   // Of the surrounding faces the one that is seen in the window's first pixel hides most: what lies behind it in all of
@@ -87,7 +87,7 @@ private:
   constexpr void leave_out_hidden(const cell_window& w, std::size_t own) {
     const screen_face* front = nullptr;
     for (std::size_t i = own; i < lists_.size(); ++i)
-      if (const listed_face& f = lists_[i];
+      if (const warnock_face& f = lists_[i];
           f.surrounds && (front == nullptr || is_nearer<Order>(*f.face, *front, w.x_first, w.y_first)))
         front = f.face;
     if (front == nullptr) return;
@@ -99,7 +99,7 @@ private:
       else
         ++counts_.hidden;
     }
-    lists_.resize(kept, listed_face{});
+    lists_.resize(kept, warnock_face{});
   }
 
   constexpr warnock_case draw_if_easy(const cell_window& w, std::size_t own) {
@@ -123,7 +123,7 @@ private:
 
   image<std::uint32_t>& ids_;
   Observer& observer_;
-  std::vector<listed_face> lists_{};
+  std::vector<warnock_face> lists_{};
   warnock_counts counts_{};
 };
 

@@ -84,9 +84,9 @@ constexpr std::optional<fixed_point<N>> parse_fixed_point(std::string_view text)
   // From the last place to the first: a tenth of the digit with what follows it.
   for (std::size_t i = places.size(); i-- > 0;) {
     if (!is_digit(places[i])) return std::nullopt;
-    detail::wide_unsigned rest = static_cast<unsigned>(places[i] - '0');
+    uint128 rest = static_cast<unsigned>(places[i] - '0');
     for (int w = N - 2; w >= 0; --w) {
-      const detail::wide_unsigned dividend = (rest << 64) | units.word[w];
+      const uint128 dividend = (rest << 64) | units.word[w];
       units.word[w] = static_cast<std::uint64_t>(dividend / 10);
       rest = dividend % 10;
     }
