@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A surface over the unit square as curves for the floating horizon: turned about y, tilted about x and projected at
-// right angles; curves of constant z, of constant x, or both, near ones first. Where both families are drawn, samples are
-// taken so that they meet.
+// right angles; curves of constant z, of constant x, or both, near ones first. Where both families are drawn, samples
+// are taken so that they meet.
 #pragma once
 
 #include <irg/core/contract.hpp>
@@ -16,9 +16,9 @@ namespace irg {
 enum class horizon_curves { constant_z, constant_x, both };
 
 /// How a surface over the unit square is seen.
-/// shape   width and height of one unit in pixels; yaw from 0 to 90 degrees and pitch from -90 to 90, in radians; as many
-///         curves of each family, 2 or more; samples: points of a whole curve, 2 or more, or 0 for as many as it has
-///         columns
+/// shape   width and height of one unit in pixels; yaw from 0 to 90 degrees and pitch from -90 to 90, in radians; as
+///         many curves of each family, 2 or more; samples: points of a whole curve, 2 or more, or 0 for as many as it
+///         has columns
 struct horizon_view {
   double width = 380, height = 120;
   double yaw = 0, pitch = 0;

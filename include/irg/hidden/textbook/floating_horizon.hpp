@@ -16,8 +16,8 @@ enum class horizon_rule {
 
 /// The horizons of all columns, and the curve that is being drawn.
 /// shape   as irg::floating_horizon
-/// gives   lines that no curve has, where both horizons meet or a column is new; of several samples in one column points
-///         alone, since the horizon where a step begins has moved already
+/// gives   lines that no curve has, where both horizons meet or a column is new; of several samples in one column
+///         points alone, since the horizon where a step begins has moved already
 /// source  Special-cases chapter, 2.1, with a flag for the first sample of a curve where x > 0 is printed
 class floating_horizon {
 public:
