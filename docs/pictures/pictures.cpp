@@ -33,6 +33,7 @@
 #include "fills.hpp"
 #include "fills_aa.hpp"
 #include "hidden_methods.hpp"
+#include "horizon.hpp"
 #include "line_drawings.hpp"
 #include "line_kernels.hpp"
 #include "line_teaching.hpp"
@@ -190,6 +191,7 @@ void methods() {
     }
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
+  save("floating_horizon", horizon_pictures::surfaces());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());
   save("bsp_faces", hidden_pictures::parts());

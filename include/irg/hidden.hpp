@@ -4,7 +4,9 @@
 
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/floating_horizon.hpp>
 #include <irg/hidden/hidden_lines.hpp>
+#include <irg/hidden/horizon_surface.hpp>
 #include <irg/hidden/line_drawing.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/painter.hpp>
@@ -14,4 +16,5 @@
 #include <irg/hidden/warnock.hpp>
 #include <irg/hidden/zbuffer_memory.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
+#include <irg/hidden/textbook/floating_horizon.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>

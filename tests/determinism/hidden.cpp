@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/back_faces.hpp>
+#include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/horizon_surface.hpp>
+#include <irg/hidden/painter_newell.hpp>
+#include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>
+#include <irg/hidden/warnock.hpp>
 #include <irg/raster/image.hpp>
 
 #include <array>
@@ -69,5 +73,54 @@ constexpr std::uint64_t hidden_back_faces(int rounds) {
   return h.value();
 }
 HASHED(hidden_back_faces, 20, 20000);
+
+// Faces through each other: what three methods show, and what they counted.
+constexpr std::uint64_t hidden_methods(int rounds) {
+  test::random r(33);
+  determinism::hasher h;
+  const int size = rounds < 10 ? 6 : 40;
+  for (int i = 0; i < rounds; ++i) {
+    std::vector<irg::screen_face> faces;
+    for (std::uint32_t k = 0; k < (rounds < 10 ? 3u : 24u); ++k) {
+      const auto corner = [&] {
+        const auto x = static_cast<std::int32_t>(r.integer(-size * 64, size * 320));
+        const auto y = static_cast<std::int32_t>(r.integer(-size * 64, size * 320));
+        return irg::screen_vertex{{x, y}, static_cast<float>(r.integer(1, 1 << 20)) * 0x1p-20f};
+      };
+      const irg::screen_vertex a = corner(), b = corner(), c = corner();
+      faces.push_back(irg::make_screen_face(a, b, c, k));
+    }
+    const irg::cell_window all{0, 0, size, size};
+    const auto add = [&](const auto& method) {
+      irg::image<std::uint32_t> ids(size, size, irg::no_face);
+      irg::draw_counts counts;
+      method(faces, all, ids, counts);
+      h.add(static_cast<int>(counts.tested));
+      for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) h.add(static_cast<int>(ids(x, y)));
+    };
+    add(irg::warnock<>{});
+    add(irg::painter_newell<>{});
+    add(irg::bsp_painter<>{});
+  }
+  return h.value();
+}
+HASHED(hidden_methods, 1, 60);
+
+// The lines of a surface at many angles.
+constexpr std::uint64_t hidden_horizon(int rounds) {
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    const irg::horizon_view view{rounds < 10 ? 9.0 : 90.0, 30, i * 0.17 - static_cast<int>(i * 0.17 / 1.5) * 1.5,
+                                 i * 0.05 - 1.2, rounds < 10 ? 3 : 12};
+    irg::floating_horizon horizon(irg::horizon_width(view));
+    const auto height = [](double x, double z) { return irg::sin(irg::product(9.0, x)) * z; };
+    draw_horizon_surface(horizon, height, view, [&](const irg::cell& a, const irg::cell& b, irg::horizon_side) {
+      for (const int v : {a.x, a.y, b.x, b.y}) h.add(v);
+    });
+  }
+  return h.value();
+}
+HASHED(hidden_horizon, 2, 60);
 
 }  // namespace

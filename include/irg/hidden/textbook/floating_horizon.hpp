@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The floating horizon by the rules of the source: points, the simple step and the improved step. irg::floating_horizon
+// (hidden/floating_horizon.hpp) draws no line that the curves do not have.
+#pragma once
+
+#include <irg/hidden/floating_horizon.hpp>
+
+namespace irg::textbook {
+
+/// What is drawn of a step.
+enum class horizon_rule {
+  points,  // the sample alone, where it moves a horizon: steep parts look scattered
+  simple_step,  // both horizons, whether the step lies on them or not
+  improved_step  // a horizon on which one end of the step lies after it was moved
+};
+
+/// The horizons of all columns, and the curve that is being drawn.
+/// shape   as irg::floating_horizon
+/// gives   lines that no curve has, where both horizons meet or a column is new; of several samples in one column
+///         points alone, since the horizon where a step begins has moved already
+/// source  Special-cases chapter, 2.1, with a flag for the first sample of a curve where x > 0 is printed
+class floating_horizon {
+public:
+  constexpr explicit floating_horizon(int columns, horizon_rule rule = horizon_rule::improved_step)
+      : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), horizon_column{}), rule_(rule) {}
+
+  constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
+  constexpr const horizon_column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
+  constexpr void begin_curve() noexcept { drawing_ = false; }
+
+  /// Adds a sample, and calls emit(from, to, side) for what the rule draws.
+  template <class Sink>
+  constexpr void add(const cell& sample, Sink&& emit) {
+    if (sample.x < 0 || sample.x >= columns()) return begin_curve();
+    horizon_column& here = columns_[static_cast<std::size_t>(sample.x)];
+    const horizon_column before = here;
+    detail::extend_horizon(here, sample.y);
+    if (rule_ == horizon_rule::points) {
+      if (!before.is_set || here.upper != before.upper)
+        emit(sample, sample, horizon_side::upper);
+      else if (here.lower != before.lower)
+        emit(sample, sample, horizon_side::lower);
+    } else if (drawing_) {
+      const horizon_column& there = columns_[static_cast<std::size_t>(last_.x)];
+      const bool all = rule_ == horizon_rule::simple_step;
+      if (all || last_.y == there.upper || sample.y == here.upper)
+        emit(cell{last_.x, there.upper}, cell{sample.x, here.upper}, horizon_side::upper);
+      if (all || last_.y == there.lower || sample.y == here.lower)
+        emit(cell{last_.x, there.lower}, cell{sample.x, here.lower}, horizon_side::lower);
+    }
+    last_ = sample;
+    drawing_ = true;
+  }
+
+private:
+  std::vector<horizon_column> columns_;
+  horizon_rule rule_;
+  cell last_{};
+  bool drawing_ = false;
+};
+
+}  // namespace irg::textbook
