@@ -233,7 +233,8 @@ constexpr double place_of(const edge_crossing& c, const Edge& e) noexcept {
       if (one) rest -= r.denominator;
       digits = 2 * digits + (one ? 1 : 0);
     }
-    return static_cast<double>((digits + 1) / 2) * 0x1p-53;
+    const std::int64_t rounded = (digits + 1) / 2;
+    return static_cast<double>(rounded) * 0x1p-53;
   });
 }
 
