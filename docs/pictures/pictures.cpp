@@ -401,7 +401,7 @@ int main(int argc, char** argv) {
   save("sight_2d", sight_pictures::thirds());
   save("viewshed", sight_pictures::hills());
   failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;
-  save("textbook::zbuffer", depths::forms());
+  save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
   save("view_transform_textbook", viewing::steps());
   save("polar_camera", viewing::orbit());

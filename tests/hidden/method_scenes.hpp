@@ -67,7 +67,10 @@ private:
     const int pixel = 256, all = size_ * pixel;
     const auto around = [&](int reach) {
       const int x = position(all) / 2 + all / 2, y = position(all) / 2 + all / 2;
-      const auto v = [&] { return vertex(x + position(reach), y + position(reach), depth()); };
+      const auto v = [&] {  // one by one: arguments are evaluated in any order
+        const int dx = position(reach), dy = position(reach);
+        return vertex(x + dx, y + dy, depth());
+      };
       const irg::screen_vertex a = v(), b = v(), c = v();
       list_.push_back({{a, b, c}});
     };
@@ -81,7 +84,10 @@ private:
       case face_scene::huge: return around(1 << 24);
       case face_scene::pencil: {
         const int far_away = all * 4;
-        const auto v = [&](int x) { return vertex(x, position(all * 2), depth()); };
+        const auto v = [&](int x) {
+          const int y = position(all * 2);
+          return vertex(x, y, depth());
+        };
         const irg::screen_vertex a = v(all / 2 + position(far_away)), b = v(all / 2 - position(far_away));
         list_.push_back({{vertex(all / 2, all / 2, 0.5f), a, b}});
         return;
@@ -91,7 +97,11 @@ private:
         corners c = list_[static_cast<std::size_t>(r_.integer(0, static_cast<std::int64_t>(list_.size()) - 1))];
         const int how = static_cast<int>(r_.integer(0, 3));
         if (how == 1) std::swap(c.v[0], c.v[2]);
-        if (how == 2) c.v[r_.integer(0, 2)] = vertex(position(all), position(all), depth());
+        if (how == 2) {
+          const int x = position(all), y = position(all);
+          const float z = depth();
+          c.v[r_.integer(0, 2)] = vertex(x, y, z);
+        }
         if (how == 3) c.v[2].position = c.v[1].position;
         list_.push_back(c);
     }
@@ -135,9 +145,9 @@ private:
     const int all = size_ * 256;
     const int ax = position(all), ay = position(all), bx = all + position(all), by = all + position(all);
     const int along = static_cast<int>(r_.integer(0, 64));
-    const auto c =
-        vertex(ax + (bx - ax) / 64 * along + position(500), ay + (by - ay) / 64 * along + position(500), depth());
-    list_.push_back({{vertex(ax, ay, depth()), vertex(bx, by, depth()), c}});
+    const int cx = ax + (bx - ax) / 64 * along + position(500), cy = ay + (by - ay) / 64 * along + position(500);
+    const irg::screen_vertex a = vertex(ax, ay, depth()), b = vertex(bx, by, depth()), c = vertex(cx, cy, depth());
+    list_.push_back({{a, b, c}});
   }
 
   random r_;
