@@ -6,10 +6,10 @@
 #include <string>
 
 #include <irg/core/threads.hpp>
+#include <irg/hidden/classical_methods.hpp>
 #include <irg/hidden/line_drawing.hpp>
 #include <irg/io/file.hpp>
 #include <irg/raster/line_aa.hpp>
-#include <irg/render/classical_methods.hpp>
 
 namespace program {
 namespace {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <irg/render/attribute_shading.hpp>
-#include <irg/render/classical_methods.hpp>
 #include <irg/render/draw_depth.hpp>
 #include <irg/render/draw_transparent.hpp>
 #include <irg/render/draw_triangles.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/render/classical_methods.hpp>
+#include <irg/hidden/classical_methods.hpp>
 
 #include <vector>
 
