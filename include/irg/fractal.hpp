@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fractal: escape time, Mandelbrot, Julia.
+// fractal: escape time, Mandelbrot, Julia, deep zooms.
 #pragma once
 
 #include <irg/fractal/complex_plane.hpp>

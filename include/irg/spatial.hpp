@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spatial: bounding-volume hierarchy with its ray queries, BSP tree, grids of cells and walls.
+// spatial: grids of cells and walls in two and three dimensions.
 #pragma once
 
 #include <irg/spatial/cell3.hpp>

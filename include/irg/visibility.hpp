@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// visibility: from point, segment, polygon, region; grid line of sight; cells and portals.
+// visibility: line of sight and fields of view on grids.
 #pragma once
 
 #include <irg/visibility/corner_rule.hpp>
