@@ -88,6 +88,17 @@ TEST_CASE("draw_horizon_surface: both orders have the same horizons at 45 degree
   CHECK(differing == 0);
 }
 
+TEST_CASE("horizon_view: numbers out of range") {
+  const auto columns = [](double width) { return irg::horizon_width(horizon_view{width, 1, 45 * degree, 0, 3}); };
+  CHECK(columns(1e300) == columns(0x1p28));
+  CHECK(columns(std::numeric_limits<double>::quiet_NaN()) == 1);
+  CHECK(columns(-5) == 1);
+  constexpr int most = std::numeric_limits<int>::max();
+  CHECK_BOTH(irg::sample_steps(horizon_view{9, 1, 0, 0, most, most}, 1.0) > 0);
+  CHECK_BOTH(irg::sample_steps(horizon_view{1e300, 1, 0, 0, 3}, 1.0) == 1 << 28);
+  CHECK_BOTH(irg::sample_steps(horizon_view{9, 1, 0, 0, -7, 1}, 1.0) == 1);
+}
+
 TEST_CASE("draw_horizon_surface: right angles, gaps, heights without end, in constant evaluation") {
   constexpr auto lines = [](auto height, double degrees, horizon_curves families) {
     const horizon_view v{8, 8, degrees * degree, 0, 3, 0, families};

@@ -4,7 +4,6 @@
 // are taken so that they meet.
 #pragma once
 
-#include <irg/core/contract.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/hidden/floating_horizon.hpp>
 #include <irg/math/trigonometry.hpp>
@@ -38,8 +37,19 @@ struct turned_view {
 
 inline namespace IRG_ABI {
 
+// The view within the range for which columns and samples are ints.
 template <class V>
-constexpr turned_view turn_view(const V& v) noexcept {
+constexpr V limited_view(V v) noexcept {
+  constexpr int most = 1 << 28;
+  v.width = v.width > 0 ? (v.width < most ? v.width : most) : 0;
+  v.curves = v.curves < 2 ? 2 : v.curves < most ? v.curves : most;
+  v.samples = v.samples < 1 ? 0 : v.samples < 2 ? 2 : v.samples < most ? v.samples : most;
+  return v;
+}
+
+template <class V>
+constexpr turned_view turn_view(const V& given) noexcept {
+  const V v = limited_view(given);
   const auto up = [](double x) {
     const auto below = static_cast<int>(x);
     return below + (static_cast<double>(below) < x ? 1 : 0);
@@ -71,28 +81,29 @@ inline namespace IRG_ABI {
 /// source  Special-cases chapter, 2.2
 template <class View>
 constexpr int sample_steps(const View& view, double share) noexcept {
-  return detail::horizon_steps(view, share);
+  return detail::horizon_steps(detail::limited_view(view), share);
 }
 
 /// How many columns the horizon of a view needs.
 template <class View>
 constexpr int horizon_width(const View& view) noexcept {
   const detail::turned_view t = detail::turn_view(view);
-  return static_cast<int>(product(view.width, t.cos_yaw) + 0.5) + t.offset + 1;
+  return static_cast<int>(product(t.view.width, t.cos_yaw) + 0.5) + t.offset + 1;
 }
 
 /// Draws a surface y = height(x, z) over the unit square: every curve's samples go to the horizon, and what is seen to
 /// emit(from, to, side).
 /// shape   column floor(x' width + 1/2) + ceil(width sin yaw), row floor(y' height + 1/2), y up
-/// needs   a horizon of horizon_width(view) columns; width and height positive; the view's ranges
-/// gives   a gap where a height is NaN or infinite, or its row beyond 2^30
+/// needs   a horizon of horizon_width(view) columns
+/// gives   a gap where a height is NaN or infinite, or its row beyond 2^30; widths, curves and samples count as 2^28 at
+///         most, curves as 2 at least
 /// exact   x' = x cos - z sin, z' = x sin + z cos, y' = y cos + z' sin, each operation rounded once
 /// cost    a call of height for each sample
 /// source  Special-cases chapter, 2.1 and 2.2
 template <class Horizon, class Height, class Sink>
-constexpr void draw_horizon_surface(Horizon& horizon, const Height& height, const horizon_view& view, Sink&& emit) {
-  IRG_EXPECTS(view.curves >= 2 && view.width > 0 && view.height > 0 && (view.samples == 0 || view.samples >= 2));
-  const detail::turned_view t = detail::turn_view(view);
+constexpr void draw_horizon_surface(Horizon& horizon, const Height& height, const horizon_view& given, Sink&& emit) {
+  const detail::turned_view t = detail::turn_view(given);
+  const horizon_view& view = t.view;
   const int crossing = view.curves - 1;
   const int steps_x = detail::horizon_steps(view, t.cos_yaw), steps_z = detail::horizon_steps(view, t.sin_yaw);
   const auto add = [&](double x, double z) {
