@@ -3,8 +3,10 @@
 // is said, and what a picture is reported with.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -129,10 +131,28 @@ struct render_settings {
   }
 };
 
-/// The model that the options name, which has to have faces, with normals everywhere.
-inline irg::mesh<double> load_model(const command_line& line, const render_settings& s) {
+/// Models whose squares would leave the range of doubles are drawn at another size, which changes no pixel: everything
+/// is multiplied by one power of two that brings the model near 1.
+inline void bring_into_range(irg::mesh<double>& shape, render_settings& s) {
+  double largest = 0;
+  for (const auto& p : shape.positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  if (largest == 0 || (largest > 1e-100 && largest < 1e100)) return;
+  const int exponent = -std::ilogb(largest);
+  const auto scale = [&](auto& p) {
+    p.x = std::ldexp(p.x, exponent), p.y = std::ldexp(p.y, exponent), p.z = std::ldexp(p.z, exponent);
+  };
+  for (auto& p : shape.positions) scale(p);
+  if (s.eye) scale(*s.eye);
+  if (s.target) scale(*s.target);
+  for (auto& l : s.lights) scale(l.position);
+}
+
+/// The model that the options name, which has to have faces, with normals everywhere; a very large or very small one,
+/// and with it what the options place, at another size.
+inline irg::mesh<double> load_model(const command_line& line, render_settings& s) {
   auto mesh = read_model(line, s.model);
   if (mesh.face_count() == 0) line.fail("the model has no faces: " + s.model);
+  bring_into_range(mesh, s);
   irg::assign_crease_normals(mesh, irg::radians(s.crease));
   return mesh;
 }
@@ -173,8 +193,7 @@ inline irg::camera<double> camera_of(const command_line& line, const render_sett
   }
   c = irg::with_depth_range(c, ball.centre, ball.radius);
   const double reach = irg::length(c.eye - ball.centre) + ball.radius + irg::length(c.target - ball.centre);
-  if (ball.radius > 0 && ball.radius < 1e-150) line.fail("the model is too small; scale it to more than 1e-150");
-  if (!(reach < 1e150)) line.fail("the model and the eye reach too far for a picture; coordinates may go up to 1e150");
+  if (!(reach < 1e150)) line.fail("the eye or the target is too far from the model for a picture");
   return c;
 }
 

@@ -164,7 +164,11 @@ refused "a missing file" "missing.obj" missing.obj
 refused "an empty file" "empty" empty.obj --list
 refused "a model without faces" "no faces" points.obj
 refused "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png
-refused "a model too large" "too far" huge.obj
+printf 'v 1 0 0\nv -1 0 0\nv 0 1 0\nf 1 2 3\n' >ordinary.obj
+run "" ordinary.obj --list
+ordinary=$out
+run "" huge.obj --list
+check "a large model is shaded as a small one" is "$out" "$ordinary"
 refused "an eye out of range" "too far" cube --eye 1e200,0,0
 refused "an unknown option" "--colour" cube --colour red
 refused "an unknown projection" "isometric" cube --project round
