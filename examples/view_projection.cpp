@@ -18,6 +18,7 @@
 #include <irg/view/textbook/view_transform.hpp>
 
 #include "support/command_line.hpp"
+#include "support/model_edges.hpp"
 #include "support/model_input.hpp"
 #include "support/number_input.hpp"
 #include "support/number_output.hpp"
@@ -67,7 +68,7 @@ settings read_settings(program::command_line& line) {
   return s;
 }
 
-using edge = std::pair<std::uint32_t, std::uint32_t>;
+using program::edge;
 
 struct problem {
   point from, at;  // the eye and the target
@@ -137,17 +138,6 @@ void set_view(problem& p, const program::number_input& in, const point& eye, con
   p.h = steps.h;
 }
 
-// The edges of the faces, each once.
-std::vector<edge> edges_of(const irg::mesh<double>& m) {
-  std::vector<edge> edges;
-  for (std::size_t f = 0; f < m.face_count(); ++f)
-    for (std::size_t k = 0, n = m.face_size(f); k < n; ++k)
-      edges.push_back(std::minmax({m.corner(f, k).position, m.corner(f, k + 1 < n ? k + 1 : 0).position}));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
 problem read_problem(program::command_line& line, const settings& s) {
   using program::number_input;
   problem p;
@@ -164,7 +154,7 @@ problem read_problem(program::command_line& line, const settings& s) {
     for (const point& v : model.positions)
       if (!add(p, v))
         line.fail("vertex " + std::to_string(p.eye.size() + 1) + " is too far out to be seen: " + s.model);
-    if (!s.out.empty()) p.edges = edges_of(model);
+    if (!s.out.empty()) p.edges = program::edges_of(model);
     return p;
   }
   number_input::prompt_if_terminal("number of points: ", s.input);

@@ -38,6 +38,7 @@
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/geometry/point_in_convex_polygon.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
+#include <irg/geometry/point_on_triangle.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/polygon_centroid.hpp>

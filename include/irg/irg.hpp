@@ -13,6 +13,7 @@
 #include <irg/raster.hpp>
 #include <irg/shade.hpp>
 #include <irg/fractal.hpp>
+#include <irg/solid.hpp>
 #include <irg/hidden.hpp>
 #include <irg/visibility.hpp>
 #include <irg/scene.hpp>

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/orient3d.hpp>
+#include <irg/geometry/point_on_triangle.hpp>
 #include <irg/mesh/normals.hpp>
 
 namespace irg {
@@ -50,17 +52,21 @@ constexpr bool are_paired(const std::vector<mesh_side>& sides) noexcept {
   return true;
 }
 
+// Four corners that span a body, the first three of its first face: every face has at least one of them behind its
+// plane, and none in front. So all faces look away from the middle of the four, which no rounding needs to find: a
+// determinant with the middle is the mean of those with the four. What is left to see is that no face bends inward at a
+// side, and that the surface winds round the middle once.
 template <mesh_in_space M>
 class convexity_check {
   using P = mesh_point<M>;
 
 public:
-  constexpr explicit convexity_check(const M& m) : m_(m), within_(point_within(m)) {}
+  constexpr explicit convexity_check(const M& m) : m_(m) {}
 
-  constexpr bool operator()() const {
+  constexpr bool operator()() {
     if (!is_finite_mesh()) return false;
     const std::vector<mesh_side> sides = sorted_sides(m_);
-    if (sides.empty() || !are_paired(sides)) return false;
+    if (sides.empty() || !are_paired(sides) || !find_spanning_corners()) return false;
     for (std::size_t f = 0; f < mesh_face_count(m_); ++f)
       if (!is_plane_and_outward(f)) return false;
     for (std::size_t i = 0; i < sides.size(); i += 2)
@@ -76,36 +82,47 @@ private:
     return true;
   }
 
-  // A mean of all faces' corners, by halves.
-  static constexpr P point_within(const M& m) {
-    std::vector<P> left;
-    for (std::size_t f = 0; f < mesh_face_count(m); ++f)
-      for (std::size_t k = 0; k < mesh_face_size(m, f); ++k)
-        left.push_back(mesh_position(m, mesh_face_vertex(m, f, k)));
-    while (left.size() > 1) {
-      const std::size_t half = left.size() / 2;
-      for (std::size_t i = 0; i < half; ++i) left[i] = halfway(left[2 * i], left[2 * i + 1]);
-      if (left.size() % 2 != 0) left[half] = left.back();
-      left.resize(left.size() - half);
-    }
-    return left.empty() ? P{} : left[0];
-  }
-  static constexpr P halfway(const P& a, const P& b) {
-    using T = scalar_of<P>;
-    return generate_coordinates<P>([&](int i) { return coordinate(a, i) * T(0.5) + coordinate(b, i) * T(0.5); });
-  }
-
   constexpr P at(std::size_t f, std::size_t k) const { return mesh_position(m_, mesh_face_vertex(m_, f, k)); }
-  // Positive where a, b and c run counter-clockwise seen from outside, the point within being behind them.
-  constexpr int turn(const P& a, const P& b, const P& c) const { return -orient3d(a, b, c, within_); }
+
   // Positive where p is in front of the plane of a face.
-  constexpr int side(std::size_t f, const P& p) const { return orient3d(at(f, 0), at(f, 1), at(f, 2), p); }
+  constexpr int side(std::size_t f, const P& p) const {
+    const std::size_t k = apex_[f];
+    return orient3d(at(f, 0), at(f, k - 1), at(f, k), p);
+  }
+  // Positive where a, b and c run counter-clockwise seen from outside, the point being behind them.
+  static constexpr int turn(const P& a, const P& b, const P& c, const P& behind) { return -orient3d(a, b, c, behind); }
+
+  // Of each face, a corner that is not on a line with the first and the one before it.
+  constexpr bool find_spanning_corners() {
+    for (std::size_t f = 0; f < mesh_face_count(m_); ++f) {
+      std::size_t k = 2;
+      while (k < mesh_face_size(m_, f) && are_collinear(at(f, 0), at(f, k - 1), at(f, k))) ++k;
+      if (k >= mesh_face_size(m_, f)) return false;
+      apex_.push_back(k);
+    }
+    spanning_ = {at(0, 0), at(0, apex_[0] - 1), at(0, apex_[0]), P{}};
+    for (std::size_t f = 1; f < mesh_face_count(m_); ++f)
+      for (std::size_t k = 0; k < mesh_face_size(m_, f); ++k)
+        if (const int s = side(0, at(f, k)); s != 0) {
+          spanning_[3] = at(f, k);
+          return s < 0;
+        }
+    return false;
+  }
 
   constexpr bool is_plane_and_outward(std::size_t f) const {
+    const P* behind = nullptr;
+    for (const P& p : spanning_) {
+      const int s = side(f, p);
+      if (s > 0) return false;
+      if (s < 0) behind = &p;
+    }
     const std::size_t n = mesh_face_size(m_, f);
-    if (n < 3) return false;
-    for (std::size_t k = 2; k < n; ++k)
-      if (turn(at(f, 0), at(f, k - 1), at(f, k)) <= 0 || side(f, at(f, k)) != 0) return false;
+    for (std::size_t k = 0; k < n; ++k) {
+      const P before = at(f, k == 0 ? n - 1 : k - 1), here = at(f, k), after = at(f, k + 1 < n ? k + 1 : 0);
+      if (side(f, here) != 0 || turn(before, here, after, *behind) < 0 || turn(at(f, 0), here, after, *behind) < 0)
+        return false;
+    }
     return true;
   }
 
@@ -117,13 +134,13 @@ private:
     return true;
   }
 
-  // How many triangles, fanned from the faces' first corners, the ray from within to the first corner meets, moved a
-  // little towards the second and infinitely less towards the third: then it meets no side.
+  // How many triangles, fanned from the faces' first corners, the ray from the fourth spanning corner to the first
+  // meets, moved a little towards the second and infinitely less towards the third: then it meets no side. It begins
+  // behind every face that does not hold its start, so that it leaves the surface as often as this winds round.
   constexpr std::size_t faces_on_first_ray() const {
-    const P ray[3] = {at(0, 0), at(0, 1), at(0, 2)};
     const auto is_left_of_ray = [&](const P& a, const P& b) {
-      for (const P& p : ray)
-        if (const int sign = turn(a, b, p); sign != 0) return sign > 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const int sign = turn(a, b, spanning_[i], spanning_[3]); sign != 0) return sign > 0;
       return false;
     };
     std::size_t met = 0;
@@ -136,7 +153,8 @@ private:
   }
 
   const M& m_;
-  P within_;
+  std::vector<std::size_t> apex_{};
+  std::array<P, 4> spanning_{};
 };
 
 }  // namespace IRG_ABI
@@ -157,10 +175,10 @@ constexpr bool is_closed(const M& m) {
 /// Whether a mesh is the whole surface of one convex body, its faces counter-clockwise seen from outside. Its front
 /// faces then hide none of each other.
 /// needs   as validate: faces that name positions of the mesh
-/// gives   false where it cannot be shown, too: for faces that are not plane or whose triangles, fanned from the first
-///         corner, are not all proper; for a body so thin that the rounded mean of its corners does not lie within;
-///         for bodies turned inside out, and for positions that are not finite
-/// exact   true only where it is so for the numbers as they are; faces in one plane may meet
+/// gives   false for faces that are not plane, even in their last bit, and for faces without area, whose triangles may
+///         bound a convex body all the same; for bodies turned inside out, and for positions that are not finite. Faces
+///         in one plane may meet, and corners may lie on a line
+/// exact   for the numbers as they are
 /// cost    sorts the sides, then some eight signs of orient3d for each triangle; allocates sides and corners
 /// source  Mehlhorn et al. 1999 (convexity by edges and one ray)
 template <detail::mesh_in_space M>

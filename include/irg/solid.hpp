@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// solid: point in solid, winding number, booleans (CSG).
+#pragma once
+
+#include <irg/solid/point_in_solid.hpp>
+#include <irg/solid/solid_locator.hpp>
+#include <irg/solid/winding_number_rounded.hpp>
