@@ -45,6 +45,7 @@
 #include "saving.hpp"
 #include "shaders.hpp"
 #include "sight.hpp"
+#include "solids.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
 #include "textbook_fill.hpp"
@@ -416,6 +417,7 @@ int main(int argc, char** argv) {
   save("fit", mesh_pictures::fitting());
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
+  save("point_in_solid", solid_pictures::locations());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());

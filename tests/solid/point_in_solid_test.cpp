@@ -10,7 +10,6 @@
 #include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/solid/solid_locator.hpp>
-#include <irg/solid/winding_number_rounded.hpp>
 
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
@@ -182,7 +181,6 @@ TEST_CASE("point_in_solid: NaN, infinity, faces that are not finite, faces witho
     CHECK(point_in_solid(cube, p) == point_location::outside);
     CHECK(point_in_convex_solid(cube, p) == point_location::outside);
     CHECK(irg::solid_locator(cube)(p) == point_location::outside);
-    CHECK(irg::winding_number_rounded(cube, p) == 0);
   }
   const std::size_t v = cube.positions.size();
   cube.positions.insert(cube.positions.end(), {{5, 5, nan}, {0, 0, 7}, {0, 0, 9}});
@@ -323,46 +321,5 @@ TEST_CASE("point_in_solid: a torus, points that its corners, sides and planes ar
   CHECK(inside > 0);
 }
 #endif
-
-TEST_CASE("winding_number_rounded: whole numbers for closed bodies, the share of the sphere for parts of them") {
-  const solid_mesh torus = irg::shape_torus<double>();
-  test::random random(44);
-  const irg::solid_locator locate(torus);
-  double worst = 0;
-  for (int i = 0; i < 300; ++i) {
-    const auto number = [&] { return random.unit() * 3 - 1.5; };
-    const double x = number(), y = number() * 0.4, z = number();
-    const auto exact = locate.winding_number({x, y, z});
-    if (exact) worst = std::fmax(worst, std::fabs(irg::winding_number_rounded(torus, {x, y, z}) - *exact));
-  }
-  CHECK(worst < 1e-12);
-  // One of six equal faces, seen from the middle, at sizes to the ends of the range.
-  for (const double size : {1.0, 0x1p1000, 0x1p-1000}) {
-    solid_mesh face;
-    face.positions = {{size, size, size}, {-size, size, size}, {-size, -size, size}, {size, -size, size}};
-    irg::add_face(face, std::array<std::size_t, 4>{0, 1, 2, 3});
-    CHECK(std::fabs(irg::winding_number_rounded(face, {0, 0, 0}) - 1.0 / 6) < 1e-15);
-    CHECK(std::fabs(irg::winding_number_rounded(face, {0, 0, 2 * size}) + 1.0 / 6) < 1e-15);
-    CHECK(irg::winding_number_rounded(face, {0, 0, size}) == 0);
-  }
-  static_assert(irg::winding_number_rounded(irg::mesh<float>{}, {0, 0, 0}) == 0);
-}
-
-TEST_CASE("solid_locator: empty bodies, equal triangles, constant evaluation") {
-  static_assert([] {
-    const solid_mesh m = prism_over_l();
-    const irg::solid_locator locate(m);
-    irg::solid_locator_counts counts;
-    const bool right = locate({0.5, 0.5, 0.5}, irg::fill_rule::non_zero, &counts) == point_location::inside &&
-                       locate({2, 2, 0.5}) == point_location::outside && locate.winding_number({2.5, 0.5, 0.5}) == 1;
-    return right && counts.points == 1 && counts.triangles < 20;
-  }());
-  CHECK(irg::solid_locator(solid_mesh{})({0, 0, 0}) == point_location::outside);
-  solid_mesh many;
-  many.positions = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
-  for (int i = 0; i < 20000; ++i) irg::add_face(many, std::array<std::size_t, 3>{0, 1, 2});
-  CHECK(irg::solid_locator(many).winding_number({0.25, 0.25, 0}) == 20000);
-  CHECK(irg::solid_locator(many)({0.25, 0.25, 1}) == point_location::boundary);
-}
 
 }  // namespace

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where a point lies against a body: by the sides of its planes for convex ones, for all others by a ray.
 //
-// The ray goes up from the point, along z. Each triangle that it leaves the body by counts 1, each that it enters by -1:
-// the sum tells how often the surface runs round the point. Rays through a side or a corner are no special case. The
-// point stands as if it had been moved by an infinitely small e along x and e^2 along y, which no orientation of a
-// triangle of the body can meet exactly; where orient2d is zero, the sign of what the move adds decides. That is the
-// same for both triangles at a side, up to its direction, so exactly one of them is met or both or none. What the move
-// must not hide, a point on the surface itself, is asked first.
+// The ray goes up from the point, along z. Each triangle that it leaves the body by counts 1, each that it enters by
+// -1: the sum tells how often the surface runs round the point. Rays through a side or a corner are no special case:
+// the point stands as if it had been moved by an infinitely small e along x and e^2 along y, so that, seen from above,
+// it is on no side. Where orient2d is zero, the sign of what the move adds decides; both triangles at a side agree on
+// it, up to the side's direction. What the move must not hide, a point on the surface itself, is asked first.
 #pragma once
 
 #include <cstddef>
@@ -115,8 +114,8 @@ inline namespace IRG_ABI {
 ///         p meets, no more
 /// gives   nothing when p is on the surface; 0 for a mesh without faces and when p is not finite. Faces with positions
 ///         that are not finite count as missing
-/// exact   for all finite floats and doubles, and for the triangles that triangulate() makes of the faces, which cover a
-///         plane simple face exactly. A face that is not plane is those triangles
+/// exact   for all finite floats and doubles, and for the triangles that triangulate() makes of the faces: they cover a
+///         plane simple face exactly, and a face that is not plane is its triangles
 /// cost    linear; allocates the triangles. solid_locator keeps them for many points
 /// source  Hoffmann 1989 (the ray), Edelsbrunner and Muecke 1990 (the move)
 template <detail::mesh_in_space M>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many points against one body: its triangles stand in a tree of boxes as they are seen from above, so that a point asks
-// the few that its ray upward may meet.
+// Many points against one body: its triangles stand in a tree of boxes as they are seen from above, so that a point
+// asks the few that its ray upward may meet.
 #pragma once
 
 #include <algorithm>

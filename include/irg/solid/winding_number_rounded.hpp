@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of the view from a point is covered by a surface, its back counted positive: of a closed body a whole number,
-// of a scan with holes one between, so that most of inside and outside can still be told.
+// How much of the view from a point is covered by a surface, its back counted positive: of a closed body a whole
+// number, of a scan with holes one between, so that most of inside and outside can still be told.
 //
 // The angle that a triangle covers comes from the unit vectors a, b, c towards its corners: tan(angle / 2) is
 // det(a, b, c) over 1 + ab + bc + ca. Both are far from overflow at any size of the body.
@@ -15,8 +15,7 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// Half the solid angle of a triangle seen from the origin, positive where it turns its back; in twofold of which a
-// corner at the origin counts nothing.
+// Half the solid angle of a triangle seen from the origin, positive where it turns its back; 0 with a corner there.
 constexpr double half_solid_angle(const vec<double, 3>& to_a, const vec<double, 3>& to_b,
                                   const vec<double, 3>& to_c) noexcept {
   const vec<double, 3> a = normalized(to_a), b = normalized(to_b), c = normalized(to_c);
