@@ -13,6 +13,7 @@
 #include <utility>
 
 #include <irg/core/result.hpp>
+#include <irg/io/detail/text_place.hpp>
 #include <irg/math/decimal.hpp>
 #include <irg/mesh/mesh.hpp>
 
@@ -54,22 +55,6 @@ struct obj_names {
   constexpr bool operator==(const obj_names&) const = default;
   constexpr std::size_t bytes() const noexcept { return object.size() + group.size() + material.size(); }
 };
-
-constexpr bool is_line_break(char c) noexcept { return c == '\n' || c == '\r'; }
-constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-constexpr bool is_letter(char c) noexcept { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// The error for the byte at `place`: lines end with LF, CR or CR LF.
-constexpr parse_error error_at(std::string_view text, const char* place, const char* message) noexcept {
-  const char* line_start = text.data();
-  std::size_t line = 1;
-  for (const char* p = text.data(); p != place; ++p)
-    if (*p == '\n' || (*p == '\r' && (p + 1 == place || p[1] != '\n'))) {
-      ++line;
-      line_start = p + 1;
-    }
-  return {line, static_cast<std::size_t>(place - line_start) + 1, message};
-}
 
 /// Reads one text into `read`, or stops at `place` with `message`.
 template <Floating T>
@@ -159,19 +144,12 @@ struct obj_reader {
       const char* const token = at;
       const decimal_result<T> number = parse_decimal<T>(at, last);
       at = number.end;
-      if (number.status == decimal_status::none || !at_token_end()) return fail(token, not_a_number(token)), -1;
+      if (number.status == decimal_status::none || !at_token_end()) return fail(token, number_error(token, last)), -1;
       if (number.status == decimal_status::overflow) return fail(token, "number is too large"), -1;
       into[count] = number.value;
     }
     if (count < least) return fail(at, too_few), -1;
     return count;
-  }
-
-  constexpr const char* not_a_number(const char* p) const noexcept {
-    if (*p == '-' || *p == '+') ++p;
-    const bool infinite = last - p >= 3 && (*p | 0x20) == 'i' && (p[1] | 0x20) == 'n' && (p[2] | 0x20) == 'f';
-    const bool nan = last - p >= 3 && (*p | 0x20) == 'n' && (p[1] | 0x20) == 'a' && (p[2] | 0x20) == 'n';
-    return infinite || nan ? "number is not finite" : "expected a decimal number";
   }
 
   constexpr bool vertex() {
@@ -334,7 +312,7 @@ constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = 
   if (static_cast<std::uint64_t>(text.size()) >> 32 != 0) return parse_error{0, 0, "text is longer than 4 GiB"};
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return parse_error{0, 0, "text is UTF-16, but OBJ must be ASCII or UTF-8"};
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = detail::without_byte_order_mark(text);
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
     return detail::error_at(text, text.data() + nul, "byte 0 stands in the text");
 
