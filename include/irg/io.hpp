@@ -13,6 +13,7 @@
 #include <irg/io/picture_limits.hpp>
 #include <irg/io/ply.hpp>
 #include <irg/io/png.hpp>
+#include <irg/io/png_read.hpp>
 #include <irg/io/ppm.hpp>
 #include <irg/io/stl.hpp>
 #include <irg/io/svg.hpp>
