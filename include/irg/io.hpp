@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/io/apng.hpp>
+#include <irg/io/body_xml.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/grid_text.hpp>
 #include <irg/io/image_file.hpp>
@@ -16,4 +17,5 @@
 #include <irg/io/png_read.hpp>
 #include <irg/io/ppm.hpp>
 #include <irg/io/stl.hpp>
+#include <irg/io/stored_body.hpp>
 #include <irg/io/svg.hpp>

@@ -46,9 +46,16 @@ using test::as_text;
 
 constexpr mesh_encoding encodings[] = {mesh_encoding::text, mesh_encoding::little_endian, mesh_encoding::big_endian};
 
+std::string repeated(std::string_view text, int count) {
+  std::string s;
+  for (int i = 0; i < count; ++i) s += text;
+  return s;
+}
+
 std::vector<std::string> files_of(const irg::mesh<float>& m) {
   std::vector<std::string> files = {as_text(*irg::encode_off(m)), as_text(*irg::encode_stl(m)),
-                                    as_text(*irg::encode_stl(m, mesh_encoding::little_endian))};
+                                    as_text(*irg::encode_stl(m, mesh_encoding::little_endian)),
+                                    as_text(*irg::encode_body_xml(std::vector{irg::store_body<float>("a", m)}))};
   for (const mesh_encoding e : encodings) files.push_back(as_text(*irg::encode_ply(m, e)));
   return files;
 }
@@ -62,6 +69,7 @@ TEST_CASE("mesh files: the format is known by the content, at compile time, too"
   CHECK_BOTH(mesh_format_of("\xEF\xBB\xBFOFF3 1 0") == mesh_format::off);
   CHECK_BOTH(mesh_format_of(" Solid x\n") == mesh_format::stl);
   CHECK_BOTH(mesh_format_of("solidx\n") == mesh_format::obj);
+  CHECK_BOTH(mesh_format_of("\n <body name='a'>") == mesh_format::body_xml);
   CHECK_BOTH(mesh_format_of("v 0 0 0\n") == mesh_format::obj);
   CHECK_BOTH(mesh_format_of("") == mesh_format::obj);
   CHECK_BOTH(mesh_format_of("plywood") == mesh_format::obj);
@@ -122,6 +130,12 @@ TEST_CASE("mesh files: memory is bounded by the bytes, whatever a header claims"
       little + "element nothing " + many + "\nelement vertex 1\n" + vertex + "end_header\nabc",
       std::string(80, ' ') + "\xff\xff\xff\xff" + faces,
       solid + "endsolid\n",
+      "<bodies>" + repeated("<body name=''><points/><faces/></body>", 3000) + "</bodies>",
+      "<body><surfaces>" + repeated("<surface/>", 20000) + "</surfaces><points/><faces/></body>",
+      "<body><points><point x='0' y='0' z='0'/></points><faces><face points='" + repeated("0 ", 60000) +
+          "'/></faces></body>",
+      "<body><points><point x='0' y='0' z='0'/></points><edges>" + repeated("<edge points='0 0'/>", 9000) +
+          "</edges><faces/></body>",
   };
   for (const std::string& s : files) {
     INFO(s.substr(0, 60));
