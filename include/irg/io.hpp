@@ -10,6 +10,7 @@
 #include <irg/io/mesh_file.hpp>
 #include <irg/io/mesh_options.hpp>
 #include <irg/io/obj.hpp>
+#include <irg/io/obj_write.hpp>
 #include <irg/io/off.hpp>
 #include <irg/io/picture_limits.hpp>
 #include <irg/io/ply.hpp>
