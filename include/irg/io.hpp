@@ -9,6 +9,7 @@
 #include <irg/io/image_file.hpp>
 #include <irg/io/mesh_file.hpp>
 #include <irg/io/mesh_options.hpp>
+#include <irg/io/mtl.hpp>
 #include <irg/io/obj.hpp>
 #include <irg/io/obj_write.hpp>
 #include <irg/io/off.hpp>

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -99,6 +100,48 @@ TEST_CASE("mesh files: from the disk, or the reason why not") {
   }
   std::remove(path.c_str());
   CHECK(std::string(irg::load_mesh<double>(path).error().message) == "file does not exist");
+}
+
+TEST_CASE("mesh files: written in the format of their name, read by their content") {
+  CHECK_BOTH(irg::mesh_format_of_name("a/B.PLY") == mesh_format::ply);
+  CHECK_BOTH(irg::mesh_format_of_name("xml") == std::nullopt);
+  const irg::mesh<float> cube = test::without_attributes(irg::shape_tetrahedron<float>());
+  for (const char* ending : {"obj", "stl", "ply", "off", "xml", "STL"}) {
+    const std::string path = std::string("mesh_file_test.") + ending;
+    for (const mesh_encoding e : encodings) {
+      const auto refused = irg::write_mesh(path, cube, e);
+      const auto format = *irg::mesh_format_of_name(path);
+      const bool has_form = e == mesh_encoding::text || format == mesh_format::ply ||
+                            (format == mesh_format::stl && e == mesh_encoding::little_endian);
+      CHECK(refused.has_value() == !has_form);
+      if (refused) continue;
+      const auto again = irg::load_mesh<float>(path);
+      REQUIRE(test::outcome_of(again) == "");
+      CHECK(test::in_order_of_use(test::without_attributes(*again)) == test::in_order_of_use(cube));
+    }
+    std::remove(path.c_str());
+  }
+  CHECK(std::string(irg::write_mesh("mesh_file_test.3ds", cube)->message).find(irg::mesh_endings) != std::string::npos);
+  irg::mesh<float> broken = cube;
+  broken.corners[0].position = 99;
+  CHECK(irg::write_mesh("mesh_file_test.xml", broken));
+}
+
+TEST_CASE("mesh files: materials come from the model's own folder alone") {
+  const std::string path = "mesh_file_test.obj";
+  const auto named = [&](std::string_view library) {
+    REQUIRE(!irg::write_file_atomically(path, "mtllib " + std::string(library) + "\nv 0 0 0\n"));
+    return irg::load_materials<double>(path);
+  };
+  REQUIRE(!irg::write_file_atomically("mesh file test.mtl", std::string_view("newmtl red\nKd 1 0 0\n")));
+  const auto materials = named("mesh file test.mtl");
+  REQUIRE(materials);
+  CHECK(materials->at(0).reflection.diffuse == irg::rgb<double>{1, 0, 0});
+  CHECK(std::string(named("./mesh file test.mtl").error().message) == "library of materials is not beside the model");
+  CHECK(std::string(named("/etc/passwd").error().message) == "library of materials is not beside the model");
+  CHECK(std::string(named("none.mtl").error().message) == "file does not exist");
+  std::remove("mesh file test.mtl");
+  std::remove(path.c_str());
 }
 
 TEST_CASE("mesh files: memory is bounded by the bytes, whatever a header claims") {

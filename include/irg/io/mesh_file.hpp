@@ -10,16 +10,22 @@
 #include <vector>
 
 #include <irg/io/body_xml.hpp>
+#include <irg/io/detail/file_ending.hpp>
 #include <irg/io/file.hpp>
+#include <irg/io/mtl.hpp>
 #include <irg/io/obj.hpp>
+#include <irg/io/obj_write.hpp>
 #include <irg/io/off.hpp>
 #include <irg/io/ply.hpp>
 #include <irg/io/stl.hpp>
 
 namespace irg {
 
-/// The mesh files that irg reads.
+/// The mesh files that irg reads and writes.
 enum class mesh_format { obj, stl, ply, off, body_xml };
+
+/// The endings of their names, for messages.
+inline constexpr const char* mesh_endings = ".obj, .stl, .ply, .off or .xml";
 
 inline namespace IRG_ABI {
 
@@ -66,6 +72,54 @@ result<mesh<T>> load_mesh(const std::string& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   return read_mesh<T>(std::string_view(*bytes));
+}
+
+/// The materials that an OBJ file's libraries hold; only libraries in the file's own folder are opened.
+/// gives   the error of read_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere
+template <Floating T = double>
+result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  const std::size_t slash = path.find_last_of("/\\");
+  const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+  return read_materials<T>(std::string_view(*text),
+                           [&](std::string_view name) { return read_file(folder + std::string(name)); });
+}
+
+/// The format that a file's name asks for by its ending, in either case; absent when it is none of mesh_endings.
+constexpr std::optional<mesh_format> mesh_format_of_name(std::string_view path) noexcept {
+  if (detail::has_ending(path, ".obj")) return mesh_format::obj;
+  if (detail::has_ending(path, ".stl")) return mesh_format::stl;
+  if (detail::has_ending(path, ".ply")) return mesh_format::ply;
+  if (detail::has_ending(path, ".off")) return mesh_format::off;
+  if (detail::has_ending(path, ".xml")) return mesh_format::body_xml;
+  return std::nullopt;
+}
+
+/// The bytes of a file that describes the mesh in the given format.
+/// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
+template <Floating T>
+constexpr result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh<T>& m, mesh_format format,
+                                                                      mesh_encoding encoding = mesh_encoding::text) {
+  if (format == mesh_format::stl) return encode_stl(m, encoding);
+  if (format == mesh_format::ply) return encode_ply(m, encoding);
+  if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};
+  if (format == mesh_format::off) return encode_off(m);
+  if (format == mesh_format::obj) return encode_obj(m);
+  if (const auto refused = detail::refuse_mesh(m)) return *refused;
+  return encode_body_xml(std::vector{store_body<T>("body", m)});
+}
+
+/// Writes a mesh file in the format that its name's ending asks for; absent when that succeeded, else the reason, and
+/// then the path is as it was before.
+template <Floating T>
+std::optional<parse_error> write_mesh(const std::string& path, const mesh<T>& m,
+                                      mesh_encoding encoding = mesh_encoding::text) {
+  const std::optional<mesh_format> format = mesh_format_of_name(path);
+  if (!format) return parse_error{0, 0, "body's file name must end in .obj, .stl, .ply, .off or .xml"};
+  const auto bytes = encode_mesh(m, *format, encoding);
+  if (!bytes) return parse_error{0, 0, bytes.error().message};
+  return write_file_atomically(path, std::span<const std::uint8_t>(*bytes));
 }
 
 }  // namespace IRG_ABI
