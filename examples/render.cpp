@@ -10,7 +10,7 @@ namespace {
 
 const std::string help = R"(render MODEL -o OUT - draws a model into a picture
 
-  MODEL                a Wavefront OBJ file, or one of teapot, cube, sphere, torus
+  MODEL                a body as OBJ, STL, PLY, OFF or XML, or one of teapot, cube, sphere, torus
   -o OUT               the picture: .png, .ppm or .svg
 )" + std::string(program::render_options_help);
 

@@ -23,7 +23,7 @@ the eye. The others are back faces, and so are those seen from their edge. A fac
 diffuse light on its centre make it: Ia ka + Ii kd (L.N), summed over the lamps and cut off at 255, with Ia = 100,
 ka = 0.2, Ii = 200, kd = 0.6.
 
-  MODEL                a Wavefront OBJ file, or one of teapot, cube, sphere, torus
+  MODEL                a body as OBJ, STL, PLY, OFF or XML, or one of teapot, cube, sphere, torus
   --list               print instead, for every face of the model: its intensity, 0 to 255, or hidden for a back face
   -o OUT               draw the body in this light: .png, .ppm or .svg
 )" + std::string(program::render_options_help);

@@ -36,7 +36,7 @@ target. Prints the view transform T and the projection P, 16 numbers by rows, fo
 to target; then for every point its place in the eye's system (x right, y up, z ahead) and in the picture plane, or none
 at and behind the eye and where a coordinate is beyond the largest number.
 
-  MODEL                a Wavefront OBJ file, or one of teapot, cube, sphere, torus
+  MODEL                a body as OBJ, STL, PLY, OFF or XML, or one of teapot, cube, sphere, torus
   --input FILE         read the numbers from FILE
   --list               print the places in the picture plane instead: x y, or none
   -o OUT               draw the points, joined in their order, or the model's wire frame: .png, .ppm or .svg

@@ -110,10 +110,11 @@ private:
   std::size_t next_ = 0;
 };
 
-/// `what: FILE:LINE:COLUMN`, the place left out where there is none.
+/// `what: FILE:LINE:COLUMN`, in files that are no text `what: FILE, byte N`, the place left out where there is none.
 inline std::string with_place(const irg::parse_error& e, std::string_view file) {
   std::string text = std::string(e.message) + ": " + std::string(file);
   if (e.line > 0) text += ":" + std::to_string(e.line) + ":" + std::to_string(e.column);
+  if (e.line == 0 && e.column > 0) text += ", byte " + std::to_string(e.column);
   return text;
 }
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <irg/io/file.hpp>
-#include <irg/io/obj.hpp>
+#include <irg/io/mesh_file.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 
@@ -14,15 +13,14 @@
 
 namespace program {
 
-/// The model of that name, from a file if it is no built-in one; ends the program where there is none.
+/// The model of that name, from a file of any format that irg reads if it is no built-in one; ends the program where
+/// there is none.
 inline irg::mesh<double> read_model(const command_line& line, const std::string& model) {
   if (model == "teapot") return irg::shape_teapot<double>();
   if (model == "cube") return irg::shape_cube<double>();
   if (model == "sphere") return irg::shape_sphere<double>();
   if (model == "torus") return irg::shape_torus<double>();
-  const auto text = irg::read_file(model);
-  if (!text) line.fail(with_place(text.error(), model));
-  auto mesh = irg::read_obj<double>({text->data(), text->size()});
+  auto mesh = irg::load_mesh<double>(model);
   if (!mesh) line.fail(with_place(mesh.error(), model));
   return *std::move(mesh);
 }

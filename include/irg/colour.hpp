@@ -2,6 +2,7 @@
 // colour: pixel types and their layouts, mixing, sRGB.
 #pragma once
 
+#include <irg/colour/convert_pixel.hpp>
 #include <irg/colour/encode_pixel.hpp>
 #include <irg/colour/mix.hpp>
 #include <irg/colour/over.hpp>

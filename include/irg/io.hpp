@@ -3,11 +3,21 @@
 #pragma once
 
 #include <irg/io/apng.hpp>
+#include <irg/io/body_xml.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/grid_text.hpp>
 #include <irg/io/image_file.hpp>
+#include <irg/io/mesh_file.hpp>
+#include <irg/io/mesh_options.hpp>
+#include <irg/io/mtl.hpp>
 #include <irg/io/obj.hpp>
+#include <irg/io/obj_write.hpp>
+#include <irg/io/off.hpp>
 #include <irg/io/picture_limits.hpp>
+#include <irg/io/ply.hpp>
 #include <irg/io/png.hpp>
+#include <irg/io/png_read.hpp>
 #include <irg/io/ppm.hpp>
+#include <irg/io/stl.hpp>
+#include <irg/io/stored_body.hpp>
 #include <irg/io/svg.hpp>

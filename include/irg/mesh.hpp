@@ -5,6 +5,8 @@
 #include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/fit.hpp>
+#include <irg/mesh/merge_positions.hpp>
+#include <irg/mesh/merge_vertices.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/mesh/normals.hpp>
 #include <irg/mesh/part_name.hpp>

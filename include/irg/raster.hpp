@@ -4,6 +4,7 @@
 
 #include <irg/raster/blend_span.hpp>
 #include <irg/raster/circle_midpoint.hpp>
+#include <irg/raster/convert_image.hpp>
 #include <irg/raster/depth.hpp>
 #include <irg/raster/depth_format.hpp>
 #include <irg/raster/depth_options.hpp>

@@ -514,6 +514,85 @@ TEST_CASE("obj: memory is bounded by the text, time by its length") {
   }
 }
 
+TEST_CASE("obj: lines that are read in one go mean what they mean when they are not") {
+  // A tab instead of the first blank sends a line the long way.
+  test::random r(404);
+  int sound = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::string quick, slow;
+    const auto both = [&](std::string_view s) {
+      quick += s;
+      slow += s;
+    };
+    const auto line = [&](std::string_view word, std::string_view rest) {
+      both(word);
+      quick += ' ';
+      slow += '\t';
+      both(rest);
+      both(r.integer(0, 3) == 0 ? "\r\n" : r.integer(0, 20) == 0 ? "\r" : "\n");
+    };
+    const auto number = [&] {
+      std::string s = r.integer(0, 2) == 0 ? "-" : "";
+      for (std::int64_t k = r.integer(r.integer(0, 200) == 0 ? 0 : 1, r.integer(0, 4) == 0 ? 17 : 4); k > 0; --k)
+        s += static_cast<char>('0' + r.integer(0, 9));
+      if (r.integer(0, 1) == 0) s += '.';
+      for (std::int64_t k = r.integer(0, r.integer(0, 9) == 0 ? 20 : 6); k > 0; --k)
+        s += static_cast<char>('0' + r.integer(0, 9));
+      if (r.integer(0, 30) == 0) s += r.integer(0, 12) != 0 ? "e-7" : "x";
+      return s + (r.integer(0, 10) == 0 ? "  " : r.integer(0, 40) == 0 ? "\\\n" : " ");
+    };
+    const auto index = [&] { return std::to_string(r.integer(r.integer(0, 90) == 0 ? -1 : 1, 9)); };
+    for (int k = 0; k < 9; ++k) {
+      line("v", number() + number() + number());
+      line("vn", number() + number() + number());
+      line("vt", number() + number());
+    }
+    for (std::int64_t k = r.integer(1, 6); k > 0; --k) {
+      if (r.integer(0, 3) == 0) line("g", "name");
+      std::string corners;
+      for (std::int64_t c = r.integer(3, 10); c > 0; --c) {
+        const std::int64_t form = r.integer(0, 20);
+        corners += index();
+        if (form % 4 == 1) corners += "/" + index();
+        if (form % 4 == 2) corners += "//" + index();
+        if (form % 4 == 3) corners += "/" + index() + "/" + index();
+        if (form == 20 && r.integer(0, 5) == 0) corners += "/";
+        corners += ' ';
+      }
+      line("f", corners);
+    }
+    if (trial % 5 == 0) quick.pop_back(), slow.pop_back();
+    const auto a = read_obj<float>(quick), b = read_obj<float>(slow);
+    REQUIRE(a.has_value() == b.has_value());
+    sound += a ? 1 : 0;
+    if (a) CHECK(*a == *b);
+    if (!a) {
+      CHECK(a.error().line == b.error().line);
+      CHECK(a.error().column == b.error().column);
+      CHECK(std::string_view(a.error().message) == b.error().message);
+    }
+  }
+  CHECK(sound > 500);
+  CHECK(sound < 2500);
+}
+
+TEST_CASE("obj: a long text, of which samples are taken, whatever they tell") {
+  std::string long_text;
+  for (int i = 0; i < 12000; ++i) long_text += "v 0.5 " + std::to_string(i) + " 1\n";
+  const std::string faces_last = [&] {
+    std::string s = long_text;
+    for (int i = 1; i + 3 <= 12000; ++i)
+      s += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 3) + "\n";
+    return s;
+  }();
+  const mesh m = of(faces_last);
+  CHECK(m.positions.size() == 12000);
+  CHECK(m.face_count() == 11997);
+  CHECK(face(m, 11996) == indices{11996, 11997, 11999});
+  CHECK(of(long_text + std::string(500000, '#')).positions.size() == 12000);
+  CHECK(of(std::string(500000, '\n') + long_text).positions.size() == 12000);
+}
+
 TEST_CASE("obj: seeded disorder never breaks the promises") {
   const std::string words[] = {"v ",
                                "vt ",

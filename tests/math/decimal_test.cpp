@@ -85,6 +85,39 @@ TEST_CASE("decimal: plain numbers") {
   CHECK_BOTH(reads("123456789012345678", 123456789012345678.0));
 }
 
+TEST_CASE_TEMPLATE("decimal: short texts, read the short way or left alone", T, float, double) {
+  CHECK_BOTH([] {
+    const char text[] = "-12.50 ";
+    const char* p = text;
+    T value{};
+    return irg::parse_short_decimal(p, value) && value == T(-12.5) && p == text + 6;
+  }());
+  test::random r(15 + sizeof(T));
+  int read = 0;
+  for (int trial = 0; trial < 200000; ++trial) {
+    std::string s = r.integer(0, 1) == 0 ? "-" : "";
+    for (std::int64_t k = r.integer(0, 9); k > 0; --k) s += static_cast<char>('0' + r.integer(0, 9));
+    if (r.integer(0, 3) != 0) s += '.';
+    for (std::int64_t k = r.integer(0, 9); k > 0; --k) s += static_cast<char>('0' + r.integer(0, 9));
+    const char* const ends[] = {"\n", " ", "e5\n", "x", "-"};
+    s += ends[r.integer(0, 4)];
+    const char* p = s.data();
+    T value = 7;
+    const auto whole = irg::parse_decimal<T>(s.data(), s.data() + s.size());
+    if (irg::parse_short_decimal(p, value)) {
+      ++read;
+      if (*p == 'e') continue;  // the caller sees that the number goes on
+      CHECK(p == whole.end);
+      CHECK(std::signbit(value) == std::signbit(whole.value));
+      CHECK(value == whole.value);
+    } else {
+      CHECK(p == s.data());
+      CHECK(value == 7);
+    }
+  }
+  CHECK(read > 100000);
+}
+
 TEST_CASE("decimal: where the text of a number ends") {
   CHECK_BOTH(reads_part("1e", 1, 1));
   CHECK_BOTH(reads_part("1e+", 1, 1));

@@ -65,6 +65,20 @@ v 1 1 0
 v -1 1 0
 f 1 2 3 4
 END
+printf 'OFF\n4 1 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3\n' >square.off
+printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty int z\nelement face 1\n%s\n%s\n%s\n' \
+  'property list uchar int vertex_indices' end_header '-1 -1 0 1 -1 0 1 1 0 -1 1 0 4 0 1 2 3' >square_in_any.name
+{
+  printf 'solid\n'
+  for corners in '-1 -1 0,1 -1 0,1 1 0' '-1 -1 0,1 1 0,-1 1 0'; do
+    printf 'facet normal 0 0 1 outer loop\n'
+    printf 'vertex %s\n' "${corners%%,*}" "$(cut -d, -f2 <<<"$corners")" "${corners##*,}"
+    printf 'endloop endfacet\n'
+  done
+  printf 'endsolid\n'
+} >square.stl
+printf 'ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\nend_header\n1234' \
+  >cut.ply
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n' >points.obj
 : >empty.obj
 printf 'v 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n' >nan.obj
@@ -180,6 +194,9 @@ check "a polygon has no diagonals" is "$(grep -c '^<line ' lines.svg)" 4
 
 # ---- what options do
 hash_with() { drawn "$*" "$@" && hash_in s.json; }
+for model in square.off square_in_any.name square.stl; do
+  check "$model is the body of square.obj" is "$(hash_with $model $small)" "$(hash_with square.obj $small)"
+done
 # A cube without normals, which a wide crease makes a pillow: its smooth styles differ.
 cat >bare.obj <<END
 v 0 0 0
@@ -289,6 +306,7 @@ refused "no arguments" "no model"
 refused "no picture" "-o" cube
 refused "a missing file" "missing.obj" missing.obj -o x.png --stats x.json
 refused "a folder" "folder" folder -o x.png --stats x.json
+refused "bytes that are cut off" "cut.ply, byte 111" cut.ply -o x.png --stats x.json
 refused "an empty file" "empty" empty.obj -o x.png --stats x.json
 refused "a model without faces" "no faces" points.obj -o x.png --stats x.json
 refused "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png --stats x.json

@@ -11,7 +11,8 @@
 namespace irg {
 
 /// Where and why a text could not be read.
-/// shape   line and column count from 1; column counts bytes; both are 0 when no place applies
+/// shape   line and column count from 1; column counts bytes. In a file that is no text line is 0 and column the byte,
+///         from 1. Both are 0 when no place applies
 struct parse_error {
   std::size_t line = 0;
   std::size_t column = 0;

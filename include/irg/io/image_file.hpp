@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <irg/io/detail/file_ending.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/png.hpp>
 #include <irg/io/ppm.hpp>
@@ -26,18 +27,9 @@ inline namespace IRG_ABI {
 
 /// The format that a file's name asks for by its ending, in either case; absent when it is none of picture_endings.
 constexpr std::optional<picture_format> picture_format_of(std::string_view path) noexcept {
-  const auto ends_with = [&](std::string_view ending) {
-    if (path.size() < ending.size()) return false;
-    const std::string_view end = path.substr(path.size() - ending.size());
-    for (std::size_t i = 0; i < end.size(); ++i) {
-      const char lower = end[i] >= 'A' && end[i] <= 'Z' ? static_cast<char>(end[i] - 'A' + 'a') : end[i];
-      if (lower != ending[i]) return false;
-    }
-    return true;
-  };
-  if (ends_with(".png")) return picture_format::png;
-  if (ends_with(".ppm")) return picture_format::ppm;
-  if (ends_with(".svg")) return picture_format::svg;
+  if (detail::has_ending(path, ".png")) return picture_format::png;
+  if (detail::has_ending(path, ".ppm")) return picture_format::ppm;
+  if (detail::has_ending(path, ".svg")) return picture_format::svg;
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <irg/colour/convert_pixel.hpp>
 #include <irg/core/result.hpp>
 #include <irg/io/detail/netpbm.hpp>
 #include <irg/io/picture_limits.hpp>
@@ -36,9 +37,7 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_ppm(const R& ra
 /// source  Netpbm, pgm(5); BT.601 for the weights
 template <EncodableRaster R>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& raster) {
-  return detail::encode_netpbm('5', 1, raster, [](const rgba8& p, std::uint8_t* out) {
-    *out = static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000);
-  });
+  return detail::encode_netpbm('5', 1, raster, [](const rgba8& p, std::uint8_t* out) { *out = gray_level(p); });
 }
 
 /// The picture in the bytes of a PPM or PGM file, binary (P6, P5) or plain (P3, P2); gray becomes r = g = b.

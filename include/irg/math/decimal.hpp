@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -56,6 +57,36 @@ constexpr decimal_result<T> parse_decimal(const char* first, const char* last) n
   if (bits == 0 && text.mantissa != 0) status = decimal_status::underflow;
   const bits_type sign = static_cast<bits_type>(text.negative ? 1 : 0) << (8 * sizeof(T) - 1);
   return {std::bit_cast<T>(bits | sign), text.end, status};
+}
+
+/// Reads a number of up to 15 digits as most texts have them, without an exponent; says whether one stood at p, which
+/// then leads behind it. Otherwise p and value stay: parse_decimal knows all others.
+/// shape   [-] digits [. digits]
+/// needs   a byte that is neither a digit nor a point where p leads to or behind it, such as the end of a line
+/// exact   correctly rounded to T, as parse_decimal
+/// cost    5 ns
+/// source  Clinger 1990 (by one operation on exact numbers)
+template <Floating T>
+IRG_INLINE constexpr bool parse_short_decimal(const char*& p, T& value) noexcept {
+  const char* q = p;
+  const bool negative = *q == '-';
+  if (negative) ++q;
+  const char* const digits = q;
+  std::uint64_t mantissa = 0;
+  for (; detail::is_digit(*q); ++q) mantissa = mantissa * 10 + detail::digit_value(*q);
+  std::ptrdiff_t count = q - digits, fraction = 0;
+  if (*q == '.') {
+    const char* const point = q++;
+    for (; detail::is_digit(*q); ++q) mantissa = mantissa * 10 + detail::digit_value(*q);
+    fraction = q - point - 1;
+    count += fraction;
+  }
+  T magnitude{};
+  if (count == 0 || count > 15 || !detail::nearest_by_double(mantissa, -static_cast<int>(fraction), magnitude))
+    return false;
+  value = negative ? -magnitude : magnitude;
+  p = q;
+  return true;
 }
 
 /// The integer that the decimal digits at the head of [first, last) write.

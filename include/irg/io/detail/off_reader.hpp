@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// OFF's header, and its two forms: words, and big-endian numbers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+#include <irg/core/conversion.hpp>
+#include <irg/io/detail/byte_cursor.hpp>
+#include <irg/io/detail/text_cursor.hpp>
+#include <irg/mesh/mesh.hpp>
+
+namespace irg::detail {
+
+/// What an OFF file's first word says: which numbers a vertex has.
+struct off_header {
+  bool texcoords = false, colours = false, normals = false;
+  bool four = false, any_dimension = false;  // coordinates that irg does not read
+  bool binary = false;
+  std::size_t length = 0;  // of the first word; 0: the file is no OFF
+};
+
+inline namespace IRG_ABI {
+
+/// The header at the head of a text: [ST][C][N][4][n]OFF.
+constexpr off_header off_header_of(std::string_view text) noexcept {
+  off_header h;
+  std::size_t at = 0;
+  const auto take = [&](std::string_view word) {
+    if (!text.substr(at).starts_with(word)) return false;
+    at += word.size();
+    return true;
+  };
+  h.texcoords = take("ST");
+  h.colours = take("C");
+  h.normals = take("N");
+  h.four = take("4");
+  h.any_dimension = take("n");
+  if (take("OFF")) h.length = at;
+  return h;
+}
+
+/// Reads OFF, or stops at the cursor's place with its message.
+template <Floating T>
+struct off_reader {
+  text_cursor cursor;
+  off_header header{};
+  mesh<T> read{};
+  std::int64_t vertex_count = 0, face_count = 0;
+  bool in_text = true;  // where the last error stands
+
+  constexpr explicit off_reader(std::string_view bytes) noexcept : cursor(bytes, '#') {}
+
+  constexpr bool file() {
+    const char* const start = cursor.skip_space() ? cursor.at : cursor.last;
+    header = off_header_of({start, static_cast<std::size_t>(cursor.last - start)});
+    if (header.length == 0) return cursor.fail(start, "file does not begin with the word OFF");
+    if (header.four || header.any_dimension) return cursor.fail(start, "points are not of three dimensions");
+    cursor.at += header.length;
+    // Some writers leave out the white space between OFF and the first count.
+    if (!cursor.at_word_end() && !is_digit(*cursor.at))
+      return cursor.fail(start, "file does not begin with the word OFF");
+    const char* const behind = cursor.at;
+    if (cursor.word_in_line() == "BINARY") {
+      cursor.skip_line();
+      in_text = false;
+      return binary();
+    }
+    cursor.at = behind;
+    return text();
+  }
+
+  constexpr bool count(std::int64_t& into) noexcept {
+    if (!cursor.skip_space()) return cursor.fail(cursor.at, "text ends where a count is expected");
+    const char* const start = cursor.at;
+    if (!cursor.integer(into)) return false;
+    return into >= 0 || cursor.fail(start, "count is negative");
+  }
+
+  constexpr bool text() {
+    if (!count(vertex_count) || !count(face_count)) return false;
+    // The number of edges, which nobody counts, is not always there.
+    std::int64_t edges = 0;
+    if (cursor.skip_blanks() && !cursor.integer(edges)) return false;
+    for (std::int64_t v = 0; v < vertex_count; ++v)
+      if (!text_vertex()) return false;
+    for (std::int64_t f = 0; f < face_count; ++f)
+      if (!text_face()) return false;
+    return !cursor.skip_space() || cursor.fail(cursor.at, "text goes on after the last face");
+  }
+
+  template <class Vector>
+  constexpr bool numbers(Vector& into, int count_of_them) noexcept {
+    for (int i = 0; i < count_of_them; ++i)
+      if (!cursor.number(into[i])) return false;
+    return true;
+  }
+
+  constexpr bool text_vertex() {
+    point<T, 3> p;
+    vec<T, 3> n;
+    vec<T, 2> t;
+    if (!numbers(p, 3) || (header.normals && !numbers(n, 3))) return false;
+    if (header.colours && !text_colour(header.texcoords, t)) return false;
+    if (header.texcoords && !header.colours && !numbers(t, 2)) return false;
+    add_vertex(p, n, t);
+    return true;
+  }
+
+  /// A colour has as many numbers as its writer liked: it goes on to the end of the line, but for the two last numbers
+  /// where those are a texture coordinate.
+  constexpr bool text_colour(bool has_texcoord, vec<T, 2>& t) noexcept {
+    int found = 0;
+    while (cursor.skip_blanks()) {
+      t[0] = t[1];
+      if (!cursor.number_here(t[1])) return false;
+      if (++found > 6) return cursor.fail(cursor.at, "vertex has more numbers than a colour and a texture coordinate");
+    }
+    return !has_texcoord || found >= 2 || cursor.fail(cursor.at, "vertex has no texture coordinate");
+  }
+
+  constexpr void add_vertex(const point<T, 3>& p, const vec<T, 3>& n, const vec<T, 2>& t) {
+    read.positions.push_back(p);
+    if (header.normals) read.normals.push_back(n);
+    if (header.texcoords) read.texcoords.push_back(t);
+  }
+
+  constexpr bool add_corner(std::int64_t index, const char* place) {
+    if (index < 0) return cursor.fail(place, "index of a vertex is negative");
+    if (index >= vertex_count) return cursor.fail(place, "face index is not smaller than the number of vertices");
+    const auto v = static_cast<std::uint32_t>(index);
+    read.corners.push_back({v, header.normals ? v : mesh_corner::none, header.texcoords ? v : mesh_corner::none});
+    return true;
+  }
+  constexpr void end_face() { read.face_starts.push_back(static_cast<std::uint32_t>(read.corners.size())); }
+
+  constexpr bool text_face() {
+    if (!cursor.skip_space()) return cursor.fail(cursor.at, "text ends where a face is expected");
+    const char* const start = cursor.at;
+    std::int64_t corners = 0;
+    if (!cursor.integer(corners)) return false;
+    if (corners < 3) return cursor.fail(start, "face has fewer than three corners");
+    for (std::int64_t k = 0; k < corners; ++k) {
+      if (!cursor.skip_space()) return cursor.fail(cursor.at, "text ends where a whole number is expected");
+      const char* const place = cursor.at;
+      std::int64_t index = 0;
+      if (!cursor.integer(index) || !add_corner(index, place)) return false;
+    }
+    T unread{};
+    while (cursor.skip_blanks())  // a colour
+      if (!cursor.number_here(unread)) return false;
+    end_face();
+    return true;
+  }
+
+  constexpr bool whole(std::int64_t& into) noexcept {
+    if (cursor.last - cursor.at < 4) return cursor.fail(cursor.last, "file ends where a number is expected");
+    into = static_cast<std::int32_t>(ordered_bits<4>(cursor.at, byte_order::big));
+    cursor.at += 4;
+    return true;
+  }
+  template <class Vector>
+  constexpr bool floats(Vector& into, int count_of_them) noexcept {
+    for (int i = 0; i < count_of_them; ++i, cursor.at += 4) {
+      if (cursor.last - cursor.at < 4) return cursor.fail(cursor.last, "file ends where a number is expected");
+      const float x = load_float(cursor.at, byte_order::big);
+      if (!(x - x == 0)) return cursor.fail(cursor.at, "number is not finite");
+      into[i] = converted<T>(x);
+    }
+    return true;
+  }
+
+  constexpr bool binary() {
+    const char* const start = cursor.at;
+    std::int64_t edges = 0;
+    if (!whole(vertex_count) || !whole(face_count) || !whole(edges)) return false;
+    if (vertex_count < 0 || face_count < 0) return cursor.fail(start, "count is negative");
+    for (std::int64_t v = 0; v < vertex_count; ++v) {
+      point<T, 3> p;
+      vec<T, 3> n;
+      vec<T, 2> t;
+      vec<T, 4> colour;
+      if (!floats(p, 3) || (header.normals && !floats(n, 3)) || (header.colours && !floats(colour, 4)) ||
+          (header.texcoords && !floats(t, 2)))
+        return false;
+      add_vertex(p, n, t);
+    }
+    for (std::int64_t f = 0; f < face_count; ++f)
+      if (!binary_face()) return false;
+    return cursor.at_end() || cursor.fail(cursor.at, "file goes on after the last face");
+  }
+
+  constexpr bool binary_face() {
+    const char* const start = cursor.at;
+    std::int64_t corners = 0, colours = 0, index = 0;
+    if (!whole(corners)) return false;
+    if (corners < 3) return cursor.fail(start, "face has fewer than three corners");
+    for (std::int64_t k = 0; k < corners; ++k) {
+      const char* const place = cursor.at;
+      if (!whole(index) || !add_corner(index, place)) return false;
+    }
+    const char* const place = cursor.at;
+    if (!whole(colours)) return false;
+    if (colours < 0 || colours > 4) return cursor.fail(place, "colour has fewer than no or more than four numbers");
+    if (cursor.last - cursor.at < 4 * colours) return cursor.fail(cursor.last, "file ends within a colour");
+    cursor.at += 4 * colours;
+    end_face();
+    return true;
+  }
+};
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The vertices of files in which a vertex has one position, one normal and one texture coordinate, where a mesh's
+// corners may pair them at will.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include <irg/mesh/mesh.hpp>
+
+namespace irg::detail {
+
+/// Which attributes all corners have, the vertices to write, and the vertex of each corner.
+struct vertex_layout {
+  bool normals = false, texcoords = false;
+  std::vector<mesh_corner> vertices;
+  std::vector<std::uint32_t> of_corner;
+};
+
+inline namespace IRG_ABI {
+
+/// The layout of a mesh: its positions in their order, those whose corners differ in normal or texture coordinate once
+/// for each pair of them. An attribute that some corner lacks is left out.
+/// cost    O(n log n) where corners have attributes, else linear
+template <Scalar T>
+constexpr vertex_layout vertices_to_write(const mesh<T>& m) {
+  vertex_layout out;
+  out.normals = !m.corners.empty();
+  out.texcoords = !m.corners.empty();
+  for (const mesh_corner& c : m.corners) {
+    out.normals = out.normals && c.normal != mesh_corner::none;
+    out.texcoords = out.texcoords && c.texcoord != mesh_corner::none;
+  }
+  if (!out.normals && !out.texcoords) {
+    for (std::uint32_t v = 0; v < m.positions.size(); ++v) out.vertices.push_back({v});
+    for (const mesh_corner& c : m.corners) out.of_corner.push_back(c.position);
+    return out;
+  }
+  const auto kept = [&](mesh_corner c) {
+    if (!out.normals) c.normal = mesh_corner::none;
+    if (!out.texcoords) c.texcoord = mesh_corner::none;
+    return c;
+  };
+  const auto before = [](const mesh_corner& a, const mesh_corner& b) {
+    return std::tie(a.position, a.normal, a.texcoord) < std::tie(b.position, b.normal, b.texcoord);
+  };
+  std::vector<char> used(m.positions.size(), '\0');
+  for (const mesh_corner& c : m.corners) {
+    out.vertices.push_back(kept(c));
+    used[c.position] = '\1';
+  }
+  for (std::uint32_t v = 0; v < m.positions.size(); ++v)  // what no corner names is written, too
+    if (used[v] == '\0')
+      out.vertices.push_back({v, out.normals && v < m.normals.size() ? v : mesh_corner::none,
+                              out.texcoords && v < m.texcoords.size() ? v : mesh_corner::none});
+  std::sort(out.vertices.begin(), out.vertices.end(), before);
+  out.vertices.erase(std::unique(out.vertices.begin(), out.vertices.end()), out.vertices.end());
+  out.of_corner.reserve(m.corners.size());
+  for (const mesh_corner& c : m.corners) {
+    const auto place = std::lower_bound(out.vertices.begin(), out.vertices.end(), kept(c), before);
+    out.of_corner.push_back(static_cast<std::uint32_t>(place - out.vertices.begin()));
+  }
+  return out;
+}
+
+/// The vertex's normal; zero where it has none.
+template <Scalar T>
+constexpr vec<T, 3> normal_to_write(const mesh<T>& m, const mesh_corner& c) noexcept {
+  return c.normal == mesh_corner::none ? vec<T, 3>{} : m.normals[c.normal];
+}
+template <Scalar T>
+constexpr vec<T, 2> texcoord_to_write(const mesh<T>& m, const mesh_corner& c) noexcept {
+  return c.texcoord == mesh_corner::none ? vec<T, 2>{} : m.texcoords[c.texcoord];
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

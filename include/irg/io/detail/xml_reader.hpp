@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// XML taken apart into elements and their attributes, one after another, for formats that keep everything in
+// attributes.
+//
+// Nothing is expanded: documents with a type declaration, entities of their own or text between elements are refused,
+// and nothing is kept but the names of the elements that are open, of which there may be so many and no more.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include <irg/io/detail/text_cursor.hpp>
+#include <irg/io/detail/utf8.hpp>
+#include <irg/mesh/part_name.hpp>
+
+namespace irg::detail {
+
+/// An attribute as it stands in the text, references in its value unresolved.
+struct xml_attribute {
+  std::string_view name, value;
+};
+
+enum class xml_event { begin, end, done, error };
+
+inline namespace IRG_ABI {
+
+inline constexpr std::size_t xml_depth = 32, xml_attributes = 32;
+
+constexpr bool begins_xml_name(char c) noexcept {
+  return is_letter(c) || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
+}
+constexpr bool continues_xml_name(char c) noexcept { return begins_xml_name(c) || is_digit(c) || c == '-' || c == '.'; }
+
+/// The character that a reference behind & stands for, and where the text goes on; 0 when it is none that is read: the
+/// five names of XML and numbers.
+struct xml_reference {
+  std::uint32_t character = 0;
+  std::size_t length = 0;  // without the &, with the ;
+};
+constexpr xml_reference reference_at(std::string_view text) noexcept {
+  constexpr struct {
+    std::string_view name;
+    char character;
+  } known[] = {{"amp;", '&'}, {"lt;", '<'}, {"gt;", '>'}, {"quot;", '"'}, {"apos;", '\''}};
+  for (const auto& k : known)
+    if (text.starts_with(k.name)) return {static_cast<unsigned char>(k.character), k.name.size()};
+  if (!text.starts_with("#")) return {};
+  const bool hexadecimal = text.starts_with("#x");
+  std::size_t at = hexadecimal ? 2 : 1;
+  const std::size_t first = at;
+  std::uint32_t c = 0;
+  for (; at < text.size() && c < 0x110000; ++at) {
+    const char d = text[at], lower = static_cast<char>(d | 0x20);
+    if (is_digit(d))
+      c = c * (hexadecimal ? 16 : 10) + digit_value(d);
+    else if (hexadecimal && lower >= 'a' && lower <= 'f')
+      c = c * 16 + 10 + static_cast<std::uint32_t>(lower - 'a');
+    else
+      break;
+  }
+  if (at == first || at == text.size() || text[at] != ';' || !is_xml_character(c)) return {};
+  return {c, at + 1};
+}
+
+/// The value of an attribute with its references resolved, blanks for line breaks and tabs.
+constexpr part_name resolved_value(std::string_view value) {
+  part_name out;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const char c = value[i];
+    if (c == '&') {
+      const xml_reference r = reference_at(value.substr(i + 1));
+      append_character(out, r.character);
+      i += r.length;
+    } else {
+      out.push_back(is_line_break(c) || c == '\t' ? ' ' : c);
+    }
+  }
+  return out;
+}
+
+/// Goes through a text element by element.
+struct xml_reader {
+  text_cursor cursor;
+  std::array<xml_attribute, xml_attributes> attributes{};
+  std::size_t attribute_count = 0;
+  std::string_view name{};  // of the element that began or ended last
+  std::size_t depth = 0;
+
+  /// needs   a text without bad bytes (first_bad_byte)
+  constexpr explicit xml_reader(std::string_view text) noexcept : cursor(text, '\0') {}
+
+  constexpr xml_event next() noexcept {
+    if (is_empty_) {
+      is_empty_ = false;
+      return close();
+    }
+    for (bool first = !has_begun_;; first = false) {
+      has_begun_ = true;
+      if (!cursor.skip_space()) return finish();
+      if (*cursor.at != '<') return wrong(cursor.at, "text stands where only elements may stand");
+      const char* const start = cursor.at;
+      if (take("<?")) {
+        if (!instruction(first && start == first_)) return xml_event::error;
+      } else if (take("<!--")) {
+        if (!comment()) return xml_event::error;
+      } else if (take("<!")) {
+        return wrong(start, "document types, entities and character data are not read");
+      } else if (take("</")) {
+        return end_tag(start);
+      } else {
+        return begin_tag(start);
+      }
+    }
+  }
+
+  /// The value of the attribute of that name; data() is null when there is none.
+  constexpr std::string_view attribute(std::string_view wanted) const noexcept {
+    for (std::size_t i = 0; i < attribute_count; ++i)
+      if (attributes[i].name == wanted) return attributes[i].value;
+    return {};
+  }
+
+private:
+  constexpr xml_event wrong(const char* place, const char* message) noexcept {
+    cursor.fail(place, message);
+    return xml_event::error;
+  }
+  constexpr bool take(std::string_view mark) noexcept {
+    if (!std::string_view(cursor.at, static_cast<std::size_t>(cursor.last - cursor.at)).starts_with(mark)) return false;
+    cursor.at += mark.size();
+    return true;
+  }
+  constexpr std::string_view rest() const noexcept {
+    return {cursor.at, static_cast<std::size_t>(cursor.last - cursor.at)};
+  }
+
+  constexpr xml_event finish() noexcept {
+    if (depth != 0) return wrong(cursor.at, "text ends before its elements do");
+    return has_root_ ? xml_event::done : wrong(cursor.at, "text has no element");
+  }
+  constexpr xml_event close() noexcept {
+    name = open_[--depth];
+    return xml_event::end;
+  }
+
+  constexpr bool comment() noexcept {
+    const std::size_t dashes = rest().find("--");
+    if (dashes == std::string_view::npos) return cursor.fail(cursor.last, "comment does not end");
+    cursor.at += dashes + 2;
+    return take(">") || cursor.fail(cursor.at - 2, "two dashes stand within a comment");
+  }
+
+  /// The declaration at the head of the text, or something meant for another program, which is passed over.
+  constexpr bool instruction(bool at_head) noexcept {
+    const char* const start = cursor.at;
+    const std::string_view target = word_of_name();
+    if (target.empty()) return cursor.fail(start, "expected a name");
+    if (is_word(target, "xml")) return at_head ? declaration() : cursor.fail(start, "declaration is not at the head");
+    const std::size_t end = rest().find("?>");
+    if (end == std::string_view::npos) return cursor.fail(cursor.last, "instruction does not end");
+    cursor.at += end + 2;
+    return true;
+  }
+  constexpr bool declaration() noexcept {
+    if (!read_attributes()) return false;
+    if (!take("?>")) return cursor.fail(cursor.at, "declaration does not end");
+    const std::string_view version = attribute("version"), encoding = attribute("encoding");
+    if (!version.starts_with("1.")) return cursor.fail(cursor.at, "version of XML is not 1");
+    return encoding.data() == nullptr || is_word(encoding, "utf-8") || is_word(encoding, "us-ascii") ||
+           cursor.fail(encoding.data(), "encoding is not UTF-8");
+  }
+
+  constexpr std::string_view word_of_name() noexcept {
+    const char* const start = cursor.at;
+    if (cursor.at != cursor.last && begins_xml_name(*cursor.at))
+      while (cursor.at != cursor.last && continues_xml_name(*cursor.at)) ++cursor.at;
+    return {start, static_cast<std::size_t>(cursor.at - start)};
+  }
+
+  constexpr xml_event end_tag(const char* start) noexcept {
+    const std::string_view ending = word_of_name();
+    if (depth == 0 || ending != open_[depth - 1]) return wrong(start, "element ends that is not the last one begun");
+    cursor.skip_space();
+    if (!take(">")) return wrong(cursor.at, "expected the end of a tag");
+    return close();
+  }
+
+  constexpr xml_event begin_tag(const char* start) noexcept {
+    ++cursor.at;
+    if (has_root_ && depth == 0) return wrong(start, "text goes on after its first element");
+    name = word_of_name();
+    if (name.empty()) return wrong(cursor.at, "expected the name of an element");
+    if (depth == xml_depth) return wrong(start, "elements are nested too deeply");
+    if (!read_attributes()) return xml_event::error;
+    is_empty_ = take("/");
+    if (!take(">")) return wrong(cursor.at, "expected an attribute or the end of a tag");
+    has_root_ = true;
+    open_[depth++] = name;
+    return xml_event::begin;
+  }
+
+  constexpr bool read_attributes() noexcept {
+    attribute_count = 0;
+    for (;;) {
+      const char* const before = cursor.at;
+      if (!cursor.skip_space() || !begins_xml_name(*cursor.at)) return true;
+      const char* const start = cursor.at;
+      if (start == before) return cursor.fail(start, "expected a blank before an attribute");
+      const std::string_view attribute_name = word_of_name();
+      if (attribute(attribute_name).data() != nullptr) return cursor.fail(start, "attribute stands there twice");
+      if (attribute_count == xml_attributes) return cursor.fail(start, "element has too many attributes");
+      cursor.skip_space();
+      if (!take("=")) return cursor.fail(cursor.at, "expected = behind the name of an attribute");
+      cursor.skip_space();
+      if (!value_of(attribute_name)) return false;
+    }
+  }
+
+  constexpr bool value_of(std::string_view attribute_name) noexcept {
+    const char quote = cursor.at_end() ? '\0' : *cursor.at;
+    if (quote != '"' && quote != '\'') return cursor.fail(cursor.at, "expected a value in quotes");
+    const char* const first = ++cursor.at;
+    for (;; ++cursor.at) {
+      if (cursor.at_end()) return cursor.fail(cursor.at, "value does not end");
+      if (*cursor.at == quote) break;
+      if (*cursor.at == '<') return cursor.fail(cursor.at, "value holds the character <");
+      if (*cursor.at == '&' && reference_at(rest().substr(1)).length == 0)
+        return cursor.fail(cursor.at, "entity is none of the five that are read");
+    }
+    attributes[attribute_count++] = {attribute_name, {first, static_cast<std::size_t>(cursor.at - first)}};
+    ++cursor.at;
+    return true;
+  }
+
+  std::array<std::string_view, xml_depth> open_{};
+  bool is_empty_ = false, has_root_ = false, has_begun_ = false;
+  const char* first_ = cursor.at;
+};
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

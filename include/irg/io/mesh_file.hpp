@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Meshes from files of any format that irg reads, known by their content, and to files by their name.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <irg/io/body_xml.hpp>
+#include <irg/io/detail/file_ending.hpp>
+#include <irg/io/file.hpp>
+#include <irg/io/mtl.hpp>
+#include <irg/io/obj.hpp>
+#include <irg/io/obj_write.hpp>
+#include <irg/io/off.hpp>
+#include <irg/io/ply.hpp>
+#include <irg/io/stl.hpp>
+
+namespace irg {
+
+/// The mesh files that irg reads and writes.
+enum class mesh_format { obj, stl, ply, off, body_xml };
+
+/// The endings of their names, for messages.
+inline constexpr const char* mesh_endings = ".obj, .stl, .ply, .off or .xml";
+
+inline namespace IRG_ABI {
+
+/// The format of a mesh file's bytes: XML by its first character, PLY and OFF by their first word, STL by the word
+/// solid or by the length that binary STL states in its bytes; everything else is OBJ, which has no mark of its own.
+/// gives   a format for all bytes: whether they are such a file, its reader says
+/// cost    constant, but for blanks and comments before the first word
+constexpr mesh_format mesh_format_of(std::string_view bytes) noexcept {
+  if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
+  bytes = detail::without_byte_order_mark(bytes);
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return mesh_format::ply;
+  detail::text_cursor text(bytes, '#');
+  if (text.skip_space() && *text.at == '<') return mesh_format::body_xml;
+  const detail::off_header off = detail::off_header_of(bytes.substr(static_cast<std::size_t>(text.at - bytes.data())));
+  if (off.length != 0) return mesh_format::off;
+  if (detail::is_word(text.word(), "solid")) return mesh_format::stl;
+  return mesh_format::obj;
+}
+
+/// The mesh that the bytes of a file describe, whichever format it is; the bodies of an XML file are its parts.
+/// gives   the error of the format's reader, with its place
+/// exact   as read_obj, read_stl, read_ply, read_off and read_body_xml with their defaults
+template <Floating T = double>
+constexpr result<mesh<T>> read_mesh(std::string_view bytes) {
+  switch (mesh_format_of(bytes)) {
+    case mesh_format::stl: return read_stl<T>(bytes);
+    case mesh_format::ply: return read_ply<T>(bytes);
+    case mesh_format::off: return read_off<T>(bytes);
+    case mesh_format::body_xml: {
+      const auto bodies = read_body_xml<T>(bytes);
+      if (!bodies) return bodies.error();
+      return mesh_of_bodies(*bodies);
+    }
+    case mesh_format::obj: break;
+  }
+  return read_obj<T>(bytes);
+}
+
+/// The mesh in a file, whichever format it is. No other file is opened, whatever this one names.
+/// gives   the error of read_file or of the format's reader
+/// cost    the file's size in memory beside what the reader takes
+template <Floating T = double>
+result<mesh<T>> load_mesh(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  return read_mesh<T>(std::string_view(*bytes));
+}
+
+/// The materials that an OBJ file's libraries hold; only libraries in the file's own folder are opened.
+/// gives   the error of read_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere
+template <Floating T = double>
+result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  const std::size_t slash = path.find_last_of("/\\");
+  const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+  return read_materials<T>(std::string_view(*text),
+                           [&](std::string_view name) { return read_file(folder + std::string(name)); });
+}
+
+/// The format that a file's name asks for by its ending, in either case; absent when it is none of mesh_endings.
+constexpr std::optional<mesh_format> mesh_format_of_name(std::string_view path) noexcept {
+  if (detail::has_ending(path, ".obj")) return mesh_format::obj;
+  if (detail::has_ending(path, ".stl")) return mesh_format::stl;
+  if (detail::has_ending(path, ".ply")) return mesh_format::ply;
+  if (detail::has_ending(path, ".off")) return mesh_format::off;
+  if (detail::has_ending(path, ".xml")) return mesh_format::body_xml;
+  return std::nullopt;
+}
+
+/// The bytes of a file that describes the mesh in the given format.
+/// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
+template <Floating T>
+constexpr result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh<T>& m, mesh_format format,
+                                                                      mesh_encoding encoding = mesh_encoding::text) {
+  if (format == mesh_format::stl) return encode_stl(m, encoding);
+  if (format == mesh_format::ply) return encode_ply(m, encoding);
+  if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};
+  if (format == mesh_format::off) return encode_off(m);
+  if (format == mesh_format::obj) return encode_obj(m);
+  if (const auto refused = detail::refuse_mesh(m)) return *refused;
+  return encode_body_xml(std::vector{store_body<T>("body", m)});
+}
+
+/// Writes a mesh file in the format that its name's ending asks for; absent when that succeeded, else the reason, and
+/// then the path is as it was before.
+template <Floating T>
+std::optional<parse_error> write_mesh(const std::string& path, const mesh<T>& m,
+                                      mesh_encoding encoding = mesh_encoding::text) {
+  const std::optional<mesh_format> format = mesh_format_of_name(path);
+  if (!format) return parse_error{0, 0, "body's file name must end in .obj, .stl, .ply, .off or .xml"};
+  const auto bytes = encode_mesh(m, *format, encoding);
+  if (!bytes) return parse_error{0, 0, bytes.error().message};
+  return write_file_atomically(path, std::span<const std::uint8_t>(*bytes));
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// MTL, the materials of Wavefront OBJ: text to a list of them, and the libraries that an OBJ text names, opened by the
+// caller alone. Works on memory only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <irg/core/result.hpp>
+#include <irg/io/detail/text_cursor.hpp>
+#include <irg/io/mesh_options.hpp>
+#include <irg/shade/material.hpp>
+
+namespace irg {
+
+/// A material as OBJ names it.
+/// shape   opacity from 0 (clear) to 1; texture is the file that map_Kd names, with its options, as it stands there
+template <Floating T>
+struct mtl_material {
+  part_name name;
+  material<T> reflection{{T(1), T(1), T(1)}, {T(1), T(1), T(1)}, {}, T(1)};
+  T opacity = T(1);
+  part_name texture;
+  bool operator==(const mtl_material&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Floating T>
+struct mtl_reader {
+  text_cursor cursor;
+  std::vector<mtl_material<T>> read{};
+
+  constexpr explicit mtl_reader(std::string_view text) noexcept : cursor(text, '#') {}
+
+  constexpr bool text() {
+    for (; cursor.skip_space(); cursor.skip_to_line_end()) {
+      const char* const start = cursor.at;
+      const std::string_view word = cursor.word();
+      if (word == "newmtl") {
+        read.emplace_back();
+        read.back().name = cursor.rest_of_line();
+        if (read.back().name.empty()) return cursor.fail(cursor.at, "material has no name");
+      } else if (!statement(word, start)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  constexpr bool statement(std::string_view word, const char* start) {
+    const bool known =
+        word == "Ka" || word == "Kd" || word == "Ks" || word == "Ns" || word == "d" || word == "Tr" || word == "map_Kd";
+    if (!known) return true;
+    if (read.empty()) return cursor.fail(start, "statement stands before the first material");
+    mtl_material<T>& m = read.back();
+    if (word == "Ka") return colour(m.reflection.ambient);
+    if (word == "Kd") return colour(m.reflection.diffuse);
+    if (word == "Ks") return colour(m.reflection.specular);
+    if (word == "map_Kd") return m.texture = cursor.rest_of_line(), true;
+    T n{};
+    cursor.skip_blanks();
+    const char* place = cursor.at;
+    if (word == "d" && cursor.word() != "-halo") cursor.at = place;
+    if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "statement has no number");
+    place = cursor.at;
+    if (!cursor.number_here(n)) return false;
+    if (n < 0) return cursor.fail(place, "number is negative");
+    if (word == "Ns") {
+      m.reflection.shininess = n > 0 ? n : T(1);
+      return true;
+    }
+    if (n > 1) return cursor.fail(place, "opacity is more than 1");
+    m.opacity = word == "d" ? n : 1 - n;
+    return true;
+  }
+
+  /// Three shares, or one for all; spectral curves and other systems of colour leave what is there.
+  constexpr bool colour(rgb<T>& into) {
+    T n[3] = {};
+    int count = 0;
+    for (; count < 3 && cursor.skip_blanks(); ++count) {
+      const char* const place = cursor.at;
+      if (count == 0 && (cursor.word() == "spectral" || is_xyz(place))) return true;
+      cursor.at = place;
+      if (!cursor.number_here(n[count])) return false;
+      if (n[count] < 0) return cursor.fail(place, "number is negative");
+    }
+    if (count == 0 || count == 2) return cursor.fail(cursor.at, "colour has neither one number nor three");
+    into = count == 1 ? rgb<T>{n[0], n[0], n[0]} : rgb<T>{n[0], n[1], n[2]};
+    return true;
+  }
+  constexpr bool is_xyz(const char* place) const noexcept {
+    return std::string_view(place, static_cast<std::size_t>(cursor.at - place)) == "xyz";
+  }
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The materials that an MTL text describes, in its order.
+/// gives   the first error with line and column. Ka, Kd, Ks, Ns, d, Tr, map_Kd and newmtl are read, all else is passed
+///         over; a shininess of 0, which many writers put where there is no highlight, becomes 1
+/// exact   numbers are correctly rounded to T
+/// cost    linear; memory at most 64 times the text and 1 MiB
+/// source  Wavefront
+template <Floating T = double>
+constexpr result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
+  if (const auto too_long = detail::refuse_long_file(text)) return *too_long;
+  text = detail::without_byte_order_mark(text);
+  detail::mtl_reader<T> reader(text);
+  if (!reader.text()) return detail::error_at(text, reader.cursor.place, reader.cursor.message);
+  return std::move(reader.read);
+}
+
+/// What the mtllib statements of an OBJ text name, each the rest of its line; nothing is opened.
+/// shape   in the order of the text, which the names are parts of
+/// cost    one pass over the text
+constexpr std::vector<std::string_view> material_libraries(std::string_view obj) {
+  std::vector<std::string_view> names;
+  detail::text_cursor text(obj, '#');
+  for (; text.skip_space(); text.skip_to_line_end())
+    if (text.word() == "mtllib")
+      if (const std::string_view name = text.rest_of_line(); !name.empty()) names.push_back(name);
+  return names;
+}
+
+/// Whether a name can only be a file in the folder of the file that names it: no slash, no backslash, no colon, no dots
+/// that lead upwards, no byte 0.
+constexpr bool is_plain_file_name(std::string_view name) noexcept {
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string_view("/\\:\0", 4)) == std::string_view::npos;
+}
+
+/// The materials of all libraries that an OBJ text names, one behind the other.
+/// needs   open(name): a result whose value is the library's text, as read_file gives it
+/// gives   the first error of open or read_mtl; an error, and no call of open, for a name that is not
+///         is_plain_file_name
+/// cost    that of open and read_mtl
+template <Floating T = double, class Open>
+constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
+  std::vector<mtl_material<T>> all;
+  for (const std::string_view name : material_libraries(obj)) {
+    if (!is_plain_file_name(name)) return parse_error{0, 0, "library of materials is not beside the model"};
+    const auto text = open(name);
+    if (!text) return text.error();
+    auto materials = read_mtl<T>(std::string_view(*text));
+    if (!materials) return materials.error();
+    for (mtl_material<T>& m : *materials) all.push_back(std::move(m));
+  }
+  return all;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

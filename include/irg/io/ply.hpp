@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// PLY, Stanford's polygon file format: ASCII or binary bytes of either order to mesh<T>, and back. Works on memory
+// only. Which elements and properties are read is listed in docs/io/ply.md; all others are passed over.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <irg/core/result.hpp>
+#include <irg/io/detail/ply_reader.hpp>
+#include <irg/io/detail/text_writer.hpp>
+#include <irg/io/detail/vertex_layout.hpp>
+#include <irg/io/mesh_options.hpp>
+
+namespace irg {
+inline namespace IRG_ABI {
+
+/// The mesh that a PLY file describes.
+/// shape   its vertices' positions in order, with normals (nx, ny, nz) and texture coordinates (s, t or u, v) where
+///         vertices have them, and the polygons of its faces; corners name the normal and the texture coordinate of
+///         their own vertex
+/// needs   the bytes in memory; they are not kept
+/// gives   the first error with line and column, in a binary body line 0 and the byte, in place of a half-read mesh.
+///         The mesh passes validate()
+/// exact   ASCII numbers are correctly rounded to T, whatever type the header declares; binary ones are kept or, for a
+///         narrower T, rounded once
+/// cost    linear; memory at most 64 times the file and 1 MiB, whatever the header claims
+/// source  Turk 1994
+template <Floating T = double>
+constexpr result<mesh<T>> read_ply(std::string_view bytes) {
+  if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
+  const std::string_view text = detail::without_byte_order_mark(bytes);
+  detail::ply_header header(text);
+  if (!header.read()) return detail::error_at(text, header.cursor.place, header.cursor.message);
+  const auto finish = [&](auto reader, auto error, std::string_view counted) -> result<mesh<T>> {
+    if (!reader.body()) return error(counted, reader.source.cursor.place, reader.source.cursor.message);
+    reader.name_attributes();
+    return std::move(reader.read);
+  };
+  if (header.encoding == mesh_encoding::text)
+    return finish(detail::ply_body_reader<T, detail::ply_text_source>{{header.cursor}, header}, detail::error_at, text);
+  const bool little = header.encoding == mesh_encoding::little_endian;
+  const detail::ply_byte_source source{header.cursor, little ? detail::byte_order::little : detail::byte_order::big};
+  return finish(detail::ply_body_reader<T, detail::ply_byte_source>{source, header}, detail::error_at_byte, bytes);
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Floating T, class Bytes>
+constexpr void write_ply_header(Bytes& out, const vertex_layout& v, std::size_t faces, mesh_encoding encoding) {
+  const std::string_view type = sizeof(T) == 4 ? "float" : "double";
+  const auto properties = [&](std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) {
+      append_text(out, "property ");
+      append_text(out, type);
+      append_text(out, name);
+    }
+  };
+  append_text(out, encoding == mesh_encoding::text            ? "ply\nformat ascii 1.0\nelement vertex "
+                   : encoding == mesh_encoding::little_endian ? "ply\nformat binary_little_endian 1.0\nelement vertex "
+                                                              : "ply\nformat binary_big_endian 1.0\nelement vertex ");
+  append_number(out, v.vertices.size());
+  append_text(out, "\n");
+  properties({" x\n", " y\n", " z\n"});
+  if (v.normals) properties({" nx\n", " ny\n", " nz\n"});
+  if (v.texcoords) properties({" s\n", " t\n"});
+  append_text(out, "element face ");
+  append_number(out, faces);
+  append_text(out, "\nproperty list uint uint vertex_indices\nend_header\n");
+}
+
+/// Writes the numbers of the body through put(number) and end(), which ends an element.
+template <Floating T, class Put, class End>
+constexpr void write_ply_body(const mesh<T>& m, const vertex_layout& v, const Put& put, const End& end) {
+  const auto put_all = [&](const auto& numbers, int count) {
+    for (int i = 0; i < count; ++i) put(numbers[i]);
+  };
+  for (const mesh_corner& c : v.vertices) {
+    put_all(m.positions[c.position], 3);
+    if (v.normals) put_all(normal_to_write(m, c), 3);
+    if (v.texcoords) put_all(texcoord_to_write(m, c), 2);
+    end();
+  }
+  for (std::size_t f = 0; f < m.face_count(); ++f) {
+    put(static_cast<std::uint32_t>(m.face_size(f)));
+    for (std::size_t k = 0; k < m.face_size(f); ++k) put(v.of_corner[m.face_starts[f] + k]);
+    end();
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The bytes of a PLY file that describes the mesh.
+/// shape   a vertex for each position, more where its corners differ in normal or texture coordinate; an attribute that
+///         some corner lacks is left out, and so are the names of parts, for which PLY has no place
+/// gives   an error when the mesh does not pass validate()
+/// exact   read_ply<T> of the bytes gives the same mesh again, if every corner names the normal and the texture
+///         coordinate of its position's number, or none does, and there are no parts: in all three encodings
+/// cost    linear; O(n log n) where there are normals or texture coordinates
+/// source  Turk 1994
+template <Floating T>
+constexpr result<std::vector<std::uint8_t>, encode_error> encode_ply(const mesh<T>& m,
+                                                                     mesh_encoding encoding = mesh_encoding::text) {
+  if (const auto refused = detail::refuse_mesh(m)) return *refused;
+  const detail::vertex_layout v = detail::vertices_to_write(m);
+  std::vector<std::uint8_t> out;
+  detail::write_ply_header<T>(out, v, m.face_count(), encoding);
+  if (encoding == mesh_encoding::text) {
+    bool first = true;
+    const auto put = [&](auto number) {
+      if (!first) detail::append_text(out, " ");
+      first = false;
+      detail::append_number(out, number);
+    };
+    detail::write_ply_body(m, v, put, [&] { detail::append_text(out, "\n"), first = true; });
+    return out;
+  }
+  const auto order = encoding == mesh_encoding::big_endian ? detail::byte_order::big : detail::byte_order::little;
+  const auto put = [&](auto number) {
+    if constexpr (std::floating_point<decltype(number)>)
+      detail::append_bytes(out, number, order);
+    else
+      detail::append_bytes<4>(out, number, order);
+  };
+  detail::write_ply_body(m, v, put, [] {});
+  return out;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

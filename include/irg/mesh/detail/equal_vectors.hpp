@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Which of many vectors are equal, by sorting: no input makes it slow.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include <irg/core/scalar.hpp>
+
+namespace irg::detail {
+
+/// A vector's numbers as bits, and which vector it is; in this order equal ones are neighbours, the first in front.
+template <Floating T, int N>
+struct vector_key {
+  using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  std::array<bits, static_cast<std::size_t>(N)> numbers{};
+  std::uint32_t index = 0;
+  friend constexpr auto operator<=>(const vector_key&, const vector_key&) = default;
+};
+
+inline namespace IRG_ABI {
+
+/// For each vector the first one with equal numbers; 0 and -0 are equal, NaN is equal to NaN of the same bits.
+/// needs   fewer than 2^32 vectors
+template <Floating T, int N, class Vectors>
+constexpr std::vector<std::uint32_t> first_equal_vectors(const Vectors& vectors) {
+  std::vector<vector_key<T, N>> keys;
+  keys.reserve(vectors.size());
+  for (const auto& v : vectors) {
+    vector_key<T, N> key;
+    key.index = static_cast<std::uint32_t>(keys.size());
+    for (int i = 0; i < N; ++i)
+      key.numbers[static_cast<std::size_t>(i)] =
+          std::bit_cast<typename vector_key<T, N>::bits>(v[i] == T{0} ? T{0} : v[i]);
+    keys.push_back(key);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> first(vectors.size(), std::uint32_t{0});
+  for (std::size_t i = 0, group = 0; i < keys.size(); ++i) {
+    if (keys[i].numbers != keys[group].numbers) group = i;
+    first[keys[i].index] = keys[group].index;
+  }
+  return first;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

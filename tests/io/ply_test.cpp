@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include <irg/io/ply.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <irg/mesh/shapes.hpp>
+
+#include "support/check_both.hpp"
+#include "support/mesh_files.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using irg::mesh_encoding;
+using irg::read_ply;
+using test::as_text;
+
+constexpr mesh_encoding encodings[] = {mesh_encoding::text, mesh_encoding::little_endian, mesh_encoding::big_endian};
+
+constexpr std::string_view square =
+    "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1e0 0\n0 1 -0.5\n4 0 1 2 3\n";
+
+std::string outcome(std::string_view bytes) { return test::outcome_of(read_ply(bytes)); }
+std::string with(std::string text, std::string_view word, std::string_view other) {
+  return text.replace(text.find(word), word.size(), other);
+}
+std::string damaged(std::string_view word, std::string_view other) {
+  return outcome(with(std::string(square), word, other));
+}
+
+/// A head for one vertex of odd properties, a strange element, two faces.
+std::string odd_head(std::string_view format, std::string_view line_end = "\n") {
+  const std::string_view lines[] = {"ply",
+                                    "",
+                                    "obj_info anything",
+                                    "element strange 2",
+                                    "property list ushort double a",
+                                    "property char b",
+                                    "element face 2",
+                                    "property uchar red",
+                                    "property list int16 uint8 vertex_index",
+                                    "property list uint8 float32 texcoord",
+                                    "element vertex 3",
+                                    "property double z",
+                                    "property uint y",
+                                    "property short x",
+                                    "property list char char tags",
+                                    "property float ny",
+                                    "property float nz",
+                                    "property float nx",
+                                    "property float64 u",
+                                    "property int8 v",
+                                    "element nothing 99999999999",
+                                    "end_header"};
+  std::string head;
+  for (const std::string_view line : lines)
+    head += (line.empty() ? "format " + std::string(format) + " 1.0" : std::string(line)) + std::string(line_end);
+  return head;
+}
+
+std::string odd_bytes(bool big, std::string_view line_end) {
+  test::byte_file f;
+  f.bytes = odd_head(big ? "binary_big_endian" : "binary_little_endian", line_end);
+  const int one = 1;
+  f.reversed = (*reinterpret_cast<const char*>(&one) == 1) == big;
+  f.put(std::uint16_t{2}).put(1.0).put(std::numeric_limits<double>::quiet_NaN()).put('x');
+  f.put(std::uint16_t{0}).put('y');
+  f.put(std::uint8_t{9}).put(std::int16_t{3}).put(std::uint8_t{2}).put(std::uint8_t{1}).put(std::uint8_t{0});
+  f.put(std::uint8_t{1}).put(0.25f);
+  f.put(std::uint8_t{9}).put(std::int16_t{4});
+  for (const int v : {0, 1, 2, 1}) f.put(static_cast<std::uint8_t>(v));
+  f.put(std::uint8_t{0});
+  for (const int v : {0, 1, 2}) {
+    f.put(1e-300 * v).put(std::uint32_t{4294967295u}).put(std::int16_t{-32768});
+    f.put(std::int8_t{1}).put('t');
+    f.put(0.5f).put(-1.0f).put(static_cast<float>(v)).put(1e300).put(std::int8_t{-7});
+  }
+  return f.bytes;
+}
+
+constexpr std::string_view odd_words =
+    "2 1 nan 120\n0 121\n9 3 2 1 0 1 0.25 9 4 0 1 2 1\t0 \n"
+    "0 4294967295 -32768 1 116 0.5 -1 0 1e300 -7\n1e-300 4294967295 -32768 1 116 0.5 -1 1 1e300 -7\n"
+    "2e-300 4294967295 -32768 1 116 0.5 -1 2 1e300 -7";
+
+}  // namespace
+
+TEST_CASE("ply: a square of text, at compile time, too") {
+  CHECK_BOTH([] {
+    const auto r = read_ply<float>(square);
+    return r && r->positions == std::vector<irg::point<float, 3>>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, -0.5f}} &&
+           r->face_count() == 1 && r->face_size(0) == 4 && r->corner(0, 3) == irg::mesh_corner{3} && r->parts.empty();
+  }());
+  CHECK_BOTH([] {
+    const auto r = read_ply("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n");
+    return !r && r.error().line == 6 && r.error().column == 1;
+  }());
+  CHECK_BOTH([] {
+    const char bytes[] =
+        "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty char x\nproperty short y\nproperty uchar z\n"
+        "end_header\n\xff\x01\x02\xff";
+    const auto r = read_ply<float>({bytes, sizeof bytes - 1});
+    return r && r->positions == std::vector<irg::point<float, 3>>{{-1, 258, 255}};
+  }());
+}
+
+TEST_CASE("ply: every type, lists, strange elements and properties, faces before vertices, in all forms") {
+  const auto text = read_ply(odd_head("ascii") + std::string(odd_words));
+  REQUIRE(test::outcome_of(text) == "");
+  REQUIRE(text->positions.size() == 3);
+  CHECK(text->positions[2] == irg::point<double, 3>{-32768, 4294967295.0, 2e-300});
+  CHECK(text->normals[1] == irg::vec<double, 3>{1, 0.5, -1});
+  CHECK(text->texcoords[0] == irg::vec<double, 2>{1e300, -7});
+  REQUIRE(text->face_count() == 2);
+  CHECK(text->corner(0, 0) == irg::mesh_corner{2, 2, 2});
+  CHECK(text->corner(1, 3) == irg::mesh_corner{1, 1, 1});
+  for (const char* line_end : {"\n", "\r\n", "\r"}) {
+    CHECK(*read_ply(odd_head("ascii", line_end) + std::string(odd_words)) == *text);
+    for (const bool big : {false, true}) {
+      const auto r = read_ply(odd_bytes(big, line_end));
+      REQUIRE(test::outcome_of(r) == "");
+      CHECK(*r == *text);
+    }
+  }
+}
+
+TEST_CASE("ply: a header with lone carriage returns may be followed by the byte of a line feed") {
+  std::string s =
+      "ply\rformat binary_little_endian 1.0\relement vertex 1\rproperty uchar x\rproperty uchar y\rproperty uchar z\r"
+      "end_header\r";
+  s += "\n\r\n";
+  CHECK(read_ply(s)->positions[0] == irg::point<double, 3>{10, 13, 10});
+}
+
+TEST_CASE("ply: what is not given is not there") {
+  const auto cloud = read_ply(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
+      "property float nx\nproperty float s\nend_header\n1 2 3 nan nan\n");
+  REQUIRE(test::outcome_of(cloud) == "");  // a normal by half is none, and not looked at
+  CHECK(cloud->face_count() == 0);
+  CHECK(cloud->normals.empty());
+  CHECK(cloud->texcoords.empty());
+  CHECK(read_ply("ply\nformat ascii 1.0\nelement vertex 0\nend_header\n")->positions.empty());
+}
+
+TEST_CASE("ply: what is wrong is said where it stands") {
+  CHECK(outcome("") == "1:1 file does not begin with the word ply");
+  CHECK(outcome("\xEF\xBB\xBFplyx\n") == "1:1 file does not begin with the word ply");
+  CHECK(outcome("ply x\n") == "1:5 expected the end of the line");
+  CHECK(outcome("ply\n") == "2:1 expected the format in the second line");
+  CHECK(damaged("ascii", "text") == "2:8 format is none of ascii and the two binary ones");
+  CHECK(damaged("1.0", "2.0") == "2:17 version of the format is not 1.0");
+  CHECK(damaged("comment", "remark") == "3:1 expected element, property or end_header");
+  CHECK(damaged("vertex 4", "vertex") == "4:15 element has no count");
+  CHECK(damaged("vertex 4", "vertex -4") == "4:16 count of an element is negative");
+  CHECK(damaged("vertex 4", "vertex four") == "4:16 expected a whole number");
+  CHECK(damaged("element vertex 4", "element") == "4:8 element has no name");
+  CHECK(damaged("element vertex 4\n", "") == "4:1 property stands before the first element");
+  CHECK(damaged("element face 1", "element vertex 1") == "8:9 element stands there twice");
+  CHECK(damaged("element face 1", "element tristrips 1") == "8:9 strips of triangles are not read");
+  CHECK(damaged("float x", "real x") == "5:10 expected the type of a number");
+  CHECK(damaged("float x", "float") == "5:15 property has no name");
+  CHECK(damaged("float y", "float x") == "6:1 property stands there twice");
+  CHECK(damaged("float y", "float w") == "11:1 vertices have no x, y and z");
+  CHECK(damaged("list uchar int", "list float int") == "9:1 length of a list is no whole number");
+  CHECK(damaged("list uchar int", "list uchar float") == "9:1 indices are no whole numbers");
+  CHECK(damaged("vertex_indices", "indices") == "11:1 faces have no list vertex_indices");
+  CHECK(damaged("element vertex 4", "element vert 4") == "11:1 there is no element vertex");
+  CHECK(damaged("end_header\n0", "end_headr\n0") == "10:1 expected element, property or end_header");
+  CHECK(damaged("1e0", "1e999") == "13:3 number is too large");
+  CHECK(damaged("1e0", "inf") == "13:3 number is not finite");
+  CHECK(damaged("1e0", "1,0") == "13:3 expected a decimal number");
+  CHECK(damaged("4 0 1 2 3", "2 0 1") == "15:1 face has fewer than three corners");
+  CHECK(damaged("4 0 1 2 3", "-4 0 1 2 3") == "15:1 length of a list is negative");
+  CHECK(damaged("4 0 1 2 3", "4 0 1 2 4") == "15:9 face index is not smaller than the number of vertices");
+  CHECK(damaged("4 0 1 2 3", "4 0 1 2 99999999999999999999") ==
+        "15:9 face index is not smaller than the number of vertices");
+  CHECK(damaged("4 0 1 2 3", "4 0 1 2 -1") == "15:9 index of a vertex is negative");
+  CHECK(damaged("4 0 1 2 3", "4 0 1 2.0 3") == "15:7 expected a whole number");
+  CHECK(damaged("4 0 1 2 3\n", "4 0 1 2") == "15:8 text ends where a whole number is expected");
+  CHECK(damaged("4 0 1 2 3", "99999999999 0 1 2") == "15:1 list is longer than the file");
+  CHECK(damaged("4 0 1 2 3", "4 0 1 2 3 5") == "15:11 file goes on after the last element");
+  const std::string bytes = odd_bytes(true, "\n");
+  const std::size_t head = odd_head("binary_big_endian").size();
+  CHECK(outcome(bytes + "z") == "0:" + std::to_string(bytes.size() + 1) + " file goes on after the last element");
+  CHECK(outcome(bytes.substr(0, head + 20)) ==
+        "0:" + std::to_string(head + 21) + " file ends where a number is expected");
+  CHECK(test::outcome_of(read_ply<float>(bytes)).find("number is too large") != std::string::npos);
+}
+
+TEST_CASE_TEMPLATE("ply: what was written reads as the same mesh", T, float, double) {
+  test::random r(11 + sizeof(T));
+  for (int trial = 0; trial < 90; ++trial) {
+    const auto which = trial % 2 == 0 ? test::attributes::none : test::attributes::of_vertices;
+    const irg::mesh<T> m = test::random_mesh<T>(r, 6, which);
+    for (const mesh_encoding e : encodings) {
+      const auto bytes = irg::encode_ply(m, e);
+      REQUIRE(bytes);
+      const auto again = read_ply<T>(as_text(*bytes));
+      REQUIRE(test::outcome_of(again) == "");
+      CHECK(*again == m);
+    }
+  }
+}
+
+TEST_CASE("ply: corners that differ split their vertex, and keep what they name") {
+  irg::mesh<float> m = irg::shape_cube<float>();
+  m.normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    for (std::size_t k = 0; k < m.face_size(f); ++k)
+      m.corners[m.face_starts[f] + k].normal = static_cast<std::uint32_t>(f % 3);
+  m.texcoords = {{0.5f, 0.25f}};
+  m.corners[0].texcoord = 0;  // one alone is left out
+  m.positions.push_back({7, 7, 7});
+  for (const mesh_encoding e : encodings) {
+    const auto again = read_ply<float>(as_text(*irg::encode_ply(m, e)));
+    REQUIRE(test::outcome_of(again) == "");
+    REQUIRE(again->corners.size() == m.corners.size());
+    CHECK(again->texcoords.empty());
+    CHECK(again->positions.size() == 8 * 3 + 1);
+    for (std::size_t i = 0; i < m.corners.size(); ++i) {
+      CHECK(again->positions[again->corners[i].position] == m.positions[m.corners[i].position]);
+      CHECK(again->normals[again->corners[i].normal] == m.normals[m.corners[i].normal]);
+    }
+  }
+  m.positions[0][1] = std::numeric_limits<float>::quiet_NaN();
+  CHECK(std::string(irg::encode_ply(m).error().message) == "mesh has a position that is not finite");
+}
+
+TEST_CASE("ply: damage is noticed or leaves a sound mesh") {
+  const auto read = [](std::string_view s) { return read_ply<float>(s); };
+  test::damage(std::string(square), read, 3000, 1);
+  test::damage(odd_bytes(false, "\r\n"), read, 3000, 2);
+  const std::string bytes = as_text(*irg::encode_ply(irg::shape_cube<float>(), mesh_encoding::big_endian));
+  CHECK(test::damage(bytes, read, 3000, 3) == static_cast<int>(bytes.size()));
+}
