@@ -4,6 +4,17 @@
 #include <limits>
 #include <type_traits>
 
+#ifdef IRG_HAVE_EIGEN
+#include <Eigen/Core>
+#endif
+#ifdef IRG_HAVE_OPENCV
+#include <opencv2/core.hpp>
+#endif
+
+#include <irg/geometry/box.hpp>
+#include <irg/geometry/clip_line_cohen_sutherland.hpp>
+#include <irg/geometry/clip_line_liang_barsky.hpp>
+#include <irg/geometry/clip_line_nicholl_lee_nicholl.hpp>
 #include <irg/math/vec.hpp>
 
 #include "support/check_both.hpp"
@@ -24,4 +35,37 @@ TEST_CASE("clipped_line: every coordinate of a point is looked at") {
   CHECK_BOTH(!irg::detail::has_finite_coordinates(P{1, -infinite, 3}));
   CHECK_BOTH(!irg::detail::has_finite_coordinates(P{1, 2, infinite}));
   CHECK_BOTH(irg::detail::has_finite_coordinates(irg::point<int, 2>{1, 2}));
+}
+
+#if defined(IRG_HAVE_EIGEN) || defined(IRG_HAVE_OPENCV)
+namespace {
+
+// Of points whose == is not constexpr: all three find (0, 2) and (4, 2).
+template <class P>
+void clip_foreign_line() {
+  const irg::box<double, 2> window{{0, 0}, {4, 4}};
+  const P a(-2, 2), b(6, 2);
+  const auto liang_barsky = irg::clip_line_liang_barsky(a, b, window);
+  REQUIRE(liang_barsky);
+  CHECK(irg::coordinate(liang_barsky->first, 0) == 0);
+  CHECK(irg::coordinate(liang_barsky->second, 0) == 4);
+  CHECK(liang_barsky->t_first == 0.25);
+  CHECK(irg::clip_line_cohen_sutherland(a, b, window) == liang_barsky);
+  CHECK(irg::clip_line_nicholl_lee_nicholl(a, b, window) == liang_barsky);
+}
+
+}  // namespace
+#endif
+
+TEST_CASE("clipped_line: points of Eigen and OpenCV") {
+#ifdef IRG_HAVE_EIGEN
+  clip_foreign_line<Eigen::Vector2d>();
+#else
+  MESSAGE("skipped: Eigen was not found");
+#endif
+#ifdef IRG_HAVE_OPENCV
+  clip_foreign_line<cv::Point2d>();
+#else
+  MESSAGE("skipped: OpenCV was not found");
+#endif
 }

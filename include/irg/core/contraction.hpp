@@ -5,7 +5,8 @@
 //
 // An empty asm statement takes the product out of the optimiser's sight; it emits no instruction, but plain loops over
 // products are not vectorised (explicit packs are not affected). Nothing less holds: clang ignores its FP_CONTRACT
-// pragma under -ffp-contract=fast, and g++ 12 forgets __builtin_assoc_barrier when it vectorises a loop.
+// pragma under -ffp-contract=fast, and g++ 12 forgets __builtin_assoc_barrier when it vectorises a loop. Where the
+// target has no fused instruction, as plain x86-64, there is nothing to guard against, and loops are vectorised.
 #pragma once
 
 #include <type_traits>
@@ -33,6 +34,16 @@
 #define IRG_FLOAT_REGISTER_BYTES 64
 #endif
 
+// Whether the target has an instruction that computes x*y + z with one rounding. An emulated one, by a call, is made by
+// no compiler on its own.
+#if (defined(__x86_64__) || defined(__i386__)) && !defined(__FMA__) && !defined(__FMA4__) && !defined(__AVX512F__)
+#define IRG_TARGET_FUSES 0
+#elif defined(__wasm__)
+#define IRG_TARGET_FUSES 0
+#else
+#define IRG_TARGET_FUSES 1
+#endif
+
 namespace irg {
 inline namespace IRG_ABI {
 
@@ -44,7 +55,7 @@ template <class T>
 IRG_INLINE constexpr T opaque(T value) noexcept {
 #if defined(__GNUC__) && !defined(__wasm__)
   static_assert(!std::is_class_v<T>);
-  // wasm has no fused instruction to fear. In constant evaluation the statement is skipped: it is no constant there.
+  // In constant evaluation the statement is skipped: it is no constant there.
   if (!std::is_constant_evaluated()) {
     if constexpr (sizeof(T) <= IRG_FLOAT_REGISTER_BYTES)
       asm("" : IRG_FLOAT_REGISTER(value));
@@ -56,11 +67,13 @@ IRG_INLINE constexpr T opaque(T value) noexcept {
 }
 
 /// x*y, rounded by itself whatever the contraction flags.
+/// needs   to be compiled for the processor that the flags name: a function with a target attribute of its own for one
+///         that fuses needs those flags for its file
 /// exact   the IEEE product, never fused with a sum
 /// source  irg's own: the measurements are in docs/numbers.md
 template <class T>
 IRG_INLINE constexpr T product(T x, T y) noexcept(noexcept(x * y)) {
-  if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>)
+  if constexpr (IRG_TARGET_FUSES && (std::is_same_v<T, float> || std::is_same_v<T, double>))
     return opaque<T>(x * y);
   else
     return x * y;  // integers and user-defined scalars; packs guard their own operator*

@@ -64,12 +64,15 @@ constexpr coordinate_kind kind_of() {
     return coordinate_kind::any;
 }
 
-template <class T, class Traits, class S>
-concept made_from_coordinates = []<int... I>(std::integer_sequence<int, I...>) {
+template <class T, class Traits, class S, int... I>
+constexpr bool makes_from(std::integer_sequence<int, I...>) {
   return requires(const S c) {
     { Traits::make((static_cast<void>(I), c)...) } -> std::convertible_to<T>;
   };
-}(std::make_integer_sequence<int, Traits::size>{});
+}
+
+template <class T, class Traits, class S>
+concept made_from_coordinates = makes_from<T, Traits, S>(std::make_integer_sequence<int, Traits::size>{});
 
 }  // namespace detail
 

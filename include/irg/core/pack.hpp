@@ -228,7 +228,7 @@ IRG_INLINE pack<T, N> operator-(const pack<T, N>& a, const pack<T, N>& b) noexce
 template <class T, int N>
 IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   const auto p = lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x * y; }, a, b);
-  if constexpr (std::is_floating_point_v<T>)
+  if constexpr (IRG_TARGET_FUSES && std::is_floating_point_v<T>)
     return opaque(p);
   else
     return p;

@@ -18,7 +18,13 @@ struct clipped_line {
   using parameter = std::conditional_t<std::is_integral_v<scalar_of<P>>, double, scalar_of<P>>;
   P first{}, second{};
   parameter t_first = parameter(0), t_second = parameter(1);
-  constexpr bool operator==(const clipped_line&) const = default;
+  // Coordinate by coordinate: == of foreign points need not be constexpr.
+  constexpr bool operator==(const clipped_line& other) const {
+    for (int i = 0; i < size_of<P>; ++i)
+      if (coordinate(first, i) != coordinate(other.first, i) || coordinate(second, i) != coordinate(other.second, i))
+        return false;
+    return t_first == other.t_first && t_second == other.t_second;
+  }
 };
 
 namespace detail {

@@ -46,7 +46,7 @@ inline result<std::string> read_file(const std::string& path) {
 /// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
 ///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither
 ///         file nor directory, such as a pipe or /dev/null, is written to directly
-inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes) {
+[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes) {
   const detail::file_kind kind = detail::kind_of_file(path.c_str());
   if (kind == detail::file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
   if (kind == detail::file_kind::other) {
@@ -71,7 +71,8 @@ inline std::optional<parse_error> write_file_atomically(const std::string& path,
 }
 
 /// The same for bytes that are no text.
-inline std::optional<parse_error> write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes) {
+[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path,
+                                                                      std::span<const std::uint8_t> bytes) {
   return write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 

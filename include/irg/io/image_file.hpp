@@ -46,7 +46,8 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_picture(const R
 /// gives   a reason when the ending is none of picture_endings, when the picture cannot be encoded (encode_png), and
 ///         when the file cannot be written (write_file_atomically); no file is left half-written
 template <EncodableRaster R>
-std::optional<parse_error> write_image(const std::string& path, const R& raster, const png_options& options = {}) {
+[[nodiscard]] std::optional<parse_error> write_image(const std::string& path, const R& raster,
+                                                     const png_options& options = {}) {
   const std::optional<picture_format> format = picture_format_of(path);
   if (!format) return parse_error{0, 0, "picture's file name must end in .png, .ppm or .svg"};
   const auto bytes = encode_picture(raster, *format, options);

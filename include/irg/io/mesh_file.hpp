@@ -113,8 +113,8 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh
 /// Writes a mesh file in the format that its name's ending asks for; absent when that succeeded, else the reason, and
 /// then the path is as it was before.
 template <Floating T>
-std::optional<parse_error> write_mesh(const std::string& path, const mesh<T>& m,
-                                      mesh_encoding encoding = mesh_encoding::text) {
+[[nodiscard]] std::optional<parse_error> write_mesh(const std::string& path, const mesh<T>& m,
+                                                    mesh_encoding encoding = mesh_encoding::text) {
   const std::optional<mesh_format> format = mesh_format_of_name(path);
   if (!format) return parse_error{0, 0, "body's file name must end in .obj, .stl, .ply, .off or .xml"};
   const auto bytes = encode_mesh(m, *format, encoding);

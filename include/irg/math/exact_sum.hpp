@@ -147,9 +147,11 @@ constexpr double nearest_double(const std::uint64_t* word, word_range range, int
 
 /// A sum of products of up to K finite doubles each, exact for 2^60 terms and more.
 /// cost    about 10 ns for a term; sums of terms of like size touch a few words only
+/// needs   1 <= K <= 7
 template <int K>
-  requires(K >= 1 && K <= 7)
 class exact_accumulator {
+  static_assert(K >= 1 && K <= 7);
+
 public:
   IRG_INLINE constexpr exact_accumulator() noexcept {}
   IRG_INLINE constexpr exact_accumulator(const exact_accumulator& v) noexcept { *this = v; }
@@ -231,7 +233,6 @@ public:
 
 private:
   template <int L>
-    requires(L >= 1 && L <= 7)
   friend class exact_accumulator;
 
   static constexpr int lowest = -1074 * K;

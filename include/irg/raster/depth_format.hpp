@@ -71,13 +71,16 @@ struct depth_as_given {
   }
 };
 
-// What the formats that keep a float between 0 and Most have in common, whichever way it runs.
-template <class Order, float Most = 1.0f>
+enum class float_depths { up_to_one, unlimited };
+
+// What the formats that keep a float that is not negative have in common, whichever way it runs.
+template <class Order, float_depths Depths = float_depths::up_to_one>
 struct depth_in_float : depth_as_given<Order, float> {
-  static constexpr float nearest = Order::nearer(1.0f, 0.0f) ? Most : 0.0f;
+  static constexpr float most = Depths == float_depths::unlimited ? std::numeric_limits<float>::infinity() : 1.0f;
+  static constexpr float nearest = Order::nearer(1.0f, 0.0f) ? most : 0.0f;
   template <class F>
   IRG_INLINE static constexpr F level(const F& z) noexcept {
-    return depth_in_range(z, Most, Order::farthest);
+    return depth_in_range(z, most, Order::farthest);
   }
   IRG_INLINE static constexpr float encode(float z) noexcept { return level(z); }
   IRG_INLINE static constexpr float decode(float s) noexcept { return s; }
@@ -104,7 +107,7 @@ struct depth_float : detail::depth_in_float<nearer_is_less> {
 /// One over the distance from the eye (1/w), in a float: nothing is scaled, there is no far plane. What is below 0 lies
 /// behind the eye and counts as 0.
 /// needs   a perspective projection, where w is the distance
-struct depth_inverse_w : detail::depth_in_float<nearer_is_greater, std::numeric_limits<float>::infinity()> {
+struct depth_inverse_w : detail::depth_in_float<nearer_is_greater, detail::float_depths::unlimited> {
   IRG_INLINE static constexpr double scale(double, double) noexcept { return 1.0; }
   IRG_INLINE static constexpr double depth_at(double, double, double distance) noexcept { return 1.0 / distance; }
 };

@@ -48,6 +48,8 @@ struct picture_run {
   const E& executor;
   Observer& observer;
 };
+template <class Colour, class Depth, class E, class Observer>
+picture_run(Colour&, Depth&, const E&, Observer&) -> picture_run<Colour, Depth, E, Observer>;
 
 // A picture of one scene, before anything of its objects is known.
 template <class T>

@@ -48,8 +48,8 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
   using F = lanes<pack_f>;
   using I = lanes<pack_i>;
   static_assert(sizeof *p == 3 * sizeof(float));
-  const auto [x, y, z] = load_triples<N>(&p->x);
-  const auto row = [&](int r) { return ((m[r] * x + m[r + 1] * y) + m[r + 2] * z) + m[r + 3]; };
+  const auto at = load_triples<N>(&p->x);
+  const auto row = [&](int r) { return ((m[r] * at.x + m[r + 1] * at.y) + m[r + 2] * at.z) + m[r + 3]; };
   const pack_f cx = row(0), cy = row(4), cz = row(8), cw = row(12), zero = F::broadcast(0);
 
   const auto beyond = [&](const pack_f& distance, clip_planes plane) {

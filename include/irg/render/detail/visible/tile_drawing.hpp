@@ -247,7 +247,9 @@ struct tile_painter {
   IRG_NOINLINE void draw_large(const tile_triangles& g, int i) noexcept {
     if (order.front_to_back && g.high[i] < out.farthest) return;
     const triangle_corners c = find.corners(numbers[g.place[i]]);
-    const auto [coverage, s] = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
+    const covered_triangle covered = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
+    const triangle_coverage& coverage = covered.coverage;
+    const triangle_setup& s = covered.setup;
     const cell_window w = intersect(coverage.bounds, window);
     if (coverage.double_area == 0 || w.empty()) return;
     tile_triangles one = g;
