@@ -27,8 +27,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN(), inf = std::num
 TEST_CASE("projection: the course's values") {
   using R = rational;
   constexpr vec3 v{1, 7, -5}, b{-1, 4, -1};
-  CHECK_BOTH(*scalar_projection(v, b) == 7.5424723326565077);
-  CHECK_BOTH(*cosine_between(v, b) == 0.87092968632290768);
+  CHECK_BOTH(*scalar_projection(v, b) == 7.542472332656507);
+  CHECK_BOTH(*cosine_between(v, b) == 0.8709296863229078);
   CHECK_BOTH(*vector_projection(v, b) == vec3{-16. / 9, 64. / 9, -16. / 9});
   CHECK_BOTH(*vector_projection(vec<R, 3>{1, 7, -5}, vec<R, 3>{-1, 4, -1}) ==
              vec<R, 3>{R(-16, 9), R(64, 9), R(-16, 9)});
