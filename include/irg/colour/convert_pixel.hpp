@@ -11,17 +11,6 @@
 #include <irg/colour/srgb.hpp>
 
 namespace irg {
-inline namespace IRG_ABI {
-
-/// The gray level of a colour, its opacity left aside: what is gray keeps its level.
-/// exact   (299 r + 587 g + 114 b) / 1000, rounded to nearest, half up
-/// source  BT.601
-IRG_INLINE constexpr std::uint8_t gray_level(const rgba8& p) noexcept {
-  return static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000);
-}
-
-}  // namespace IRG_ABI
-
 /// How a P is made of an rgba8. Member: `static P from(const rgba8&)`. Specialise it for pixel types of your own.
 template <class P>
 struct pixel_decoding {};

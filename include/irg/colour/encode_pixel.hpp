@@ -31,6 +31,13 @@ IRG_INLINE constexpr rgba8 to_rgba8(Gray level) noexcept {
   return {level, level, level, 255};
 }
 
+/// The gray level of a colour, its opacity left aside: what is gray keeps its level.
+/// exact   (299 r + 587 g + 114 b) / 1000, rounded to nearest, half up
+/// source  BT.601
+IRG_INLINE constexpr std::uint8_t gray_level(const rgba8& p) noexcept {
+  return static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000);
+}
+
 }  // namespace IRG_ABI
 
 /// A pixel that picture writers understand. Models: rgba8, bgra8, rgb8, std::uint8_t (a gray level), and every type

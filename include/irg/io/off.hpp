@@ -48,7 +48,7 @@ constexpr result<mesh<T>> read_off(std::string_view bytes) {
 template <Floating T>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
-  const detail::vertex_layout v = detail::vertices_to_write(m);
+  const auto v = detail::vertices_to_write(m);
   std::vector<std::uint8_t> out;
   if (v.texcoords) detail::append_text(out, "ST");
   detail::append_text(out, v.normals ? "NOFF\n" : "OFF\n");

@@ -34,7 +34,8 @@ template <Floating T = double>
 constexpr result<mesh<T>> read_ply(std::string_view bytes) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   const std::string_view text = detail::without_byte_order_mark(bytes);
-  detail::ply_header header(text);
+  using element = detail::ply_element<>;
+  detail::ply_header<element> header(text);
   if (!header.read()) return detail::error_at(text, header.cursor.place, header.cursor.message);
   const auto finish = [&](auto reader, auto error, std::string_view counted) -> result<mesh<T>> {
     if (!reader.body()) return error(counted, reader.source.cursor.place, reader.source.cursor.message);
@@ -42,10 +43,12 @@ constexpr result<mesh<T>> read_ply(std::string_view bytes) {
     return std::move(reader.read);
   };
   if (header.encoding == mesh_encoding::text)
-    return finish(detail::ply_body_reader<T, detail::ply_text_source>{{header.cursor}, header}, detail::error_at, text);
+    return finish(detail::ply_body_reader<T, detail::ply_text_source, element>{{header.cursor}, header},
+                  detail::error_at, text);
   const bool little = header.encoding == mesh_encoding::little_endian;
   const detail::ply_byte_source source{header.cursor, little ? detail::byte_order::little : detail::byte_order::big};
-  return finish(detail::ply_body_reader<T, detail::ply_byte_source>{source, header}, detail::error_at_byte, bytes);
+  return finish(detail::ply_body_reader<T, detail::ply_byte_source, element>{source, header}, detail::error_at_byte,
+                bytes);
 }
 
 }  // namespace IRG_ABI
@@ -53,8 +56,8 @@ constexpr result<mesh<T>> read_ply(std::string_view bytes) {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <Floating T, class Bytes>
-constexpr void write_ply_header(Bytes& out, const vertex_layout& v, std::size_t faces, mesh_encoding encoding) {
+template <Floating T, class Bytes, class Layout>
+constexpr void write_ply_header(Bytes& out, const Layout& v, std::size_t faces, mesh_encoding encoding) {
   const std::string_view type = sizeof(T) == 4 ? "float" : "double";
   const auto properties = [&](std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) {
@@ -77,8 +80,8 @@ constexpr void write_ply_header(Bytes& out, const vertex_layout& v, std::size_t 
 }
 
 /// Writes the numbers of the body through put(number) and end(), which ends an element.
-template <Floating T, class Put, class End>
-constexpr void write_ply_body(const mesh<T>& m, const vertex_layout& v, const Put& put, const End& end) {
+template <Floating T, class Layout, class Put, class End>
+constexpr void write_ply_body(const mesh<T>& m, const Layout& v, const Put& put, const End& end) {
   const auto put_all = [&](const auto& numbers, int count) {
     for (int i = 0; i < count; ++i) put(numbers[i]);
   };
@@ -112,7 +115,7 @@ template <Floating T>
 constexpr result<std::vector<std::uint8_t>, encode_error> encode_ply(const mesh<T>& m,
                                                                      mesh_encoding encoding = mesh_encoding::text) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
-  const detail::vertex_layout v = detail::vertices_to_write(m);
+  const auto v = detail::vertices_to_write(m);
   std::vector<std::uint8_t> out;
   detail::write_ply_header<T>(out, v, m.face_count(), encoding);
   if (encoding == mesh_encoding::text) {

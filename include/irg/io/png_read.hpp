@@ -38,7 +38,9 @@ constexpr std::uint32_t chunk_name(const char (&name)[5]) noexcept {
   return n;
 }
 
-/// Reads a file, or stops at the byte `place` with `message`.
+/// Reads a file. Bytes is what the compressed data are gathered in: as a template, nothing of this costs those who only
+/// include it.
+template <class Bytes>
 class png_reader {
 public:
   constexpr png_reader(std::span<const std::uint8_t> file, const png_read_options& options) noexcept
@@ -50,7 +52,7 @@ public:
     // No byte of the format becomes more than 1032; so a head that promises more than follows costs nothing.
     if (needed > 1032 * static_cast<std::uint64_t>(stream_.size()))
       return fail(first_data_, "file is too short for the picture that its head promises"), error_;
-    inflater<std::vector<std::uint8_t>> rows(stream_, static_cast<std::size_t>(needed));
+    inflater<Bytes> rows(stream_, static_cast<std::size_t>(needed));
     if (!rows.zlib()) return fail(first_data_, rows.message), error_;
     if (rows.out.size() != needed) return fail(first_data_, "compressed data are shorter than the picture"), error_;
     image<rgba8> picture(static_cast<int>(header_.width), static_cast<int>(header_.height));
@@ -168,7 +170,7 @@ private:
   bool has_data_ = false, last_was_data_ = false, has_transparency_ = false;
   png_header header_;
   png_colours colours_;
-  std::vector<std::uint8_t> stream_;
+  Bytes stream_;
   parse_error error_;
 };
 
@@ -189,14 +191,14 @@ inline namespace IRG_ABI {
 /// source  PNG; RFC 1950; RFC 1951
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
 constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {}) {
-  return detail::png_reader(bytes, options).read();
+  return detail::png_reader<std::vector<std::uint8_t>>(bytes, options).read();
 }
 /// The same from bytes as read_file gives them, which are copied.
 template <std::convertible_to<std::string_view> Bytes>
 constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {}) {
   const std::string_view text = bytes;
   const std::vector<std::uint8_t> copy(text.begin(), text.end());
-  return detail::png_reader(copy, options).read();
+  return detail::png_reader<std::vector<std::uint8_t>>(copy, options).read();
 }
 
 }  // namespace IRG_ABI

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <irg/colour/convert_pixel.hpp>
+#include <irg/colour/encode_pixel.hpp>
 #include <irg/core/result.hpp>
 #include <irg/io/detail/netpbm.hpp>
 #include <irg/io/picture_limits.hpp>

@@ -27,10 +27,11 @@ struct ply_property {
 
 enum class ply_kind { vertex, face, other };
 
+template <class Property = ply_property>
 struct ply_element {
   ply_kind kind = ply_kind::other;
   std::uint64_t count = 0;
-  std::vector<ply_property> properties;
+  std::vector<Property> properties;
   std::uint32_t roles = 0;  // bit r: some property has the role r
 
   constexpr bool has(ply_role first, ply_role last) const noexcept {
@@ -65,10 +66,11 @@ constexpr ply_role ply_role_of(ply_kind kind, std::string_view name, bool is_lis
 }
 
 /// Reads the header; afterwards the cursor stands at the body's first byte.
+template <class Element>
 struct ply_header {
   text_cursor cursor;
   mesh_encoding encoding = mesh_encoding::text;
-  std::vector<ply_element> elements{};
+  std::vector<Element> elements{};
   bool has_vertices = false, has_faces = false;
 
   constexpr explicit ply_header(std::string_view bytes) noexcept : cursor(bytes, '\0') {}
@@ -117,7 +119,7 @@ struct ply_header {
 
   constexpr bool element() {
     const std::string_view name = cursor.word_in_line();
-    ply_element e;
+    Element e;
     e.kind = name == "vertex" ? ply_kind::vertex : name == "face" ? ply_kind::face : ply_kind::other;
     if (name.empty()) return cursor.fail(cursor.at, "element has no name");
     bool& seen = e.kind == ply_kind::vertex ? has_vertices : has_faces;
@@ -130,7 +132,7 @@ struct ply_header {
     if (!cursor.integer(count)) return false;
     if (count < 0) return cursor.fail(start, "count of an element is negative");
     e.count = static_cast<std::uint64_t>(count);
-    elements.push_back(static_cast<ply_element&&>(e));
+    elements.push_back(static_cast<Element&&>(e));
     return true;
   }
 
@@ -142,7 +144,7 @@ struct ply_header {
 
   constexpr bool property(const char* start) {
     if (elements.empty()) return cursor.fail(start, "property stands before the first element");
-    ply_element& e = elements.back();
+    Element& e = elements.back();
     ply_property p;
     const char* const before = cursor.at;
     const bool is_list = cursor.word_in_line() == "list";
@@ -162,7 +164,7 @@ struct ply_header {
   }
 
   constexpr bool check(const char* place) noexcept {
-    for (const ply_element& e : elements) {
+    for (const Element& e : elements) {
       if (e.kind == ply_kind::vertex && e.count > 0 && !e.has(ply_role::x, ply_role::z))
         return cursor.fail(place, "vertices have no x, y and z");
       if (e.kind == ply_kind::face && e.count > 0 && !e.has(ply_role::corners, ply_role::corners))

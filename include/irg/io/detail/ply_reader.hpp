@@ -95,17 +95,17 @@ struct ply_byte_source {
 };
 
 /// Reads the body from `source`, or stops with its message.
-template <Floating T, class Source>
+template <Floating T, class Source, class Element>
 struct ply_body_reader {
   Source source;
-  const ply_header& header;
+  const ply_header<Element>& header;
   mesh<T> read{};
   std::uint64_t vertex_count = 0;
 
   constexpr bool body() {
-    for (const ply_element& e : header.elements)
+    for (const Element& e : header.elements)
       if (e.kind == ply_kind::vertex) vertex_count = e.count;
-    for (const ply_element& e : header.elements) {
+    for (const Element& e : header.elements) {
       if (e.properties.empty()) continue;  // nothing stands in the file, however many there are
       const bool good = e.kind == ply_kind::vertex ? vertices(e) : e.kind == ply_kind::face ? faces(e) : others(e);
       if (!good) return false;
@@ -128,14 +128,14 @@ struct ply_body_reader {
     return count <= 0xffffffff || source.cursor.fail(start, "list is longer than the file");
   }
 
-  constexpr bool others(const ply_element& e) noexcept {
+  constexpr bool others(const Element& e) noexcept {
     for (std::uint64_t i = 0; i < e.count; ++i)
       for (const ply_property& p : e.properties)
         if (!skip(p)) return false;
     return true;
   }
 
-  constexpr bool vertices(const ply_element& e) {
+  constexpr bool vertices(const Element& e) {
     const bool normals = e.has(ply_role::nx, ply_role::nz), texcoords = e.has(ply_role::u, ply_role::v);
     for (std::uint64_t i = 0; i < e.count; ++i) {
       std::array<T, ply_numbers> n{};
@@ -151,7 +151,7 @@ struct ply_body_reader {
     return true;
   }
 
-  constexpr bool faces(const ply_element& e) {
+  constexpr bool faces(const Element& e) {
     for (std::uint64_t i = 0; i < e.count; ++i)
       for (const ply_property& p : e.properties)
         if (!(p.role == ply_role::corners ? face(p) : skip(p))) return false;

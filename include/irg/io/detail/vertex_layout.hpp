@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include <irg/mesh/mesh.hpp>
@@ -14,9 +13,10 @@
 namespace irg::detail {
 
 /// Which attributes all corners have, the vertices to write, and the vertex of each corner.
+template <class Corner>
 struct vertex_layout {
   bool normals = false, texcoords = false;
-  std::vector<mesh_corner> vertices;
+  std::vector<Corner> vertices;
   std::vector<std::uint32_t> of_corner;
 };
 
@@ -25,9 +25,9 @@ inline namespace IRG_ABI {
 /// The layout of a mesh: its positions in their order, those whose corners differ in normal or texture coordinate once
 /// for each pair of them. An attribute that some corner lacks is left out.
 /// cost    O(n log n) where corners have attributes, else linear
-template <Scalar T>
-constexpr vertex_layout vertices_to_write(const mesh<T>& m) {
-  vertex_layout out;
+template <Scalar T, class Corner = mesh_corner>
+constexpr vertex_layout<Corner> vertices_to_write(const mesh<T>& m) {
+  vertex_layout<Corner> out;
   out.normals = !m.corners.empty();
   out.texcoords = !m.corners.empty();
   for (const mesh_corner& c : m.corners) {
@@ -44,16 +44,17 @@ constexpr vertex_layout vertices_to_write(const mesh<T>& m) {
     if (!out.texcoords) c.texcoord = mesh_corner::none;
     return c;
   };
-  const auto before = [](const mesh_corner& a, const mesh_corner& b) {
-    return std::tie(a.position, a.normal, a.texcoord) < std::tie(b.position, b.normal, b.texcoord);
+  const auto before = [](const Corner& a, const Corner& b) {
+    if (a.position != b.position) return a.position < b.position;
+    return a.normal != b.normal ? a.normal < b.normal : a.texcoord < b.texcoord;
   };
-  std::vector<char> used(m.positions.size(), '\0');
+  std::vector<std::uint32_t> used(m.positions.size(), std::uint32_t{0});
   for (const mesh_corner& c : m.corners) {
     out.vertices.push_back(kept(c));
-    used[c.position] = '\1';
+    used[c.position] = 1;
   }
   for (std::uint32_t v = 0; v < m.positions.size(); ++v)  // what no corner names is written, too
-    if (used[v] == '\0')
+    if (used[v] == 0)
       out.vertices.push_back({v, out.normals && v < m.normals.size() ? v : mesh_corner::none,
                               out.texcoords && v < m.texcoords.size() ? v : mesh_corner::none});
   std::sort(out.vertices.begin(), out.vertices.end(), before);
