@@ -20,7 +20,7 @@
 
 namespace test {
 
-inline std::string as_text(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
+inline std::string as_text(const std::vector<std::uint8_t>& data) { return {data.begin(), data.end()}; }
 
 /// The error as "line:column message", or "" for a mesh, which must be sound.
 template <class T>
@@ -33,24 +33,24 @@ std::string outcome_of(const irg::result<irg::mesh<T>>& r) {
   return std::to_string(r.error().line) + ":" + std::to_string(r.error().column) + " " + r.error().message;
 }
 
-/// Whether the place of an error lies in the bytes or right behind them.
-inline bool place_exists(std::string_view bytes, const irg::parse_error& e) {
-  if (e.line == 0) return e.column <= bytes.size() + 1;
+/// Whether the place of an error lies in the data or right behind them.
+inline bool place_exists(std::string_view data, const irg::parse_error& e) {
+  if (e.line == 0) return e.column <= data.size() + 1;
   std::size_t line = 1, column = 1;
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (data.starts_with("\xEF\xBB\xBF")) data.remove_prefix(3);
   for (std::size_t i = 0;; ++i) {
     if (line == e.line && column == e.column) return true;
-    if (i == bytes.size()) return false;
-    const bool ends = bytes[i] == '\n' || (bytes[i] == '\r' && (i + 1 == bytes.size() || bytes[i + 1] != '\n'));
+    if (i == data.size()) return false;
+    const bool ends = data[i] == '\n' || (data[i] == '\r' && (i + 1 == data.size() || data[i + 1] != '\n'));
     line += ends ? 1 : 0;
     column = ends ? 1 : column + 1;
   }
 }
 
-/// Reads the bytes cut off everywhere, and with random bytes changed, doubled and taken away: always a sound mesh or an
+/// Reads the data cut off everywhere, and with random data changed, doubled and taken away: always a sound mesh or an
 /// error with a place. Returns how many of the cut ones were errors.
 template <class Read>
-int damage(const std::string& bytes, const Read& read, int changes, std::uint64_t seed) {
+int damage(const std::string& data, const Read& read, int changes, std::uint64_t seed) {
   int errors = 0;
   const auto check = [&](std::string_view damaged) {
     const auto r = read(damaged);
@@ -58,11 +58,11 @@ int damage(const std::string& bytes, const Read& read, int changes, std::uint64_
     if (!r) REQUIRE(place_exists(damaged, r.error()));
     return !r;
   };
-  for (std::size_t length = 0; length < bytes.size(); ++length)
-    errors += check(std::string_view(bytes).substr(0, length)) ? 1 : 0;
+  for (std::size_t length = 0; length < data.size(); ++length)
+    errors += check(std::string_view(data).substr(0, length)) ? 1 : 0;
   random r(seed);
   for (int i = 0; i < changes; ++i) {
-    std::string damaged = bytes;
+    std::string damaged = data;
     for (std::int64_t k = r.integer(1, 3); k > 0; --k) {
       const auto at = static_cast<std::size_t>(r.integer(0, static_cast<std::int64_t>(damaged.size()) - 1));
       const std::int64_t how = r.integer(0, 3);
@@ -147,14 +147,14 @@ irg::mesh<T> without_attributes(irg::mesh<T> m) {
 
 /// A file put together number by number, in the machine's own way of writing them turned round where asked.
 struct byte_file {
-  std::string bytes;
+  std::string data;
   bool reversed = false;
 
   template <class N>
   byte_file& put(N n) {
     char raw[sizeof n];
     std::memcpy(raw, &n, sizeof n);
-    for (std::size_t i = 0; i < sizeof n; ++i) bytes.push_back(raw[reversed ? sizeof n - 1 - i : i]);
+    for (std::size_t i = 0; i < sizeof n; ++i) data.push_back(raw[reversed ? sizeof n - 1 - i : i]);
     return *this;
   }
 };

@@ -120,8 +120,8 @@ private:
 template <class Bytes>
 class inflater {
 public:
-  constexpr inflater(std::span<const std::uint8_t> in, std::size_t most_bytes) noexcept
-      : in_{in.data(), in.data() + in.size()}, most_(most_bytes) {}
+  constexpr inflater(std::span<const std::uint8_t> in, std::size_t limit) noexcept
+      : in_{in.data(), in.data() + in.size()}, most_(limit) {}
 
   Bytes out{};
   const char* message = nullptr;
