@@ -20,4 +20,5 @@
 #include <irg/hidden/zbuffer_memory.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/textbook/floating_horizon.hpp>
+#include <irg/hidden/textbook/grid_surface.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>
