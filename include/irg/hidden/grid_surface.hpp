@@ -171,11 +171,11 @@ inline namespace IRG_ABI {
 /// shape   an edge's parts follow each other; they are as long as can be, and edges that are hidden have none
 /// gives   nothing but the status where there is no picture
 /// exact   every decision; places are rounded once, to the nearest double
-/// cost    for a surface of N facets seldom more than N^1.5 / 100 steps and N edges of 1 microsecond; memory for the
-///         perimeters
+/// cost    some 5 steps of the perimeters for an edge of smooth surfaces, a third of a microsecond; N^1.5 in all for N
+///         facets where the perimeters stay as long as the border; memory for the perimeters
 /// source  Special-cases chapter, 3 (perimeter)
-template <class Surface, class Emit>
-constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(const Surface& surface,
+template <class Emit>
+constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(const grid_surface& surface,
                                                                                const point<double, 3>& eye,
                                                                                Emit&& emit) {
   grid_surface_counts counts;

@@ -50,7 +50,8 @@ constexpr bool angle_precedes(T a, T b) noexcept {
 }
 
 /// The corners of facet (i, j) by turning angle about the facet (k, l), which holds the vanishing point: F1 has the
-/// least angle. Beside it in one coordinate F1 to F4 run round the facet; in both, F2 is the near corner, F3 the far one.
+/// least angle. Beside it in one coordinate F1 to F4 run round the facet; in both, F2 is the near corner, F3 the far
+/// one.
 /// gives   the corners counter-clockwise from (0, 0) for the facet (k, l) itself
 /// source  Special-cases chapter, 3 (figure 3.37), and the four positions that its code leaves out
 template <class Int>
