@@ -33,6 +33,7 @@
 #include "fills.hpp"
 #include "fills_aa.hpp"
 #include "hidden_methods.hpp"
+#include "grid_surfaces.hpp"
 #include "horizon.hpp"
 #include "line_drawings.hpp"
 #include "line_kernels.hpp"
@@ -193,6 +194,7 @@ void methods() {
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
+  save("grid_surface", grid_pictures::views());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());
   save("bsp_faces", hidden_pictures::parts());

@@ -6,6 +6,8 @@
 #include <irg/hidden/bsp_faces.hpp>
 #include <irg/hidden/classical_methods.hpp>
 #include <irg/hidden/floating_horizon.hpp>
+#include <irg/hidden/grid_covering_order.hpp>
+#include <irg/hidden/grid_surface.hpp>
 #include <irg/hidden/hidden_lines.hpp>
 #include <irg/hidden/horizon_surface.hpp>
 #include <irg/hidden/line_drawing.hpp>
@@ -18,4 +20,5 @@
 #include <irg/hidden/zbuffer_memory.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/textbook/floating_horizon.hpp>
+#include <irg/hidden/textbook/grid_surface.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>

@@ -66,7 +66,7 @@ constexpr auto nearest_quotients(const Formula& formula, const std::array<T, Siz
     if (sure) {
       const auto v = formula(numbers_of<twofold>(in));
       sure = v[0].is_sure() && is_middling(v[0]);
-      const double inverse = 1 / magnitude(v[0].high);
+      const double inverse = sure ? 1 / magnitude(v[0].high) : 0.0;
       for (std::size_t i = 0; i < nearest.size() && sure; ++i)
         sure = divides_surely(v[i + 1], v[0], inverse, nearest[i]);
     }

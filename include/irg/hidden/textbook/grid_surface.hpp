@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The steps of the perimeter method as the source has them, in the plane of the picture and in the numbers that come:
+// angles about the vanishing point of upright lines, the order of a facet's corners, which of its edges can leave a
+// perimeter, and how an edge crosses one. `visible_grid_edges` decides the same exactly.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <irg/core/scalar.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg::textbook {
+
+/// A corner of a facet: steps along x and z from its least one.
+struct facet_corner {
+  int di = 0, dj = 0;
+  friend constexpr bool operator==(const facet_corner&, const facet_corner&) = default;
+};
+
+/// Corners of a new facet that an edge can join beyond each perimeter, as numbers in the source's order: 134 is F1, F3,
+/// F4; 0 is none.
+struct leaving_corners {
+  int outer = 0, inner = 0;
+  friend constexpr bool operator==(const leaving_corners&, const leaving_corners&) = default;
+};
+
+/// How an edge of a facet meets one of a perimeter that runs counter-clockwise, y up.
+enum class perimeter_crossing { none, outwards, inwards };
+
+inline namespace IRG_ABI {
+
+/// A number that grows with the angle of (x, y) from -45 degrees (-1) to 315 (7): 0 at 0, 2 at 90, 4 at 180, 6 at 270.
+/// gives   NaN for (0, 0)
+/// source  Special-cases chapter, 3 (pseudo-angles)
+template <Floating T>
+constexpr T pseudo_angle(T x, T y) noexcept {
+  const T wide = x < 0 ? -x : x, tall = y < 0 ? -y : y;
+  if (wide >= tall) return x > 0 ? y / x : 4 + y / x;
+  return y > 0 ? 2 - x / y : 6 - x / y;
+}
+
+/// Whether pseudo-angle a comes before b by less than half a turn.
+/// exact   0 < (b - a mod 8) < 4, where the source's own test holds both ways round for 0 and 6
+/// source  Special-cases chapter, 3 (pseudo-angles)
+template <Floating T>
+constexpr bool angle_precedes(T a, T b) noexcept {
+  const T apart = b - a, turned = apart < 0 ? apart + 8 : apart;
+  return 0 < turned && turned < 4;
+}
+
+/// The corners of facet (i, j) by turning angle about the facet (k, l), which holds the vanishing point: F1 has the
+/// least angle. Beside it in one coordinate F1 to F4 run round the facet; in both, F2 is the near corner, F3 the far
+/// one.
+/// gives   the corners counter-clockwise from (0, 0) for the facet (k, l) itself
+/// source  Special-cases chapter, 3 (figure 3.37), and the four positions that its code leaves out
+template <class Int>
+constexpr std::array<facet_corner, 4> facet_corner_order(Int i, Int j, Int k, Int l) noexcept {
+  if (i != k && j != l) {
+    const int near_i = i > k ? 0 : 1, near_j = j > l ? 0 : 1;
+    const facet_corner nearest{near_i, near_j}, farthest{1 - near_i, 1 - near_j};
+    const facet_corner along_x{1 - near_i, near_j}, along_z{near_i, 1 - near_j};
+    const bool x_first = (i > k) == (j > l);
+    return {x_first ? along_x : along_z, nearest, farthest, x_first ? along_z : along_x};
+  }
+  facet_corner c{0, 0};
+  if (i == k && j > l) c = {1, 0};
+  if (i == k && j < l) c = {0, 1};
+  if (i < k) c = {1, 1};
+  std::array<facet_corner, 4> order{};
+  for (facet_corner& next : order) {
+    next = c;
+    (c.di == c.dj ? c.di : c.dj) ^= 1;
+  }
+  return order;
+}
+
+/// (b - a) x (c - a): positive where a, b, c turn left.
+template <Point P>
+  requires(size_of<P> == 2)
+constexpr auto turn_rounded(const P& a, const P& b, const P& c) noexcept {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Of a facet beside the eye in one coordinate, F1 to F4 by rising angle, F1F4 drawn: the corners whose edges can leave
+/// a perimeter.
+/// source  Special-cases chapter, 3 (tables I and II)
+template <Point P>
+constexpr leaving_corners leaving_side_corners(const std::array<P, 4>& f) noexcept {
+  const bool second = turn_rounded(f[0], f[3], f[1]) > 0, third = turn_rounded(f[0], f[3], f[2]) > 0;
+  if (second == third) return second ? leaving_corners{0, 1234} : leaving_corners{1234, 0};
+  return second ? leaving_corners{234, 123} : leaving_corners{123, 234};
+}
+
+/// Of a facet beside the eye in both coordinates, F2 its near corner, F3 its far one, F1F2 and F2F4 drawn: likewise.
+/// source  Special-cases chapter, 3 (tables III and IV; ten arrangements, eight of which the signs tell apart)
+template <Point P>
+constexpr leaving_corners leaving_corner_corners(const std::array<P, 4>& f) noexcept {
+  const bool second = turn_rounded(f[0], f[3], f[1]) > 0, third = turn_rounded(f[0], f[1], f[2]) > 0;
+  const bool fourth = turn_rounded(f[1], f[3], f[2]) > 0;
+  if (third && fourth) return {0, 134};
+  if (!third && !fourth) return {134, 0};
+  if (second) return third ? leaving_corners{34, 134} : leaving_corners{13, 134};
+  return third ? leaving_corners{134, 13} : leaving_corners{134, 34};
+}
+
+/// Whether the edge from f1 to f2 crosses the perimeter's edge from p1 to p2, by half-open tests, so that a crossing at
+/// a vertex counts once.
+/// source  Special-cases chapter, 3 (the four cross products; its two labels are exchanged)
+template <Point P>
+constexpr perimeter_crossing crossing_of_perimeter(const P& p1, const P& p2, const P& f1, const P& f2) noexcept {
+  const bool c1 = turn_rounded(p1, p2, f1) <= 0, c2 = turn_rounded(p1, p2, f2) <= 0;
+  const bool c3 = turn_rounded(f1, f2, p1) >= 0, c4 = turn_rounded(f1, f2, p2) >= 0;
+  if (c1 && !c2 && c3 && !c4) return perimeter_crossing::inwards;
+  if (!c1 && c2 && !c3 && c4) return perimeter_crossing::outwards;
+  return perimeter_crossing::none;
+}
+
+/// Where the lines of the two edges meet.
+/// needs   edges that cross
+/// source  Special-cases chapter, 3 (procedure intersect)
+template <Point P>
+constexpr P meeting_with_perimeter(const P& p1, const P& p2, const P& f1, const P& f2) noexcept {
+  const auto px = p2.x - p1.x, py = p2.y - p1.y, fx = f2.x - f1.x, fy = f2.y - f1.y;
+  const auto s = (-(p1.x - f1.x) * py + (p1.y - f1.y) * px) / (-fx * py + fy * px);
+  return {f1.x + s * fx, f1.y + s * fy};
+}
+
+/// Whether the walk along a perimeter and a facet at once goes on along the perimeter: where its next vertex comes
+/// before the facet's; at equal angles the facet goes on.
+/// source  Special-cases chapter, 3 (simultaneous traversal)
+template <Floating T>
+constexpr bool advances_perimeter(T next_on_perimeter, T next_on_facet) noexcept {
+  return angle_precedes(next_on_perimeter, next_on_facet);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::textbook
