@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Line drawings with hidden lines: three bodies, and a drawing whose hidden lines are dashed. Included by pictures.cpp.
+// Line drawings with hidden lines: three bodies, and a drawing whose hidden lines are dashed; the regions of what is seen. Included by pictures.cpp.
 #pragma once
 
 #include <irg/hidden/line_drawing.hpp>
+#include <irg/hidden/visible_polygons.hpp>
 #include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
+#include <irg/raster/fill_polygon_aa.hpp>
 #include <irg/raster/line_aa.hpp>
 #include <irg/view/affine.hpp>
 #include <irg/view/projection.hpp>
@@ -63,6 +65,35 @@ inline picture hidden_lines() {
       for (int x = 0; x < width; ++x) all(x + (features ? width : 0), y) = half(x, y);
   }
   return all;
+}
+
+// The regions in which faces of the three bodies are seen, enlarged: each filled on its own, its rings drawn over it.
+inline picture visible_polygons() {
+  picture p(2 * width, 2 * height, paper);
+  const irg::line_drawing d = bodies(irg::drawn_edges::every);
+  const irg::visible_polygon_map map = irg::visible_polygons(d.faces, {0, 0, width, height});
+  for (std::size_t i = 0, end = 0; i < map.rings.size(); i = end) {
+    std::vector<std::vector<irg::point<double, 2>>> rings;
+    for (; end < map.rings.size() && map.rings[end].number == map.rings[i].number; ++end) {
+      std::vector<irg::point<double, 2>> ring;
+      for (std::size_t k = 0; k < map.rings[end].count; ++k) {
+        const auto c = corner_of(map, map.rings[end], k);
+        ring.push_back({2 * c.x, 2 * c.y});
+      }
+      rings.push_back(std::move(ring));
+    }
+    const std::uint32_t n = map.rings[i].number, mixed = n * 2654435761u;
+    const auto tint = [mixed](unsigned shift) { return static_cast<std::uint8_t>(176 + (mixed >> shift) % 72); };
+    const irg::rgba8 colour = n == irg::no_face ? paper : irg::rgba8{tint(8), tint(15), tint(22), 255};
+    irg::fill_polygon_aa(p, rings, irg::fill_rule::non_zero, colour);
+  }
+  for (const irg::visible_ring& ring : map.rings)
+    for (std::size_t k = 0; k < ring.count; ++k) {
+      const auto a = corner_of(map, ring, k), b = corner_of(map, ring, k + 1 == ring.count ? 0 : k + 1);
+      irg::draw_line_aa(p, irg::point<double, 2>{2 * a.x, 2 * a.y}, irg::point<double, 2>{2 * b.x, 2 * b.y},
+                        irg::rgba8{32, 44, 66, 255}, {.width = 200});
+    }
+  return p;
 }
 
 }  // namespace line_drawings

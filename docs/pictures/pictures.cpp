@@ -432,6 +432,7 @@ int main(int argc, char** argv) {
   save("mip_textured_shading", shaders::mip_floors());
   save("draw_transparent", shaders::panes());
   save("hidden_lines", line_drawings::hidden_lines());
+  save("visible_polygons", line_drawings::visible_polygons());
   save("occlusion_mask", occlusion_pictures::mask());
   save("visibility_buffer", occlusion_pictures::ids());
   save("occlusion_culling", occlusion_culling_pictures::seen_from_above());

@@ -16,6 +16,7 @@
 #include <irg/hidden/painter_newell.hpp>
 #include <irg/hidden/plane_depth.hpp>
 #include <irg/hidden/ray_casting.hpp>
+#include <irg/hidden/visible_polygons.hpp>
 #include <irg/hidden/warnock.hpp>
 #include <irg/hidden/zbuffer_memory.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
