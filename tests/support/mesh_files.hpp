@@ -147,14 +147,14 @@ irg::mesh<T> without_attributes(irg::mesh<T> m) {
 
 /// A file put together number by number, in the machine's own way of writing them turned round where asked.
 struct byte_file {
-  std::string data;
+  std::string bytes;
   bool reversed = false;
 
   template <class N>
   byte_file& put(N n) {
     char raw[sizeof n];
     std::memcpy(raw, &n, sizeof n);
-    for (std::size_t i = 0; i < sizeof n; ++i) data.push_back(raw[reversed ? sizeof n - 1 - i : i]);
+    for (std::size_t i = 0; i < sizeof n; ++i) bytes.push_back(raw[reversed ? sizeof n - 1 - i : i]);
     return *this;
   }
 };
