@@ -12,32 +12,11 @@
 
 #include <irg/mesh/shapes.hpp>
 
+#include "io/memory_in_use.hpp"
 #include "support/check_both.hpp"
 #include "support/mesh_files.hpp"
 
 // Every byte that this program asks for and gives back is counted, so that what headers claim can be seen to cost nothing.
-namespace {
-std::size_t bytes_now = 0, bytes_most = 0;
-constexpr std::size_t header = alignof(std::max_align_t);
-}  // namespace
-
-// Not inlined: compilers that see through one of the two warn that it does not fit the other.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  void* const block = std::malloc(size + header);
-  if (block == nullptr) std::abort();
-  *static_cast<std::size_t*>(block) = size;
-  bytes_now += size;
-  bytes_most = std::max(bytes_most, bytes_now);
-  return static_cast<char*>(block) + header;
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  if (p == nullptr) return;
-  void* const block = static_cast<char*>(p) - header;
-  bytes_now -= *static_cast<std::size_t*>(block);
-  std::free(block);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
-
 namespace {
 
 using irg::mesh_encoding;
@@ -182,13 +161,13 @@ TEST_CASE("mesh files: memory is bounded by the bytes, whatever a header claims"
   };
   for (const std::string& s : files) {
     INFO(s.substr(0, 60));
-    const std::size_t before = bytes_now;
-    bytes_most = before;
+    const std::size_t before = test::bytes_now;
+    test::bytes_most = before;
     {
       const auto r = irg::read_mesh<double>(s);
-      CHECK(bytes_most - before <= 64 * s.size() + (std::size_t{1} << 20));
+      CHECK(test::bytes_most - before <= 64 * s.size() + (std::size_t{1} << 20));
       if (r) CHECK(irg::validate(*r) == irg::mesh_finding{});
     }
-    CHECK(bytes_now == before);
+    CHECK(test::bytes_now == before);
   }
 }

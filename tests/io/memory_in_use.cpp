@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "memory_in_use.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+namespace test {
+std::size_t bytes_now = 0, bytes_most = 0;
+}  // namespace test
+
+namespace {
+constexpr std::size_t header = alignof(std::max_align_t);
+}  // namespace
+
+// Not inlined: compilers that see through one of the two warn that it does not fit the other.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* const block = std::malloc(size + header);
+  if (block == nullptr) std::abort();
+  *static_cast<std::size_t*>(block) = size;
+  test::bytes_now += size;
+  test::bytes_most = std::max(test::bytes_most, test::bytes_now);
+  return static_cast<char*>(block) + header;
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept {
+  if (p == nullptr) return;
+  void* const block = static_cast<char*>(p) - header;
+  test::bytes_now -= *static_cast<std::size_t*>(block);
+  std::free(block);
+}
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
