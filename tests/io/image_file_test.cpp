@@ -95,6 +95,8 @@ TEST_CASE("what cannot be written is refused in a sentence, and nothing is left 
   const auto empty = irg::write_image(none.path, image<rgba8>());
   REQUIRE(empty.has_value());
   CHECK(std::string(empty->message) == irg::encode_png(image<rgba8>()).error().message);
+  CHECK(empty->line == 0);
+  CHECK(empty->column == 0);
   CHECK(!exists(none.path));
   const auto unknown = irg::write_image(other.path, checkers(2, 2));
   REQUIRE(unknown.has_value());

@@ -110,6 +110,13 @@ TEST_CASE("line_cells: the four criteria, from the front and from the back") {
   });
 }
 
+TEST_CASE("line_cells: what a window leaves of a line is counted and indexed from its first cell") {
+  CHECK_BOTH(line_cells({0, 0}, {9, 3}, {4, 0, 8, 9}).size() == 4);
+  CHECK_BOTH(line_cells({0, 0}, {9, 3}, {4, 0, 8, 9}).front() == cell{4, 1});
+  CHECK_BOTH(line_cells({0, 0}, {9, 3}, {4, 0, 8, 9}).back() == cell{7, 2});
+  CHECK_BOTH(line_cells({0, 0}, {9, 3}, {4, 0, 8, 9})[2] == cell{6, 2});
+}
+
 TEST_CASE("line_cells: empty windows, misses, inverted windows") {
   CHECK_BOTH(line_cells({0, 0}, {9, 9}, {3, 3, 3, 9}).empty());
   CHECK_BOTH(line_cells({0, 0}, {9, 9}, {5, 5, 1, 1}).size() == 0);
