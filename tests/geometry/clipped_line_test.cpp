@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/geometry/clipped_line.hpp>
 
+#include <array>
 #include <limits>
 #include <type_traits>
 
@@ -35,6 +36,7 @@ TEST_CASE("clipped_line: every coordinate of a point is looked at") {
   CHECK_BOTH(!irg::detail::has_finite_coordinates(P{1, -infinite, 3}));
   CHECK_BOTH(!irg::detail::has_finite_coordinates(P{1, 2, infinite}));
   CHECK_BOTH(irg::detail::has_finite_coordinates(irg::point<int, 2>{1, 2}));
+  CHECK_BOTH(irg::detail::has_finite_coordinates(std::array<double, 2>{1, 2}));  // and none beyond the last
 }
 
 #if defined(IRG_HAVE_EIGEN) || defined(IRG_HAVE_OPENCV)

@@ -24,6 +24,17 @@ TEST_CASE("triangle_batch: it borrows vertices and triangles") {
   CHECK(batch.object == 3);
 }
 
+TEST_CASE("triangle_batch: an index one beyond the last vertex names none") {
+  static constexpr irg::triangle_indices triangles[] = {{{0, 1, 2}}, {{0, 3, 1}}, {{3, 0, 1}}, {{0, 1, 4}}};
+  irg::projected_vertices<double> vertices;
+  vertices.screen.resize(3);
+  const irg::triangle_batch<double> batch{&vertices, triangles, 0, 0};
+  CHECK(irg::has_vertices(batch, 0));
+  CHECK(!irg::has_vertices(batch, 1));
+  CHECK(!irg::has_vertices(batch, 2));
+  CHECK(!irg::has_vertices(batch, 3));
+}
+
 TEST_CASE("triangle_batch: triangles are equal by their indices in order") {
   constexpr irg::triangle_indices t{{0, 1, 2}};
   CHECK_BOTH(t == irg::triangle_indices{{0, 1, 2}});
