@@ -16,6 +16,11 @@ TEST_CASE("skip_counts and render_stats: sums take every member along") {
              irg::render_stats{11, {22, 33, 44, 55}, {66, 77, 88}, 99, 300});
 }
 
+TEST_CASE("skip_counts and render_stats: all begin at 0") {
+  CHECK_BOTH(irg::skip_counts{} == irg::skip_counts{0, 0, 0, 0});
+  CHECK_BOTH(irg::render_stats{} == irg::render_stats{0, {0, 0, 0, 0}, {0, 0, 0}, 0, 0});
+}
+
 TEST_CASE("skip_counts and render_stats: comparison looks at every member") {
   const irg::render_stats zero;
   for (int member = 0; member < 10; ++member) {
