@@ -36,6 +36,14 @@ TEST_CASE("side_of_line: on it and beside it") {
   CHECK(side_of_line(V{1, 1, -2}, P{one, 1}) == 0);
 }
 
+TEST_CASE("side_of_line: each member of a line of one's own has its part") {
+  using Q = irg::point<float, 2>;
+  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 3}) == 1);
+  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 2}) == 0);
+  CHECK_BOTH(side_of_line(own_line{0, 1, -2}, Q{5, 1}) == -1);
+  CHECK_BOTH(side_of_line(own_line{1, 0, -2}, Q{1, 5}) == -1);
+}
+
 TEST_CASE("side_of_line: homogeneous points and directions") {
   CHECK_BOTH(side_of_line(V{1, 1, -2}, H{2, 2, 2}) == 0);
   CHECK_BOTH(side_of_line(V{1, 1, -2}, H{3, 3, 2}) == 1);
