@@ -11,7 +11,7 @@ static_assert([] {
     if (irg::stroke_glyph_of(c).width != irg::stroke_glyph_of(0xfffd).width) return false;
   for (char32_t c = 33; c < 127; ++c)
     if (irg::stroke_glyph_of(c).strokes == box || irg::stroke_glyph_of(c).strokes.empty()) return false;
-  for (const char32_t c : {0xb0, 0xd7, 0x2190, 0x2191, 0x2192, 0x2193})
+  for (const char32_t c : {U'\u00b0', U'\u00d7', U'\u2190', U'\u2191', U'\u2192', U'\u2193'})
     if (irg::stroke_glyph_of(c).strokes == box) return false;
   return true;
 }());
