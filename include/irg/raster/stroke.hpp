@@ -18,7 +18,7 @@ inline namespace IRG_ABI {
 /// Hands the outline of a thick line through the points to sink(ring), ring by ring: the stroke is their union.
 /// shape   convex rings of std::span<const point<double, 2>>, all positive (counter-clockwise where y goes up), as
 ///         far as the width is not lost in the rounding of the coordinates
-/// units   those of the points; arcs are cut into chords within 1/128 of the circle: 1/128 pixel where these are pixels;
+/// units   those of the points; arcs are cut into chords within 1/128 of the circle: 1/128 pixel of pixels;
 ///         at most 4097 chords per arc, which is enough up to a width of 2 * 10^5
 /// needs   coordinates, width and mitre limit of at most 2^500 in size
 /// gives   false and no ring otherwise, and for NaN. No ring for no points or a width of 0 or less. Repeated points
