@@ -50,6 +50,7 @@
 #include "splines.hpp"
 #include "stages.hpp"
 #include "textbook_fill.hpp"
+#include "texts.hpp"
 #include "viewing.hpp"
 #include "lines_aa.hpp"
 #include "meshes.hpp"
@@ -395,6 +396,8 @@ int main(int argc, char** argv) {
   save("fill_polygon_aa", fills_aa::rules());
   save("fill_seam", fills_aa::seam());
   save("blend_span", fills_aa::run());
+  save("draw_text", texts::font());
+  save("stroke", texts::strokes());
   save("screen_face", face_pictures::order());
   save("escape_time", escape_pictures::both());
   save("deep_mandelbrot", deep_pictures::four_widths());

@@ -12,6 +12,7 @@
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/draw_lines.hpp>
 #include <irg/raster/draw_polyline.hpp>
+#include <irg/raster/draw_text.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/edge_walk.hpp>
 #include <irg/raster/ellipse_midpoint.hpp>
@@ -46,7 +47,11 @@
 #include <irg/raster/screen_pieces.hpp>
 #include <irg/raster/screen_vertex.hpp>
 #include <irg/raster/seed_fill.hpp>
+#include <irg/raster/stroke.hpp>
+#include <irg/raster/stroke_font.hpp>
+#include <irg/raster/stroke_style.hpp>
 #include <irg/raster/subpixel.hpp>
+#include <irg/raster/text_style.hpp>
 #include <irg/raster/triangle_batch.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 #include <irg/raster/triangle_setup.hpp>
