@@ -93,7 +93,7 @@ struct stroke_disc {
 };
 
 // Two ends in multiples of 2^-bits pixel: pixel 0 has its centre at 128 with 8 bits, at 0 with none.
-struct stroke_ends {
+struct thick_stroke_ends {
   std::int64_t ax, ay, bx, by;
 };
 
@@ -118,7 +118,7 @@ struct thick_stroke {
 
 // The edges of the rectangle around a line of direction (dx, dy); length_squared is 0 when the line is a point.
 template <class I, int Bits>
-constexpr void set_stroke_edges(thick_stroke<I>& s, const stroke_ends& p, std::int64_t dx, std::int64_t dy,
+constexpr void set_stroke_edges(thick_stroke<I>& s, const thick_stroke_ends& p, std::int64_t dx, std::int64_t dy,
                                 I length_squared, std::int64_t width, line_caps start, line_caps end) noexcept {
   constexpr std::int64_t centre = (1 << Bits) / 2;
   const uint128 square = static_cast<uint128>(width) * static_cast<uint128>(width) *
@@ -143,7 +143,7 @@ constexpr void set_stroke_edges(thick_stroke<I>& s, const stroke_ends& p, std::i
 
 // The stroke from a to b. I holds 4 * (the difference of two coordinates)^2.
 template <class I, int Bits>
-constexpr thick_stroke<I> thick_stroke_of(const stroke_ends& p, std::int64_t width, line_caps start,
+constexpr thick_stroke<I> thick_stroke_of(const thick_stroke_ends& p, std::int64_t width, line_caps start,
                                           line_caps end) noexcept {
   thick_stroke<I> s;
   if (width <= 0) return s;
