@@ -21,3 +21,4 @@
 #include <irg/io/stl.hpp>
 #include <irg/io/stored_body.hpp>
 #include <irg/io/svg.hpp>
+#include <irg/io/svg_drawing.hpp>

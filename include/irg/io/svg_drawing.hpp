@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Drawings in vectors as SVG: lines, solid or dashed, and regions of any number of rings, streamed as text to a sink.
+// Pictures of pixels are for encode_svg.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <irg/colour/pixel.hpp>
+#include <irg/io/detail/svg_runs.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+
+/// How a line is drawn.
+/// units   those of the drawing; with dash > 0 the line is dashes so long, with gaps as long
+struct svg_stroke {
+  rgba8 colour{0, 0, 0, 255};
+  double width = 1, dash = 0;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// A number to the nearest millionth, without trailing zeros; those beyond 2^40 as 2^40.
+constexpr void append_millionths(std::vector<std::uint8_t>& out, double v) {
+  constexpr double limit = 0x1p40;
+  const double size = v < 0 ? -v : v, bounded = size < limit ? size : limit;
+  const auto whole = static_cast<std::int64_t>(bounded);
+  const std::int64_t parts =
+      whole * 1000000 + static_cast<std::int64_t>((bounded - static_cast<double>(whole)) * 1000000 + 0.5);
+  if (v < 0 && parts != 0) append_text(out, "-");
+  char digits[20] = {};
+  int count = 0;
+  for (std::int64_t rest = parts / 1000000; rest > 0 || count == 0; rest /= 10)
+    digits[count++] = static_cast<char>('0' + rest % 10);
+  while (count > 0) out.push_back(static_cast<std::uint8_t>(digits[--count]));
+  std::int64_t fraction = parts % 1000000;
+  if (fraction != 0) append_text(out, ".");
+  for (std::int64_t place = 100000; fraction != 0; fraction %= place, place /= 10)
+    out.push_back(static_cast<std::uint8_t>('0' + fraction / place));
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// A drawing whose text goes to a sink, piece by piece: sink(std::string_view).
+/// shape   units are pixels, x to the right and y down; what is added later lies over what was added before. finish()
+///         ends the text
+/// needs   finite coordinates, a sink that outlives the drawing
+/// exact   coordinates to the nearest millionth, those beyond 2^40 as 2^40
+/// cost    about 60 bytes a line, 20 a corner; one buffer, of the longest element
+template <class Sink>
+class svg_drawing {
+public:
+  constexpr svg_drawing(Sink& sink, int width, int height, const rgba8& background)
+      : sink_(sink), width_(width), height_(height) {
+    put("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").put(width).put("\" height=\"").put(height);
+    put("\" viewBox=\"0 0 ").put(width).put(" ").put(height).put("\">\n<rect width=\"100%\" height=\"100%\" ");
+    detail::append_fill(text_, background);
+    put("/>\n").flush();
+  }
+
+  /// Lines added from here on are drawn so.
+  constexpr void begin_lines(const svg_stroke& stroke) {
+    end_lines();
+    lines_ = true;
+    put("<g stroke=\"").put_colour(stroke.colour).put("\" stroke-linecap=\"round\"");
+    if (stroke.width != 1) put(" stroke-width=\"").put(stroke.width).put("\"");
+    if (stroke.dash > 0) put(" stroke-dasharray=\"").put(stroke.dash).put("\"");
+    put(">\n").flush();
+  }
+  /// A line; nothing where it lies beside the picture.
+  constexpr void add_line(const point<double, 2>& a, const point<double, 2>& b) {
+    if ((a.x < 0 && b.x < 0) || (a.y < 0 && b.y < 0) || (a.x > width_ && b.x > width_) ||
+        (a.y > height_ && b.y > height_))
+      return;
+    put("<line x1=\"").put(a.x).put("\" y1=\"").put(a.y).put("\" x2=\"").put(b.x).put("\" y2=\"").put(b.y);
+    put("\"/>\n").flush();
+  }
+  /// A region of several rings, filled by the non-zero rule.
+  /// shape   a range of ranges of points; rings without corners are left out
+  template <class Rings>
+  constexpr void add_region(const Rings& rings, const rgba8& colour) {
+    end_lines();
+    put("<path d=\"");
+    for (const auto& ring : rings) {
+      bool first = true;
+      for (const auto& corner : ring) {
+        put(first ? "M" : "L").put(corner.x).put(" ").put(corner.y);
+        first = false;
+      }
+      if (!first) put("Z");
+    }
+    put("\" ");
+    detail::append_fill(text_, colour);
+    put("/>\n").flush();
+  }
+  constexpr void finish() {
+    end_lines();
+    put("</svg>\n").flush();
+  }
+
+private:
+  constexpr void end_lines() {
+    if (lines_) put("</g>\n").flush();
+    lines_ = false;
+  }
+  constexpr svg_drawing& put(std::string_view text) {
+    detail::append_text(text_, text);
+    return *this;
+  }
+  constexpr svg_drawing& put(int n) {
+    detail::append_number(text_, n);
+    return *this;
+  }
+  constexpr svg_drawing& put(double v) {
+    detail::append_millionths(text_, v);
+    return *this;
+  }
+  constexpr svg_drawing& put_colour(const rgba8& c) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    put("#");
+    for (const unsigned channel : {c.r, c.g, c.b})
+      for (const unsigned digit : {channel >> 4, channel & 15u}) put(hex.substr(digit, 1));
+    return *this;
+  }
+  constexpr void flush() {
+    piece_.clear();
+    for (const std::uint8_t byte : text_) piece_.push_back(static_cast<char>(byte));
+    text_.clear();
+    sink_(std::string_view(piece_.data(), piece_.size()));
+  }
+
+  Sink& sink_;
+  int width_, height_;
+  bool lines_ = false;
+  std::vector<std::uint8_t> text_{};
+  std::vector<char> piece_{};
+};
+
+}  // namespace IRG_ABI
+}  // namespace irg
