@@ -6,9 +6,11 @@
 #include <string>
 
 #include <irg/core/threads.hpp>
+#include <irg/geometry/clip_line_liang_barsky.hpp>
 #include <irg/hidden/classical_methods.hpp>
 #include <irg/hidden/line_drawing.hpp>
 #include <irg/io/file.hpp>
+#include <irg/io/svg_drawing.hpp>
 #include <irg/raster/line_aa.hpp>
 
 namespace program {
@@ -66,41 +68,53 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
   return stats;
 }
 
-/// A line drawing as an SVG picture.
-class svg_lines {
-public:
-  explicit svg_lines(const render_settings& s) : width_(s.size.width), height_(s.size.height) {
-    const auto number = [](int n) { return std::to_string(n); };
-    text_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width_) + "\" height=\"" + number(height_) +
-            "\" viewBox=\"0 0 " + number(width_) + " " + number(height_) + "\">\n<rect width=\"100%\" height=\"100%\"" +
-            " fill=\"" + colour(colours_.background) + "\"/>\n<g stroke=\"" + colour(colours_.line) +
-            "\" stroke-linecap=\"round\">\n";
-  }
-  void add(const irg::point<double, 2>& a, const irg::point<double, 2>& b) {
-    if ((a.x < 0 && b.x < 0) || (a.y < 0 && b.y < 0) || (a.x > width_ && b.x > width_) ||
-        (a.y > height_ && b.y > height_))
-      return;
-    char line[200];
-    const int length = std::snprintf(line, sizeof line, "<line x1=\"%.9g\" y1=\"%.9g\" x2=\"%.9g\" y2=\"%.9g\"/>\n",
-                                     a.x, a.y, b.x, b.y);
-    text_.append(line, static_cast<std::size_t>(length));
-  }
-  std::string finished() const { return text_ + "</g>\n</svg>\n"; }
-
-private:
-  static std::string colour(irg::rgba8 c) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", c.r, c.g, c.b);
-    return text;
-  }
-  int width_, height_;
-  std::string text_{};
-  irg::picture_colours colours_{};
+/// Appends text.
+struct text_sink {
+  std::string text{};
+  void operator()(std::string_view piece) { text.append(piece); }
 };
 
-/// Draws the visible parts of all edges, into the picture and as lines.
+/// Draws lines into the picture and into its drawing in vectors.
+class line_painter {
+public:
+  line_painter(irg::image<irg::rgba8>& picture, irg::svg_drawing<text_sink>& svg) : picture_(picture), svg_(svg) {}
+  void draw(const irg::point<double, 2>& a, const irg::point<double, 2>& b) {
+    svg_.add_line(a, b);
+    paint(a, b);
+  }
+  /// What of a line is in the picture, as dashes.
+  void draw_dashed(const irg::point<double, 2>& a, const irg::point<double, 2>& b, double dash) {
+    const double width = picture_.width(), height = picture_.height();
+    const auto seen = irg::clip_line_liang_barsky(a, b, irg::box<double, 2>{{0, 0}, {width, height}});
+    if (!seen) return;
+    svg_.add_line(seen->first, seen->second);
+    const auto way = seen->second - seen->first;
+    const double length = irg::length(way);
+    for (double at = 0; at < length; at += 2 * dash) {
+      const double end = at + dash < length ? at + dash : length;
+      paint(seen->first + way * (at / length), seen->first + way * (end / length));
+    }
+  }
+  std::int64_t shaded() const { return shaded_; }
+
+private:
+  void paint(const irg::point<double, 2>& a, const irg::point<double, 2>& b) {
+    const irg::rgba8 colour = irg::picture_colours().line;
+    irg::line_aa(irg::snap(a), irg::snap(b), {0, 0, picture_.width(), picture_.height()},
+                 [&](const irg::coverage_span& run) {
+                   shaded_ += run.x_last - run.x_first;
+                   for (int x = run.x_first; x < run.x_last; ++x)
+                     paint_pixel(picture_, x, run.y, colour, run.coverage[x - run.x_first]);
+                 });
+  }
+  irg::image<irg::rgba8>& picture_;
+  irg::svg_drawing<text_sink>& svg_;
+  std::int64_t shaded_ = 0;
+};
+
+/// Draws the visible parts of all edges, into the picture and as lines; under them the hidden parts, if asked for.
 irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<double>& world,
-                                    irg::image<irg::rgba8>& picture, svg_lines& svg, stopwatch& watch, timings& ms) {
+                                    irg::image<irg::rgba8>& picture, text_sink& text, stopwatch& watch, timings& ms) {
   const irg::picture_colours colours;
   clear(picture, colours.background);
   const auto to_clip = view_projection(world.view, static_cast<double>(s.size.width) / s.size.height);
@@ -113,17 +127,22 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
   irg::render_stats stats;
   stats.triangles = drawing.triangles;
   stats.skipped.backface = drawing.culled;
+  irg::svg_drawing svg(text, s.size.width, s.size.height, colours.background);
+  line_painter painter(picture, svg);
+  const auto end_of = [&](const irg::edge_part& part, double t) { return point_on(drawing.edges[part.edge], t); };
+  std::vector<irg::edge_part> visible;
+  constexpr double dash = 3;
+  if (s.dashed) svg.begin_lines({.colour = colours.line, .width = 0.5, .dash = dash});
   irg::hidden_lines(drawing.faces, drawing.edges, [&](const irg::edge_part& part) {
-    if (part.visibility == irg::line_visibility::hidden) return;
-    const auto a = point_on(drawing.edges[part.edge], part.from), b = point_on(drawing.edges[part.edge], part.to);
-    svg.add(a, b);
-    irg::line_aa(irg::snap(a), irg::snap(b), {0, 0, s.size.width, s.size.height}, [&](const irg::coverage_span& run) {
-      stats.pixels.shaded += run.x_last - run.x_first;
-      for (int x = run.x_first; x < run.x_last; ++x)
-        paint_pixel(picture, x, run.y, colours.line, run.coverage[x - run.x_first]);
-    });
+    if (part.visibility == irg::line_visibility::visible)
+      visible.push_back(part);
+    else if (s.dashed)
+      painter.draw_dashed(end_of(part, part.from), end_of(part, part.to), dash);
   });
-  stats.pixels.tested = stats.pixels.shaded;
+  svg.begin_lines({.colour = colours.line});
+  for (const irg::edge_part& part : visible) painter.draw(end_of(part, part.from), end_of(part, part.to));
+  svg.finish();
+  stats.pixels.tested = stats.pixels.shaded = painter.shaded();
   for (int y = 0; y < s.size.height; ++y)
     for (int x = 0; x < s.size.width; ++x) stats.drawn += picture(x, y) == colours.background ? 0 : 1;
   ms.stage[static_cast<int>(irg::render_stage::draw)] = watch.lap();
@@ -135,7 +154,7 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
 void draw_scene(const command_line& line, const render_settings& s, const irg::scene<double>& world, timings ms) {
   stopwatch watch;
   irg::image<irg::rgba8> picture(s.size.width, s.size.height);
-  svg_lines svg(s);
+  text_sink svg;
   watch.lap();
   const irg::render_stats stats = [&] {
     if (s.hidden_line) return draw_hidden_lines(s, world, picture, svg, watch, ms);
@@ -151,7 +170,7 @@ void draw_scene(const command_line& line, const render_settings& s, const irg::s
   const auto old_picture = irg::read_file(s.stats.empty() ? std::string() : s.out);
   watch.lap();
   if (s.hidden_line && !s.out.empty() && irg::picture_format_of(s.out) == irg::picture_format::svg) {
-    if (const auto error = irg::write_file_atomically(s.out, svg.finished()))
+    if (const auto error = irg::write_file_atomically(s.out, svg.text))
       line.fail(std::string(error->message) + ": " + s.out);
   } else if (!s.out.empty()) {
     write_picture(line, s.out, picture);

@@ -40,6 +40,7 @@ inline constexpr std::string_view render_options_help =
   --hidden METHOD      zbuffer, painter (Newell, Newell and Sancha), warnock, bsp, raycast, none; the first five
                        draw the same picture
   --style STYLE        gouraud, wire, hidden-line, flat, phong; an .svg of hidden-line is made of lines
+  --hidden-edges WHAT  none, dashed: what is drawn of hidden edges, with --style hidden-line
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
   --cull WHAT          back, none
   --crease DEG         edges sharper than this stay sharp where the model has no normals (60)
@@ -66,6 +67,7 @@ struct render_settings {
   std::vector<irg::light<double>> lights;
   irg::render_options options;
   bool hidden_line = false;  // in place of options.style
+  bool dashed = false;  // hidden edges, with hidden_line
 
   /// Reads the value of --style.
   void read_style(command_line& line) {
@@ -102,6 +104,8 @@ struct render_settings {
           line.choice(word, {"perspective", "orthographic", "isometric", "dimetric", "trimetric", "oblique"}));
     else if (word == "--hidden")
       hidden = static_cast<hidden_name>(line.choice(word, {"zbuffer", "painter", "warnock", "bsp", "raycast", "none"}));
+    else if (word == "--hidden-edges")
+      dashed = line.choice(word, {"none", "dashed"}) == 1;
     else if (word == "--style")
       read_style(line);
     else if (word == "--light")

@@ -192,6 +192,16 @@ check "nothing hidden: all edges and diagonals" is "$(grep -c '^<line ' lines.sv
 run "" square.obj $small --style hidden-line --cull none --eye 0.5,0.5,9 -o lines.svg
 check "a polygon has no diagonals" is "$(grep -c '^<line ' lines.svg)" 4
 
+# ---- hidden edges dashed: the other three edges and the diagonals of three faces, in a group before the visible ones
+run "" cube $small --style hidden-line --cull none --hidden-edges dashed -o dashed.svg
+check "dashed: exit 0: $err" is "$status" 0
+check "dashed: two groups, the first of dashes" is "$(grep -n '^<g ' dashed.svg | grep -c dasharray)/$(grep -c '^<g ' dashed.svg)" 1/2
+check "dashed: six lines before twelve" is "$(sed '/^<\/g>/q' dashed.svg | grep -c '^<line ')/$(grep -c '^<line ' dashed.svg)" 6/18
+run "" cube $small --style hidden-line --cull none -o plain.svg
+run "" cube $small --style hidden-line --cull none --hidden-edges none -o none.svg
+check "hidden edges are left out unless asked for" cmp plain.svg none.svg
+check "the visible ones are the same" is "$(sed '1,/^<\/g>/d' dashed.svg | grep '^<line ')" "$(grep '^<line ' plain.svg)"
+
 # ---- what options do
 hash_with() { drawn "$*" "$@" && hash_in s.json; }
 for model in square.off square_in_any.name square.stl; do
@@ -350,6 +360,7 @@ for value in nothing "" Wire; do
   refused_choice --hidden "$value" zbuffer painter warnock bsp raycast none
   refused_choice --style "$value" gouraud wire flat phong
   refused_choice --cull "$value" back none
+  refused_choice --hidden-edges "$value" none dashed
   refused_choice --skip "$value" on off
 done
 # What is promised for later works or is refused with the list; never anything else.
