@@ -133,6 +133,7 @@ void run(program::command_line& line) {
   const std::vector<point> points = read_points(line, s);
   const irg::solid_locator locate(model);
   std::vector<irg::point_location> where;
+  where.reserve(points.size());
   for (const point& p : points) where.push_back(locate(p));
   std::string report;
   if (s.list) {

@@ -111,9 +111,8 @@ TEST_CASE("plane: Newell's through the centroid of a quad that is not flat") {
   // Heights 1, 0, 1, 0: the normal is upright, the mean height a half.
   CHECK_BOTH(*irg::newell_plane_through_centroid(std::array<P, 4>{P{0, 0, 1}, P{2, 0, 0}, P{2, 2, 1}, P{0, 2, 0}}) ==
              L{0, 0, 8, -4});
-  CHECK_BOTH(*irg::newell_plane_through_centroid(
-                 std::array<point<double, 3>, 4>{{{0, 0, 1}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}}}) ==
-             plane<double>{0, 0, 8, -4});
+  CHECK_BOTH(*irg::newell_plane_through_centroid(std::array<point<double, 3>, 4>{
+                 {{0, 0, 1}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}}}) == plane<double>{0, 0, 8, -4});
 }
 
 TEST_CASE("plane: far from the origin Newell's normal keeps its direction") {

@@ -192,8 +192,14 @@ struct obj_reader {
       if (count == most) return false;
       mesh_corner& c = corners[count++];
       if (!plain_index(p, c.position)) return false;
-      if (*p == '/' && *++p != '/' && !plain_index(p, c.texcoord)) return false;
-      if (*p == '/' && !plain_index(++p, c.normal)) return false;
+      if (*p == '/') {
+        ++p;
+        if (*p != '/' && !plain_index(p, c.texcoord)) return false;
+      }
+      if (*p == '/') {
+        ++p;
+        if (!plain_index(p, c.normal)) return false;
+      }
       if (*p != ' ' && !is_line_break(*p)) return false;
     }
     if (count < 3 || names_changed) return false;

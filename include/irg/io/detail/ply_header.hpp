@@ -81,9 +81,9 @@ struct ply_header {
     if (cursor.at_end()) return cursor.fail(cursor.at, "text ends within the header");
     const bool carriage_return = *cursor.at == '\r';
     ++cursor.at;
-    if (first_line) line_feeds = !carriage_return || (!cursor.at_end() && *cursor.at == '\n');
-    first_line = false;
-    if (carriage_return && line_feeds && !cursor.at_end() && *cursor.at == '\n') ++cursor.at;
+    if (first_line_) line_feeds_ = !carriage_return || (!cursor.at_end() && *cursor.at == '\n');
+    first_line_ = false;
+    if (carriage_return && line_feeds_ && !cursor.at_end() && *cursor.at == '\n') ++cursor.at;
     return true;
   }
 
@@ -174,7 +174,7 @@ struct ply_header {
   }
 
 private:
-  bool first_line = true, line_feeds = true;
+  bool first_line_ = true, line_feeds_ = true;
 };
 
 }  // namespace IRG_ABI

@@ -58,7 +58,10 @@ struct ply_byte_source {
   constexpr bool whole(ply_type t, std::int64_t& into) noexcept {
     if (!has(size(t))) return false;
     switch (t) {
-      case ply_type::int8: into = static_cast<std::int8_t>(ordered_bits<1>(cursor.at, order)); break;
+      case ply_type::int8:
+        into = static_cast<std::uint8_t>(ordered_bits<1>(cursor.at, order));
+        if (into > 127) into -= 256;
+        break;
       case ply_type::uint8: into = static_cast<std::uint8_t>(ordered_bits<1>(cursor.at, order)); break;
       case ply_type::int16: into = static_cast<std::int16_t>(ordered_bits<2>(cursor.at, order)); break;
       case ply_type::uint16: into = static_cast<std::uint16_t>(ordered_bits<2>(cursor.at, order)); break;
