@@ -46,6 +46,7 @@
 #include <irg/geometry/polygon_overlay.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
 #include <irg/geometry/segment.hpp>
+#include <irg/geometry/side_of_crossing.hpp>
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/geometry/side_of_polygon.hpp>
 #include <irg/geometry/simulation_of_simplicity.hpp>
