@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// BSP tree of segments in the plane: built once, it tells for every eye which one lies behind which. A segment that a
+// line cuts gets no new coordinates: a piece is its segment and the lines of the segments that end it, so that every
+// decision is exact. No recursion: depth is bounded by memory only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <irg/core/contract.hpp>
+#include <irg/core/coordinates.hpp>
+#include <irg/geometry/orient2d.hpp>
+#include <irg/geometry/segment.hpp>
+#include <irg/geometry/side_of_crossing.hpp>
+#include <irg/math/error_free.hpp>
+
+namespace irg {
+
+/// No segment, no node.
+inline constexpr std::uint32_t bsp_none = 0xffffffff;
+
+/// A piece of a segment: from its end a, or where the line of segment `from` cuts it, to its end b, or to `to`'s line.
+struct bsp_piece_2d {
+  std::uint32_t segment = bsp_none, from = bsp_none, to = bsp_none;
+  friend constexpr bool operator==(const bsp_piece_2d&, const bsp_piece_2d&) = default;
+};
+
+/// A line that divides what is left, through the ends of a segment: pieces first to last - 1 lie on it.
+/// shape   left and right are nodes, or bsp_none
+struct bsp_node_2d {
+  std::uint32_t segment = bsp_none, first = 0, last = 0, left = bsp_none, right = bsp_none;
+};
+
+/// Where a point lies: on the line of a node (side 0), or in the cell without a node at that side of it.
+struct bsp_place_2d {
+  std::uint32_t node = bsp_none;
+  int side = 0;
+  friend constexpr bool operator==(const bsp_place_2d&, const bsp_place_2d&) = default;
+};
+
+/// Which one comes first.
+enum class bsp_order { back_to_front, front_to_back };
+
+/// How the line is chosen that divides a cell: of some candidates, spread over the segments that are left, the one that
+/// cuts the fewest and leaves the sides most alike, judged by some of the segments.
+/// shape   one candidate is the first segment left, as in the textbook
+struct bsp_choice {
+  std::size_t candidates = 8, judges = 32;
+  std::size_t cut_costs = 4;  // as much as so many segments more on one side than on the other
+};
+
+/// The tree of some segments.
+template <Floating T>
+class bsp_tree_2d {
+public:
+  /// needs   fewer than 2^32 - 1 pieces; one candidate and one judge at least
+  /// gives   segments without length, or with NaN or infinity, are left out and counted
+  /// cost    allocates; every line meets every piece in its cell: O(n log n) where sides are alike, n^2 pieces at worst
+  /// source  Fuchs, Kedem and Naylor 1980
+  constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
+      : segments_(segments.begin(), segments.end()) {
+    IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
+    std::vector<cell> open;
+    open.push_back({usable(), bsp_none, 0});
+    while (!open.empty()) {
+      const cell c = std::move(open.back());
+      open.pop_back();
+      if (!c.pieces.empty()) divide(c, open, choice);
+    }
+  }
+
+  constexpr std::span<const bsp_node_2d> nodes() const noexcept { return nodes_; }
+  constexpr std::span<const bsp_piece_2d> pieces() const noexcept { return pieces_; }
+  constexpr std::size_t splits() const noexcept { return splits_; }
+  constexpr std::size_t left_out() const noexcept { return left_out_; }
+
+  /// Calls sink(piece) for all pieces, so that of two that a ray from the eye crosses the farther one comes first, or
+  /// the nearer. Pieces that the ray touches with an end only, and those that the eye lies on, have no such order.
+  /// needs   a finite eye
+  /// cost    one side of a line for each node
+  template <class Sink>
+  constexpr void visit(const point<T, 2>& eye, bsp_order order, Sink&& sink) const {
+    std::vector<std::pair<std::uint32_t, bool>> open;  // a node, and whether only its own pieces are left to call
+    if (!nodes_.empty()) open.push_back({0, false});
+    while (!open.empty()) {
+      const auto [i, own] = open.back();
+      open.pop_back();
+      const bsp_node_2d& n = nodes_[i];
+      if (own) {
+        for (std::uint32_t p = n.first; p < n.last; ++p) sink(pieces_[p]);
+        continue;
+      }
+      const int eye_side = side(n, eye);
+      const bool left_first = (eye_side > 0) == (order == bsp_order::front_to_back);
+      const std::uint32_t early = left_first ? n.left : n.right, late = left_first ? n.right : n.left;
+      // With the eye on the line, what lies there is nearest on every ray that leaves the line.
+      const bool own_last = eye_side == 0 && order == bsp_order::back_to_front;
+      const bool own_first = eye_side == 0 && order == bsp_order::front_to_back;
+      if (own_last) open.push_back({i, true});
+      if (late != bsp_none) open.push_back({late, false});
+      if (eye_side != 0) open.push_back({i, true});
+      if (early != bsp_none) open.push_back({early, false});
+      if (own_first) open.push_back({i, true});
+    }
+  }
+
+  /// The cell that holds a point, or the first node whose line does.
+  /// needs   a finite point
+  constexpr bsp_place_2d locate(const point<T, 2>& p) const noexcept {
+    bsp_place_2d place;
+    for (std::uint32_t i = nodes_.empty() ? bsp_none : 0; i != bsp_none;) {
+      place = {i, side(nodes_[i], p)};
+      if (place.side == 0) break;
+      i = place.side > 0 ? nodes_[i].left : nodes_[i].right;
+    }
+    return place;
+  }
+
+private:
+  struct cell {
+    std::vector<bsp_piece_2d> pieces;
+    std::uint32_t parent;
+    int side;
+  };
+
+  constexpr int side(const bsp_node_2d& n, const point<T, 2>& p) const noexcept {
+    return orient2d(segments_[n.segment].a, segments_[n.segment].b, p);
+  }
+  constexpr int end_side(std::uint32_t line, const bsp_piece_2d& p, bool at_a) const noexcept {
+    const segment<T, 2>&s = segments_[p.segment], &l = segments_[line];
+    const std::uint32_t cut = at_a ? p.from : p.to;
+    if (cut == line) return 0;
+    if (cut == bsp_none) return orient2d(l.a, l.b, at_a ? s.a : s.b);
+    return side_of_crossing(s, segments_[cut], l).value_or(0);
+  }
+  constexpr std::vector<bsp_piece_2d> usable() {
+    std::vector<bsp_piece_2d> all;
+    for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+      const segment<T, 2>& s = segments_[i];
+      const bool finite = detail::is_finite(s.a[0]) && detail::is_finite(s.a[1]) && detail::is_finite(s.b[0]) &&
+                          detail::is_finite(s.b[1]);
+      if (finite && s.a != s.b)
+        all.push_back({i, bsp_none, bsp_none});
+      else
+        ++left_out_;
+    }
+    return all;
+  }
+  constexpr std::uint32_t dividing_line(const std::vector<bsp_piece_2d>& pieces, const bsp_choice& choice) const {
+    const std::size_t n = pieces.size(), candidates = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
+    std::uint32_t best = pieces.front().segment;
+    std::size_t least = ~std::size_t{0};
+    for (std::size_t i = 0; candidates > 1 && i < candidates; ++i) {
+      const std::uint32_t line = pieces[i * n / candidates].segment;
+      std::size_t left = 0, right = 0, cut = 0;
+      for (std::size_t k = 0; k < judges; ++k) {
+        const bsp_piece_2d& p = pieces[k * n / judges];
+        if (p.segment == line) continue;
+        const int a = end_side(line, p, true), b = end_side(line, p, false);
+        cut += a * b < 0;
+        left += a + b > 0;
+        right += a + b < 0;
+      }
+      const std::size_t cost = (left < right ? right - left : left - right) + cut * choice.cut_costs;
+      if (cost < least) least = cost, best = line;
+    }
+    return best;
+  }
+  constexpr void divide(const cell& c, std::vector<cell>& open, const bsp_choice& choice) {
+    const auto here = static_cast<std::uint32_t>(nodes_.size());
+    if (c.parent != bsp_none) (c.side > 0 ? nodes_[c.parent].left : nodes_[c.parent].right) = here;
+    const std::uint32_t line = dividing_line(c.pieces, choice);
+    cell left{{}, here, 1}, right{{}, here, -1};
+    const auto first = static_cast<std::uint32_t>(pieces_.size());
+    for (const bsp_piece_2d& p : c.pieces) {
+      const int a = p.segment == line ? 0 : end_side(line, p, true),
+                b = p.segment == line ? 0 : end_side(line, p, false);
+      if (a == 0 && b == 0) {
+        pieces_.push_back(p);
+      } else if (a * b < 0) {
+        ++splits_;
+        (a > 0 ? left : right).pieces.push_back({p.segment, p.from, line});
+        (b > 0 ? left : right).pieces.push_back({p.segment, line, p.to});
+      } else {
+        (a + b > 0 ? left : right).pieces.push_back(p);
+      }
+    }
+    nodes_.push_back({line, first, static_cast<std::uint32_t>(pieces_.size()), bsp_none, bsp_none});
+    open.push_back(std::move(right));
+    open.push_back(std::move(left));
+  }
+
+  std::vector<segment<T, 2>> segments_;
+  std::vector<bsp_node_2d> nodes_{};
+  std::vector<bsp_piece_2d> pieces_{};
+  std::size_t splits_ = 0, left_out_ = 0;
+};
+
+}  // namespace irg

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <irg/spatial/bsp_tree_2d.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "support/big_rational.hpp"
+#include "support/check_both.hpp"
+
+namespace {
+
+using S = irg::segment<double, 2>;
+using P = irg::point<double, 2>;
+using tree = irg::bsp_tree_2d<double>;
+
+constexpr std::size_t figure_pieces() {
+  const S s[] = {{{0, 0}, {4, 0}}, {{1, 2}, {3, 2}}, {{1, -1}, {3, -1}}, {{2, -3}, {2, 3}}};
+  const tree t(s, {.candidates = 1});
+  return t.pieces().size() * 10 + t.splits();
+}
+static_assert(figure_pieces() == 73);
+
+TEST_CASE("bsp_tree_2d: the thesis' figure, from three eyes") {
+  const S s[] = {{{0, 0}, {4, 0}}, {{1, 2}, {3, 2}}, {{1, -1}, {3, -1}}, {{2, -3}, {2, 3}}};
+  const tree t(s, {.candidates = 1});
+  constexpr auto none = irg::bsp_none;
+  const irg::bsp_piece_2d a{0, none, none}, b{1, none, none}, c{2, none, none};
+  const irg::bsp_piece_2d lowest{3, none, 2}, low{3, 2, 0}, high{3, 0, 1}, highest{3, 1, none};
+  const auto order = [&](const P& eye, irg::bsp_order which) {
+    std::vector<irg::bsp_piece_2d> seen;
+    t.visit(eye, which, [&](const irg::bsp_piece_2d& p) { seen.push_back(p); });
+    return seen;
+  };
+  using pieces = std::vector<irg::bsp_piece_2d>;
+  const pieces from_above{lowest, c, low, a, high, b, highest}, from_below{highest, b, high, a, low, c, lowest};
+  const pieces from_right{lowest, c, low, a, highest, b, high};
+  using irg::bsp_order;
+  CHECK(order({0, 5}, bsp_order::back_to_front) == from_above);
+  CHECK(order({0, -5}, bsp_order::back_to_front) == from_below);
+  CHECK(order({4, 1}, bsp_order::back_to_front) == from_right);
+  CHECK(order({4, 1}, bsp_order::front_to_back) == pieces(from_right.rbegin(), from_right.rend()));
+  // On the line of a: nothing of it hides, or is hidden, but along itself; it is the last or the first.
+  CHECK(order({9, 0}, bsp_order::back_to_front).back() == a);
+  CHECK(order({9, 0}, bsp_order::front_to_back).front() == a);
+}
+
+TEST_CASE("bsp_tree_2d: 10^5 parallel segments stay in few levels") {
+  std::vector<S> rungs;
+  for (int i = 0; i < 100000; ++i) rungs.push_back({{0, static_cast<double>(i)}, {1, static_cast<double>(i)}});
+  const tree t(rungs);
+  std::vector<int> depth(t.nodes().size(), 1);
+  int deepest = 0;
+  for (std::size_t i = 0; i < t.nodes().size(); ++i) {  // children stand behind their parents
+    for (const std::uint32_t child : {t.nodes()[i].left, t.nodes()[i].right})
+      if (child != irg::bsp_none) depth[child] = depth[i] + 1;
+    deepest = std::max(deepest, depth[i]);
+  }
+  CHECK(t.nodes().size() == 100000);
+  CHECK(deepest <= 60);
+  CHECK(t.splits() == 0);
+}
+
+TEST_CASE("bsp_tree_2d: degenerate input") {
+  const double inf = std::numeric_limits<double>::infinity();
+  const S bad[] = {{{1, 1}, {1, 1}}, {{0, 0}, {inf, 0}}};
+  CHECK(tree(bad).left_out() == 2);
+  CHECK(tree(bad).locate({0, 0}) == irg::bsp_place_2d{});
+  const std::vector<S> same(100000, S{{0, 0}, {1, 3}});
+  CHECK(tree(same).nodes().size() == 1);
+  std::vector<S> rungs;
+  for (int i = 0; i < 1000; ++i) rungs.push_back({{0, static_cast<double>(i)}, {1, static_cast<double>(i)}});
+  CHECK(tree(rungs).nodes().size() == 1000);
+  CHECK(tree(rungs, {.candidates = 1}).locate({5, 7}) == irg::bsp_place_2d{7, 0});
+  CHECK(tree(rungs, {.candidates = 1}).locate({5, 999.5}) == irg::bsp_place_2d{999, 1});
+}
+
+#ifdef IRG_HAVE_MPFR
+using Q = test::big_rational;
+
+// Where the line of `l` cuts `s`, as a share of s.
+Q share(const S& s, const S& l) {
+  const Q dx = Q(l.b[0]) - Q(l.a[0]), dy = Q(l.b[1]) - Q(l.a[1]);
+  return (dx * (Q(l.a[1]) - Q(s.a[1])) - dy * (Q(l.a[0]) - Q(s.a[0]))) /
+         (dx * (Q(s.b[1]) - Q(s.a[1])) - dy * (Q(s.b[0]) - Q(s.a[0])));
+}
+bool parallel(const S& s, const S& l) {
+  return ((Q(s.b[0]) - Q(s.a[0])) * (Q(l.b[1]) - Q(l.a[1])) - (Q(s.b[1]) - Q(s.a[1])) * (Q(l.b[0]) - Q(l.a[0])))
+             .sign() == 0;
+}
+
+TEST_CASE("bsp_tree_2d: pieces tile their segments, and lie on every ray in the order of the traversal") {
+  std::mt19937_64 random(20261124);
+  int compared = 0, split = 0;
+  for (int scene = 0; scene < 60; ++scene) {
+    const auto number = [&] {
+      const double whole = static_cast<double>(static_cast<int>(random() % 17) - 8);
+      return scene % 3 == 0 ? std::ldexp(whole, static_cast<int>(random() % 1980) - 990) : whole;
+    };
+    const auto drawn = [&] {
+      double v[4];
+      for (double& x : v) x = number();
+      return S{{v[0], v[1]}, {v[2], v[3]}};
+    };
+    std::vector<S> s;
+    for (int i = 0; i < 12; ++i) s.push_back(drawn());
+    const tree t(s, {.candidates = scene % 2 == 0 ? std::size_t{1} : std::size_t{8}});
+    split += static_cast<int>(t.splits());
+    std::vector<Q> length(s.size(), Q(0));
+    const auto start = [&](const irg::bsp_piece_2d& p) {
+      return p.from == irg::bsp_none ? Q(0) : share(s[p.segment], s[p.from]);
+    };
+    const auto stop = [&](const irg::bsp_piece_2d& p) {
+      return p.to == irg::bsp_none ? Q(1) : share(s[p.segment], s[p.to]);
+    };
+    for (const auto& p : t.pieces()) {
+      REQUIRE(start(p) < stop(p));
+      length[p.segment] = length[p.segment] + (stop(p) - start(p));
+    }
+    for (std::size_t i = 0; i < s.size(); ++i) REQUIRE(length[i] == Q(s[i].a == s[i].b ? 0 : 1));
+    for (int trial = 0; trial < 10; ++trial) {
+      const S ray = drawn();
+      for (const auto order : {irg::bsp_order::back_to_front, irg::bsp_order::front_to_back}) {
+        Q last(0);
+        bool any = false;
+        std::size_t visited = 0;
+        t.visit(ray.a, order, [&](const irg::bsp_piece_2d& p) {
+          ++visited;
+          if (ray.a == ray.b || parallel(s[p.segment], ray)) return;
+          const Q at = share(s[p.segment], ray), depth = share(ray, s[p.segment]);
+          if (!(start(p) < at) || !(at < stop(p)) || depth.sign() <= 0) return;  // not on what the eye is on
+          if (any && order == irg::bsp_order::back_to_front) REQUIRE(!(last < depth));
+          if (any && order == irg::bsp_order::front_to_back) REQUIRE(!(depth < last));
+          compared += any;
+          last = depth;
+          any = true;
+        });
+        REQUIRE(visited == t.pieces().size());
+      }
+    }
+  }
+  CHECK(compared > 500);
+  CHECK(split > 200);
+}
+#endif
+
+}  // namespace
