@@ -46,7 +46,7 @@ constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, c
                       : style.across == text_across::middle ? 0.5 * capital
                       : style.across == text_across::top    ? e.ascent
                                                             : -e.descent;
-  detail::glyph_pen pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
+  detail::glyph_pen<double> pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
   for (std::size_t i = 0; i < text.size();) {
     const stroke_glyph g = stroke_glyph_of(detail::next_code_point(text, i));
     pen.from.x += pen.unit * stroke_font_units::gap;
