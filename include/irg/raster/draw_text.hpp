@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <irg/math/trigonometry.hpp>
 #include <irg/raster/detail/glyph_strokes.hpp>
 #include <irg/raster/stroke.hpp>
 #include <irg/raster/text_style.hpp>
