@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/math/angle_between.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/vec.hpp>
 

@@ -2,6 +2,7 @@
 // math: constexpr elementary functions, exact and doubled arithmetic, decimal text, vec, mat, solving, polynomials.
 #pragma once
 
+#include <irg/math/angle_between.hpp>
 #include <irg/math/compensated.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/coordinate_system.hpp>

@@ -4,6 +4,7 @@
 
 #include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/crease_normals.hpp>
+#include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/fit.hpp>
 #include <irg/mesh/merge_positions.hpp>
 #include <irg/mesh/merge_vertices.hpp>

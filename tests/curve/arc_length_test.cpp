@@ -58,6 +58,7 @@ constexpr double at_half_length() {
 TEST_CASE("arc length: lines and circles, parabolas and a cusp by their formulas") {
   CHECK_BOTH(is_within(arc_length(circle_speed, 0.0, 2, 0), 6, 4e-15));
   CHECK_BOTH(is_within(at_half_length(), 1, 4e-15));
+  CHECK_BOTH((arc_length_table<double>{}.first == 0 && arc_length_table<double>{}.last == 1));
   const auto parabola = [](double t) { return std::sqrt(1 + 4 * t * t); };
   for (const double b : {0.5, 1.0, 3.0})
     CHECK(arc_length(parabola, 0.0, b, 0) ==

@@ -31,11 +31,21 @@ constexpr V3 by_edges(double t) {
   return bezier_point_of_edges(course_edges, t, weights);
 }
 
+constexpr std::array<P3, 3> there_and_back() {
+  constexpr std::array<P3, 3> away{P3{7, -2, 3}, P3{8, 5, 3}, P3{-1, 5, 0}};
+  std::array<V3, 3> e{};
+  edges_of_control_polygon(away, e);
+  std::array<P3, 3> p{};
+  control_polygon_of_edges(e, std::span<P3>(p));
+  return p;
+}
+
 }  // namespace
 
 TEST_CASE("bezier edge form: the course's edges and points, golden") {
   CHECK_BOTH(edges_by_irg() == course_edges);
   CHECK_BOTH(polygon_by_irg() == course_polygon);
+  CHECK_BOTH(there_and_back() == std::array<P3, 3>{P3{7, -2, 3}, P3{8, 5, 3}, P3{-1, 5, 0}});
   CHECK_BOTH(by_edges(0) == V3{0, 0, 0});
   CHECK_BOTH(by_edges(0.25) == V3{17.0 / 16, 27.0 / 16, 11.0 / 32});
   CHECK_BOTH(by_edges(0.5) == V3{2.5, 2.25, 1.25});

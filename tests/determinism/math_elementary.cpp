@@ -2,6 +2,7 @@
 #include <irg/math/error_free.hpp>
 #include <irg/math/exponential.hpp>
 #include <irg/math/hypot.hpp>
+#include <irg/math/angle_between.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/trigonometry.hpp>

@@ -61,6 +61,9 @@ TEST_CASE("closest_point: all regions of a triangle") {
   CHECK_BOTH(on_triangle({1, -2, 5}).weights == std::array{0.75, 0.25, 0.0});
   CHECK_BOTH(on_triangle({3, 4, 5}).weights == std::array{0.0, 0.375, 0.625});
   CHECK_BOTH(on_triangle({-2, 1, 5}).weights == std::array{0.75, 0.0, 0.25});
+  CHECK_BOTH(on_triangle({-1, -1, 5}).weights == std::array{1.0, 0.0, 0.0});
+  CHECK_BOTH(on_triangle({9, -1, 5}).weights == std::array{0.0, 1.0, 0.0});
+  CHECK_BOTH(on_triangle({-1, 6, 5}).weights == std::array{0.0, 0.0, 1.0});
   // Triangles that are segments or points.
   const auto degenerate = [](const P3& a, const P3& b, const P3& c, const P3& p) {
     return closest_point_on_triangle(a, b, c, p)->at;

@@ -26,6 +26,14 @@ TEST_CASE("orientation_of: degenerate polygons") {
   CHECK_BOTH(irg::orientation_of(V{{1, 2}, {3, 4}}) == polygon_orientation::degenerate);
   CHECK_BOTH(irg::orientation_of(V{{0, 0}, {3, 1}, {9, 3}, {6, 2}}) == polygon_orientation::degenerate);
   CHECK_BOTH(irg::orientation_of(V{{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == polygon_orientation::degenerate);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (const double odd : {nan, inf, -inf})
+    for (std::size_t i = 0; i < 4; ++i)
+      for (const bool upright : {false, true}) {
+        auto ring = course;
+        (upright ? ring[i].y : ring[i].x) = odd;
+        CHECK(irg::orientation_of(ring) == polygon_orientation::degenerate);
+      }
 }
 
 TEST_CASE("make_counter_clockwise: the course's values, the reversed list and its edges") {

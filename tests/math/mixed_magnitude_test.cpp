@@ -16,6 +16,7 @@
 #include <irg/math/homogeneous.hpp>
 #include <irg/math/interval.hpp>
 #include <irg/math/inverse_exact.hpp>
+#include <irg/math/angle_between.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/polynomial.hpp>
 #include <irg/math/roots.hpp>

@@ -61,21 +61,6 @@ TEST_CASE("normals: type facts") {
   static_assert(noexcept(face_normal(std::declval<const mesh<double>&>(), 0)));
 }
 
-TEST_CASE("normals: Newell's sums, golden") {
-  CHECK_BOTH(newell_normal(std::array<P3, 4>{P3{0, 0, 0}, P3{1, 0, 0}, P3{1, 1, 0}, P3{0, 1, 0}}) == V3{0, 0, 2});
-  CHECK_BOTH(newell_normal(std::array<P3, 4>{P3{0, 0, 0}, P3{2, 0, 0}, P3{2, 2, 1}, P3{0, 2, 0}}) == V3{-2, -2, 8});
-  CHECK_BOTH(newell_normal(std::array<P3, 3>{P3{1, 0, 0}, P3{0, 2, 0}, P3{0, 0, 3}}) == V3{6, 3, 2});
-  CHECK_BOTH(newell_normal(std::array<P3, 3>{P3{0, 0, 0}, P3{1, 1, 1}, P3{2, 2, 2}}) == V3{});
-}
-
-TEST_CASE("normals: the faces of the cube, golden") {
-  constexpr std::array<V3, 12> expected{V3{0, -1, 0}, V3{0, -1, 0}, V3{1, 0, 0},  V3{1, 0, 0},
-                                        V3{0, 1, 0},  V3{0, 1, 0},  V3{-1, 0, 0}, V3{-1, 0, 0},
-                                        V3{0, 0, -1}, V3{0, 0, -1}, V3{0, 0, 1},  V3{0, 0, 1}};
-  const mesh<double> cube = shape_cube<double>();
-  for (std::size_t f = 0; f < 12; ++f) CHECK(*face_normal(cube, f) == expected[f]);
-}
-
 TEST_CASE("normals: the vertices of the cube, golden") {
   using enum normal_weight;
   CHECK_BOTH(cube_normal(0, average) == V3{-2.0 / 3, -1.0 / 3, -2.0 / 3});
@@ -127,8 +112,11 @@ TEST_CASE("normals: by area a large face counts more") {
   add_face(m, std::array{0, 2, 3});  // area 1, along x
   CHECK(is_near(vertex_normals(m, normal_weight::area)[0], normalized(V3{1, 0, 2}), 1e-15));
   CHECK(is_near(vertex_normals(m, normal_weight::average)[0], normalized(V3{1, 0, 1}), 1e-15));
-  for (P3& p : m.positions) p = {p.x * 1e290, p.y * 1e290, p.z * 1e290};
-  CHECK(is_near(vertex_normals(m, normal_weight::area)[0], normalized(V3{1, 0, 2}), 1e-15));
+  for (const double size : {0x1p960, 0x1p-960, 0x1p-1060}) {
+    mesh<double> other = m;
+    for (P3& p : other.positions) p = {p.x * size, p.y * size, p.z * size};
+    CHECK(is_near(vertex_normals(other, normal_weight::area)[0], normalized(V3{1, 0, 2}), 1e-15));
+  }
 }
 
 TEST_CASE("normals: of a sphere's mesh they are nearly its points") {
@@ -137,47 +125,6 @@ TEST_CASE("normals: of a sphere's mesh they are nearly its points") {
     const auto normals = vertex_normals(ball, weight);
     for (std::size_t v = 0; v < normals.size(); ++v) CHECK(dot(normals[v], to_vec(ball.positions[v])) > 0.998);
   }
-}
-
-TEST_CASE("normals: random triangles against 64-bit cross products, far from the origin") {
-  test::random r(1);
-  for (int k = 0; k < 20000; ++k) {
-    const double away = (r.next() & 1u) != 0 ? 1e6 : 0;
-    const auto at = [&] { return P3{away + r.unit(), away - r.unit(), away + r.unit()}; };
-    const P3 p = at(), q = at(), s = at();
-    const mesh<double> m = polygon<double, 3>({p, q, s});
-    const auto d = [&](double x, double y) { return static_cast<long double>(x) - static_cast<long double>(y); };
-    const long double ax = d(q.x, p.x), ay = d(q.y, p.y), az = d(q.z, p.z), bx = d(s.x, p.x), by = d(s.y, p.y),
-                      bz = d(s.z, p.z);
-    const long double x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx,
-                      n = std::sqrt(x * x + y * y + z * z);
-    if (n < 1e-3L) continue;
-    const V3 exact{static_cast<double>(x / n), static_cast<double>(y / n), static_cast<double>(z / n)};
-    CHECK(is_near(*face_normal(m, 0), exact, 3e-13));
-  }
-}
-
-TEST_CASE("normals: faces of any size") {
-  CHECK_BOTH(*face_normal(right_angle(1.0), 0) == V3{0, 0, 1});
-  CHECK_BOTH(*face_normal(right_angle(1e-200), 0) == V3{0, 0, 1});
-  CHECK_BOTH(*face_normal(right_angle(5e-324), 0) == V3{0, 0, 1});
-  CHECK_BOTH(*face_normal(right_angle(largest), 0) == V3{0, 0, 1});
-  CHECK_BOTH(*face_normal(right_angle(3e38f), 0) == vec<float, 3>{0, 0, 1});
-  CHECK_BOTH(*face_normal(right_angle(1e-45f), 0) == vec<float, 3>{0, 0, 1});
-  CHECK_BOTH(*face_normal(polygon<double, 3>({P3{-largest, 0, 0}, P3{largest, 0, 0}, P3{0, largest, 0}}), 0) ==
-             V3{0, 0, 1});
-  CHECK_BOTH(*face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, 0, 0}, P3{0, 1e-300, 0}}), 0) == V3{0, 0, 1});
-}
-
-TEST_CASE("normals: degenerate and hostile faces have none") {
-  constexpr double nan_ = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, 1, 1}, P3{2, 2, 2}}), 0));
-  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{7, 7, 7}, P3{7, 7, 7}, P3{7, 7, 7}}), 0));
-  CHECK_BOTH(!face_normal(polygon<double, 2>({P3{0, 0, 0}, P3{1, 0, 0}}), 0));
-  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, nan_, 0}, P3{0, 1, 0}}), 0));
-  CHECK_BOTH(!face_normal(polygon<double, 3>({P3{0, 0, 0}, P3{1, 0, 0}, P3{0, inf, 0}}), 0));
-  // A bow tie's halves cancel.
-  CHECK_BOTH(!face_normal(polygon<double, 4>({P3{0, 0, 0}, P3{1, 1, 0}, P3{1, 0, 0}, P3{0, 1, 0}}), 0));
 }
 
 TEST_CASE("normals: vertices without a direction get zero") {

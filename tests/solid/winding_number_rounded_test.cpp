@@ -35,6 +35,7 @@ TEST_CASE("winding_number_rounded: whole numbers for closed bodies, the share of
     CHECK(std::fabs(irg::winding_number_rounded(face, {0, 0, 0}) - 1.0 / 6) < 1e-15);
     CHECK(std::fabs(irg::winding_number_rounded(face, {0, 0, 2 * size}) + 1.0 / 6) < 1e-15);
     CHECK(irg::winding_number_rounded(face, {0, 0, size}) == 0);
+    CHECK(irg::winding_number_rounded(face, {size / 2, size / 4, size}) == 0);  // in the face, which it cuts in halves
   }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(irg::winding_number_rounded(torus, {0, nan, 0}) == 0);

@@ -75,6 +75,25 @@ irg::view_options any_options(test::random& r) {
   if (r.integer(0, 2) == 0) o.radius = static_cast<int>(r.integer(0, 12));
   return o;
 }
+// Pairs of cells of which one sees the other and is not seen.
+std::int64_t asymmetric_pairs(const walled_grid& g) {
+  const grid_extent e = g.extent();
+  std::vector<cell3> cells;
+  for (int z = 0; z < e.depth; ++z)
+    for (int y = 0; y < e.height; ++y)
+      for (int x = 0; x < e.width; ++x) cells.push_back({x, y, z});
+  std::vector<cell_grid> fields;
+  irg::view_memory memory;
+  for (const cell3& c : cells) {
+    fields.emplace_back(e);
+    irg::add_field_of_view(g, c, fields.back(), memory);
+  }
+  std::int64_t pairs = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) pairs += fields[i].is_full(cells[j]) != fields[j].is_full(cells[i]);
+  return pairs;
+}
+
 cell3 any_cell(test::random& r, const grid_extent& e) {
   return {static_cast<int>(r.integer(0, e.width - 1)), static_cast<int>(r.integer(0, e.height - 1)),
           static_cast<int>(r.integer(0, e.depth - 1))};
@@ -101,7 +120,7 @@ TEST_CASE("field_of_view: all rules on small maps with walls") {
 
 TEST_CASE("field_of_view: 64 x 64 and wider maps, both ways") {
   test::random r(2);
-  for (int i = 0; i < (release() ? 10000 : 60); ++i) {
+  for (int i = 0; i < (release() ? 14000 : 60); ++i) {
     const grid_extent e =
         i % 4 != 0 ? grid_extent{64, 64, 1}
                    : grid_extent{static_cast<int>(r.integer(1, 200)), static_cast<int>(r.integer(1, 200)), 1};
@@ -119,6 +138,18 @@ TEST_CASE("field_of_view: 64 x 64 and wider maps, both ways") {
   }
 }
 
+TEST_CASE("field_of_view: every pair of cells both ways, on maps of 64 x 64 and 16 x 16 x 16 cells") {
+  test::random r(6);
+  for (int i = 0; i < (release() ? 10000 : 1); ++i) {
+    const int full = static_cast<int>(r.integer(0, 40)), walls = static_cast<int>(r.integer(0, 2));
+    CHECK(asymmetric_pairs(test::random_map(r, {64, 64, 1}, full, walls)) == 0);
+  }
+  for (int i = 0; i < (release() ? 1000 : 0); ++i) {
+    const int full = static_cast<int>(r.integer(0, 40)), walls = static_cast<int>(r.integer(0, 2));
+    CHECK(asymmetric_pairs(test::random_map(r, {16, 16, 16}, full, walls)) == 0);
+  }
+  CHECK(asymmetric_pairs(test::random_map(r, {7, 6, 8}, 12, 2)) == 0);
+}
 TEST_CASE("field_of_view: all maps of 2 x 2 x 3 cells, from every cell") {
   for (unsigned bits = 0; bits < 1u << 12; ++bits) {
     walled_grid g(grid_extent{2, 2, 3});
@@ -130,9 +161,10 @@ TEST_CASE("field_of_view: all maps of 2 x 2 x 3 cells, from every cell") {
 
 TEST_CASE("field_of_view: maps in space") {
   test::random r(3);
-  for (int i = 0; i < (release() ? 1000 : 40); ++i) {
-    const grid_extent e{static_cast<int>(r.integer(1, 16)), static_cast<int>(r.integer(1, 16)),
-                        static_cast<int>(r.integer(2, 16))};
+  for (int i = 0; i < (release() ? 2000 : 40); ++i) {
+    grid_extent e{static_cast<int>(r.integer(1, 16)), static_cast<int>(r.integer(1, 16)),
+                  static_cast<int>(r.integer(2, 16))};
+    if (i % 2 != 0) e = {16, 16, 16};
     const walled_grid g = test::random_map(r, e, static_cast<int>(r.integer(0, 2) * r.integer(0, 10)),
                                            static_cast<int>(r.integer(0, 3) == 0));
     same(g, any_cell(r, e), any_options(r));

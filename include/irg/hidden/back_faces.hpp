@@ -15,7 +15,7 @@
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
 #include <irg/geometry/side_of_polygon.hpp>
-#include <irg/mesh/normals.hpp>
+#include <irg/mesh/face_normal.hpp>
 
 namespace irg {
 

@@ -45,14 +45,15 @@ constexpr void extend_horizon(Column& c, int row) noexcept {
 /// The horizons of all columns, and the curve that is being drawn.
 /// shape   columns 0 to columns() - 1; y points up
 /// source  Special-cases chapter, 2.1, with its equality test made strict
+template <class Column = horizon_column>
 class floating_horizon {
 public:
   constexpr explicit floating_horizon(int columns)
-      : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), horizon_column{}) {}
+      : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), Column{}) {}
 
   constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
   /// needs   0 <= x < columns()
-  constexpr const horizon_column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
+  constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
 
   /// The next sample begins a curve, or a part of one after a gap.
   constexpr void begin_curve() noexcept { drawing_ = false; }
@@ -64,11 +65,11 @@ public:
   template <class Sink>
   constexpr void add(const cell& sample, Sink&& emit) {
     if (sample.x < 0 || sample.x >= columns()) return begin_curve();
-    horizon_column& here = columns_[static_cast<std::size_t>(sample.x)];
-    const horizon_column before = drawing_ && last_.x == sample.x ? here : horizon_column{};
+    Column& here = columns_[static_cast<std::size_t>(sample.x)];
+    const Column before = drawing_ && last_.x == sample.x ? here : Column{};
     detail::extend_horizon(here, sample.y);
     if (drawing_) {
-      const horizon_column& there = before.is_set ? before : columns_[static_cast<std::size_t>(last_.x)];
+      const Column& there = before.is_set ? before : columns_[static_cast<std::size_t>(last_.x)];
       const bool upper[] = {last_.y == there.upper, sample.y == here.upper};
       const bool lower[] = {last_.y == there.lower, sample.y == here.lower};
       const auto is_drawn = [](const bool(&on)[2], const bool(&other)[2]) {
@@ -82,7 +83,7 @@ public:
   }
 
 private:
-  std::vector<horizon_column> columns_;
+  std::vector<Column> columns_;
   cell last_{};
   bool drawing_ = false;
 };

@@ -181,7 +181,7 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
   grid_surface_counts counts;
   if (!detail::is_grid(surface) || !(detail::is_number(eye.x) && detail::is_number(eye.y) && detail::is_number(eye.z)))
     return {counts, grid_surface_status::not_a_grid};
-  const detail::grid_sight sight{surface.x, surface.z, surface.heights, eye};
+  const detail::grid_sight<double> sight{surface.x, surface.z, surface.heights, eye};
   const grid_covering loops = covering_loops(sight.x, sight.z, eye.x, eye.z);
   counts.view = grid_view_from(sight.x, sight.z, eye.x, eye.y, eye.z);
   const bool over = counts.view == grid_view::front;
@@ -201,7 +201,7 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
     if (inner_hides) parts.add(g, inner.add(g));
     sent(parts.send(g, emit));
   };
-  const detail::grid_sight_lines<detail::grid_sight> lines{sight, outer_hides, inner_hides};
+  const detail::grid_sight_lines<detail::grid_sight<double>> lines{sight, outer_hides, inner_hides};
   lines.visit([&](const grid_edge_part& part, bool seen) {
     if (seen) emit(part);
     sent(seen ? 1 : 0);

@@ -10,6 +10,7 @@
 
 #include <irg/core/facing.hpp>
 #include <irg/hidden/hidden_lines.hpp>
+#include <irg/math/angle_between.hpp>
 #include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/raster/projected_vertices.hpp>

@@ -42,12 +42,13 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // Links steps, sorted by number and start, to rings.
-constexpr void link_outlines(const std::vector<outline_step>& steps, visible_polygon_map& map) {
+template <class Step>
+constexpr void link_outlines(const std::vector<Step>& steps, visible_polygon_map& map) {
   std::vector<std::uint8_t> used(steps.size(), std::uint8_t{0});
   std::vector<std::size_t> next_free(steps.size(), std::size_t{0});  // of the steps that start where this one does
   const auto step_from = [&](std::uint32_t number, std::uint32_t from) {
-    const auto first = static_cast<std::size_t>(
-        std::lower_bound(steps.begin(), steps.end(), outline_step{number, from, 0}) - steps.begin());
+    const auto first =
+        static_cast<std::size_t>(std::lower_bound(steps.begin(), steps.end(), Step{number, from, 0}) - steps.begin());
     std::size_t& skip = next_free[first];
     while (used[first + skip] != 0) ++skip;
     return first + skip;

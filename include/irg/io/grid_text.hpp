@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <irg/core/result.hpp>
+#include <irg/io/detail/text_writer.hpp>
 #include <irg/math/decimal.hpp>
 #include <irg/spatial/walled_grid.hpp>
 
@@ -31,12 +32,13 @@ inline namespace IRG_ABI {
 inline constexpr std::string_view wall_names[] = {"none", "wall", "half", "open-door", "closed-door", "laser"};
 inline constexpr std::string_view side_names[] = {"x+", "y+", "z+"};
 
+template <class Map>
 class grid_reader {
 public:
   constexpr grid_reader(std::string_view text, const wall_rules& rules) : text_(text), rules_(rules) {}
 
-  constexpr result<grid_text> read() {
-    grid_text out;
+  constexpr result<Map> read() {
+    Map out;
     if (!header() || !rows(out.grid)) return error_;
     for (skip_blank(true); at_ < text_.size(); skip_blank(true))
       if (!(starts_wall() ? wall(out.grid) : unit(out))) return error_;
@@ -114,7 +116,8 @@ private:
     if (row[i] != '#' || row.find_first_not_of(".#") == row.npos) return false;
     return i > 0 || row.size() != static_cast<std::size_t>(extent_.width) || row.find(' ') != row.npos;
   }
-  constexpr bool rows(walled_grid& grid) {
+  template <class Grid>
+  constexpr bool rows(Grid& grid) {
     cell_grid cells(extent_);
     next_line();
     for (int z = 0; z < extent_.depth; ++z) {
@@ -134,7 +137,7 @@ private:
         next_line();
       }
     }
-    grid = walled_grid(std::move(cells), rules_);
+    grid = Grid(std::move(cells), rules_);
     return true;
   }
 
@@ -150,7 +153,7 @@ private:
     return extent_.holds(c) ||
            fail_at(start, needs_z ? "the wall is outside of the map" : "the unit is outside of the map");
   }
-  constexpr bool unit(grid_text& out) {
+  constexpr bool unit(Map& out) {
     const std::size_t start = at_;
     cell3 c;
     if (!cell_of(c, false) || !line_ends()) return false;
@@ -165,7 +168,8 @@ private:
       if (names[which] == word()) return at_ += word().size(), true;
     return fail(message);
   }
-  constexpr bool wall(walled_grid& grid) {
+  template <class Grid>
+  constexpr bool wall(Grid& grid) {
     at_ += 4;
     cell3 c;
     std::size_t axis = 0, kind = 0;
@@ -185,11 +189,8 @@ private:
   parse_error error_;
 };
 
-constexpr void append_number(std::string& out, int v) {
-  char text[longest_decimal<double>];
-  out.append(text, print_integer(text, text + sizeof text, v));
-}
-constexpr void append_cell(std::string& out, const cell3& c) {
+template <class Text>
+constexpr void append_cell(Text& out, const cell3& c) {
   append_number(out, c.x);
   out += ' ';
   append_number(out, c.y);
@@ -206,15 +207,17 @@ inline namespace IRG_ABI {
 /// gives   an error with line and column for numbers that are none or too great, rows of another length than the header
 ///         says, other letters in them, units outside of the map or in a full cell, unknown walls
 /// cost    memory bounded by the text's size
-constexpr result<grid_text> read_grid(std::string_view text, const wall_rules& rules = {}) {
-  return detail::grid_reader(text, rules).read();
+template <class Map = grid_text>
+constexpr result<Map> read_grid(std::string_view text, const wall_rules& rules = {}) {
+  return detail::grid_reader<Map>(text, rules).read();
 }
 
 /// The text of a map and its units, which read_grid reads back.
 /// needs   a map with cells
-constexpr std::string write_grid(const walled_grid& grid, const std::vector<cell3>& units = {}) {
+template <class Text = std::string>
+constexpr Text write_grid(const walled_grid& grid, const std::vector<cell3>& units = {}) {
   const grid_extent e = grid.extent();
-  std::string out;
+  Text out;
   detail::append_cell(out, {e.width, e.height, e.depth});
   out += '\n';
   for (int z = 0; z < e.depth; ++z)

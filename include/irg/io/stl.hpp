@@ -18,7 +18,7 @@
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/mesh_options.hpp>
 #include <irg/mesh/merge_positions.hpp>
-#include <irg/mesh/normals.hpp>
+#include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/mesh/validate.hpp>
 

@@ -24,7 +24,8 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // A number to the nearest millionth, without trailing zeros; those beyond 2^40 as 2^40.
-constexpr void append_millionths(std::vector<std::uint8_t>& out, double v) {
+template <class Bytes>
+constexpr void append_millionths(Bytes& out, double v) {
   constexpr double limit = 0x1p40;
   const double size = v < 0 ? -v : v, bounded = size < limit ? size : limit;
   const auto whole = static_cast<std::int64_t>(bounded);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <irg/core/conversion.hpp>
+#include <irg/math/detail/compensated_terms.hpp>
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/exact_sum.hpp>
 #include <irg/math/length.hpp>

@@ -12,7 +12,7 @@
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/point_on_triangle.hpp>
-#include <irg/mesh/normals.hpp>
+#include <irg/mesh/face_normal.hpp>
 
 namespace irg {
 namespace detail {

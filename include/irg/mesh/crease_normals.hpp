@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/math/angle_between.hpp>
 #include <irg/mesh/detail/corner_groups.hpp>
 #include <irg/mesh/normals.hpp>
 

@@ -40,10 +40,10 @@ concept PaintedLineSequence = LineSequence<T> && requires(const T& lines, std::s
 class line_batch {
 public:
   /// For the use of draw_lines.
-  IRG_INLINE detail::line_pieces& pieces() noexcept { return pieces_; }
+  IRG_INLINE detail::line_pieces<>& pieces() noexcept { return pieces_; }
 
 private:
-  detail::line_pieces pieces_;
+  detail::line_pieces<> pieces_;
 };
 
 inline namespace IRG_ABI {

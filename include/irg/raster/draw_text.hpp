@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <irg/math/trigonometry.hpp>
 #include <irg/raster/detail/glyph_strokes.hpp>
 #include <irg/raster/stroke.hpp>
 #include <irg/raster/text_style.hpp>
@@ -46,7 +47,7 @@ constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, c
                       : style.across == text_across::middle ? 0.5 * capital
                       : style.across == text_across::top    ? e.ascent
                                                             : -e.descent;
-  detail::glyph_pen pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
+  detail::glyph_pen<double> pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
   for (std::size_t i = 0; i < text.size();) {
     const stroke_glyph g = stroke_glyph_of(detail::next_code_point(text, i));
     pen.from.x += pen.unit * stroke_font_units::gap;

@@ -4,6 +4,7 @@
 // orders faces there. So the parts of a face share none of its pixels and leave none out.
 #pragma once
 
+#include <concepts>
 #include <vector>
 
 #include <irg/raster/face_order.hpp>
@@ -50,7 +51,8 @@ constexpr bool covers(const face_fragment& fragment, int x, int y) noexcept {
 /// needs   a face with an area, that stays where it is as long as the parts live
 /// gives   a part without pixels where the plane does not cut the fragment
 /// cost    allocates: copies the limits
-constexpr fragment_parts split_fragment(const face_fragment& fragment, const screen_face& plane) {
+template <std::same_as<face_fragment> Fragment = face_fragment>
+constexpr fragment_parts split_fragment(const Fragment& fragment, const screen_face& plane) {
   fragment_parts parts{fragment, fragment};
   parts.nearer.limits.push_back({&plane, face_part::nearer});
   parts.farther.limits.push_back({&plane, face_part::farther});

@@ -32,32 +32,33 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // One bit per cell of a window: set once the cell has been asked about. Columns count from the window's first one.
+template <class Word = std::uint64_t>
 class seed_marks {
 public:
   constexpr explicit seed_marks(const cell_window& w)
       : y_first_(w.y_first), words_per_row_((std::int64_t{w.x_last} - w.x_first + 63) / 64),
         words_(countable(words_per_row_ * (std::int64_t{w.y_last} - w.y_first)), 0) {}
 
-  constexpr std::uint64_t* row(int y) noexcept { return words_.data() + (std::int64_t{y} - y_first_) * words_per_row_; }
-  static constexpr bool is_marked(const std::uint64_t* row, std::int64_t i) noexcept {
+  constexpr Word* row(int y) noexcept { return words_.data() + (std::int64_t{y} - y_first_) * words_per_row_; }
+  static constexpr bool is_marked(const Word* row, std::int64_t i) noexcept {
     return (row[i >> 6] >> (i & 63) & 1) != 0;
   }
   // Marks the columns i to j - 1; i < j.
-  static constexpr void mark(std::uint64_t* row, std::int64_t i, std::int64_t j) noexcept {
+  static constexpr void mark(Word* row, std::int64_t i, std::int64_t j) noexcept {
     --j;
-    const std::uint64_t from = ~std::uint64_t{0} << (i & 63), to = ~std::uint64_t{0} >> (63 - (j & 63));
+    const Word from = ~Word{0} << (i & 63), to = ~Word{0} >> (63 - (j & 63));
     if (i >> 6 == j >> 6) {
       row[i >> 6] |= from & to;
       return;
     }
     row[i >> 6] |= from;
-    for (std::int64_t k = (i >> 6) + 1; k < j >> 6; ++k) row[k] = ~std::uint64_t{0};
+    for (std::int64_t k = (i >> 6) + 1; k < j >> 6; ++k) row[k] = ~Word{0};
     row[j >> 6] |= to;
   }
   // The first column from i on that is not marked; end when there is none before it.
-  static constexpr std::int64_t next_unmarked(const std::uint64_t* row, std::int64_t i, std::int64_t end) noexcept {
+  static constexpr std::int64_t next_unmarked(const Word* row, std::int64_t i, std::int64_t end) noexcept {
     while (i < end) {
-      const std::uint64_t unmarked = ~row[i >> 6] >> (i & 63);
+      const Word unmarked = ~row[i >> 6] >> (i & 63);
       if (unmarked != 0) return lesser(i + std::countr_zero(unmarked), end);
       i = (i | 63) + 1;
     }
@@ -71,7 +72,7 @@ private:
   }
 
   std::int64_t y_first_, words_per_row_;
-  std::vector<std::uint64_t> words_;
+  std::vector<Word> words_;
 };
 
 // What one call of seed_fill_spans is made of.
@@ -80,7 +81,7 @@ struct seed_filler {
   const cell_window& window;
   Inside& inside;
   Sink& emit;
-  seed_marks marks;
+  seed_marks<> marks;
   std::vector<span_of_cells> found;  // runs whose neighbours are not searched yet
   std::int64_t cells = 0;
 
@@ -93,11 +94,11 @@ struct seed_filler {
   constexpr std::int64_t take_run(std::uint64_t* row, std::int64_t i, int y) {
     const std::int64_t width = std::int64_t{window.x_last} - window.x_first;
     std::int64_t first = i, last = i + 1, asked_first = i, asked_last = last;
-    while (asked_first == first && first > 0 && !seed_marks::is_marked(row, first - 1))
+    while (asked_first == first && first > 0 && !seed_marks<>::is_marked(row, first - 1))
       if (belongs(--asked_first, y)) first = asked_first;
-    while (asked_last == last && last < width && !seed_marks::is_marked(row, last))
+    while (asked_last == last && last < width && !seed_marks<>::is_marked(row, last))
       if (++asked_last; belongs(last, y)) last = asked_last;
-    seed_marks::mark(row, asked_first, asked_last);
+    seed_marks<>::mark(row, asked_first, asked_last);
     const span_of_cells run{y, static_cast<int>(first + window.x_first), static_cast<int>(last + window.x_first)};
     found.push_back(run);
     cells += last - first;
@@ -109,14 +110,14 @@ struct seed_filler {
   constexpr void search(int y, int first, int last) {
     std::uint64_t* const row = marks.row(y);
     const std::int64_t end = std::int64_t{last} - window.x_first;
-    std::int64_t i = seed_marks::next_unmarked(row, std::int64_t{first} - window.x_first, end);
+    std::int64_t i = seed_marks<>::next_unmarked(row, std::int64_t{first} - window.x_first, end);
     while (i < end) {
       std::int64_t next = i + 1;
       if (belongs(i, y))
         next = take_run(row, i, y);
       else
-        seed_marks::mark(row, i, next);
-      i = seed_marks::next_unmarked(row, next, end);
+        seed_marks<>::mark(row, i, next);
+      i = seed_marks<>::next_unmarked(row, next, end);
     }
   }
 };
@@ -141,7 +142,7 @@ constexpr std::int64_t seed_fill_spans(const cell_window& window, Inside&& insid
     return 0;
   if (!static_cast<bool>(inside(seed))) return 0;
   detail::seed_filler<std::remove_reference_t<Inside>, std::remove_reference_t<Sink>> fill{
-      window, inside, emit, detail::seed_marks(window), {}};
+      window, inside, emit, detail::seed_marks<>(window), {}};
   const int reach = next_to == neighbours::eight ? 1 : 0;
   fill.take_run(fill.marks.row(seed.y), std::int64_t{seed.x} - window.x_first, seed.y);
   std::vector<span_of_cells> front;  // from front to front, not depth first: fronts are short, and stay in the caches

@@ -34,7 +34,8 @@ struct mip_textured_shader {
                      width, height);
   }
 
-  IRG_INLINE constexpr rgba8 operator()(const pixel_weights<float>& at) const {
+  template <class Weights = pixel_weights<float>>
+  IRG_INLINE constexpr rgba8 operator()(const Weights& at) const {
     const auto [u, v, r, g, b_, number] = interpolate_attributes<textured_shading::attribute_count>(at, a, b, c);
     if (textures.empty()) return encode({r, g, b_});
     const texture_pyramid& t = textures[detail::texture_index(number, textures.size())];

@@ -69,7 +69,8 @@ struct textured_shading {
     return (side == facing::back && !v.back.empty() ? v.back : v.front)[vertex].data();
   }
 
-  IRG_INLINE constexpr rgba8 pixel(const textured_vertex& at) const noexcept {
+  template <class Vertex = textured_vertex>
+  IRG_INLINE constexpr rgba8 pixel(const Vertex& at) const noexcept {
     const auto [u, v, r, g, b, number] = at;
     if (textures.empty()) return encode({r, g, b});
     const texture_image& t = textures[detail::texture_index(number, textures.size())];

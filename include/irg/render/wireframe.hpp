@@ -12,6 +12,7 @@
 #include <irg/raster/draw_line.hpp>
 #include <irg/render/options.hpp>
 #include <irg/raster/projected_vertices.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {
 

@@ -16,7 +16,7 @@
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/point_on_triangle.hpp>
-#include <irg/mesh/normals.hpp>
+#include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/to_mesh.hpp>
 #include <irg/mesh/triangulate.hpp>
 

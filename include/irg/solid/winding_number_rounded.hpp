@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include <irg/math/length.hpp>
+#include <irg/math/trigonometry.hpp>
 #include <irg/solid/point_in_solid.hpp>
 
 namespace irg {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <irg/math/length.hpp>
+#include <irg/math/trigonometry.hpp>
 #include <irg/view/look_at.hpp>
 
 namespace irg {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <irg/math/length.hpp>
+#include <irg/math/trigonometry.hpp>
 #include <irg/view/projection.hpp>
 
 namespace irg {

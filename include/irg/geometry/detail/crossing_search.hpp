@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t none = sweep_order::none;
+  static constexpr std::uint32_t none = sweep_order<std::uint32_t>::none;
   struct vertex {
     place at;
     std::uint32_t previous, next;
@@ -65,7 +65,7 @@ private:
   };
 
   std::vector<vertex> vertices_;  // edge i leads from vertex i to the next
-  sweep_order order_;
+  sweep_order<std::uint32_t> order_;
   std::vector<std::uint32_t> through_, rising_, around_;
   std::vector<way> ways_;
 

@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t none = sweep_order::none;
+  static constexpr std::uint32_t none = sweep_order<std::uint32_t>::none;
   struct edge {
     std::uint32_t low = none, high = none;
     bool inside_on_right = false;
@@ -78,7 +78,7 @@ private:
   monotone_chains<T> chains_;
   std::vector<triangle>* out_;
   std::vector<std::uint32_t> events_, arriving_;  // the edges that come to a vertex from its neighbours
-  sweep_order order_;
+  sweep_order<std::uint32_t> order_;
   std::vector<edge> edges_;
   std::vector<std::uint32_t> unused_, starts_, changed_;
 

@@ -29,10 +29,10 @@ struct grid_run {
 // Which perimeter: edges are seen that pass above all others, or below.
 enum class perimeter_side : std::int8_t { inner = -1, outer = 1 };
 
+template <class Sight>
 class grid_perimeter {
 public:
-  constexpr grid_perimeter(const grid_sight& sight, perimeter_side side)
-      : sight_(&sight), side_(static_cast<int>(side)) {
+  constexpr grid_perimeter(const Sight& sight, perimeter_side side) : sight_(&sight), side_(static_cast<int>(side)) {
     for (std::uint32_t k = 0; k < 4; ++k)
       pieces_.push_back({no_grid_edge, {grid_mark_kind::axis, k, 0}, (k + 3) % 4, (k + 1) % 4});
   }
@@ -178,7 +178,7 @@ private:
     here_ = begin;
   }
 
-  const grid_sight* sight_;
+  const Sight* sight_;
   int side_;
   std::uint32_t here_ = 0;
   std::int64_t steps_ = 0;

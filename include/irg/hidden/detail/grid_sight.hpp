@@ -48,29 +48,30 @@ constexpr auto grid_normal_at(const X& x, std::size_t k) noexcept {
 
 }  // namespace IRG_ABI
 
+template <class T>
 struct grid_sight {
-  std::span<const double> x, z, heights;
-  point<double, 3> eye;
+  std::span<const T> x, z, heights;
+  point<T, 3> eye;
 
   constexpr std::uint32_t rows() const noexcept { return static_cast<std::uint32_t>(z.size()); }
   constexpr std::uint32_t vertex(int i, int j) const noexcept {
     return static_cast<std::uint32_t>(i) * rows() + static_cast<std::uint32_t>(j);
   }
-  constexpr point<double, 3> at(std::uint32_t v) const noexcept { return {x[v / rows()], heights[v], z[v % rows()]}; }
-  constexpr point<double, 2> below(std::uint32_t v) const noexcept { return {x[v / rows()], z[v % rows()]}; }
+  constexpr point<T, 3> at(std::uint32_t v) const noexcept { return {x[v / rows()], heights[v], z[v % rows()]}; }
+  constexpr point<T, 2> below(std::uint32_t v) const noexcept { return {x[v / rows()], z[v % rows()]}; }
   constexpr std::uint32_t low(grid_edge e) const noexcept { return e / 2; }
   constexpr std::uint32_t high(grid_edge e) const noexcept { return e / 2 + (e % 2 != 0 ? 1 : rows()); }
 
   // Edges along z turn upwards where they are at u > 0, those along x where they are at w < 0.
   constexpr turning_edge turning(grid_edge e) const noexcept {
-    const point<double, 2> p = below(low(e));
+    const point<T, 2> p = below(low(e));
     const bool upwards = e % 2 != 0 ? p.x > eye.x : p.y < eye.z;
     return upwards ? turning_edge{low(e), high(e)} : turning_edge{high(e), low(e)};
   }
 
   // 1 where the direction of vertex c lies behind that of b by less than half a turn, -1 where it lies before.
   constexpr int turn(std::uint32_t b, std::uint32_t c) const noexcept {
-    return b == c ? 0 : orient2d(point<double, 2>{eye.x, eye.z}, below(b), below(c));
+    return b == c ? 0 : orient2d(point<T, 2>{eye.x, eye.z}, below(b), below(c));
   }
 
   // 1 where edge e passes above vertex c, -1 where below.
@@ -81,9 +82,9 @@ struct grid_sight {
 
   template <class... Vertex>
   constexpr auto coordinates(Vertex... v) const noexcept {
-    std::array<double, 3 * sizeof...(v) + 3> out{eye.x, eye.y, eye.z};
+    std::array<T, 3 * sizeof...(v) + 3> out{eye.x, eye.y, eye.z};
     std::size_t next = 3;
-    const auto put = [&](const point<double, 3>& p) {
+    const auto put = [&](const point<T, 3>& p) {
       out[next] = p.x, out[next + 1] = p.y, out[next + 2] = p.z;
       next += 3;
     };
@@ -112,13 +113,13 @@ struct grid_sight {
   }
 
   // How far along g, from its lower vertex, it meets the plane of e.
-  constexpr double place(grid_edge g, grid_edge e) const noexcept {
+  constexpr T place(grid_edge g, grid_edge e) const noexcept {
     const auto formula = [](const auto& p) {
       const auto n = grid_normal_at(p, 1);
       const auto a = grid_dot(n, grid_differences(p, 3)), b = grid_dot(n, grid_differences(p, 4));
       return std::array{a - b, a};
     };
-    return irg::quotient_of<3>(formula, coordinates(low(e), high(e), low(g), high(g))).value_or(0.0);
+    return irg::quotient_of<3>(formula, coordinates(low(e), high(e), low(g), high(g))).value_or(T(0));
   }
 
   // -1, 0 or 1: where g meets the plane of e before that of f, at one place, or behind.

@@ -98,7 +98,8 @@ constexpr bool share_no_pixel(const face_fragment& a, const face_fragment& b, co
 }
 
 // What a limit of `part` by the plane of `other` says: 1 where the part is nearer, -1 where it is farther, 0 no limit.
-constexpr int limited(const painted_part& part, const screen_face* other) noexcept {
+template <class Part>
+constexpr int limited(const Part& part, const screen_face* other) noexcept {
   for (const face_limit& l : part.part.limits)
     if (l.plane == other) return l.part == face_part::nearer ? 1 : -1;
   return 0;

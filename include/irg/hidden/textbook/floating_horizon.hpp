@@ -19,21 +19,22 @@ enum class horizon_rule {
 /// gives   lines that no curve has, where both horizons meet or a column is new; of several samples in one column
 ///         points alone, since the horizon where a step begins has moved already
 /// source  Special-cases chapter, 2.1, with a flag for the first sample of a curve where x > 0 is printed
+template <class Column = horizon_column>
 class floating_horizon {
 public:
   constexpr explicit floating_horizon(int columns, horizon_rule rule = horizon_rule::improved_step)
-      : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), horizon_column{}), rule_(rule) {}
+      : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), Column{}), rule_(rule) {}
 
   constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
-  constexpr const horizon_column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
+  constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
   constexpr void begin_curve() noexcept { drawing_ = false; }
 
   /// Adds a sample, and calls emit(from, to, side) for what the rule draws.
   template <class Sink>
   constexpr void add(const cell& sample, Sink&& emit) {
     if (sample.x < 0 || sample.x >= columns()) return begin_curve();
-    horizon_column& here = columns_[static_cast<std::size_t>(sample.x)];
-    const horizon_column before = here;
+    Column& here = columns_[static_cast<std::size_t>(sample.x)];
+    const Column before = here;
     detail::extend_horizon(here, sample.y);
     if (rule_ == horizon_rule::points) {
       if (!before.is_set || here.upper != before.upper)
@@ -41,7 +42,7 @@ public:
       else if (here.lower != before.lower)
         emit(sample, sample, horizon_side::lower);
     } else if (drawing_) {
-      const horizon_column& there = columns_[static_cast<std::size_t>(last_.x)];
+      const Column& there = columns_[static_cast<std::size_t>(last_.x)];
       const bool all = rule_ == horizon_rule::simple_step;
       if (all || last_.y == there.upper || sample.y == here.upper)
         emit(cell{last_.x, there.upper}, cell{sample.x, here.upper}, horizon_side::upper);
@@ -53,7 +54,7 @@ public:
   }
 
 private:
-  std::vector<horizon_column> columns_;
+  std::vector<Column> columns_;
   horizon_rule rule_;
   cell last_{};
   bool drawing_ = false;

@@ -4,32 +4,18 @@
 
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
 #include <irg/core/result.hpp>
+#include <irg/io/detail/text_writer.hpp>
 #include <irg/io/picture_limits.hpp>
 
 namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-constexpr void append_text(std::vector<std::uint8_t>& out, std::string_view text) {
-  for (const char c : text) out.push_back(static_cast<std::uint8_t>(c));
-}
-
-// The number in decimal digits.
-constexpr void append_number(std::vector<std::uint8_t>& out, int n) {
-  char digits[10] = {};
-  int count = 0;
-  do {
-    digits[count++] = static_cast<char>('0' + n % 10);
-    n /= 10;
-  } while (n > 0);
-  while (count > 0) out.push_back(static_cast<std::uint8_t>(digits[--count]));
-}
-
 // fill="#rrggbb", and the opacity where it is not full.
-constexpr void append_fill(std::vector<std::uint8_t>& out, const rgba8& p) {
+template <class Bytes>
+constexpr void append_fill(Bytes& out, const rgba8& p) {
   constexpr std::string_view hex = "0123456789abcdef";
   append_text(out, "fill=\"#");
   for (const std::uint8_t channel : {p.r, p.g, p.b})
@@ -44,7 +30,8 @@ constexpr void append_fill(std::vector<std::uint8_t>& out, const rgba8& p) {
   append_text(out, "\"");
 }
 
-constexpr void append_run(std::vector<std::uint8_t>& out, int x, int y, int width, int height, const rgba8& p) {
+template <class Bytes>
+constexpr void append_run(Bytes& out, int x, int y, int width, int height, const rgba8& p) {
   append_text(out, "<rect x=\"");
   append_number(out, x);
   append_text(out, "\" y=\"");

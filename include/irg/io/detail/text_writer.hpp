@@ -4,7 +4,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
 
 #include <irg/math/decimal.hpp>
@@ -14,7 +13,7 @@ inline namespace IRG_ABI {
 
 template <class Bytes>
 constexpr void append_text(Bytes& out, std::string_view text) {
-  for (const char c : text) out.push_back(static_cast<std::uint8_t>(c));
+  for (const char c : text) out.push_back(static_cast<typename Bytes::value_type>(c));
 }
 
 template <class Bytes, Floating T>
@@ -32,7 +31,7 @@ constexpr void append_number(Bytes& out, I n) {
 template <class Bytes, class Vector>
 constexpr void append_numbers(Bytes& out, const Vector& v, int count) {
   for (int i = 0; i < count; ++i) {
-    if (!out.empty() && out.back() != '\n') out.push_back(std::uint8_t{' '});
+    if (!out.empty() && out.back() != '\n') out.push_back(' ');
     append_number(out, v[i]);
   }
 }
@@ -42,7 +41,7 @@ template <class Bytes, class Name>
 constexpr void append_line_of(Bytes& out, const Name& name) {
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char c = name.data()[i];
-    out.push_back(static_cast<std::uint8_t>(c == '\n' || c == '\r' || c == '\0' ? ' ' : c));
+    out.push_back(static_cast<typename Bytes::value_type>(c == '\n' || c == '\r' || c == '\0' ? ' ' : c));
   }
 }
 

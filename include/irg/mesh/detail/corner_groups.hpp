@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include <irg/mesh/normals.hpp>
+#include <irg/mesh/mesh.hpp>
 
 namespace irg {
 namespace detail {

@@ -94,7 +94,8 @@ constexpr bool bands_pay(const P& polygons, std::size_t n, const cell_window& w,
 
 // Sorts the outlines into bands by counting.
 // needs   a window that is not empty
-constexpr void sort_into_bands(polygon_bands& b, const cell_window& w) {
+template <class Bands>
+constexpr void sort_into_bands(Bands& b, const cell_window& w) {
   const std::size_t count = static_cast<std::size_t>((w.y_last - w.y_first - 1) / b.rows) + 1;
   const auto for_each_band = [&](const polygon_outline& o, auto&& f) {
     if (o.row_first >= o.row_last) return;

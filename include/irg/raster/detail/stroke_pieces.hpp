@@ -22,8 +22,9 @@ constexpr bool can_stroke(std::span<const point<double, 2>> points, const stroke
 }
 
 // The points, equal neighbours once; of a closed path the last one differs from the first.
-constexpr std::vector<point<double, 2>> without_repeats(std::span<const point<double, 2>> points, stroke_ends ends) {
-  std::vector<point<double, 2>> path;
+template <class Point>
+constexpr std::vector<Point> without_repeats(std::span<const Point> points, stroke_ends ends) {
+  std::vector<Point> path;
   for (const auto& p : points)
     if (path.empty() || !(p == path.back())) path.push_back(p);
   while (ends == stroke_ends::closed && path.size() > 1 && path.back() == path.front()) path.pop_back();

@@ -122,22 +122,25 @@ IRG_INLINE constexpr std::uint64_t entry_of(std::size_t tile, std::uint32_t numb
 
 // Puts a number on the list of one tile, of which its box has `area` pixels.
 // needs   room among the entries
-IRG_INLINE constexpr void list_in_tile(bin_portion& p, std::uint32_t number, std::size_t tile,
+template <class Portion>
+IRG_INLINE constexpr void list_in_tile(Portion& p, std::uint32_t number, std::size_t tile,
                                        std::uint32_t area) noexcept {
   p.entries[p.entry_count++] = entry_of(tile, number);
-  tile_share& share = p.of_tile[tile];
+  auto& share = p.of_tile[tile];
   ++share.count;
   share.area += area;
 }
 
 // Makes room for some more entries.
-IRG_INLINE constexpr void reserve_entries(bin_portion& p, std::size_t more) {
+template <class Portion>
+IRG_INLINE constexpr void reserve_entries(Portion& p, std::size_t more) {
   if (p.entries.size() - p.entry_count < more) p.entries.resize(2 * p.entries.size() + more, 0);
 }
 
 // Puts a number on the lists of the tiles that a box of pixels touches.
 // needs   a box that is not empty and lies in the picture
-IRG_INLINE constexpr void list_box(bin_portion& p, std::uint32_t number, const cell_window& box,
+template <class Portion>
+IRG_INLINE constexpr void list_box(Portion& p, std::uint32_t number, const cell_window& box,
                                    const picture_tiles& grid) {
   const auto tile_of = [](int pixel) { return static_cast<int>(static_cast<unsigned>(pixel) / tile_size); };
   const auto list = [&](int x, int y, int w, int h) {

@@ -11,8 +11,9 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // A portion that takes one triangle after another.
-constexpr bin_portion scratch_portion(const picture_tiles& grid) {
-  bin_portion p;
+template <class Portion = bin_portion>
+constexpr Portion scratch_portion(const picture_tiles& grid) {
+  Portion p;
   p.of_tile.assign(grid.count(), tile_share{});
   return p;
 }
