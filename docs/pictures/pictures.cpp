@@ -22,6 +22,7 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
+#include "bsp.hpp"
 #include "cameras.hpp"
 #include "curves.hpp"
 #include "deep.hpp"
@@ -195,6 +196,7 @@ void methods() {
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
+  save("bsp_tree_2d", bsp_pictures::orders());
   save("grid_surface", grid_pictures::views());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());

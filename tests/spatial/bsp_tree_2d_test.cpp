@@ -42,6 +42,8 @@ TEST_CASE("bsp_tree_2d: the thesis' figure, from three eyes") {
   CHECK(order({0, -5}, bsp_order::back_to_front) == from_below);
   CHECK(order({4, 1}, bsp_order::back_to_front) == from_right);
   CHECK(order({4, 1}, bsp_order::front_to_back) == pieces(from_right.rbegin(), from_right.rend()));
+  const S drawn = t.rounded(high);
+  CHECK((drawn.a == P{2, 0} && drawn.b == P{2, 2} && t.rounded(a).a == s[0].a && t.rounded(a).b == s[0].b));
   // On the line of a: nothing of it hides, or is hidden, but along itself; it is the last or the first.
   CHECK(order({9, 0}, bsp_order::back_to_front).back() == a);
   CHECK(order({9, 0}, bsp_order::front_to_back).front() == a);

@@ -12,6 +12,7 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/core/coordinates.hpp>
+#include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
@@ -72,10 +73,23 @@ public:
     }
   }
 
+  /// The first one is the root; a node stands before those below it.
   constexpr std::span<const bsp_node_2d> nodes() const noexcept { return nodes_; }
   constexpr std::span<const bsp_piece_2d> pieces() const noexcept { return pieces_; }
+  /// How often a line cut a segment in two.
   constexpr std::size_t splits() const noexcept { return splits_; }
+  /// Segments without length, or with NaN or infinity.
   constexpr std::size_t left_out() const noexcept { return left_out_; }
+
+  /// A piece with its ends as points, to draw it.
+  /// exact   ends of segments are given points; cuts are within 0.501 ulp of where the lines cross
+  constexpr segment<T, 2> rounded(const bsp_piece_2d& p) const noexcept {
+    const segment<T, 2>& s = segments_[p.segment];
+    const auto end = [&](std::uint32_t cut, const point<T, 2>& given) {
+      return cut == bsp_none ? given : intersect_lines(s.a, s.b, segments_[cut].a, segments_[cut].b).at;
+    };
+    return {end(p.from, s.a), end(p.to, s.b)};
+  }
 
   /// Calls sink(piece) for all pieces, so that of two that a ray from the eye crosses the farther one comes first, or
   /// the nearer. Pieces that the ray touches with an end only, and those that the eye lies on, have no such order.
