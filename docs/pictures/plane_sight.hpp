@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <irg/visibility/visibility_polygon.hpp>
+#include <irg/visibility/weak_visibility.hpp>
 
 #include "sketch.hpp"
 
@@ -71,6 +72,37 @@ inline picture polygons() {
                                 {{3, -1}, {3, 2}},  {{-3, -2}, {-1, -3}}, {{-1, -3}, {2, -2}}};
   return side_by_side({seen_from({0, 0}, {square}, crossing), seen_from({2, -5}, {house, pillar}, {}),
                        seen_from({0, 0}, {square}, fence, irg::obstacle_ends::open)});
+}
+
+// Light, penumbra and umbra of a source: bright, half bright and dark.
+inline panel lit_by(const ring& source, const std::vector<wall>& walls) {
+  panel p;
+  const irg::box<double, 2> window{{-5, -5}, {5, 5}};
+  const auto regions = irg::weak_visibility(std::span<const point2>(source), walls, window);
+  constexpr irg::rgba8 half{176, 166, 146, 255};
+  const auto paint = [&](const std::vector<ring>& rings, irg::rgba8 colour) {
+    std::vector<ring> placed;
+    for (const ring& r : rings) placed.push_back(panel::placed(r));
+    irg::fill_polygon_aa(p.image, placed, irg::fill_rule::even_odd, glaze(colour));
+  };
+  paint(regions.none, night);
+  paint(regions.some, half);
+  paint(regions.all, glow);
+  for (const wall& w : walls) p.line(w.a, w.b, 4.0, ink);
+  if (source.size() == 1)
+    mark(p.image, panel::at(source[0]), 5, red);
+  else if (source.size() == 2)
+    p.line(source[0], source[1], 5.0, red);
+  else
+    p.fill(source, red);
+  return p;
+}
+
+inline picture shadows() {
+  const std::vector<wall> walls{{{-3, 0}, {-1, 0.5}},   {{0, -1}, {1.5, -0.5}}, {{2.5, 1}, {3.5, 0}},
+                                {{-2, -3}, {-1, -2.5}}, {{1, -2.5}, {1, -3.5}}, {{-1, 0.5}, {-1, 1.5}}};
+  return side_by_side({lit_by({{0, 3.5}}, walls), lit_by({{-1.5, 3.5}, {1.5, 3.5}}, walls),
+                       lit_by({{-1, 3}, {1, 3}, {1.5, 4}, {0, 4.5}, {-1.5, 4}}, walls)});
 }
 
 }  // namespace plane_sight

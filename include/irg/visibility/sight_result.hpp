@@ -24,8 +24,16 @@ struct sight_options {
   constexpr bool operator==(const sight_options&) const = default;
 };
 
-/// How a region came about: `source_on_obstacle` and `source_on_boundary` are answered, the last two are not.
-enum class visibility_status { done, source_on_obstacle, source_on_boundary, source_outside, not_finite };
+/// How a region came about: `source_on_obstacle` and `source_on_boundary` are answered, what follows them is not.
+enum class visibility_status {
+  done,
+  source_on_obstacle,
+  source_on_boundary,
+  source_outside,
+  source_not_convex,        // or without points
+  source_crosses_obstacle,  // an edge of the source and an obstacle go on both sides of each other
+  not_finite,
+};
 
 /// What is seen at the end of sight: nothing where an edge of a region runs along a sight line.
 enum class sight_stop { nothing, obstacle, boundary };
@@ -46,6 +54,19 @@ struct visible_region {
   visibility_status status = visibility_status::done;
   std::vector<sight_vertex<T>> ring{};
   constexpr bool operator==(const visible_region&) const = default;
+};
+
+/// The parts of a window by how much of a source is seen from there. Of each, outer rings run counter-clockwise (y up),
+/// those round holes clockwise.
+template <Floating T>
+struct source_regions {
+  visibility_status status = visibility_status::done;
+  std::vector<std::vector<point<T, 2>>> all{};  // light
+  std::vector<std::vector<point<T, 2>>> some{};  // penumbra
+  std::vector<std::vector<point<T, 2>>> none{};  // umbra
+  std::size_t lines = 0;  // sight lines past two ends
+  std::size_t skipped = 0;  // those of them at which nothing can change
+  constexpr bool operator==(const source_regions&) const = default;
 };
 
 }  // namespace irg

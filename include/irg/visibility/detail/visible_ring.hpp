@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -13,17 +12,12 @@
 #include <irg/core/scalar.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/polygon.hpp>
+#include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/detail/sight_envelope.hpp>
 #include <irg/visibility/sight_result.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
-
-template <Floating T>
-constexpr bool is_finite_sight_point(const point<T, 2>& p) noexcept {
-  constexpr T most = (std::numeric_limits<T>::max)();
-  return -most <= p.x && p.x <= most && -most <= p.y && p.y <= most;
-}
 
 template <Floating T>
 class visible_ring {
