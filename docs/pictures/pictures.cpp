@@ -407,6 +407,7 @@ int main(int argc, char** argv) {
   save("see", sight_pictures::corners());
   save("visibility_polygon", plane_sight::polygons());
   save("weak_visibility", plane_sight::shadows());
+  save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
   save("viewshed", sight_pictures::hills());
   failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;

@@ -2,8 +2,10 @@
 // What is seen from points of the plane: visibility polygons. Included by pictures.cpp.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
+#include <irg/visibility/guard_cover.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
 #include <irg/visibility/weak_visibility.hpp>
 
@@ -103,6 +105,36 @@ inline picture shadows() {
                                 {{-2, -3}, {-1, -2.5}}, {{1, -2.5}, {1, -3.5}}, {{-1, 0.5}, {-1, 1.5}}};
   return side_by_side({lit_by({{0, 3.5}}, walls), lit_by({{-1.5, 3.5}, {1.5, 3.5}}, walls),
                        lit_by({{-1, 3}, {1, 3}, {1.5, 4}, {0, 4.5}, {-1.5, 4}}, walls)});
+}
+
+// A plan, its guards, and the parts in the colour of the guard who is said to see them.
+inline panel guarded(const std::vector<ring>& rings) {
+  panel p;
+  const auto cover = irg::cover_by_guards(std::span<const ring>(rings));
+  constexpr irg::rgba8 tints[] = {
+      {255, 232, 158, 255}, {206, 222, 240, 255}, {240, 210, 200, 255}, {208, 230, 206, 255}};
+  std::vector<point2> corners;
+  for (const ring& r : rings) corners.insert(corners.end(), r.begin(), r.end());
+  const auto place_of = [&](std::size_t guard) {
+    return static_cast<std::size_t>(std::find(cover.guards.begin(), cover.guards.end(), guard) - cover.guards.begin());
+  };
+  for (const auto& part : cover.parts) p.fill(part.ring, tints[place_of(part.guard) % 4]);
+  for (const auto& part : cover.parts)
+    for (std::size_t i = 0; i < part.ring.size(); ++i)
+      p.line(part.ring[i], part.ring[(i + 1) % part.ring.size()], 0.7, grey);
+  for (const ring& r : rings)
+    for (std::size_t i = 0; i < r.size(); ++i) p.line(r[i], r[(i + 1) % r.size()], 2.5, ink);
+  for (const std::size_t g : cover.guards) mark(p.image, panel::at(corners[g]), 6, red);
+  return p;
+}
+
+inline picture galleries() {
+  const ring comb{{-5, -4}, {5, -4}, {5, -2}, {4, -2},  {4, 4},   {2, 4},  {3, -2},
+                  {1, -2},  {0, 4},  {-2, 4}, {-1, -2}, {-3, -2}, {-4, 4}, {-5, 4}};
+  const ring rooms{{-5, -5}, {-0.5, -5}, {-0.5, -1}, {0.5, -1}, {0.5, -5}, {5, -5}, {5, 0},  {1, 0},
+                   {1, 1},   {5, 1},     {5, 5},     {0, 5},    {0, 1},    {-1, 1}, {-1, 5}, {-5, 5}};
+  const ring yard{{-5, -5}, {5, -4}, {4, 5}, {-5, 4}}, pillar{{-1, -1}, {1, -2}, {2, 1}, {-1, 2}};
+  return side_by_side({guarded({rooms}), guarded({comb}), guarded({yard, pillar})});
 }
 
 }  // namespace plane_sight

@@ -4,6 +4,8 @@
 
 #include <irg/visibility/corner_rule.hpp>
 #include <irg/visibility/field_of_view.hpp>
+#include <irg/visibility/guard_cover.hpp>
+#include <irg/visibility/guard_result.hpp>
 #include <irg/visibility/see.hpp>
 #include <irg/visibility/sight_line.hpp>
 #include <irg/visibility/sight_result.hpp>

@@ -52,15 +52,17 @@ public:
   constexpr bool matters_beyond(const point<T, 2>& u, const point<T, 2>& v) const noexcept {
     if (is_source(v) && !is_source(u)) return false;
     if (!meets_source(u, v)) return false;
-    int at_u = 0;
+    int at_u = 0, at_v = 0;  // 1 and 2: an obstacle goes on from there to the left, to the right
     for (const auto& o : obstacles) {
       const int a = orient2d(u, v, o.a), b = orient2d(u, v, o.b);
-      if (o.a == u || o.b == u) at_u |= (a > 0 || b > 0 ? 1 : 0) | (a < 0 || b < 0 ? 2 : 0);
+      const int sides = (a > 0 || b > 0 ? 1 : 0) | (a < 0 || b < 0 ? 2 : 0);
+      if (o.a == u || o.b == u) at_u |= sides;
+      if (o.a == v || o.b == v) at_v |= sides;
       if (a * b >= 0) continue;
       const int from = orient2d(o.a, o.b, u);
       if (from * orient2d(o.a, o.b, v) < 0 || parts_from_source(o, from)) return false;
     }
-    return at_u != 3 || is_source(u);
+    return (at_u != 3 || is_source(u)) && (at_v != 3 || is_source(v));
   }
 
 private:
