@@ -84,6 +84,37 @@ TEST_CASE("cover_by_guards: rings that touch, whichever way they run; a room in 
   }
 }
 
+// What lies behind a wall that a hole touches is not in the plan, though it sees the hole's corner.
+TEST_CASE("cover_by_guards: holes that touch each wall") {
+  const plan p{{{0, 0}, {8, 0}, {8, 8}, {0, 8}},
+               {{4, 0}, {3, 1}, {5, 1}},
+               {{8, 4}, {7, 3}, {7, 5}},
+               {{4, 8}, {3, 7}, {5, 7}},
+               {{0, 4}, {1, 3}, {1, 5}}};
+  const auto c = guarded(p);
+  double area = 0;
+  for (const auto& part : c.parts) area += twice_area_of(part.ring);
+  CHECK(std::fabs(area / 2 - 60) < 1e-9);
+}
+
+// Powers of two stretch the plane without rounding: all comes out the same, stretched.
+TEST_CASE("cover_by_guards: plans of all sizes, and such as are much wider than high") {
+  const plan p = {{{0, 0}, {8, 0}, {8, 4}, {4, 4}, {5, 8}, {0, 7}}, {{6, 3}, {5, 2}, {7, 2}}};
+  const auto want = guarded(p);
+  CHECK(want.guards.size() >= want.at_least);
+  for (const int ex : {-1000, -500, 0, 500, 1000})
+    for (const int ey : {-1000, 0, 1000}) {
+      const auto stretched = [&](const place& q) { return place{std::ldexp(q.x, ex), std::ldexp(q.y, ey)}; };
+      plan t = p;
+      for (auto& ring : t)
+        for (place& q : ring) q = stretched(q);
+      auto expected = want;
+      for (auto& part : expected.parts)
+        for (place& q : part.ring) q = stretched(q);
+      CHECK(guarded(t) == expected);
+    }
+}
+
 // A ring round the origin with a corner in each of n directions, and perhaps a hole.
 plan random_plan(test::random& r, int n) {
   plan p(1);
