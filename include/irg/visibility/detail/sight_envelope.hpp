@@ -101,6 +101,7 @@ public:
   constexpr void merge() {
     std::vector<item> merged;
     std::vector<std::size_t> merged_ends;
+    merged.reserve(nearest.size());
     while (ends_.size() > 1) {
       merged.clear();
       merged_ends.clear();

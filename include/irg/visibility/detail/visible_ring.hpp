@@ -27,6 +27,8 @@ public:
     is_finite_ = is_finite_sight_point(source);
   }
 
+  constexpr void expect_obstacles(std::size_t count) { envelope_.edges.reserve(count + 16); }
+
   constexpr void add_obstacle(const segment<T, 2>& s, std::size_t index) {
     const bool stops_at_ends = options_.ends == obstacle_ends::closed;
     if (add_edge(s.a, s.b, index, false)) on_obstacle_ = true;
@@ -225,6 +227,7 @@ private:
     const std::vector<item>& list = envelope_.nearest;
     const std::size_t n = list.size() - 1;  // the last one says that the turn is over
     std::uint32_t before = list[n - 1].edge;
+    out_.ring.reserve(2 * n);
     for (std::size_t i = 0; i < n; ++i) {
       const auto& at = list[i].at;
       std::uint32_t there = at.slot % 2 == 0 ? list[i].edge : before, after = list[i].edge;
