@@ -45,8 +45,8 @@ inline namespace IRG_ABI {
 /// gives   nothing when `first` and `second` do not cross in one point (parallel, or without length), and when
 ///         something is NaN or infinite; 0 when the ends of `of` are the same point
 /// exact   for every finite float and double; other scalars: as exact as their own + - *
-/// cost    some 20 ns; where the crossing is nearly on the line, a polynomial of degree 4 in doubled precision, in exact
-///         numbers where that does not suffice
+/// cost    some 20 ns; where the crossing is nearly on the line, a polynomial of degree 4 in doubled precision, in
+///         exact numbers where that does not suffice
 template <Scalar T>
   requires(Floating<T> || !std::is_arithmetic_v<T>)
 constexpr std::optional<int> side_of_crossing(const segment<T, 2>& first, const segment<T, 2>& second,
