@@ -42,6 +42,7 @@
 #include "line_variants.hpp"
 #include "occlusion.hpp"
 #include "occlusion_culling.hpp"
+#include "plane_sight.hpp"
 #include "projections.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
@@ -406,6 +407,9 @@ int main(int argc, char** argv) {
   save("field_of_view", sight_pictures::variants());
   save("visible_part", sight_pictures::parts());
   save("see", sight_pictures::corners());
+  save("visibility_polygon", plane_sight::polygons());
+  save("weak_visibility", plane_sight::shadows());
+  save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
   save("viewshed", sight_pictures::hills());
   failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;

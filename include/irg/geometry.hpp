@@ -16,6 +16,7 @@
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/compare_distance_to.hpp>
 #include <irg/geometry/convex_hull.hpp>
+#include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/distance.hpp>
 #include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/flat_ring.hpp>

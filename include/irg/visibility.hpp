@@ -4,11 +4,17 @@
 
 #include <irg/visibility/corner_rule.hpp>
 #include <irg/visibility/field_of_view.hpp>
+#include <irg/visibility/guard_cover.hpp>
+#include <irg/visibility/guard_result.hpp>
 #include <irg/visibility/see.hpp>
+#include <irg/visibility/sight_line.hpp>
+#include <irg/visibility/sight_result.hpp>
 #include <irg/visibility/sight_tracker.hpp>
 #include <irg/visibility/unit_sight.hpp>
 #include <irg/visibility/viewshed.hpp>
+#include <irg/visibility/visibility_polygon.hpp>
 #include <irg/visibility/visible_part.hpp>
+#include <irg/visibility/weak_visibility.hpp>
 #include <irg/visibility/textbook/sight_2d.hpp>
 #include <irg/visibility/textbook/sight_3d.hpp>
 #include <irg/visibility/textbook/sight_search.hpp>

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What the functions for sight in the plane take and give: how obstacles stop sight, and regions whose edges tell what
+// is seen there.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <irg/core/ring.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+
+/// Whether the ends of an obstacle belong to it.
+enum class obstacle_ends {
+  closed,  // sight does not pass through an end
+  open,    // sight passes through ends, also where two obstacles touch with theirs; a point stops nothing
+};
+
+/// How sight in the plane is stopped, and what is inside of a domain of several rings.
+struct sight_options {
+  obstacle_ends ends = obstacle_ends::closed;
+  fill_rule rule = fill_rule::even_odd;
+  constexpr bool operator==(const sight_options&) const = default;
+};
+
+/// How a region came about: `source_on_obstacle` and `source_on_boundary` are answered, what follows them is not.
+enum class visibility_status {
+  done,
+  source_on_obstacle,
+  source_on_boundary,
+  source_outside,
+  source_not_convex,        // or without points
+  source_crosses_obstacle,  // an edge of the source and an obstacle go on both sides of each other
+  not_finite,
+};
+
+/// What is seen at the end of sight: nothing where an edge of a region runs along a sight line.
+enum class sight_stop { nothing, obstacle, boundary };
+
+/// A vertex of a region, and what is seen along the edge from there to the next: obstacle number `index`, or edge
+/// number `index` of the domain, the edges of its rings counted on from ring to ring.
+template <Floating T>
+struct sight_vertex {
+  point<T, 2> at{};
+  sight_stop stop = sight_stop::nothing;
+  std::size_t index = 0;
+  constexpr bool operator==(const sight_vertex&) const = default;
+};
+
+/// A region that is seen from a point. Its ring runs counter-clockwise (y up).
+template <Floating T>
+struct visible_region {
+  visibility_status status = visibility_status::done;
+  std::vector<sight_vertex<T>> ring{};
+  constexpr bool operator==(const visible_region&) const = default;
+};
+
+/// The parts of a window by how much of a source is seen from there. Of each, outer rings run counter-clockwise (y up),
+/// those round holes clockwise.
+template <Floating T>
+struct source_regions {
+  visibility_status status = visibility_status::done;
+  std::vector<std::vector<point<T, 2>>> all{};  // light
+  std::vector<std::vector<point<T, 2>>> some{};  // penumbra
+  std::vector<std::vector<point<T, 2>>> none{};  // umbra
+  std::size_t lines = 0;  // sight lines past two ends
+  std::size_t skipped = 0;  // those of them at which nothing can change
+  constexpr bool operator==(const source_regions&) const = default;
+};
+
+}  // namespace irg

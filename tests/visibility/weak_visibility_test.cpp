@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include <irg/visibility/weak_visibility.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <irg/geometry/point_in_polygon.hpp>
+
+#include "support/check_both.hpp"
+#include "support/plane_sight_oracle.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using irg::visibility_status;
+using place = irg::point<double, 2>;
+using wall = irg::segment<double, 2>;
+using window = irg::box<double, 2>;
+using rings = std::vector<std::vector<place>>;
+
+constexpr window plan{{-5, -5}, {5, 5}};
+
+constexpr bool shadow_of_one_wall() {
+  const wall walls[] = {{{-1, 0}, {1, 0}}};
+  const auto r = irg::weak_visibility(wall{{-2, 2}, {2, 2}}, walls, plan);
+  const place umbra[] = {{0, -2}, {1, 0}, {-1, 0}};
+  return r.status == visibility_status::done && r.all.size() == 1 && r.some.size() == 1 && r.none.size() == 1 &&
+         r.none[0].size() == 3 && std::equal(umbra, umbra + 3, r.none[0].begin()) && r.all[0].size() == 6;
+}
+constexpr bool nothing_in_the_way() {
+  const auto r = irg::weak_visibility(wall{{0, 0}, {0, 0}}, {}, plan);
+  return r.all.size() == 1 && r.all[0].size() == 4 && r.some.empty() && r.none.empty();
+}
+constexpr visibility_status status_of(const std::vector<place>& source, const std::vector<wall>& walls) {
+  return irg::weak_visibility(std::span<const place>(source), walls, plan).status;
+}
+constexpr bool hostile() {
+  constexpr double most = std::numeric_limits<double>::max(), nan = std::numeric_limits<double>::quiet_NaN();
+  const wall walls[] = {{{-most, 0}, {most, 0}}};
+  const auto half = irg::weak_visibility(wall{{0, 1}, {0, 1}}, walls, window{{-most, -most}, {most, most}});
+  return half.all.size() == 1 && half.none.size() == 1 && half.some.empty() &&
+         status_of({{nan, 0}}, {}) == visibility_status::not_finite &&
+         status_of({}, {}) == visibility_status::source_not_convex &&
+         status_of({{0, 0}, {2, 0}, {1, 1}, {2, 2}}, {}) == visibility_status::source_not_convex &&
+         status_of({{-1, 0}, {1, 0}}, {{{0, -1}, {0, 1}}}) == visibility_status::source_crosses_obstacle &&
+         irg::weak_visibility(wall{{0, 0}, {1, 0}}, {}, window{}).all.empty();
+}
+static_assert(shadow_of_one_wall() && nothing_in_the_way() && hostile());
+
+TEST_CASE("weak_visibility: constants as at run time") {
+  CHECK(shadow_of_one_wall());
+  CHECK(nothing_in_the_way());
+  CHECK(hostile());
+}
+
+TEST_CASE("weak_visibility: a square source, seen through a gap") {
+  const std::vector<place> lamp{{-1, 3}, {1, 3}, {1, 4}, {-1, 4}};
+  const std::vector<wall> walls{{{-5, 0}, {-0.5, 0}}, {{0.5, 0}, {5, 0}}};
+  const auto r = irg::weak_visibility(std::span<const place>(lamp), walls, plan);
+  CHECK(r.status == visibility_status::done);
+  CHECK(r.some.size() == 1);
+  CHECK(r.none.size() == 2);
+  const std::vector<place> backwards(lamp.rbegin(), lamp.rend());
+  CHECK(irg::weak_visibility(std::span<const place>(backwards), walls, plan) == r);
+}
+
+double area_of(const rings& list) {
+  double sum = 0;
+  for (const auto& r : list)
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      const place &a = r[i], &b = r[(i + 1) % r.size()];
+      sum += (a.x * b.y - a.y * b.x) / 2;
+    }
+  return sum;
+}
+
+TEST_CASE("weak_visibility: a wall that ends on the source hides a part of it from all on its side") {
+  const std::vector<wall> walls{{{0, 2}, {0, 0}}};
+  const auto r = irg::weak_visibility(wall{{-2, 2}, {2, 2}}, walls, plan);
+  CHECK(area_of(r.all) == 30);
+  CHECK(area_of(r.some) == 70);
+  CHECK(r.none.empty());
+}
+
+// The rings, each from its least vertex on, in order: the same parts give the same list.
+rings in_order(rings list) {
+  const auto less = [](const place& a, const place& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  for (auto& r : list) std::rotate(r.begin(), std::min_element(r.begin(), r.end(), less), r.end());
+  std::sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+  });
+  return list;
+}
+
+struct scene {
+  std::vector<place> source;
+  std::vector<wall> walls;
+};
+
+scene random_scene(test::random& r, int size, int most_walls) {
+  const auto any = [&] {
+    const auto x = static_cast<double>(r.integer(-size, size)), y = static_cast<double>(r.integer(-size, size));
+    return place{x, y};
+  };
+  scene s;
+  const place at = any();
+  switch (r.integer(0, 3)) {
+    case 0: s.source = {at}; break;
+    case 1: s.source = {at, any()}; break;
+    case 2: s.source = {at, {at.x + 1, at.y}, {at.x, at.y + 1}}; break;
+    default: s.source = {at, {at.x, at.y + 2}, {at.x + 2, at.y + 2}, {at.x + 1, at.y}}; break;
+  }
+  for (auto n = r.integer(0, most_walls); n > 0; --n) {
+    const place a = any(), b = any();
+    s.walls.push_back({a, b});
+  }
+  return s;
+}
+
+TEST_CASE("weak_visibility: skipping sight lines changes nothing, and the parts make up the window") {
+  test::random r(4);
+  const int times = std::getenv("IRG_RELEASE_TIER") != nullptr ? 30 : 1;
+  int wrong = 0;
+  std::size_t skipped = 0;
+  for (int i = 0; i < 60 * times; ++i) {
+    const scene s = random_scene(r, 3, 2);
+    const auto few = irg::weak_visibility(std::span<const place>(s.source), s.walls, plan);
+    irg::detail::source_regions_builder<double> builder(plan);
+    const auto all = builder.run(s.source, s.walls, irg::detail::line_choice::all);
+    wrong += in_order(few.all) != in_order(all.all) || in_order(few.some) != in_order(all.some) ||
+             in_order(few.none) != in_order(all.none) || all.skipped != 0;
+    skipped += few.skipped;
+    if (few.status == visibility_status::done)
+      wrong += std::fabs(area_of(few.all) + area_of(few.some) + area_of(few.none) - 100) > 1e-9;
+  }
+  CHECK(wrong == 0);
+  CHECK(skipped > 0);
+}
+
+// Powers of two stretch the plane without rounding: all comes out the same, stretched.
+TEST_CASE("weak_visibility: plans of all sizes, and such as are much wider than high") {
+  test::random r(11);
+  int wrong = 0;
+  for (int i = 0; i < 40; ++i) {
+    const scene s = random_scene(r, 3, 3);
+    const auto want = irg::weak_visibility(std::span<const place>(s.source), s.walls, plan);
+    for (const int ex : {-990, 0, 990}) {
+      const int ey = i % 2 == 0 ? ex : -ex / 2;
+      const auto stretched = [&](const place& p) { return place{std::ldexp(p.x, ex), std::ldexp(p.y, ey)}; };
+      scene t = s;
+      for (place& p : t.source) p = stretched(p);
+      for (wall& w : t.walls) w = {stretched(w.a), stretched(w.b)};
+      auto expected = want;
+      for (auto* list : {&expected.all, &expected.some, &expected.none})
+        for (auto& ring : *list)
+          for (place& p : ring) p = stretched(p);
+      const window room{stretched(plan.low), stretched(plan.high)};
+      wrong += !(irg::weak_visibility(std::span<const place>(t.source), t.walls, room) == expected);
+    }
+  }
+  CHECK(wrong == 0);
+}
+
+#ifdef IRG_HAVE_MPFR
+namespace oracle = test::plane_sight;
+using oracle::number;
+
+oracle::place exactly(const place& p) { return {number(p.x), number(p.y)}; }
+
+// 0 when nothing of the source is seen from p, 1 when some is, 2 when all: by one ray between all critical directions.
+int share_seen(const scene& s, const place& from) {
+  const oracle::place p = exactly(from);
+  std::vector<oracle::edge> walls, edges;
+  for (const wall& w : s.walls) walls.push_back({exactly(w.a), exactly(w.b), irg::sight_stop::obstacle, 0});
+  const std::size_t n = s.source.size();
+  for (std::size_t i = 0; i < n; ++i)
+    edges.push_back({exactly(s.source[i]), exactly(s.source[(i + 1) % n]), irg::sight_stop::boundary, 0});
+  std::vector<oracle::place> all;
+  for (const auto* list : {&walls, &edges})
+    for (const auto& e : *list) {
+      all.push_back(e.a - p);
+      all.push_back(e.b - p);
+    }
+  if (n == 1 || (n == 2 && s.source[0] == s.source[1])) {
+    const oracle::place d = edges[0].a - p;
+    for (const auto& w : walls)
+      if (const auto t = oracle::meets(p, d, w); t && *t < number(1)) return 0;
+    return 2;
+  }
+  const auto half = [](const oracle::place& d) { return d.y.sign() < 0 || (d.y.sign() == 0 && d.x.sign() < 0); };
+  std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return half(a) != half(b) ? half(b) : oracle::cross(a, b).sign() > 0;
+  });
+  bool some = false, every = true;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const oracle::place &a = all[i], &b = all[(i + 1) % all.size()];
+    if (oracle::cross(a, b).sign() <= 0) continue;  // no source in more than half a turn
+    const oracle::place d = number(1) / oracle::dot(a, a) * a + number(1) / oracle::dot(b, b) * b;
+    std::optional<number> first, last, wall_at;
+    int count = 0;
+    for (const auto& e : edges)
+      if (const auto t = oracle::meets(p, d, e)) {
+        ++count;
+        if (!first || *t < *first) first = t;
+        if (!last || *last < *t) last = t;
+      }
+    if (count == 0) continue;
+    for (const auto& w : walls)
+      if (const auto t = oracle::meets(p, d, w); t && (!wall_at || *t < *wall_at)) wall_at = t;
+    if (!wall_at || (count == 1) || !(*wall_at < *first)) some = true;  // count 1: p is within the source
+    if (wall_at && *wall_at < *last) every = false;
+  }
+  return every ? 2 : some ? 1 : 0;
+}
+
+int wrong_places(const scene& s, test::random& r, int samples) {
+  const auto got = irg::weak_visibility(std::span<const place>(s.source), s.walls, plan);
+  if (got.status != visibility_status::done) return 0;
+  std::vector<place> corners;
+  for (const auto* list : {&got.all, &got.some, &got.none})
+    for (const auto& ring : *list) corners.insert(corners.end(), ring.begin(), ring.end());
+  int wrong = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double x = 10 * r.unit() - 5, y = 10 * r.unit() - 5;
+    const place& c = corners[static_cast<std::size_t>(r.integer(0, static_cast<std::int64_t>(corners.size()) - 1))];
+    const place p = i % 2 == 0 ? place{x, y} : place{c.x + x / 5000, c.y + y / 5000};  // close to a corner
+    if (!(-5 < p.x && p.x < 5 && -5 < p.y && p.y < 5)) continue;
+    const int want = share_seen(s, p);
+    const rings* parts[] = {&got.none, &got.some, &got.all};
+    for (int k = 0; k < 3; ++k) {
+      const bool inside = irg::point_in_polygon(*parts[k], p, irg::fill_rule::even_odd) == irg::point_location::inside;
+      wrong += inside != (k == want);
+    }
+  }
+  return wrong;
+}
+
+TEST_CASE("weak_visibility: as dense samples in rationals say") {
+  test::random r(6);
+  const int times = std::getenv("IRG_RELEASE_TIER") != nullptr ? 20 : 1;
+  int wrong = 0;
+  for (int i = 0; i < 250 * times; ++i) {
+    const scene s = random_scene(r, 2 + i % 3, 5);
+    wrong += wrong_places(s, r, 12);
+  }
+  CHECK(wrong == 0);
+}
+#endif
+
+}  // namespace
