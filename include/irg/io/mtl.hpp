@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -122,12 +123,13 @@ constexpr result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
 /// What the mtllib statements of an OBJ text name, each the rest of its line; nothing is opened.
 /// shape   in the order of the text, which the names are parts of
 /// cost    one pass over the text
-constexpr std::vector<std::string_view> material_libraries(std::string_view obj) {
-  std::vector<std::string_view> names;
+template <class Text = std::string_view>
+constexpr std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
+  std::vector<Text> names;
   detail::text_cursor text(obj, '#');
   for (; text.skip_space(); text.skip_to_line_end())
     if (text.word() == "mtllib")
-      if (const std::string_view name = text.rest_of_line(); !name.empty()) names.push_back(name);
+      if (const Text name = text.rest_of_line(); !name.empty()) names.push_back(name);
   return names;
 }
 

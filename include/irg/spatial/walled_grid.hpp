@@ -2,6 +2,7 @@
 // walled_grid: full and empty cells with walls of several kinds between them.
 #pragma once
 
+#include <concepts>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -56,13 +57,14 @@ public:
 
   IRG_INLINE constexpr void set(const cell3& c, bool full = true) noexcept { cells_.set(c, full); }
   /// cost    three bytes and three bits per cell from the first wall on
-  IRG_INLINE constexpr void set_wall(const cell3& c, int axis, wall_kind kind) {
+  template <std::same_as<wall_kind> Kind = wall_kind>
+  IRG_INLINE constexpr void set_wall(const cell3& c, int axis, Kind kind) {
     IRG_EXPECTS(extent().holds(c) && axis >= 0 && axis < 3);
     if (!walled()) {
       const grid_extent e = extent();
-      std::vector<wall_kind> kinds(3 * static_cast<std::size_t>(e.width) * static_cast<std::size_t>(e.height) *
-                                       static_cast<std::size_t>(e.depth),
-                                   wall_kind::none);
+      std::vector<Kind> kinds(3 * static_cast<std::size_t>(e.width) * static_cast<std::size_t>(e.height) *
+                                  static_cast<std::size_t>(e.depth),
+                              wall_kind::none);
       across_x_ = across_y_ = across_z_ = cell_grid(e);
       kinds_ = std::move(kinds);
     }

@@ -77,7 +77,8 @@ public:
     return look_at(c);
   }
   /// Puts a wall, opens or shuts a door, and returns how many units had to look again.
-  IRG_INLINE constexpr int set_wall(const cell3& c, int axis, wall_kind kind) {
+  template <std::same_as<wall_kind> Kind = wall_kind>
+  IRG_INLINE constexpr int set_wall(const cell3& c, int axis, Kind kind) {
     const bool before = map_.has_wall(c, axis);
     map_.set_wall(c, axis, kind);
     return map_.has_wall(c, axis) == before ? 0 : look_at(c);

@@ -3,6 +3,7 @@
 // rule for steps along one, two and three axes, and the more exact test in the plane where both ends have z = 0.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -55,7 +56,8 @@ constexpr void sight_cells_one_pass(const cell3& a, const cell3& b, Sink&& emit)
 /// The cells of a line in space from a to b by two lines in the plane: p' of x and y, then of the steps of p' and z.
 /// shape   as sight_cells_one_pass, and the same cells unless |dz| is the greatest: then p' is rounded twice
 /// source  Fabris 2012, 5
-constexpr std::vector<cell3> sight_cells_nested(const cell3& a, const cell3& b) {
+template <std::same_as<cell3> Cell = cell3>
+constexpr std::vector<Cell> sight_cells_nested(const Cell& a, const Cell& b) {
   std::vector<cell3> projected;
   sight_cells_one_pass({a.x, a.y, 0}, {b.x, b.y, 0}, [&](const cell3& c) { projected.push_back(c); });
   const bool flat = (a.x < b.x ? std::int64_t{b.x} - a.x : std::int64_t{a.x} - b.x) >
