@@ -2,6 +2,7 @@
 #include <irg/visibility/visibility_polygon.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -74,6 +75,11 @@ TEST_CASE("visibility_polygon: a source on the boundary, on an obstacle, on a co
   CHECK(irg::visibility_polygon(place{0, 0}, room, dots).status == visibility_status::source_on_obstacle);
   CHECK(irg::visibility_polygon(place{0, 0}, room, dots, {.ends = obstacle_ends::open}).status ==
         visibility_status::done);
+}
+
+TEST_CASE("visibility_polygon: domains of any container and any type of point") {
+  const std::array<double, 2> ring[] = {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}};
+  CHECK(irg::visibility_polygon(place{1, 0}, ring) == irg::visibility_polygon(place{1, 0}, room));
 }
 
 TEST_CASE("visibility_polygon: rings without area, without vertices") {
