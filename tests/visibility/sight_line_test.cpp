@@ -13,6 +13,7 @@
 namespace {
 
 using irg::obstacle_ends;
+using irg::sight_reach;
 using place = irg::point<double, 2>;
 using wall = irg::segment<double, 2>;
 
@@ -24,6 +25,9 @@ TEST_CASE("see and first_obstacle: ordinary, degenerate and hostile input") {
   CHECK_BOTH(irg::first_obstacle(place{0, 0}, place{6, 0}, cross) == 1u);
   CHECK_BOTH(irg::first_obstacle(place{6, 0}, place{0, 0}, cross) == 2u);
   CHECK_BOTH(irg::first_obstacle(place{1, 0}, place{3, 0}, cross) == std::nullopt);  // at its ends only
+  CHECK_BOTH(irg::first_obstacle(place{1, 0}, place{2, 0}, cross, obstacle_ends::closed, sight_reach::onwards) == 0u);
+  CHECK_BOTH(irg::first_obstacle(place{6, 1}, place{7, 1}, cross, obstacle_ends::closed, sight_reach::onwards) ==
+             std::nullopt);
   CHECK_BOTH((irg::see(place{0, 0}, place{1, 0}, cross) && !irg::see(place{0, 0}, place{2, 0}, cross)));
   CHECK_BOTH((irg::see(place{2, 0}, place{2, 0}, cross) && irg::see(place{0, 0}, place{1, 1}, {})));
   CHECK_BOTH(
@@ -40,18 +44,18 @@ using oracle::number;
 oracle::place exactly(const place& p) { return {number(p.x), number(p.y)}; }
 
 // How far along the way from p to q an obstacle is met first: 0 when it goes on from p.
-std::optional<number> met_at(const oracle::place& p, const oracle::place& q, const wall& w, bool closed) {
+std::optional<number> met_at(const oracle::place& p, const oracle::place& q, const wall& w, bool closed, bool onwards) {
   const oracle::place d = q - p, a = exactly(w.a) - p, b = exactly(w.b) - p;
   const number along = oracle::dot(d, d), one(1), side_a = oracle::cross(d, a), side_b = oracle::cross(d, b);
   if (side_a.sign() == 0 && side_b.sign() == 0) {
     const number ta = oracle::dot(a, d) / along, tb = oracle::dot(b, d) / along;
     const number low = ta < tb ? ta : tb, high = ta < tb ? tb : ta;
-    if (high.sign() <= 0 || !(low < one) || (low == high && !closed)) return std::nullopt;
+    if (high.sign() <= 0 || !(onwards || low < one) || (low == high && !closed)) return std::nullopt;
     return low.sign() < 0 ? number(0) : low;
   }
   if (side_a.sign() * side_b.sign() > 0 || (side_a.sign() * side_b.sign() == 0 && !closed)) return std::nullopt;
   const number share = side_a / (side_a - side_b), t = oracle::dot(a + share * (b - a), d) / along;
-  if (t.sign() <= 0 || !(t < one)) return std::nullopt;
+  if (t.sign() <= 0 || !(onwards || t < one)) return std::nullopt;
   return t;
 }
 
@@ -74,16 +78,19 @@ TEST_CASE("see and first_obstacle: as in rationals, both ways") {
       const place a = any(), b = any();
       walls.push_back({a, b});
     }
-    for (const auto ends : {obstacle_ends::closed, obstacle_ends::open}) {
-      std::optional<std::size_t> want;
-      std::optional<number> at;
-      for (std::size_t k = 0; k < walls.size() && !(p == q); ++k) {
-        const auto t = met_at(exactly(p), exactly(q), walls[k], ends == obstacle_ends::closed);
-        if (t && (!at || *t < *at)) want = k, at = t;
+    for (const auto ends : {obstacle_ends::closed, obstacle_ends::open})
+      for (const auto reach : {sight_reach::up_to, sight_reach::onwards}) {
+        const bool closed = ends == obstacle_ends::closed, onwards = reach == sight_reach::onwards;
+        std::optional<std::size_t> want;
+        std::optional<number> at;
+        for (std::size_t k = 0; k < walls.size() && !(p == q); ++k) {
+          const auto t = met_at(exactly(p), exactly(q), walls[k], closed, onwards);
+          if (t && (!at || *t < *at)) want = k, at = t;
+        }
+        wrong += irg::first_obstacle(p, q, walls, ends, reach) != want;
+        if (!onwards)
+          wrong += irg::see(p, q, walls, ends) == want.has_value() || irg::see(q, p, walls, ends) == want.has_value();
       }
-      wrong += irg::first_obstacle(p, q, walls, ends) != want;
-      wrong += irg::see(p, q, walls, ends) == want.has_value() || irg::see(q, p, walls, ends) == want.has_value();
-    }
   }
   CHECK(wrong == 0);
 }

@@ -2,6 +2,7 @@
 #include <irg/visibility/visibility_polygon.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -74,6 +75,25 @@ TEST_CASE("visibility_polygon: a source on the boundary, on an obstacle, on a co
   CHECK(irg::visibility_polygon(place{0, 0}, room, dots).status == visibility_status::source_on_obstacle);
   CHECK(irg::visibility_polygon(place{0, 0}, room, dots, {.ends = obstacle_ends::open}).status ==
         visibility_status::done);
+}
+
+TEST_CASE("visibility_polygon: corners of the domain end needles, whichever side they come from") {
+  const wall walls[] = {{{1, 1}, {1, 0}}, {{2, 0}, {2, -1}}};
+  for (const double up : {1.0, -1.0}) {
+    const std::vector<place> spiked{{-4, -4 * up}, {4, -4 * up},  {4, 4 * up}, {3.5, 4 * up},
+                                    {3, 0},        {2.5, 4 * up}, {-4, 4 * up}};
+    const auto seen = irg::visibility_polygon(place{0, 0}, spiked, walls, {.ends = obstacle_ends::open});
+    const auto count = [&](const place& p) {
+      return std::count_if(seen.ring.begin(), seen.ring.end(), [&](const auto& v) { return v.at == p; });
+    };
+    CHECK(count({3, 0}) == 1);
+    CHECK(count({4, 0}) == 0);
+  }
+}
+
+TEST_CASE("visibility_polygon: domains of any container and any type of point") {
+  const std::array<double, 2> ring[] = {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}};
+  CHECK(irg::visibility_polygon(place{1, 0}, ring) == irg::visibility_polygon(place{1, 0}, room));
 }
 
 TEST_CASE("visibility_polygon: rings without area, without vertices") {

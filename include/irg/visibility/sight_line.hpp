@@ -10,13 +10,21 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
+#include <irg/visibility/detail/turn_between.hpp>
 #include <irg/visibility/sight_result.hpp>
 
 namespace irg {
+
+/// How far sight from p towards q is followed.
+enum class sight_reach {
+  up_to,    // to q, not included
+  onwards,  // without end: a ray through q
+};
+
 namespace detail {
 inline namespace IRG_ABI {
 
-// What stops sight from p to q, strictly between the two: where that is, is the point `at` of an obstacle that lies
+// What stops sight from p towards q: where that is, is the point `at` of an obstacle that lies
 // along the way, or else the crossing with an obstacle, p being on this side of it.
 template <Floating T>
 struct sight_hit {
@@ -33,21 +41,23 @@ constexpr bool leads_on(const segment<T, 2>& way, const point<T, 2>& a, const po
 }
 
 template <Floating T>
-constexpr std::optional<sight_hit<T>> hit_between(const segment<T, 2>& way, const segment<T, 2>& o,
-                                                  obstacle_ends ends) noexcept {
+constexpr std::optional<sight_hit<T>> hit_between(const segment<T, 2>& way, const segment<T, 2>& o, obstacle_ends ends,
+                                                  sight_reach reach) noexcept {
   const int a = orient2d(way.a, way.b, o.a), b = orient2d(way.a, way.b, o.b);
   if (a * b > 0) return std::nullopt;
   if (a == 0 && b == 0) {
     const bool is_point = o.a == o.b, forward = is_point || leads_on(way, o.a, o.b);
     const point<T, 2>&low = forward ? o.a : o.b, &high = forward ? o.b : o.a;
-    if (!leads_on(way, way.a, high) || !leads_on(way, low, way.b)) return std::nullopt;
+    if (!leads_on(way, way.a, high)) return std::nullopt;
+    if (reach == sight_reach::up_to && !leads_on(way, low, way.b)) return std::nullopt;
     if (is_point && ends == obstacle_ends::open) return std::nullopt;
     return sight_hit<T>{o, leads_on(way, way.a, low) ? low : way.a, 0};
   }
   if (a * b == 0 && ends == obstacle_ends::open) return std::nullopt;
-  const int p = orient2d(o.a, o.b, way.a);
-  if (p == 0 || p != -orient2d(o.a, o.b, way.b)) return std::nullopt;
-  return sight_hit<T>{o, std::nullopt, p};
+  const int p = orient2d(o.a, o.b, way.a), q = orient2d(o.a, o.b, way.b);
+  if (p == 0) return std::nullopt;
+  const bool is_ahead = p == -q || (reach == sight_reach::onwards && (q == 0 || turn_between(o, way) == -p));
+  return is_ahead ? std::optional<sight_hit<T>>({o, std::nullopt, p}) : std::nullopt;
 }
 
 // Whether x comes before y on the way.
@@ -64,9 +74,10 @@ constexpr bool is_hit_before(const segment<T, 2>& way, const sight_hit<T>& x, co
 
 inline namespace IRG_ABI {
 
-/// The number of the obstacle that the way from p to q meets first, strictly between the two.
+/// The number of the obstacle that the way from p to q meets first, strictly between the two; or the ray from p through
+/// q, when it is followed onwards (ray shooting).
 /// shape   obstacles may touch, cross, overlap and be points. Those at p or q themselves stop no sight, unless they go
-///         on between the two
+///         on between the two; onwards q is a place as any other
 /// needs   finite coordinates
 /// gives   nothing when none is in the way, and when p == q; of several met at one place the lowest number
 /// exact   for all finite floats and doubles
@@ -74,12 +85,13 @@ inline namespace IRG_ABI {
 template <Floating T>
 constexpr std::optional<std::size_t> first_obstacle(const point<T, 2>& p, const point<T, 2>& q,
                                                     std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                                    obstacle_ends ends = obstacle_ends::closed) noexcept {
+                                                    obstacle_ends ends = obstacle_ends::closed,
+                                                    sight_reach reach = sight_reach::up_to) noexcept {
   const segment<T, 2> way{p, q};
   std::optional<std::size_t> first;
   detail::sight_hit<T> best;
   for (std::size_t i = 0; i < obstacles.size() && !(p == q); ++i) {
-    const auto hit = detail::hit_between(way, obstacles[i], ends);
+    const auto hit = detail::hit_between(way, obstacles[i], ends, reach);
     if (!hit || (first && !detail::is_hit_before(way, *hit, best))) continue;
     first = i;
     best = *hit;
@@ -99,7 +111,7 @@ constexpr bool see(const point<T, 2>& p, const point<T, 2>& q,
                    obstacle_ends ends = obstacle_ends::closed) noexcept {
   if (p == q) return true;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
-    if (detail::hit_between(segment<T, 2>{p, q}, obstacles[i], ends)) return false;
+    if (detail::hit_between(segment<T, 2>{p, q}, obstacles[i], ends, sight_reach::up_to)) return false;
   return true;
 }
 

@@ -6,8 +6,8 @@
 // Of segments that cross only the crossings that are seen are ever looked at, however many there are.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <vector>

@@ -10,26 +10,16 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/core/conversion.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
 #include <irg/geometry/sign_of.hpp>
+#include <irg/visibility/detail/turn_between.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
-
-template <Floating T, std::size_t Size>
-constexpr std::array<double, 2 * Size> plane_numbers(const std::array<point<T, 2>, Size>& points) noexcept {
-  std::array<double, 2 * Size> in{};
-  for (std::size_t i = 0; i < Size; ++i) {
-    in[2 * i] = widened(points[i].x);
-    in[2 * i + 1] = widened(points[i].y);
-  }
-  return in;
-}
 
 // Twice the area between the line from point i to point i + 1 of x and point k.
 struct plane_area {
@@ -39,13 +29,6 @@ struct plane_area {
            (x[2 * i + 3] - x[2 * i + 1]) * (x[2 * k] - x[2 * i]);
   }
 };
-
-// The sign of (a.b - a.a) x (b.b - b.a).
-template <Floating T>
-constexpr int turn_between(const segment<T, 2>& a, const segment<T, 2>& b) noexcept {
-  const auto formula = [](const auto& x) { return (x[2] - x[0]) * (x[7] - x[5]) - (x[3] - x[1]) * (x[6] - x[4]); };
-  return irg::sign_of<2>(formula, plane_numbers<T, 4>({a.a, a.b, b.a, b.b}));
-}
 
 // A point that is given, or in which the lines `first` and `second` cross. `at` is it, rounded.
 template <Floating T>

@@ -10,7 +10,7 @@
 
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/segment.hpp>
-#include <irg/visibility/detail/sight_arrangement.hpp>
+#include <irg/visibility/detail/turn_between.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
