@@ -2,8 +2,8 @@
 // walled_grid: full and empty cells with walls of several kinds between them.
 #pragma once
 
-#include <concepts>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
