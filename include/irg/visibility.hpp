@@ -2,11 +2,14 @@
 // visibility: line of sight and fields of view on grids.
 #pragma once
 
+#include <irg/visibility/cell_plan.hpp>
 #include <irg/visibility/corner_rule.hpp>
 #include <irg/visibility/field_of_view.hpp>
+#include <irg/visibility/potentially_visible.hpp>
 #include <irg/visibility/see.hpp>
 #include <irg/visibility/sight_tracker.hpp>
 #include <irg/visibility/unit_sight.hpp>
+#include <irg/visibility/view_through_portals.hpp>
 #include <irg/visibility/viewshed.hpp>
 #include <irg/visibility/visible_part.hpp>
 #include <irg/visibility/textbook/sight_2d.hpp>
