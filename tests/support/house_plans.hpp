@@ -63,6 +63,34 @@ irg::cell_plan<T> random_house(test::random& r, std::int64_t size, int levels) {
   return maker.plan<T>(size, levels);
 }
 
+/// The same house with walls half a unit thick: a doorway is a cell of its own.
+template <class T>
+irg::cell_plan<T> with_thick_walls(irg::cell_plan<T> thin) {
+  irg::cell_plan<T> out;
+  const T half = T(0.25), jamb = T(0.375);
+  for (auto& c : thin.cells) {
+    const irg::point<T, 2> low = c.corners[0], high = c.corners[2];
+    c.corners = {{low.x + half, low.y + half},
+                 {high.x - half, low.y + half},
+                 {high.x - half, high.y - half},
+                 {low.x + half, high.y - half}};
+    out.cells.push_back(c);
+  }
+  for (const auto& d : thin.portals) {
+    const bool beside = d.a.x == d.b.x;
+    const irg::point<T, 2> low =
+        beside ? irg::point<T, 2>{d.a.x - half, d.a.y + jamb} : irg::point<T, 2>{d.a.x + jamb, d.a.y - half};
+    const irg::point<T, 2> high =
+        beside ? irg::point<T, 2>{d.b.x + half, d.b.y - jamb} : irg::point<T, 2>{d.b.x - jamb, d.b.y + half};
+    const auto door = static_cast<std::uint32_t>(out.cells.size());
+    const irg::point<T, 2> right{high.x, low.y}, left{low.x, high.y};
+    out.cells.push_back({{low, right, high, left}, thin.cells[d.first].floor, thin.cells[d.first].ceiling});
+    out.portals.push_back({d.first, door, low, beside ? left : right});
+    out.portals.push_back({door, d.second, beside ? right : left, high});
+  }
+  return out;
+}
+
 /// Two triangles in each cell of a bent grid, whole sides between them open or walls: walls in all directions, many at
 /// one corner.
 template <class T>
