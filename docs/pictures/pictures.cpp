@@ -41,6 +41,7 @@
 #include "line_variants.hpp"
 #include "occlusion.hpp"
 #include "occlusion_culling.hpp"
+#include "portals.hpp"
 #include "projections.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
@@ -406,6 +407,7 @@ int main(int argc, char** argv) {
   save("see", sight_pictures::corners());
   save("sight_2d", sight_pictures::thirds());
   save("viewshed", sight_pictures::hills());
+  save("portals", portal_pictures::rooms());
   failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;
   save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;
