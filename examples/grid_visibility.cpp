@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <irg/io/file.hpp>
 #include <irg/io/grid_text.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/visibility/field_of_view.hpp>
@@ -18,6 +17,7 @@
 #include "support/number_output.hpp"
 #include "support/picture_options.hpp"
 #include "support/run_or_fail.hpp"
+#include "support/text_input.hpp"
 
 namespace {
 
@@ -72,25 +72,8 @@ settings read_settings(program::command_line& line) {
   return s;
 }
 
-std::string read_standard_input(const program::command_line& line) {
-  std::string text;
-  char part[65536];
-  while (const std::size_t n = std::fread(part, 1, sizeof part, stdin)) {
-    text.append(part, n);
-    if (text.size() > (std::size_t{1} << 31)) line.fail("the map has more than 2147483648 bytes: stdin");
-  }
-  return text;
-}
-
 irg::grid_text read_map(const program::command_line& line, const std::string& input) {
-  std::string text;
-  if (input.empty()) {
-    text = read_standard_input(line);
-  } else {
-    const auto file = irg::read_file(input);
-    if (!file) line.fail(program::with_place(file.error(), input));
-    text.assign(file->data(), file->data() + file->size());
-  }
+  const std::string text = program::read_text(line, input, "map");
   auto map = irg::read_grid(text);
   if (!map) line.fail(program::with_place(map.error(), input.empty() ? "stdin" : input));
   return *std::move(map);

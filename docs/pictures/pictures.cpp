@@ -43,6 +43,7 @@
 #include "occlusion.hpp"
 #include "occlusion_culling.hpp"
 #include "plane_sight.hpp"
+#include "portals.hpp"
 #include "projections.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
@@ -412,6 +413,7 @@ int main(int argc, char** argv) {
   save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
   save("viewshed", sight_pictures::hills());
+  save("portals", portal_pictures::rooms());
   failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;
   save("zbuffer_textbook", depths::forms());
   failures += depths::write_plot(folder + "/depth_format.svg") ? 0 : 1;

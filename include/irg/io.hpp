@@ -14,6 +14,7 @@
 #include <irg/io/obj_write.hpp>
 #include <irg/io/off.hpp>
 #include <irg/io/picture_limits.hpp>
+#include <irg/io/plan_text.hpp>
 #include <irg/io/ply.hpp>
 #include <irg/io/png.hpp>
 #include <irg/io/png_read.hpp>

@@ -3,4 +3,5 @@
 #pragma once
 
 #include <irg/scene/camera.hpp>
+#include <irg/scene/room_mesh.hpp>
 #include <irg/scene/scene.hpp>

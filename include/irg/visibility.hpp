@@ -2,15 +2,18 @@
 // visibility: line of sight and fields of view on grids.
 #pragma once
 
+#include <irg/visibility/cell_plan.hpp>
 #include <irg/visibility/corner_rule.hpp>
 #include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/guard_cover.hpp>
 #include <irg/visibility/guard_result.hpp>
+#include <irg/visibility/potentially_visible.hpp>
 #include <irg/visibility/see.hpp>
 #include <irg/visibility/sight_line.hpp>
 #include <irg/visibility/sight_result.hpp>
 #include <irg/visibility/sight_tracker.hpp>
 #include <irg/visibility/unit_sight.hpp>
+#include <irg/visibility/view_through_portals.hpp>
 #include <irg/visibility/viewshed.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
 #include <irg/visibility/visible_part.hpp>

@@ -31,11 +31,12 @@ struct skip_options {
   skipping frustum = skipping::on;   // triangles beyond a border of the picture or of the depth range
   skipping tiny = skipping::on;      // triangles that hold no pixel centre
   skipping occluded = skipping::on;  // triangles, and parts of them, behind what is drawn already
+  skipping rooms = skipping::on;     // rooms of a building that no portal shows
   constexpr bool operator==(const skip_options&) const = default;
 };
 
 /// Nothing is skipped but what face culling leaves out.
-inline constexpr skip_options skip_nothing{skipping::off, skipping::off, skipping::off};
+inline constexpr skip_options skip_nothing{skipping::off, skipping::off, skipping::off, skipping::off};
 
 /// Triangles that were not rasterized, by reason.
 struct skip_counts {
@@ -43,12 +44,14 @@ struct skip_counts {
   std::int64_t backface = 0;  // facing away from the eye
   std::int64_t tiny = 0;      // holding no pixel centre
   std::int64_t occluded = 0;  // wholly behind what was already drawn
+  std::int64_t rooms = 0;     // in rooms that no portal shows
 
   IRG_INLINE constexpr skip_counts& operator+=(const skip_counts& o) noexcept {
     frustum += o.frustum;
     backface += o.backface;
     tiny += o.tiny;
     occluded += o.occluded;
+    rooms += o.rooms;
     return *this;
   }
   constexpr bool operator==(const skip_counts&) const = default;

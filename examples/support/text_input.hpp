@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A whole text that a program reads from standard input or a file.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include <irg/io/file.hpp>
+
+#include "command_line.hpp"
+
+namespace program {
+
+/// The file, or standard input when the path is empty. What cannot be read ends the program.
+/// needs   `what` names the text in messages
+inline std::string read_text(const command_line& line, const std::string& path, const char* what) {
+  std::string text;
+  if (!path.empty()) {
+    const auto file = irg::read_file(path);
+    if (!file) line.fail(with_place(file.error(), path));
+    text.assign(file->data(), file->data() + file->size());
+    return text;
+  }
+  char part[65536];
+  while (const std::size_t n = std::fread(part, 1, sizeof part, stdin)) {
+    text.append(part, n);
+    if (text.size() > (std::size_t{1} << 31))
+      line.fail("the " + std::string(what) + " has more than 2147483648 bytes: stdin");
+  }
+  return text;
+}
+
+}  // namespace program

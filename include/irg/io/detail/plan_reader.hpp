@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The reader of plans: line by line, names by a table of their hashes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <irg/io/detail/text_cursor.hpp>
+#include <irg/mesh/part_name.hpp>
+#include <irg/visibility/cell_plan.hpp>
+
+namespace irg {
+
+/// A plan whose cells have names.
+template <Floating T>
+struct named_plan {
+  cell_plan<T> plan;
+  std::vector<part_name> names;  // one for each cell
+  constexpr bool operator==(const named_plan&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+constexpr const char* message_of(plan_defect d) noexcept {
+  switch (d) {
+    case plan_defect::too_many_cells: return "the plan has more cells than 2147483647";
+    case plan_defect::short_cell: return "the cell has fewer than three corners";
+    case plan_defect::corner_not_finite: return "a corner of the cell is not finite";
+    case plan_defect::cell_not_convex: return "the cell is not convex";
+    case plan_defect::cell_not_counter_clockwise: return "the cell does not run counter-clockwise around an area";
+    case plan_defect::heights_not_in_order: return "the cell's floor is not below its ceiling";
+    case plan_defect::portal_to_no_cell: return "the portal leads to a cell that the plan does not have";
+    case plan_defect::portal_to_itself: return "the portal leads back to its own cell: mirrors are not supported";
+    case plan_defect::portal_not_finite: return "an end of the portal is not finite";
+    case plan_defect::portal_without_length: return "the portal's ends are one point";
+    case plan_defect::portal_off_the_wall: return "the portal does not lie in a side of both of its cells";
+    case plan_defect::portal_on_one_side: return "the portal's cells lie on the same side of it";
+    case plan_defect::portals_overlap: return "the portal overlaps another one of the same cell";
+    default: return "";
+  }
+}
+
+template <class T>
+struct plan_reader {
+  named_plan<T> out;
+  text_cursor cursor;
+
+  constexpr explicit plan_reader(std::string_view text) : cursor(without_byte_order_mark(text), '#') {}
+
+  constexpr bool read() {
+    while (cursor.skip_space())
+      if (!line()) return false;
+    const plan_finding f = validate(out.plan);
+    if (f.defect == plan_defect::none) return true;
+    const bool in_portal = f.defect >= plan_defect::portal_to_no_cell;
+    const bool in_heights = f.defect == plan_defect::heights_not_in_order && heights_[f.index] != nullptr;
+    return cursor.fail(in_portal    ? portals_[f.index]
+                       : in_heights ? heights_[f.index]
+                                    : cells_[f.index],
+                       message_of(f.defect));
+  }
+
+private:
+  constexpr bool line() {
+    const char* const start = cursor.at;
+    const std::string_view word = cursor.word();
+    bool read = false;
+    if (word == "cell")
+      read = cell(start);
+    else if (word == "heights")
+      read = heights(start);
+    else if (word == "portal")
+      read = portal(start);
+    else
+      return cursor.fail(start, "a line begins with none of cell, heights and portal");
+    if (!read) return false;
+    return !cursor.skip_blanks() || cursor.fail(cursor.at, "nothing more is expected on this line");
+  }
+
+  constexpr bool number(T& into) {
+    if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a number is expected");
+    return cursor.number_here(into);
+  }
+  constexpr bool place(point<T, 2>& p) { return number(p[0]) && number(p[1]); }
+
+  constexpr bool cell(const char* start) {
+    if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a cell's name is expected");
+    const char* const at = cursor.at;
+    const std::string_view name = cursor.word();
+    if (out.names.size() * 2 >= table_.size()) grow();
+    std::uint32_t& slot = slot_of(name);
+    if (slot != 0) return cursor.fail(at, "the cell's name is taken");
+    plan_cell<T> c;
+    for (point<T, 2> p; cursor.skip_blanks(); c.corners.push_back(p))
+      if (!place(p)) return false;
+    out.names.push_back(part_name(name));
+    out.plan.cells.push_back(std::move(c));
+    cells_.push_back(start);
+    heights_.push_back(nullptr);
+    slot = static_cast<std::uint32_t>(out.names.size());
+    return true;
+  }
+  constexpr bool known_cell(std::uint32_t& cell) {
+    if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a cell's name is expected");
+    const char* const at = cursor.at;
+    const std::string_view name = cursor.word();
+    cell = table_.empty() ? 0 : slot_of(name);
+    if (cell == 0) return cursor.fail(at, "no cell of this name stands before");
+    --cell;
+    return true;
+  }
+  constexpr bool heights(const char* start) {
+    std::uint32_t c = 0;
+    if (!known_cell(c)) return false;
+    if (heights_[c] != nullptr) return cursor.fail(start, "the cell's heights are given twice");
+    heights_[c] = start;
+    return number(out.plan.cells[c].floor) && number(out.plan.cells[c].ceiling);
+  }
+  constexpr bool portal(const char* start) {
+    plan_portal<T> p;
+    if (!known_cell(p.first) || !known_cell(p.second) || !place(p.a) || !place(p.b)) return false;
+    out.plan.portals.push_back(p);
+    portals_.push_back(start);
+    return true;
+  }
+
+  // Where the number of a name stands, counted from 1, or would.
+  constexpr std::uint32_t& slot_of(std::string_view name) {
+    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+    for (const char c : name) hash = (hash ^ static_cast<std::uint8_t>(c)) * 1099511628211u;
+    std::size_t i = static_cast<std::size_t>(hash ^ hash >> 32) & (table_.size() - 1);
+    while (table_[i] != 0 && std::string_view(out.names[table_[i] - 1]) != name) i = (i + 1) & (table_.size() - 1);
+    return table_[i];
+  }
+  constexpr void grow() {
+    table_.assign(table_.empty() ? 16 : 2 * table_.size(), 0);
+    for (std::size_t i = 0; i < out.names.size(); ++i)
+      slot_of(std::string_view(out.names[i])) = static_cast<std::uint32_t>(i + 1);
+  }
+
+  std::vector<const char*> cells_, heights_, portals_;  // where they stand
+  std::vector<std::uint32_t> table_;
+};
+
+template <class Cursor>
+constexpr bool visible_sets_header(Cursor& cursor, std::int64_t& cells, std::int64_t& unfinished) {
+  const char* const first = cursor.at;
+  const auto word_is = [&](std::string_view expected) {
+    const char* const at = cursor.at;
+    return cursor.word_in_line() == expected || cursor.fail(at, "expected visible cells N unfinished U");
+  };
+  if (!word_is("visible") || !word_is("cells") || !cursor.integer(cells) || !word_is("unfinished") ||
+      !cursor.integer(unfinished))
+    return false;
+  if (cursor.skip_space()) return cursor.fail(cursor.at, "nothing more is expected on this line");
+  if (cells < 0 || cells > 0x7fffffff || unfinished < 0 || unfinished > cells)
+    return cursor.fail(first, "the numbers of cells are not possible");
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg

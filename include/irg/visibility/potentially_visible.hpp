@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// potentially_visible: for each cell of a plan the cells that can be seen from anywhere in it. A cell is seen through a
+// sequence of portals when a straight line passes them all, between their ends.
+//
+// Lines that pass a sequence form one bundle with two extremes: the one that turns furthest right goes from a left end
+// to a later right end, the one that turns furthest left from a right end to a later left end. Both touch ends of
+// portals, numbers that were given, so two turns decide exactly whether a line of the bundle passes one portal more.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/geometry/orient2d.hpp>
+#include <irg/spatial/cell_grid.hpp>
+#include <irg/visibility/cell_plan.hpp>
+
+namespace irg {
+
+/// How long to search.
+struct visible_set_options {
+  std::uint64_t most_doors = std::uint64_t{1} << 24;  ///< looked at from one cell; then all that it connects to is seen
+};
+
+/// Which cells may be seen from which.
+/// shape   seen.is_full({to, from, 0}): a row of bits for each cell
+struct visible_sets {
+  cell_grid seen;
+  std::int64_t unfinished = 0;  ///< cells whose search was too long: their rows hold all that is connected
+  constexpr bool operator==(const visible_sets&) const = default;
+};
+
+inline namespace IRG_ABI {
+
+/// The straight lines that pass a sequence of portals between their ends, leaving room to the right and to the left.
+template <Floating T>
+class stabbing_lines {
+public:
+  /// Whether one of the lines passes this doorway, too, after the others.
+  /// needs   a doorway of the cell into which the last one leads, in a plan without defects
+  /// gives   false for a portal without length
+  /// exact   for all finite coordinates
+  /// cost    two turns
+  constexpr bool passes(const doorway<T>& d) const noexcept {
+    if (steps_.empty()) return !(d.right == d.left);
+    const extremes& e = steps_.back().reach;
+    return lets_by(e.right_from, e.right_to, d.left, 1) && lets_by(e.left_from, e.left_to, d.right, -1);
+  }
+
+  /// Keeps the lines that pass this doorway, too.
+  /// needs   passes(d)
+  /// cost    a turn for each doorway before, and seldom twice as many
+  constexpr void enter(const doorway<T>& d) {
+    const bool is_first = steps_.empty();
+    extremes e{d.left, d.right, d.right, d.left};
+    if (!is_first) e = steps_.back().reach;
+    steps_.push_back({d.right, d.left, e});
+    if (is_first) return;
+    if (orient2d(e.left_from, e.left_to, d.left) < 0) turn_right(steps_.back().reach);
+    if (orient2d(e.right_from, e.right_to, d.right) > 0) turn_left(steps_.back().reach);
+  }
+
+  /// Goes back before the last doorway.
+  /// needs   size() > 0
+  constexpr void leave() noexcept { steps_.pop_back(); }
+  constexpr std::size_t size() const noexcept { return steps_.size(); }
+
+private:
+  struct extremes {
+    point<T, 2> right_from{}, right_to{};  // no line turns further right
+    point<T, 2> left_from{}, left_to{};
+  };
+  struct step {
+    point<T, 2> right{}, left{};
+    extremes reach{};
+  };
+
+  // Whether an end lies on that side of an extreme line, or where it comes in: a wall that begins at the last portal's
+  // end, or goes on in line with it, hides nothing from the lines of the bundle.
+  static constexpr bool lets_by(const point<T, 2>& from, const point<T, 2>& to, const point<T, 2>& end,
+                                int side) noexcept {
+    const int turn = orient2d(from, to, end);
+    if (turn != 0) return turn == side;
+    return compare_lexicographic(from, to) * compare_lexicographic(from, end) <= 0;
+  }
+
+  // The left extreme, turned so far to the right that it goes to the last left end: the right ends hold it back, of
+  // those on one line the last.
+  constexpr void turn_right(extremes& e) const noexcept {
+    e.left_from = steps_.front().right;
+    e.left_to = steps_.back().left;
+    for (const step& s : steps_)
+      if (orient2d(e.left_from, e.left_to, s.right) >= 0) e.left_from = s.right;
+  }
+  constexpr void turn_left(extremes& e) const noexcept {
+    e.right_from = steps_.front().left;
+    e.right_to = steps_.back().right;
+    for (const step& s : steps_)
+      if (orient2d(e.right_from, e.right_to, s.left) <= 0) e.right_from = s.left;
+  }
+
+  std::vector<step> steps_;
+};
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <class T>
+class visible_set_search {
+public:
+  constexpr visible_set_search(const portal_graph<T>& graph, std::uint64_t most_doors) noexcept
+      : graph_(graph), most_doors_(most_doors) {}
+
+  // Fills the row of a cell; says whether the search came to its end.
+  constexpr bool from(std::uint32_t cell, cell_grid& seen) {
+    const auto row = static_cast<int>(cell);
+    seen.set({row, row, 0});
+    std::uint64_t doors = 0;
+    way_.clear();
+    while (lines_.size() > 0) lines_.leave();
+    way_.push_back({cell, 0});
+    while (!way_.empty()) {
+      place& at = way_.back();
+      const auto ahead = graph_.doors(at.cell);
+      if (at.next == ahead.size()) {
+        way_.pop_back();
+        if (!way_.empty()) lines_.leave();
+        continue;
+      }
+      if (doors++ == most_doors_) return false;
+      const doorway<T>& d = ahead[at.next++];
+      if (!lines_.passes(d)) continue;
+      lines_.enter(d);
+      seen.set({static_cast<int>(d.to), row, 0});
+      way_.push_back({d.to, 0});
+    }
+    return true;
+  }
+
+  // Fills the row of a cell with all that it is connected to.
+  constexpr void connected(std::uint32_t cell, cell_grid& seen) {
+    const auto row = static_cast<int>(cell);
+    std::vector<std::uint32_t> known(graph_.cell_count(), std::uint32_t{0});
+    way_.clear();
+    way_.push_back({cell, 0});
+    known[cell] = 1;
+    while (!way_.empty()) {
+      const std::uint32_t at = way_.back().cell;
+      way_.pop_back();
+      seen.set({static_cast<int>(at), row, 0});
+      for (const doorway<T>& d : graph_.doors(at))
+        if (known[d.to] == 0) known[d.to] = 1, way_.push_back({d.to, 0});
+    }
+  }
+
+private:
+  struct place {
+    std::uint32_t cell = 0;
+    std::uint32_t next = 0;
+  };
+
+  const portal_graph<T>& graph_;
+  std::uint64_t most_doors_;
+  std::vector<place> way_;
+  stabbing_lines<T> lines_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// For each cell the cells of which something can be seen from somewhere in it, itself among them.
+/// shape   a point is seen from another when the segment between them passes portals only and touches no wall, nor an
+///         end of one; cells are seen when a point within is
+/// needs   a plan without defects (validate)
+/// gives   too much, never too little, where a search would look at more than options.most_doors doorways: what is
+///         connected, and such cells are counted
+/// exact   for all finite coordinates; symmetric
+/// cost    for each cell the sequences of portals that lines from it pass, times the doors of a cell and the length of
+///         the sequence; allocates the result, a bit for each pair of cells
+/// source  Airey 1990; Teller and Sequin 1991
+template <Floating T>
+constexpr visible_sets potentially_visible(const portal_graph<T>& graph, const visible_set_options& options = {}) {
+  const auto cells = static_cast<int>(graph.cell_count());
+  visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
+  detail::visible_set_search<T> search(graph, options.most_doors);
+  for (std::uint32_t c = 0; c < graph.cell_count(); ++c)
+    if (!search.from(c, out.seen)) {
+      search.connected(c, out.seen);
+      ++out.unfinished;
+    }
+  return out;
+}
+
+/// The same for a plan.
+template <Floating T>
+constexpr visible_sets potentially_visible(const cell_plan<T>& plan, const visible_set_options& options = {}) {
+  return potentially_visible(portal_graph<T>(plan), options);
+}
+
+/// The cells that a number of portals or fewer lead to, whatever the walls hide: what sight through portals is judged
+/// against.
+/// shape   as potentially_visible
+/// cost    a pass over the portals for each cell
+template <Floating T>
+constexpr visible_sets connected_cells(const portal_graph<T>& graph, std::uint32_t most_portals) {
+  const auto cells = static_cast<int>(graph.cell_count());
+  visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
+  for (int row = 0; row < cells; ++row) {
+    std::vector<std::uint32_t> reached(1, static_cast<std::uint32_t>(row));
+    out.seen.set({row, row, 0});
+    for (std::size_t first = 0, depth = 0; first < reached.size() && depth < most_portals; ++depth)
+      for (const std::size_t last = reached.size(); first < last; ++first)
+        for (const doorway<T>& d : graph.doors(reached[first]))
+          if (const cell3 at{static_cast<int>(d.to), row, 0}; !out.seen.is_full(at)) {
+            out.seen.set(at);
+            reached.push_back(d.to);
+          }
+  }
+  return out;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

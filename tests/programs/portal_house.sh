@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# portal_house, seen from outside. Usage: portal_house.sh FOLDER_OF_PROGRAMS
+. "$(dirname "$0")/../support/programs.sh" portal_house "$@"
+
+answers() { # answers "what" "output" "input" arguments...
+  local what=$1 expected=$2
+  shift 2
+  run "$@"
+  check "$what: exit 0: $err" is "$status" 0
+  check "$what: $out" is "$out" "$(printf '%b' "$expected")"
+}
+refused() { # refused "what" "part of the message" "input" arguments...
+  local what=$1 part=$2
+  shift 2
+  fails "$what" "$@"
+  check "$what: says so: $err" has "$err" "$part"
+}
+
+# Three rooms in a row and one that only the last one sees.
+rooms="cell a 0 0 1 0 1 3 0 3\ncell b 1 0 2 0 2 3 1 3\ncell c 2 0 3 0 3 3 2 3\ncell d 2 3 3 3 3 4 2 4\n"
+rooms+="portal a b 1 1 1 2\nportal b c 2 1.5 2 2.5\nportal c d 2 3 2.1 3\n"
+answers "all rooms" "a: a b c\nb: a b c d\nc: a b c d\nd: b c d" "$rooms"
+answers "an eye" "a: a b c" "$rooms" --eye 0.5,1.5,0.5
+answers "an eye that only touches ends" "a: a b" "$rooms" --eye 0,2.5,0.5
+answers "no rooms" "" "# nothing\n"
+run "$rooms" --eye 0.5,1.5,0.5 -o with.ppm --size 90x80
+check "a picture: exit 0: $err" is "$status" 0
+check "a picture: what was skipped: $out" has "$out" "of them in rooms that were skipped"
+check "a picture: its size" is "$(sed -n 2p with.ppm)" "90 80"
+run "$rooms" --eye 0.5,1.5,0.5 -o without.ppm --size 90x80 --skip off
+check "a picture without skips: $out" has "$out" ", 0 of them"
+check "a picture without skips: the same bytes" cmp -s with.ppm without.ppm
+run "$rooms" --sets sets.bin
+check "sets: exit 0: $err" is "$status" 0
+check "sets: their first line" is "$(head -n 1 sets.bin)" "visible cells 4 unfinished 0"
+check "sets: their bits" is "$(tail -c 4 sets.bin | od -An -tu1 | tr -s ' ')" " 7 15 15 14"
+
+refused "a word that is none" "none of cell, heights and portal: stdin:1:1" "room a\n"
+refused "a ragged cell" "stdin:1:17" "cell a 0 0 1 0 1\n"
+refused "a cell that is not convex" "not convex: stdin:1:1" "cell a 0 0 4 0 1 1 0 4\n"
+refused "a mirror" "mirrors are not supported: stdin:2:1" "cell a 0 0 1 0 0 1\nportal a a 0 0 1 0\n"
+refused "a portal off the wall" "side of both of its cells: stdin:3:1" \
+  "cell a 0 0 1 0 0 1\ncell b 1 0 2 0 2 1\nportal a b 0 0 1 0\n"
+refused "an eye outside" "the eye is in no cell" "$rooms" --eye 9,9,9
+refused "a picture without an eye" "needs an eye" "$rooms" -o p.ppm
+refused "an eye that looks down" "straight up or down" "$rooms" --eye 0.5,1.5,0.5 --look 0.5,1.5,0 -o p.ppm
+refused "no such file" "none.txt" "" --input none.txt
+
+conclude
