@@ -51,6 +51,7 @@ TEST_CASE("potentially_visible: a portal without length, and one that was not va
   plan p = five_cells();
   p.portals[0].b = p.portals[0].a;
   CHECK(row_of(irg::potentially_visible(p), 0) == 0b00001u);
+  for (int from = 1; from < 5; ++from) CHECK((row_of(irg::potentially_visible(p), from) & 1u) == 0);
   p = five_cells();
   p.portals.push_back({0, 0, at{0, 0}, at{0, 1}});
   CHECK(irg::potentially_visible(p, {100}).seen.is_full({1, 0, 0}));

@@ -42,7 +42,8 @@ public:
   /// exact   for all finite coordinates
   /// cost    two turns
   constexpr bool passes(const doorway<T>& d) const noexcept {
-    if (steps_.empty()) return !(d.right == d.left);
+    if (d.right == d.left) return false;
+    if (steps_.empty()) return true;
     const extremes& e = steps_.back().reach;
     return lets_by(e.right_from, e.right_to, d.left, 1) && lets_by(e.left_from, e.left_to, d.right, -1);
   }
