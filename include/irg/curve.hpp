@@ -9,6 +9,8 @@
 #include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bspline.hpp>
+#include <irg/curve/bspline_derivative.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/flatten.hpp>
 #include <irg/curve/keyframes.hpp>
+#include <irg/curve/rational.hpp>
