@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// B-splines and NURBS: a cubic with its basis functions below, and a circle beside the spline of the same points.
+// B-splines and NURBS: a cubic with its basis functions below, and a circle beside the spline of the same points; a
+// cubic refined and in pieces.
 // Included by pictures.cpp.
 #pragma once
 
@@ -8,6 +9,7 @@
 #include <span>
 
 #include <irg/curve/bspline.hpp>
+#include <irg/curve/bspline_knots.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/raster/draw_line.hpp>
 
@@ -75,6 +77,47 @@ inline picture both() {
   picture p(660, 330, paper);
   cubic(p);
   circle(p);
+  return p;
+}
+
+// One cubic three times: its control polygon with that after three more knots, that of its pieces, and of degree 4.
+inline picture other_knots() {
+  picture p(990, 250, paper);
+  constexpr std::array<double, 10> knots{0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+  constexpr std::array<double, 3> more{0.5, 1.5, 2.5};
+  for (int k = 0; k < 3; ++k) {
+    const double x = 330 * k;
+    const std::array<P, 6> points{P{x + 25, 215},  P{x + 50, 45},   P{x + 140, 25},
+                                  P{x + 175, 225}, P{x + 265, 225}, P{x + 300, 45}};
+    const irg::bspline_knots<double, 3> u(knots);
+    control_polygon(p, points);
+    draw(p, colours[1], [&](double t) { return *irg::bspline_point(u, points, 3 * t); });
+    std::array<double, 8> scratch{};
+    const auto polygon = [&](std::span<const P> c, irg::rgba8 colour) {
+      for (std::size_t i = 0; i + 1 < c.size(); ++i) irg::draw_line(p, cell(c[i]), cell(c[i + 1]), colour);
+      for (const P& q : c) dot(p, cell(q), 3, colour);
+    };
+    if (k == 0) {
+      std::array<double, 13> merged{};
+      std::array<P, 9> refined{};
+      irg::insert_knots(u, more, merged);
+      irg::bspline_refine(u, points, irg::bspline_knots<double, 3>(merged), refined, scratch);
+      polygon(refined, colours[0]);
+    } else if (k == 1) {
+      std::array<P, 4> piece{};
+      std::size_t count = 0;
+      irg::bspline_bezier_pieces(u, points, scratch, piece, [&](double, double, std::span<const P> c) {
+        polygon(c, colours[count++ % 2 == 0 ? 0 : 2]);
+      });
+    } else {
+      std::array<double, 22> raised{};
+      const auto list = std::span<const double>(raised).first(irg::elevated_knots(u, raised));
+      const irg::bspline_knots<double, 4> elevated(list);
+      std::array<P, 9> result{};
+      irg::bspline_elevate(u, points, elevated, result, scratch);
+      polygon(std::span<const P>(result).first(elevated.size()), colours[3]);
+    }
+  }
   return p;
 }
 

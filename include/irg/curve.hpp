@@ -10,6 +10,7 @@
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>
+#include <irg/curve/bspline_knots.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/flatten.hpp>
 #include <irg/curve/keyframes.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// B-spline bases over any legal knot vector, B-spline curves and rational ones (NURBS), of a degree known when compiling
-// or when running. Knots are checked once, when a bspline_knots is made; from then on nothing divides by zero: every
+// B-spline bases over any legal knot vector, B-spline curves and rational ones (NURBS), of a degree known when
+// compiling or when running. Knots are checked once, when a bspline_knots is made; from then on nothing divides by zero: every
 // quotient is over a stretch of knots that contains the place asked for.
 #pragma once
 
@@ -21,8 +21,8 @@ namespace irg {
 
 /// What is wrong with a list of knots: fewer than 2 * (degree + 1), NaN or beyond an eighth of the largest number in
 /// size, one less than the one before it, more than degree + 1 equal ones, no two different ones between which the
-/// curve could run; or with its degree, which is below 0.
-enum class knots_error { none, too_few, not_finite, decreasing, too_many_equal, empty, negative_degree };
+/// curve could run; with its degree, which is below 0; or with a knot to insert, which is outside of the curve's range.
+enum class knots_error { none, too_few, not_finite, decreasing, too_many_equal, empty, negative_degree, outside };
 
 /// The Degree of bspline_knots that bring it along.
 inline constexpr int degree_at_run_time = -1;

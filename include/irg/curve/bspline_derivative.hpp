@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// De Boor's algorithm, and the derivatives of B-spline curves: within one stretch of knots the differences of a spline's
-// control points, each over the knots it spans, control its derivative. Only the degree + 1 points that count at a place
-// are touched, so that knots of any multiplicity divide nothing by zero.
+// De Boor's algorithm, and the derivatives of B-spline curves: within one stretch of knots the differences of a
+// spline's control points, each over the knots it spans, control its derivative. Only the degree + 1 points that count
+// at a place are touched, so that knots of any multiplicity divide nothing by zero.
 #pragma once
 
 #include <cstddef>
@@ -51,8 +51,8 @@ constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots
   return detail::de_boor_in_stretch(knots, low, t, scratch.first(knots.order()));
 }
 
-/// The point of a B-spline curve and its derivatives at t: derivatives[k] is the k-th, derivatives[0] the point's own
-/// coordinates.
+/// The point of a B-spline curve and its derivatives at t: derivatives[k] is the k-th, derivatives[0] the point's
+/// own coordinates.
 /// needs   as many control points as knots.size(); scratch for 2 * knots.order() vectors, its contents are lost
 /// gives   false, and nothing written, for NaN and for t outside of the knots' range. Beyond the degree zeros. At a knot
 ///         the derivatives behind it, at last() those before it. Where a difference over its stretch passes the largest
