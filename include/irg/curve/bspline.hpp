@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // B-spline bases over any legal knot vector, B-spline curves and rational ones (NURBS), of a degree known when
-// compiling or when running. Knots are checked once, when a bspline_knots is made; from then on nothing divides by zero: every
-// quotient is over a stretch of knots that contains the place asked for.
+// compiling or when running. Knots are checked once, when a bspline_knots is made; from then on nothing divides by
+// zero: every quotient is over a stretch of knots that contains the place asked for.
 #pragma once
 
 #include <array>

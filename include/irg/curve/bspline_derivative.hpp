@@ -54,9 +54,9 @@ constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots
 /// The point of a B-spline curve and its derivatives at t: derivatives[k] is the k-th, derivatives[0] the point's
 /// own coordinates.
 /// needs   as many control points as knots.size(); scratch for 2 * knots.order() vectors, its contents are lost
-/// gives   false, and nothing written, for NaN and for t outside of the knots' range. Beyond the degree zeros. At a knot
-///         the derivatives behind it, at last() those before it. Where a difference over its stretch passes the largest
-///         number, no finite vectors
+/// gives   false, and nothing written, for NaN and for t outside of the knots' range. Beyond the degree zeros. At a
+///         knot the derivatives behind it, at last() those before it. Where a difference over its stretch passes the
+///         largest number, no finite vectors
 /// exact   differences, quotients and products rounded once each, then blends as in bspline_point_de_boor
 /// cost    degree^2 / 2 blends for each derivative
 /// source  de Boor 1972; Piegl and Tiller 1997, 3.3

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The same B-spline curve over other knots: knots inserted, pieces as Bezier curves, the degree raised by one. A
-// control point of the new curve is a mean of old ones, whose shares come from the recursion of the basis functions with a knot
-// of the new list at each level in place of t; no share is negative, so that no new point leaves the box of the old
-// ones. Rational curves take part as curves of hpoint.
+// control point of the new curve is a mean of old ones, whose shares come from the recursion of the basis functions
+// with a knot of the new list at each level in place of t; no share is negative, so that no new point leaves the box
+// of the old ones. Rational curves take part as curves of hpoint.
 #pragma once
 
 #include <cstddef>
