@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // B-splines and NURBS: a cubic with its basis functions below, and a circle beside the spline of the same points; a
-// cubic refined and in pieces.
+// cubic refined and in pieces; a Bezier curve with its box, nearest places and crossings.
 // Included by pictures.cpp.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <span>
 
+#include <irg/curve/bezier_queries.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_knots.hpp>
 #include <irg/math/vec.hpp>
@@ -118,6 +119,31 @@ inline picture other_knots() {
       polygon(std::span<const P>(result).first(elevated.size()), colours[3]);
     }
   }
+  return p;
+}
+
+// A curve of degree 5 in its box, its places nearest to three points, and where a line crosses it.
+inline picture queries() {
+  picture p(560, 300, paper);
+  constexpr std::array<P, 6> points{P{60, 230}, P{40, -60}, P{250, 60}, P{230, 420}, P{500, 330}, P{500, 40}};
+  std::array<irg::vec<double, 1>, 48> scratch{};
+  std::array<P, 6> work{};
+  control_polygon(p, points);
+  const auto box = irg::bezier_box(points, scratch);
+  const std::array<P, 5> sides{box.low, P{box.high.x, box.low.y}, box.high, P{box.low.x, box.high.y}, box.low};
+  for (std::size_t i = 0; i < 4; ++i) irg::draw_line(p, cell(sides[i]), cell(sides[i + 1]), colours[6]);
+  const P a{20, 120}, b{540, 190};
+  irg::draw_line(p, cell(a), cell(b), colours[4]);
+  draw(p, colours[1], [&](double t) { return irg::bezier_point(points, t); });
+  for (const P& q : {P{120, 200}, P{310, 100}, P{430, 90}}) {
+    const auto place = irg::bezier_nearest(points, q, scratch, work);
+    irg::draw_line(p, cell(q), cell(place.point), colours[0]);
+    dot(p, cell(q), 4, colours[0]);
+    dot(p, cell(place.point), 3, colours[0]);
+  }
+  irg::bezier_line_crossings(points, a, b, scratch, [&](const irg::zero_stretch<double>& z) {
+    dot(p, cell(irg::bezier_point(points, z.middle())), 4, colours[2]);
+  });
   return p;
 }
 

@@ -7,7 +7,9 @@
 #include <irg/curve/bezier_accurate.hpp>
 #include <irg/curve/bezier_degree.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
+#include <irg/curve/bezier_queries.hpp>
 #include <irg/curve/bezier_surface.hpp>
+#include <irg/curve/bezier_zeros.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>
 #include <irg/curve/bspline_knots.hpp>
