@@ -368,6 +368,7 @@ int main(int argc, char** argv) {
   save("bspline", splines::both());
   save("bspline_knots", splines::other_knots());
   save("bezier_queries", splines::queries());
+  save("curve_joint", splines::joints());
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());

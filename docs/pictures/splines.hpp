@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // B-splines and NURBS: a cubic with its basis functions below, and a circle beside the spline of the same points; a
-// cubic refined and in pieces; a Bezier curve with its box, nearest places and crossings.
+// cubic refined and in pieces; a Bezier curve with its box, nearest places and
+// crossings; joints.
 // Included by pictures.cpp.
 #pragma once
 
@@ -11,6 +12,7 @@
 #include <irg/curve/bezier_queries.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_knots.hpp>
+#include <irg/curve/curve_joint.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/raster/draw_line.hpp>
 
@@ -144,6 +146,34 @@ inline picture queries() {
   irg::bezier_line_crossings(points, a, b, scratch, [&](const irg::zero_stretch<double>& z) {
     dot(p, cell(irg::bezier_point(points, z.middle())), 4, colours[2]);
   });
+  return p;
+}
+
+// Two cubics that meet in five ways; the points are placed by what joint_of says of them.
+inline picture joints() {
+  picture p(760, 190, paper);
+  using enum irg::curve_joint;
+  const std::array<P, 4> first{P{15, 160}, P{20, 60}, P{50, 60}, P{75, 90}};
+  const std::array<P, 4> second[] = {{P{75, 105}, P{90, 160}, P{120, 150}, P{135, 40}},
+                                     {P{75, 90}, P{80, 160}, P{120, 150}, P{135, 40}},
+                                     {P{75, 90}, P{87.5, 105}, P{120, 150}, P{135, 40}},
+                                     {P{75, 90}, P{100, 120}, P{120, 170}, P{135, 40}},
+                                     {P{75, 90}, P{100, 120}, P{120, 180}, P{135, 40}}};
+  const irg::curve_joint expected[] = {apart, position, direction, first_derivative, second_derivative};
+  for (int k = 0; k < 5; ++k) {
+    const P shift{150.0 * k, 0};
+    const auto moved = [&](std::array<P, 4> c) {
+      for (P& q : c) q.x += shift.x;
+      return c;
+    };
+    const auto a = moved(first), b = moved(second[k]);
+    const bool is_right = irg::joint_of(a, b) == expected[k];
+    control_polygon(p, a);
+    control_polygon(p, b);
+    draw(p, colours[0], [&](double t) { return irg::bezier_point(a, t); });
+    draw(p, colours[is_right ? 1 : 6], [&](double t) { return irg::bezier_point(b, t); });
+    dot(p, cell(a[3]), 4, colours[2]);
+  }
   return p;
 }
 

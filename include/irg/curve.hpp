@@ -14,6 +14,7 @@
 #include <irg/curve/bspline_derivative.hpp>
 #include <irg/curve/bspline_knots.hpp>
 #include <irg/curve/curve_frame.hpp>
+#include <irg/curve/curve_joint.hpp>
 #include <irg/curve/flatten.hpp>
 #include <irg/curve/keyframes.hpp>
 #include <irg/curve/rational.hpp>

@@ -225,7 +225,7 @@ TEST_CASE("knots inserted, pieces and degrees raised: the same curve, in rationa
   test::random r(6);
   double worst_refined = 0, worst_piece = 0, worst_elevated = 0;
   int curves = 0;
-  for (int round = 0; round < (std::getenv("IRG_RELEASE_TIER") ? 10'000 : 250); ++round) {
+  for (int round = 0; round < (std::getenv("IRG_RELEASE_TIER") ? 10'000 : 120); ++round) {
     const random_spline s = make_spline(r);
     const auto u = irg::make_bspline_knots(std::span<const double>(s.u), static_cast<int>(s.degree));
     if (!u) continue;
@@ -275,7 +275,7 @@ TEST_CASE("knots inserted, pieces and degrees raised: the same curve, in rationa
   }
   MESSAGE(curves, " curves: refined ", worst_refined * 0x1p53, " u, pieces ", worst_piece * 0x1p53, " u, elevated ",
           worst_elevated * 0x1p53, " u of the largest control point");
-  CHECK(curves > 60);
+  CHECK(curves > 50);
   CHECK(worst_refined <= 16 * 0x1p-53);
   CHECK(worst_piece <= 16 * 0x1p-53);
   CHECK(worst_elevated <= 16 * 0x1p-53);

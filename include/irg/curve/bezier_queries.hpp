@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Questions to a Bezier curve of any degree that end in zeros of a polynomial: its box, where it crosses a line, and its
-// point nearest to another point. Each polynomial comes with what rounding may have done to its coefficients, so that no
-// extremum and no crossing is missed.
+// Questions to a Bezier curve of any degree that end in zeros of a polynomial: its box, where it crosses a line, and
+// its point nearest to another point. Each polynomial comes with what rounding may have done to its coefficients, so
+// that no extremum and no crossing is missed.
 #pragma once
 
 #include <array>
@@ -58,8 +58,8 @@ IRG_INLINE constexpr T half_difference(T a, T b) noexcept {
   return product(a, T(0.5)) - product(b, T(0.5));
 }
 
-// Bernstein coefficients of (curve - p) . derivative, of degree 2n - 1, the vectors scaled so that none is beyond 1; how
-// far each may be off.
+// Bernstein coefficients of (curve - p) . derivative, of degree 2n - 1, the vectors scaled so that none is beyond 1;
+// how far each may be off.
 template <ControlPoints R, class T>
 constexpr T foot_coefficients(const R& points, const control_point<R>& p, std::span<vec<T, 1>> result) noexcept {
   const std::size_t n = ring_traits<R>::size(points) - 1;
@@ -98,7 +98,8 @@ inline namespace IRG_ABI {
 /// The box of the curve between t = 0 and 1: by its extrema, not by its control points.
 /// needs   one or more finite control points; scratch eight times as long
 /// gives   a box that holds the whole curve and no more than that of the control points; an axis along which the curve
-///         only rises or falls gets the end points' own coordinates. Control points that are not finite: the box of all numbers
+///         only rises or falls gets the end points' own coordinates. Control points that are not finite: the box of all
+///         numbers
 /// exact   no side is farther out than some 20 * degree * u of the largest coordinate
 /// cost    bernstein_zeros of degree - 1 for each axis, two bezier_split for each extremum
 /// source  Farin 2002, 5.3
@@ -139,8 +140,8 @@ constexpr box<scalar_of<detail::control_point<R>>, size_of<detail::control_point
 
 /// Hands sink(zero_stretch) the stretches of the parameter in which the curve may meet the line through a and b.
 /// needs   one or more control points in the plane; scratch of four times as many numbers
-/// gives   false, and no stretches, where a and b are the same or not finite. A sign is 1 where the curve is left of the
-///         line; a curve along the line is one stretch
+/// gives   false, and no stretches, where a and b are the same or not finite. A sign is 1 where the curve is left of
+///         the line; a curve along the line is one stretch
 /// exact   as bernstein_zeros: no crossing is missed, whatever the sizes
 /// cost    as bernstein_zeros
 /// source  Lane and Riesenfeld 1981
