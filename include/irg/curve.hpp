@@ -5,6 +5,7 @@
 #include <irg/curve/arc_length.hpp>
 #include <irg/curve/bezier.hpp>
 #include <irg/curve/bezier_accurate.hpp>
+#include <irg/curve/bezier_crossings.hpp>
 #include <irg/curve/bezier_degree.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/bezier_queries.hpp>
