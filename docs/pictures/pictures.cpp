@@ -370,6 +370,9 @@ int main(int argc, char** argv) {
   srgb();
   bezier();
   save("bspline", splines::both());
+  save("bspline_knots", splines::other_knots());
+  save("bezier_queries", splines::queries());
+  save("curve_joint", splines::joints());
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());

@@ -5,10 +5,17 @@
 #include <irg/curve/arc_length.hpp>
 #include <irg/curve/bezier.hpp>
 #include <irg/curve/bezier_accurate.hpp>
+#include <irg/curve/bezier_crossings.hpp>
 #include <irg/curve/bezier_degree.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
+#include <irg/curve/bezier_queries.hpp>
 #include <irg/curve/bezier_surface.hpp>
+#include <irg/curve/bezier_zeros.hpp>
 #include <irg/curve/bspline.hpp>
+#include <irg/curve/bspline_derivative.hpp>
+#include <irg/curve/bspline_knots.hpp>
 #include <irg/curve/curve_frame.hpp>
+#include <irg/curve/curve_joint.hpp>
 #include <irg/curve/flatten.hpp>
 #include <irg/curve/keyframes.hpp>
+#include <irg/curve/rational.hpp>

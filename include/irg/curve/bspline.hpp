@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// B-spline bases over any legal knot vector, B-spline curves and rational ones (NURBS). Knots are checked once, when a
-// bspline_knots is made; from then on nothing divides by zero: every quotient is over a stretch of knots that contains
-// the place asked for.
+// B-spline bases over any legal knot vector, B-spline curves and rational ones (NURBS), of a degree known when
+// compiling or when running. Knots are checked once, when a bspline_knots is made; from then on nothing divides by
+// zero: every quotient is over a stretch of knots that contains the place asked for.
 #pragma once
 
 #include <array>
@@ -14,14 +14,18 @@
 #include <irg/core/coordinates.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/curve/bezier.hpp>
 #include <irg/math/error_free.hpp>
 
 namespace irg {
 
 /// What is wrong with a list of knots: fewer than 2 * (degree + 1), NaN or beyond an eighth of the largest number in
-/// size, one less than the one before it, more than degree + 1 equal ones, or no two different ones between which the
-/// curve could run.
-enum class knots_error { none, too_few, not_finite, decreasing, too_many_equal, empty };
+/// size, one less than the one before it, more than degree + 1 equal ones, no two different ones between which the
+/// curve could run; with its degree, which is below 0; or with a knot to insert, which is outside of the curve's range.
+enum class knots_error { none, too_few, not_finite, decreasing, too_many_equal, empty, negative_degree, outside };
+
+/// The Degree of bspline_knots that bring it along.
+inline constexpr int degree_at_run_time = -1;
 
 /// The Degree + 1 functions of a B-spline basis that are not zero at some place: function `first` + i has value[i].
 template <Floating T, int Degree>
@@ -32,6 +36,16 @@ struct bspline_values {
 
 namespace detail {
 inline namespace IRG_ABI {
+
+template <int Degree>
+struct knots_degree {
+  static constexpr int degree() noexcept { return Degree; }
+};
+template <>
+struct knots_degree<degree_at_run_time> {
+  int degree_at_hand = 0;
+  constexpr int degree() const noexcept { return degree_at_hand; }
+};
 
 // Adds to the largest value what the sum of all lacks of 1.
 template <class V>
@@ -47,16 +61,84 @@ constexpr void make_sum_one(V& value) noexcept {
   value[largest] = value[largest] + ((1 - sum) - error);
 }
 
+// How t divides the stretch between two knots: what is right of it and what is left, of 1. The greater part is what the
+// lesser one leaves.
+template <Floating T>
+IRG_INLINE constexpr curve_parameter<T> share_of_stretch(const T& from, const T& to, const T& t) noexcept {
+  const T right = to - t, left = t - from, stretch = to - from;
+  if (right < left) {
+    const T rest = right / stretch;
+    return {rest, T(1) - rest};
+  }
+  const T on = left / stretch;
+  return {T(1) - on, on};
+}
+
+// The greatest `low` of [low, high) with u(low) <= t.
+// needs   u(low) <= t < u(high)
+template <class Knots, Floating T>
+constexpr std::size_t stretch_between(const Knots& u, std::size_t low, std::size_t high, T t) noexcept {
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (t < u[middle] ? high : low) = middle;
+  }
+  return low;
+}
+
+// Cox's and de Boor's recursion in the stretch from knot(low) on, each level at a place of its own: at one t the basis
+// functions, at successive knots of a refined list the coefficients of a refined control point.
+template <class V, class Knot, class Place>
+constexpr void fill_bspline_values(V& value, const Knot& knot, std::size_t low, const Place& place) noexcept {
+  using T = std::remove_cvref_t<decltype(value[0])>;
+  value[0] = T(1);
+  for (std::size_t k = 1; k < value.size(); ++k) {
+    T carried = 0;
+    for (std::size_t r = 0; r < k; ++r) {
+      if (value[r] == T(0)) {  // its share may be any number then
+        value[r] = carried;
+        carried = 0;
+        continue;
+      }
+      const auto share = share_of_stretch<T>(knot(low + r + 1 - k), knot(low + r + 1), place(k));
+      const T before = value[r];
+      value[r] = carried + product(before, share.rest);
+      carried = product(before, share.t);
+    }
+    value[k] = carried;
+  }
+  make_sum_one(value);
+}
+
 // Control points of value 0 do not count, whatever they are: an end point is the control point itself.
-template <Floating T, int Degree, PolygonRing R>
-constexpr ring_point<R> blend(const bspline_values<T, Degree>& basis, const R& points) noexcept {
+template <class V, PolygonRing R>
+constexpr ring_point<R> blend_points(const V& value, std::size_t first, const R& points) noexcept {
+  using T = scalar_of<ring_point<R>>;
   return generate_coordinates<ring_point<R>>([&](int axis) {
     T sum = 0;
-    for (std::size_t i = 0; i < basis.value.size(); ++i)
-      if (basis.value[i] != 0)
-        sum = sum + product(basis.value[i], coordinate(ring_vertex(points, basis.first + i), axis));
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (value[i] != T(0)) sum = sum + product(value[i], coordinate(ring_vertex(points, first + i), axis));
     return sum;
   });
+}
+
+// Values of a basis times the weights that belong to them, over the sum; false where there is no such thing.
+template <class V, Floating T>
+constexpr bool make_rational(V& value, std::span<const T> weights) noexcept {
+  T largest = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (!(weights[i] >= 0) || !is_finite(weights[i])) return false;
+    if (value[i] > 0) largest = largest < weights[i] ? weights[i] : largest;
+  }
+  if (largest == 0) return false;
+  T sum = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    value[i] = product(value[i], weights[i] / largest);
+    sum = sum + value[i];
+  }
+  if (!(sum > 0)) return false;
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = value[i] / sum;
+  make_sum_one(value);
+  return true;
 }
 
 }  // namespace IRG_ABI
@@ -66,12 +148,12 @@ inline namespace IRG_ABI {
 
 /// What is wrong with the knots of a B-spline of this degree, or none.
 /// cost    one pass
-template <int Degree, Floating T>
-  requires(Degree >= 0)
-constexpr knots_error check_knots(std::span<const T> knots) noexcept {
-  constexpr std::size_t order = static_cast<std::size_t>(Degree) + 1;
+template <Floating T>
+constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)() / 8;
-  if (knots.size() < 2 * order) return knots_error::too_few;
+  if (degree < 0) return knots_error::negative_degree;
+  const std::size_t order = static_cast<std::size_t>(degree) + 1;
+  if (knots.size() / 2 < order) return knots_error::too_few;
   for (const T& u : knots)
     if (!(u <= largest && u >= -largest)) return knots_error::not_finite;
   for (std::size_t i = 1; i < knots.size(); ++i)
@@ -80,30 +162,62 @@ constexpr knots_error check_knots(std::span<const T> knots) noexcept {
     if (knots[i] == knots[i - order]) return knots_error::too_many_equal;
   return knots[order - 1] < knots[knots.size() - order] ? knots_error::none : knots_error::empty;
 }
+template <int Degree, Floating T>
+  requires(Degree >= 0)
+constexpr knots_error check_knots(std::span<const T> knots) noexcept {
+  return check_knots(knots, Degree);
+}
 
 }  // namespace IRG_ABI
 
 /// A legal list of knots of a B-spline of this degree; it refers to yours.
 template <Floating T, int Degree>
-class bspline_knots {
+  requires(Degree >= degree_at_run_time)
+class bspline_knots : public detail::knots_degree<Degree> {
 public:
   /// Knots that have been checked.
   /// needs   check_knots gives none
-  IRG_INLINE constexpr explicit bspline_knots(std::span<const T> knots) noexcept : knots_(knots) {
-    IRG_EXPECTS(check_knots<Degree>(knots) == knots_error::none);
+  IRG_INLINE constexpr explicit bspline_knots(std::span<const T> knots) noexcept
+    requires(Degree >= 0)
+      : knots_(knots) {
+    IRG_EXPECTS(check_knots(knots, Degree) == knots_error::none);
+  }
+  constexpr bspline_knots(std::span<const T> knots, int degree) noexcept
+    requires(Degree == degree_at_run_time)
+      : detail::knots_degree<Degree>{degree}, knots_(knots) {
+    IRG_EXPECTS(check_knots(knots, degree) == knots_error::none);
   }
 
   /// The number of control points, and of basis functions.
-  IRG_INLINE constexpr std::size_t size() const noexcept { return knots_.size() - order; }
+  IRG_INLINE constexpr std::size_t size() const noexcept { return knots_.size() - order(); }
+  /// How many basis functions are not zero at a place: the degree and one.
+  IRG_INLINE constexpr std::size_t order() const noexcept { return static_cast<std::size_t>(this->degree()) + 1; }
   /// The curve runs from first() to last().
-  IRG_INLINE constexpr T first() const noexcept { return knots_[order - 1]; }
+  IRG_INLINE constexpr T first() const noexcept { return knots_[order() - 1]; }
   IRG_INLINE constexpr T last() const noexcept { return knots_[size()]; }
   IRG_INLINE constexpr T operator[](std::size_t i) const noexcept { return knots_[i]; }
+  /// All knots, size() + order() of them.
+  IRG_INLINE constexpr std::span<const T> list() const noexcept { return knots_; }
 
 private:
-  static constexpr std::size_t order = static_cast<std::size_t>(Degree) + 1;
   std::span<const T> knots_;
 };
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The index of the knot at which the stretch of t begins: the one behind t, at last() the last one.
+// needs   first() <= t <= last()
+template <Floating T, int Degree>
+constexpr std::size_t bspline_stretch(const bspline_knots<T, Degree>& knots, T t) noexcept {
+  std::size_t high = knots.size();
+  if (t < knots.last()) return stretch_between(knots, knots.order() - 1, high, t);
+  while (knots[high - 1] == t) --high;
+  return high - 1;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -113,6 +227,12 @@ constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<c
   if (check_knots<Degree>(knots) != knots_error::none) return std::nullopt;
   return bspline_knots<T, Degree>(knots);
 }
+template <Floating T>
+constexpr std::optional<bspline_knots<T, degree_at_run_time>> make_bspline_knots(std::span<const T> knots,
+                                                                                 int degree) noexcept {
+  if (check_knots(knots, degree) != knots_error::none) return std::nullopt;
+  return bspline_knots<T, degree_at_run_time>(knots, degree);
+}
 
 /// The basis functions at t that are not zero.
 /// gives   nothing for NaN and for t outside of [first(), last()]; at a knot the functions of the stretch behind it, at
@@ -121,35 +241,29 @@ constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<c
 ///         knot of full multiplicity exactly one of them is 1
 /// source  Cox 1972; de Boor 1972; Piegl and Tiller 1997, A2.2
 template <Floating T, int Degree>
+  requires(Degree >= 0)
 constexpr std::optional<bspline_values<T, Degree>> bspline_basis(const bspline_knots<T, Degree>& knots,
                                                                  std::type_identity_t<T> t) noexcept {
   if (!(knots.first() <= t && t <= knots.last())) return std::nullopt;
-  std::size_t low = static_cast<std::size_t>(Degree), high = knots.size();  // knots[low] <= t, t < knots[high] or last
-  if (t == knots.last()) {
-    while (knots[high - 1] == t) --high;
-    low = high - 1;
-  }
-  while (high - low > 1) {
-    const std::size_t middle = low + (high - low) / 2;
-    (t < knots[middle] ? high : low) = middle;
-  }
+  const std::size_t low = detail::bspline_stretch(knots, t);
   bspline_values<T, Degree> basis{low - static_cast<std::size_t>(Degree), {}};
-  basis.value[0] = 1;
-  for (std::size_t k = 1; k <= static_cast<std::size_t>(Degree); ++k) {
-    T carried = 0;
-    for (std::size_t r = 0; r < k; ++r) {
-      const T right = knots[low + r + 1] - t, left = t - knots[low + r + 1 - k];
-      const T stretch = knots[low + r + 1] - knots[low + r + 1 - k], value = basis.value[r];
-      // The greater part is what the lesser one leaves of 1.
-      const T share = right < left ? right / stretch : T(1) - left / stretch;
-      const T rest = right < left ? T(1) - right / stretch : left / stretch;
-      basis.value[r] = carried + product(value, share);
-      carried = product(value, rest);
-    }
-    basis.value[k] = carried;
-  }
-  detail::make_sum_one(basis.value);
+  detail::fill_bspline_values(
+      basis.value, [&](std::size_t i) { return knots[i]; }, low, [&](std::size_t) { return t; });
   return basis;
+}
+
+/// The same in the first order() of `value`, for any degree; the result is the index of the first of these functions.
+/// needs   room for order() values
+/// gives   nothing, and `value` as it was, where the other form gives nothing
+template <Floating T, int Degree>
+constexpr std::optional<std::size_t> bspline_basis(const bspline_knots<T, Degree>& knots, std::type_identity_t<T> t,
+                                                   std::type_identity_t<std::span<T>> value) noexcept {
+  IRG_EXPECTS(value.size() >= knots.order());
+  if (!(knots.first() <= t && t <= knots.last())) return std::nullopt;
+  const std::size_t low = detail::bspline_stretch(knots, t);
+  const auto these = value.first(knots.order());
+  detail::fill_bspline_values(these, [&](std::size_t i) { return knots[i]; }, low, [&](std::size_t) { return t; });
+  return low + 1 - knots.order();
 }
 
 /// The point of a B-spline curve at t.
@@ -158,12 +272,24 @@ constexpr std::optional<bspline_values<T, Degree>> bspline_basis(const bspline_k
 /// exact   an end point of full multiplicity is the control point, bit for bit; elsewhere each product and sum rounded
 ///         once, within the box of the control points up to some u of their size
 template <Floating T, int Degree, PolygonRing R>
+  requires(Degree >= 0)
 constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                      std::type_identity_t<T> t) noexcept {
   IRG_EXPECTS(ring_size(points) == knots.size());
   const auto basis = bspline_basis(knots, t);
   if (!basis) return std::nullopt;
-  return detail::blend(*basis, points);
+  return detail::blend_points(basis->value, basis->first, points);
+}
+
+/// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
+template <Floating T, int Degree, PolygonRing R>
+constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                     std::type_identity_t<T> t,
+                                                     std::type_identity_t<std::span<T>> scratch) noexcept {
+  IRG_EXPECTS(ring_size(points) == knots.size());
+  const auto first = bspline_basis(knots, t, scratch);
+  if (!first) return std::nullopt;
+  return detail::blend_points(scratch.first(knots.order()), *first, points);
 }
 
 /// The basis functions at t of a rational B-spline (NURBS): each times its weight, over the sum of these.
@@ -172,28 +298,29 @@ constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degr
 ///         that count are zero
 /// exact   as bspline_basis
 template <Floating T, int Degree>
+  requires(Degree >= 0)
 constexpr std::optional<bspline_values<T, Degree>> nurbs_basis(const bspline_knots<T, Degree>& knots,
                                                                std::type_identity_t<std::span<const T>> weights,
                                                                std::type_identity_t<T> t) noexcept {
   IRG_EXPECTS(weights.size() == knots.size());
   auto basis = bspline_basis(knots, t);
-  if (!basis) return std::nullopt;
-  T largest = 0;
-  for (std::size_t i = 0; i < basis->value.size(); ++i) {
-    const T w = weights[basis->first + i];
-    if (!(w >= 0) || !detail::is_finite(w)) return std::nullopt;
-    if (basis->value[i] > 0) largest = largest < w ? w : largest;
-  }
-  if (largest == 0) return std::nullopt;
-  T sum = 0;
-  for (std::size_t i = 0; i < basis->value.size(); ++i) {
-    basis->value[i] = product(basis->value[i], weights[basis->first + i] / largest);
-    sum = sum + basis->value[i];
-  }
-  if (!(sum > 0)) return std::nullopt;
-  for (T& v : basis->value) v = v / sum;
-  detail::make_sum_one(basis->value);
+  if (!basis || !detail::make_rational(basis->value, weights.subspan(basis->first))) return std::nullopt;
   return basis;
+}
+
+/// The same in the first order() of `value`, for any degree; the result is the index of the first of these functions.
+/// needs   as many weights as knots.size(); room for order() values
+template <Floating T, int Degree>
+constexpr std::optional<std::size_t> nurbs_basis(const bspline_knots<T, Degree>& knots,
+                                                 std::type_identity_t<std::span<const T>> weights,
+                                                 std::type_identity_t<T> t,
+                                                 std::type_identity_t<std::span<T>> value) noexcept {
+  IRG_EXPECTS(weights.size() == knots.size());
+  const auto first = bspline_basis(knots, t, value);
+  if (!first) return std::nullopt;
+  const auto these = value.first(knots.order());
+  if (!detail::make_rational(these, weights.subspan(*first))) return std::nullopt;
+  return first;
 }
 
 /// The point of a rational B-spline curve (NURBS) at t.
@@ -202,13 +329,26 @@ constexpr std::optional<bspline_values<T, Degree>> nurbs_basis(const bspline_kno
 /// exact   as bspline_point
 /// source  Piegl and Tiller 1997
 template <Floating T, int Degree, PolygonRing R>
+  requires(Degree >= 0)
 constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                    std::type_identity_t<std::span<const T>> weights,
                                                    std::type_identity_t<T> t) noexcept {
   IRG_EXPECTS(ring_size(points) == knots.size());
   const auto basis = nurbs_basis(knots, weights, t);
   if (!basis) return std::nullopt;
-  return detail::blend(*basis, points);
+  return detail::blend_points(basis->value, basis->first, points);
+}
+
+/// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
+template <Floating T, int Degree, PolygonRing R>
+constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                   std::type_identity_t<std::span<const T>> weights,
+                                                   std::type_identity_t<T> t,
+                                                   std::type_identity_t<std::span<T>> scratch) noexcept {
+  IRG_EXPECTS(ring_size(points) == knots.size());
+  const auto first = nurbs_basis(knots, weights, t, scratch);
+  if (!first) return std::nullopt;
+  return detail::blend_points(scratch.first(knots.order()), *first, points);
 }
 
 }  // namespace IRG_ABI

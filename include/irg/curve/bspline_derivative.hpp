@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// De Boor's algorithm, and the derivatives of B-spline curves: within one stretch of knots the differences of a
+// spline's control points, each over the knots it spans, control its derivative. Only the degree + 1 points that count
+// at a place are touched, so that knots of any multiplicity divide nothing by zero.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include <irg/core/contract.hpp>
+#include <irg/curve/bezier.hpp>
+#include <irg/curve/bspline.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+// The point at t that `local`, the control points of degree local.size() - 1 in the stretch from knot low on, lead to;
+// their values are lost.
+template <Floating T, int Degree, Coordinates P>
+constexpr P de_boor_in_stretch(const bspline_knots<T, Degree>& knots, std::size_t low, T t,
+                               std::span<P> local) noexcept {
+  const std::size_t degree = local.size() - 1;
+  for (std::size_t r = 1; r <= degree; ++r)
+    for (std::size_t i = degree; i >= r; --i)
+      local[i] = blend(local[i - 1], local[i], share_of_stretch<T>(knots[low - degree + i], knots[low + 1 + i - r], t));
+  return local[degree];
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The point of a B-spline curve at t, by blends of two points at a time.
+/// needs   as many control points as knots.size(); scratch for knots.order() points, its contents are lost
+/// gives   nothing for NaN and for t outside of the knots' range
+/// exact   each blend within the box of its two points up to rounding; an end point of full multiplicity is the
+///         control point, bit for bit. Within 3 * degree * u of the largest control point that counts
+/// cost    degree (degree + 1) / 2 blends: bspline_point needs fewer operations for points of two coordinates or more
+/// source  de Boor 1972
+template <Floating T, int Degree, PolygonRing R>
+constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots<T, Degree>& knots, const R& points,
+                                                             std::type_identity_t<T> t,
+                                                             std::span<ring_point<R>> scratch) noexcept {
+  IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= knots.order());
+  if (!(knots.first() <= t && t <= knots.last())) return std::nullopt;
+  const std::size_t low = detail::bspline_stretch(knots, t), first = low + 1 - knots.order();
+  for (std::size_t i = 0; i < knots.order(); ++i) scratch[i] = ring_vertex(points, first + i);
+  return detail::de_boor_in_stretch(knots, low, t, scratch.first(knots.order()));
+}
+
+/// The point of a B-spline curve and its derivatives at t: derivatives[k] is the k-th, derivatives[0] the point's
+/// own coordinates.
+/// needs   as many control points as knots.size(); scratch for 2 * knots.order() vectors, its contents are lost
+/// gives   false, and nothing written, for NaN and for t outside of the knots' range. Beyond the degree zeros. At a
+///         knot the derivatives behind it, at last() those before it. Where a difference over its stretch passes the
+///         largest number, no finite vectors
+/// exact   differences, quotients and products rounded once each, then blends as in bspline_point_de_boor
+/// cost    degree^2 / 2 blends for each derivative
+/// source  de Boor 1972; Piegl and Tiller 1997, 3.3
+template <Floating T, int Degree, PolygonRing R>
+constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
+                                   std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
+                                   std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {
+  using V = typename curve_sample<ring_point<R>>::vector;
+  const std::size_t order = knots.order();
+  IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= 2 * order);
+  if (!(knots.first() <= t && t <= knots.last())) return false;
+  const std::size_t low = detail::bspline_stretch(knots, t);
+  const auto local = scratch.first(order), work = scratch.subspan(order, order);
+  for (std::size_t i = 0; i < order; ++i) {
+    const auto p = ring_vertex(points, low + 1 - order + i);
+    local[i] = generate_coordinates<V>([&](int axis) { return coordinate(p, axis); });
+  }
+  for (std::size_t k = 0; k < derivatives.size(); ++k) {
+    if (k >= order) {
+      derivatives[k] = V{};
+      continue;
+    }
+    const std::size_t degree = order - 1 - k;  // of this derivative; its control points are local[0 ... degree]
+    for (std::size_t i = 0; i <= degree; ++i) work[i] = local[i];
+    derivatives[k] = detail::de_boor_in_stretch(knots, low, t, work.first(degree + 1));
+    for (std::size_t i = 0; i < degree; ++i) {
+      const T stretch = knots[low + 1 + i] - knots[low + 1 + i - degree];
+      local[i] = generate_coordinates<V>([&](int axis) {
+        const T difference = coordinate(local[i + 1], axis) - coordinate(local[i], axis);
+        return product(difference / stretch, static_cast<T>(static_cast<int>(degree)));
+      });
+    }
+  }
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
