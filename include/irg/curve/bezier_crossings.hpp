@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where two Bezier curves meet: the wider one is halved again and again, and pairs of stretches are dropped whose boxes,
-// widened by what rounding may have done, are apart. Nothing else is ever dropped, so that no meeting is missed; what is left when the
-// boxes are as narrow as asked, or the steps are used up, is handed over.
+// Where two Bezier curves meet: the wider one is halved again and again, and pairs of stretches are dropped whose
+// boxes, widened by what rounding may have done, are apart. Nothing else is ever dropped, so that no meeting is
+// missed; what is left when the boxes are as narrow as asked, or the steps are used up, is handed over.
 #pragma once
 
 #include <cstddef>
@@ -165,7 +165,7 @@ struct meetings_result {
 inline namespace IRG_ABI {
 
 /// Writes to `room` the stretches in which two Bezier curves may meet; stretches that touch are one.
-/// shape   in no order. A pair of stretches may hold one meeting, several, or none: two curves nearer than the tolerance
+/// shape   in no order. A pair of stretches may hold one meeting, several, or none: curves nearer than the tolerance
 /// needs   one or more control points each, of any dimension; room for 1 meeting or more; scratch three times as long
 ///         as both curves; tolerance >= 0
 /// gives   how many there are. Coincident curves and control points that are not finite use up the steps: few long
