@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// curve: Bezier curves and surfaces, B-splines, NURBS.
+// curve: Bezier curves and surfaces, B-splines, NURBS; their zeros, meetings, joints.
 #pragma once
 
 #include <irg/curve/arc_length.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// visibility: line of sight and fields of view on grids.
+// visibility: line of sight and fields of view on grids; visibility polygons, weak visibility, cells and portals.
 #pragma once
 
 #include <irg/visibility/cell_plan.hpp>

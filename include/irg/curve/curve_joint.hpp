@@ -48,7 +48,7 @@ struct joint_side {
 
 template <class A, class B>
 constexpr bool same_first_derivative(const A& a, const B& b, int axis) noexcept {
-  return sign_of<3>(
+  return irg::sign_of<3>(
              [](const auto& x) {
                return (x[4] - x[8]) * (x[7] - x[8]) * (x[0] - x[1]) - (x[5] - x[8]) * (x[6] - x[8]) * (x[3] - x[2]);
              },
@@ -58,7 +58,7 @@ constexpr bool same_first_derivative(const A& a, const B& b, int axis) noexcept 
 
 template <class A, class B>
 constexpr bool same_second_derivative(const A& a, const B& b, int axis) noexcept {
-  return sign_of<4>(
+  return irg::sign_of<4>(
              [](const auto& x) {
                const auto first = (x[0] - x[1]) - (x[1] - x[2]), second = (x[3] - x[4]) - (x[4] - x[5]);
                const auto from = x[8] - x[10], to = x[9] - x[10];
@@ -72,9 +72,9 @@ template <int Dimension, class A, class B>
 constexpr bool same_direction(const A& a, const B& b) noexcept {
   for (int i = 0; i < Dimension; ++i)
     for (int j = 0; j < i; ++j)
-      if (sign_of<2>([](const auto& x) { return (x[0] - x[1]) * (x[7] - x[6]) - (x[2] - x[3]) * (x[5] - x[4]); },
-                     std::array{a.at(0, i), a.at(1, i), a.at(0, j), a.at(1, j), b.at(0, i), b.at(1, i), b.at(0, j),
-                                b.at(1, j)}) != 0)
+      if (irg::sign_of<2>([](const auto& x) { return (x[0] - x[1]) * (x[7] - x[6]) - (x[2] - x[3]) * (x[5] - x[4]); },
+                          std::array{a.at(0, i), a.at(1, i), a.at(0, j), a.at(1, j), b.at(0, i), b.at(1, i), b.at(0, j),
+                                     b.at(1, j)}) != 0)
         return false;
   std::array<double, static_cast<std::size_t>(4 * Dimension)> all{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(Dimension); ++i) {
@@ -82,7 +82,7 @@ constexpr bool same_direction(const A& a, const B& b) noexcept {
     all[4 * i] = a.at(0, axis), all[4 * i + 1] = a.at(1, axis);
     all[4 * i + 2] = b.at(1, axis), all[4 * i + 3] = b.at(0, axis);
   }
-  return sign_of<2>(
+  return irg::sign_of<2>(
              [](const auto& x) {
                auto sum = (x[0] - x[1]) * (x[2] - x[3]);
                for (std::size_t i = 4; i + 3 < static_cast<std::size_t>(4 * Dimension); i += 4)
