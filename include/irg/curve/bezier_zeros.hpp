@@ -100,7 +100,7 @@ inline namespace IRG_ABI {
 /// polynomial with these Bernstein coefficients.
 /// shape   each coefficient is a vec<T, 1>
 /// needs   one coefficient or more; scratch three times as many; 0 <= uncertainty: how far each coefficient may be off
-/// gives   one stretch where the polynomial is within rounding of zero. Coefficients that are not finite: one stretch,
+/// gives   one stretch where the polynomial is within rounding of zero. Numbers that are not finite: one stretch,
 ///         [0, 1]. No stretches: no zeros
 /// exact   no zero is missed, of this polynomial nor of any whose coefficients are off by the uncertainty; a stretch
 ///         about a simple zero is as wide as 16 * degree * u * (largest coefficient) over the slope makes it, one about
@@ -112,7 +112,7 @@ constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::typ
                                std::type_identity_t<std::span<vec<T, 1>>> scratch, Sink sink) {
   constexpr int depth = std::numeric_limits<T>::digits / 2 + 2;
   const std::size_t n = coefficients.size();
-  IRG_EXPECTS(n > 0 && scratch.size() >= 3 * n && uncertainty >= 0);
+  IRG_EXPECTS(n > 0 && scratch.size() >= 3 * n && !(uncertainty < 0));
   T largest = 0;
   bool is_sound = detail::is_finite(uncertainty);
   for (const auto& c : coefficients) {
