@@ -31,6 +31,7 @@ public:
   constexpr mesh<T> build() {
     for (std::size_t i = 0; i < posts_.size(); ++i) add_heights(i);
     std::vector<std::uint32_t> face;
+    face.reserve(posts_.size());
     for (const post& p : posts_) face.push_back(p.first);
     add_face(out_, face);
     face.clear();
