@@ -16,6 +16,5 @@
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/to_mesh.hpp>
-#include <irg/mesh/triangle_indices.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/mesh/validate.hpp>

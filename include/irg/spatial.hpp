@@ -2,7 +2,10 @@
 // spatial: grids of cells and walls in two and three dimensions, trees of segments.
 #pragma once
 
+#include <irg/spatial/bsp_data_3d.hpp>
+#include <irg/spatial/bsp_order.hpp>
 #include <irg/spatial/bsp_tree_2d.hpp>
+#include <irg/spatial/bsp_tree_3d.hpp>
 #include <irg/spatial/cell3.hpp>
 #include <irg/spatial/cell_grid.hpp>
 #include <irg/spatial/grid_concept.hpp>
