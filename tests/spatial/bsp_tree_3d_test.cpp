@@ -119,6 +119,28 @@ TEST_CASE("bsp_tree_3d: corners on a plane and sides in it cut nothing; three ro
   CHECK(r.splits() > 0);
 }
 
+TEST_CASE("bsp_tree_3d: pieces as polygons make up their triangles") {
+  test::random r(8);
+  const test::space_scene s = test::whole_numbers(r, 20, false);
+  const tree t(s.vertices, s.triangles);
+  const auto area_of = [](const std::vector<P>& ring) {
+    irg::vec<double, 3> sum{};
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      const irg::vec<double, 3> u = ring[i - 1] - ring[0], v = ring[i] - ring[0];
+      sum = sum + irg::cross(u, v);
+    }
+    return sum;
+  };
+  std::vector<irg::vec<double, 3>> left(s.triangles.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const auto& [v] = s.triangles[i];
+    left[i] = area_of({s.vertices[v[0]], s.vertices[v[1]], s.vertices[v[2]]});
+  }
+  for (const irg::bsp_piece_3d& p : t.data().pieces) left[p.triangle] = left[p.triangle] - area_of(t.rounded(p));
+  for (const auto& rest : left)
+    for (int k = 0; k < 3; ++k) CHECK(std::fabs(rest[k]) < 1e-9);
+}
+
 TEST_CASE("bsp_tree_3d: slivers of one ulp") {
   test::space_scene s;
   const double up = std::nextafter(1.0, 2.0);
@@ -136,8 +158,7 @@ TEST_CASE("bsp_tree_3d: what is merged in stands where it belongs, and goes agai
   test::random r(9);
   const test::space_scene s = test::whole_numbers(r, 30, false), moving = test::whole_numbers(r, 12, false);
   test::space_scene all = s;
-  for (const auto& [v] : moving.triangles)
-    all.add(moving.vertices[v[0]], moving.vertices[v[1]], moving.vertices[v[2]]);
+  for (const auto& [v] : moving.triangles) all.add(moving.vertices[v[0]], moving.vertices[v[1]], moving.vertices[v[2]]);
   tree t(s.vertices, s.triangles);
   const auto before = t.data();
   const auto seen_before = seen_from(t, P{3, 20, 7}, bsp_order::back_to_front);
@@ -183,8 +204,9 @@ TEST_CASE("bsp_tree_3d: a tree from its data is the same; what is wrong with dat
   CHECK(fault([](auto& d) { d.pieces[1].limits = 77777; }) == irg::bsp_fault{bsp_defect::index, bsp_part::piece, 1});
   CHECK(fault([](auto& d) { d.limits[0].next = 0; }) == irg::bsp_fault{bsp_defect::shape, bsp_part::limit, 0});
   CHECK(fault([](auto& d) { d.limits[1].side = 0; }) == irg::bsp_fault{bsp_defect::shape, bsp_part::limit, 1});
-  CHECK(fault([](auto& d) { d.vertices[d.triangles[d.pieces[0].triangle].v[0]][0] =
-                                std::numeric_limits<double>::infinity(); }).defect == bsp_defect::flat);
+  CHECK(fault([](auto& d) {
+          d.vertices[d.triangles[d.pieces[0].triangle].v[0]][0] = std::numeric_limits<double>::infinity();
+        }).defect == bsp_defect::flat);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -221,9 +243,9 @@ place between(const tree& t, std::uint32_t triangle, test::random& r) {
       k(static_cast<int>(r.integer(1, 50)));
   place p;
   for (int n = 0; n < 3; ++n)
-    p.v[n] = (i * Q(t.data().vertices[v[0]][n]) + j * Q(t.data().vertices[v[1]][n]) +
-              k * Q(t.data().vertices[v[2]][n])) /
-             (i + j + k);
+    p.v[n] =
+        (i * Q(t.data().vertices[v[0]][n]) + j * Q(t.data().vertices[v[1]][n]) + k * Q(t.data().vertices[v[2]][n])) /
+        (i + j + k);
   return p;
 }
 
@@ -241,9 +263,9 @@ Q meeting(const tree& t, std::uint32_t triangle, const place& eye, const place& 
     const place a = exactly(t.data().vertices[v[k]]), b = exactly(t.data().vertices[v[(k + 1) % 3]]);
     Q x[3], y[3], z[3];
     for (int n = 0; n < 3; ++n) x[n] = a.v[n] - eye.v[n], y[n] = b.v[n] - eye.v[n], z[n] = over.v[n] - eye.v[n];
-    const int s = ((x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] +
-                   (x[0] * y[1] - x[1] * y[0]) * z[2])
-                      .sign();
+    const int s =
+        ((x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2])
+            .sign();
     if (s == 0 || (turn != 0 && s != turn)) return Q(0);
     turn = s;
   }
@@ -355,7 +377,8 @@ TEST_CASE("bsp_tree_3d: the direction to an eye infinitely far away orders as an
   for (int scene = 0; scene < 20; ++scene) {
     const test::space_scene s = test::whole_numbers(r, 16, false);
     const tree t(s.vertices, s.triangles);
-    const irg::vec<double, 3> to{static_cast<double>(r.integer(-9, 9)) + 0.25, static_cast<double>(r.integer(-9, 9)) + 0.125,
+    const irg::vec<double, 3> to{static_cast<double>(r.integer(-9, 9)) + 0.25,
+                                 static_cast<double>(r.integer(-9, 9)) + 0.125,
                                  static_cast<double>(r.integer(-9, 9)) + 0.0625};
     for (const auto order : {bsp_order::back_to_front, bsp_order::front_to_back})
       CHECK(seen_from(t, to, order) == seen_from(t, P{to[0] * 0x1p40, to[1] * 0x1p40, to[2] * 0x1p40}, order));

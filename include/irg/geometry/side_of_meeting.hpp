@@ -65,8 +65,8 @@ inline namespace IRG_ABI {
 template <Floating T>
 constexpr std::optional<int> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
                                              const plane_points<T>& third, const plane_points<T>& of) noexcept {
-  // The formula's roundings: 1 of a difference, 3 of a normal, 3 of a distance, 4 of a cross product and a sum, no number
-  // entering a value by more than 40 of them: side_of_crossing's filter serves, whose bound is for 60.
+  // The formula's roundings: 1 of a difference, 3 of a normal, 3 of a distance, 4 of a cross product and a sum. No
+  // number enters a value by more than 40 of them: side_of_crossing's filter serves, whose bound is for 60.
   std::array<double, 36> in{};
   std::size_t n = 0;
   for (const plane_points<T>* plane : {&first, &second, &third, &of})

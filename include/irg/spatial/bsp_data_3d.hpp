@@ -98,7 +98,7 @@ constexpr bsp_fault find_node_fault(const bsp_data_3d<T>& d) {
     if (!is_triangle && !is_finite(d.vertices[n.plane.source][static_cast<int>(n.plane.axis)]))
       return wrong(bsp_defect::flat);
     if (n.first > n.last || n.last > d.pieces.size()) return wrong(bsp_defect::index);
-    if (n.first != n.last && n.first != pieces) return wrong(bsp_defect::shape);
+    if (n.first != pieces) return wrong(bsp_defect::shape);
     pieces = n.last;
     for (const std::uint32_t below : {n.front, n.back, n.beside}) {
       if (below == bsp_none) continue;

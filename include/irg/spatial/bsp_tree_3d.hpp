@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/geometry/parametric_line.hpp>
 #include <irg/core/triangle_indices.hpp>
 #include <irg/spatial/bsp_data_3d.hpp>
 #include <irg/spatial/detail/bsp_cells_3d.hpp>
@@ -27,8 +27,8 @@ public:
   /// needs   indices of vertices; fewer than 2^32 - 4 triangles, nodes and pieces; one candidate and one judge at least
   /// gives   triangles without area, or with NaN or infinity, are left out and counted
   /// cost    allocates. A cell is divided by the plane of one of its triangles or, where that cuts fewer or leaves the
-  ///         sides more alike, by one across an axis through a corner, so that convex bodies make no chains; every plane
-  ///         meets every piece in its cell. O(n log n) where little is cut, n^2 pieces at worst
+  ///         sides more alike, by one across an axis through a corner, so that convex bodies make no chains; every
+  ///         plane meets every piece in its cell. O(n log n) where little is cut, n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
   constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
                         const bsp_choice& choice = {}) {
@@ -52,6 +52,30 @@ public:
   constexpr std::size_t splits() const noexcept { return splits_; }
   /// Triangles without area, or with NaN or infinity.
   constexpr std::size_t left_out() const noexcept { return left_out_; }
+
+  /// The corners of a piece as points, to draw it or hand it on: counter-clockwise as those of its triangle.
+  /// exact   the triangle's corners are given points; others are rounded, by about as much as the planes are steep to
+  ///         each other. Fewer than three where rounding leaves no area
+  /// cost    the corners times the limits; allocates
+  constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
+    std::vector<point<T, 3>> ring, kept;
+    for (const std::uint32_t v : data_.triangles[p.triangle].v) ring.push_back(data_.vertices[v]);
+    for (std::uint32_t l = p.limits; l != bsp_none && !ring.empty(); l = data_.limits[l].next, std::swap(ring, kept)) {
+      kept.clear();
+      const detail::rounded_plane& plane = planes_[data_.limits[l].node];
+      const auto height = [&](const point<T, 3>& q) {
+        const double at[3] = {widened(q[0]), widened(q[1]), widened(q[2])};
+        return plane(at, 0.0).value * data_.limits[l].side;
+      };
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+        const double f = height(a), g = height(b);
+        if (f >= 0) kept.push_back(a);
+        if ((f < 0 && g > 0) || (f > 0 && g < 0)) kept.push_back(point_between(a, b, converted<T>(f / (f - g))));
+      }
+    }
+    return ring;
+  }
 
   /// Adds triangles that move: they are cut by the planes that are there, and divide the cells that they come to. Their
   /// numbers follow those of the triangles before.
@@ -129,8 +153,13 @@ private:
   };
 
   constexpr size_of_tree sizes() const noexcept {
-    return {data_.vertices.size(), data_.triangles.size(), data_.nodes.size(), data_.pieces.size(),
-            data_.limits.size(), splits_, left_out_};
+    return {data_.vertices.size(),
+            data_.triangles.size(),
+            data_.nodes.size(),
+            data_.pieces.size(),
+            data_.limits.size(),
+            splits_,
+            left_out_};
   }
 
   constexpr std::uint32_t& link_of(const link& l) noexcept {
@@ -176,7 +205,7 @@ private:
     for (const link& l : links_) steps_[l.node] = step_at(l.node);
     for (auto i = static_cast<std::uint32_t>(steps_.size()); i < data_.nodes.size(); ++i) steps_.push_back(step_at(i));
   }
-  constexpr std::uint32_t make_node(const bsp_plane_3d& plane) {
+  constexpr std::uint32_t make_node(bsp_plane_3d plane) {
     const auto here = static_cast<std::uint32_t>(data_.nodes.size());
     const auto end = static_cast<std::uint32_t>(data_.pieces.size());
     data_.nodes.push_back({plane, end, end, bsp_none, bsp_none, bsp_none});

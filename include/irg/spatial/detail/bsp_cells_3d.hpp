@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a cell of a BSP tree in space is divided: which plane, and which pieces lie where. While the tree grows a piece
-// that was cut also has its corners, rounded, with bounds of what they are off by and with the planes that meet in each:
-// these decide where the bound leaves it open.
+// that was cut also has its corners, rounded, with bounds of what they are off by and with the planes that meet in
+// each: these decide where the bound leaves it open.
 #pragma once
 
 #include <algorithm>
@@ -145,8 +145,7 @@ public:
   }
 
   // Parts the pieces of a cell by the plane of a node; returns how many were cut.
-  constexpr std::size_t divide(const std::vector<open_piece>& pieces, const dividing_node& by,
-                               const cell_sides& to) {
+  constexpr std::size_t divide(const std::vector<open_piece>& pieces, const dividing_node& by, const cell_sides& to) {
     std::size_t cuts = 0;
     for (const open_piece& p : pieces) {
       std::array<int, 3> at{};
@@ -160,7 +159,7 @@ public:
       else if (high <= 0)
         to.back.push_back(p);
       else
-        cuts += part(p, at, by, to) ? 1 : 0;
+        cuts += part(p, at, by, to) ? 1u : 0u;
     }
     return cuts;
   }
@@ -187,7 +186,8 @@ private:
   }
 
   // A triangle that a plane cuts: is the piece of it cut, too?
-  constexpr bool part(const open_piece& p, const std::array<int, 3>& at, const dividing_node& by, const cell_sides& to) {
+  constexpr bool part(const open_piece& p, const std::array<int, 3>& at, const dividing_node& by,
+                      const cell_sides& to) {
     ring_.clear();
     side_.clear();
     if (p.count == 0) {
@@ -270,8 +270,7 @@ private:
       front = front || side > 0;
       back = back || side < 0;
     };
-    for (std::uint32_t k = 0; k < p.count; ++k)
-      take(plane(corners_[p.first + k].at, corners_[p.first + k].off).sign());
+    for (std::uint32_t k = 0; k < p.count; ++k) take(plane(corners_[p.first + k].at, corners_[p.first + k].off).sign());
     for (std::size_t k = 0; p.count == 0 && k < 3; ++k) {
       double at[3];
       copy_widened(d_.vertices[d_.triangles[p.triangle].v[k]], at);

@@ -60,9 +60,9 @@ IRG_INLINE constexpr rounded_plane plane_across(int axis, const double (&at)[3])
 
 }  // namespace IRG_ABI
 
-// The same for points without error, in fewer numbers: normal . p - offset. With R the largest coordinate of p and A that
-// of `at`, the products and sums of normal . p and of `offset` are off by less than 24u s^2 R and 24u s^2 A, the normal
-// by 24.3u s^2 (R + A): `error` R + `error_at` is above both.
+// The same for points without error, in fewer numbers: normal . p - offset. With R the largest coordinate of p and A
+// that of `at`, the products and sums of normal . p and of `offset` are off by less than 24u s^2 R and 24u s^2 A, and
+// the normal by 24.3u s^2 (R + A): `error` R + `error_at` is above both.
 struct walked_plane {
   double normal[3], offset, error, error_at;
 
