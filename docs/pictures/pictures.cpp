@@ -378,6 +378,7 @@ int main(int argc, char** argv) {
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());
   save("surfaces", surface_pictures::made_of_curves());
+  save("tessellation", surface_pictures::tessellated());
   number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());

@@ -21,3 +21,5 @@
 #include <irg/curve/keyframes.hpp>
 #include <irg/curve/rational.hpp>
 #include <irg/curve/surface_nets.hpp>
+#include <irg/curve/surface_tessellation.hpp>
+#include <irg/curve/surface_trimming.hpp>
