@@ -235,7 +235,7 @@ std::string list(const town& t, const std::vector<view>& views) {
 class town_painter {
 public:
   static constexpr irg::rgba8 dark{86, 92, 104, 255}, half{176, 170, 150, 255}, bright{252, 240, 196, 255},
-      house{150, 104, 84, 255}, ink{32, 44, 66, 255}, red{204, 60, 44, 255};
+      house{150, 104, 84, 255}, red{204, 60, 44, 255};
   struct text_sink {
     std::string text{};
     void operator()(std::string_view piece) { text.append(piece); }

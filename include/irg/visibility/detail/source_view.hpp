@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How much of a source is seen from a place, and at which lines that can change. Places come as a function that tells
-// the side of a line on which they lie, and lie on no line through two of the given points. In each direction the source
+// the side of a line on which they lie, and lie on no line through two of the given points. In each direction an area
 // begins with an edge whose outer side is seen, a near one, and ends with a far one: all of it is seen when nothing is
 // hidden of far edges, nothing when all of the near ones is, and the place is not within.
 #pragma once
