@@ -131,8 +131,8 @@ constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v) {
 }
 
 /// A new vertex at p and an edge to it, from the vertex that `first` and `last` leave (mev). The half-edges from
-/// `first` on, clockwise seen from outside, up to the one before `last` leave the new vertex then; none when the two are
-/// the same: the edge stands free in the loop, before it.
+/// `first` on, clockwise seen from outside, up to the one before `last` leave the new vertex then; none when the two
+/// are the same: the edge stands free in the loop, before it.
 /// gives   the half-edge to the new vertex; none, and b as it was, when the two do not leave the same vertex
 template <Scalar T>
 constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
