@@ -52,6 +52,7 @@
 #include "solids.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
+#include "surfaces.hpp"
 #include "textbook_fill.hpp"
 #include "texts.hpp"
 #include "trees.hpp"
@@ -377,6 +378,7 @@ int main(int argc, char** argv) {
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());
+  save("surfaces", surface_pictures::made_of_curves());
   number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());
