@@ -55,6 +55,7 @@
 #include "surfaces.hpp"
 #include "textbook_fill.hpp"
 #include "texts.hpp"
+#include "trees.hpp"
 #include "viewing.hpp"
 #include "lines_aa.hpp"
 #include "meshes.hpp"
@@ -437,6 +438,9 @@ int main(int argc, char** argv) {
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
   save("point_in_solid", solid_pictures::locations());
+  save("bvh", tree_pictures::levels());
+  save("triangle_bvh", tree_pictures::through());
+  save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());
