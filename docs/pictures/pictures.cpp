@@ -52,8 +52,10 @@
 #include "solids.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
+#include "surfaces.hpp"
 #include "textbook_fill.hpp"
 #include "texts.hpp"
+#include "trees.hpp"
 #include "viewing.hpp"
 #include "lines_aa.hpp"
 #include "meshes.hpp"
@@ -377,6 +379,8 @@ int main(int argc, char** argv) {
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());
+  save("surfaces", surface_pictures::made_of_curves());
+  save("tessellation", surface_pictures::tessellated());
   number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());
@@ -435,6 +439,9 @@ int main(int argc, char** argv) {
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
   save("point_in_solid", solid_pictures::locations());
+  save("bvh", tree_pictures::levels());
+  save("triangle_bvh", tree_pictures::through());
+  save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());

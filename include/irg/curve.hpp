@@ -14,8 +14,12 @@
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>
 #include <irg/curve/bspline_knots.hpp>
+#include <irg/curve/bspline_surface.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/curve_joint.hpp>
 #include <irg/curve/flatten.hpp>
 #include <irg/curve/keyframes.hpp>
 #include <irg/curve/rational.hpp>
+#include <irg/curve/surface_nets.hpp>
+#include <irg/curve/surface_tessellation.hpp>
+#include <irg/curve/surface_trimming.hpp>

@@ -47,6 +47,7 @@
 #include <irg/geometry/polygon_orientation.hpp>
 #include <irg/geometry/polygon_overlay.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
+#include <irg/geometry/ray.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
 #include <irg/geometry/side_of_line.hpp>
