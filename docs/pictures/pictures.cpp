@@ -45,6 +45,7 @@
 #include "plane_sight.hpp"
 #include "portals.hpp"
 #include "projections.hpp"
+#include "rays.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
@@ -438,6 +439,8 @@ int main(int argc, char** argv) {
   save("convex_body", convex_body_pictures::bodies());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("shadow", ray_pictures::shadow());
+  save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
   save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());
