@@ -26,7 +26,7 @@ namespace irg {
   IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
 
 /// A displacement with N coordinates.
-template <Scalar T, int N>
+template <Number T, int N>
 struct vec {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   T elements[static_cast<std::size_t>(N)]{};
@@ -34,19 +34,19 @@ struct vec {
   IRG_INLINE constexpr T& operator[](int i) noexcept { return elements[i]; }
   constexpr bool operator==(const vec&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct vec<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_2
   constexpr bool operator==(const vec&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct vec<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_3
   constexpr bool operator==(const vec&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct vec<T, 4> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_4
@@ -54,15 +54,15 @@ struct vec<T, 4> {
 };
 
 /// A position in N-dimensional space, N = 2 or 3.
-template <Scalar T, int N>
+template <Number T, int N>
 struct point;
-template <Scalar T>
+template <Number T>
 struct point<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
   IRG_COORDINATES_2
   constexpr bool operator==(const point&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct point<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
   IRG_COORDINATES_3
@@ -71,15 +71,15 @@ struct point<T, 3> {
 
 /// A position of N-dimensional projective space, N = 2 (x, y, w as x, y, z) or 3 (x, y, z, w). Weight 0 is a direction;
 /// all coordinates 0 is no position. == compares coordinates; positions are equal when they are proportional.
-template <Scalar T, int N>
+template <Number T, int N>
 struct hpoint;
-template <Scalar T>
+template <Number T>
 struct hpoint<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
   IRG_COORDINATES_3
   constexpr bool operator==(const hpoint&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct hpoint<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
   IRG_COORDINATES_4
@@ -102,6 +102,9 @@ struct coordinate_traits<vec<T, N>> {
     return {{converted<T>(c)...}};
   }
 };
+
+template <class T, std::same_as<T>... More>
+vec(T, More...) -> vec<T, 1 + static_cast<int>(sizeof...(More))>;
 
 namespace detail {
 /// irg's own vec, point and hpoint: the types that carry operators.
@@ -206,6 +209,14 @@ IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic
     return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
   };
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+}
+
+/// The area of the parallelogram of two vectors of the plane, positive where b lies counter-clockwise from a.
+/// exact   each product and the difference rounded once
+template <Vector A, Vector B>
+  requires(size_of<A> == 2 && size_of<B> == 2 && std::same_as<scalar_of<A>, scalar_of<B>>)
+IRG_INLINE constexpr scalar_of<A> cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
+  return product(coordinate(a, 0), coordinate(b, 1)) - product(coordinate(a, 1), coordinate(b, 0));
 }
 
 /// The cross product for loops that the compiler is to vectorise: products may be fused with differences, so its last

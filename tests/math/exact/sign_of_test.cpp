@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/quotients_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 #include <array>
 #include <cmath>
