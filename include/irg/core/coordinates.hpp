@@ -181,7 +181,7 @@ IRG_INLINE constexpr T from_coordinates(const S&... c) noexcept(noexcept(coordin
 /// A T whose coordinate i is f(i); f is called once for each i, in no particular order.
 template <Coordinates T, class F>
 IRG_INLINE constexpr T generate_coordinates(F&& f) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
+  return [&]<int... I>(std::integer_sequence<int, I...>) IRG_INLINE_LAMBDA {
     return coordinate_traits<T>::make(f(I)...);
   }(std::make_integer_sequence<int, size_of<T>>{});
 }

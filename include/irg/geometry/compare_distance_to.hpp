@@ -27,11 +27,9 @@ constexpr int compare_distance_to_line(const P& a, const P& b, const P& p, const
     return p_side * sign_of<2>([](const auto& from, const auto& to, const auto& x,
                                   const auto& y) { return cross(to - from, x - y); },
                                a, b, p, q);
-  return p_side * sign_of<2>(
-                      [](const auto& from, const auto& to, const auto& x, const auto& y) {
-                        return cross(to - from, x - from) + cross(to - from, y - from);
-                      },
-                      a, b, p, q);
+  return p_side * sign_of<2>([](const auto& from, const auto& to, const auto& x,
+                                const auto& y) { return cross(to - from, x - from) + cross(to - from, y - from); },
+                             a, b, p, q);
 }
 
 /// -1 when p is nearer to the plane than q is, 1 when q is nearer, 0 when they are equally far, on the same side or on

@@ -60,9 +60,7 @@ template <Floating T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
 constexpr std::optional<T> signed_distance(const line<T>& l, const P& p) noexcept {
   const auto v = values_of<2>(
-      [](const auto& k, const auto& at) {
-        return std::array{k.x * at.x + k.y * at.y + k.z, k.x * k.x + k.y * k.y};
-      },
+      [](const auto& k, const auto& at) { return std::array{k.x * at.x + k.y * at.y + k.z, k.x * k.x + k.y * k.y}; },
       vec{l.a, l.b, l.c}, p);
   if (!v || detail::is_zero((*v)[1])) return std::nullopt;
   return detail::height_over_root<T>((*v)[0], (*v)[1]);

@@ -104,8 +104,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
       a, b, c, d);
   if (!apart) return result;
   const auto& [from_first, from_second] = *apart;
-  result.relation =
-      is_zero(from_first) && is_zero(from_second) ? line_relation::coincident : line_relation::parallel;
+  result.relation = is_zero(from_first) && is_zero(from_second) ? line_relation::coincident : line_relation::parallel;
   return result;
 }
 

@@ -52,8 +52,7 @@ template <Point P, class V>
 constexpr plane_line_meeting<P> rounded_plane_meeting(const std::optional<std::tuple<V, V, vec<V, 3>>>& v) noexcept {
   if (!v) return {};
   const auto& [divisor, t, at] = *v;
-  if (is_zero(divisor))
-    return {is_zero(t) ? plane_line_relation::contained : plane_line_relation::parallel, {}, {}};
+  if (is_zero(divisor)) return {is_zero(t) ? plane_line_relation::contained : plane_line_relation::parallel, {}, {}};
   return {plane_line_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
 }
 

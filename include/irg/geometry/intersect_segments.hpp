@@ -73,14 +73,8 @@ constexpr segments_meeting<P> intersect_segments(const P& a, const P& b, const P
   const auto part = [&](const auto& v) { return sign_of(v) * side; };
   const int t = part(m.t), t_rest = part(m.t_rest), s = part(m.s), s_rest = part(m.s_rest);
   if (t < 0 || t_rest < 0 || s < 0 || s_rest < 0) return {};
-  const auto parameter = [&](const auto& v, int rest) {
-    return rest == 0 ? T(1) : rounded_to<T>(v / m.divisor);
-  };
-  const P at = t == 0        ? a
-               : t_rest == 0 ? b
-               : s == 0      ? c
-               : s_rest == 0 ? d
-                             : rounded_coordinates<P>(m.at / m.divisor);
+  const auto parameter = [&](const auto& v, int rest) { return rest == 0 ? T(1) : rounded_to<T>(v / m.divisor); };
+  const P at = t == 0 ? a : t_rest == 0 ? b : s == 0 ? c : s_rest == 0 ? d : rounded_coordinates<P>(m.at / m.divisor);
   return {segment_relation::point, at, at, parameter(m.t, t_rest), parameter(m.s, s_rest)};
 }
 

@@ -49,10 +49,7 @@ constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q)
   using T = scalar_of<P>;
   if (detail::are_equal(p, q)) return std::nullopt;
   return detail::rounded_line<T>(values_of<2>(
-      [](const auto& a, const auto& b) {
-        return vec{a.y - b.y, b.x - a.x, a.x * b.y - b.x * a.y};
-      },
-      p, q));
+      [](const auto& a, const auto& b) { return vec{a.y - b.y, b.x - a.x, a.x * b.y - b.x * a.y}; }, p, q));
 }
 
 /// The line through two homogeneous points, their cross product. For two directions it is the line at infinity, (0, 0,

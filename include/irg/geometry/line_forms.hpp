@@ -16,11 +16,9 @@ inline namespace IRG_ABI {
 /// exact   as line_through, for the direction as it is
 template <Scalar T>
 constexpr std::optional<line<T>> implicit_line_of(const parametric_line<T, 2>& l) noexcept {
-  return detail::rounded_line<T>(values_of<2>(
-      [](const auto& u, const auto& from) {
-        return vec{-u.y, u.x, u.y * from.x - u.x * from.y};
-      },
-      l.direction, l.origin));
+  return detail::rounded_line<T>(
+      values_of<2>([](const auto& u, const auto& from) { return vec{-u.y, u.x, u.y * from.x - u.x * from.y}; },
+                   l.direction, l.origin));
 }
 
 /// The implicit form of the line through two homogeneous points.

@@ -86,8 +86,9 @@ template <Point P>
 constexpr P point_between(const P& a, const P& b, scalar_of<P> t) noexcept {
   using T = scalar_of<P>;
   return generate_coordinates<P>([&](int i) {
-    const auto sum = values_of<2>([](const auto& from, const auto& to, const auto& s) { return from + s * (to - from); },
-                                  coordinate(a, i), coordinate(b, i), t);
+    const auto sum =
+        values_of<2>([](const auto& from, const auto& to, const auto& s) { return from + s * (to - from); },
+                     coordinate(a, i), coordinate(b, i), t);
     return sum ? rounded_to<T>(*sum) : std::numeric_limits<T>::quiet_NaN();
   });
 }

@@ -130,8 +130,8 @@ constexpr plane_side side_of(const P& p, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const plane<T> form = detail::as_plane(p);
   if constexpr (size_of<Q> == 3) {
-    return static_cast<plane_side>(sign_of<2>(
-        [](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d; }, form, q));
+    return static_cast<plane_side>(
+        sign_of<2>([](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d; }, form, q));
   } else {
     const auto at = generate_coordinates<hpoint<T, 3>>([&](int i) { return coordinate(q, i); });
     const int sign = sign_of<2>(

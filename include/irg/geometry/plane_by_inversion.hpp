@@ -37,7 +37,8 @@ constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& 
   if (!minors) return {};
   const auto& m = *minors;
   if (sign_of(m[3]) == 0)
-    return {detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_outcome::collinear : inversion_outcome::through_origin, {}};
+    return {detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_outcome::collinear : inversion_outcome::through_origin,
+            {}};
   const auto factor = [&] {
     if constexpr (Floating<T>) {
       const auto [significand, exponent] = detail::decompose(widened(d));  // subnormals are no known numbers

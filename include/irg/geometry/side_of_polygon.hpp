@@ -109,9 +109,9 @@ template <PolygonRing R, HomogeneousPoint Q>
 constexpr plane_side side_of_polygon(const R& polygon, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const auto position = [&](std::size_t k) { return detail::as_point<T>(ring_vertex(polygon, k)); };
-  return static_cast<plane_side>(detail::face_volume_sign(
-      ring_size(polygon), position,
-      hpoint<T, 3>{coordinate(q, 0), coordinate(q, 1), coordinate(q, 2), coordinate(q, 3)}));
+  return static_cast<plane_side>(
+      detail::face_volume_sign(ring_size(polygon), position,
+                               hpoint<T, 3>{coordinate(q, 0), coordinate(q, 1), coordinate(q, 2), coordinate(q, 3)}));
 }
 
 }  // namespace IRG_ABI

@@ -122,20 +122,20 @@ inline namespace IRG_ABI {
 
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator+(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] + b[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] + b[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return -a[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return -a[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a,
                                          std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return product(a[i], s); });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return product(a[i], s); });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s,
@@ -145,7 +145,7 @@ IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s,
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a,
                                          std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] / s; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] / s; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N>& operator+=(vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
@@ -162,15 +162,15 @@ IRG_INLINE constexpr vec<T, N>& operator*=(vec<T, N>& a, std::type_identity_t<T>
 
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator-(const point<T, N>& a, const point<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> operator+(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<point<T, N>>([&](int i) { return a[i] + v[i]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] + v[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<point<T, N>>([&](int i) { return a[i] - v[i]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - v[i]; });
 }
 
 /// The sum of the products of the coordinates.
@@ -205,7 +205,7 @@ IRG_INLINE constexpr scalar_of<A> dot_fast(const A& a, const B& b) noexcept {
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>>)
 IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
-  const auto minor = [&](int i, int j) {
+  const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
     return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
   };
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
@@ -228,7 +228,7 @@ IRG_INLINE constexpr scalar_of<A> cross(const A& a, const B& b) noexcept(std::is
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
-  const auto minor = [&](int i, int j) {
+  const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
     return coordinate(a, i) * coordinate(b, j) - coordinate(a, j) * coordinate(b, i);
   };
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
@@ -237,26 +237,26 @@ IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
 /// The displacement from the origin to p.
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> to_vec(const point<T, N>& p) noexcept {
-  return generate_coordinates<vec<T, N>>([&](int i) { return p[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return p[i]; });
 }
 
 /// The position that v leads to from the origin.
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> to_point(const vec<T, N>& v) noexcept {
-  return generate_coordinates<point<T, N>>([&](int i) { return v[i]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return v[i]; });
 }
 
 /// The homogeneous form of p, of weight 1.
 template <class T, int N>
 IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p) noexcept {
-  return generate_coordinates<hpoint<T, N>>([&](int i) { return i < N ? p[i] : T(1); });
+  return generate_coordinates<hpoint<T, N>>([&](int i) IRG_INLINE_LAMBDA { return i < N ? p[i] : T(1); });
 }
 
 /// The position that p stands for: its coordinates over its weight.
 /// needs   a weight that is not 0
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> to_cartesian(const hpoint<T, N>& p) noexcept {
-  return generate_coordinates<point<T, N>>([&](int i) { return p[i] / p[N]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return p[i] / p[N]; });
 }
 
 }  // namespace IRG_ABI

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "support/big_rational.hpp"
@@ -73,3 +74,23 @@ TEST_CASE("sign_of and quotient_of: against rationals, near ties and mixed magni
   CHECK(zeros > 100);
 }
 #endif
+
+TEST_CASE("sign_of: points, vectors and integers; several signs at once") {
+  using P = irg::point<double, 3>;
+  constexpr auto volume = [](const auto& a, const auto& b, const auto& c, const auto& d) {
+    return dot(cross(b - a, c - a), d - a);
+  };
+  CHECK_BOTH(irg::sign_of<3>(volume, P{0, 0, 0}, P{1, 0, 0}, P{0, 1, 0}, P{0, 0, 1e-300}) == 1);
+  CHECK_BOTH(irg::sign_of<3>(volume, P{0, 0, 0}, P{1, 0, 0}, P{0, 1, 0}, P{7, 9, 0}) == 0);
+  using I = irg::point<std::int64_t, 3>;
+  constexpr std::int64_t big = std::int64_t{1} << 62;
+  CHECK_BOTH(irg::sign_of<3>(volume, I{-big, 0, 0}, I{big, 0, 0}, I{0, big, 0}, I{0, 0, -1}) == -1);
+  CHECK_BOTH(irg::sign_of<2>(
+                 [](const auto& x, const auto& y) {
+                   return std::array{x * x - y * y, y - x, x * y};
+                 },
+                 3, -3) == std::array{0, -1, -1});
+  CHECK_BOTH(irg::sign_of<2>([](const auto& x, const auto& y) { return x * x - y * y; }, big, big - 1) == 1);
+  CHECK_BOTH(irg::sign_of<1>([](const auto& x, const auto& y) { return std::array{x - y, x + y}; }, std::numeric_limits<float>::denorm_min(), 0.0f) ==
+             std::array{1, 1});
+}

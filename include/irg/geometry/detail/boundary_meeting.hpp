@@ -96,8 +96,7 @@ constexpr int exact_side(const Meeting& meeting, const H& boundary, const In&...
   const auto [turn, side] = sign_of<Degree>(
       [&](const auto& h, const auto&... x) {
         const auto [divisor, way] = meeting(x...);
-        return std::array{divisor,
-                          divisor * half_space_value(h, meeting.first(x...)) + half_space_growth(h, way)};
+        return std::array{divisor, divisor * half_space_value(h, meeting.first(x...)) + half_space_growth(h, way)};
       },
       boundary, in...);
   return turn * side;

@@ -48,11 +48,9 @@ constexpr bool reaches(const half_space<T, D>& boundary, const P& p) noexcept {
     const T x = coordinate(p, i), next = float_at<T>(ordinal_of(x) + static_cast<float_ordinal<T>>(inwards));
     return is_finite(next) ? next : x;
   });
-  return sign_of<2>(
-             [](const auto& half, const auto& at, const auto& next) {
-               return half_space_value(half, at) + half_space_value(half, next);
-             },
-             boundary, p, neighbour) >= 0;
+  return sign_of<2>([](const auto& half, const auto& at,
+                       const auto& next) { return half_space_value(half, at) + half_space_value(half, next); },
+                    boundary, p, neighbour) >= 0;
 }
 
 // boundary(k) is the region's half_space<T, D> with number k.

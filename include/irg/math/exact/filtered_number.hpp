@@ -19,7 +19,9 @@ struct filtered_number {
   double value = 0, size = 0;
 
   constexpr bool operator==(const filtered_number&) const = default;
-  IRG_INLINE friend constexpr filtered_number operator-(const filtered_number& a) noexcept { return {-a.value, a.size}; }
+  IRG_INLINE friend constexpr filtered_number operator-(const filtered_number& a) noexcept {
+    return {-a.value, a.size};
+  }
   IRG_INLINE friend constexpr filtered_number operator+(const filtered_number& a, const filtered_number& b) noexcept {
     return {a.value + b.value, a.size + b.size};
   }
@@ -54,11 +56,11 @@ inline namespace IRG_ABI {
 template <int N>
 IRG_INLINE constexpr vec<filtered_number, N> operator-(const point<filtered_input, N>& a,
                                                        const point<filtered_input, N>& b) noexcept {
-  return generate_coordinates<vec<filtered_number, N>>([&](int i) { return a[i] - b[i]; });
+  return generate_coordinates<vec<filtered_number, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <int N>
 IRG_INLINE constexpr vec<filtered_number, N> to_vec(const point<filtered_input, N>& p) noexcept {
-  return generate_coordinates<vec<filtered_number, N>>([&](int i) { return filtered_number(p[i]); });
+  return generate_coordinates<vec<filtered_number, N>>([&](int i) IRG_INLINE_LAMBDA { return filtered_number(p[i]); });
 }
 
 }  // namespace IRG_ABI

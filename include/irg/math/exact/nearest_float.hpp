@@ -48,7 +48,7 @@ constexpr T nearest_by_sign(T low, T high, T guess, const Side& side) noexcept {
     at = !wide   ? static_cast<I>(floor + (ceiling - floor) / 2)
          : s > 0 ? static_cast<I>(floor + step)
                  : static_cast<I>(ceiling - step);
-    if (wide) step = static_cast<I>(step * 2);
+    if (wide && step <= (std::numeric_limits<I>::max)() / 2) step = static_cast<I>(step * 2);
   }
   const int s = side(float_at<T>(floor), float_at<T>(ceiling));
   return float_at<T>(s < 0 || (s == 0 && floor % 2 == 0) ? floor : ceiling);

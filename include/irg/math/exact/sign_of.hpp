@@ -20,7 +20,9 @@ inline namespace IRG_ABI {
 // 2 where rounding leaves it open.
 IRG_INLINE constexpr int filtered_sign(const filtered_number& x) noexcept {
   const double bound = polynomial_filter_bound * x.size;
-  return x.value > bound ? 1 : -x.value > bound ? -1 : x.size == 0 ? 0 : 2;
+  if (x.value > bound) return 1;
+  if (-x.value > bound) return -1;
+  return x.size == 0 ? 0 : 2;
 }
 IRG_INLINE constexpr bool are_sure(int sign) noexcept { return sign != 2; }
 template <std::size_t Size>
@@ -72,14 +74,21 @@ IRG_INLINE constexpr auto sign_of(const Polynomial& polynomial, const A&... argu
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   if constexpr (Floating<T>) {
-    const auto value = filtered_value_of<Degree>(polynomial, arguments...);
-    const auto filtered = [](const filtered_number& x) IRG_INLINE_LAMBDA { return detail::filtered_sign(x); };
-    using signs = decltype(detail::for_numbers(*value, filtered));
-    if (value) {
-      const signs all = detail::for_numbers(*value, filtered);
-      if (detail::are_sure(all)) return all;
-    }
-    return detail::unfiltered_sign<Degree, signs>(polynomial, arguments...);
+    bool suits = true;
+    const auto input = [&](const T& x) IRG_INLINE_LAMBDA {
+      suits = suits && detail::suits_filter<Degree>(x);
+      return filtered_input{widened(x)};
+    };
+    const auto stages = [&](const auto&... x) IRG_INLINE_LAMBDA {
+      const auto sign = [](const filtered_number& v) IRG_INLINE_LAMBDA { return detail::filtered_sign(v); };
+      using signs = decltype(detail::for_numbers(polynomial(x...), sign));
+      if (suits) {
+        const signs all = detail::for_numbers(polynomial(x...), sign);
+        if (detail::are_sure(all)) return all;
+      }
+      return detail::unfiltered_sign<Degree, signs>(polynomial, arguments...);
+    };
+    return stages(in_numbers<filtered_number>(arguments, input)...);
   } else if constexpr (std::is_integral_v<T>) {
     bool suits = true;
     const auto wide = [&](const T& x) IRG_INLINE_LAMBDA {

@@ -30,17 +30,17 @@ IRG_INLINE constexpr auto for_numbers(const N& x, const F& each) noexcept {
 }
 template <class N, int D, class F>
 IRG_INLINE constexpr auto for_numbers(const vec<N, D>& v, const F& each) noexcept {
-  return generate_coordinates<vec<decltype(each(v[0])), D>>([&](int i) { return each(v[i]); });
+  return generate_coordinates<vec<decltype(each(v[0])), D>>([&](int i) IRG_INLINE_LAMBDA { return each(v[i]); });
 }
 template <class N, std::size_t D, class F>
 IRG_INLINE constexpr auto for_numbers(const std::array<N, D>& v, const F& each) noexcept {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) IRG_INLINE_LAMBDA {
     return std::array<decltype(each(v[0])), D>{each(v[I])...};
   }(std::make_index_sequence<D>{});
 }
 template <class... N, class F>
 IRG_INLINE constexpr auto for_numbers(const std::tuple<N...>& t, const F& each) noexcept {
-  return std::apply([&](const N&... x) { return std::tuple{for_numbers(x, each)...}; }, t);
+  return std::apply([&](const N&... x) IRG_INLINE_LAMBDA { return std::tuple{for_numbers(x, each)...}; }, t);
 }
 
 IRG_INLINE constexpr known_number known_of(const twofold& x) noexcept { return {x.high, x.low, 0}; }
@@ -49,8 +49,7 @@ template <int Degree, class Polynomial, class... A>
 IRG_NOINLINE constexpr auto exact_values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
   using number = exact_number<Degree>;
   const auto exact = [](const auto& x) { return exactly<number>(x); };
-  return for_numbers(polynomial(in_numbers<number>(arguments, exact)...),
-                     [](const number& x) { return x.rounded(); });
+  return for_numbers(polynomial(in_numbers<number>(arguments, exact)...), [](const number& x) { return x.rounded(); });
 }
 
 }  // namespace IRG_ABI
