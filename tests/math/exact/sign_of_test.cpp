@@ -85,12 +85,9 @@ TEST_CASE("sign_of: points, vectors and integers; several signs at once") {
   using I = irg::point<std::int64_t, 3>;
   constexpr std::int64_t big = std::int64_t{1} << 62;
   CHECK_BOTH(irg::sign_of<3>(volume, I{-big, 0, 0}, I{big, 0, 0}, I{0, big, 0}, I{0, 0, -1}) == -1);
-  CHECK_BOTH(irg::sign_of<2>(
-                 [](const auto& x, const auto& y) {
-                   return std::array{x * x - y * y, y - x, x * y};
-                 },
-                 3, -3) == std::array{0, -1, -1});
+  CHECK_BOTH(irg::sign_of<2>([](const auto& x, const auto& y) { return std::array{x * x - y * y, y - x, x * y}; }, 3,
+                             -3) == std::array{0, -1, -1});
   CHECK_BOTH(irg::sign_of<2>([](const auto& x, const auto& y) { return x * x - y * y; }, big, big - 1) == 1);
-  CHECK_BOTH(irg::sign_of<1>([](const auto& x, const auto& y) { return std::array{x - y, x + y}; }, std::numeric_limits<float>::denorm_min(), 0.0f) ==
-             std::array{1, 1});
+  CHECK_BOTH(irg::sign_of<1>([](const auto& x, const auto& y) { return std::array{x - y, x + y}; },
+                             std::numeric_limits<float>::denorm_min(), 0.0f) == std::array{1, 1});
 }

@@ -143,8 +143,8 @@ constexpr int nearest_end(const P& a, const P& b, const P& c, const P& d) noexce
   return nearest;
 }
 
-// With u and v the ways along two lines of space, w = c - a and the normal n = u x v: n.n, and n.n times the parameters of
-// the points that are nearest to each other.
+// With u and v the ways along two lines of space, w = c - a and the normal n = u x v: n.n, and n.n times the parameters
+// of the points that are nearest to each other.
 template <class N>
 struct lines_feet {
   vec<N, 3> u, v, w, n = cross(u, v);
@@ -155,7 +155,8 @@ constexpr lines_feet<N> feet_on_lines(const vec<N, 3>& u, const vec<N, 3>& v, co
   return {u, v, w};
 }
 
-/// How two lines of space lie: n.n and n.w, and the parameters of the nearest points times n.n with what they lack of it.
+/// How two lines of space lie: n.n and n.w, and the parameters of the nearest points times n.n with what they lack of
+/// it.
 template <Point P>
 constexpr auto nearest_on_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
   return values_of<4>(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a polynomial is handed: its arguments with every number replaced by one of the engine's, points as points, vectors
-// as vectors. A type of the user's own takes part by an overload of in_numbers beside it.
+// What a polynomial is handed: its arguments with every number replaced by one of the engine's, points as points,
+// vectors as vectors. A type of the user's own takes part by an overload of in_numbers beside it.
 #pragma once
 
 #include <array>

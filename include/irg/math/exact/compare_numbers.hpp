@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The order of two numbers, of floats by their bits: a processor that takes subnormal numbers for zero would find some of
-// them equal.
+// The order of two numbers, of floats by their bits: a processor that takes subnormal numbers for zero would find some
+// of them equal.
 #pragma once
 
 #include <bit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// exact_number: a sum of powers of two, with exact sum, difference and product. Polynomials of doubles are computed with
-// it where rounded numbers do not tell their sign; whatever the exponents, nothing is rounded.
+// exact_number: a sum of powers of two, with exact sum, difference and product. Polynomials of doubles are computed
+// with it where rounded numbers do not tell their sign; whatever the exponents, nothing is rounded.
 #pragma once
 
 #include <bit>
@@ -20,8 +20,8 @@ constexpr int words_for_degree(int degree) { return (2098 * degree + 60) / 64 + 
 }  // namespace detail
 
 /// A real number of at most this many words of 64 bits.
-/// shape   a sign, and the words of the magnitude from the lowest that is not zero to the highest; word 0 counts in units
-///         of 2^(64 place)
+/// shape   a sign, and the words of the magnitude from the lowest that is not zero to the highest; word 0 counts in
+///         units of 2^(64 place)
 template <int Words>
 class dyadic {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quotients of polynomials, correctly rounded: computed in twice the precision with a bound of the error, and where that
-// does not tell which number is nearest, by exact comparison.
+// Quotients of polynomials, correctly rounded: computed in twice the precision with a bound of the error, and where
+// that does not tell which number is nearest, by exact comparison.
 #pragma once
 
 #include <array>
@@ -60,7 +60,8 @@ IRG_NOINLINE constexpr auto exact_quotients_of(const Polynomials& polynomials, c
 
 inline namespace IRG_ABI {
 
-/// The T nearest to each quotient a/b, b/... for {b, a...} = polynomials(arguments...); other scalars divide as they do.
+/// The T nearest to each quotient a/b, b/... for {b, a...} = polynomials(arguments...); other scalars divide as they
+/// do.
 /// shape   the polynomials as values_of takes them, giving a std::array: the divisor comes first
 /// needs   polynomials of at most this degree, 5 at most; finite numbers
 /// gives   nothing when the divisor is zero; the largest number for what is beyond the range; no zero has a sign

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of polynomials right to 60 bits with the exact sign, for all finite floats and doubles: a polynomial is computed
-// in twice the precision, and in exact numbers where that does not suffice. Quotients of such values are what
+// Values of polynomials right to 60 bits with the exact sign, for all finite floats and doubles: a polynomial is
+// computed in twice the precision, and in exact numbers where that does not suffice. Quotients of such values are what
 // intersections and nearest points are made of.
 #pragma once
 
@@ -61,10 +61,11 @@ using known_value = std::conditional_t<Floating<T>, known_number, T>;
 
 inline namespace IRG_ABI {
 
-/// The values polynomial(arguments...): known numbers for floats and doubles, other scalars compute in their arithmetic.
-/// shape   the polynomial takes its arguments with numbers of any type that has + - and * in the place of T: numbers for
-///         numbers, vec, point and hpoint for vectors and points, arrays for larger arrays, and the same template for
-///         what overloads in_numbers, as planes do; it gives a number, or an array, vec or tuple of numbers
+/// The values polynomial(arguments...): known numbers for floats and doubles, other scalars compute in their
+/// arithmetic.
+/// shape   the polynomial takes its arguments with numbers of any type that has + - and * in the place of T: numbers
+///         for numbers, vec, point and hpoint for vectors and points, arrays for larger arrays, and the same template
+///         for what overloads in_numbers, as planes do; it gives a number, or an array, vec or tuple of numbers
 /// needs   a polynomial of at most this degree, 6 at most
 /// gives   nothing when a number is NaN or infinite
 /// exact   in floats and doubles each value within 2^-60 of its size, zeros and signs exactly
