@@ -201,6 +201,7 @@ void methods() {
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
   save("bsp_tree_2d", bsp_pictures::orders());
+  save("bsp_tree_3d", bsp_pictures::order_in_space());
   save("grid_surface", grid_pictures::views());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());
