@@ -95,7 +95,7 @@ constexpr point<T, 3> point_at(const parametric_plane<T>& p, std::type_identity_
 /// exact   as plane_through_accurate, for the directions as they are
 template <class T>
 constexpr std::optional<plane<T>> implicit_plane_of(const parametric_plane<T>& p) noexcept {
-  return detail::rounded_plane<T>(values_of<3>(
+  return detail::plane_of_values<T>(values_of<3>(
       [](const auto& a, const auto& b, const auto& origin) {
         const auto n = cross(a, b);
         return std::array{n.x, n.y, n.z, -dot(n, to_vec(origin))};

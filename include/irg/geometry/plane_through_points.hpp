@@ -34,7 +34,7 @@ constexpr auto homogeneous_plane(const P& p, const P& q, const P& r) noexcept {
 }
 
 template <class T, class V>
-constexpr std::optional<plane<T>> rounded_plane(const std::optional<std::array<V, 4>>& v) noexcept {
+constexpr std::optional<plane<T>> plane_of_values(const std::optional<std::array<V, 4>>& v) noexcept {
   if (!v || is_zero(vec<V, 3>{(*v)[0], (*v)[1], (*v)[2]})) return std::nullopt;
   const auto c = rounded_together<T, 3>(*v);
   return plane<T>{c[0], c[1], c[2], c[3]};
@@ -57,7 +57,7 @@ template <Point P>
   requires(size_of<P> == 3)
 constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1, const P& p2, const P& p3) noexcept {
   using T = scalar_of<P>;
-  return detail::rounded_plane<T>(values_of<3>(
+  return detail::plane_of_values<T>(values_of<3>(
       [](const auto& p, const auto& q, const auto& r) {
         const auto n = cross(q - p, r - p);
         return std::array{n.x, n.y, n.z, -dot(n, to_vec(p))};
@@ -74,7 +74,7 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1,
 template <HomogeneousPoint P>
   requires(size_of<P> == 4)
 constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2, const P& p3) noexcept {
-  return detail::rounded_plane<scalar_of<P>>(detail::homogeneous_plane(p1, p2, p3));
+  return detail::plane_of_values<scalar_of<P>>(detail::homogeneous_plane(p1, p2, p3));
 }
 
 /// The plane through p at right angles to `normal`, which becomes its vector (a, b, c).

@@ -68,7 +68,7 @@ IRG_INLINE constexpr vec<filtered_number, N> to_vec(const point<filtered_input, 
 namespace detail {
 inline namespace IRG_ABI {
 
-// Less than 60 roundings lie on the way from an argument to the value of a polynomial of degree 6 of up to 2^10 terms.
+// Less than 60 roundings lie on the way from an argument to the value of a polynomial of degree 9 of up to 2^10 terms.
 inline constexpr double polynomial_filter_bound = 0x1p-46;
 
 // Whether polynomials of this degree in such numbers neither over- nor underflow, with subnormal numbers or with zeros

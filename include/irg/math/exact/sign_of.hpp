@@ -33,9 +33,27 @@ IRG_INLINE constexpr bool are_sure(const std::array<int, Size>& signs) noexcept 
 }
 
 template <int Degree, class Signs, class Polynomial, class... A>
+IRG_NOINLINE constexpr Signs exact_sign(const Polynomial& polynomial, const A&... arguments) noexcept {
+  using number = exact_number<Degree>;
+  bool finite = true;
+  const auto exact = [&](const auto& x) {
+    finite = finite && is_finite(x);
+    return exactly<number>(x);
+  };
+  const auto signs = [&](const auto&... x) {
+    return finite ? for_numbers(polynomial(x...), [](const number& v) { return v.sign(); }) : Signs{};
+  };
+  return signs(in_numbers<number>(arguments, exact)...);
+}
+
+template <int Degree, class Signs, class Polynomial, class... A>
 IRG_NOINLINE constexpr Signs unfiltered_sign(const Polynomial& polynomial, const A&... arguments) noexcept {
-  const auto values = values_of<Degree>(polynomial, arguments...);
-  return values ? for_numbers(*values, [](const auto& x) { return irg::sign_of(x); }) : Signs{};
+  if constexpr (Degree <= 6) {
+    const auto values = values_of<Degree>(polynomial, arguments...);
+    return values ? for_numbers(*values, [](const auto& x) { return irg::sign_of(x); }) : Signs{};
+  } else {
+    return exact_sign<Degree, Signs>(polynomial, arguments...);
+  }
 }
 
 // Integers whose sums and differences have polynomials of this degree, of up to 2^10 terms, below 2^127.
@@ -48,13 +66,6 @@ IRG_INLINE constexpr bool suits_int128(const T& x) noexcept {
     return int128(x) >> bits == 0 || int128(x) >> bits == -1;
 }
 
-template <int Degree, class Signs, class Polynomial, class... A>
-IRG_NOINLINE constexpr Signs exact_integer_sign(const Polynomial& polynomial, const A&... arguments) noexcept {
-  using number = exact_number<Degree>;
-  return for_numbers(polynomial(in_numbers<number>(arguments, [](const auto& x) { return exactly<number>(x); })...),
-                     [](const number& x) { return x.sign(); });
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -62,7 +73,7 @@ inline namespace IRG_ABI {
 
 /// -1, 0 or 1, as polynomial(arguments...) is negative, zero or positive; an array of signs when it gives an array.
 /// shape   the polynomial as values_of takes it; it gives a number or a std::array of numbers
-/// needs   a polynomial of at most this degree, 6 at most, with at most 2^10 terms
+/// needs   a polynomial of at most this degree, 9 at most, with at most 2^10 terms
 /// gives   0 when a number is NaN or infinite
 /// exact   for all finite floats and doubles, and all integers; other scalars: as exact as their own + - *
 /// cost    twice the polynomial in doubles where the value is not nearly 0; beyond, 100 ns to some microseconds
@@ -70,7 +81,7 @@ inline namespace IRG_ABI {
 template <int Degree, class Polynomial, class... A>
   requires(sizeof...(A) > 0)
 IRG_INLINE constexpr auto sign_of(const Polynomial& polynomial, const A&... arguments) noexcept {
-  static_assert(Degree >= 1 && Degree <= 6);
+  static_assert(Degree >= 1 && Degree <= 9);
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   if constexpr (Floating<T>) {
@@ -99,7 +110,7 @@ IRG_INLINE constexpr auto sign_of(const Polynomial& polynomial, const A&... argu
       const auto sign = [](const int128& v) { return v < 0 ? -1 : v > 0 ? 1 : 0; };
       using signs = decltype(detail::for_numbers(polynomial(x...), sign));
       return suits ? detail::for_numbers(polynomial(x...), sign)
-                   : detail::exact_integer_sign<Degree, signs>(polynomial, arguments...);
+                   : detail::exact_sign<Degree, signs>(polynomial, arguments...);
     };
     return stages(in_numbers<int128>(arguments, wide)...);
   } else {
