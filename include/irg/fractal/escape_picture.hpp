@@ -21,13 +21,24 @@ inline namespace IRG_ABI {
 template <class R, class T, class Orbits, class E>
 constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const Orbits& orbits, const E& executor) {
   IRG_EXPECTS(width_of(counts) == job.plane.width && height_of(counts) == job.plane.height);
-  std::vector<escape_stats> of_row(static_cast<std::size_t>(height_of(counts)), escape_stats{});
-  executor(of_row.size(), [&](std::size_t i) {
-    const int y = static_cast<int>(i);
-    of_row[i] = escape_row(raster_traits<R>::row(counts, y), y, job, orbits);
+  constexpr int band = 8;  // rows of a task
+  const int height = height_of(counts);
+  std::vector<escape_stats> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_stats{});
+  executor(of_band.size(), [&](std::size_t i) {
+    const int first = static_cast<int>(i) * band, last = lesser(first + band, height);
+    const auto each_row = [&](const auto& draw) {
+      for (int y = first; y < last; ++y) draw(raster_traits<R>::row(counts, y), y);
+    };
+    if (std::is_constant_evaluated()) {
+      each_row([&](auto* row, int y) { of_band[i] += escape_row_plainly(row, y, job, orbits); });
+    } else {
+      escape_rows<T, Orbits, pixel_of<R>> rows(job, orbits);
+      each_row([&](auto* row, int y) { rows.row(row, y); });
+      of_band[i] = rows.finish();
+    }
   });
   escape_stats stats;
-  for (const escape_stats& s : of_row) stats += s;
+  for (const escape_stats& s : of_band) stats += s;
   return stats;
 }
 
