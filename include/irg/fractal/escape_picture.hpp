@@ -21,19 +21,17 @@ inline namespace IRG_ABI {
 template <class R, class T, class Orbits, class E>
 constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const Orbits& orbits, const E& executor) {
   IRG_EXPECTS(width_of(counts) == job.plane.width && height_of(counts) == job.plane.height);
-  constexpr int band = 8;  // rows of a task
+  constexpr int band = 16;  // rows of a task
   const int height = height_of(counts);
   std::vector<escape_stats> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_stats{});
   executor(of_band.size(), [&](std::size_t i) {
     const int first = static_cast<int>(i) * band, last = lesser(first + band, height);
-    const auto each_row = [&](const auto& draw) {
-      for (int y = first; y < last; ++y) draw(raster_traits<R>::row(counts, y), y);
-    };
+    const auto row_at = [&](int y) { return raster_traits<R>::row(counts, y); };
     if (std::is_constant_evaluated()) {
-      each_row([&](auto* row, int y) { of_band[i] += escape_row_plainly(row, y, job, orbits); });
+      for (int y = first; y < last; ++y) of_band[i] += escape_row_plainly(row_at(y), y, job, orbits);
     } else {
       escape_rows<T, Orbits, pixel_of<R>> rows(job, orbits);
-      each_row([&](auto* row, int y) { rows.row(row, y); });
+      rows.band(row_at, first, last);
       of_band[i] = rows.finish();
     }
   });

@@ -5,7 +5,9 @@
 #include <bit>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
+#include <irg/fractal/detail/escape_disc.hpp>
 #include <irg/fractal/detail/escape_kernel.hpp>
 #include <irg/fractal/escape_job.hpp>
 #include <irg/fractal/julia.hpp>
@@ -23,6 +25,9 @@ struct mandelbrot_orbits {
   IRG_INLINE constexpr int operator()(const point<T, 2>& at, const escape_limit<T>& limit) const noexcept {
     return mandelbrot_count(at, limit);
   }
+  constexpr int common(const escape_disc<T>& pixels, const escape_limit<T>& limit) const noexcept {
+    return common_count(escape_disc<T>{}, pixels, limit);
+  }
   template <class F>
   IRG_INLINE void begin(const F& real, const F& imaginary, F& x, F& y, F& cx, F& cy) const noexcept {
     x = y = lanes<F>::broadcast(T(0));
@@ -39,6 +44,9 @@ struct julia_orbits {
   }
   IRG_INLINE constexpr int operator()(const point<T, 2>& at, const escape_limit<T>& limit) const noexcept {
     return julia_count(at, c, limit);
+  }
+  constexpr int common(const escape_disc<T>& pixels, const escape_limit<T>& limit) const noexcept {
+    return common_count(pixels, escape_disc<T>{c, T(0)}, limit);
   }
   template <class F>
   IRG_INLINE void begin(const F& real, const F& imaginary, F& x, F& y, F& cx, F& cy) const noexcept {
@@ -85,28 +93,33 @@ class escape_rows {
   static constexpr unsigned packs = sizeof(F) == 64 ? 4 : 2;
   using kernel = escape_kernel<F, packs>;
   using mask = typename kernel::mask;
+  static constexpr int square_side = 16;  // a multiple of the lanes of a pack
   static constexpr int short_steps = 16;  // a multiple of the kernel's block, like the places where cycles are sought
 
 public:
   IRG_INLINE escape_rows(const escape_job<T>& job, const Orbits& orbits) noexcept
       : job_(job), orbits_(orbits), skips_(skips_interior<Orbits>(job)), stays_out_(orbits.stays_out(job.limit)) {}
 
-  IRG_NOINLINE void row(P* row, int y) noexcept {
+  // One row but for the squares whose count is known: it is 0 or more in known[x / square_side].
+  IRG_NOINLINE void row(P* row, int y, const int* known) noexcept {
     const F margin = f::broadcast(T(0) - static_cast<T>(interior_margin)),
             imaginary = f::broadcast(job_.plane.imaginary(static_cast<T>(y)));
     const T height = job_.plane.imaginary(static_cast<T>(y));
     const bool low = skips_ && height > T(-0.65f) && height < T(0.65f);  // as the cardioid is
     stats_.pixels += job_.plane.width;
     for (std::int64_t x = 0; x < job_.plane.width; x += kernel::count) {
+      if (all_known(known, x)) continue;
       kernel k;
       const int here = static_cast<int>(lesser<std::int64_t>(kernel::count, job_.plane.width - x));
       const bool looks_inside =
           low && meets_interior(job_.plane.real(static_cast<T>(x)), job_.plane.real(static_cast<T>(x + here - 1)));
       for (unsigned p = 0; p < packs; ++p) {
         using number = typename lanes<mask>::scalar;
-        const mask in_row =
-            lanes<mask>::ramp() < lanes<mask>::broadcast(static_cast<number>(here - static_cast<int>(p) * f::count));
-        const F real = job_.plane.real(f::ramp() + f::broadcast(static_cast<T>(x + static_cast<int>(p) * f::count)));
+        const std::int64_t first = x + static_cast<int>(p) * f::count;
+        const bool is_known = first < job_.plane.width && known[first / square_side] >= 0;
+        const int to_do = is_known ? 0 : here - static_cast<int>(p) * f::count;
+        const mask in_row = lanes<mask>::ramp() < lanes<mask>::broadcast(static_cast<number>(to_do));
+        const F real = job_.plane.real(f::ramp() + f::broadcast(static_cast<T>(first)));
         orbits_.begin(real, imaginary, k.x[p], k.y[p], k.cx[p], k.cy[p]);
         k.inside[p] = in_row;  // those past its end have left before they begin
         k.counts[p] = lanes<mask>::broadcast(0);
@@ -125,12 +138,45 @@ public:
     }
   }
 
+  // Draws the rows from y to before `end`.
+  template <class RowAt>
+  IRG_NOINLINE void band(const RowAt& row_at, int y, int end) {
+    const int width = job_.plane.width;
+    std::vector<int> known(static_cast<std::size_t>((width + square_side - 1) / square_side), -1);
+    for (int top = y; top < end; top += square_side) {
+      const int bottom = lesser(top + square_side, end);
+      if (job_.skip.squares == skipping::on) find_squares(known.data(), top, bottom);
+      for (int at = top; at < bottom; ++at) {
+        P* const pixels = row_at(at);
+        row(pixels, at, known.data());
+        for (std::size_t k = 0; k < known.size(); ++k) {
+          if (known[k] < 0) continue;
+          const int first = static_cast<int>(k) * square_side, last = lesser(first + square_side, width);
+          for (int x = first; x < last; ++x) pixels[x] = static_cast<P>(known[k]);
+          stats_.squares += last - first;
+        }
+      }
+    }
+  }
+
   IRG_NOINLINE escape_stats finish() noexcept {
-    run_queue();
+    if (queue_.count > 0) run_queue();
     return stats_;
   }
 
 private:
+  // The counts of the squares between two rows, each of which one orbit of discs may tell.
+  IRG_NOINLINE void find_squares(int* known, int top, int bottom) const noexcept {
+    for (int x = 0; x < job_.plane.width; x += square_side) {
+      const int last = lesser(x + square_side, job_.plane.width) - 1;
+      *known++ = orbits_.common(disc_about(job_.plane.at(x, top), job_.plane.at(last, bottom - 1)), job_.limit);
+    }
+  }
+  IRG_INLINE bool all_known(const int* known, std::int64_t x) const noexcept {
+    for (std::int64_t at = x; at < x + kernel::count && at < job_.plane.width; at += square_side)
+      if (known[at / square_side] < 0) return false;
+    return true;
+  }
   // Whether the cardioid and the disc reach between two real parts.
   IRG_INLINE static bool meets_interior(T a, T b) noexcept {
     return lesser(a, b) < T(0.376f) && greater(a, b) > T(-1.251f);
