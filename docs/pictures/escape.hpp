@@ -89,7 +89,7 @@ inline picture other_maps() {
 
 // Julia sets of c inside, on and outside the border of the Mandelbrot set, with what julia_is_connected says.
 inline picture convergence() {
-  constexpr int side = 128, most = 300, line = 20;
+  constexpr int side = 118, most = 300, line = 20;
   constexpr number cs[] = {{0, 0},         {-1, 0},      {-0.123, 0.745}, {0.25, 0},    {0, 1},
                            {-0.75, 0.015}, {0.26, 0.01}, {0.3, 0.6},      {-0.8, 0.176}};
   constexpr const char* names[] = {"0",          "-1",       "-0.123+0.745i", "0.25", "i", "-0.75+0.015i",
@@ -107,7 +107,7 @@ inline picture convergence() {
                                                       : whole == irg::connectedness::no ? "  dust"
                                                                                         : "  undecided");
     irg::draw_text(p, text, irg::point<double, 2>{left + side / 2.0, top + side + line / 2.0},
-                   {.size = 11, .along = irg::text_along::centre, .across = irg::text_across::middle}, enlarging::ink);
+                   {.size = 10.5, .along = irg::text_along::centre, .across = irg::text_across::middle}, enlarging::ink);
   }
   return p;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How far a number is from the Mandelbrot set, or from a Julia set of z^2 + c: two bounds, beside the set a factor of
-// four apart. The orbit's derivative goes along with it; where the orbit has gone far out, its logarithm over 2^count is
-// the potential G, and G over its slope the distance's size.
+// four apart. The orbit's derivative goes along with it; where the orbit has gone far out, its logarithm over 2^count
+// is the potential G, and G over its slope the distance's size.
 #pragma once
 
 #include <array>
@@ -82,8 +82,8 @@ inline namespace IRG_ABI {
 
 /// How far c is from the Mandelbrot set.
 /// needs   a limit of a large radius, 1000 say: as its square grows the orbit's logarithm comes near the potential
-/// gives   bounds of the distance, but for rounding and the radius; 0 for what stays, for c that is NaN or infinite, and
-///         where the orbit's end overflows
+/// gives   bounds of the distance, but for rounding and the radius; 0 for what stays, for c that is NaN or infinite,
+///         and where the orbit's end overflows
 /// cost    twice that of a count
 /// source  Milnor 2006, for the bounds Koebe's theorem
 template <Floating T>

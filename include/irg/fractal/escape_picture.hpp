@@ -27,13 +27,7 @@ constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const
   executor(of_band.size(), [&](std::size_t i) {
     const int first = static_cast<int>(i) * band, last = lesser(first + band, height);
     const auto row_at = [&](int y) { return raster_traits<R>::row(counts, y); };
-    if (std::is_constant_evaluated()) {
-      for (int y = first; y < last; ++y) of_band[i] += escape_row_plainly(row_at(y), y, job, orbits);
-    } else {
-      escape_rows<T, Orbits, pixel_of<R>> rows(job, orbits);
-      rows.band(row_at, first, last);
-      of_band[i] = rows.finish();
-    }
+    of_band[i] = escape_band<pixel_of<R>>(row_at, first, last, job, orbits);
   });
   escape_stats stats;
   for (const escape_stats& s : of_band) stats += s;

@@ -100,7 +100,7 @@ constexpr sure_count sure_mandelbrot_count(const point<T, 2>& c, const escape_li
 /// gives   the same for every executor; how many pixels took 448 binary places, and of how many the count may yet be
 ///         wrong: orbits of thousands of steps beside the border
 /// exact   sure_mandelbrot_count, with 448 binary places where 106 bits are unsure
-/// cost    some 15 times as long as in doubles, ten times that for what is computed again; a number per row is allocated
+/// cost    some 15 times as long as in doubles, ten times that for what is computed again; allocates a number per row
 template <CountRaster R, Executor E = sequential>
 constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_job& job, const E& executor = {}) {
   const int width = width_of(counts), height = height_of(counts);

@@ -10,8 +10,8 @@ namespace irg {
 enum class line_visibility { visible, hidden };
 
 /// A part of an edge, the whole of it having one visibility.
-/// shape   edge: the number of the edge in its range; from < to: of the way from its first end to the second. Parts that
-///         meet share the place
+/// shape   edge: the number of the edge in its range; from < to: of the way from its first end to the second. Parts
+///         that meet share the place
 struct edge_part {
   std::size_t edge;
   line_visibility visibility;

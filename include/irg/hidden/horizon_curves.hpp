@@ -64,7 +64,7 @@ constexpr horizon_curve_points horizon_curves_of(const Height& height, const hor
 /// shape   to the right of the middle width times the distance to the side over the distance ahead, up from the eye's
 ///         height height times that upwards; the view's yaw and pitch do not matter, and each curve has a sample for
 ///         each pixel of its width
-/// gives   no points for an eye over the square (x and z both between 0 and 1), on its middle, or not finite; NaN for what is not
+/// gives   no points for an eye over the square (x and z both between 0 and 1), or not finite; NaN for what is not
 ///         before the eye
 /// exact   each operation rounded once
 /// cost    a call of height for each sample; memory for all of them

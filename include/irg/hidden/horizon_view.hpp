@@ -91,9 +91,9 @@ constexpr void visit_away_from(double eye, int count, const Visit& visit) {
   for (int i = first - 1; i >= 0; --i) visit(i);
 }
 
-// Calls begin() at the begin of each curve, or piece of one, and sample(x, z) for its points, in the order in which they
-// are drawn from over (eye.x, eye.y): away from it. Beside the square in one coordinate, whole curves are those that
-// lie across.
+// Calls begin() at the begin of each curve, or piece of one, and sample(x, z) for its points, in the order in which
+// they are drawn from over (eye.x, eye.y): away from it. Beside the square in one coordinate, whole curves are those
+// that lie across.
 // needs   an eye that is not over the square
 template <class View, class Begin, class Sample>
 constexpr void visit_horizon_samples(const View& t, const point<double, 2>& eye, const Begin& begin,

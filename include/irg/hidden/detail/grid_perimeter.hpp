@@ -13,7 +13,8 @@
 
 namespace irg::detail {
 
-// Where a piece begins: on the sight's axis `first` of directions, where nothing is drawn yet; at vertex `first`; where edge `first` ends and edge `second` begins, which cross.
+// Where a piece begins: on the sight's axis `first` of directions, where nothing is drawn yet; at vertex `first`; where
+// edge `first` ends and edge `second` begins, which cross.
 enum class grid_mark_kind : std::uint8_t { axis, vertex, crossing };
 struct grid_mark {
   grid_mark_kind kind = grid_mark_kind::axis;
