@@ -4,6 +4,7 @@
 
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/bsp_scene.hpp>
 #include <irg/hidden/classical_methods.hpp>
 #include <irg/hidden/edge_part.hpp>
 #include <irg/hidden/floating_horizon.hpp>

@@ -32,7 +32,7 @@ template <class Shader, int Count, class P>
 struct collected_points<Shader, Count, P> {
   static constexpr bool collects = true;
   P* const row;
-  surface_points<Count> points;
+  surface_points<Count> points{};  // g++ 12 does not see that only chosen lanes are read
   const phong_lanes<double>* light = nullptr;
   unsigned chosen = 0;
 
