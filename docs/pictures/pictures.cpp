@@ -414,6 +414,9 @@ int main(int argc, char** argv) {
   save("stroke", texts::strokes());
   save("screen_face", face_pictures::order());
   save("escape_time", escape_pictures::both());
+  save("distance_estimate", escape_pictures::distances());
+  save("other_maps", escape_pictures::other_maps());
+  save("julia_convergence", escape_pictures::convergence());
   save("deep_mandelbrot", deep_pictures::four_widths());
   save("field_of_view", sight_pictures::variants());
   save("visible_part", sight_pictures::parts());
