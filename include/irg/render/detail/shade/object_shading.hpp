@@ -83,28 +83,34 @@ struct phong_pixel_shader {
   IRG_INLINE static void shade(const phong_lanes<T>& light_of, const surface_points<N>& points, unsigned chosen,
                                P* row) {
     using f = lanes<pack<double, native_lanes<double>>>;
-    alignas(64) float r[static_cast<unsigned>(N)], g[static_cast<unsigned>(N)], b[static_cast<unsigned>(N)];
+    rgb<pack<float, f::count>> part[N / f::count];
     for (int first = 0; first < N; first += f::count) {
       const auto of = [&](int k) {
         const auto at = [&](int i) { return f::load(points.coordinate[k + i] + first); };
         return triple_lanes<double, f::count>{at(0), at(1), at(2)};
       };
       const auto light = light_of(of(0), of(3), chosen >> first);
-      using few = lanes<pack<float, f::count>>;
-      few::store(r + first, converted<float>(light.r));
-      few::store(g + first, converted<float>(light.g));
-      few::store(b + first, converted<float>(light.b));
+      part[first / f::count] = {converted<float>(light.r), converted<float>(light.g), converted<float>(light.b)};
     }
+    const auto all = [&](auto channel) {
+      if constexpr (N == f::count)
+        return part[0].*channel;
+      else
+        return join_halves<float, N>(part[0].*channel, part[1].*channel);
+    };
+    using channels = rgb<pack<float, f::count>>;
+    const rgb<pack<float, N>> light{all(&channels::r), all(&channels::g), all(&channels::b)};
     if constexpr (std::same_as<Output, encoded_light> && sizeof(P) == 4) {
-      using floats = lanes<pack<float, N>>;
-      std::uint32_t words[static_cast<unsigned>(N)];
-      lanes<pack<std::uint32_t, N>>::store(words, encode_lanes(floats::load(r), floats::load(g), floats::load(b)));
+      alignas(64) std::uint32_t words[static_cast<unsigned>(N)];
+      const auto codes = encode_lanes(light.r, light.g, light.b);
+      if (chosen == (1u << N) - 1) return lanes<pack<std::uint32_t, N>>::store_bytes(row, codes);
+      lanes<pack<std::uint32_t, N>>::store(words, codes);
       for (; chosen != 0; chosen &= chosen - 1)
         row[std::countr_zero(chosen)] = std::bit_cast<P>(words[std::countr_zero(chosen)]);
     } else {
       for (; chosen != 0; chosen &= chosen - 1) {
         const int i = std::countr_zero(chosen);
-        row[i] = Output{}({r[i], g[i], b[i]});
+        row[i] = Output{}({light.r[i], light.g[i], light.b[i]});
       }
     }
   }
