@@ -45,7 +45,7 @@ struct weight_derivatives {
 
   /// The derivatives at a pixel's centre.
   /// exact   four roundings of a float, relative to |g'| w and |b g'| w, and those of the pixel's weights
-  template <class F>
+  template <class F = float>
   IRG_INLINE constexpr weight_changes<F> operator()(const pixel_weights<F>& at) const noexcept {
     const F here = at.interpolate(w[0], w[1], w[2]);
     const auto change = [&](float own, const F& weight, float all) {
