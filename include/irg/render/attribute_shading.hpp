@@ -22,8 +22,8 @@ namespace irg {
 ///                                         vertices of a batch stand one after the other
 ///   pixel(array of attribute_count floats)                 the pixel
 ///   pixels(array of attribute_count packs), if it exists   the same for a register of pixels: their bits in 32 each
-///   is_dear, if it exists and is true      that costs more than finding out what is seen, and is not done anew for each
-///                                         triangle that a register shows
+///   is_dear, if it exists and is true     pixels() costs more than finding out what is seen, and runs once for a
+///                                         register, whatever triangles it shows
 template <class S, class Batch>
 concept AttributeShading = requires(const S& s, const Batch& batch) {
   requires S::attribute_count >= 1;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <span>
 
@@ -26,6 +27,10 @@ struct mip_textured_pixels {
   std::span<const texture_pyramid> textures;
   template <class F>
   using values = std::array<F, 10>;
+
+  constexpr mip_textured_pixels() = default;
+  constexpr mip_textured_pixels(const std::convertible_to<std::span<const texture_pyramid>> auto& all) noexcept
+      : textures(all) {}
 
   template <class F>
   IRG_INLINE static constexpr texture_derivatives_of<F> changes(const values<F>& at) noexcept {

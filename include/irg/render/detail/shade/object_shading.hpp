@@ -58,14 +58,14 @@ struct phong_pixel_shader {
     using f = lanes<pack<double, lesser(N, native_lanes<double>)>>;
     static constexpr int parts = N / f::count;
     alignas(64) double coordinate[6][static_cast<unsigned>(N)];
-    const phong_lanes<T>* light_of = nullptr;
+    const phong_lanes<T>* light = nullptr;
 
     IRG_INLINE bool takes(const phong_pixel_shader& s) const noexcept {
-      return light_of == nullptr || light_of == s.in_lanes;
+      return light == nullptr || light == s.in_lanes;
     }
-    IRG_INLINE void put(const phong_pixel_shader& shader, const pixel_weights<pack<float, N>>& at,
+    IRG_INLINE void put(const phong_pixel_shader& of, const pixel_weights<pack<float, N>>& at,
                         const pack<std::int32_t, N>& chosen) noexcept {
-      light_of = shader.in_lanes;
+      light = of.in_lanes;
       alignas(64) float weight1[static_cast<unsigned>(N)], weight2[static_cast<unsigned>(N)];
       alignas(64) std::int32_t mask[static_cast<unsigned>(N)];
       lanes<pack<float, N>>::store(weight1, at.weight1);
@@ -82,8 +82,8 @@ struct phong_pixel_shader {
           f::store(to + first, select(where, between, f::load(to + first)));
         };
         for (int k = 0; k < 3; ++k) {
-          put(coordinate[k], shader.position[k], shader.to_position[0][k], shader.to_position[1][k]);
-          put(coordinate[3 + k], shader.normal[k], shader.to_normal[0][k], shader.to_normal[1][k]);
+          put(coordinate[k], of.position[k], of.to_position[0][k], of.to_position[1][k]);
+          put(coordinate[3 + k], of.normal[k], of.to_normal[0][k], of.to_normal[1][k]);
         }
       }
     }
@@ -97,23 +97,23 @@ struct phong_pixel_shader {
           const auto at = [&](int i) { return f::load(coordinate[k + i] + first); };
           return triple_lanes<double, f::count>{at(0), at(1), at(2)};
         };
-        const auto light = (*light_of)(of(0), of(3), chosen >> first);
-        part[first / f::count] = {converted<float>(light.r), converted<float>(light.g), converted<float>(light.b)};
+        const auto some = (*light)(of(0), of(3), chosen >> first);
+        part[first / f::count] = {converted<float>(some.r), converted<float>(some.g), converted<float>(some.b)};
       }
-      light_of = nullptr;
+      light = nullptr;
       const auto all = [&](auto channel) {
         if constexpr (parts == 1)
           return part[0].*channel;
         else
           return join_halves<float, N>(part[0].*channel, part[1].*channel);
       };
-      const rgb<pack<float, N>> light{all(&channels::r), all(&channels::g), all(&channels::b)};
+      const rgb<pack<float, N>> made{all(&channels::r), all(&channels::g), all(&channels::b)};
       if constexpr (std::same_as<Output, encoded_light> && sizeof(P) == 4) {
-        store_pixels(row, encode_lanes(light.r, light.g, light.b), chosen);
+        store_pixels(row, encode_lanes(made.r, made.g, made.b), chosen);
       } else {
         for (; chosen != 0; chosen &= chosen - 1) {
           const int i = std::countr_zero(chosen);
-          row[i] = Output{}({light.r[i], light.g[i], light.b[i]});
+          row[i] = Output{}({made.r[i], made.g[i], made.b[i]});
         }
       }
     }
