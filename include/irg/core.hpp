@@ -27,4 +27,5 @@
 #include <irg/core/ring.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/core/sinks.hpp>
+#include <irg/core/triangle_indices.hpp>
 #include <irg/core/wide_lanes.hpp>
