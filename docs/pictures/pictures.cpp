@@ -379,6 +379,7 @@ int main(int argc, char** argv) {
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());
+  save("fly_through", curve_pictures::flight());
   save("fitted_curves", curve_pictures::fitted());
   save("surfaces", surface_pictures::made_of_curves());
   save("tessellation", surface_pictures::tessellated());
