@@ -51,6 +51,7 @@
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
 #include <irg/geometry/side_of_line.hpp>
+#include <irg/geometry/side_of_meeting.hpp>
 #include <irg/geometry/side_of_polygon.hpp>
 #include <irg/geometry/sign_of.hpp>
 #include <irg/geometry/simulation_of_simplicity.hpp>
