@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <irg/math/length.hpp>
-#include <irg/mesh/triangle_indices.hpp>
+#include <irg/core/triangle_indices.hpp>
 #include <irg/shade/light.hpp>
 #include <irg/shade/material.hpp>
 #include <irg/spatial/triangle_bvh.hpp>
