@@ -8,13 +8,16 @@
 #include <irg/curve/bezier_crossings.hpp>
 #include <irg/curve/bezier_degree.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
+#include <irg/curve/bezier_forward.hpp>
 #include <irg/curve/bezier_queries.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bezier_zeros.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>
+#include <irg/curve/bspline_fit.hpp>
 #include <irg/curve/bspline_knots.hpp>
 #include <irg/curve/bspline_surface.hpp>
+#include <irg/curve/constant_speed.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/curve_joint.hpp>
 #include <irg/curve/flatten.hpp>
