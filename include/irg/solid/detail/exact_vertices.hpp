@@ -43,10 +43,11 @@ public:
     return v;
   }
 
-  constexpr const exact_point& exact(std::uint32_t v) {
-    exact_point& e = exact_for(v);
+  // The place without rounding. Those of corners stand in one of three slots until it is used again.
+  constexpr const exact_point& exact(std::uint32_t v, std::size_t slot = 0) {
+    if (v < corners) return slots_[slot] = exact_point(at[v]);
+    exact_point& e = exact_[v - corners];
     if (e.is_known()) return e;
-    if (v < corners) return e = exact_point(at[v]);
     const contact_key& key = keys[v - corners];
     const auto corner = [&](std::size_t i) -> const point<double, 3>& { return at[key.v[i]]; };
     if (key.v[3] != no_index) return e = exact_point::on_lines(corner(0), corner(1), corner(2), corner(3));
@@ -63,7 +64,7 @@ public:
     const double reach = greater(greater(magnitude(ax), magnitude(ay)), greater(magnitude(bx), magnitude(by)));
     const double value = product(ax, by) - product(ay, bx), bound = product(size, reach) * rounded_turn_bound;
     if (bound > least_size && size < most_size && magnitude(value) > bound) return value > 0 ? 1 : -1;
-    return irg::orientation_along(axis, exact(u), exact(v), exact(w));
+    return irg::orientation_along(axis, exact(u, 0), exact(v, 1), exact(w, 2));
   }
 
   // Which of two is farther along an axis.
@@ -72,26 +73,15 @@ public:
     if (u < corners && v < corners) return compare_scalars(p, q);
     const double bound = greater(magnitude(p), magnitude(q)) * 0x1p-50;
     if (bound > least_size && magnitude(p - q) > bound) return p < q ? -1 : 1;
-    return irg::compare_along(axis, exact(u), exact(v));
+    return irg::compare_along(axis, exact(u, 0), exact(v, 1));
   }
 
 private:
   static constexpr double largest(const point<double, 2>& p) noexcept {
     return greater(magnitude(p.x), magnitude(p.y));
   }
-  constexpr exact_point& exact_for(std::uint32_t v) {
-    if (v >= corners) return exact_[v - corners];
-    for (std::size_t i = 0; i < 3; ++i)
-      if (recent_[i] == v) return recent_point_[i];
-    next_ = next_ < 2 ? next_ + 1 : 0;  // three are asked for at once
-    recent_[next_] = v;
-    return recent_point_[next_] = exact_point();
-  }
-
   std::vector<exact_point> exact_;
-  std::uint32_t recent_[3] = {no_index, no_index, no_index};
-  exact_point recent_point_[3];
-  std::size_t next_ = 0;
+  exact_point slots_[3];
 };
 
 }  // namespace IRG_ABI
