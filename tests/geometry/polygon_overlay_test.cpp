@@ -10,9 +10,9 @@
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 
+using irg::boolean_operation;
 using irg::point;
 using irg::polygon_clip_status;
-using irg::boolean_operation;
 using irg::polygon_overlay;
 using irg::ring_rule;
 using P = point<double, 2>;

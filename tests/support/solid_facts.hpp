@@ -2,8 +2,6 @@
 // Volumes of combinations of bodies in rationals, from what corners are made of, and whether surfaces are closed.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <array>
 #include <cstdint>
 #include <map>
@@ -12,9 +10,12 @@
 
 #include <irg/solid/boolean.hpp>
 
+#include "support/big_rational.hpp"
+
 namespace test {
 
-using rational_point = std::array<mpq_class, 3>;
+#ifdef IRG_HAVE_MPFR
+using rational_point = std::array<big_rational, 3>;
 
 inline rational_point minus(const rational_point& a, const rational_point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -22,10 +23,10 @@ inline rational_point minus(const rational_point& a, const rational_point& b) {
 inline rational_point cross(const rational_point& a, const rational_point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline mpq_class dot(const rational_point& a, const rational_point& b) {
+inline big_rational dot(const rational_point& a, const rational_point& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline rational_point on_way(const rational_point& a, const rational_point& b, const mpq_class& t) {
+inline rational_point on_way(const rational_point& a, const rational_point& b, const big_rational& t) {
   const rational_point w = minus(b, a);
   return {a[0] + t * w[0], a[1] + t * w[1], a[2] + t * w[2]};
 }
@@ -45,29 +46,31 @@ inline rational_point exact_corner(const irg::solid_corner_origin& c, const std:
 
 inline std::vector<rational_point> rational_points(const irg::mesh<double>& m) {
   std::vector<rational_point> all;
-  for (const auto& p : m.positions) all.push_back({mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)});
+  for (const auto& p : m.positions) all.push_back({big_rational(p.x), big_rational(p.y), big_rational(p.z)});
   return all;
 }
 
 /// Six times the volume of a mesh of triangles with these corners.
-inline mpq_class six_volumes(const irg::mesh<double>& m, const std::vector<rational_point>& corners) {
-  mpq_class sum = 0;
+inline big_rational six_volumes(const irg::mesh<double>& m, const std::vector<rational_point>& corners) {
+  big_rational sum = 0;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const auto at = [&](std::size_t k) -> const rational_point& { return corners[m.corner(f, k).position]; };
-    for (std::size_t k = 2; k < m.face_size(f); ++k) sum += dot(at(0), cross(at(k - 1), at(k)));
+    for (std::size_t k = 2; k < m.face_size(f); ++k) sum = sum + dot(at(0), cross(at(k - 1), at(k)));
   }
   return sum;
 }
 
 /// Six times the volume of a combination of a and b.
-inline mpq_class six_volumes(const irg::solid_boolean_result<double>& r, const irg::mesh<double>& a,
-                             const irg::mesh<double>& b) {
+inline big_rational six_volumes(const irg::solid_boolean_result<double>& r, const irg::mesh<double>& a,
+                                const irg::mesh<double>& b) {
   std::vector<rational_point> given = rational_points(a);
   for (const auto& p : rational_points(b)) given.push_back(p);
   std::vector<rational_point> corners;
   for (const auto& c : r.corners) corners.push_back(exact_corner(c, given));
   return six_volumes(r.value, corners);
 }
+
+#endif
 
 /// Whether faces run along each edge as often one way as the other.
 template <class T>

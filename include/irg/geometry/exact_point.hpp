@@ -35,7 +35,8 @@ public:
   static constexpr exact_point on_plane(const point<double, 3>& p, const point<double, 3>& q, const point<double, 3>& r,
                                         const point<double, 3>& a, const point<double, 3>& b) {
     using number = detail::dyadic<detail::words_for_degree(4)>;
-    const auto base = vector_of<number>(p), u = minus(vector_of<number>(q), base), v = minus(vector_of<number>(r), base);
+    const auto base = vector_of<number>(p), u = minus(vector_of<number>(q), base),
+               v = minus(vector_of<number>(r), base);
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from), height = minus(base, from);
     const std::array<number, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     const number divisor = n[0] * way[0] + n[1] * way[1] + n[2] * way[2];
@@ -45,8 +46,8 @@ public:
 
   /// Where the lines through a and b and through c and d cross, two lines of one plane.
   /// needs   finite coordinates
-  /// gives   no point when they are parallel; on the first line what is seen along an axis to be the crossing, where they
-  ///         pass each other
+  /// gives   no point when they are parallel; where they pass each other, a point of the first that is a crossing as
+  ///         seen along an axis
   static constexpr exact_point on_lines(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
                                         const point<double, 3>& d) {
     using number = detail::dyadic<detail::words_for_degree(4)>;
@@ -99,7 +100,8 @@ private:
     return {Number(p.x), Number(p.y), Number(p.z)};
   }
   template <class Number>
-  static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a, const std::array<Number, 3>& b) noexcept {
+  static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a,
+                                               const std::array<Number, 3>& b) noexcept {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
   // from + way t / divisor
@@ -153,8 +155,8 @@ constexpr int compare_along(int axis, const exact_point& p, const exact_point& q
 constexpr int orientation_along(int axis, const exact_point& p, const exact_point& q, const exact_point& r) noexcept {
   const auto a = p.load(), b = q.load(), c = r.load();
   const std::size_t x = axis == 0 ? 2 : 1, y = axis == 2 ? 2 : 3;
-  const auto area = (a[x] * b[y] - a[y] * b[x]) * c[0] + (b[x] * c[y] - b[y] * c[x]) * a[0] +
-                    (c[x] * a[y] - c[y] * a[x]) * b[0];
+  const auto area =
+      (a[x] * b[y] - a[y] * b[x]) * c[0] + (b[x] * c[y] - b[y] * c[x]) * a[0] + (c[x] * a[y] - c[y] * a[x]) * b[0];
   return area.sign() * a[0].sign() * b[0].sign() * c[0].sign();
 }
 

@@ -13,6 +13,7 @@
 #include <irg/geometry/boolean_operation.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/solid/detail/body_cutter.hpp>
+#include <irg/solid/detail/seam_remover.hpp>
 
 namespace irg {
 
@@ -34,8 +35,8 @@ struct solid_face_origin {
 };
 
 /// What a corner of the result is, without rounding.
-/// shape   positions are numbered through both bodies, those of the first one first. A corner: of[0]; an edge from of[0]
-///         to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3]
+/// shape   positions are numbered through both bodies, those of the first one first. A corner: of[0]; an edge from
+///         of[0] to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3]
 struct solid_corner_origin {
   static constexpr std::uint32_t none = 0xffffffffu;
   std::uint32_t of[5] = {none, none, none, none, none};
@@ -112,15 +113,28 @@ constexpr solid_corner_origin origin_of_corner(const body_cutter& cut, const bod
   return origin;
 }
 
+// The triangles that bound the result, without the corners that are none.
+constexpr std::vector<kept_triangle> keep_triangles(body_cutter& cut, const body_triangles& b,
+                                                    const std::vector<signed char>& direction) {
+  std::vector<kept_triangle> kept;
+  for (std::size_t t = 0; t < direction.size(); ++t) {
+    const cut_triangle& from = cut.triangles[t];
+    if (direction[t] > 0) kept.push_back({{from.v[0], from.v[1], from.v[2]}, from.source, false});
+    if (direction[t] < 0) kept.push_back({{from.v[2], from.v[1], from.v[0]}, from.source, true});
+  }
+  if (std::find(cut.is_seam.begin(), cut.is_seam.end(), 1) != cut.is_seam.end())
+    seam_remover(kept, cut.vertices, cut.is_seam,
+                 [&b](std::uint32_t s, std::uint32_t t) { return are_level(b, s, t); });
+  return kept;
+}
+
 template <Floating T>
 constexpr void collect_result(solid_boolean_result<T>& out, const body_cutter& cut, const body_triangles& b,
-                              const std::vector<signed char>& direction) {
+                              const std::vector<kept_triangle>& kept) {
   std::vector<std::uint32_t> number(cut.vertices.at.size(), no_index);
-  for (std::uint32_t t = 0; t < cut.triangles.size(); ++t) {
-    const cut_triangle& from = cut.triangles[t];
-    if (direction[t] == 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t v = from.v[direction[t] > 0 ? k : 2 - k];
+  for (const kept_triangle& from : kept) {
+    if (!from.is_there) continue;
+    for (const std::uint32_t v : from.v) {
       if (number[v] == no_index) {
         number[v] = static_cast<std::uint32_t>(out.value.positions.size());
         const point<double, 3>& p = cut.vertices.at[v];
@@ -130,7 +144,7 @@ constexpr void collect_result(solid_boolean_result<T>& out, const body_cutter& c
       out.value.corners.push_back({number[v], mesh_corner::none, mesh_corner::none});
     }
     out.value.face_starts.push_back(static_cast<std::uint32_t>(out.value.corners.size()));
-    out.faces.push_back({static_cast<std::uint32_t>(b.body_of(from.source)), b.face[from.source], direction[t] < 0});
+    out.faces.push_back({static_cast<std::uint32_t>(b.body_of(from.source)), b.face[from.source], from.turned});
   }
 }
 
@@ -141,7 +155,9 @@ inline namespace IRG_ABI {
 
 /// What two bodies have in common, what is in either, in the first but not the second, or in one of them alone.
 /// shape   triangles: faces of the bodies as triangulate() cuts them, cut where they meet. Equal positions are one
-///         corner; the places of corners, and the faces that triangles come from, are told beside
+///         corner; the places of corners, and the faces that triangles come from, are told beside. Triangles of one
+///         plane and one part count as one face: no corner is made on the sides between them, and a new triangle goes
+///         by the number of one of them
 /// needs   meshes in which validate() finds no defect; closed, faces counter-clockwise seen from outside, of no faces
 ///         that go through each other; any number of shells, cavities too
 /// gives   always a closed surface, which faces run along every edge of as often one way as the other; empty where
@@ -156,24 +172,23 @@ template <Floating T>
 constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
                                                 boolean_operation operation) {
   const detail::body_triangles b = detail::make_body_triangles(first, second);
-  for (std::uint32_t body = 0; body < 2; ++body)
-    switch (b.fault[body]) {
+  for (std::uint32_t body = 0; body < 2; ++body) switch (b.fault[body]) {
       case detail::surface_fault::none: break;
       case detail::surface_fault::not_finite: return {solid_boolean_status::not_finite, body};
       case detail::surface_fault::open_edge: return {solid_boolean_status::open_edge, body};
       case detail::surface_fault::edge_of_many_faces: return {solid_boolean_status::edge_of_many_faces, body};
     }
-  const detail::body_cutter cut(b);
+  detail::body_cutter cut(b);
   if (cut.failed) return {solid_boolean_status::not_a_body};
   std::vector<signed char> direction(cut.triangles.size(), 0);
   for (std::size_t t = 0; t < direction.size(); ++t) {
     const detail::cut_triangle& from = cut.triangles[t];
-    direction[t] = static_cast<signed char>(
-        detail::direction_of_part(b.body_of(from.source), cut.places[from.part], operation));
+    direction[t] =
+        static_cast<signed char>(detail::direction_of_part(b.body_of(from.source), cut.places[from.part], operation));
   }
   if (!detail::are_cuts_closed(cut, direction)) return {solid_boolean_status::not_a_body};
   solid_boolean_result<T> out;
-  detail::collect_result(out, cut, b, direction);
+  detail::collect_result(out, cut, b, detail::keep_triangles(cut, b, direction));
   return out;
 }
 

@@ -33,6 +33,7 @@ public:
   std::vector<cut_triangle> triangles;  // those of the first body before those of the second
   std::vector<part_place> places;  // of each triangle's part
   std::vector<std::array<std::uint32_t, 3>> cuts;  // edges at which parts end: from, to, the triangle
+  std::vector<unsigned char> is_seam;  // of each vertex, whether it is made of sides that lie within plane faces
   bool failed = false;  // the bodies cut themselves, or are not turned outward
 
   constexpr explicit body_cutter(const body_triangles& b) : b_(b), cutter_(vertices) {
@@ -82,7 +83,10 @@ private:
     }
     const contact_finder found(a, b);
     const auto first = static_cast<std::uint32_t>(keys_.size());
-    for (int i = 0; i < found.count; ++i) keys_.push_back(found.contacts[i].key);
+    for (int i = 0; i < found.count; ++i) {
+      keys_.push_back(found.contacts[i].key);
+      seams_.push_back(is_of_seam(found.contacts[i], s, t) ? 1 : 0);
+    }
     const auto add = [&](int i, int k) {
       const triangle_contact &p = found.contacts[i], &q = found.contacts[k];
       const auto from = first + static_cast<std::uint32_t>(i), to = first + static_cast<std::uint32_t>(k);
@@ -94,6 +98,27 @@ private:
     if (!found.are_coplanar || found.count < 3) return;
     coplanar_.push_back({s, t});
     coplanar_.push_back({t, s});
+  }
+
+  // Whether side k of a triangle lies within a plane face.
+  constexpr bool is_level_side(std::uint32_t t, std::uint8_t at) const noexcept {
+    const std::uint32_t twin = b_.twin[3 * std::size_t{t} + at - 3];
+    return twin != no_index && are_level(b_, t, twin / 3);
+  }
+  constexpr bool is_of_seam(const triangle_contact& c, std::uint32_t s, std::uint32_t t) const noexcept {
+    if (c.key.v[1] == no_index) return false;
+    const bool first = c.at[0] != inside_triangle && is_level_side(s, c.at[0]);
+    const bool second = c.at[1] != inside_triangle && is_level_side(t, c.at[1]);
+    if (c.at[0] == inside_triangle) return second;
+    if (c.at[1] == inside_triangle) return first;
+    if (first == second) return first;
+    // A true edge and a seam: a corner only where the edge goes through the plane.
+    const triangle_indices &plane = b_.triangles[first ? s : t], &edge = b_.triangles[first ? t : s];
+    const int k = c.at[first ? 1 : 0] - 3;
+    const auto side = [&](std::uint32_t v) {
+      return orient3d(b_.positions[plane.v[0]], b_.positions[plane.v[1]], b_.positions[plane.v[2]], b_.positions[v]);
+    };
+    return side(edge.v[k]) == 0 && side(edge.v[(k + 1) % 3]) == 0;
   }
 
   // Each key once, and a vertex for it.
@@ -109,8 +134,12 @@ private:
       vertex.push_back(key.v[1] == no_index ? key.v[0] : vertices.add(key));
     }
     const auto named = [&](std::uint32_t i) {
-      return vertex[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), keys_[i]) - sorted.begin())];
+      return vertex[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), keys_[i]) -
+                                             sorted.begin())];
     };
+    is_seam.assign(vertices.at.size(), 0);
+    for (std::uint32_t i = 0; i < keys_.size(); ++i)
+      if (seams_[i] != 0) is_seam[named(i)] = 1;
     for (mark& m : marks_) m.from = named(m.from), m.to = named(m.to);
     std::sort(marks_.begin(), marks_.end(), [](const mark& p, const mark& q) { return p.triangle < q.triangle; });
     std::sort(coplanar_.begin(), coplanar_.end());
@@ -141,8 +170,7 @@ private:
       const mark& m = marks_[i];
       if (m.from == m.to && m.from_place >= 3) points_.push_back({m.from, m.from_place});
     }
-    std::sort(points_.begin(), points_.end(),
-              [](const placed_vertex& p, const placed_vertex& q) { return p.v < q.v; });
+    std::sort(points_.begin(), points_.end(), [](const placed_vertex& p, const placed_vertex& q) { return p.v < q.v; });
     points_.erase(std::unique(points_.begin(), points_.end(),
                               [](const placed_vertex& p, const placed_vertex& q) { return p.v == q.v; }),
                   points_.end());
@@ -154,9 +182,8 @@ private:
     const auto first = static_cast<std::uint32_t>(triangles.size());
     for (std::uint32_t p = 0; p < cutter_.pieces.size(); ++p) {
       const face_piece& piece = cutter_.pieces[p];
-      triangles.push_back({{cutter_.vertex(piece.v[0]), cutter_.vertex(piece.v[1]), cutter_.vertex(piece.v[2])},
-                           t,
-                           first + p});
+      triangles.push_back(
+          {{cutter_.vertex(piece.v[0]), cutter_.vertex(piece.v[1]), cutter_.vertex(piece.v[2])}, t, first + p});
     }
     for (std::uint32_t p = 0; p < cutter_.pieces.size(); ++p)
       for (int k = 0; k < 3; ++k) end_side(t, first, p, k);
@@ -218,7 +245,7 @@ private:
   }
   constexpr int body_of(std::uint32_t t) const noexcept { return b_.body_of(triangles[t].source); }
 
-  // Asks for one triangle of each part where it lies; a corner that does not touch the other body answers at least cost.
+  // Asks for one triangle of each part where it lies; a corner that does not touch the other body answers at once.
   constexpr void place_parts() {
     places.assign(triangles.size(), part_place::unknown);
     std::vector<std::uint32_t> corner(triangles.size(), no_index);
@@ -269,11 +296,11 @@ private:
     const exact_point middle = exact_point::mean_of(a, b, c);
     if (const part_place on = place_on_surface(t.source, middle); on != part_place::unknown) return on;
     const point<double, 3> near = middle.rounded();
-    const double slack = greater(greater(magnitude(near.x), magnitude(near.y)), magnitude(near.z)) * 0x1p-50 + 0x1p-1000;
+    const double slack =
+        greater(greater(magnitude(near.x), magnitude(near.y)), magnitude(near.z)) * 0x1p-50 + 0x1p-1000;
     upward_crossings count;
-    each_above(near, slack, 1 - b_.body_of(t.source), [&](const triangle_indices& other) {
-      count_above(other, middle, count);
-    });
+    each_above(near, slack, 1 - b_.body_of(t.source),
+               [&](const triangle_indices& other) { count_above(other, middle, count); });
     return by_winding(count);
   }
 
@@ -316,6 +343,7 @@ private:
   face_cutter cutter_;
   std::vector<space_box> boxes_;
   std::vector<contact_key> keys_;
+  std::vector<unsigned char> seams_;
   std::vector<mark> marks_;
   std::vector<coplanar_pair> coplanar_;
   std::vector<unsigned char> touched_;

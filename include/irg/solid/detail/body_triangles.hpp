@@ -24,6 +24,7 @@ struct body_triangles {
   std::vector<point<double, 3>> positions;  // of the first body, then of the second
   std::vector<triangle_indices> triangles;  // equal positions are named by the first of them
   std::vector<std::uint32_t> face;  // of the body that the triangle is of
+  std::vector<std::uint32_t> part;  // of the body, where it has parts
   std::vector<std::uint32_t> twin;  // of side 3t + k the side that runs back along it; none where more than two meet
   std::uint32_t second = 0;  // the first triangle of the second body
   surface_fault fault[2]{};
@@ -42,6 +43,9 @@ constexpr void append_body(body_triangles& b, const mesh<T>& m, surface_fault& f
   }
   if (fault != surface_fault::none) return;
   const mesh<T> triangles = triangulate(m);
+  for (std::uint32_t i = 0; i < triangles.parts.size(); ++i)
+    b.part.insert(b.part.end(), triangles.parts[i].face_count, i);
+  b.part.resize(b.triangles.size() + triangles.face_count(), 0);
   b.triangles.reserve(b.triangles.size() + triangles.face_count());
   std::uint32_t face = 0, left = 0;
   for (std::size_t t = 0; t < triangles.face_count(); ++t) {
@@ -82,6 +86,7 @@ constexpr void merge_bodies(body_triangles& b) {
     for (std::uint32_t& v : n.v) v = to[v];
     if (n.v[0] == n.v[1] || n.v[1] == n.v[2] || n.v[2] == n.v[0]) continue;
     b.triangles[kept] = n;
+    b.part[kept] = b.part[t];
     b.face[kept++] = b.face[t];
   }
   b.second = b.second == b.triangles.size() ? kept : second;
@@ -119,6 +124,17 @@ constexpr surface_fault pair_sides(body_triangles& b, std::uint32_t first, std::
     }
   }
   return fault;
+}
+
+// Whether two triangles lie in one plane, look the same way and belong to one part of one body.
+constexpr bool are_level(const body_triangles& b, std::uint32_t s, std::uint32_t t) noexcept {
+  if (s == t) return true;
+  if (b.body_of(s) != b.body_of(t) || b.part[s] != b.part[t]) return false;
+  const auto at = [&](std::uint32_t i, int k) -> const point<double, 3>& { return b.positions[b.triangles[i].v[k]]; };
+  for (int k = 0; k < 3; ++k)
+    if (orient3d(at(s, 0), at(s, 1), at(s, 2), at(t, k)) != 0) return false;
+  const seen_triangle seen = see_triangle(b.positions, b.triangles[s], s);
+  return orientation_along(at(t, 0), at(t, 1), at(t, 2), seen.axis) == seen.turn;
 }
 
 template <class A, class B>

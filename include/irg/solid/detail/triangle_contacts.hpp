@@ -79,11 +79,9 @@ public:
 
   /// Finds the contacts of two triangles with area.
   constexpr contact_finder(const seen_triangle& a, const seen_triangle& b) noexcept : t_{&a, &b} {
-    for (int k = 0; k < 3; ++k)
-      side_[1][k] = is_corner(a, b.v[k]) ? 0 : orient3d(*a.p[0], *a.p[1], *a.p[2], *b.p[k]);
+    for (int k = 0; k < 3; ++k) side_[1][k] = is_corner(a, b.v[k]) ? 0 : orient3d(*a.p[0], *a.p[1], *a.p[2], *b.p[k]);
     if (are_beside(side_[1])) return;
-    for (int k = 0; k < 3; ++k)
-      side_[0][k] = is_corner(b, a.v[k]) ? 0 : orient3d(*b.p[0], *b.p[1], *b.p[2], *a.p[k]);
+    for (int k = 0; k < 3; ++k) side_[0][k] = is_corner(b, a.v[k]) ? 0 : orient3d(*b.p[0], *b.p[1], *b.p[2], *a.p[k]);
     if (are_beside(side_[0])) return;
     are_coplanar = side_[0][0] == 0 && side_[0][1] == 0 && side_[0][2] == 0;
     for (int which = 0; which < 2; ++which)
@@ -109,7 +107,8 @@ public:
       for (std::uint8_t k = 0; k < 3; ++k) {
         int found[2]{}, n = 0;
         for (int i = 0; i < count && n < 2; ++i)
-          if (const std::uint8_t at = contacts[i].at[which]; at == k || at == (k + 1) % 3 || at == 3 + k) found[n++] = i;
+          if (const std::uint8_t at = contacts[i].at[which]; at == k || at == (k + 1) % 3 || at == 3 + k)
+            found[n++] = i;
         if (n == 2) use(found[0], found[1]);
       }
   }
