@@ -22,6 +22,5 @@
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 #include <irg/mesh/to_mesh.hpp>
-#include <irg/mesh/triangle_indices.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/mesh/validate.hpp>

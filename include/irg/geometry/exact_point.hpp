@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
-#include <irg/geometry/detail/dyadic.hpp>
-#include <irg/geometry/detail/evaluate.hpp>
+#include <irg/math/exact/exact_number.hpp>
+#include <irg/math/exact/known_number.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -25,7 +25,7 @@ public:
   /// The point p.
   /// needs   finite coordinates
   constexpr explicit exact_point(const point<double, 3>& p) {
-    using number = detail::dyadic<detail::words_for_degree(1)>;
+    using number = exact_number<1>;
     store(std::array{number(1.0), number(p.x), number(p.y), number(p.z)});
   }
 
@@ -34,7 +34,7 @@ public:
   /// gives   no point when they are parallel, or a == b, or the three lie on a line
   static constexpr exact_point on_plane(const point<double, 3>& p, const point<double, 3>& q, const point<double, 3>& r,
                                         const point<double, 3>& a, const point<double, 3>& b) {
-    using number = detail::dyadic<detail::words_for_degree(4)>;
+    using number = exact_number<4>;
     const auto base = vector_of<number>(p), u = minus(vector_of<number>(q), base),
                v = minus(vector_of<number>(r), base);
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from), height = minus(base, from);
@@ -50,7 +50,7 @@ public:
   ///         seen along an axis
   static constexpr exact_point on_lines(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
                                         const point<double, 3>& d) {
-    using number = detail::dyadic<detail::words_for_degree(4)>;
+    using number = exact_number<4>;
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from);
     const auto start = vector_of<number>(c), other = minus(vector_of<number>(d), start), between = minus(start, from);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -89,7 +89,7 @@ public:
 
 private:
   // A mean of three crossings has degree 10, its side of a plane 12.
-  using wide = detail::dyadic<detail::words_for_degree(13)>;
+  using wide = exact_number<13>;
   struct part {
     int first = 0, size = 0, place = 0;
     bool negative = false;

@@ -10,7 +10,7 @@
 #include <irg/geometry/compare.hpp>
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/to_mesh.hpp>
-#include <irg/mesh/triangle_indices.hpp>
+#include <irg/core/triangle_indices.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/solid/detail/box_pairs.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>

@@ -11,7 +11,7 @@
 
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/point_on_triangle.hpp>
-#include <irg/mesh/triangle_indices.hpp>
+#include <irg/core/triangle_indices.hpp>
 
 namespace irg::detail {
 
