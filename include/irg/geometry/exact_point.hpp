@@ -82,8 +82,7 @@ public:
     const auto v = load();
     point<double, 3> p{};
     for (std::size_t i = 0; i < 3; ++i)
-      if (v[i + 1].sign() != 0)
-        p[static_cast<int>(i)] = detail::rounded_to<double>(v[i + 1].rounded() / v[0].rounded());
+      if (v[i + 1].sign() != 0) p[static_cast<int>(i)] = rounded_to<double>(v[i + 1].rounded() / v[0].rounded());
     return p;
   }
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/geometry/compare.hpp>
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/to_mesh.hpp>
 #include <irg/core/triangle_indices.hpp>

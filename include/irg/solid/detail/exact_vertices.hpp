@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/geometry/compare.hpp>
+#include <irg/math/exact/compare_numbers.hpp>
 #include <irg/geometry/exact_point.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
@@ -70,7 +70,7 @@ public:
   // Which of two is farther along an axis.
   constexpr int compare(std::uint32_t u, std::uint32_t v, int axis) {
     const double p = at[u][axis], q = at[v][axis];
-    if (u < corners && v < corners) return compare_scalars(p, q);
+    if (u < corners && v < corners) return compare_numbers(p, q);
     const double bound = greater(magnitude(p), magnitude(q)) * 0x1p-50;
     if (bound > least_size && magnitude(p - q) > bound) return p < q ? -1 : 1;
     return irg::compare_along(axis, exact(u, 0), exact(v, 1));
