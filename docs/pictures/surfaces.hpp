@@ -9,6 +9,7 @@
 #include <irg/curve/bspline_surface.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/surface_nets.hpp>
+#include <irg/curve/surface_trimming.hpp>
 #include <irg/math/trigonometry.hpp>
 
 #include "sketch.hpp"
@@ -131,6 +132,45 @@ inline picture made_of_curves() {
   vase(p);
   ruled(p);
   swept(p);
+  return halved(p);
+}
+
+// Two patches that bend differently and share a border; a patch trimmed by a star with a hole.
+inline picture tessellated() {
+  picture p(980, 340, paper);
+  const std::array<point3, 4> shared{point3{0, 0, 1.2}, {0, 0.9, 0.4}, {0, -0.9, -0.4}, {0, 0, -1.2}};
+  std::vector<point3> calm(16), wild(16);
+  constexpr std::array<std::array<double, 4>, 3> hills{
+      {{1.2, -1.5, 1.6, -0.4}, {-1.8, 2.0, -1.4, 1.6}, {0.6, 0.2, 1.4, 0.1}}};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double x = 0.6 * static_cast<double>(i), bend = i > 0 ? hills[i - 1][j] : 0;
+      calm[i * 4 + j] = i == 0 ? shared[3 - j] : point3{-x, 0.15 * shared[3 - j].y, shared[3 - j].z};
+      wild[i * 4 + j] = i == 0 ? shared[j] : point3{x, bend, shared[j].z};
+    }
+  const far_view view{{270, 175}, 112, 0.25, 0.6};
+  facets f{view};
+  const auto put = [&](const auto& a, const auto& b, const auto& c) { f.all.push_back({a.point, b.point, c.point}); };
+  irg::tessellate_within(irg::control_net<point3>{calm, 4}, 0.03, put);
+  f.draw(p, {214, 150, 110, 255}, 1.3);
+  f.all.clear();
+  irg::tessellate_within(irg::control_net<point3>{wild, 4}, 0.15, put);
+  f.draw(p, {120, 160, 205, 255}, 1.3);
+  std::vector<ring> star(2);
+  for (int k = 0; k < 10; ++k) {
+    const double angle = irg::two_pi<double> * k / 10, far = k % 2 == 0 ? 0.49 : 0.3;
+    star[0].push_back({0.5 + far * irg::cos(angle), 0.5 + far * irg::sin(angle)});
+    star[1].push_back({0.5 + 0.13 * irg::cos(angle), 0.5 + 0.13 * irg::sin(angle)});
+  }
+  facets trimmed{{{740, 170}, 155, 0.5, 0.75}};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      wild[i * 4 + j] = {0.8 * static_cast<double>(i) - 1.2, (i == 1 || i == 2) == (j == 1 || j == 2) ? 0.8 : -0.3,
+                         1.2 - 0.8 * static_cast<double>(j)};
+  irg::tessellate_trimmed(
+      irg::control_net<point3>{wild, 4}, star, 0.03,
+      [&](const auto& a, const auto& b, const auto& c) { trimmed.all.push_back({a.point, b.point, c.point}); });
+  trimmed.draw(p, {150, 180, 120, 255}, 1.3);
   return halved(p);
 }
 

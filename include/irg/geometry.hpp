@@ -47,9 +47,11 @@
 #include <irg/geometry/polygon_orientation.hpp>
 #include <irg/geometry/polygon_overlay.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
+#include <irg/geometry/ray.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
 #include <irg/geometry/side_of_line.hpp>
+#include <irg/geometry/side_of_meeting.hpp>
 #include <irg/geometry/side_of_polygon.hpp>
 #include <irg/geometry/sign_of.hpp>
 #include <irg/geometry/simulation_of_simplicity.hpp>

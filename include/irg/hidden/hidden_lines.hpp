@@ -16,6 +16,7 @@
 
 #include <irg/hidden/detail/face_grids.hpp>
 #include <irg/hidden/detail/hidden_intervals.hpp>
+#include <irg/hidden/edge_part.hpp>
 #include <irg/raster/face_order.hpp>
 
 namespace irg {
@@ -23,18 +24,6 @@ namespace irg {
 /// An edge on the screen, between two vertices.
 struct screen_edge {
   screen_vertex v[2];
-};
-
-/// Whether a part of an edge is seen.
-enum class line_visibility { visible, hidden };
-
-/// A part of an edge, the whole of it having one visibility.
-/// shape   edge: the number of the edge in its range; from < to: of the way from its first end to the second, multiples
-///         of 2^-53. Parts that meet share the place
-struct edge_part {
-  std::size_t edge;
-  line_visibility visibility;
-  double from, to;
 };
 
 /// Which faces are tried for an edge: those near it that may be nearer than it, or every one.

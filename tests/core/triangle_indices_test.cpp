@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/mesh/triangle_indices.hpp>
+#include <irg/core/triangle_indices.hpp>
 
 #include <type_traits>
 
