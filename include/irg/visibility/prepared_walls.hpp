@@ -32,8 +32,8 @@ public:
   /// What is seen from a point.
   /// gives   the same as visibility_polygon(source, domain, walls); the ring may begin at another of its corners
   /// exact   as visibility_polygon
-  /// cost    for walls of like sizes some visibility polygons of as many walls as stand in the tiles that are seen; at
-  ///         worst, where all of many walls are seen, some of all of them
+  /// cost    for walls of like sizes some visibility polygons of as many walls as stand in the tiles that are seen; where
+  ///         more than a sixteenth of them is seen, visibility_polygon and a part more
   constexpr visible_region<T> seen_from(const point<T, 2>& source) const {
     if (!is_finite_) return {visibility_status::not_finite, {}};
     visible_region<T> seen = visibility_polygon(source, domain_);
@@ -58,6 +58,7 @@ public:
       if (fresh.empty() && is_whole) break;
       if (fresh.empty()) continue;
       kept.insert(kept.end(), fresh.begin(), fresh.end());
+      if (kept.size() > 64 + walls_.size() / 2) return visibility_polygon(source, domain_, walls_);
       std::sort(kept.begin(), kept.end());
       std::vector<segment<T, 2>> near;
       near.reserve(kept.size());
@@ -65,6 +66,7 @@ public:
       seen = visibility_polygon(source, domain_, near);
       is_on_wall = is_on_wall || seen.status == visibility_status::source_on_obstacle;
       keep_what_is_seen(seen, kept);
+      if (kept.size() > 64 + walls_.size() / 16) return visibility_polygon(source, domain_, walls_);
     }
     if (is_on_wall && seen.status == visibility_status::done) seen.status = visibility_status::source_on_obstacle;
     return seen;
