@@ -45,6 +45,7 @@
 #include "plane_sight.hpp"
 #include "portals.hpp"
 #include "projections.hpp"
+#include "plots.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
@@ -200,6 +201,8 @@ void methods() {
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
+  save("horizon_lines", plot_pictures::horizon_lines());
+  save("plot_surface", plot_pictures::surfaces());
   save("bsp_tree_2d", bsp_pictures::orders());
   save("bsp_tree_3d", bsp_pictures::order_in_space());
   save("grid_surface", grid_pictures::views());
