@@ -36,9 +36,9 @@ inline namespace IRG_ABI {
 template <int N>
 IRG_INLINE pack<std::uint32_t, N> encode_lanes(const pack<float, N>& r, const pack<float, N>& g,
                                                const pack<float, N>& b) noexcept {
-  static_assert(std::endian::native == std::endian::little);
   const auto word = [](const pack<float, N>& light) { return bits_as<std::uint32_t>(detail::srgb_codes_of(light)); };
-  return word(r) | (word(g) << 8) | (word(b) << 16) | 0xff000000u;
+  return (word(r) << byte_shift<4>(0)) | (word(g) << byte_shift<4>(1)) | (word(b) << byte_shift<4>(2)) |
+         0xffu << byte_shift<4>(3);
 }
 
 }  // namespace IRG_ABI

@@ -106,10 +106,9 @@ private:
   // The light of N texels, one of them at each index.
   template <int N>
   IRG_INLINE static rgb<pack<float, N>> light_at(const rgba8* texels, const pack<std::int32_t, N>& index) noexcept {
-    static_assert(std::endian::native == std::endian::little);
     const auto word = gather<std::int32_t>(texels, index);
     const auto light = [&](int shift) { return gather<float>(detail::srgb_light, (word >> shift) & 255); };
-    return {light(0), light(8), light(16)};
+    return {light(byte_shift<4>(0)), light(byte_shift<4>(1)), light(byte_shift<4>(2))};
   }
 
   template <int N>
