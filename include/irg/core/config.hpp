@@ -4,7 +4,7 @@
 #pragma once
 
 #define IRG_VERSION_MAJOR 0
-#define IRG_VERSION_MINOR 1
+#define IRG_VERSION_MINOR 2
 #define IRG_VERSION_PATCH 0
 
 #if !defined(IRG_ALLOW_ANY_COMPILER) && \
