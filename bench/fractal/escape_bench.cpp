@@ -56,7 +56,7 @@ void enter_case(const std::string& name, const irg::view_window<T>& window, int 
   add("irg", [job](irg::image<int>& to) { irg::draw_mandelbrot(to, job); });
   add("irg:no skips", [job](irg::image<int>& to) {
     irg::escape_job<T> all = job;
-    all.skip = {irg::skipping::off, irg::skipping::off};
+    all.skip = {irg::skipping::off, irg::skipping::off, irg::skipping::off};
     irg::draw_mandelbrot(to, all);
   });
   add("plain loop", [job](irg::image<int>& to) {

@@ -7,8 +7,12 @@
 
 #include <irg/curve/arc_length.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
+#include <irg/curve/bspline_fit.hpp>
+#include <irg/curve/constant_speed.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/flatten.hpp>
+#include <irg/mesh/teapot.hpp>
+#include <irg/render/render.hpp>
 
 #include "sketch.hpp"
 
@@ -99,6 +103,62 @@ inline picture flattened() {
     for (const point2& q : line) mark(p, q, 6, ink);
   }
   return halved(p);
+}
+
+// Left a cubic through points: parameters like distances (red), at equal steps (blue). Right 60 scattered points and
+// the curve of 8 control points nearest to them.
+inline picture fitted() {
+  picture p(1320, 420, paper);
+  const auto draw = [&](const ring& points, irg::fit_spacing spacing, std::size_t count, irg::rgba8 colour) {
+    std::vector<double> places(points.size()), knots(count + 4), scratch(4);
+    ring control(count), line;
+    if (!irg::fit_places(std::span<const point2>(points), spacing, places)) return control;
+    irg::fit_knots(std::span<const double>(places), 3, count, knots);
+    const auto u = *irg::make_bspline_knots(std::span<const double>(knots), 3);
+    irg::bspline_least_squares(u, places, std::span<const point2>(points), irg::fit_ends::through, control);
+    for (int k = 0; k <= 240; ++k) line.push_back(*irg::bspline_point(u, control, k / 240., scratch));
+    stroke(p, line, 5, colour);
+    return control;
+  };
+  const ring few{{60, 330}, {150, 90}, {180, 80}, {210, 90}, {330, 340}, {480, 120}, {600, 320}};
+  draw(few, irg::fit_spacing::uniform, few.size(), blue);
+  draw(few, irg::fit_spacing::chord_length, few.size(), red);
+  for (const point2& q : few) mark(p, q, 8, ink);
+  ring many;
+  for (int k = 0; k < 60; ++k) {
+    const double t = k / 59.;
+    many.push_back({710 + 560 * t + 16 * irg::sin(37. * k * k),
+                    210 + 150 * irg::sin(8 * t) * (1 - t / 2) + 24 * irg::cos(91. * k * k)});
+  }
+  many.front() = {710, 210};
+  for (const point2& q : many) disc(p, q, 6, grey);
+  const ring control = draw(many, irg::fit_spacing::uniform, 8, red);
+  stroke(p, control, 2, blue);
+  for (const point2& q : control) mark(p, q, 7, blue);
+  return halved(p);
+}
+
+// Eight pictures at equal distances along a curve around the teapot, in wire form without back faces.
+inline picture flight() {
+  const std::array<point3, 5> way{point3{7, 1, 5}, {-3, 9, 9}, {-12, 2, 2}, {-5, -3, -8}, {6, 3, -7}};
+  const auto sample = [&](double t) { return irg::bezier_sample(way, t); };
+  std::array<double, 65> lengths{};
+  const irg::constant_speed motion(sample, 0., 1., std::span<double>(lengths));
+  irg::scene<double> world;
+  world.objects.push_back({irg::shape_teapot<double>({4, irg::teapot_bottom::with})});
+  irg::render_options options;
+  options.style = irg::picture_style::wire;
+  picture all(660, 250, paper), small(162, 122);
+  irg::image<float> depth(162, 122);
+  for (int k = 0; k < 8; ++k) {
+    world.view.eye = motion.at(k / 7.).point;
+    world.view.target = {0.2, 1.5, 0};
+    world.view = irg::with_depth_range(world.view, point3{0.2, 1.5, 0}, 4.);
+    irg::render(world, small, depth, options);
+    for (int y = 0; y < 122; ++y)
+      for (int x = 0; x < 162; ++x) all(2 + 165 * (k % 4) + x, 2 + 125 * (k / 4) + y) = small(x, y);
+  }
+  return all;
 }
 
 }  // namespace curve_pictures

@@ -114,7 +114,7 @@ inline picture parts() {
   put(p, found_by(irg::bsp_painter<>{}, rods()), 0);
   const auto tree = irg::build_bsp(rods(), irg::cell_window{0, 0, width, height});
   int number = 0;
-  walk_bsp(tree, irg::walk_order::back_to_front, [&](const irg::bsp_of_faces::node& n) {
+  walk_bsp(tree, irg::bsp_order::back_to_front, [&](const irg::bsp_of_faces::node& n) {
     const int shade = 60 + 40 * (number++ * 5 % 8) / 7;
     for (int y = n.box.y_first; y < n.box.y_last; ++y)
       for (int x = n.box.x_first; x < n.box.x_last; ++x)

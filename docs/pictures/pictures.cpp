@@ -45,6 +45,7 @@
 #include "plane_sight.hpp"
 #include "portals.hpp"
 #include "projections.hpp"
+#include "rays.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
@@ -52,8 +53,10 @@
 #include "solids.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
+#include "surfaces.hpp"
 #include "textbook_fill.hpp"
 #include "texts.hpp"
+#include "trees.hpp"
 #include "viewing.hpp"
 #include "lines_aa.hpp"
 #include "meshes.hpp"
@@ -199,6 +202,7 @@ void methods() {
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
   save("bsp_tree_2d", bsp_pictures::orders());
+  save("bsp_tree_3d", bsp_pictures::order_in_space());
   save("grid_surface", grid_pictures::views());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());
@@ -376,6 +380,10 @@ int main(int argc, char** argv) {
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());
+  save("fly_through", curve_pictures::flight());
+  save("fitted_curves", curve_pictures::fitted());
+  save("surfaces", surface_pictures::made_of_curves());
+  save("tessellation", surface_pictures::tessellated());
   number_and_geometry_pages();
   save("draw_line", line_kernels::steps());
   save("draw_lines", line_kernels::tiles());
@@ -407,6 +415,9 @@ int main(int argc, char** argv) {
   save("stroke", texts::strokes());
   save("screen_face", face_pictures::order());
   save("escape_time", escape_pictures::both());
+  save("distance_estimate", escape_pictures::distances());
+  save("other_maps", escape_pictures::other_maps());
+  save("julia_convergence", escape_pictures::convergence());
   save("deep_mandelbrot", deep_pictures::four_widths());
   save("field_of_view", sight_pictures::variants());
   save("visible_part", sight_pictures::parts());
@@ -434,6 +445,11 @@ int main(int argc, char** argv) {
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
   save("point_in_solid", solid_pictures::locations());
+  save("bvh", tree_pictures::levels());
+  save("shadow", ray_pictures::shadow());
+  save("glass", ray_pictures::glass());
+  save("triangle_bvh", tree_pictures::through());
+  save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());
   save("plane_projection", projection_pictures::shadows());
   save("frustum", projection_pictures::boxes());

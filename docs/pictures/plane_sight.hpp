@@ -104,7 +104,7 @@ inline picture shadows() {
   const std::vector<wall> walls{{{-3, 0}, {-1, 0.5}},   {{0, -1}, {1.5, -0.5}}, {{2.5, 1}, {3.5, 0}},
                                 {{-2, -3}, {-1, -2.5}}, {{1, -2.5}, {1, -3.5}}, {{-1, 0.5}, {-1, 1.5}}};
   return side_by_side({lit_by({{0, 3.5}}, walls), lit_by({{-1.5, 3.5}, {1.5, 3.5}}, walls),
-                       lit_by({{-1, 3}, {1, 3}, {1.5, 4}, {0, 4.5}, {-1.5, 4}}, walls)});
+                       lit_by({{-1.5, 3}, {0, 3.8}, {1.5, 3}, {0.8, 4.6}, {-0.8, 4.6}}, walls)});
 }
 
 // A plan, its guards, and the parts in the colour of the guard who is said to see them.

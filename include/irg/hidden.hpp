@@ -4,12 +4,17 @@
 
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/bsp_scene.hpp>
 #include <irg/hidden/classical_methods.hpp>
+#include <irg/hidden/edge_part.hpp>
 #include <irg/hidden/floating_horizon.hpp>
 #include <irg/hidden/grid_covering_order.hpp>
 #include <irg/hidden/grid_surface.hpp>
 #include <irg/hidden/hidden_lines.hpp>
+#include <irg/hidden/horizon_curves.hpp>
+#include <irg/hidden/horizon_lines.hpp>
 #include <irg/hidden/horizon_surface.hpp>
+#include <irg/hidden/horizon_view.hpp>
 #include <irg/hidden/line_drawing.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/painter.hpp>

@@ -4,6 +4,7 @@
 
 #include <irg/io/apng.hpp>
 #include <irg/io/body_xml.hpp>
+#include <irg/io/bsp_file.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/grid_text.hpp>
 #include <irg/io/image_file.hpp>

@@ -2,6 +2,7 @@
 // solid: point in solid, winding number, booleans (CSG).
 #pragma once
 
+#include <irg/solid/boolean.hpp>
 #include <irg/solid/measures.hpp>
 #include <irg/solid/point_in_solid.hpp>
 #include <irg/solid/solid_locator.hpp>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/bsp_scene.hpp>
 #include <irg/hidden/horizon_surface.hpp>
 #include <irg/hidden/painter_newell.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>
 #include <irg/hidden/warnock.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/raster/screen_pieces.hpp>
+#include <irg/view/projection.hpp>
 
 #include <array>
 
@@ -106,6 +109,51 @@ constexpr std::uint64_t hidden_methods(int rounds) {
   return h.value();
 }
 HASHED(hidden_methods, 1, 60);
+
+// A tree in space: its numbers, and what is seen through it.
+constexpr std::uint64_t hidden_bsp_scene(int rounds) {
+  test::random r(34);
+  determinism::hasher h;
+  const int size = rounds < 10 ? 4 : 40;
+  for (int i = 0; i < rounds; ++i) {
+    std::vector<irg::point<double, 3>> vertices;
+    std::vector<irg::triangle_indices> triangles;
+    for (std::uint32_t k = 0; k < (rounds < 10 ? 3u : 40u); ++k) {
+      for (int n = 0; n < 3; ++n) {
+        const auto number = [&] {
+          return i % 2 ? static_cast<double>(r.integer(-3, 3)) : irg::product(4.0, r.unit()) - 2.0;
+        };
+        const double x = number(), y = number(), z = number();
+        vertices.push_back({x, y, z});
+      }
+      triangles.push_back({{3 * k, 3 * k + 1, 3 * k + 2}});
+    }
+    const irg::bsp_tree_3d<double> tree(vertices, triangles);
+    const auto& d = tree.data();
+    for (const irg::bsp_node_3d& n : d.nodes)
+      for (const std::uint32_t v : {n.plane.source, n.plane.axis, n.first, n.last, n.front, n.back})
+        h.add(static_cast<int>(v));
+    for (const irg::bsp_limit_3d& l : d.limits) h.add(static_cast<int>(l.node) * l.side);
+    for (const irg::bsp_piece_3d& p : d.pieces)
+      for (const irg::point<double, 3>& q : tree.rounded(p)) h.add(q[0]), h.add(q[1]), h.add(q[2]);
+    const auto to_clip = irg::orthographic(-2.0, 2.0, -2.0, 2.0, -10.0, 10.0);
+    const auto mapping = irg::map_to_screen<double>(size, size);
+    std::vector<irg::screen_face> faces;
+    for (std::uint32_t k = 0; k < triangles.size(); ++k) {
+      const irg::hpoint<double, 3> c[3] = {to_clip * vertices[3 * k], to_clip * vertices[3 * k + 1],
+                                           to_clip * vertices[3 * k + 2]};
+      for (const irg::screen_piece& p : clip_to_screen(c, mapping, k)) faces.push_back(p.face);
+    }
+    irg::image<std::uint32_t> ids(size, size, irg::no_face);
+    irg::draw_counts counts;
+    irg::bsp_scene_painter<double>(tree, irg::vec<double, 3>{0, 0, 1}, to_clip, mapping)(
+        faces, irg::cell_window{0, 0, size, size}, ids, counts);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) h.add(static_cast<int>(ids(x, y)));
+  }
+  return h.value();
+}
+HASHED(hidden_bsp_scene, 2, 30);
 
 // The lines of a surface at many angles.
 constexpr std::uint64_t hidden_horizon(int rounds) {

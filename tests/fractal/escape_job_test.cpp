@@ -5,9 +5,10 @@
 
 TEST_CASE("escape_stats: sums; escape_job: everything is skipped unless said otherwise") {
   constexpr irg::escape_stats twice = [] {
-    irg::escape_stats s{10, 2, 1};
+    irg::escape_stats s{10, 2, 1, 3};
     return s += s;
   }();
-  CHECK_BOTH((twice == irg::escape_stats{20, 4, 2}));
-  CHECK_BOTH((irg::escape_job<double>{}.skip == irg::escape_skips{irg::skipping::on, irg::skipping::on}));
+  CHECK_BOTH((twice == irg::escape_stats{20, 4, 2, 6}));
+  CHECK_BOTH(
+      (irg::escape_job<double>{}.skip == irg::escape_skips{irg::skipping::on, irg::skipping::on, irg::skipping::on}));
 }

@@ -75,7 +75,7 @@ void try_random_windows() {
     const auto stats = draw_mandelbrot(on, j);
     CHECK(stats.pixels == std::int64_t{j.plane.width} * j.plane.height);
     CHECK(draw_mandelbrot(parallel, j, irg::parallel{3}) == stats);
-    j.skip = {skipping::off, skipping::off};
+    j.skip = {skipping::off, skipping::off, skipping::off};
     CHECK((draw_mandelbrot(off, j) == irg::escape_stats{stats.pixels, 0, 0}));
     CHECK(on == off);
     CHECK(on == parallel);
@@ -124,10 +124,53 @@ TEST_CASE("escape pictures: what is skipped") {
   CHECK(draw_mandelbrot(m, small).interior == 0);
 }
 
+TEST_CASE("escape pictures: squares that one orbit of discs tells, inside and outside") {
+  for (const irg::view_window<double> window :
+       {irg::view_window<double>{-0.135, -0.11, 0.735, 0.755},  // a disc of period 3
+        irg::view_window<double>{-1.312, -1.31, -0.001, 0.001},  // of period 4
+        irg::view_window<double>{-40, 40, -40, 40}}) {
+    job j{{window, 100, 70}, make_escape_limit(2.0, 700), {skipping::off, skipping::off, skipping::on}};
+    counts on(100, 70), off(100, 70);
+    CHECK(draw_mandelbrot(on, j).squares > 2000);
+    j.skip.squares = skipping::off;
+    CHECK(draw_mandelbrot(off, j).squares == 0);
+    CHECK(on == off);
+    j.limit = make_escape_limit(30.0, 700);
+    j.plane.window = {-1, 1, -1, 1};
+    const irg::point<double, 2> c{-0.1, 0.1};  // most of its window is drawn to one point
+    draw_julia(off, j, c);
+    j.skip.squares = skipping::on;
+    CHECK(draw_julia(on, j, c).squares > 2000);
+    CHECK(on == off);
+  }
+}
+
+TEST_CASE("escape pictures: orbits that touch the disc's border, which blocks of steps must not miss") {
+  // About -2, whose orbit stays on the border of the disc of radius 2, and about other points of that circle.
+  for (int i = 0; i < 40; ++i) {
+    const double reach = std::ldexp(1.0, -i - 8), angle = 0.16 * i, at = i % 2 == 0 ? -2 : 2 * std::cos(angle),
+                 up = i % 2 == 0 ? 0 : 2 * std::sin(angle);
+    const job j{{{at - reach, at + reach, up - reach, up + reach}, 37, 5},
+                make_escape_limit(2.0, 300),
+                {skipping::off, skipping::off, skipping::off}};
+    counts m(37, 5);
+    draw_mandelbrot(m, j);
+    CHECK(wrong(m, j, [&](const irg::point<double, 2>& c) { return mandelbrot_count(c, j.limit); }) == 0);
+    const irg::point<double, 2> c{at, up};  // z about 0, 2 and c itself
+    for (const double z : {0.0, 2.0, at}) {
+      const job n{{{z - reach, z + reach, -reach, reach}, 37, 5}, j.limit, j.skip};
+      draw_julia(m, n, c);
+      CHECK(wrong(m, n, [&](const irg::point<double, 2>& p) { return julia_count(p, c, n.limit); }) == 0);
+    }
+  }
+}
+
 TEST_CASE("escape pictures: rows shorter than a register and the ends of rows skip what the others skip") {
   for (int width : {1, 3, 21}) {
     counts m(width, 2);
-    const job inner{{{-0.7, 0.2, -0.1, 0.1}, width, 2}, make_escape_limit(2.0, 2147483647), {irg::skipping::off}};
+    const job inner{{{-0.7, 0.2, -0.1, 0.1}, width, 2},
+                    make_escape_limit(2.0, 2147483647),
+                    {skipping::off, skipping::on, skipping::off}};
     const auto stats = draw_mandelbrot(m, inner);  // each orbit ends in a point or a cycle; most is out of reach
     CHECK(stats == irg::escape_stats{2 * width, 0, 2 * width});
     for (int x = 0; x < width; ++x) CHECK(m(x, 0) == 2147483647);

@@ -23,8 +23,8 @@ TEST_CASE("bsp_of_faces: one node for each face that nothing splits, in both ord
     }
     const auto tree = irg::build_bsp(faces, irg::cell_window{0, 0, 4, 4});
     std::vector<std::uint32_t> back, front;
-    walk_bsp(tree, irg::walk_order::back_to_front, [&](const auto& n) { back.push_back(n.part.face->number); });
-    walk_bsp(tree, irg::walk_order::front_to_back, [&](const auto& n) { front.push_back(n.part.face->number); });
+    walk_bsp(tree, irg::bsp_order::back_to_front, [&](const auto& n) { back.push_back(n.part.face->number); });
+    walk_bsp(tree, irg::bsp_order::front_to_back, [&](const auto& n) { front.push_back(n.part.face->number); });
     return tree.counts.pieces == 5 && back == std::vector<std::uint32_t>{0, 2, 4, 1, 3} &&
            front == std::vector<std::uint32_t>{3, 1, 4, 2, 0};
   };

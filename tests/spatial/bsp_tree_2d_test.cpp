@@ -69,14 +69,14 @@ TEST_CASE("bsp_tree_2d: degenerate input") {
   const double inf = std::numeric_limits<double>::infinity();
   const S bad[] = {{{1, 1}, {1, 1}}, {{0, 0}, {inf, 0}}};
   CHECK(tree(bad).left_out() == 2);
-  CHECK(tree(bad).locate({0, 0}) == irg::bsp_place_2d{});
+  CHECK(tree(bad).locate({0, 0}) == irg::bsp_place{});
   const std::vector<S> same(100000, S{{0, 0}, {1, 3}});
   CHECK(tree(same).nodes().size() == 1);
   std::vector<S> rungs;
   for (int i = 0; i < 1000; ++i) rungs.push_back({{0, static_cast<double>(i)}, {1, static_cast<double>(i)}});
   CHECK(tree(rungs).nodes().size() == 1000);
-  CHECK(tree(rungs, {.candidates = 1}).locate({5, 7}) == irg::bsp_place_2d{7, 0});
-  CHECK(tree(rungs, {.candidates = 1}).locate({5, 999.5}) == irg::bsp_place_2d{999, 1});
+  CHECK(tree(rungs, {.candidates = 1}).locate({5, 7}) == irg::bsp_place{7, 0});
+  CHECK(tree(rungs, {.candidates = 1}).locate({5, 999.5}) == irg::bsp_place{999, 1});
 }
 
 #ifdef IRG_HAVE_MPFR

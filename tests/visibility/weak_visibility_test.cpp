@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <limits>
 
 #include <irg/geometry/point_in_polygon.hpp>
@@ -29,6 +30,19 @@ constexpr bool shadow_of_one_wall() {
   return r.status == visibility_status::done && r.all.size() == 1 && r.some.size() == 1 && r.none.size() == 1 &&
          r.none[0].size() == 3 && std::equal(umbra, umbra + 3, r.none[0].begin()) && r.all[0].size() == 6;
 }
+bool lamp_with_a_corner_inwards() {
+  const place lamp[] = {{-2, 2}, {0, 3}, {2, 2}, {0, 4}};
+  const wall walls[] = {{{-1, 0}, {1, 0}}};
+  const auto r = irg::weak_visibility(std::span<const place>(lamp), walls, plan);
+  const place umbra[] = {{0, -2}, {1, 0}, {-1, 0}};  // as of a tube between its lower corners
+  const place below[] = {{-1, -2}, {1, -2}, {1, -1}, {-1, -1}}, beside[] = {{3, 0}, {4, 0}, {4, 1}};
+  const auto sight = [&](std::span<const place> region) {
+    return irg::sight_between<double>(lamp, region, walls).value;
+  };
+  return r.status == visibility_status::done && r.none.size() == 1 && r.none[0].size() == 3 &&
+         std::equal(umbra, umbra + 3, r.none[0].begin()) && sight(below) == irg::seen_share::some &&
+         sight(beside) == irg::seen_share::all && sight(umbra) == irg::seen_share::none;
+}
 constexpr bool nothing_in_the_way() {
   const auto r = irg::weak_visibility(wall{{0, 0}, {0, 0}}, {}, plan);
   return r.all.size() == 1 && r.all[0].size() == 4 && r.some.empty() && r.none.empty();
@@ -42,15 +56,22 @@ constexpr bool hostile() {
   const auto half = irg::weak_visibility(wall{{0, 1}, {0, 1}}, walls, window{{-most, -most}, {most, most}});
   return half.all.size() == 1 && half.none.size() == 1 && half.some.empty() &&
          status_of({{nan, 0}}, {}) == visibility_status::not_finite &&
-         status_of({}, {}) == visibility_status::source_not_convex &&
-         status_of({{0, 0}, {2, 0}, {1, 1}, {2, 2}}, {}) == visibility_status::source_not_convex &&
+         status_of({}, {}) == visibility_status::source_not_simple &&
+         status_of({{0, 0}, {2, 0}, {0, 2}, {2, 2}}, {}) == visibility_status::source_not_simple &&
          status_of({{-1, 0}, {1, 0}}, {{{0, -1}, {0, 1}}}) == visibility_status::source_crosses_obstacle &&
          irg::weak_visibility(wall{{0, 0}, {1, 0}}, {}, window{}).all.empty();
 }
-static_assert(shadow_of_one_wall() && nothing_in_the_way() && hostile());
+constexpr bool a_point_and_a_region() {
+  const place lamp[] = {{0, 0}}, yard[] = {{4, 4}, {5, 4}, {4, 5}}, line[] = {{4, 4}, {5, 4}};
+  return irg::sight_between<double>(lamp, yard, {}).value == irg::seen_share::all &&
+         irg::sight_between<double>(lamp, line, {}).status == visibility_status::window_not_simple;
+}
+static_assert(shadow_of_one_wall() && a_point_and_a_region() && nothing_in_the_way() && hostile());
 
 TEST_CASE("weak_visibility: constants as at run time") {
   CHECK(shadow_of_one_wall());
+  CHECK(lamp_with_a_corner_inwards());
+  CHECK(a_point_and_a_region());
   CHECK(nothing_in_the_way());
   CHECK(hostile());
 }
@@ -97,7 +118,14 @@ rings in_order(rings list) {
 struct scene {
   std::vector<place> source;
   std::vector<wall> walls;
+  std::vector<place> second{};  // ring of the source, a hole in the first or beside it
 };
+
+irg::source_regions<double> parts_of(const scene& s, const window& in = plan) {
+  if (s.second.empty()) return irg::weak_visibility(std::span<const place>(s.source), s.walls, in);
+  const rings both{s.source, s.second};
+  return irg::weak_visibility(std::span<const std::vector<place>>(both), s.walls, in);
+}
 
 scene random_scene(test::random& r, int size, int most_walls) {
   const auto any = [&] {
@@ -106,9 +134,26 @@ scene random_scene(test::random& r, int size, int most_walls) {
   };
   scene s;
   const place at = any();
-  switch (r.integer(0, 3)) {
+  const double left = r.integer(0, 1) == 0 ? 1 : -1;
+  const auto ring = [&](std::initializer_list<place> corners) {
+    std::vector<place> out;
+    for (const place& p : corners) out.push_back({at.x + left * p.x, at.y + p.y});
+    return out;
+  };
+  switch (r.integer(0, 8)) {
     case 0: s.source = {at}; break;
     case 1: s.source = {at, any()}; break;
+    case 3: s.source = ring({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}); break;
+    case 4: s.source = ring({{0, 0}, {3, 1}, {0, 2}, {1, 1}}); break;
+    case 5: s.source = ring({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}); break;
+    case 6:
+      s.source = ring({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
+      s.second = ring({{1, 1}, {1, 2}, {2, 1}});
+      break;
+    case 7:
+      s.source = ring({{0, 0}, {1, 0}, {0, 1}});
+      s.second = ring({{1, 1}, {2, 1}, {2, 2}});
+      break;
     case 2: s.source = {at, {at.x + 1, at.y}, {at.x, at.y + 1}}; break;
     default: s.source = {at, {at.x, at.y + 2}, {at.x + 2, at.y + 2}, {at.x + 1, at.y}}; break;
   }
@@ -126,9 +171,12 @@ TEST_CASE("weak_visibility: skipping sight lines changes nothing, and the parts 
   std::size_t skipped = 0;
   for (int i = 0; i < 60 * times; ++i) {
     const scene s = random_scene(r, 3, 2);
-    const auto few = irg::weak_visibility(std::span<const place>(s.source), s.walls, plan);
+    const auto few = parts_of(s);
     irg::detail::source_regions_builder<double> builder(plan);
-    const auto all = builder.run(s.source, s.walls, irg::detail::line_choice::all);
+    const rings both{s.source, s.second};
+    constexpr auto every = irg::detail::line_choice::all;
+    const auto all = s.second.empty() ? builder.run(std::span<const place>(s.source), s.walls, every)
+                                      : builder.run(std::span<const std::vector<place>>(both), s.walls, every);
     wrong += in_order(few.all) != in_order(all.all) || in_order(few.some) != in_order(all.some) ||
              in_order(few.none) != in_order(all.none) || all.skipped != 0;
     skipped += few.skipped;
@@ -145,19 +193,20 @@ TEST_CASE("weak_visibility: plans of all sizes, and such as are much wider than 
   int wrong = 0;
   for (int i = 0; i < 40; ++i) {
     const scene s = random_scene(r, 3, 3);
-    const auto want = irg::weak_visibility(std::span<const place>(s.source), s.walls, plan);
+    const auto want = parts_of(s);
     for (const int ex : {-990, 0, 990}) {
       const int ey = i % 2 == 0 ? ex : -ex / 2;
       const auto stretched = [&](const place& p) { return place{std::ldexp(p.x, ex), std::ldexp(p.y, ey)}; };
       scene t = s;
       for (place& p : t.source) p = stretched(p);
+      for (place& p : t.second) p = stretched(p);
       for (wall& w : t.walls) w = {stretched(w.a), stretched(w.b)};
       auto expected = want;
       for (auto* list : {&expected.all, &expected.some, &expected.none})
         for (auto& ring : *list)
           for (place& p : ring) p = stretched(p);
       const window room{stretched(plan.low), stretched(plan.high)};
-      wrong += !(irg::weak_visibility(std::span<const place>(t.source), t.walls, room) == expected);
+      wrong += !(parts_of(t, room) == expected);
     }
   }
   CHECK(wrong == 0);
@@ -175,8 +224,9 @@ int share_seen(const scene& s, const place& from) {
   std::vector<oracle::edge> walls, edges;
   for (const wall& w : s.walls) walls.push_back({exactly(w.a), exactly(w.b), irg::sight_stop::obstacle, 0});
   const std::size_t n = s.source.size();
-  for (std::size_t i = 0; i < n; ++i)
-    edges.push_back({exactly(s.source[i]), exactly(s.source[(i + 1) % n]), irg::sight_stop::boundary, 0});
+  for (const auto* ring : {&s.source, &s.second})
+    for (std::size_t i = 0; i < ring->size(); ++i)
+      edges.push_back({exactly((*ring)[i]), exactly((*ring)[(i + 1) % ring->size()]), irg::sight_stop::boundary, 0});
   std::vector<oracle::place> all;
   for (const auto* list : {&walls, &edges})
     for (const auto& e : *list) {
@@ -209,14 +259,15 @@ int share_seen(const scene& s, const place& from) {
     if (count == 0) continue;
     for (const auto& w : walls)
       if (const auto t = oracle::meets(p, d, w); t && (!wall_at || *t < *wall_at)) wall_at = t;
-    if (!wall_at || (count == 1) || !(*wall_at < *first)) some = true;  // count 1: p is within the source
+    // Odd: p is within the source. A wall along the edge of an area hides what is behind.
+    if (!wall_at || count % 2 == 1 || (n == 2 ? !(*wall_at < *first) : *first < *wall_at)) some = true;
     if (wall_at && *wall_at < *last) every = false;
   }
   return every ? 2 : some ? 1 : 0;
 }
 
 int wrong_places(const scene& s, test::random& r, int samples) {
-  const auto got = irg::weak_visibility(std::span<const place>(s.source), s.walls, plan);
+  const auto got = parts_of(s);
   if (got.status != visibility_status::done) return 0;
   std::vector<place> corners;
   for (const auto* list : {&got.all, &got.some, &got.none})
@@ -246,6 +297,36 @@ TEST_CASE("weak_visibility: as dense samples in rationals say") {
     wrong += wrong_places(s, r, 12);
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("sight_between: what places in the region see in rationals, and the other way round") {
+  test::random r(8);
+  const int times = std::getenv("IRG_RELEASE_TIER") != nullptr ? 20 : 1;
+  int wrong = 0, seen[3]{};
+  for (int i = 0; i < 150 * times; ++i) {
+    const scene s = random_scene(r, 3, 5), other = random_scene(r, 3, 0);
+    if (s.source.size() < 3 || !s.second.empty() || other.source.size() < 3 || !other.second.empty()) continue;
+    const auto got = irg::sight_between<double>(s.source, other.source, s.walls);
+    if (got.status != visibility_status::done) continue;
+    ++seen[static_cast<int>(got.value)];
+    const auto back = irg::sight_between<double>(other.source, s.source, s.walls);
+    wrong += back.status == visibility_status::done && back.value != got.value;
+    int least = 2, most = 0;
+    for (int k = 0; k < 40; ++k) {
+      const double x = 12 * r.unit() - 6, y = 12 * r.unit() - 6;
+      const auto n = static_cast<std::int64_t>(other.source.size());
+      const place& c = other.source[static_cast<std::size_t>(r.integer(0, n - 1))];
+      const place p{c.x + x / 3, c.y + y / 3};
+      if (irg::point_in_polygon(other.source, p, irg::fill_rule::even_odd) != irg::point_location::inside) continue;
+      const int share = share_seen(s, p);
+      least = std::min(least, share);
+      most = std::max(most, share);
+    }
+    wrong += got.value == irg::seen_share::all && least < 2;
+    wrong += got.value == irg::seen_share::none && most > 0;
+  }
+  CHECK(wrong == 0);
+  for (const int n : seen) CHECK(n > 3);
 }
 #endif
 

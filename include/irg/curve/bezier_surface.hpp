@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Tensor-product Bezier patches: bicubic by default, any pair of degrees by choice.
+// Tensor-product Bezier patches: bicubic by default, any pair of degrees by choice, or of degrees known when running.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <type_traits>
 
 #include <irg/curve/bezier.hpp>
 #include <irg/math/length.hpp>
@@ -20,6 +22,16 @@ struct bezier_patch {
   constexpr bool operator==(const bezier_patch&) const = default;
 };
 
+/// Control points of a surface in rows, referring to yours: points[i * columns + j], i along u, j along v.
+/// needs   as many points as rows times columns, columns > 0
+template <Coordinates P>
+struct control_net {
+  std::span<const P> points{};
+  std::size_t columns = 1;
+  constexpr std::size_t rows() const noexcept { return points.size() / columns; }
+  constexpr const P& operator()(std::size_t i, std::size_t j) const noexcept { return points[i * columns + j]; }
+};
+
 /// A point of a surface with the first derivatives along u and v and the mixed second one.
 template <Coordinates P>
 struct surface_sample {
@@ -28,6 +40,34 @@ struct surface_sample {
   vector du{}, dv{}, duv{};
   constexpr bool operator==(const surface_sample&) const = default;
 };
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The sample from the two chords along u of every column, or from one row twice for degree 0 along u. Both are lost.
+template <Coordinates P>
+constexpr surface_sample<P> sample_of_chords(std::span<P> first_row, std::span<P> last_row, int degree_u,
+                                             const curve_parameter<scalar_of<P>>& u,
+                                             const curve_parameter<scalar_of<P>>& v) noexcept {
+  const int degree_v = static_cast<int>(first_row.size()) - 1;
+  const std::size_t last = degree_v > 0 ? 1 : 0;
+  reduce(first_row, last + 1, v);
+  reduce(last_row, last + 1, v);
+  const auto blended = [](const P& a, const P& b, const auto& at, int degree) {
+    return degree > 0 ? blend(a, b, at) : a;
+  };
+  const P near_v = blended(first_row[0], first_row[last], v, degree_v),
+          far_v = blended(last_row[0], last_row[last], v, degree_v);
+  const P u_near = blended(first_row[0], last_row[0], u, degree_u),
+          u_far = blended(first_row[last], last_row[last], u, degree_u);
+  const auto at_near = scaled_difference(first_row[0], first_row[last], degree_v),
+             at_far = scaled_difference(last_row[0], last_row[last], degree_v);
+  return {blended(near_v, far_v, u, degree_u), scaled_difference(near_v, far_v, degree_u),
+          scaled_difference(u_near, u_far, degree_v), scaled_difference(at_near, at_far, degree_u)};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -49,14 +89,28 @@ constexpr surface_sample<P> patch_sample(const bezier_patch<P, U, V>& patch, cur
     first_row[j] = along[0];
     last_row[j] = along[1];
   }
-  detail::reduce(std::span<P>(first_row), 2, v);
-  detail::reduce(std::span<P>(last_row), 2, v);
-  const P near_v = detail::blend(first_row[0], first_row[1], v), far_v = detail::blend(last_row[0], last_row[1], v);
-  const P u_near = detail::blend(first_row[0], last_row[0], u), u_far = detail::blend(first_row[1], last_row[1], u);
-  const auto at_near = detail::scaled_difference(first_row[0], first_row[1], V),
-             at_far = detail::scaled_difference(last_row[0], last_row[1], V);
-  return {detail::blend(near_v, far_v, u), detail::scaled_difference(near_v, far_v, U),
-          detail::scaled_difference(u_near, u_far, V), detail::scaled_difference(at_near, at_far, U)};
+  return detail::sample_of_chords(std::span<P>(first_row), std::span<P>(last_row), U, u, v);
+}
+
+/// The point at (u, v) of the Bezier surface that these points control, with its derivatives; any degree from 0.
+/// needs   one or more rows and columns; scratch for 2 * columns + rows points, its contents are lost
+/// exact   as the form with a patch, and equal to it bit for bit
+template <Coordinates P>
+constexpr surface_sample<P> patch_sample(const control_net<P>& net,
+                                         std::type_identity_t<curve_parameter<scalar_of<P>>> u,
+                                         std::type_identity_t<curve_parameter<scalar_of<P>>> v,
+                                         std::type_identity_t<std::span<P>> scratch) noexcept {
+  const std::size_t rows = net.rows(), columns = net.columns;
+  IRG_EXPECTS(rows > 0 && scratch.size() >= 2 * columns + rows);
+  const auto first_row = scratch.first(columns), last_row = scratch.subspan(columns, columns),
+             along = scratch.subspan(2 * columns, rows);
+  for (std::size_t j = 0; j < columns; ++j) {
+    for (std::size_t i = 0; i < rows; ++i) along[i] = net(i, j);
+    detail::reduce(along, 2, u);
+    first_row[j] = along[0];
+    last_row[j] = along[rows > 1 ? 1 : 0];
+  }
+  return detail::sample_of_chords(first_row, last_row, static_cast<int>(rows) - 1, u, v);
 }
 
 /// The point of the patch at (u, v).

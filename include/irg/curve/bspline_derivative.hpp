@@ -4,6 +4,7 @@
 // at a place are touched, so that knots of any multiplicity divide nothing by zero.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -26,6 +27,36 @@ constexpr P de_boor_in_stretch(const bspline_knots<T, Degree>& knots, std::size_
     for (std::size_t i = degree; i >= r; --i)
       local[i] = blend(local[i - 1], local[i], share_of_stretch<T>(knots[low - degree + i], knots[low + 1 + i - r], t));
   return local[degree];
+}
+
+// The derivatives at t of the curve that `local` controls in the stretch from knot low on; local and work are lost.
+template <Floating T, int Degree, Coordinates V>
+constexpr void derivatives_in_stretch(const bspline_knots<T, Degree>& knots, std::size_t low, T t,
+                                      std::span<V> derivatives, std::span<V> local_and_work) noexcept {
+  const std::size_t order = knots.order();
+  const auto local = local_and_work.first(order), work = local_and_work.subspan(order, order);
+  for (std::size_t k = 0; k < derivatives.size(); ++k) {
+    if (k >= order) {
+      derivatives[k] = V{};
+      continue;
+    }
+    const std::size_t degree = order - 1 - k;  // of this derivative; its control points are local[0 ... degree]
+    for (std::size_t i = 0; i <= degree; ++i) work[i] = local[i];
+    derivatives[k] = de_boor_in_stretch(knots, low, t, work.first(degree + 1));
+    for (std::size_t i = 0; i < degree; ++i) {
+      const T stretch = knots[low + 1 + i] - knots[low + 1 + i - degree];
+      local[i] = generate_coordinates<V>([&](int axis) {
+        const T difference = coordinate(local[i + 1], axis) - coordinate(local[i], axis);
+        return product(difference / stretch, static_cast<T>(static_cast<int>(degree)));
+      });
+    }
+  }
+}
+
+// A point as the vector from the origin; homogeneous points as they are.
+template <Coordinates P>
+constexpr typename curve_sample<P>::vector as_vector(const P& p) noexcept {
+  return generate_coordinates<typename curve_sample<P>::vector>([&](int axis) { return coordinate(p, axis); });
 }
 
 }  // namespace IRG_ABI
@@ -65,33 +96,28 @@ template <Floating T, int Degree, PolygonRing R>
 constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
                                    std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
                                    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {
-  using V = typename curve_sample<ring_point<R>>::vector;
   const std::size_t order = knots.order();
   IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= 2 * order);
   if (!(knots.first() <= t && t <= knots.last())) return false;
   const std::size_t low = detail::bspline_stretch(knots, t);
-  const auto local = scratch.first(order), work = scratch.subspan(order, order);
-  for (std::size_t i = 0; i < order; ++i) {
-    const auto p = ring_vertex(points, low + 1 - order + i);
-    local[i] = generate_coordinates<V>([&](int axis) { return coordinate(p, axis); });
-  }
-  for (std::size_t k = 0; k < derivatives.size(); ++k) {
-    if (k >= order) {
-      derivatives[k] = V{};
-      continue;
-    }
-    const std::size_t degree = order - 1 - k;  // of this derivative; its control points are local[0 ... degree]
-    for (std::size_t i = 0; i <= degree; ++i) work[i] = local[i];
-    derivatives[k] = detail::de_boor_in_stretch(knots, low, t, work.first(degree + 1));
-    for (std::size_t i = 0; i < degree; ++i) {
-      const T stretch = knots[low + 1 + i] - knots[low + 1 + i - degree];
-      local[i] = generate_coordinates<V>([&](int axis) {
-        const T difference = coordinate(local[i + 1], axis) - coordinate(local[i], axis);
-        return product(difference / stretch, static_cast<T>(static_cast<int>(degree)));
-      });
-    }
-  }
+  for (std::size_t i = 0; i < order; ++i) scratch[i] = detail::as_vector(ring_vertex(points, low + 1 - order + i));
+  detail::derivatives_in_stretch(knots, low, static_cast<T>(t), derivatives, scratch.first(2 * order));
   return true;
+}
+
+/// The point of a B-spline curve at t and its derivative there.
+/// needs   as bspline_derivatives
+/// gives   nothing for NaN and for t outside of the knots' range
+/// exact   as bspline_derivatives
+template <Floating T, int Degree, PolygonRing R>
+constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
+    const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
+    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {
+  using V = typename curve_sample<ring_point<R>>::vector;
+  std::array<V, 2> d{};
+  if (!bspline_derivatives(knots, points, t, std::span<V>(d), scratch)) return std::nullopt;
+  return curve_sample<ring_point<R>>{
+      generate_coordinates<ring_point<R>>([&](int axis) { return coordinate(d[0], axis); }), d[1]};
 }
 
 }  // namespace IRG_ABI

@@ -83,6 +83,28 @@ constexpr ring_point<R> blend_existing(const V& value, std::ptrdiff_t first, con
   return blend_points(value.subspan(skipped), static_cast<std::size_t>(first < 0 ? 0 : first), points);
 }
 
+// Where the stretch behind that of knot `low` begins; knots.size() behind the last one.
+template <Floating T, int Degree>
+constexpr std::size_t next_stretch(const bspline_knots<T, Degree>& knots, std::size_t low) noexcept {
+  std::size_t next = low + 1;
+  while (next < knots.size() && !(knots[next] < knots[next + 1])) ++next;
+  return next;
+}
+
+// The shares of control points in point i of the Bezier curve over the stretch of knot `low`: the index of the first.
+// The last point is the next stretch's first one, unless the curve may be torn between.
+template <class V, Floating T, int Degree>
+constexpr std::size_t fill_piece_shares(V& value, const bspline_knots<T, Degree>& knots, std::size_t low,
+                                        std::size_t i) noexcept {
+  const std::size_t degree = knots.order() - 1, next = next_stretch(knots, low);
+  const T from = knots[low], to = knots[low + 1];
+  const bool joins = i == degree && next < knots.size() && next - low <= degree;
+  const std::size_t at = joins ? next : low;
+  fill_bspline_values(
+      value, [&](std::size_t k) { return knots[k]; }, at, [&](std::size_t k) { return k + i <= degree ? from : to; });
+  return at - degree;
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -123,23 +145,13 @@ constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, cons
   IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= order && piece.size() >= order);
   const auto value = scratch.first(order);
   const auto controls = piece.first(order);
-  const auto knot = [&](std::size_t i) { return knots[i]; };
-  const auto corner = [&](std::size_t low, auto place) {
-    detail::fill_bspline_values(value, knot, low, place);
-    return detail::blend_points(value, low - degree, points);
-  };
-  std::size_t low = detail::bspline_stretch(knots, knots.first());
-  while (true) {
-    const T from = knots[low], to = knots[low + 1];
-    for (std::size_t i = 0; i <= degree; ++i)
-      controls[i] = corner(low, [&](std::size_t k) { return k + i <= degree ? from : to; });
-    std::size_t next = low + 1;
-    while (next < knots.size() && !(knots[next] < knots[next + 1])) ++next;
-    const bool is_last = next >= knots.size(), is_torn = next - low > degree;
-    if (!is_last && !is_torn) controls[degree] = corner(next, [&](std::size_t) { return to; });
-    sink(from, to, std::span<const ring_point<R>>(controls));
-    if (is_last) return;
-    low = next;
+  for (std::size_t low = detail::bspline_stretch(knots, knots.first()); low < knots.size();
+       low = detail::next_stretch(knots, low)) {
+    for (std::size_t i = 0; i <= degree; ++i) {
+      const std::size_t first = detail::fill_piece_shares(value, knots, low, i);
+      controls[i] = detail::blend_points(value, first, points);
+    }
+    sink(knots[low], knots[low + 1], std::span<const ring_point<R>>(controls));
   }
 }
 

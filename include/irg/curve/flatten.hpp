@@ -64,6 +64,29 @@ constexpr scalar_of<control_point<R>> stretch_error_bound(const R& points, int f
   return chord_error_bound(std::span<const P>(rest));
 }
 
+// Cuts 0 ... end into stretches as long as is_within(from, to) allows, but for a share of 1 / parts of them, and hands
+// their ends to sink(to, whether within); a stretch of 1 is taken as it is.
+template <class IsWithin, class Sink>
+constexpr void each_longest_stretch(int end, int parts, const IsWithin& is_within, Sink&& sink) {
+  int stride = end;
+  for (int at = 0; at < end;) {
+    int good = at, bad = lesser(at + stride, end);  // from the last stretch's length up, then halving
+    while (good < end && is_within(at, bad)) {
+      good = bad;
+      bad = lesser(at + 2 * (bad - at), end);
+    }
+    while (good < end && bad - good > 1 + (good - at) / parts) {
+      const int middle = good + (bad - good) / 2;
+      (is_within(at, middle) ? good : bad) = middle;
+    }
+    const bool within = good > at;
+    if (!within) ++good;
+    stride = good - at;
+    at = good;
+    sink(at, within);
+  }
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -87,23 +110,14 @@ constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<det
   IRG_EXPECTS(count > 0 && scratch.size() >= 3 * count);
   flattening done;
   sink(ring_traits<R>::vertex(points, 0));
-  int stride = end;
-  for (int at = 0; at < end && count > 1; ++done.pieces) {
-    const auto is_within = [&](int to) { return detail::stretch_error_bound(points, at, to, scratch) <= tolerance; };
-    int good = at, bad = lesser(at + stride, end);  // from the last chord's length up, then halving
-    while (good < end && is_within(bad)) {
-      good = bad;
-      bad = lesser(at + 2 * (bad - at), end);
-    }
-    while (good < end && bad - good > 1) {
-      const int middle = good + (bad - good) / 2;
-      (is_within(middle) ? good : bad) = middle;
-    }
-    if (good == at) done.within_tolerance = false, ++good;
-    stride = good - at;
-    at = good;
-    sink(bezier_point(points, curve_fraction<T>(at, end), scratch));
-  }
+  if (count < 2) return done;
+  detail::each_longest_stretch(
+      end, end, [&](int from, int to) { return detail::stretch_error_bound(points, from, to, scratch) <= tolerance; },
+      [&](int at, bool within) {
+        ++done.pieces;
+        done.within_tolerance = done.within_tolerance && within;
+        sink(bezier_point(points, curve_fraction<T>(at, end), scratch));
+      });
   return done;
 }
 

@@ -14,6 +14,7 @@ namespace irg {
 struct escape_skips {
   skipping interior = skipping::on;  // points of the cardioid and the disc of period 2
   skipping cycles = skipping::on;    // orbits that come back to a point where they were before
+  skipping squares = skipping::on;   // squares of pixels that one orbit of discs shows to have one count
   constexpr bool operator==(const escape_skips&) const = default;
 };
 
@@ -22,11 +23,13 @@ struct escape_stats {
   std::int64_t pixels = 0;    // all
   std::int64_t interior = 0;  // without an orbit
   std::int64_t cycles = 0;    // whose orbit was cut short
+  std::int64_t squares = 0;   // in squares of one count, without orbits of their own
 
   IRG_INLINE constexpr escape_stats& operator+=(const escape_stats& o) noexcept {
     pixels += o.pixels;
     interior += o.interior;
     cycles += o.cycles;
+    squares += o.squares;
     return *this;
   }
   constexpr bool operator==(const escape_stats&) const = default;

@@ -21,13 +21,16 @@ inline namespace IRG_ABI {
 template <class R, class T, class Orbits, class E>
 constexpr escape_stats draw_counts_of(R& counts, const escape_job<T>& job, const Orbits& orbits, const E& executor) {
   IRG_EXPECTS(width_of(counts) == job.plane.width && height_of(counts) == job.plane.height);
-  std::vector<escape_stats> of_row(static_cast<std::size_t>(height_of(counts)), escape_stats{});
-  executor(of_row.size(), [&](std::size_t i) {
-    const int y = static_cast<int>(i);
-    of_row[i] = escape_row(raster_traits<R>::row(counts, y), y, job, orbits);
+  constexpr int band = 16;  // rows of a task
+  const int height = height_of(counts);
+  std::vector<escape_stats> of_band(static_cast<std::size_t>((height + band - 1) / band), escape_stats{});
+  executor(of_band.size(), [&](std::size_t i) {
+    const int first = static_cast<int>(i) * band, last = lesser(first + band, height);
+    const auto row_at = [&](int y) { return raster_traits<R>::row(counts, y); };
+    of_band[i] = escape_band<pixel_of<R>>(row_at, first, last, job, orbits);
   });
   escape_stats stats;
-  for (const escape_stats& s : of_row) stats += s;
+  for (const escape_stats& s : of_band) stats += s;
   return stats;
 }
 

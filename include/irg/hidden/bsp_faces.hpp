@@ -19,6 +19,7 @@
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/face_fragment.hpp>
+#include <irg/spatial/bsp_order.hpp>
 
 namespace irg {
 
@@ -148,13 +149,10 @@ constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) 
   return tree;
 }
 
-/// Which end of a walk comes first.
-enum class walk_order { back_to_front, front_to_back };
-
 /// Calls visit(node) for all nodes of a tree in the order of their depths.
 /// cost    linear, without recursion
 template <class Visit>
-constexpr void walk_bsp(const bsp_of_faces& tree, walk_order order, Visit&& visit) {
+constexpr void walk_bsp(const bsp_of_faces& tree, bsp_order order, Visit&& visit) {
   struct step {
     std::int32_t node;
     bool opened;
@@ -169,7 +167,7 @@ constexpr void walk_bsp(const bsp_of_faces& tree, walk_order order, Visit&& visi
       visit(n);
       continue;
     }
-    const bool back = order == walk_order::back_to_front;
+    const bool back = order == bsp_order::back_to_front;
     const std::int32_t first = back ? n.farther : n.nearer, last = back ? n.nearer : n.farther;
     if (last >= 0) left.push_back({last, false});
     left.push_back({s.node, true});
@@ -181,7 +179,7 @@ constexpr void walk_bsp(const bsp_of_faces& tree, walk_order order, Visit&& visi
 /// needs   a tree built in the same order, for a window that the ids hold
 template <DepthOrder Order = nearer_is_greater>
 constexpr void draw_bsp(const bsp_of_faces& tree, image<std::uint32_t>& ids) {
-  walk_bsp(tree, walk_order::back_to_front, [&](const bsp_of_faces::node& n) {
+  walk_bsp(tree, bsp_order::back_to_front, [&](const bsp_of_faces::node& n) {
     covered_spans(n.part.face->coverage, n.box, [&](const span_of_cells& s) {
       for (int x = s.x_first; x < s.x_last; ++x)
         if (n.part.limits.empty() || covers<Order>(n.part, x, s.y)) ids(x, s.y) = n.part.face->number;

@@ -6,7 +6,7 @@
 #include <span>
 
 #include <irg/core/facing.hpp>
-#include <irg/mesh/triangle_indices.hpp>
+#include <irg/core/triangle_indices.hpp>
 #include <irg/raster/projected_vertices.hpp>
 
 namespace irg {

@@ -17,11 +17,9 @@
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/spatial/bsp_order.hpp>
 
 namespace irg {
-
-/// No segment, no node.
-inline constexpr std::uint32_t bsp_none = 0xffffffff;
 
 /// A piece of a segment: from its end a, or where the line of segment `from` cuts it, to its end b, or to `to`'s line.
 struct bsp_piece_2d {
@@ -33,24 +31,6 @@ struct bsp_piece_2d {
 /// shape   left and right are nodes, or bsp_none
 struct bsp_node_2d {
   std::uint32_t segment = bsp_none, first = 0, last = 0, left = bsp_none, right = bsp_none;
-};
-
-/// Where a point lies: on the line of a node (side 0), or in the cell without a node at that side of it.
-struct bsp_place_2d {
-  std::uint32_t node = bsp_none;
-  int side = 0;
-  friend constexpr bool operator==(const bsp_place_2d&, const bsp_place_2d&) = default;
-};
-
-/// Which one comes first.
-enum class bsp_order { back_to_front, front_to_back };
-
-/// How the line is chosen that divides a cell: of some candidates, spread over the segments that are left, the one that
-/// cuts the fewest and leaves the sides most alike, judged by some of the segments.
-/// shape   one candidate is the first segment left, as in the textbook
-struct bsp_choice {
-  std::size_t candidates = 8, judges = 32;
-  std::size_t cut_costs = 4;  // as much as so many segments more on one side than on the other
 };
 
 /// The tree of some segments.
@@ -123,8 +103,8 @@ public:
 
   /// The cell that holds a point, or the first node whose line does.
   /// needs   a finite point
-  constexpr bsp_place_2d locate(const point<T, 2>& p) const noexcept {
-    bsp_place_2d place;
+  constexpr bsp_place locate(const point<T, 2>& p) const noexcept {
+    bsp_place place;
     for (std::uint32_t i = nodes_.empty() ? bsp_none : 0; i != bsp_none;) {
       place = {i, side(nodes_[i], p)};
       if (place.side == 0) break;

@@ -30,7 +30,8 @@ enum class visibility_status {
   source_on_obstacle,
   source_on_boundary,
   source_outside,
-  source_not_convex,        // or without points
+  source_not_simple,        // a ring that meets itself or another one, has no area, or no points at all
+  window_not_simple,        // the same of the region that is asked about
   source_crosses_obstacle,  // an edge of the source and an obstacle go on both sides of each other
   not_finite,
 };
@@ -55,6 +56,10 @@ struct visible_region {
   std::vector<sight_vertex<T>> ring{};
   constexpr bool operator==(const visible_region&) const = default;
 };
+
+/// How much is seen of a source from a place, or of each other from two regions: of these, whether no place in one sees
+/// a place in the other, some do, or every one sees every other.
+enum class seen_share { none, some, all };
 
 /// The parts of a window by how much of a source is seen from there. Of each, outer rings run counter-clockwise (y up),
 /// those round holes clockwise.

@@ -13,15 +13,16 @@
 
 namespace irg::detail {
 
-// Where a piece begins: on an axis of the directions, the turn of which is first (0 to 3), where nothing is drawn yet;
-// at vertex `first`; where edge `first` ends and edge `second` begins, which cross.
+// Where a piece begins: on the sight's axis `first` of directions, where nothing is drawn yet; at vertex `first`; where
+// edge `first` ends and edge `second` begins, which cross.
 enum class grid_mark_kind : std::uint8_t { axis, vertex, crossing };
 struct grid_mark {
   grid_mark_kind kind = grid_mark_kind::axis;
   std::uint32_t first = 0, second = 0;
 };
 
-// An end of a part of an edge that is seen: the edge whose plane it meets there, or no_grid_edge for its own end.
+// An end of a part of an edge that is seen: the edge whose plane it meets there, the direction of a vertex
+// (Sight::stop_at), or no_grid_edge for its own end.
 struct grid_run {
   grid_edge from = no_grid_edge, to = no_grid_edge;
 };
@@ -33,8 +34,9 @@ template <class Sight>
 class grid_perimeter {
 public:
   constexpr grid_perimeter(const Sight& sight, perimeter_side side) : sight_(&sight), side_(static_cast<int>(side)) {
-    for (std::uint32_t k = 0; k < 4; ++k)
-      pieces_.push_back({no_grid_edge, {grid_mark_kind::axis, k, 0}, (k + 3) % 4, (k + 1) % 4});
+    constexpr std::uint32_t n = Sight::axes;
+    for (std::uint32_t k = 0; k < n; ++k)
+      pieces_.push_back({no_grid_edge, {grid_mark_kind::axis, k, 0}, (k + n - 1) % n, (k + 1) % n});
   }
 
   // The runs of edge g that are not hidden by this perimeter, from its turning start on; then the perimeter has g, too.
@@ -55,7 +57,7 @@ public:
       take({g, pieces_[n].edge, start, finish}, from, pieces_[n].start, w);
       if (beyond <= 0) break;
       from = pieces_[behind].start;
-      const bool open = pieces_[n].edge == no_grid_edge || pieces_[behind].edge == no_grid_edge;
+      const bool open = Sight::has_jumps || pieces_[n].edge == no_grid_edge || pieces_[behind].edge == no_grid_edge;
       start = open ? sign_at_mark(behind, g, from) : finish;
       n = behind;
     }
@@ -63,6 +65,16 @@ public:
     if (beyond < 0) put(pieces_[n].edge, {grid_mark_kind::vertex, ends.to, 0});
     if (!runs_.empty()) replace(n);
     return runs_;
+  }
+
+  // The edge that the perimeter has in the direction of vertex c, the one that reaches farther where two meet there.
+  constexpr grid_edge edge_at(std::uint32_t c) {
+    find(c);
+    const grid_edge here = pieces_[here_].edge;
+    if (order(pieces_[here_].start, c) != 0) return here;
+    const grid_edge before = pieces_[pieces_[here_].previous].edge;
+    if (here == no_grid_edge || before == no_grid_edge) return here == no_grid_edge ? before : here;
+    return side_ * sight_->compare_at(before, here, c) > 0 ? before : here;
   }
 
   // How many pieces there are, those where nothing is drawn included.
@@ -96,10 +108,7 @@ private:
   constexpr int order(const grid_mark& m, std::uint32_t c) const noexcept {
     if (m.kind == grid_mark_kind::vertex) return sight_->turn(m.first, c);
     if (m.kind == grid_mark_kind::crossing) return side_ * sight_->compare_at(m.second, m.first, c);
-    const point<double, 2> p = sight_->below(c);
-    const double a = m.first % 2 == 0 ? p.y : p.x, b = m.first % 2 == 0 ? sight_->eye.z : sight_->eye.x;
-    const int sign = a < b ? -1 : a > b ? 1 : 0;
-    return m.first == 0 || m.first == 3 ? sign : -sign;
+    return sight_->behind_axis(m.first, c);
   }
 
   // Goes to the piece over direction c.
@@ -118,7 +127,13 @@ private:
   }
   constexpr int sign_at_mark(std::uint32_t n, grid_edge g, const grid_mark& m) const noexcept {
     if (pieces_[n].edge == no_grid_edge || m.kind == grid_mark_kind::axis) return 1;
-    if (m.kind == grid_mark_kind::vertex) return side_ * sight_->above_vertex(g, m.first);
+    if (m.kind == grid_mark_kind::vertex) {
+      if constexpr (Sight::has_jumps) {
+        const grid_edge e = pieces_[n].edge;
+        if (m.first != sight_->low(e) && m.first != sight_->high(e)) return side_ * sight_->compare_at(g, e, m.first);
+      }
+      return side_ * sight_->above_vertex(g, m.first);
+    }
     return -sight_->planes_turn(m.first, m.second, g);
   }
 
@@ -130,8 +145,16 @@ private:
     const bool seen = p.start >= 0 && p.finish >= 0, appears = p.start < 0 && p.finish > 0;
     const bool vanishes = p.start > 0 && p.finish < 0;
     ++steps_;
-    if ((seen || vanishes) && !w.open) w = {true, false, w.first ? no_grid_edge : w.hidden_by, w.hidden_by};
-    if (!seen && !vanishes && w.open) close(p.over, w);
+    const auto stop_at_start = [&](grid_edge over) {
+      if constexpr (Sight::has_jumps)
+        if (from.kind == grid_mark_kind::vertex) return Sight::stop_at(from.first);
+      return over;
+    };
+    if ((seen || vanishes) && !w.open) {
+      w.open = true;
+      w.since = w.first ? no_grid_edge : stop_at_start(w.hidden_by);
+    }
+    if (!seen && !vanishes && w.open) close(stop_at_start(p.over), w);
     // What stays keeps its own mark: a vertex in the same direction need not lie on it.
     if ((seen && (p.start != 0 || p.finish != 0)) || vanishes)
       put(p.edge, from);

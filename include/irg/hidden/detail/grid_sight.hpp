@@ -11,7 +11,7 @@
 
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg::detail {
@@ -72,6 +72,18 @@ struct grid_sight {
   // 1 where the direction of vertex c lies behind that of b by less than half a turn, -1 where it lies before.
   constexpr int turn(std::uint32_t b, std::uint32_t c) const noexcept {
     return b == c ? 0 : orient2d(point<T, 2>{eye.x, eye.z}, below(b), below(c));
+  }
+
+  // The border that turns to the eye comes first: what is drawn hangs together, and a perimeter has no jumps.
+  static constexpr bool has_jumps = false;
+  // The four axes of the plane divide the directions.
+  static constexpr std::uint32_t axes = 4;
+  // 1 where the direction of vertex c lies behind axis k, of which the first is that of x, by less than half a turn.
+  constexpr int behind_axis(std::uint32_t k, std::uint32_t c) const noexcept {
+    const point<T, 2> p = below(c);
+    const T a = k % 2 == 0 ? p.y : p.x, b = k % 2 == 0 ? eye.z : eye.x;
+    const int sign = a < b ? -1 : a > b ? 1 : 0;
+    return k == 0 || k == 3 ? sign : -sign;
   }
 
   // 1 where edge e passes above vertex c, -1 where below.

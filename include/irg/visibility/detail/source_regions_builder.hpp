@@ -9,12 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/checked.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/convex_hull.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/detail/sight_arrangement.hpp>
+#include <irg/visibility/detail/source_rings.hpp>
 #include <irg/visibility/detail/source_view.hpp>
 #include <irg/visibility/sight_result.hpp>
 
@@ -54,38 +56,110 @@ constexpr std::vector<std::vector<point<T, 2>>> rings_around(const sight_arrange
 template <Floating T>
 class source_regions_builder {
 public:
-  constexpr explicit source_regions_builder(const box<T, 2>& window) : window_(window) {}
+  constexpr explicit source_regions_builder(const box<T, 2>& window) : bounds_(window) {
+    const point<T, 2>&low = window.low, &high = window.high;
+    is_flat_ = !(low.x < high.x && low.y < high.y);
+    is_finite_ = is_empty(window) || (is_finite_sight_point(low) && is_finite_sight_point(high));
+    const std::array<point<T, 2>, 4> corners{low, point<T, 2>{high.x, low.y}, high, point<T, 2>{low.x, high.y}};
+    for (std::size_t i = 0; i < 4; ++i) window_.push_back({corners[i], corners[(i + 1) % 4]});
+  }
 
-  constexpr source_regions<T> run(std::span<const point<T, 2>> source, std::span<const segment<T, 2>> obstacles,
+  // In the inside of a ring.
+  constexpr explicit source_regions_builder(std::span<const point<T, 2>> ring) {
+    for (const auto& p : ring) is_finite_ = is_finite_ && is_finite_sight_point(p);
+    if (!is_finite_) return;
+    std::vector<plane_ring<T>> rings(1, without_repeats<T>(ring));
+    is_simple_ = are_apart(rings);
+    if (!is_simple_) return;
+    turn_outwards(rings);
+    const std::size_t n = rings[0].size();
+    for (std::size_t i = 0; i < n; ++i) {
+      bounds_ = enclosing_box(bounds_, rings[0][i]);
+      window_.push_back({rings[0][i], rings[0][(i + 1) % n]});
+    }
+  }
+
+  // The source is the points of one, or a list of rings.
+  template <class Source>
+  constexpr source_regions<T> run(std::span<const Source> source, std::span<const segment<T, 2>> obstacles,
                                   line_choice choice) {
     source_regions<T> out;
     out.status = read(source, obstacles);
-    if (out.status != visibility_status::done) return out;
-    for (int axis = 0; axis < 2; ++axis)
-      if (!(window_.low[axis] < window_.high[axis])) return out;
-    add_cuts(choice, out);
-    parts_.build(window_);
-    const std::vector<int> label = labels();
+    if (out.status != visibility_status::done || is_flat_) return out;
+    const std::vector<int> label = cut(choice, out);
     out.all = rings_around(parts_, label, static_cast<int>(seen_share::all));
     out.some = rings_around(parts_, label, static_cast<int>(seen_share::some));
     out.none = rings_around(parts_, label, static_cast<int>(seen_share::none));
     return out;
   }
 
+  // What the window as a whole and the source see of each other.
+  constexpr checked<seen_share, visibility_status> run_whole(std::span<const point<T, 2>> source,
+                                                             std::span<const segment<T, 2>> obstacles) {
+    const auto status = read(source, obstacles);
+    if (status != visibility_status::done) return {seen_share::none, status};
+    source_regions<T> counts;
+    bool all = true, none = true;
+    for (const int share : cut(line_choice::needed, counts)) {
+      all = all && (share < 0 || share == static_cast<int>(seen_share::all));
+      none = none && (share < 0 || share == static_cast<int>(seen_share::none));
+    }
+    return {none ? seen_share::none : all ? seen_share::all : seen_share::some, status};
+  }
+
 private:
-  box<T, 2> window_;
+  box<T, 2> bounds_{};
+  std::vector<segment<T, 2>> window_{};  // its outline, the inside to the left
+  bool is_finite_ = true, is_flat_ = false, is_simple_ = true;
   source_view<T> view_{};
   sight_arrangement<T> parts_{};
 
+  constexpr std::vector<int> cut(line_choice choice, source_regions<T>& out) {
+    add_cuts(choice, out);
+    parts_.build(bounds_);
+    return labels();
+  }
+
   constexpr visibility_status read(std::span<const point<T, 2>> source, std::span<const segment<T, 2>> obstacles) {
-    bool is_finite = is_finite_sight_point(window_.low) && is_finite_sight_point(window_.high);
-    if (is_empty(window_)) is_finite = true;  // of which nothing is asked
-    for (const auto& p : source) is_finite = is_finite && is_finite_sight_point(p);
-    for (const auto& o : obstacles) is_finite = is_finite && is_finite_sight_point(o.a) && is_finite_sight_point(o.b);
-    if (!is_finite) return visibility_status::not_finite;
-    if (source.size() == 0 || !is_convex(source)) return visibility_status::source_not_convex;
-    for (const std::uint32_t i : convex_hull(source)) view_.source.push_back(source[i]);
+    for (const auto& p : source) is_finite_ = is_finite_ && is_finite_sight_point(p);
+    if (const auto status = take(obstacles); status != visibility_status::done) return status;
+    if (source.size() == 0) return visibility_status::source_not_simple;
+    if (!is_convex(source)) {
+      std::vector<plane_ring<T>> ring(1, without_repeats<T>(source));
+      return take_rings(std::move(ring));
+    }
+    plane_ring<T> corners;
+    for (const std::uint32_t i : convex_hull(source)) corners.push_back(source[i]);
+    view_.add_source(corners);
+    return crossing_status();
+  }
+
+  constexpr visibility_status read(std::span<const plane_ring<T>> source, std::span<const segment<T, 2>> obstacles) {
+    std::vector<plane_ring<T>> rings;
+    for (const auto& ring : source) {
+      for (const auto& p : ring) is_finite_ = is_finite_ && is_finite_sight_point(p);
+      rings.push_back(without_repeats<T>(ring));
+    }
+    const auto status = take(obstacles);
+    return status != visibility_status::done ? status : take_rings(std::move(rings));
+  }
+
+  constexpr visibility_status take(std::span<const segment<T, 2>> obstacles) {
+    for (const auto& o : obstacles) is_finite_ = is_finite_ && is_finite_sight_point(o.a) && is_finite_sight_point(o.b);
+    if (!is_finite_) return visibility_status::not_finite;
+    if (!is_simple_) return visibility_status::window_not_simple;
     view_.obstacles.assign(obstacles.begin(), obstacles.end());
+    return visibility_status::done;
+  }
+
+  constexpr visibility_status take_rings(std::vector<plane_ring<T>> rings) {
+    if (rings.empty() || !are_apart(rings)) return visibility_status::source_not_simple;
+    turn_outwards(rings);
+    for (const auto& ring : rings) view_.add_source(ring);
+    return crossing_status();
+  }
+
+  constexpr visibility_status crossing_status() const noexcept {
     return view_.crosses_obstacle() ? visibility_status::source_crosses_obstacle : visibility_status::done;
   }
 
@@ -103,9 +177,8 @@ private:
       add_end(o.b);
       if (!(o.a == o.b)) cuts.push_back({o, false, choice == line_choice::needed});
     }
-    const std::size_t n = view_.source.size(), sides = n == 2 ? 1 : n == 1 ? 0 : n;
-    for (std::size_t i = 0; i < sides; ++i)
-      cuts.push_back({{view_.source[i], view_.source[(i + 1) % n]}, false, false});
+    const std::size_t sides = view_.source.size() == 2 ? 1 : view_.outline.size();
+    for (std::size_t i = 0; i < sides; ++i) cuts.push_back({view_.outline[i], false, false});
     for (const auto& u : ends)
       for (const auto& v : ends) {
         if (u == v) continue;
@@ -115,13 +188,7 @@ private:
         else
           ++out.skipped;
       }
-    const std::array<point<T, 2>, 4> corners = corners_of_window();
-    for (std::size_t i = 0; i < 4; ++i) cuts.push_back({{corners[i], corners[(i + 1) % 4]}, false, false});
-  }
-
-  constexpr std::array<point<T, 2>, 4> corners_of_window() const noexcept {
-    const point<T, 2>&low = window_.low, &high = window_.high;
-    return {low, point<T, 2>{high.x, low.y}, high, point<T, 2>{low.x, high.y}};
+    for (const auto& side : window_) cuts.push_back({side, false, false});
   }
 
   // For each half-edge the share of the source that is seen from the part to its left; -1 out of the window.
@@ -146,9 +213,7 @@ private:
 
   constexpr int label_beside(std::uint32_t edge) const {
     const auto side = [&](const point<T, 2>& u, const point<T, 2>& v) { return parts_.side_beside(edge, u, v); };
-    const std::array<point<T, 2>, 4> corners = corners_of_window();
-    for (std::size_t i = 0; i < 4; ++i)
-      if (side(corners[i], corners[(i + 1) % 4]) < 0) return -1;
+    if (!holds_place(window_, side)) return -1;
     return static_cast<int>(view_.share(side));
   }
 };

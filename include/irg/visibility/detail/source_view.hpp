@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How much of a convex source is seen from a place, and at which lines that can change. Places come as a function that
-// tells the side of a line on which they lie, and lie on no line through two of the given points.
+// How much of a source is seen from a place, and at which lines that can change. Places come as a function that tells
+// the side of a line on which they lie, and lie on no line through two of the given points. In each direction an area
+// begins with an edge whose outer side is seen, a near one, and ends with a far one: all of it is seen when nothing is
+// hidden of far edges, nothing when all of the near ones is, and the place is not within.
 #pragma once
 
 #include <algorithm>
@@ -11,40 +13,63 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/visibility/detail/turn_between.hpp>
+#include <irg/visibility/sight_result.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-enum class seen_share { none, some, all };
+// Whether a place is within a region, its edges given with the inside to their left.
+// cost    a side or two for each edge
+template <Floating T, class Side>
+constexpr bool holds_place(const std::vector<segment<T, 2>>& outline, const Side& side) {
+  if (outline.empty()) return false;
+  const point<T, 2> aim = outline[0].a;
+  bool is_inside = false;
+  for (const auto& e : outline) {  // that cross the way from the place straight away from a corner
+    if (e.a == aim || e.b == aim) continue;
+    const int from = side(aim, e.a);
+    if (from != side(aim, e.b) && side(e.a, e.b) == from) is_inside = !is_inside;
+  }
+  return is_inside;
+}
 
 template <Floating T>
 class source_view {
 public:
-  std::vector<point<T, 2>> source{};  // one point, two, or a convex ring that runs counter-clockwise
+  std::vector<point<T, 2>> source{};  // one point, two, or the corners of rings
+  std::vector<segment<T, 2>> outline{};  // its edges, each with the source to its left: a segment there and back
   std::vector<segment<T, 2>> obstacles{};
+
+  /// Adds a point, a segment, or a ring with the source to its left.
+  template <class Points>
+  constexpr void add_source(const Points& points) {
+    const std::size_t n = points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      source.push_back(points[i]);
+      if (n > 1) outline.push_back({points[i], points[(i + 1) % n]});
+    }
+  }
 
   template <class Side>
   constexpr seen_share share(const Side& side) const {
     if (source.size() == 1) return sees_point(side) ? seen_share::all : seen_share::none;
     bool all = true, none = true;
-    for (std::size_t i = 0; i < source.size(); ++i) {
-      const point<T, 2>&p = source[i], &q = source[(i + 1) % source.size()];
+    for (const auto& [p, q] : outline) {
       const bool is_far = side(p, q) > 0;  // the place sees the inner side of this edge through the source
-      const coverage hidden = is_far ? cover(side, p, q) : cover(side, q, p);
+      const coverage hidden = is_far ? cover(side, p, q, along::beside)
+                                     : cover(side, q, p, outline.size() > 2 ? along::ahead : along::beside);
       if (is_far)
         all = all && hidden == coverage::nothing;
       else
         none = none && hidden == coverage::everything;
     }
-    return all ? seen_share::all : none && has_near_edge(side) ? seen_share::none : seen_share::some;
+    return all ? seen_share::all : none && !holds_place(outline, side) ? seen_share::none : seen_share::some;
   }
 
   constexpr bool crosses_obstacle() const noexcept {
-    for (std::size_t i = 0; i < source.size() && source.size() > 1; ++i) {
-      const point<T, 2>&p = source[i], &q = source[(i + 1) % source.size()];
+    for (const auto& e : outline)
       for (const auto& o : obstacles)
-        if (cross_properly(p, q, o)) return true;
-    }
+        if (cross_properly(e.a, e.b, o)) return true;
     return false;
   }
 
@@ -67,6 +92,7 @@ public:
 
 private:
   enum class coverage { nothing, something, everything };
+  enum class along { ahead, beside };  // what an obstacle is that runs along an edge: in front of the area behind it
   struct span_of_view {
     point<T, 2> from, to;
   };
@@ -95,19 +121,11 @@ private:
       const T s = source[0][axis];
       return orient2d(u, v, source[0]) == 0 && (u[axis] < v[axis] ? s <= v[axis] : v[axis] <= s);
     }
-    for (std::size_t i = 0; i < source.size(); ++i) {
-      const point<T, 2>&p = source[i], &q = source[(i + 1) % source.size()];
+    for (const auto& [p, q] : outline) {
       if (orient2d(u, v, p) * orient2d(u, v, q) > 0) continue;
       const int from = orient2d(p, q, u), to = orient2d(p, q, v);
       if (to == 0 || from != to || turn_between(segment<T, 2>{p, q}, segment<T, 2>{u, v}) != -to) return true;
     }
-    return false;
-  }
-
-  template <class Side>
-  constexpr bool has_near_edge(const Side& side) const {
-    for (std::size_t i = 0; i < source.size(); ++i)
-      if (side(source[i], source[(i + 1) % source.size()]) < 0) return true;
     return false;
   }
 
@@ -125,14 +143,14 @@ private:
 
   // How much of the edge from p to q, counter-clockwise as seen from the place, obstacles hide.
   template <class Side>
-  constexpr coverage cover(const Side& side, const point<T, 2>& p, const point<T, 2>& q) const {
+  constexpr coverage cover(const Side& side, const point<T, 2>& p, const point<T, 2>& q, along on_it) const {
     std::vector<span_of_view> hidden;
     const auto before = [&](const point<T, 2>& a, const point<T, 2>& b) { return !(a == b) && side(a, b) > 0; };
     for (const auto& o : obstacles) {
       if (o.a == o.b) continue;
       const bool is_forward = side(o.a, o.b) > 0;
       const point<T, 2>&a = is_forward ? o.a : o.b, &b = is_forward ? o.b : o.a;
-      if (!is_in_front(a, b, p, q)) continue;
+      if (!is_in_front(a, b, p, q, on_it)) continue;
       const bool begins_within = a == p || (before(p, a) && before(a, q));
       const bool begins_before = before(a, p) && before(p, b);
       if (!begins_within && !begins_before) continue;
@@ -151,8 +169,9 @@ private:
 
   // Whether ab is nearer than pq where both are seen, for a place on the left of both. They do not cross.
   static constexpr bool is_in_front(const point<T, 2>& a, const point<T, 2>& b, const point<T, 2>& p,
-                                    const point<T, 2>& q) noexcept {
+                                    const point<T, 2>& q, along on_it) noexcept {
     const int at_a = orient2d(p, q, a), at_b = orient2d(p, q, b);
+    if (at_a == 0 && at_b == 0) return on_it == along::ahead;
     if (at_a <= 0 && at_b <= 0) return false;
     if (at_a >= 0 && at_b >= 0) return true;
     return orient2d(a, b, p) <= 0 && orient2d(a, b, q) <= 0;

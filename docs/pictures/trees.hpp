@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Trees of boxes, and rays through them.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <irg/mesh/shapes.hpp>
+#include <irg/mesh/teapot.hpp>
+#include <irg/mesh/triangulate.hpp>
+#include <irg/spatial/triangle_bvh.hpp>
+
+#include "sketch.hpp"
+
+namespace tree_pictures {
+
+using namespace sketching;
+using flat_boxes = std::vector<irg::box<double, 3>>;
+
+// Boxes along a wave, in three sizes.
+inline flat_boxes wave() {
+  flat_boxes boxes;
+  for (int i = 0; i < 90; ++i) {
+    const double u = i / 89.0, x = 24 + 332 * u, y = 150 + 90 * irg::sin(7 * u) + 34 * irg::sin(61.0 * i);
+    const double half = i % 9 == 0 ? 11 : i % 3 == 0 ? 6 : 3.5;
+    boxes.push_back({{x - half, y - half, 0}, {x + half, y + half, 0}});
+  }
+  return boxes;
+}
+
+inline void frames(picture& p, const irg::bvh& tree, std::uint32_t at, int level, double left) {
+  const std::array colours{red, irg::rgba8{214, 140, 40, 255}, green, grey};
+  for (int k = 0; k < irg::bvh_node::width; ++k) {
+    const irg::bvh_node& n = tree.nodes[at];
+    if (n.child[k] == irg::bvh_node::none) continue;
+    const double x0 = n.bounds[0][k] / tree.scale + left, y0 = n.bounds[1][k] / tree.scale,
+                 x1 = n.bounds[3][k] / tree.scale + left, y1 = n.bounds[4][k] / tree.scale;
+    const double out = 5.0 - 2 * level;
+    outline(p, {{x0 - out, y0 - out}, {x1 + out, y0 - out}, {x1 + out, y1 + out}, {x0 - out, y1 + out}}, level == 0 ? 2 : 1.2,
+            colours[static_cast<std::size_t>(level)]);
+    if (!irg::bvh_node::is_leaf(n.child[k])) frames(p, tree, n.child[k], level + 1, left);
+  }
+}
+
+// The same boxes in trees by area and by place.
+inline picture levels() {
+  picture p(780, 300, white);
+  const flat_boxes boxes = wave();
+  for (int side = 0; side < 2; ++side) {
+    const double left = side * 400.0;
+    for (const auto& b : boxes)
+      area(p, {{b.low.x + left, b.low.y}, {b.high.x + left, b.low.y}, {b.high.x + left, b.high.y}, {b.low.x + left, b.high.y}},
+           with_opacity(blue, 150));
+    const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(boxes),
+                                         {side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::morton});
+    frames(p, tree, 0, 0, left);
+  }
+  return p;
+}
+
+inline std::vector<std::array<irg::point<double, 3>, 3>> triangles_of(const irg::mesh<double>& body) {
+  const irg::mesh<double> m = irg::triangulate(body);
+  std::vector<std::array<irg::point<double, 3>, 3>> all;
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    all.push_back({m.positions[m.corner(f, 0).position], m.positions[m.corner(f, 1).position],
+                   m.positions[m.corner(f, 2).position]});
+  return all;
+}
+
+// The teapot by rays: left how its first triangle is turned, right how many triangles each ray crosses.
+inline picture through() {
+  picture p(640, 260, white);
+  const auto all = triangles_of(irg::shape_teapot<double>({.subdivisions = 8}));
+  const irg::triangle_bvh<double> tree(std::span<const std::array<irg::point<double, 3>, 3>>{all});
+  const std::array<irg::rgba8, 9> counts{{{255, 255, 255, 255}, {222, 90, 70, 255}, {214, 226, 240, 255}, {222, 90, 70, 255},
+                                          {150, 184, 222, 255}, {222, 90, 70, 255}, {84, 132, 190, 255}, {222, 90, 70, 255}, {30, 70, 130, 255}}};
+  for (int y = 0; y < 260; ++y)
+    for (int x = 0; x < 320; ++x) {
+      const irg::ray<double, 3> r{{(x - 159.5) / 46, (129.5 - y) / 46 + 4.55, 20}, {0.0, -0.15, -1.0}};
+      if (const auto hit = irg::closest_hit(tree, r)) {
+        const auto& t = all[hit->triangle];
+        const irg::vec<double, 3> n = irg::normalized(irg::cross(t[1] - t[0], t[2] - t[0]));
+        const double light = irg::dot(n, irg::normalized(irg::vec<double, 3>{-0.5, 0.7, 0.6}));
+        const auto shade = [&](double most) { return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamp(light, 0.0, 1.0))); };
+        p(x, y) = {shade(232), shade(168), shade(96), 255};
+      }
+      std::size_t crossed = 0;
+      irg::all_hits(tree, r, [&](const irg::triangle_hit&) { ++crossed; });
+      p(x + 320, y) = counts[crossed < 8 ? crossed : 8];
+    }
+  return p;
+}
+
+// Two triangles that share a side, cut into pixels: which of them a ray through each point crosses.
+inline picture shares() {
+  picture p(420, 240, white);
+  const irg::point<double, 3> a{1, 1, 0}, b{6, 1, 0}, c{6, 5, 0}, d{1, 5, 0};
+  const auto screen = [](double x, double y) { return point2{20 + 54 * x, 230 - 40 * y}; };
+  area(p, {screen(1, 1), screen(6, 1), screen(6, 5)}, with_opacity(blue, 60));
+  area(p, {screen(1, 1), screen(6, 5), screen(1, 5)}, with_opacity(green, 60));
+  outline(p, {screen(1, 1), screen(6, 1), screen(6, 5), screen(1, 5)}, 1.2, grey);
+  stroke(p, {screen(1, 1), screen(6, 5)}, 1.2, grey);
+  for (int i = 0; i <= 14; ++i)
+    for (int j = 0; j <= 10; ++j) {
+      const irg::ray<double, 3> r{{i * 0.5, i % 5 == 2 ? 1 + (i * 0.5 - 1) * 0.8 : j * 0.5 + 0.5, 3}, {0, 0, -1}};
+      const int crossed = irg::cross_triangle(r, a, b, c) ? 1 : irg::cross_triangle(r, a, c, d) ? 2 : 0;
+      disc(p, screen(r.origin.x, r.origin.y), 3.6, crossed == 1 ? blue : crossed == 2 ? green : irg::rgba8{200, 200, 200, 255});
+    }
+  return p;
+}
+
+}  // namespace tree_pictures

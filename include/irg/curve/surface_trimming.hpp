@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Bezier surfaces trimmed by a polygon in the plane of their parameters, as triangles.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <irg/curve/surface_tessellation.hpp>
+#include <irg/geometry/polygon.hpp>
+#include <irg/geometry/triangulate_monotone.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// Where the edge from a to b meets the line on which the coordinate `axis` is `at`; the same from b to a.
+template <Floating T>
+constexpr point<T, 2> edge_at(point<T, 2> a, point<T, 2> b, int axis, T at) noexcept {
+  if (b[axis] < a[axis]) {
+    const point<T, 2> kept = a;
+    a = b;
+    b = kept;
+  }
+  const curve_parameter<T> share{(b[axis] - at) / (b[axis] - a[axis]), (at - a[axis]) / (b[axis] - a[axis])};
+  point<T, 2> p = blend(a, b, share);
+  p[axis] = at;
+  return p;
+}
+
+// Cuts a convex polygon by such a line: what is below goes to `below`, what is above stays.
+template <Floating T>
+constexpr void cut_off_below(std::vector<point<T, 2>>& polygon, int axis, T at, std::vector<point<T, 2>>& below,
+                             std::vector<point<T, 2>>& above) {
+  below.clear();
+  above.clear();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const point<T, 2>&p = polygon[k], &q = polygon[k + 1 < polygon.size() ? k + 1 : 0];
+    if (p[axis] <= at) below.push_back(p);
+    if (p[axis] >= at) above.push_back(p);
+    if ((p[axis] < at && at < q[axis]) || (q[axis] < at && at < p[axis])) {
+      const point<T, 2> crossing = edge_at(p, q, axis, at);
+      below.push_back(crossing);
+      above.push_back(crossing);
+    }
+  }
+  polygon.swap(above);
+}
+
+// Hands the parts of a convex polygon between successive lines to each(part); what is outside of all is left out.
+template <Floating T, class Each>
+constexpr void each_part(std::vector<point<T, 2>> polygon, int axis, const patch_cuts& cuts, const Each& each) {
+  std::vector<point<T, 2>> below, above;
+  for (std::size_t k = 0; k < cuts.places.size() && polygon.size() > 2; ++k) {
+    cut_off_below(polygon, axis, static_cast<T>(cuts[k]) / static_cast<T>(patch_steps), below, above);
+    if (k > 0 && below.size() > 2) each(below);
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+namespace irg {
+inline namespace IRG_ABI {
+
+/// Hands the triangles of the part of a Bezier surface that lies over a polygon in the plane of u and v to sink(corner,
+/// corner, corner); no point of that part is farther from them than the tolerance.
+/// shape   a ring or rings, those inside others holes (even-odd); parts outside of the unit square are left out. Edges
+///         of the polygon are curves on the surface, cut where they leave a cell. Triangles counter-clockwise as u x v
+///         for a polygon whose first ring is; corners are numbered one by one, also those of one place
+/// gives   nothing where edges of the polygon cross or a coordinate is not finite; else as tessellate_within
+/// exact   triangles that touch share their corners bit for bit: no cracks within the surface. Neighbours' borders are
+///         not looked at
+/// cost    for each triangle of the polygon the cells it meets, for each part three samples or more
+/// source  irg's own: the polygon's triangles cut along the lines of tessellate_within
+template <Coordinates P, PlanePolygon R, class Sink>
+  requires Floating<scalar_of<P>>
+constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_net<P>& net, const R& polygon,
+                                                                 std::type_identity_t<scalar_of<P>> tolerance,
+                                                                 Sink sink) {
+  using T = scalar_of<P>;
+  using corner = surface_corner<P>;
+  const triangulation parts = triangulate_monotone(polygon);
+  if (parts.state != triangulation_state::complete) return std::nullopt;
+  surface_tessellation done;
+  if (!detail::has_finite_bends(net)) return surface_tessellation{0, 0, false};
+  detail::patch_bends<P> bends(net);
+  const auto along_u = detail::cuts_of_patch(bends, tolerance, true),
+             along_v = detail::cuts_of_patch(bends, tolerance, false);
+  done.within_tolerance = along_u.within && along_v.within;
+  std::vector<point<T, 2>> places;
+  const auto add = [&](const auto& ring) {
+    for (std::size_t k = 0; k < ring_size(ring); ++k) {
+      const auto p = ring_vertex(ring, k);
+      places.push_back({static_cast<T>(coordinate(p, 0)), static_cast<T>(coordinate(p, 1))});
+    }
+  };
+  if constexpr (PlaneRing<R>)
+    add(polygon);
+  else
+    for (const auto& ring : polygon) add(ring);
+  std::vector<P> room(2 * net.columns + net.rows(), P{});
+  std::vector<corner> corners;
+  const auto put = [&](const std::vector<point<T, 2>>& part) {
+    corners.clear();
+    for (const auto& p : part) {
+      const curve_parameter<T> u(p.x), v(p.y);
+      corners.push_back({done.corners++, u, v, detail::on_surface(patch_sample(net, u, v, room).point)});
+    }
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      detail::put_triangle(done, sink, corners[0], corners[k - 1], corners[k]);
+  };
+  for (const std::array<std::uint32_t, 3>& t : parts.triangles)
+    detail::each_part<T>({places[t[0]], places[t[1]], places[t[2]]}, 0, along_u,
+                         [&](const auto& strip) { detail::each_part<T>(strip, 1, along_v, put); });
+  return done;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// exact_number: a sum of powers of two, with exact sum, difference and product. Polynomials of doubles are computed
+// with it where rounded numbers do not tell their sign; whatever the exponents, nothing is rounded.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <irg/core/config.hpp>
+#include <irg/core/scalar.hpp>
+#include <irg/math/exact/known_number.hpp>
+#include <irg/math/int128.hpp>
+
+namespace irg {
+namespace detail {
+
+/// Enough words for any polynomial of this degree in finite doubles, of up to 2^60 terms.
+constexpr int words_for_degree(int degree) { return (2098 * degree + 60) / 64 + 4; }
+
+}  // namespace detail
+
+/// A real number of at most this many words of 64 bits.
+/// shape   a sign, and the words of the magnitude from the lowest that is not zero to the highest; word 0 counts in
+///         units of 2^(64 place)
+template <int Words>
+class dyadic {
+public:
+  IRG_INLINE constexpr dyadic() noexcept {}  // zero; the words beyond `size_` are never read
+
+  IRG_INLINE constexpr explicit dyadic(double x) noexcept {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const std::uint64_t fraction = bits & 0xfffffffffffffu;
+    const int field = static_cast<int>((bits >> 52) & 0x7ff);
+    const std::uint64_t significand = field == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
+    const int lift = (field == 0 ? 1 : field) + 1152 - 1075;  // the last bit's exponent plus 18 * 64
+    negative_ = bits >> 63 != 0;
+    place_ = lift / 64 - 18;
+    const int shift = lift % 64;
+    put(significand << shift);
+    put(shift == 0 ? 0 : significand >> (64 - shift));
+    trim();
+  }
+
+  IRG_INLINE constexpr dyadic(const dyadic& other) noexcept { take(other); }
+  IRG_INLINE constexpr dyadic& operator=(const dyadic& other) noexcept {
+    if (this != &other) take(other);
+    return *this;
+  }
+
+  /// What words() gave of another.
+  /// needs   size <= Words
+  constexpr dyadic(const std::uint64_t* words, int size, int place, bool negative) noexcept {
+    for (int i = 0; i < size; ++i) word_[i] = words[i];
+    size_ = size, place_ = place, negative_ = negative;
+  }
+  IRG_INLINE constexpr const std::uint64_t* words() const noexcept { return word_; }
+  IRG_INLINE constexpr int size() const noexcept { return size_; }
+  IRG_INLINE constexpr int place() const noexcept { return place_; }
+  friend constexpr bool operator==(const dyadic& a, const dyadic& b) noexcept { return (a - b).sign() == 0; }
+
+  IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
+
+  friend constexpr dyadic operator+(const dyadic& a, const dyadic& b) noexcept {
+    if (a.size_ == 0) return b;
+    if (b.size_ == 0) return a;
+    dyadic sum;
+    const bool add = a.negative_ == b.negative_, a_larger = add || !is_smaller(a, b);
+    const dyadic &large = a_larger ? a : b, &lesser_one = a_larger ? b : a;
+    const int first = lesser(a.place_, b.place_), last = greater(a.end(), b.end());
+    sum.place_ = first;
+    sum.negative_ = large.negative_;
+    std::uint64_t carry = 0;
+    for (int place = first; place < last; ++place) {
+      const std::uint64_t x = large.at(place), y = lesser_one.at(place);
+      const std::uint64_t part = add ? x + y : x - y, whole = add ? part + carry : part - carry;
+      const bool over = add ? part < x || whole < part : x < y || part < carry;
+      sum.put(whole);
+      carry = over ? 1 : 0;
+    }
+    if (carry != 0) sum.put(1);
+    sum.trim();
+    return sum;
+  }
+  friend constexpr dyadic operator-(const dyadic& a) noexcept {
+    dyadic negated = a;
+    negated.negative_ = !a.negative_;
+    return negated;
+  }
+  friend constexpr dyadic operator-(const dyadic& a, const dyadic& b) noexcept { return a + -b; }
+
+  friend constexpr dyadic operator*(const dyadic& a, const dyadic& b) noexcept {
+    dyadic product;
+    if (a.size_ == 0 || b.size_ == 0) return product;
+    product.place_ = a.place_ + b.place_;
+    product.negative_ = a.negative_ != b.negative_;
+    for (int i = 0; i < a.size_ + b.size_; ++i) product.put(0);
+    for (int i = 0; i < a.size_; ++i) {
+      std::uint64_t carry = 0;
+      for (int k = 0; k < b.size_; ++k) {
+        const uint128 t = uint128{a.word_[i]} * b.word_[k] + product.word_[i + k] + carry;  // at most 2^128 - 1
+        product.word_[i + k] = static_cast<std::uint64_t>(t);
+        carry = static_cast<std::uint64_t>(t >> 64);
+      }
+      product.word_[i + b.size_] = carry;
+    }
+    product.trim();
+    return product;
+  }
+
+  /// The number to 106 bits or more.
+  /// exact   relative error at most 2^-105
+  constexpr known_number rounded() const noexcept {
+    if (size_ == 0) return {};
+    const int top = end() - 1, zeros = std::countl_zero(at(top));
+    const auto window = [&](int place) {  // 64 bits from the highest one down, then the 64 below
+      return zeros == 0 ? at(place) : at(place) << zeros | at(place - 1) >> (64 - zeros);
+    };
+    const std::uint64_t upper = window(top), lower = window(top - 1);
+    // Parts of 53, 53 and 22 bits; those dropped are below 2^-127 of the number.
+    const auto part = [](std::uint64_t bits) { return static_cast<double>(static_cast<std::int64_t>(bits)); };
+    const double first = part(upper >> 11), second = part((upper & 0x7ff) << 42 | lower >> 22) * 0x1p-53;
+    const double high = first + second, low = second - (high - first), scale = negative_ ? -0x1p-52 : 0x1p-52;
+    return {high * scale, low * scale, 64 * top + 63 - zeros};
+  }
+
+private:
+  IRG_INLINE constexpr int end() const noexcept { return place_ + size_; }
+  IRG_INLINE constexpr std::uint64_t at(int place) const noexcept {
+    return place < place_ || place >= end() ? 0 : word_[place - place_];
+  }
+  IRG_INLINE constexpr void put(std::uint64_t word) noexcept {
+    if (size_ < Words) word_[size_++] = word;  // a sum's last word is a carry of 0 where no room is left
+  }
+  constexpr void take(const dyadic& other) noexcept {
+    for (int i = 0; i < other.size_; ++i) word_[i] = other.word_[i];
+    place_ = other.place_, size_ = other.size_, negative_ = other.negative_;
+  }
+  constexpr void trim() noexcept {
+    while (size_ > 0 && word_[size_ - 1] == 0) --size_;
+    int zeros = 0;
+    while (zeros < size_ && word_[zeros] == 0) ++zeros;
+    if (zeros == 0) return;
+    for (int i = zeros; i < size_; ++i) word_[i - zeros] = word_[i];
+    size_ -= zeros;
+    place_ += zeros;
+  }
+  static constexpr bool is_smaller(const dyadic& a, const dyadic& b) noexcept {  // in magnitude
+    if (a.end() != b.end()) return a.end() < b.end();
+    const int last = lesser(a.place_, b.place_);
+    for (int place = a.end() - 1; place >= last; --place)
+      if (a.at(place) != b.at(place)) return a.at(place) < b.at(place);
+    return false;
+  }
+
+  std::uint64_t word_[static_cast<std::size_t>(Words)];
+  int place_ = 0, size_ = 0;
+  bool negative_ = false;
+};
+
+/// Numbers in which every polynomial of this degree in finite doubles, of up to 2^60 terms, has room.
+template <int Degree>
+using exact_number = dyadic<detail::words_for_degree(Degree)>;
+
+inline namespace IRG_ABI {
+
+/// x as an exact number.
+/// needs   finite x
+template <class N, class T>
+  requires(Floating<T> || std::is_integral_v<T>)
+IRG_INLINE constexpr N exactly(const T& x) noexcept {
+  if constexpr (Floating<T>) {
+    return N(detail::exactly_widened(x));
+  } else if constexpr (sizeof(T) <= 4) {
+    return N(static_cast<double>(x));
+  } else {
+    const T high = x >> 32;
+    return N(static_cast<double>(high) * 0x1p32) + N(static_cast<double>(x - (high << 32)));
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

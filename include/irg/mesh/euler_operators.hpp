@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+// Euler operators: the steps by which a boundary representation is built and changed. Each keeps vertices - edges +
+// faces - rings = 2 (shells - genus), and each has one that undoes it. What an operator cannot do it refuses, and
+// changes nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <irg/mesh/half_edge_mesh.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Scalar T>
+class euler_editor {
+public:
+  constexpr explicit euler_editor(half_edge_mesh<T>& b) noexcept : b_(b) {}
+  static constexpr std::uint32_t none = half_edge::none;
+
+  constexpr bool is_edge(std::uint32_t h) const noexcept {
+    return h < b_.half_edges.size() && b_.half_edges[h].origin != none;
+  }
+  constexpr bool is_face(std::uint32_t f) const noexcept { return f < b_.faces.size() && b_.faces[f] != none; }
+  constexpr std::uint32_t& loop(std::uint32_t h) noexcept { return b_.half_edges[h].loop; }
+
+  constexpr std::uint32_t add_vertex(const point<T, 3>& p) {
+    b_.positions.push_back(p);
+    b_.half_edge_at.push_back(none);
+    return static_cast<std::uint32_t>(b_.positions.size() - 1);
+  }
+  constexpr std::uint32_t add_edge(std::uint32_t from, std::uint32_t to) {
+    const auto h = static_cast<std::uint32_t>(b_.half_edges.size());
+    b_.half_edges.push_back({from, none, none, none});
+    b_.half_edges.push_back({to, none, none, none});
+    if (!b_.attributes.empty()) b_.attributes.resize(b_.half_edges.size(), half_edge_attributes{});
+    return h;
+  }
+  constexpr std::uint32_t add_loop(std::uint32_t first, std::uint32_t face) {
+    b_.loops.push_back({first, face, none});
+    return static_cast<std::uint32_t>(b_.loops.size() - 1);
+  }
+  constexpr std::uint32_t add_face(std::uint32_t loop, std::uint32_t like) {
+    b_.faces.push_back(loop);
+    const auto f = static_cast<std::uint32_t>(b_.faces.size() - 1);
+    if (!b_.parts.empty()) {
+      b_.face_parts.resize(b_.faces.size(), none);
+      if (like != none) b_.face_parts[f] = b_.face_parts[like];
+    }
+    b_.loops[loop].face = f;
+    return f;
+  }
+
+  constexpr void link(std::uint32_t before, std::uint32_t after) noexcept {
+    b_.half_edges[before].next = after;
+    b_.half_edges[after].previous = before;
+  }
+  // All half-edges from h on come to belong to l.
+  constexpr void give_loop(std::uint32_t h, std::uint32_t l) noexcept {
+    for (std::uint32_t g = h; b_.half_edges[g].loop != l; g = b_.next(g)) b_.half_edges[g].loop = l;
+    b_.loops[l].first = h;
+  }
+  constexpr void remove_edge(std::uint32_t h) noexcept { b_.half_edges[h] = b_.half_edges[b_.twin(h)] = half_edge{}; }
+  constexpr void remove_vertex(std::uint32_t v) noexcept { b_.half_edge_at[v] = half_edge_mesh<T>::gone; }
+
+  // Takes a loop off its face's list; an outer loop is followed by the face's first ring.
+  constexpr void take_off(std::uint32_t l) noexcept {
+    std::uint32_t* at = &b_.faces[b_.loops[l].face];
+    while (*at != l) at = &b_.loops[*at].next;
+    *at = b_.loops[l].next;
+    b_.loops[l].next = none;
+  }
+  constexpr void append_ring(std::uint32_t face, std::uint32_t l) noexcept {
+    std::uint32_t* at = &b_.faces[face];
+    while (*at != none) at = &b_.loops[*at].next;
+    *at = l;
+    for (; l != none; l = b_.loops[l].next) b_.loops[l].face = face;
+  }
+  constexpr void make_lone(std::uint32_t l, std::uint32_t v) {
+    b_.loops[l].first = none;
+    b_.half_edge_at[v] = none;
+    b_.lone_vertices.push_back({l, v});
+  }
+  // The place of the loop's vertex in the list, or its end.
+  constexpr std::size_t lone_place(lone_vertex v) const noexcept {
+    std::size_t i = 0;
+    while (i < b_.lone_vertices.size() &&
+           (b_.lone_vertices[i].loop != v.loop || b_.lone_vertices[i].vertex != v.vertex))
+      ++i;
+    return i;
+  }
+  constexpr void forget_lone(std::size_t i) {
+    b_.lone_vertices.erase(b_.lone_vertices.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+
+private:
+  half_edge_mesh<T>& b_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// A new shell: one face whose loop is one vertex at p (mvfs).
+/// gives   the loop and its vertex, from which make_edge_vertex goes on
+template <Scalar T>
+constexpr lone_vertex make_shell(half_edge_mesh<T>& b, const point<T, 3>& p) {
+  detail::euler_editor<T> edit(b);
+  const std::uint32_t v = edit.add_vertex(p), l = edit.add_loop(half_edge::none, half_edge::none);
+  edit.add_face(l, half_edge::none);
+  edit.make_lone(l, v);
+  return {l, v};
+}
+
+/// Undoes make_shell (kvfs).
+/// gives   false, and b as it was, unless the vertex is all there is of its face
+template <Scalar T>
+constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v) {
+  detail::euler_editor<T> edit(b);
+  const std::size_t i = edit.lone_place(v);
+  if (i == b.lone_vertices.size()) return false;
+  const std::uint32_t f = b.loops[v.loop].face;
+  if (b.faces[f] != v.loop || b.loops[v.loop].next != half_edge::none) return false;
+  edit.forget_lone(i);
+  edit.remove_vertex(v.vertex);
+  b.loops[v.loop] = half_edge_loop{};
+  b.faces[f] = half_edge::none;
+  return true;
+}
+
+/// A new vertex at p and an edge to it, from the vertex that `first` and `last` leave (mev). The half-edges from
+/// `first` on, clockwise seen from outside, up to the one before `last` leave the new vertex then; none when the two
+/// are the same: the edge stands free in the loop, before it.
+/// gives   the half-edge to the new vertex; none, and b as it was, when the two do not leave the same vertex
+template <Scalar T>
+constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
+                                         const point<T, 3>& p) {
+  detail::euler_editor<T> edit(b);
+  if (!edit.is_edge(first) || !edit.is_edge(last) || b.origin(first) != b.origin(last)) return half_edge::none;
+  const std::uint32_t v = b.origin(first), w = edit.add_vertex(p), there = edit.add_edge(v, w), back = there + 1;
+  for (std::uint32_t h = first; h != last; h = b.next(b.twin(h))) b.half_edges[h].origin = w;
+  const std::uint32_t before_first = b.previous(first), before_last = b.previous(last);
+  edit.loop(there) = edit.loop(first);
+  edit.loop(back) = edit.loop(last);
+  if (first == last) {
+    edit.link(before_first, there);
+    edit.link(there, back);
+    edit.link(back, first);
+  } else {
+    edit.link(before_first, there);
+    edit.link(there, first);
+    edit.link(before_last, back);
+    edit.link(back, last);
+  }
+  b.half_edge_at[v] = there;
+  b.half_edge_at[w] = back;
+  return there;
+}
+
+/// The same from a vertex without edges.
+template <Scalar T>
+constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from, const point<T, 3>& p) {
+  detail::euler_editor<T> edit(b);
+  const std::size_t i = edit.lone_place(from);
+  if (i == b.lone_vertices.size()) return half_edge::none;
+  edit.forget_lone(i);
+  const std::uint32_t w = edit.add_vertex(p), there = edit.add_edge(from.vertex, w), back = there + 1;
+  edit.link(there, back);
+  edit.link(back, there);
+  edit.loop(there) = edit.loop(back) = from.loop;
+  b.loops[from.loop].first = there;
+  b.half_edge_at[from.vertex] = there;
+  b.half_edge_at[w] = back;
+  return there;
+}
+
+/// Undoes make_edge_vertex (kev): the edge goes with the vertex that h leads to, and what left that leaves h's origin.
+/// gives   false, and b as it was, when h is no half-edge or both its ends are the same vertex
+template <Scalar T>
+constexpr bool kill_edge_vertex(half_edge_mesh<T>& b, std::uint32_t h) {
+  detail::euler_editor<T> edit(b);
+  if (!edit.is_edge(h) || b.origin(h) == b.target(h)) return false;
+  const std::uint32_t v = b.origin(h), w = b.target(h), back = b.twin(h);
+  each_half_edge_at(b, w, [&](std::uint32_t g) { b.half_edges[g].origin = v; });
+  const std::uint32_t loops[2] = {edit.loop(h), edit.loop(back)};
+  std::uint32_t left = half_edge::none;  // a half-edge that leaves v
+  for (const std::uint32_t g : {h, back})
+    if (b.next(g) != b.twin(g) && b.origin(b.next(g)) == v) left = b.next(g);
+  if (b.next(h) == back && b.next(back) == h) {
+    edit.make_lone(loops[0], v);
+  } else {
+    for (const std::uint32_t g : {h, back}) {  // one after the other, since they may be neighbours
+      edit.link(b.previous(g), b.next(g));
+      if (b.loops.size() > edit.loop(g) && b.loops[edit.loop(g)].first == g)
+        b.loops[edit.loop(g)].first = b.next(g) != b.twin(g) ? b.next(g) : b.previous(g);
+    }
+    b.half_edge_at[v] = left;
+  }
+  edit.remove_edge(h);
+  edit.remove_vertex(w);
+  return true;
+}
+
+/// An edge from the vertex that `from` leaves to the one that `to` leaves, across their face (mef). The half-edges from
+/// `from` to the one before `to` bound the new face.
+/// shape   `from` and `to` are of one loop; the edge stands before both
+/// gives   the new half-edge in the old face; none, and b as it was, when the two are the same or of two loops
+template <Scalar T>
+constexpr std::uint32_t make_edge_face(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
+  detail::euler_editor<T> edit(b);
+  if (from == to || !edit.is_edge(from) || !edit.is_edge(to)) return half_edge::none;
+  const std::uint32_t l = edit.loop(from);
+  if (l == half_edge::none || l != edit.loop(to)) return half_edge::none;
+  const std::uint32_t before_from = b.previous(from), before_to = b.previous(to);
+  const std::uint32_t there = edit.add_edge(b.origin(from), b.origin(to)), back = there + 1;
+  edit.link(before_from, there);
+  edit.link(there, to);
+  edit.link(before_to, back);
+  edit.link(back, from);
+  edit.loop(there) = l;
+  b.loops[l].first = there;
+  const std::uint32_t added = edit.add_loop(back, half_edge::none);
+  edit.add_face(added, b.loops[l].face);
+  edit.give_loop(back, added);
+  return there;
+}
+
+/// Undoes make_edge_face (kef): the edge goes, and what lies beyond it becomes part of the face of h, with its rings.
+/// gives   false, and b as it was, when the same face or a border is on both sides
+template <Scalar T>
+constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
+  detail::euler_editor<T> edit(b);
+  if (!edit.is_edge(h)) return false;
+  const std::uint32_t back = b.twin(h), keep = b.face(h), drop = b.face(back);
+  if (keep == half_edge::none || drop == half_edge::none || keep == drop || b.faces[drop] != edit.loop(back))
+    return false;
+  const std::uint32_t l = edit.loop(h), gone = edit.loop(back), after = b.next(back), next = b.next(h);
+  edit.take_off(gone);
+  if (b.faces[drop] != half_edge::none) edit.append_ring(keep, b.faces[drop]);
+  b.faces[drop] = half_edge::none;
+  b.loops[gone] = half_edge_loop{};
+  const std::uint32_t before = b.previous(h), before_back = b.previous(back);
+  const bool was_round = next == h, was_round_back = after == back;  // an edge from a vertex to itself
+  const std::uint32_t v = b.origin(h), w = b.origin(back);
+  if (!was_round) edit.link(before_back, next);
+  if (!was_round_back) edit.link(before, after);
+  const std::uint32_t first = was_round_back ? next : after;
+  if (was_round && was_round_back) {
+    edit.make_lone(l, v);
+  } else {
+    if (!was_round_back) b.half_edge_at[v] = after;
+    if (!was_round) b.half_edge_at[w] = next;
+    if (was_round) edit.link(before_back, after);
+    if (was_round_back) edit.link(before, next);
+    edit.loop(first) = half_edge::none;  // so that going round begins
+    edit.give_loop(first, l);
+  }
+  edit.remove_edge(h);
+  return true;
+}
+
+/// Takes an edge away that has the same loop on both sides (kemr): the loop falls into two, one of which becomes a
+/// ring.
+/// gives   the ring, which is what follows h; none, and b as it was, when there are two loops beside the edge
+template <Scalar T>
+constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h) {
+  detail::euler_editor<T> edit(b);
+  if (!edit.is_edge(h)) return half_edge::none;
+  const std::uint32_t back = b.twin(h), l = edit.loop(h);
+  if (l == half_edge::none || l != edit.loop(back)) return half_edge::none;
+  const std::uint32_t v = b.origin(h), w = b.origin(back), f = b.loops[l].face;
+  const std::uint32_t before = b.previous(h), after = b.next(back), next = b.next(h), before_back = b.previous(back);
+  const std::uint32_t ring = edit.add_loop(half_edge::none, f);
+  edit.append_ring(f, ring);
+  if (next == back) {
+    edit.make_lone(ring, w);
+  } else {
+    edit.link(before_back, next);
+    edit.give_loop(next, ring);
+    b.half_edge_at[w] = next;
+  }
+  if (after == h) {
+    edit.make_lone(l, v);
+  } else {
+    edit.link(before, after);
+    b.loops[l].first = after;
+    b.half_edge_at[v] = after;
+  }
+  edit.remove_edge(h);
+  return ring;
+}
+
+/// Undoes kill_edge_make_ring (mekr): an edge from the vertex that `from` leaves to the one that `to` leaves, of
+/// another loop of the same face, which becomes part of the loop of `from`.
+/// gives   the new half-edge, of which `to` comes next; none, and b as it was, when the two are of one loop or of two
+///         faces
+template <Scalar T>
+constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
+  detail::euler_editor<T> edit(b);
+  if (!edit.is_edge(from) || !edit.is_edge(to)) return half_edge::none;
+  const std::uint32_t f = b.face(from);
+  if (f == half_edge::none || f != b.face(to) || edit.loop(from) == edit.loop(to)) return half_edge::none;
+  const bool is_outer = b.faces[f] == edit.loop(to);
+  const std::uint32_t keep = edit.loop(from), ring = edit.loop(to);
+  edit.take_off(ring);
+  if (is_outer) {  // what is joined to the outer loop is the outer loop
+    edit.take_off(keep);
+    b.loops[keep].next = b.faces[f];
+    b.faces[f] = keep;
+  }
+  const std::uint32_t before_from = b.previous(from), before_to = b.previous(to);
+  const std::uint32_t there = edit.add_edge(b.origin(from), b.origin(to)), back = there + 1;
+  edit.link(before_from, there);
+  edit.link(there, to);
+  edit.link(before_to, back);
+  edit.link(back, from);
+  for (std::uint32_t h = there; h != from; h = b.next(h)) b.half_edges[h].loop = keep;
+  b.loops[ring] = half_edge_loop{};
+  return there;
+}
+
+/// A face becomes a ring of another (kfmrh): joins two shells, or makes a hole through one.
+/// gives   the ring; none, and b as it was, when the two are the same or `face` has rings
+template <Scalar T>
+constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face, std::uint32_t into) {
+  detail::euler_editor<T> edit(b);
+  if (face == into || !edit.is_face(face) || !edit.is_face(into)) return half_edge::none;
+  const std::uint32_t l = b.faces[face];
+  if (b.loops[l].next != half_edge::none) return half_edge::none;
+  b.faces[face] = half_edge::none;
+  edit.append_ring(into, l);
+  return l;
+}
+
+/// Undoes kill_face_make_ring_hole (mfkrh): a ring becomes the outer loop of a new face.
+/// gives   the face; none, and b as it was, when the loop is no ring
+template <Scalar T>
+constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring) {
+  detail::euler_editor<T> edit(b);
+  if (ring >= b.loops.size() || b.loops[ring].face == half_edge::none) return half_edge::none;
+  const std::uint32_t f = b.loops[ring].face;
+  if (b.faces[f] == ring) return half_edge::none;
+  edit.take_off(ring);
+  return edit.add_face(ring, f);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

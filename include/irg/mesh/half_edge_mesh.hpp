@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// half_edge_mesh<T>: the boundary representation. Every edge is two half-edges that run back along each other; loops of
+// half-edges bound faces, and what is next to what is one step away.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/core/contract.hpp>
+#include <irg/mesh/mesh.hpp>
+
+namespace irg {
+
+/// One of the two sides of an edge, in the direction in which its loop runs.
+struct half_edge {
+  static constexpr std::uint32_t none = 0xffffffffu;
+  std::uint32_t origin = none;  // the vertex that it leaves
+  std::uint32_t next = none, previous = none;  // in its loop
+  std::uint32_t loop = none;  // none beside the border of an open surface
+  constexpr bool operator==(const half_edge&) const = default;
+};
+
+/// A closed walk that bounds a face: the outer one, or a ring round a hole.
+struct half_edge_loop {
+  std::uint32_t first = half_edge::none;  // one of its half-edges; none for a loop that is a lone vertex
+  std::uint32_t face = half_edge::none;  // none when the loop is no more
+  std::uint32_t next = half_edge::none;  // the face's next ring
+};
+
+/// A loop without half-edges: one vertex in a face.
+struct lone_vertex {
+  std::uint32_t loop = half_edge::none, vertex = half_edge::none;
+};
+
+/// What a corner has besides its position: indices into normals and texcoords.
+struct half_edge_attributes {
+  std::uint32_t normal = half_edge::none, texcoord = half_edge::none;
+};
+
+/// Vertices, edges, loops and faces, each known by its number. Half-edges 2e and 2e + 1 are the sides of edge e.
+/// shape   elements that Euler operators have removed keep their numbers, and stand as none until they are made again:
+///         half_edges with origin none, half_edge_at with gone, loops without a face, faces without a loop (0xffffffff)
+template <Scalar T>
+struct half_edge_mesh {
+  static constexpr std::uint32_t none = half_edge::none;
+  static constexpr std::uint32_t gone = none - 1;
+
+  std::vector<point<T, 3>> positions;
+  std::vector<std::uint32_t> half_edge_at;  // for each vertex one that leaves it, or none
+  std::vector<half_edge> half_edges;
+  std::vector<half_edge_loop> loops;
+  std::vector<std::uint32_t> faces;  // for each its outer loop; none when the face is no more
+  std::vector<lone_vertex> lone_vertices;
+  std::vector<vec<T, 3>> normals;
+  std::vector<vec<T, 2>> texcoords;
+  std::vector<half_edge_attributes> attributes;  // of each half-edge, where the mesh has any
+  std::vector<mesh_part> parts;  // of their faces the names only, since faces come and go
+  std::vector<std::uint32_t> face_parts;  // for each face its entry of parts, where there are any
+
+  IRG_INLINE static constexpr std::uint32_t twin(std::uint32_t h) noexcept { return h ^ 1u; }
+  IRG_INLINE constexpr std::uint32_t next(std::uint32_t h) const noexcept { return half_edges[h].next; }
+  IRG_INLINE constexpr std::uint32_t previous(std::uint32_t h) const noexcept { return half_edges[h].previous; }
+  IRG_INLINE constexpr std::uint32_t origin(std::uint32_t h) const noexcept { return half_edges[h].origin; }
+  IRG_INLINE constexpr std::uint32_t target(std::uint32_t h) const noexcept { return half_edges[twin(h)].origin; }
+  /// The face to the left of h, seen from outside; none beside a border.
+  IRG_INLINE constexpr std::uint32_t face(std::uint32_t h) const noexcept {
+    return half_edges[h].loop == none ? none : loops[half_edges[h].loop].face;
+  }
+  /// The next half-edge that leaves the same vertex, counter-clockwise seen from outside.
+  IRG_INLINE constexpr std::uint32_t next_around(std::uint32_t h) const noexcept {
+    return twin(half_edges[h].previous);
+  }
+};
+
+inline namespace IRG_ABI {
+
+/// Calls use(h) for every half-edge that leaves vertex v, counter-clockwise seen from outside.
+/// needs   v < positions.size()
+/// cost    one step each; nothing allocated
+template <Scalar T, class Use>
+IRG_INLINE constexpr void each_half_edge_at(const half_edge_mesh<T>& b, std::uint32_t v, const Use& use) {
+  const std::uint32_t first = b.half_edge_at[v];
+  if (first >= half_edge_mesh<T>::gone) return;
+  std::uint32_t h = first;
+  do {
+    use(h);
+    h = b.next_around(h);
+  } while (h != first);
+}
+
+/// Calls use(h) for every half-edge of a loop, in its direction, from its first one.
+/// needs   a loop of b that is still there
+template <Scalar T, class Use>
+IRG_INLINE constexpr void each_half_edge_of(const half_edge_mesh<T>& b, std::uint32_t loop, const Use& use) {
+  const std::uint32_t first = b.loops[loop].first;
+  if (first == half_edge::none) return;
+  std::uint32_t h = first;
+  do {
+    use(h);
+    h = b.next(h);
+  } while (h != first);
+}
+
+/// Calls use(l) for every loop of a face, the outer one first.
+/// needs   a face of b that is still there
+template <Scalar T, class Use>
+IRG_INLINE constexpr void each_loop_of(const half_edge_mesh<T>& b, std::uint32_t face, const Use& use) {
+  for (std::uint32_t l = b.faces[face]; l != half_edge::none; l = b.loops[l].next) use(l);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// What a ray meets of anything in a bvh: spheres, patches, boxes of other trees. The tree finds the primitives whose
+// boxes the ray meets; the caller's test tells whether and when it meets them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <irg/spatial/bvh_node.hpp>
+#include <irg/spatial/detail/walk_bvh.hpp>
+
+namespace irg {
+
+/// A primitive that a ray meets, and when.
+template <Floating T>
+struct primitive_hit {
+  std::uint32_t primitive = bvh_node::none;
+  T t{};
+  constexpr bool operator==(const primitive_hit&) const = default;
+};
+
+/// test(number, ray) gives the first t at which the ray meets a primitive, or nothing.
+template <class F, class T>
+concept RayTest = Floating<T> && requires(const F& test, std::uint32_t number, const ray<T, 3>& r) {
+  { test(number, r) } -> std::convertible_to<std::optional<T>>;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Calls use(number, t) for the primitives of a leaf that the ray meets, until it gives true.
+template <class T, class Test, class Use>
+IRG_INLINE constexpr bool meet_leaf(const bvh& tree, std::uint32_t leaf, const ray<T, 3>& r, const Test& test,
+                                    const Use& use) {
+  for (std::uint32_t i = bvh_node::first_place(leaf); i <= bvh_node::last_place(leaf); ++i) {
+    const std::optional<T> t = test(tree.order[i], r);
+    if (t && r.low <= *t && *t <= r.high && use(tree.order[i], *t)) return true;
+  }
+  return false;
+}
+
+template <class T>
+IRG_INLINE constexpr ray<T, 3> from_zero(ray<T, 3> r) noexcept {
+  r.low = greater(r.low, T(0));
+  return r;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The primitive that the ray meets first.
+/// shape   the ray that test is asked about ends at what was found so far
+/// gives   nothing where it meets none and for an empty ray; of those met at the same t the one of the lowest number
+/// exact   no primitive is missed whose box the ray meets; the rest is the test's. It may find what is 2^-20 of t
+///         farther than what is nearest, but no more, before what is nearer
+template <Floating T, RayTest<T> Test>
+constexpr std::optional<primitive_hit<T>> closest_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
+  if (is_empty(r)) return std::nullopt;
+  ray<T, 3> rest = detail::from_zero(r);
+  detail::box_ray b = detail::make_box_ray(detail::exactly_widened(r), tree.scale);
+  std::optional<primitive_hit<T>> best;
+  detail::walk_near_to_far(tree, b, [&](std::uint32_t leaf) {
+    detail::meet_leaf(tree, leaf, rest, test, [&](std::uint32_t number, T t) {
+      if (!best || t < best->t || number < best->primitive) {
+        best = {number, t};
+        rest.high = t;
+        b.high = detail::later_time(b, detail::exactly_widened(t));
+      }
+      return false;
+    });
+  });
+  return best;
+}
+
+/// Whether the ray meets a primitive.
+/// exact   no primitive is missed whose box the ray meets
+template <Floating T, RayTest<T> Test>
+constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
+  if (is_empty(r)) return false;
+  const ray<T, 3> whole = detail::from_zero(r);
+  const detail::box_ray b = detail::make_box_ray(detail::exactly_widened(r), tree.scale);
+  return detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
+    return detail::meet_leaf(tree, leaf, whole, test, [](std::uint32_t, T) { return true; });
+  });
+}
+
+/// All primitives that the ray meets, each once, into sink(hit), in no order that is promised.
+/// exact   as any_hit
+template <Floating T, RayTest<T> Test, class Sink>
+constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, Sink&& sink) {
+  if (is_empty(r)) return;
+  const ray<T, 3> whole = detail::from_zero(r);
+  const detail::box_ray b = detail::make_box_ray(detail::exactly_widened(r), tree.scale);
+  detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
+    detail::meet_leaf(tree, leaf, whole, test, [&](std::uint32_t number, T t) {
+      sink(primitive_hit<T>{number, t});
+      return false;
+    });
+    return false;
+  });
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What a bvh is made of.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <irg/core/config.hpp>
+
+namespace irg {
+
+/// Up to eight boxes, side by side, and what is in each: a node, or up to four primitives.
+/// shape   bounds[axis] the lows, bounds[3 + axis] the highs, in units of the tree; boxes that hold nothing are empty
+struct alignas(32) bvh_node {
+  static constexpr int width = 8;
+  static constexpr std::uint32_t none = 0xffffffff, leaf = 0x80000000;
+  static constexpr std::uint32_t block = 4;  // places of the order for each leaf
+
+  float bounds[6][width];
+  std::uint32_t child[width];
+
+  constexpr bool operator==(const bvh_node&) const = default;
+
+  // A child is the index of a node; or a leaf's number and its count of primitives - 1.
+  IRG_INLINE static constexpr bool is_leaf(std::uint32_t child) noexcept { return (child & leaf) != 0; }
+  IRG_INLINE static constexpr std::uint32_t leaf_of(std::uint32_t number, std::uint32_t count) noexcept {
+    return leaf | number << 2 | (count - 1);
+  }
+  IRG_INLINE static constexpr std::uint32_t number_of(std::uint32_t child) noexcept { return (child & ~leaf) >> 2; }
+  IRG_INLINE static constexpr std::uint32_t count_of(std::uint32_t child) noexcept { return (child & 3) + 1; }
+  IRG_INLINE static constexpr std::uint32_t first_place(std::uint32_t child) noexcept { return child & ~leaf & ~3u; }
+  IRG_INLINE static constexpr std::uint32_t last_place(std::uint32_t child) noexcept { return child & ~leaf; }
+};
+
+/// A tree of boxes, made by build_bvh.
+/// shape   nodes[0] is the root, and a node stands before those in it; the primitives of leaf k are order[4k] and on,
+///         bvh_node::none behind them. Boxes are in units of 1/scale, a power of two: no coordinate is larger than 1
+struct bvh {
+  std::vector<bvh_node> nodes;
+  std::vector<std::uint32_t> order;
+  double scale = 1;
+
+  constexpr bool operator==(const bvh&) const = default;
+};
+
+}  // namespace irg

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <irg/spatial/triangle_bvh.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <irg/core/threads.hpp>
+#include <irg/mesh/shapes.hpp>
+#include <irg/mesh/triangulate.hpp>
+
+#include "support/random.hpp"
+
+namespace {
+
+template <class T>
+using triangles_of = std::vector<std::array<irg::point<T, 3>, 3>>;
+using R = irg::ray<double, 3>;
+using P = irg::point<double, 3>;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+int trials(int few, int many) { return std::getenv("IRG_RELEASE_TIER") != nullptr ? many : few; }
+
+// The triangles of a body, times s.
+template <class T>
+triangles_of<T> triangles(const irg::mesh<double>& body, double s = 1) {
+  const irg::mesh<double> m = irg::triangulate(body);
+  triangles_of<T> out;
+  for (std::size_t f = 0; f < m.face_count(); ++f) {
+    out.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int axis = 0; axis < 3; ++axis)
+        out.back()[k][axis] = static_cast<T>(m.positions[m.corner(f, k).position][axis] * s);
+  }
+  return out;
+}
+
+template <class T>
+irg::triangle_bvh<T> build(const triangles_of<T>& all, const irg::bvh_config& config = {}) {
+  return irg::triangle_bvh<T>(std::span<const std::array<irg::point<T, 3>, 3>>(all), config);
+}
+
+template <class T>
+std::vector<irg::triangle_hit> crossings(const irg::triangle_bvh<T>& tree, const R& r) {
+  std::vector<irg::triangle_hit> all;
+  irg::all_hits(tree, r, [&](const irg::triangle_hit& h) { all.push_back(h); });
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  return all;
+}
+
+TEST_CASE("triangle_bvh: constant evaluation, none, one to five, corners that are no numbers") {
+  static_assert([] {
+    triangles_of<double> two{{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}}};
+    const irg::triangle_bvh<double> tree{std::span<const std::array<P, 3>>(two)};
+    const auto hit = irg::closest_hit(tree, R{{0.25, 0.25, 3}, {0, 0, -1}});
+    return hit && hit->triangle == 1 && hit->at.t == 2 &&
+           irg::any_hit(tree, R{{0.25, 0.25, 0.5}, {0, 0, 1}, 0, 0.75}) &&
+           !irg::any_hit(tree, R{{0.25, 0.25, 0.5}, {0, 0, 1}, 0, 0.25});
+  }());
+  CHECK(!irg::closest_hit(irg::triangle_bvh<float>(), R{{0, 0, 0}, {0, 0, 1}}));
+  CHECK(!irg::any_hit(build(triangles_of<float>{}), R{{0, 0, 0}, {0, 0, 1}}));
+  triangles_of<double> stack;
+  for (int n = 1; n <= 5; ++n) {
+    const auto z = static_cast<double>(n);
+    stack.push_back({{{0, 0, z}, {1, 0, z}, {0, 1, z}}});
+    const auto tree = build(stack);
+    CHECK(crossings(tree, R{{0.25, 0.25, 0}, {0, 0, 1}}).size() == stack.size());
+    CHECK(irg::closest_hit(tree, R{{0.25, 0.25, 9}, {0, 0, -1}})->triangle == stack.size() - 1);
+  }
+  stack[2][1].y = std::numeric_limits<double>::quiet_NaN();
+  stack[4][0].x = infinite;
+  CHECK(crossings(build(stack), R{{0.25, 0.25, 0}, {0, 0, 1}}).size() == 3);
+  for (const R& none : {R{{0.25, 0.25, 0}, {0, 0, 0}}, R{{0.25, 0.25, 0}, {0, 0, infinite}},
+                        R{{0.25, 0.25, 0}, {0, 0, 1}, 0, -1}, R{{0.25, 0.25, 0}, {0, 0, 1}, 0, 0}})
+    CHECK(!irg::any_hit(build(stack), none));
+}
+
+TEST_CASE("triangle_bvh: what all triangles asked one by one give, of floats and doubles, for every tree") {
+  test::random r(31);
+  for (int round = 0; round < 6; ++round) {
+    triangles_of<double> all;
+    const double s = round % 3 == 0 ? 1 : round % 3 == 1 ? 1e-30 : 1e30;
+    const int reach = round < 3 ? 4 : 1000;  // a lattice where most crossings tie, and one where few do
+    for (int i = 0; i < 200; ++i) {
+      const auto c = [&] {
+        return static_cast<double>(static_cast<float>(static_cast<double>(r.integer(-reach, reach)) * s));
+      };
+      all.push_back({{{c(), c(), c()}, {c(), c(), c()}, {c(), c(), c()}}});
+    }
+    triangles_of<float> floats(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (int axis = 0; axis < 3; ++axis) floats[i][k][axis] = static_cast<float>(all[i][k][axis]);
+    const auto by_area = build(all), by_place = build(all, {irg::bvh_method::morton});
+    const auto of_floats = build(floats);
+    for (int i = 0; i < 100; ++i) {
+      const auto c = [&] { return static_cast<double>(r.integer(-reach, reach)) * s; };
+      const R ray{{c(), c(), c()}, {c(), c(), c()}, 0, i % 2 == 0 ? infinite : 0.5};
+      std::vector<irg::triangle_hit> expected;
+      for (std::uint32_t k = 0; k < all.size(); ++k)
+        if (const auto x = irg::cross_triangle(ray, all[k][0], all[k][1], all[k][2])) expected.push_back({k, *x});
+      CHECK(crossings(by_area, ray) == expected);
+      CHECK(crossings(of_floats, ray) == expected);
+      const auto first = irg::closest_hit(by_area, ray);
+      CHECK(first == irg::closest_hit(by_place, ray));
+      CHECK(first == irg::closest_hit(of_floats, ray));
+      CHECK(first.has_value() == !expected.empty());
+      CHECK(irg::any_hit(of_floats, ray) == !expected.empty());
+      if (first)
+        for (const irg::triangle_hit& h : expected) CHECK(first->at.t <= h.at.t + 0x1p-40 * (reach + 1));
+    }
+  }
+}
+
+TEST_CASE("triangle_bvh: of triangles crossed in one point the first is decided exactly") {
+  // Two planes that cross within a step of a double of the ray, and one triangle many times.
+  const double step = 0x1p-52;
+  const triangles_of<double> all{{{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
+                                 {{{0, 0, 1 - step}, {1, 0, 1 - step}, {0, 1, 1 + step}}},
+                                 {{{0, 0, 1 - step}, {1, 0, 1 - step}, {0, 1, 1 + step}}}};
+  const auto tree = build(all);
+  CHECK(irg::closest_hit(tree, R{{0.25, 0.25, 0}, {0, 0, 1}})->triangle == 1);
+  CHECK(irg::closest_hit(tree, R{{0.25, 0.5 + step, 0}, {0, 0, 1}})->triangle == 0);
+  CHECK(irg::closest_hit(tree, R{{0.25, 0.5, 0}, {0, 0, 1}})->triangle == 0);
+  CHECK(irg::closest_hit(tree, R{{0.25, 0.5 - step, 0}, {0, 0, 1}})->triangle == 1);
+  const triangles_of<double> equal(5000, all[0]);
+  CHECK(irg::closest_hit(build(equal), R{{0.25, 0.25, 0}, {0, 0, 1}})->triangle == 0);
+  CHECK(crossings(build(equal), R{{0.25, 0.25, 0}, {0, 0, 1}}).size() == 5000);
+}
+
+// Rays from inside of a closed body through its corners and the middles of its sides: how many get out without a
+// crossing, and how many do not cross outwards once more than inwards.
+template <class T>
+std::array<int, 2> leaks(const irg::mesh<double>& body, double s, const P& inside, int rays, std::uint64_t seed) {
+  const triangles_of<T> all = triangles<T>(body, s);
+  const auto tree = build(all);
+  test::random random(seed);
+  std::array<int, 2> wrong{};
+  for (int i = 0; i < rays; ++i) {
+    const auto& t = all[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(all.size()) - 1))];
+    const auto k = static_cast<std::size_t>(random.integer(0, 2));
+    const double share = i % 2 == 0 ? 0 : i % 4 == 1 ? 0.5 : random.unit();
+    R ray{{(inside.x + random.unit() * 0.01) * s, (inside.y + random.unit() * 0.01) * s,
+           (inside.z + random.unit() * 0.01) * s},
+          {}};
+    if (i % 3 == 0) ray.origin = {inside.x * s, inside.y * s, inside.z * s};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<double>(t[k][axis]), b = static_cast<double>(t[(k + 1) % 3][axis]);
+      ray.direction[axis] = a + (b - a) * share - ray.origin[axis];
+    }
+    int around = 0;
+    irg::all_hits(tree, ray, [&](const irg::triangle_hit& h) { around += h.at.side == irg::facing::back ? 1 : -1; });
+    wrong[0] += !irg::closest_hit(tree, ray);
+    wrong[1] += around != 1;
+  }
+  return wrong;
+}
+
+TEST_CASE("triangle_bvh: nothing gets out of a closed body through its corners and sides, at any scale") {
+  const auto sphere = irg::shape_sphere<double>({.slices = 24, .stacks = 12});
+  const auto torus = irg::shape_torus<double>({.major_segments = 24, .minor_segments = 12});
+  const int rays = trials(500, 100000);
+  for (const double s : {1.0, 1e-3, 1e-30, 1e30, 1e-300, 1e300}) {
+    const bool narrow = s < 1e-37 || s > 1e37;
+    CHECK(leaks<double>(sphere, s, {0, 0, 0}, narrow ? rays / 10 : rays, 41) == std::array{0, 0});
+    CHECK(leaks<double>(torus, s, {1, 0, 0}, narrow ? rays / 10 : rays, 42) == std::array{0, 0});
+    if (!narrow) CHECK(leaks<float>(sphere, s, {0, 0, 0}, rays, 43) == std::array{0, 0});
+  }
+  CHECK(leaks<float>(irg::shape_cube<double>(), 1, {0.5, 0.5, 0.5}, rays, 44) == std::array{0, 0});
+}
+
+TEST_CASE("triangle_bvh: executors, moved triangles, any_hit that passes some over") {
+  const auto all = triangles<float>(irg::shape_sphere<double>({.slices = 200, .stacks = 100}));
+  using span = std::span<const std::array<irg::point<float, 3>, 3>>;
+  irg::triangle_bvh<float> tree{span(all)};
+  const irg::triangle_bvh<float> parallel(span(all), {}, irg::parallel{3});
+  CHECK(tree.tree() == parallel.tree());
+  triangles_of<float> moved = all;
+  for (auto& t : moved)
+    for (auto& p : t) p.x += 5;
+  tree.refit(span(moved));
+  const irg::ray<float, 3> ray{{5.01f, 0.02f, 0.03f}, {0.3f, 0.4f, 1}};
+  const auto hit = irg::closest_hit(tree, ray);
+  REQUIRE(hit.has_value());
+  CHECK(hit->at.side == irg::facing::back);
+  CHECK(irg::closest_hit(build(moved), ray) == hit);
+  CHECK(!irg::any_hit(tree, ray, [&](std::uint32_t t) { return t != hit->triangle; }));
+}
+
+}  // namespace
