@@ -23,7 +23,8 @@ public:
 
   two_word_integer() = default;
   template <std::integral T>
-  constexpr two_word_integer(T value) noexcept : low_(static_cast<std::uint64_t>(value)), high_(value < T{} ? ~0ull : 0) {}
+  constexpr two_word_integer(T value) noexcept
+      : low_(static_cast<std::uint64_t>(value)), high_(value < T{} ? ~0ull : 0) {}
   template <number_sign Other>
     requires(Other != Sign)
   constexpr explicit two_word_integer(const two_word_integer<Other>& value) noexcept
@@ -44,8 +45,10 @@ public:
 
   template <std::integral T>
   constexpr explicit operator T() const noexcept {
-    if constexpr (std::same_as<T, bool>) return (low_ | high_) != 0;
-    else return static_cast<T>(low_);
+    if constexpr (std::same_as<T, bool>)
+      return (low_ | high_) != 0;
+    else
+      return static_cast<T>(low_);
   }
   /// The nearest number, ties to even.
   template <std::floating_point T>
@@ -62,8 +65,10 @@ public:
   friend constexpr bool operator==(const two_word_integer&, const two_word_integer&) = default;
   friend constexpr std::strong_ordering operator<=>(const two_word_integer& a, const two_word_integer& b) noexcept {
     if (a.high_ != b.high_) {
-      if constexpr (is_signed) return static_cast<std::int64_t>(a.high_) <=> static_cast<std::int64_t>(b.high_);
-      else return a.high_ <=> b.high_;
+      if constexpr (is_signed)
+        return static_cast<std::int64_t>(a.high_) <=> static_cast<std::int64_t>(b.high_);
+      else
+        return a.high_ <=> b.high_;
     }
     return a.low_ <=> b.low_;
   }
@@ -114,8 +119,10 @@ public:
   }
   friend constexpr two_word_integer operator>>(const two_word_integer& a, int bits) noexcept {
     const auto moved = [](std::uint64_t word, int by) {
-      if constexpr (is_signed) return static_cast<std::uint64_t>(static_cast<std::int64_t>(word) >> by);
-      else return word >> by;
+      if constexpr (is_signed)
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(word) >> by);
+      else
+        return word >> by;
     };
     if (bits == 0) return a;
     if (bits >= 64) return {moved(a.high_, bits - 64), a.negative() ? ~0ull : 0};
@@ -147,7 +154,9 @@ private:
     const two_word_integer m = negative() ? -*this : *this;
     return {m.low_, m.high_};
   }
-  constexpr int width() const noexcept { return static_cast<int>(high_ != 0 ? 64 + std::bit_width(high_) : std::bit_width(low_)); }
+  constexpr int width() const noexcept {
+    return static_cast<int>(high_ != 0 ? 64 + std::bit_width(high_) : std::bit_width(low_));
+  }
 
   // The quotient; what is left of `a` stays there. Bit by bit, from the first at which the divisor fits.
   static constexpr natural divide(natural& a, const natural& b) noexcept {
