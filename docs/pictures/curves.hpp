@@ -8,8 +8,11 @@
 #include <irg/curve/arc_length.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/bspline_fit.hpp>
+#include <irg/curve/constant_speed.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/flatten.hpp>
+#include <irg/mesh/teapot.hpp>
+#include <irg/render/render.hpp>
 
 #include "sketch.hpp"
 
@@ -133,6 +136,29 @@ inline picture fitted() {
   stroke(p, control, 2, blue);
   for (const point2& q : control) mark(p, q, 7, blue);
   return halved(p);
+}
+
+// Eight pictures at equal distances along a curve around the teapot, in wire form without back faces.
+inline picture flight() {
+  const std::array<point3, 5> way{point3{7, 1, 5}, {-3, 9, 9}, {-12, 2, 2}, {-5, -3, -8}, {6, 3, -7}};
+  const auto sample = [&](double t) { return irg::bezier_sample(way, t); };
+  std::array<double, 65> lengths{};
+  const irg::constant_speed motion(sample, 0., 1., std::span<double>(lengths));
+  irg::scene<double> world;
+  world.objects.push_back({irg::shape_teapot<double>({4, irg::teapot_bottom::with})});
+  irg::render_options options;
+  options.style = irg::picture_style::wire;
+  picture all(660, 250, paper), small(162, 122);
+  irg::image<float> depth(162, 122);
+  for (int k = 0; k < 8; ++k) {
+    world.view.eye = motion.at(k / 7.).point;
+    world.view.target = {0.2, 1.5, 0};
+    world.view = irg::with_depth_range(world.view, point3{0.2, 1.5, 0}, 4.);
+    irg::render(world, small, depth, options);
+    for (int y = 0; y < 122; ++y)
+      for (int x = 0; x < 162; ++x) all(2 + 165 * (k % 4) + x, 2 + 125 * (k / 4) + y) = small(x, y);
+  }
+  return all;
 }
 
 }  // namespace curve_pictures

@@ -46,6 +46,7 @@
 #include "portals.hpp"
 #include "projections.hpp"
 #include "plots.hpp"
+#include "rays.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
@@ -382,6 +383,7 @@ int main(int argc, char** argv) {
   save("bezier_weights", curve_pictures::weights());
   save("curve_paths", curve_pictures::paths());
   save("flattened_curves", curve_pictures::flattened());
+  save("fly_through", curve_pictures::flight());
   save("fitted_curves", curve_pictures::fitted());
   save("surfaces", surface_pictures::made_of_curves());
   save("tessellation", surface_pictures::tessellated());
@@ -447,6 +449,8 @@ int main(int argc, char** argv) {
   save("convex_body", convex_body_pictures::bodies());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("shadow", ray_pictures::shadow());
+  save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
   save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());

@@ -17,6 +17,7 @@
 #include <irg/curve/bspline_fit.hpp>
 #include <irg/curve/bspline_knots.hpp>
 #include <irg/curve/bspline_surface.hpp>
+#include <irg/curve/constant_speed.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/curve/curve_joint.hpp>
 #include <irg/curve/flatten.hpp>

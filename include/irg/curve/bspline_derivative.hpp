@@ -4,6 +4,7 @@
 // at a place are touched, so that knots of any multiplicity divide nothing by zero.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -102,6 +103,21 @@ constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const 
   for (std::size_t i = 0; i < order; ++i) scratch[i] = detail::as_vector(ring_vertex(points, low + 1 - order + i));
   detail::derivatives_in_stretch(knots, low, static_cast<T>(t), derivatives, scratch.first(2 * order));
   return true;
+}
+
+/// The point of a B-spline curve at t and its derivative there.
+/// needs   as bspline_derivatives
+/// gives   nothing for NaN and for t outside of the knots' range
+/// exact   as bspline_derivatives
+template <Floating T, int Degree, PolygonRing R>
+constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
+    const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
+    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {
+  using V = typename curve_sample<ring_point<R>>::vector;
+  std::array<V, 2> d{};
+  if (!bspline_derivatives(knots, points, t, std::span<V>(d), scratch)) return std::nullopt;
+  return curve_sample<ring_point<R>>{
+      generate_coordinates<ring_point<R>>([&](int axis) { return coordinate(d[0], axis); }), d[1]};
 }
 
 }  // namespace IRG_ABI

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The contract of `fly_through`, seen from outside: files, progress, constant speed, refusals.
+# usage: fly_through.sh FOLDER-WITH-THE-PROGRAMS
+# shellcheck source=tests/support/programs.sh
+. "$(dirname "$0")/../support/programs.sh" fly_through "$@"
+
+arch='3  4 1 0  0 2 4  -4 1 0  0 0.5 -4'
+
+run "" --help
+check "--help: exit 0" is "$status" 0
+for word in -o --frames --move --look --curve --pictures --delay --size --eye --target --input --list; do
+  check "--help names $word" has "$out" "$word"
+done
+
+run "$arch" cube -o fly.png --frames step --pictures 5 --size 48x36
+check "a flight: exit 0, $err" is "$status" 0
+check "says how many: $out" is "$(head -n 1 <<<"$out")" "pictures: 5"
+check "says how far: $out" begins "$(tail -n 1 <<<"$out")" "length: "
+check "progress, a line for each picture" is "$(grep -c '^picture [1-5] of 5$' .err)" 5
+check "five numbered pictures: $(ls)" is "$(ls step*.png | tr '\n' ' ')" \
+  "step0001.png step0002.png step0003.png step0004.png step0005.png "
+names() { grep -a -o -E 'IHDR|acTL|fcTL|IDAT|fdAT|IEND' "$1" | tr '\n' ' '; }
+check "the chunks: $(names fly.png)" is "$(names fly.png)" \
+  "IHDR acTL fcTL IDAT fcTL fdAT fcTL fdAT fcTL fdAT fcTL fdAT IEND "
+check "the pictures differ" is_not "$(cksum <step0001.png)" "$(cksum <step0003.png)"
+run "$arch" cube -o again.png --pictures 5 --size 48x36 --threads 3
+check "the same file from three threads" cmp -s fly.png again.png
+run "$arch" cube -o all.png --pictures 5 --size 48x36 --cull none
+check "back faces show when they are not left out" is_not "$(cksum <fly.png)" "$(cksum <all.png)"
+for what in "--move target" "--move body" "--look ahead" "--curve bspline" "--curve bezier"; do
+  # shellcheck disable=SC2086 # two words
+  run "$arch" cube -o other.png --pictures 5 --size 48x36 $what
+  check "$what: exit 0, $err" is "$status" 0
+  check "$what: another flight" is_not "$(cksum <fly.png)" "$(cksum <other.png)"
+done
+
+# The steps of the list are equally long, but for the curve's bend within a step, and lead from end to end.
+run "$arch" cube --pictures 1001 --list
+check "a list: exit 0, $err" is "$status" 0
+check "from the first point: $(head -n 1 <<<"$out")" is "$(head -n 1 <<<"$out")" "0 4 1 0"
+check "to the last: $(tail -n 1 <<<"$out")" is "$(tail -n 1 <<<"$out")" "1000 0 0.5 -4"
+spread=$(awk 'NR > 1 { d = sqrt(($2-x)^2 + ($3-y)^2 + ($4-z)^2); if (NR == 2 || d < low) low = d; if (d > high) high = d }
+  { x = $2; y = $3; z = $4 } END { print (high < low * 1.001) }' .out)
+check "at constant speed" is "$spread" 1
+run "1  0 0 0  1 0 0" cube --pictures 3 --list
+check "a straight line: $out" is "$out" $'0 0 0 0\n1 0.5 0 0\n2 1 0 0'
+run "1  5 5 5  -5 -5 -5" cube -o across.png --pictures 3 --size 16x16
+check "an eye in its target: $err" is "$status" 0
+run "2  1 1 1  1 1 1  1 1 1" cube -o still.png --curve bezier --pictures 3 --size 16x16
+check "a path without length: exit 0, $err" is "$status" 0
+check "of length 0: $out" is "$(tail -n 1 <<<"$out")" "length: 0"
+
+fails "no model" "$arch" -o fly2.png
+fails "nothing to write" "$arch" cube
+fails "no such model" "$arch" none.obj -o fly2.png
+fails "another ending" "$arch" cube -o fly2.ppm
+fails "no pictures" "$arch" cube -o fly2.png --pictures 0
+fails "one point" "0 1 2 3" cube -o fly2.png
+fails "a point too few" "2 1 2 3 4 5 6" cube -o fly2.png
+check "where: $err" ends "$err" ": stdin:1:14"
+fails "a number too much" "1 1 2 3 4 5 6 7" cube -o fly2.png
+fails "not a number" "1 1 2 3 4 five 6" cube -o fly2.png
+fails "not finite" "1 1 2 3 4 nan 6" cube -o fly2.png
+fails "too far" "1 1 2 3 4 1e200 6" cube -o fly2.png
+fails "all points one" "2 1 1 1 1 1 1 1 1 1" cube -o fly2.png
+fails "successive points one" "3 0 0 0 1 1 1 1 1 1 2 0 0" cube -o fly2.png
+fails "no such thing to move" "$arch" cube -o fly2.png --move light
+fails "an option of render" "$arch" cube -o fly2.png --style flat
+run "$arch" cube -o none/fly.png --frames kept --pictures 2 --size 8x8
+check "a folder that is not there: exit 2" is "$status" 2
+check "takes its numbered pictures with it: $(ls)" is "$(ls kept* 2>/dev/null)" ""
+
+conclude
