@@ -13,6 +13,7 @@
 #include <irg/core/facing.hpp>
 #include <irg/core/instructions.hpp>
 #include <irg/core/interleaved_lanes.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/core/lane_integers.hpp>
 #include <irg/core/lane_masks.hpp>
 #include <irg/core/lane_memory.hpp>

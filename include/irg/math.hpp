@@ -35,5 +35,13 @@
 #include <irg/math/vector_batch.hpp>
 #include <irg/math/vector_projection.hpp>
 #include <irg/math/wide_int.hpp>
+#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/exact_number.hpp>
+#include <irg/math/exact/filtered_number.hpp>
+#include <irg/math/exact/known_number.hpp>
+#include <irg/math/exact/nearest_float.hpp>
+#include <irg/math/exact/quotients_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
+#include <irg/math/exact/values_of.hpp>
 #include <irg/math/textbook/roots.hpp>
 #include <irg/math/textbook/solve_gauss.hpp>

@@ -11,3 +11,4 @@
 #include <irg/shade/phong_model.hpp>
 #include <irg/shade/shading.hpp>
 #include <irg/shade/texture.hpp>
+#include <irg/shade/texture_lanes.hpp>

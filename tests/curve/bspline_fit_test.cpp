@@ -16,7 +16,7 @@
 namespace {
 
 using P = irg::point<double, 2>;
-using irg::fit_status;
+using irg::bspline_fit_status;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // Three points at 0, 1/2 and 1, one quadratic stretch through them.
@@ -65,7 +65,7 @@ TEST_CASE("bspline_interpolate: through every point, whatever the spacing") {
     REQUIRE(knots);
     std::vector<P> control(size);
     const auto fit = irg::bspline_interpolate(*knots, d.places, std::span<const P>(d.points), control);
-    REQUIRE(fit.status == fit_status::done);
+    REQUIRE(fit.status == bspline_fit_status::done);
     double largest = 0;
     for (const P& c : control) largest = std::fmax(largest, irg::length(c - P{}));
     worst = std::fmax(worst, fit.farthest / largest * 0x1p53);
@@ -90,7 +90,7 @@ TEST_CASE("bspline_least_squares: a spline comes back from points on it; more co
     for (std::size_t k = 0; k < 80; ++k) d.points[k] = *irg::bspline_point(knots, control, d.places[k], scratch);
     for (const auto ends : {irg::fit_ends::through, irg::fit_ends::free}) {
       const auto fit = irg::bspline_least_squares(knots, d.places, std::span<const P>(d.points), ends, back);
-      REQUIRE(fit.status == fit_status::done);
+      REQUIRE(fit.status == bspline_fit_status::done);
       CHECK(fit.farthest < 1e-14);
       for (std::size_t i = 0; i < count; ++i) CHECK(irg::length(back[i] - control[i]) < 1e-12);
     }
@@ -110,7 +110,7 @@ TEST_CASE("bspline_least_squares: no other control points are better: the residu
     const auto knots = *irg::make_bspline_knots(std::span<const double>(d.knots), degree);
     std::vector<P> control(count);
     REQUIRE(irg::bspline_least_squares(knots, d.places, std::span<const P>(d.points), irg::fit_ends::free, control)
-                .status == fit_status::done);
+                .status == bspline_fit_status::done);
     std::vector<test::big_rational> sum(count, test::big_rational(0));
     std::vector<double> values(static_cast<std::size_t>(degree) + 1);
     for (std::size_t k = 0; k < d.points.size(); ++k) {
@@ -134,17 +134,17 @@ TEST_CASE("fits that there are not") {
   const auto status = [&](std::vector<double> places) {
     return irg::bspline_interpolate(knots, places, std::span<const P>(points), result).status;
   };
-  CHECK(status({0, 0.3, 0.7, 1}) == fit_status::done);
-  CHECK(status({0, 0.7, 0.3, 1}) == fit_status::not_rising);
-  CHECK(status({0, 0.3, 0.7, 1.5}) == fit_status::not_rising);
-  CHECK(status({-0.5, 0.3, 0.7, 1}) == fit_status::not_rising);
-  CHECK(status({0, 0.3, none, 1}) == fit_status::not_finite);
-  CHECK(status({0, 0.3, 0.3, 1}) == fit_status::undetermined);  // two points at one place
-  CHECK(status({0, 0, 0.3, 1}) == fit_status::undetermined);
-  CHECK(status({0, 0.1, 0.2, 0.3}) == fit_status::undetermined);  // the last function is 0 at all of them
-  CHECK(status({0.1, 0.2, 0.6, 0.9}) == fit_status::done);
+  CHECK(status({0, 0.3, 0.7, 1}) == bspline_fit_status::done);
+  CHECK(status({0, 0.7, 0.3, 1}) == bspline_fit_status::not_rising);
+  CHECK(status({0, 0.3, 0.7, 1.5}) == bspline_fit_status::not_rising);
+  CHECK(status({-0.5, 0.3, 0.7, 1}) == bspline_fit_status::not_rising);
+  CHECK(status({0, 0.3, none, 1}) == bspline_fit_status::not_finite);
+  CHECK(status({0, 0.3, 0.3, 1}) == bspline_fit_status::undetermined);  // two points at one place
+  CHECK(status({0, 0, 0.3, 1}) == bspline_fit_status::undetermined);
+  CHECK(status({0, 0.1, 0.2, 0.3}) == bspline_fit_status::undetermined);  // the last function is 0 at all of them
+  CHECK(status({0.1, 0.2, 0.6, 0.9}) == bspline_fit_status::done);
   points[1].x = none;
-  CHECK(status({0, 0.3, 0.7, 1}) == fit_status::not_finite);
+  CHECK(status({0, 0.3, 0.7, 1}) == bspline_fit_status::not_finite);
   std::vector<double> places(3);
   const auto at = [&](const std::vector<P>& p) {
     return irg::fit_places(std::span<const P>(p), irg::fit_spacing::chord_length, places);
@@ -157,6 +157,6 @@ TEST_CASE("fits that there are not") {
   const std::vector<P> more{{0, 0}, {0, 0}, {1, 1}, {2, 1}, {2, 1}, {3, 0}};
   const std::vector<double> six{0, 0, 0.3, 0.7, 0.7, 1};
   CHECK(irg::bspline_least_squares(knots, six, std::span<const P>(more), irg::fit_ends::through, result).status ==
-        fit_status::done);
+        bspline_fit_status::done);
   CHECK(result[0] == P{0, 0});
 }

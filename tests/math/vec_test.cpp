@@ -55,7 +55,8 @@ static_assert(!can_scale<vec3, vec3> && !can_scale<point3, double> && !can_add<i
 static_assert(!can_add<vec3, irg::vec<float, 3>> && !can_add<vec3, irg::vec<double, 2>>);
 static_assert(can_dot<vec3, vec3> && can_dot<vec3, std::array<double, 3>> && !can_dot<vec3, irg::vec<double, 2>>);
 static_assert(!can_dot<vec3, irg::vec<float, 3>> && !can_dot<vec3, point3> && !can_dot<point3, point3>);
-static_assert(can_cross<vec3, std::array<double, 3>> && !can_cross<irg::vec<double, 2>, irg::vec<double, 2>>);
+static_assert(can_cross<vec3, std::array<double, 3>> && !can_cross<vec3, irg::vec<double, 2>>);
+static_assert(irg::cross(irg::vec<double, 2>{1, 2}, std::array{3.0, 4.0}) == -2.0);
 static_assert(!can_cross<irg::vec<double, 4>, irg::vec<double, 4>> && !can_cross<point3, vec3>);
 static_assert(std::is_same_v<decltype(irg::cross(std::array<float, 3>{}, irg::vec<float, 3>{})), std::array<float, 3>>);
 

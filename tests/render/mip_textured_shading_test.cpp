@@ -206,6 +206,55 @@ TEST_CASE("mip_textured_shading: a floor to the horizon: its mean far away, its 
   CHECK(other == with);
 }
 
+TEST_CASE("mip_textured_shading: small triangles of several textures, in lanes as one by one") {
+  test::random r(2);
+  const auto squares = chequers();
+  irg::image<rgba8> dots(7, 5);
+  for (int i = 0; i < 35; ++i) dots(i % 7, i / 7) = std::bit_cast<rgba8>(static_cast<std::uint32_t>(r.next()));
+  const auto levels = irg::make_mip_pyramid(squares), others = irg::make_mip_pyramid(dots);
+  for (int i = 0; i < 40; ++i) {
+    surface s = make_floor();
+    s.positions.clear(), s.vertices.clear(), s.triangles.clear();
+    const int across = i < 20 ? 24 : 3;  // squares of two triangles each, on a floor
+    for (int k = 0; k < (across + 1) * (across + 1); ++k)
+      s.positions.push_back({-4.0 + 8.0 * (k % (across + 1)) / across, -1, -0.2 - 6.0 * (k / (across + 1)) / across});
+    for (int k = 0; k < static_cast<int>(s.positions.size()); ++k) {
+      const auto place = [&] { return static_cast<float>((r.unit() - 0.5) * (i % 3 == 0 ? 40 : 2)); };
+      const float u = place(), v = place();
+      const int texture = i % 2 == 0 ? 0 : k / 7 % 3;  // mixed on the way, too
+      s.vertices.push_back(irg::make_textured_vertex(u, v, {1, static_cast<float>(r.unit()), 0.5f}, texture));
+    }
+    for (int y = 0; y < across; ++y)
+      for (int x = 0; x < across; ++x) {
+        const auto a = static_cast<std::uint32_t>(y * (across + 1) + x), row = static_cast<std::uint32_t>(across + 1);
+        s.triangles.push_back({{a, a + 1, a + row}});
+        s.triangles.push_back({{a + 1, a + row + 1, a + row}});
+      }
+    const batch one[1] = {s.project()};
+    const irg::textured_vertices objects[1] = {{s.vertices}};
+    const auto wrap = static_cast<irg::texture_wrap>(i % 4);
+    const irg::texture_pyramid pyramids[3] = {
+        {&levels, {irg::texture_filter::bilinear, wrap, irg::texture_wrap::repeat}},
+        {&others, {static_cast<irg::texture_filter>(i % 5 != 0), irg::texture_wrap::clamp, wrap}},
+        {}};
+    const irg::texture_image textures[2] = {{squares.view(), pyramids[0].sampler}, {dots.view(), pyramids[1].sampler}};
+    const auto compare = [&](const auto& shading_of) {
+      irg::image<rgba8> many(width, height), each(width, height);
+      irg::image<float> depth(width, height, 0.0f);
+      irg::draw_workspace workspace;
+      const irg::draw_settings<rgba8> settings{irg::face_culling::none};
+      irg::draw_batches<irg::nearer_is_greater, double>(many, depth, one, s.mapping, shading_of, settings, workspace);
+      depth = irg::image<float>(width, height, 0.0f);
+      irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(each, depth, one, s.mapping,
+                                                                                     shading_of);
+      CHECK(many == each);
+      CHECK(many != irg::image<rgba8>(width, height));
+    };
+    compare(shading{objects, pyramids, s.mapping});
+    compare(irg::textured_shading{objects, textures});
+  }
+}
+
 // A square of the whole picture of size x size pixels, the chequers once across it.
 constexpr rgba8 square_at(int x, int y, int size, irg::texture_sampler sampler, int texture, int count) {
   const std::vector<point> positions{{-1, 1, -2}, {1, 1, -2}, {-1, -1, -2}, {1, -1, -2}};

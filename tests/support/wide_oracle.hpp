@@ -18,11 +18,11 @@ inline double of_exponents(random& r, int low, int high) {
 inline long double wide(double x) { return static_cast<long double>(x); }
 
 /// The error of x in units in the last place of a double.
-inline double ulps(double x, long double exact) {
+inline double ulps(double x, long double expected) {
   int exponent = 0;
-  std::frexp(exact, &exponent);
+  std::frexp(expected, &exponent);
   const int place = exponent - 53 < -1074 ? -1074 : exponent - 53;
-  return static_cast<double>(std::abs(wide(x) - exact) / std::ldexp(1.0L, place));
+  return static_cast<double>(std::abs(wide(x) - expected) / std::ldexp(1.0L, place));
 }
 
 }  // namespace test

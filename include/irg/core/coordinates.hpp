@@ -33,7 +33,7 @@ namespace detail {
 
 template <class T>
 concept has_xy = requires(const T& v) {
-  requires Scalar<std::remove_cvref_t<decltype(v.x)>>;
+  requires Number<std::remove_cvref_t<decltype(v.x)>>;
   requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.y)>>;
 };
 template <class T>
@@ -49,7 +49,7 @@ concept has_named_coordinates =
       requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.w)>>;
     });
 template <class T>
-concept subscriptable = requires(const T& v, int i) { requires Scalar<std::remove_cvref_t<decltype(v[i])>>; };
+concept subscriptable = requires(const T& v, int i) { requires Number<std::remove_cvref_t<decltype(v[i])>>; };
 template <class T>
 concept tuple_sized = requires { std::tuple_size<T>::value; };
 template <class T>
@@ -130,7 +130,7 @@ struct coordinate_traits<T> {
 /// A type with a fixed number of coordinates, readable by index and made from them.
 template <class T>
 concept Coordinates = requires(const T& v) {
-  requires Scalar<typename coordinate_traits<T>::scalar>;
+  requires Number<typename coordinate_traits<T>::scalar>;
   requires(coordinate_traits<T>::size >= 1);
   requires std::same_as<std::remove_cvref_t<decltype(coordinate_traits<T>::kind)>, coordinate_kind>;
   { coordinate_traits<T>::get(v, 0) } -> std::convertible_to<typename coordinate_traits<T>::scalar>;
@@ -181,7 +181,7 @@ IRG_INLINE constexpr T from_coordinates(const S&... c) noexcept(noexcept(coordin
 /// A T whose coordinate i is f(i); f is called once for each i, in no particular order.
 template <Coordinates T, class F>
 IRG_INLINE constexpr T generate_coordinates(F&& f) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
+  return [&]<int... I>(std::integer_sequence<int, I...>) IRG_INLINE_LAMBDA {
     return coordinate_traits<T>::make(f(I)...);
   }(std::make_integer_sequence<int, size_of<T>>{});
 }

@@ -60,10 +60,14 @@ IRG_INLINE pack<T, N / 2> high_half(const pack<T, N>& p) noexcept {
 /// Two halves of a pack, put together.
 template <class T, int N>
 IRG_INLINE pack<T, N> join_halves(const pack<T, N / 2>& low, const pack<T, N / 2>& high) noexcept {
-  pack<T, N> joined;
-  std::memcpy(&joined.v, &low.v, sizeof low);
-  std::memcpy(reinterpret_cast<char*>(&joined.v) + sizeof low, &high.v, sizeof high);
-  return joined;
+  if constexpr (sizeof(pack<T, N>) <= static_cast<unsigned>(widest_bytes)) {
+    return shuffled_by<N>(low, high, [](int i) { return i; });
+  } else {  // which g++ 12 would put together number by number
+    pack<T, N> joined;
+    std::memcpy(&joined.v, &low.v, sizeof low);
+    std::memcpy(reinterpret_cast<char*>(&joined.v) + sizeof low, &high.v, sizeof high);
+    return joined;
+  }
 }
 
 /// M lanes: those of p again and again.

@@ -10,7 +10,7 @@ namespace irg {
 namespace detail {
 template <class T>
 concept has_abcd = requires(const T& p) {
-  requires Scalar<std::remove_cvref_t<decltype(p.a)>>;
+  requires Number<std::remove_cvref_t<decltype(p.a)>>;
   requires std::same_as<std::remove_cvref_t<decltype(p.a)>, std::remove_cvref_t<decltype(p.b)>>;
   requires std::same_as<std::remove_cvref_t<decltype(p.a)>, std::remove_cvref_t<decltype(p.c)>>;
   requires std::same_as<std::remove_cvref_t<decltype(p.a)>, std::remove_cvref_t<decltype(p.d)>>;
@@ -43,7 +43,7 @@ struct plane_traits<T> {
 /// A plane with readable coefficients. Models: plane, a struct with a, b, c and d, an Eigen::Vector4d.
 template <class T>
 concept Plane = requires(const T& p) {
-  requires Scalar<typename plane_traits<T>::scalar>;
+  requires Number<typename plane_traits<T>::scalar>;
   { plane_traits<T>::coefficient(p, 0) } -> std::convertible_to<typename plane_traits<T>::scalar>;
 };
 

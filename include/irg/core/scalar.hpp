@@ -9,10 +9,20 @@
 
 namespace irg {
 
-/// A number: ordered, with the four operations, made from small integers. Models: every built-in arithmetic type but
-/// bool, rationals, double-double, interval and fixed-point types.
+/// What polynomials are computed in: sums, differences and products. Models: every Scalar, and the exact numbers and
+/// numbers with a bound of their error that sign_of and values_of (math/exact) hand to a polynomial.
 template <class T>
-concept Scalar = std::regular<T> && !std::same_as<T, bool> && requires(const T a, const T b) {
+concept Number = std::regular<T> && !std::same_as<T, bool> && requires(const T a, const T b) {
+  a + b;
+  a - b;
+  a* b;
+  -a;
+};
+
+/// A number that is ordered, with the four operations, made from small integers. Models: every built-in arithmetic type
+/// but bool, rationals, double-double, interval and fixed-point types.
+template <class T>
+concept Scalar = Number<T> && requires(const T a, const T b) {
   static_cast<T>(1);
   { a + b } -> std::convertible_to<T>;
   { a - b } -> std::convertible_to<T>;

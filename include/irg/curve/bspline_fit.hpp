@@ -24,12 +24,12 @@ enum class fit_ends { through, free };
 
 /// What became of a fit: `not_rising` where a parameter is less than the one before it (for interpolation: not more) or
 /// outside of the knots' range, `undetermined` where some control point is not determined by the points.
-enum class fit_status { done, not_rising, undetermined, not_finite };
+enum class bspline_fit_status { done, not_rising, undetermined, not_finite };
 
 /// The status, and how far the farthest point is from the curve at its parameter.
 template <Floating T>
 struct fit_result {
-  fit_status status = fit_status::done;
+  bspline_fit_status status = bspline_fit_status::done;
   T farthest = 0;
   constexpr bool operator==(const fit_result&) const = default;
 };
@@ -131,13 +131,13 @@ constexpr fit_result<T> fit_points(const bspline_knots<T, Degree>& knots, std::s
                                    std::span<const P> points, fit_ends ends, std::span<P> result) {
   const std::size_t size = knots.size(), order = knots.order();
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!is_finite(places[k])) return {fit_status::not_finite};
+    if (!is_finite(places[k])) return {bspline_fit_status::not_finite};
     for (int axis = 0; axis < size_of<P>; ++axis)
-      if (!is_finite(coordinate(points[k], axis))) return {fit_status::not_finite};
+      if (!is_finite(coordinate(points[k], axis))) return {bspline_fit_status::not_finite};
     if ((k > 0 && places[k] < places[k - 1]) || places[k] < knots.first() || places[k] > knots.last())
-      return {fit_status::not_rising};
+      return {bspline_fit_status::not_rising};
   }
-  if (!determines_all(knots, places)) return {fit_status::undetermined};
+  if (!determines_all(knots, places)) return {bspline_fit_status::undetermined};
   const bool through = ends == fit_ends::through && counts_at(knots, 0, places[0]) &&
                        counts_at(knots, size - 1, places[places.size() - 1]) && knots[0] == knots.first() &&
                        knots[knots.list().size() - 1] == knots.last() && places[0] == knots.first() &&

@@ -9,7 +9,7 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/curve/bezier.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 namespace irg {
 

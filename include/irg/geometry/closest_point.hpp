@@ -6,11 +6,13 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/detail/nearest.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/plane.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 
@@ -46,8 +48,8 @@ template <Point P>
 constexpr point_on_line<P> nearest_of_segment(const P& a, const P& b, const P& p) noexcept {
   using T = scalar_of<P>;
   const auto foot = foot_on_line(a, b, p);
-  if (known_sign(foot->t) <= 0) return {a, T(0)};
-  if (known_sign(foot->rest) <= 0) return {b, T(1)};
+  if (sign_of(foot->t) <= 0) return {a, T(0)};
+  if (sign_of(foot->rest) <= 0) return {b, T(1)};
   return {point_of_foot(a, b, p), rounded_to<T>(foot->t / foot->divisor)};
 }
 
@@ -65,7 +67,7 @@ template <Point P>
 constexpr std::optional<point_on_line<P>> closest_point_on_line(const P& a, const P& b, const P& p) noexcept {
   const auto foot = detail::foot_on_line(a, b, p);
   if (!foot || detail::are_equal(a, b)) return std::nullopt;
-  return point_on_line<P>{detail::point_of_foot(a, b, p), detail::rounded_to<scalar_of<P>>(foot->t / foot->divisor)};
+  return point_on_line<P>{detail::point_of_foot(a, b, p), rounded_to<scalar_of<P>>(foot->t / foot->divisor)};
 }
 
 /// The point of the segment ab that is nearest to p; the segment may be a point.
@@ -74,7 +76,7 @@ constexpr std::optional<point_on_line<P>> closest_point_on_line(const P& a, cons
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 constexpr std::optional<point_on_line<P>> closest_point_on_segment(const P& a, const P& b, const P& p) noexcept {
-  if (!detail::is_finite_place(a) || !detail::is_finite_place(b) || !detail::is_finite_place(p)) return std::nullopt;
+  if (!is_finite(a, b, p)) return std::nullopt;
   return detail::nearest_of_segment(a, b, p);
 }
 
@@ -84,18 +86,16 @@ constexpr std::optional<point_on_line<P>> closest_point_on_segment(const P& a, c
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
 constexpr std::optional<P> closest_point_on_plane(const L& plane, const P& p) noexcept {
-  if (detail::is_zero_vector(normal_of(plane))) return std::nullopt;
-  const auto v = detail::evaluate<3>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto n = detail::part_of<3>(x, 0), from = detail::part_of<3>(x, 4);
-        const N divisor = detail::dot_of(n, n), height = detail::dot_of(n, from) + x[3];
-        return detail::joined(std::array<N, 1>{divisor}, detail::difference_of(detail::multiple_of(from, divisor),
-                                                                               detail::multiple_of(n, height)));
+  if (detail::is_zero(normal_of(plane))) return std::nullopt;
+  const auto v = values_of<3>(
+      [](const auto& l, const auto& at) {
+        const auto n = normal_of(l);
+        const auto divisor = dot(n, n);
+        return std::tuple{divisor, to_vec(at) * divisor - n * (dot(n, to_vec(at)) + l.d)};
       },
-      detail::gathered<scalar_of<P>>(detail::coefficients_of(plane), p));
+      detail::as_plane(plane), p);
   if (!v) return std::nullopt;
-  return detail::coordinates_over<P>(*v, 1, (*v)[0]);
+  return rounded_coordinates<P>(std::get<1>(*v) / std::get<0>(*v));
 }
 
 /// The point of the triangle abc that is nearest to p, the part it lies on, and its barycentric coordinates. The
@@ -119,7 +119,7 @@ constexpr std::optional<point_on_triangle<P>> closest_point_on_triangle(const P&
     default: break;
   }
   point_on_triangle<P> nearest{a, region, {}};
-  for (std::size_t i = 0; i < 3; ++i) nearest.weights[i] = detail::rounded_to<T>(foot->weight[i] / foot->divisor);
+  for (std::size_t i = 0; i < 3; ++i) nearest.weights[i] = rounded_to<T>(foot->weight[i] / foot->divisor);
   if (region == triangle_region::edge_ab) nearest.at = detail::point_of_foot(a, b, p);
   if (region == triangle_region::edge_bc) nearest.at = detail::point_of_foot(b, c, p);
   if (region == triangle_region::edge_ca) nearest.at = detail::point_of_foot(a, c, p);
@@ -151,12 +151,12 @@ constexpr std::optional<point_pair<P>> closest_points_of_lines(const P& a, const
   const auto lines = detail::nearest_on_lines(a, b, c, d);
   if (!lines) return std::nullopt;
   const auto& v = *lines;
-  if (detail::known_sign(v[0]) == 0) {
+  if (sign_of(v[0]) == 0) {
     const auto foot = closest_point_on_line(c, d, a);
     return point_pair<P>{a, foot->at, T(0), foot->t};
   }
   const std::array<P, 2> at = detail::points_on_lines(a, b, c, d);
-  return point_pair<P>{at[0], at[1], detail::rounded_to<T>(v[2] / v[0]), detail::rounded_to<T>(v[4] / v[0])};
+  return point_pair<P>{at[0], at[1], rounded_to<T>(v[2] / v[0]), rounded_to<T>(v[4] / v[0])};
 }
 
 /// The points of the segments ab and cd that are nearest to each other, and their parameters; where the segments have
@@ -170,8 +170,7 @@ template <Point P>
 constexpr std::optional<point_pair<P>> closest_points_of_segments(const P& a, const P& b, const P& c,
                                                                   const P& d) noexcept {
   using T = scalar_of<P>;
-  for (const P* p : {&a, &b, &c, &d})
-    if (!detail::is_finite_place(*p)) return std::nullopt;
+  if (!is_finite(a, b, c, d)) return std::nullopt;
   const auto common = intersect_segments(a, b, c, d);
   if (common.relation != segment_relation::none) {
     const auto on_first = detail::nearest_of_segment(a, b, common.first);
@@ -182,7 +181,7 @@ constexpr std::optional<point_pair<P>> closest_points_of_segments(const P& a, co
   }
   if constexpr (size_of<P> == 3) {
     const auto v = *detail::nearest_on_lines(a, b, c, d);
-    const auto sign = [&](std::size_t i) { return detail::known_sign(v[i]); };
+    const auto sign = [&](std::size_t i) { return sign_of(v[i]); };
     if (sign(0) > 0 && sign(2) >= 0 && sign(3) >= 0 && sign(4) >= 0 && sign(5) >= 0)
       return closest_points_of_lines(a, b, c, d);
   }

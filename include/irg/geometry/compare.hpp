@@ -3,36 +3,10 @@
 #pragma once
 
 #include <irg/core/coordinates.hpp>
-#include <irg/geometry/detail/exact_sign.hpp>
+#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
-
-// The coordinates of all points, one after the other.
-template <class P, std::same_as<P>... Q>
-IRG_INLINE constexpr auto all_coordinates(const P& first, const Q&... more) noexcept {
-  constexpr std::size_t dimension = size_of<P>;
-  std::array<scalar_of<P>, dimension * (1 + sizeof...(Q))> all{};
-  std::size_t next = 0;
-  const auto append = [&](const P& p) {
-    for (int i = 0; i < static_cast<int>(dimension); ++i) all[next++] = coordinate(p, i);
-  };
-  append(first), (append(more), ...);
-  return all;
-}
-
-// The sum of term(0) to term(N - 1), which may be of any type.
-template <std::size_t N, class Term>
-IRG_INLINE constexpr auto sum_of_terms(const Term& term) noexcept {
-  auto sum = term(std::size_t{0});
-  for (std::size_t i = 1; i < N; ++i) sum = sum + term(i);
-  return sum;
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
 inline namespace IRG_ABI {
 
 /// -1 when p comes before q by its first coordinate, or by the first that differs; 1 when it comes after q; 0 when they
@@ -42,7 +16,7 @@ inline namespace IRG_ABI {
 template <Point P>
 constexpr int compare_lexicographic(const P& p, const P& q) noexcept {
   for (int i = 0; i < size_of<P>; ++i)
-    if (const int order = detail::compare_scalars(coordinate(p, i), coordinate(q, i)); order != 0) return order;
+    if (const int order = compare_numbers(coordinate(p, i), coordinate(q, i)); order != 0) return order;
   return 0;
 }
 
@@ -54,11 +28,8 @@ constexpr int compare_lexicographic(const P& p, const P& q) noexcept {
 /// cost    about 5 ns, where roundings do not tell some 200 ns
 template <Point P>
 constexpr int order_along_line(const P& a, const P& b, const P& p, const P& q) noexcept {
-  constexpr std::size_t n = size_of<P>;
-  const auto formula = [](const auto& x) {
-    return detail::sum_of_terms<n>([&](std::size_t i) { return (x[n + i] - x[i]) * (x[2 * n + i] - x[3 * n + i]); });
-  };
-  return detail::sign_of_degree_2(formula, detail::all_coordinates(a, b, p, q));
+  return sign_of<2>(
+      [](const auto& from, const auto& to, const auto& x, const auto& y) { return dot(to - from, x - y); }, a, b, p, q);
 }
 
 /// -1 when a is nearer to p than b is, 1 when b is nearer, 0 when they are equally far.
@@ -67,17 +38,9 @@ constexpr int order_along_line(const P& a, const P& b, const P& p, const P& q) n
 /// cost    about 5 ns, where roundings do not tell some 300 ns
 template <Point P>
 constexpr int compare_distance(const P& p, const P& a, const P& b) noexcept {
-  constexpr std::size_t n = size_of<P>;
-  const auto formula = [](const auto& x) {
-    const auto squared = [&](std::size_t from) {
-      return detail::sum_of_terms<n>([&](std::size_t i) {
-        const auto d = x[from + i] - x[i];
-        return d * d;
-      });
-    };
-    return squared(n) - squared(2 * n);
-  };
-  return detail::sign_of_degree_2(formula, detail::all_coordinates(p, a, b));
+  return sign_of<2>(
+      [](const auto& from, const auto& x, const auto& y) { return dot(x - from, x - from) - dot(y - from, y - from); },
+      p, a, b);
 }
 
 }  // namespace IRG_ABI

@@ -22,18 +22,14 @@ constexpr int compare_distance_to_line(const P& a, const P& b, const P& p, const
   if (compare_lexicographic(a, b) == 0) return compare_distance(a, p, q);
   const int p_side = orient2d(a, b, p), q_side = orient2d(a, b, q);
   if (p_side == 0 || q_side == 0) return p_side * p_side - q_side * q_side;
-  const auto all = detail::all_coordinates(a, b, p, q);
   // Twice the areas of the triangles a, b, p and a, b, q: their difference when they have one sign, else their sum.
   if (p_side == q_side)
-    return p_side *
-           detail::sign_of_degree_2(
-               [](const auto& x) { return (x[2] - x[0]) * (x[5] - x[7]) - (x[3] - x[1]) * (x[4] - x[6]); }, all);
-  return p_side * detail::sign_of_degree_2(
-                      [](const auto& x) {
-                        const auto dx = x[2] - x[0], dy = x[3] - x[1];
-                        return (dx * (x[5] - x[1]) - dy * (x[4] - x[0])) + (dx * (x[7] - x[1]) - dy * (x[6] - x[0]));
-                      },
-                      all);
+    return p_side * sign_of<2>([](const auto& from, const auto& to, const auto& x,
+                                  const auto& y) { return cross(to - from, x - y); },
+                               a, b, p, q);
+  return p_side * sign_of<2>([](const auto& from, const auto& to, const auto& x,
+                                const auto& y) { return cross(to - from, x - from) + cross(to - from, y - from); },
+                             a, b, p, q);
 }
 
 /// -1 when p is nearer to the plane than q is, 1 when q is nearer, 0 when they are equally far, on the same side or on
@@ -47,26 +43,16 @@ template <Plane L, Point P>
 constexpr int compare_distance_to_plane(const L& plane, const P& p, const P& q) noexcept {
   const int p_side = static_cast<int>(side_of(plane, p)), q_side = static_cast<int>(side_of(plane, q));
   if (p_side == 0 || q_side == 0) return p_side * p_side - q_side * q_side;
-  const std::array<scalar_of<P>, 10> all{plane_coefficient(plane, 0),
-                                         plane_coefficient(plane, 1),
-                                         plane_coefficient(plane, 2),
-                                         plane_coefficient(plane, 3),
-                                         coordinate(p, 0),
-                                         coordinate(p, 1),
-                                         coordinate(p, 2),
-                                         coordinate(q, 0),
-                                         coordinate(q, 1),
-                                         coordinate(q, 2)};
+  const auto form = detail::as_plane(plane);
   if (p_side == q_side)
     return p_side *
-           detail::sign_of_degree_2(
-               [](const auto& x) { return x[0] * (x[4] - x[7]) + x[1] * (x[5] - x[8]) + x[2] * (x[6] - x[9]); }, all);
-  return p_side * detail::sign_of_degree_2(
-                      [](const auto& x) {
-                        return (x[0] * x[4] + x[1] * x[5] + x[2] * x[6] + x[3]) +
-                               (x[0] * x[7] + x[1] * x[8] + x[2] * x[9] + x[3]);
+           sign_of<2>([](const auto& l, const auto& x, const auto& y) { return dot(normal_of(l), x - y); }, form, p, q);
+  return p_side * sign_of<2>(
+                      [](const auto& l, const auto& x, const auto& y) {
+                        const auto height = [&](const auto& at) { return l.a * at.x + l.b * at.y + l.c * at.z + l.d; };
+                        return height(x) + height(y);
                       },
-                      all);
+                      form, p, q);
 }
 
 }  // namespace IRG_ABI

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <optional>
 
-#include <irg/geometry/detail/nearest_quotient.hpp>
 #include <irg/geometry/segment.hpp>
+#include <irg/math/exact/quotients_of.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -22,16 +21,12 @@ inline namespace IRG_ABI {
 template <Floating T>
 constexpr std::optional<point<T, 2>> crossing_point(const segment<T, 2>& first, const segment<T, 2>& second) noexcept {
   // With f and g twice the areas that `second` spans with a and b, the crossing is (g*a - f*b)/(g - f).
-  const auto formula = [](const auto& x) {
-    const auto area = [&x](std::size_t end) {
-      return (x[6] - x[4]) * (x[end + 1] - x[5]) - (x[7] - x[5]) * (x[end] - x[4]);
-    };
-    const auto f = area(0), g = area(2);
-    return std::array{g - f, x[0] * g - x[2] * f, x[1] * g - x[3] * f};
-  };
-  const auto at =
-      detail::nearest_quotients<3>(formula, std::array<T, 8>{first.a[0], first.a[1], first.b[0], first.b[1],
-                                                             second.a[0], second.a[1], second.b[0], second.b[1]});
+  const auto at = quotients_of<3>(
+      [](const auto& a, const auto& b, const auto& c, const auto& d) {
+        const auto f = cross(d - c, a - c), g = cross(d - c, b - c);
+        return std::array{g - f, a.x * g - b.x * f, a.y * g - b.y * f};
+      },
+      first.a, first.b, second.a, second.b);
   if (!at) return std::nullopt;
   return point<T, 2>{(*at)[0], (*at)[1]};
 }

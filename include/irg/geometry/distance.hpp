@@ -12,6 +12,7 @@
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/line.hpp>
 #include <irg/geometry/plane.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 namespace detail {
@@ -20,12 +21,7 @@ inline namespace IRG_ABI {
 // height / sqrt(squared), with the sign of the height.
 template <Floating T>
 constexpr T height_over_root(const known_number& height, const known_number& squared) noexcept {
-  return rounded_to<T>(height / root_of(squared));
-}
-
-template <Point P>
-constexpr bool are_finite_places(const P& a, const P& b, const P& c, const P& d) noexcept {
-  return is_finite_place(a) && is_finite_place(b) && is_finite_place(c) && is_finite_place(d);
+  return rounded_to<T>(height / sqrt(squared));
 }
 
 }  // namespace IRG_ABI
@@ -42,7 +38,7 @@ template <Point P>
 constexpr std::optional<scalar_of<P>> distance(const P& p, const P& q) noexcept {
   const auto squared = detail::squared_distance(p, q);
   if (!squared) return std::nullopt;
-  return detail::rounded_to<scalar_of<P>>(detail::root_of((*squared)[0]));
+  return rounded_to<scalar_of<P>>(sqrt(*squared));
 }
 
 /// The distance of p from the line through a and b.
@@ -54,7 +50,7 @@ template <Point P>
 constexpr std::optional<scalar_of<P>> distance_to_line(const P& a, const P& b, const P& p) noexcept {
   const auto v = detail::squared_from_line(a, b, p);
   if (!v || detail::are_equal(a, b)) return std::nullopt;
-  return detail::rounded_to<scalar_of<P>>(detail::root_of((*v)[0] / (*v)[1]));
+  return rounded_to<scalar_of<P>>(sqrt((*v)[0] / (*v)[1]));
 }
 
 /// The distance of p from the line a*x + b*y + c = 0, positive on the side of (a, b), which is the left one.
@@ -63,10 +59,10 @@ constexpr std::optional<scalar_of<P>> distance_to_line(const P& a, const P& b, c
 template <Floating T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
 constexpr std::optional<T> signed_distance(const line<T>& l, const P& p) noexcept {
-  const auto v = detail::evaluate<2>(
-      [](const auto& x) { return std::array{x[0] * x[3] + x[1] * x[4] + x[2], x[0] * x[0] + x[1] * x[1]}; },
-      std::array<T, 5>{l.a, l.b, l.c, coordinate(p, 0), coordinate(p, 1)});
-  if (!v || detail::known_sign((*v)[1]) == 0) return std::nullopt;
+  const auto v = values_of<2>(
+      [](const auto& k, const auto& at) { return std::array{k.x * at.x + k.y * at.y + k.z, k.x * k.x + k.y * k.y}; },
+      vec{l.a, l.b, l.c}, p);
+  if (!v || detail::is_zero((*v)[1])) return std::nullopt;
   return detail::height_over_root<T>((*v)[0], (*v)[1]);
 }
 
@@ -76,13 +72,13 @@ constexpr std::optional<T> signed_distance(const line<T>& l, const P& p) noexcep
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
 constexpr std::optional<scalar_of<P>> signed_distance(const L& plane, const P& p) noexcept {
-  const auto v = detail::evaluate<2>(
-      [](const auto& x) {
-        const auto n = detail::part_of<3>(x, 0);
-        return std::array{detail::dot_of(n, detail::part_of<3>(x, 4)) + x[3], detail::dot_of(n, n)};
+  const auto v = values_of<2>(
+      [](const auto& l, const auto& at) {
+        const auto n = normal_of(l);
+        return std::array{dot(n, to_vec(at)) + l.d, dot(n, n)};
       },
-      detail::gathered<scalar_of<P>>(detail::coefficients_of(plane), p));
-  if (!v || detail::known_sign((*v)[1]) == 0) return std::nullopt;
+      detail::as_plane(plane), p);
+  if (!v || detail::is_zero((*v)[1])) return std::nullopt;
   return detail::height_over_root<scalar_of<P>>((*v)[0], (*v)[1]);
 }
 
@@ -92,8 +88,8 @@ constexpr std::optional<scalar_of<P>> signed_distance(const L& plane, const P& p
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 constexpr std::optional<scalar_of<P>> distance_to_segment(const P& a, const P& b, const P& p) noexcept {
-  if (!detail::are_finite_places(a, b, p, p)) return std::nullopt;
-  return detail::rounded_to<scalar_of<P>>(detail::root_of(detail::squared_from_segment(a, b, p)));
+  if (!is_finite(a, b, p)) return std::nullopt;
+  return rounded_to<scalar_of<P>>(sqrt(detail::squared_from_segment(a, b, p)));
 }
 
 /// The distance of p from the triangle abc, its inside included; it may be a segment or a point.
@@ -114,16 +110,13 @@ constexpr std::optional<scalar_of<P>> distance_to_triangle(const P& a, const P& 
     case 6: return distance_to_line(a, c, p);
     default: break;
   }
-  const auto v = *detail::evaluate<4>(
-      [](const auto& x) {
-        const auto from = detail::part_of<3>(x, 0);
-        const auto n = detail::cross_of(detail::difference_of(detail::part_of<3>(x, 3), from),
-                                        detail::difference_of(detail::part_of<3>(x, 6), from));
-        return std::array{detail::dot_of(n, detail::difference_of(detail::part_of<3>(x, 9), from)),
-                          detail::dot_of(n, n)};
+  const auto v = *values_of<4>(
+      [](const auto& from, const auto& second, const auto& third, const auto& at) {
+        const auto n = cross(second - from, third - from);
+        return std::array{dot(n, at - from), dot(n, n)};
       },
-      detail::gathered<T>(a, b, c, p));
-  return detail::magnitude(detail::height_over_root<T>(v[0], v[1]));
+      a, b, c, p);
+  return magnitude(detail::height_over_root<T>(v[0], v[1]));
 }
 
 /// The distance of the line through a and b from the line through c and d, 0 where they cross.
@@ -136,8 +129,8 @@ constexpr std::optional<scalar_of<P>> distance_of_lines(const P& a, const P& b, 
   const auto lines = detail::nearest_on_lines(a, b, c, d);
   if (!lines) return std::nullopt;
   const auto& v = *lines;
-  if (detail::known_sign(v[0]) == 0) return distance_to_line(a, b, c);
-  return detail::magnitude(detail::height_over_root<scalar_of<P>>(v[1], v[0]));
+  if (sign_of(v[0]) == 0) return distance_to_line(a, b, c);
+  return magnitude(detail::height_over_root<scalar_of<P>>(v[1], v[0]));
 }
 
 /// The distance of the segments ab and cd, 0 where they have a point in common. Segments may be points.
@@ -148,13 +141,13 @@ template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 constexpr std::optional<scalar_of<P>> distance_of_segments(const P& a, const P& b, const P& c, const P& d) noexcept {
   using T = scalar_of<P>;
-  if (!detail::are_finite_places(a, b, c, d)) return std::nullopt;
+  if (!is_finite(a, b, c, d)) return std::nullopt;
   if (intersect_segments(a, b, c, d).relation != segment_relation::none) return T(0);
   if constexpr (size_of<P> == 3) {
     const auto v = *detail::nearest_on_lines(a, b, c, d);
-    const auto sign = [&](std::size_t i) { return detail::known_sign(v[i]); };
+    const auto sign = [&](std::size_t i) { return sign_of(v[i]); };
     if (sign(0) > 0 && sign(2) >= 0 && sign(3) >= 0 && sign(4) >= 0 && sign(5) >= 0)
-      return detail::magnitude(detail::height_over_root<T>(v[1], v[0]));
+      return magnitude(detail::height_over_root<T>(v[1], v[0]));
   }
   switch (detail::nearest_end(a, b, c, d)) {
     case 0: return distance_to_segment(c, d, a);
@@ -171,7 +164,7 @@ constexpr std::optional<scalar_of<P>> distance_of_segments(const P& a, const P& 
 template <Floating T, int N>
 constexpr std::optional<T> distance_to_box(const box<T, N>& b, const point<T, N>& p) noexcept {
   IRG_EXPECTS(!is_empty(b));
-  if (!detail::is_finite_place(b.low) || !detail::is_finite_place(b.high)) return std::nullopt;
+  if (!is_finite(b.low, b.high)) return std::nullopt;
   return distance(p, generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); }));
 }
 

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/parametric_line.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 
@@ -27,84 +29,90 @@ struct lines_meeting {
 namespace detail {
 
 // What is known of two crossing lines: t and s times the divisor, what they lack of 1, and the point times it.
-template <class V, std::size_t D>
+template <class V, int D>
 struct line_crossing {
   line_relation relation = line_relation::none;
   V divisor{}, t{}, s{}, t_rest{}, s_rest{};
-  std::array<V, D> at{};
+  vec<V, D> at{};
 };
 
 inline namespace IRG_ABI {
 
-// From (a, b, c, d), or from (origin, direction) twice: a, u = b - a, v = d - c and w = c - a.
-template <bool Directions, std::size_t D, class N>
-struct two_lines {
-  std::array<N, D> a, u, v, w;
-  constexpr explicit two_lines(const std::array<N, 4 * D>& x) noexcept
-      : a(part_of<D>(x, 0)), u(part_of<D>(x, D)), v(part_of<D>(x, 3 * D)), w(part_of<D>(x, 2 * D)) {
-    if constexpr (!Directions) u = difference_of(u, a), v = difference_of(v, w);
-    w = difference_of(w, a);
-  }
-};
+// The way from one point to another, or a direction itself.
+template <class A, class N, int D>
+IRG_INLINE constexpr vec<N, D> way_along(const A&, const vec<N, D>& direction) noexcept {
+  return direction;
+}
+template <class N, int D>
+IRG_INLINE constexpr auto way_along(const point<N, D>& from, const point<N, D>& to) noexcept {
+  return to - from;
+}
 
-template <bool Directions, std::size_t D, class T>
-constexpr auto cross_lines(const std::array<T, 4 * D>& in) noexcept {
-  const auto meeting = [&](std::size_t k) {
-    return evaluate<3>(
-        [k](const auto& x) {
-          using N = std::remove_cvref_t<decltype(x[0])>;
-          const two_lines<Directions, D, N> l(x);
-          const N n = cross_of(l.u, l.v)[k], t = cross_of(l.w, l.v)[k], s = cross_of(l.w, l.u)[k];
-          return joined(std::array<N, 5>{n, t, s, n - t, n - s}, sum_of(multiple_of(l.a, n), multiple_of(l.u, t)));
-        },
-        in);
-  };
-  using V = std::remove_cvref_t<decltype((*meeting(0))[0])>;
+// Coordinate k of the cross product, which in the plane has but one.
+template <class N>
+IRG_INLINE constexpr N cross_coordinate(const vec<N, 2>& a, const vec<N, 2>& b, int) noexcept {
+  return cross(a, b);
+}
+template <class N>
+IRG_INLINE constexpr N cross_coordinate(const vec<N, 3>& a, const vec<N, 3>& b, int k) noexcept {
+  return cross(a, b)[k];
+}
+
+// The lines from a to (or along) b and from c to (or along) d.
+template <class P, class Q>
+constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexcept {
+  using T = scalar_of<P>;
+  using V = known_value<T>;
+  constexpr int D = size_of<P>;
   line_crossing<V, D> result;
-  std::size_t k = 0;
+  int k = 0;
   bool parallel = false;
   if constexpr (D == 3) {
-    const auto normal = evaluate<3>(
-        [](const auto& x) {
-          using N = std::remove_cvref_t<decltype(x[0])>;
-          const two_lines<Directions, D, N> l(x);
-          const std::array<N, 3> n = cross_of(l.u, l.v);
-          return joined(n, std::array<N, 1>{dot_of(n, l.w)});
+    const auto normal = values_of<3>(
+        [](const auto& from, const auto& to, const auto& other, const auto& end) {
+          const auto n = cross(way_along(from, to), way_along(other, end));
+          return std::tuple{n, dot(n, other - from)};
         },
-        in);
+        a, b, c, d);
     if (!normal) return result;
-    parallel = are_zero(*normal, 0, 3);
-    if (!parallel && !are_zero(*normal, 3, 1)) {
+    const auto& [n, volume] = *normal;
+    parallel = is_zero(n);
+    if (!parallel && !is_zero(volume)) {
       result.relation = line_relation::skew;
       return result;
     }
-    k = largest_of_three(*normal, 0);
+    k = largest_coordinate(n);
   }
   if (!parallel) {
-    const auto m = meeting(k);
-    if (!m) return result;
-    if (!are_zero(*m, 0, 1)) {
-      const auto& v = *m;
-      return line_crossing<V, D>{line_relation::crossing, v[0], v[1], v[2], v[3], v[4], part_of<D>(v, 5)};
-    }
+    const auto meeting = values_of<3>(
+        [k](const auto& from, const auto& to, const auto& other, const auto& end) {
+          const auto u = way_along(from, to), v = way_along(other, end), w = other - from;
+          const auto n = cross_coordinate(u, v, k), t = cross_coordinate(w, v, k), s = cross_coordinate(w, u, k);
+          return std::tuple{n, t, s, n - t, n - s, to_vec(from) * n + u * t};
+        },
+        a, b, c, d);
+    if (!meeting) return result;
+    const auto& [n, t, s, t_rest, s_rest, at] = *meeting;
+    if (!is_zero(n)) return line_crossing<V, D>{line_relation::crossing, n, t, s, t_rest, s_rest, at};
   }
   // All four points on one line? Where a line is but a point, it need be on the other one.
-  const auto apart = evaluate<2>(
-      [](const auto& x) {
-        const two_lines<Directions, D, std::remove_cvref_t<decltype(x[0])>> l(x);
-        return joined(cross_of(l.w, l.u), cross_of(l.w, l.v));
+  const auto apart = values_of<2>(
+      [](const auto& from, const auto& to, const auto& other, const auto& end) {
+        const auto w = other - from;
+        return std::tuple{cross(w, way_along(from, to)), cross(w, way_along(other, end))};
       },
-      in);
+      a, b, c, d);
   if (!apart) return result;
-  result.relation = are_zero(*apart, 0, apart->size()) ? line_relation::coincident : line_relation::parallel;
+  const auto& [from_first, from_second] = *apart;
+  result.relation = is_zero(from_first) && is_zero(from_second) ? line_relation::coincident : line_relation::parallel;
   return result;
 }
 
-template <Point P, class V, std::size_t D>
+template <Point P, class V, int D>
 constexpr lines_meeting<P> rounded_meeting(const line_crossing<V, D>& c) noexcept {
   if (c.relation != line_relation::crossing) return {c.relation, {}, {}, {}};
   using T = scalar_of<P>;
-  return {c.relation, coordinates_over<P>(c.at, 0, c.divisor), rounded_to<T>(c.t / c.divisor),
+  return {c.relation, rounded_coordinates<P>(c.at / c.divisor), rounded_to<T>(c.t / c.divisor),
           rounded_to<T>(c.s / c.divisor)};
 }
 
@@ -122,10 +130,8 @@ inline namespace IRG_ABI {
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 constexpr lines_meeting<P> intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
-  using T = scalar_of<P>;
   if (detail::are_equal(a, b) || detail::are_equal(c, d)) return {};
-  return detail::rounded_meeting<P>(
-      detail::cross_lines<false, static_cast<std::size_t>(size_of<P>)>(detail::gathered<T>(a, b, c, d)));
+  return detail::rounded_meeting<P>(detail::cross_lines(a, b, c, d));
 }
 
 /// The same for lines given by origin and direction; t and s count in their directions.
@@ -135,9 +141,9 @@ template <Real T, int N>
   requires(N == 2 || N == 3)
 constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>& first,
                                                      const parametric_line<T, N>& second) noexcept {
-  if (detail::is_zero_vector(first.direction) || detail::is_zero_vector(second.direction)) return {};
-  return detail::rounded_meeting<point<T, N>>(detail::cross_lines<true, static_cast<std::size_t>(N)>(
-      detail::gathered<T>(first.origin, first.direction, second.origin, second.direction)));
+  if (detail::is_zero(first.direction) || detail::is_zero(second.direction)) return {};
+  return detail::rounded_meeting<point<T, N>>(
+      detail::cross_lines(first.origin, first.direction, second.origin, second.direction));
 }
 
 }  // namespace IRG_ABI

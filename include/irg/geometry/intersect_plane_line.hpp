@@ -5,11 +5,13 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/parametric_plane.hpp>
 #include <irg/geometry/plane.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 
@@ -37,22 +39,21 @@ struct parametric_meeting {
 namespace detail {
 inline namespace IRG_ABI {
 
-// v: the divisor, t times it, and the point times it.
-template <Point P, class V, std::size_t Size>
-constexpr plane_line_meeting<P> rounded_plane_meeting(const std::optional<std::array<V, Size>>& v) noexcept {
-  if (!v) return {};
-  const auto& x = *v;
-  if (known_sign(x[0]) == 0)
-    return {known_sign(x[1]) == 0 ? plane_line_relation::contained : plane_line_relation::parallel, {}, {}};
-  return {plane_line_relation::crossing, coordinates_over<P>(x, 2, x[0]), rounded_to<scalar_of<P>>(x[1] / x[0])};
+// The divisor, t times it, and the point times it: of the plane with normal n, the line a + t u, and the height of a
+// over the plane times |n|.
+template <class P, class N>
+constexpr std::tuple<N, N, vec<N, 3>> cross_plane(const vec<N, 3>& n, const P& a, const vec<N, 3>& u,
+                                                  const N& height) noexcept {
+  const N divisor = dot(n, u), t = -height;
+  return {divisor, t, to_vec(a) * divisor + u * t};
 }
 
-// The plane with normal n, the line a + t u, and the height of a over the plane times |n|.
-template <class N>
-constexpr std::array<N, 5> cross_plane(const std::array<N, 3>& n, const std::array<N, 3>& a, const std::array<N, 3>& u,
-                                       const N& height) noexcept {
-  const N divisor = dot_of(n, u), t = -height;
-  return joined(std::array<N, 2>{divisor, t}, sum_of(multiple_of(a, divisor), multiple_of(u, t)));
+template <Point P, class V>
+constexpr plane_line_meeting<P> rounded_plane_meeting(const std::optional<std::tuple<V, V, vec<V, 3>>>& v) noexcept {
+  if (!v) return {};
+  const auto& [divisor, t, at] = *v;
+  if (is_zero(divisor)) return {is_zero(t) ? plane_line_relation::contained : plane_line_relation::parallel, {}, {}};
+  return {plane_line_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
 }
 
 }  // namespace IRG_ABI
@@ -69,15 +70,13 @@ inline namespace IRG_ABI {
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
 constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
-  using T = scalar_of<P>;
-  if (detail::are_equal(a, b) || detail::is_zero_vector(normal_of(plane))) return {};
-  return detail::rounded_plane_meeting<P>(detail::evaluate<3>(
-      [](const auto& x) {
-        const auto n = detail::part_of<3>(x, 0), from = detail::part_of<3>(x, 4);
-        return detail::cross_plane(n, from, detail::difference_of(detail::part_of<3>(x, 7), from),
-                                   detail::dot_of(n, from) + x[3]);
+  if (detail::are_equal(a, b) || detail::is_zero(normal_of(plane))) return {};
+  return detail::rounded_plane_meeting<P>(values_of<3>(
+      [](const auto& l, const auto& from, const auto& to) {
+        const auto n = normal_of(l);
+        return detail::cross_plane(n, from, to - from, dot(n, to_vec(from)) + l.d);
       },
-      detail::gathered<T>(detail::coefficients_of(plane), a, b)));
+      detail::as_plane(plane), a, b));
 }
 
 /// The same for a line given by origin and direction; t counts in its direction.
@@ -85,13 +84,13 @@ template <Plane L, Real T>
   requires std::same_as<plane_scalar<L>, T>
 constexpr plane_line_meeting<point<T, 3>> intersect_plane_line(const L& plane,
                                                                const parametric_line<T, 3>& line) noexcept {
-  if (detail::is_zero_vector(line.direction) || detail::is_zero_vector(normal_of(plane))) return {};
-  return detail::rounded_plane_meeting<point<T, 3>>(detail::evaluate<3>(
-      [](const auto& x) {
-        const auto n = detail::part_of<3>(x, 0), from = detail::part_of<3>(x, 4);
-        return detail::cross_plane(n, from, detail::part_of<3>(x, 7), detail::dot_of(n, from) + x[3]);
+  if (detail::is_zero(line.direction) || detail::is_zero(normal_of(plane))) return {};
+  return detail::rounded_plane_meeting<point<T, 3>>(values_of<3>(
+      [](const auto& l, const auto& from, const auto& u) {
+        const auto n = normal_of(l);
+        return detail::cross_plane(n, from, u, dot(n, to_vec(from)) + l.d);
       },
-      detail::gathered<T>(detail::coefficients_of(plane), line.origin, line.direction)));
+      detail::as_plane(plane), line.origin, line.direction));
 }
 
 /// The same for the plane through three points, of which no coefficient is ever rounded.
@@ -101,17 +100,13 @@ template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, const P& r, const P& a,
                                                      const P& b) noexcept {
-  using T = scalar_of<P>;
   if (detail::are_equal(a, b)) return {};
-  const auto m = detail::rounded_plane_meeting<P>(detail::evaluate<4>(
-      [](const auto& x) {
-        const auto base = detail::part_of<3>(x, 0), from = detail::part_of<3>(x, 9);
-        const auto n = detail::cross_of(detail::difference_of(detail::part_of<3>(x, 3), base),
-                                        detail::difference_of(detail::part_of<3>(x, 6), base));
-        return detail::cross_plane(n, from, detail::difference_of(detail::part_of<3>(x, 12), from),
-                                   detail::dot_of(n, detail::difference_of(from, base)));
+  const auto m = detail::rounded_plane_meeting<P>(values_of<4>(
+      [](const auto& base, const auto& second, const auto& third, const auto& from, const auto& to) {
+        const auto n = cross(second - base, third - base);
+        return detail::cross_plane(n, from, to - from, dot(n, from - base));
       },
-      detail::gathered<T>(p, q, r, a, b)));
+      p, q, r, a, b));
   if (m.relation == plane_line_relation::contained && !detail::spans_plane(p, q, r)) return {};
   return m;
 }
@@ -123,24 +118,22 @@ constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, con
 template <Real T>
 constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& plane,
                                                      const parametric_line<T, 3>& line) noexcept {
-  if (detail::is_zero_vector(line.direction)) return {};
-  const auto v = detail::evaluate<4>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto first = detail::part_of<3>(x, 0), second = detail::part_of<3>(x, 3), from = detail::part_of<3>(x, 9);
-        const auto u = detail::part_of<3>(x, 12), w = detail::difference_of(from, detail::part_of<3>(x, 6));
-        const auto n = detail::cross_of(first, second);
-        return detail::joined(detail::cross_plane(n, from, u, detail::dot_of(n, w)),
-                              std::array<N, 2>{detail::dot_of(w, detail::cross_of(second, u)),
-                                               detail::dot_of(w, detail::cross_of(u, first))});
+  if (detail::is_zero(line.direction)) return {};
+  const auto v = values_of<4>(
+      [](const auto& first, const auto& second, const auto& base, const auto& from, const auto& u) {
+        const auto n = cross(first, second), w = from - base;
+        return std::tuple{detail::cross_plane(n, from, u, dot(n, w)),
+                          vec{dot(w, cross(second, u)), dot(w, cross(u, first))}};
       },
-      detail::gathered<T>(plane.first, plane.second, plane.origin, line.origin, line.direction));
-  const auto m = detail::rounded_plane_meeting<point<T, 3>>(v);
-  if (m.relation == plane_line_relation::none) return {};
-  if (m.relation == plane_line_relation::crossing)
-    return {m.relation, m.at, detail::rounded_to<T>((*v)[5] / (*v)[0]), detail::rounded_to<T>((*v)[6] / (*v)[0]), m.t};
+      plane.first, plane.second, plane.origin, line.origin, line.direction);
+  if (!v) return {};
+  const auto m = detail::rounded_plane_meeting<point<T, 3>>(std::optional(std::get<0>(*v)));
+  if (m.relation == plane_line_relation::crossing) {
+    const auto s = std::get<1>(*v) / std::get<0>(std::get<0>(*v));
+    return {m.relation, m.at, rounded_to<T>(s.x), rounded_to<T>(s.y), m.t};
+  }
   const auto normal = detail::directions_normal(plane);
-  if (!normal || detail::are_zero(*normal, 0, 3)) return {};
+  if (!normal || detail::is_zero(*normal)) return {};
   return {m.relation, {}, {}, {}, {}};
 }
 

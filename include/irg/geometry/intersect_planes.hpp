@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 
@@ -35,19 +37,6 @@ struct three_planes_meeting {
   parametric_line<T, 3> line{};
 };
 
-namespace detail {
-inline namespace IRG_ABI {
-
-// The numbers that are all zero when two planes are one: coefficients proportional, d among them.
-template <class N>
-constexpr std::array<N, 3> offsets_of(const std::array<N, 3>& n, const N& d, const std::array<N, 3>& m,
-                                      const N& e) noexcept {
-  return difference_of(multiple_of(n, e), multiple_of(m, d));
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
 inline namespace IRG_ABI {
 
 /// How two planes lie, and their common line: its origin is the line's point nearest to the origin, its direction the
@@ -60,34 +49,28 @@ template <Plane L>
   requires Real<plane_scalar<L>>
 constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second) noexcept {
   using T = plane_scalar<L>;
-  if (detail::is_zero_vector(normal_of(first)) || detail::is_zero_vector(normal_of(second))) return {};
-  const auto in = detail::gathered<T>(detail::coefficients_of(first), detail::coefficients_of(second));
-  const auto direction = detail::evaluate<2>(
-      [](const auto& x) { return detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 4)); }, in);
+  if (detail::is_zero(normal_of(first)) || detail::is_zero(normal_of(second))) return {};
+  const auto p = detail::as_plane(first), q = detail::as_plane(second);
+  const auto direction =
+      values_of<2>([](const auto& a, const auto& b) { return cross(normal_of(a), normal_of(b)); }, p, q);
   if (!direction) return {};
-  if (detail::are_zero(*direction, 0, 3)) {
-    const auto offsets = detail::evaluate<2>(
-        [](const auto& x) {
-          return detail::offsets_of(detail::part_of<3>(x, 0), x[3], detail::part_of<3>(x, 4), x[7]);
-        },
-        in);
-    if (!offsets) return {};
-    return {detail::are_zero(*offsets, 0, 3) ? planes_relation::coincident : planes_relation::parallel, {}};
+  if (detail::is_zero(*direction)) {
+    // All zero when the coefficients are proportional, d among them.
+    const auto offsets =
+        values_of<2>([](const auto& a, const auto& b) { return normal_of(a) * b.d - normal_of(b) * a.d; }, p, q);
+    return {detail::is_zero(*offsets) ? planes_relation::coincident : planes_relation::parallel, {}};
   }
   // (d (u x m) + e (n x u)) / u.u for the planes n.x + d = 0 and m.x + e = 0 with u = n x m.
-  const auto origin = detail::evaluate<4>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto n = detail::part_of<3>(x, 0), m = detail::part_of<3>(x, 4), u = detail::cross_of(n, m);
-        return detail::joined(std::array<N, 1>{detail::dot_of(u, u)},
-                              detail::sum_of(detail::multiple_of(detail::cross_of(u, m), x[3]),
-                                             detail::multiple_of(detail::cross_of(n, u), x[7])));
+  const auto origin = values_of<4>(
+      [](const auto& a, const auto& b) {
+        const auto n = normal_of(a), m = normal_of(b), u = cross(n, m);
+        return std::tuple{dot(u, u), cross(u, m) * a.d + cross(n, u) * b.d};
       },
-      in);
+      p, q);
   if (!origin) return {};
-  const auto u = detail::rounded_together<T, 3>(*direction);
-  return {planes_relation::crossing,
-          {detail::coordinates_over<point<T, 3>>(*origin, 1, (*origin)[0]), {u[0], u[1], u[2]}}};
+  const auto& [divisor, at] = *origin;
+  const auto u = rounded_together<T, 3>(std::array{direction->x, direction->y, direction->z});
+  return {planes_relation::crossing, {rounded_coordinates<point<T, 3>>(at / divisor), {u[0], u[1], u[2]}}};
 }
 
 /// What three planes have in common.
@@ -103,21 +86,16 @@ constexpr three_planes_meeting<plane_scalar<L>> intersect_planes(const L& first,
   using relation = three_planes_relation;
   const L* planes[] = {&first, &second, &third};
   for (const L* p : planes)
-    if (detail::is_zero_vector(normal_of(*p))) return {};
-  const auto v = detail::evaluate<3>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto a = detail::part_of<3>(x, 0), b = detail::part_of<3>(x, 4), c = detail::part_of<3>(x, 8);
-        const auto bc = detail::cross_of(b, c), ca = detail::cross_of(c, a), ab = detail::cross_of(a, b);
-        const auto sum = detail::sum_of(detail::sum_of(detail::multiple_of(bc, x[3]), detail::multiple_of(ca, x[7])),
-                                        detail::multiple_of(ab, x[11]));
-        return detail::joined(std::array<N, 1>{-detail::dot_of(a, bc)}, sum);
+    if (detail::is_zero(normal_of(*p))) return {};
+  const auto v = values_of<3>(
+      [](const auto& p, const auto& q, const auto& r) {
+        const auto a = normal_of(p), b = normal_of(q), c = normal_of(r), bc = cross(b, c);
+        return std::tuple{-dot(a, bc), bc * p.d + cross(c, a) * q.d + cross(a, b) * r.d};
       },
-      detail::gathered<T>(detail::coefficients_of(first), detail::coefficients_of(second),
-                          detail::coefficients_of(third)));
+      detail::as_plane(first), detail::as_plane(second), detail::as_plane(third));
   if (!v) return {};
-  if (detail::known_sign((*v)[0]) != 0)
-    return {relation::point, detail::coordinates_over<point<T, 3>>(*v, 1, (*v)[0]), {}};
+  const auto& [divisor, at] = *v;
+  if (!detail::is_zero(divisor)) return {relation::point, rounded_coordinates<point<T, 3>>(at / divisor), {}};
   // The normals lie in a plane or on a line: the pairs tell the rest, and whether the three pencils are one.
   planes_meeting<T> pairs[3];
   int distinct = 0, crossing = -1;
@@ -128,7 +106,7 @@ constexpr three_planes_meeting<plane_scalar<L>> intersect_planes(const L& first,
   }
   if (distinct > 0) return {relation::parallel, {}, {}};
   if (crossing < 0) return {relation::coincident, {}, {}};
-  if (!detail::are_zero(*v, 1, 3)) return {relation::prism, {}, {}};
+  if (!detail::is_zero(at)) return {relation::prism, {}, {}};
   return {relation::line, {}, pairs[crossing].line};
 }
 

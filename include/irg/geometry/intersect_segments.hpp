@@ -49,13 +49,6 @@ constexpr bool on_one_side(const P& a, const P& b, const P& c, const P& d) noexc
   return side != 0 && side == orient2d(a, b, d);
 }
 
-template <Point P>
-constexpr bool is_finite_place(const P& p) noexcept {
-  for (int i = 0; i < size_of<P>; ++i)
-    if (!is_proper(coordinate(p, i))) return false;
-  return true;
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -70,25 +63,18 @@ template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 constexpr segments_meeting<P> intersect_segments(const P& a, const P& b, const P& c, const P& d) noexcept {
   using T = scalar_of<P>;
-  for (const P* p : {&a, &b, &c, &d})
-    if (!detail::is_finite_place(*p)) return {};
+  if (!is_finite(a, b, c, d)) return {};
   if constexpr (size_of<P> == 2)
     if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
-  const auto m = detail::cross_lines<false, static_cast<std::size_t>(size_of<P>)>(detail::gathered<T>(a, b, c, d));
+  const auto m = detail::cross_lines(a, b, c, d);
   if (m.relation == line_relation::coincident) return detail::common_part(a, b, c, d);
   if (m.relation != line_relation::crossing) return {};
-  const int side = detail::known_sign(m.divisor);
-  const auto part = [&](const auto& v) { return detail::known_sign(v) * side; };
+  const int side = sign_of(m.divisor);
+  const auto part = [&](const auto& v) { return sign_of(v) * side; };
   const int t = part(m.t), t_rest = part(m.t_rest), s = part(m.s), s_rest = part(m.s_rest);
   if (t < 0 || t_rest < 0 || s < 0 || s_rest < 0) return {};
-  const auto parameter = [&](const auto& v, int rest) {
-    return rest == 0 ? T(1) : detail::rounded_to<T>(v / m.divisor);
-  };
-  const P at = t == 0        ? a
-               : t_rest == 0 ? b
-               : s == 0      ? c
-               : s_rest == 0 ? d
-                             : detail::coordinates_over<P>(m.at, 0, m.divisor);
+  const auto parameter = [&](const auto& v, int rest) { return rest == 0 ? T(1) : rounded_to<T>(v / m.divisor); };
+  const P at = t == 0 ? a : t_rest == 0 ? b : s == 0 ? c : s_rest == 0 ? d : rounded_coordinates<P>(m.at / m.divisor);
   return {segment_relation::point, at, at, parameter(m.t, t_rest), parameter(m.s, s_rest)};
 }
 

@@ -4,8 +4,9 @@
 
 #include <optional>
 
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/side_of_line.hpp>
+#include <irg/math/exact/values_of.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -25,9 +26,9 @@ namespace detail {
 inline namespace IRG_ABI {
 
 template <class T, class V>
-constexpr std::optional<line<T>> rounded_line(const std::optional<std::array<V, 3>>& v) noexcept {
-  if (!v || are_zero(*v, 0, 3)) return std::nullopt;
-  const auto c = rounded_together<T, 3>(*v);
+constexpr std::optional<line<T>> rounded_line(const std::optional<vec<V, 3>>& v) noexcept {
+  if (!v || is_zero(*v)) return std::nullopt;
+  const auto c = rounded_together<T, 3>(std::array{v->x, v->y, v->z});
   return line<T>{c[0], c[1], c[2]};
 }
 
@@ -47,9 +48,8 @@ template <Point P>
 constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
   using T = scalar_of<P>;
   if (detail::are_equal(p, q)) return std::nullopt;
-  return detail::rounded_line<T>(
-      detail::evaluate<2>([](const auto& x) { return std::array{x[1] - x[3], x[2] - x[0], x[0] * x[3] - x[2] * x[1]}; },
-                          detail::gathered<T>(p, q)));
+  return detail::rounded_line<T>(values_of<2>(
+      [](const auto& a, const auto& b) { return vec{a.y - b.y, b.x - a.x, a.x * b.y - b.x * a.y}; }, p, q));
 }
 
 /// The line through two homogeneous points, their cross product. For two directions it is the line at infinity, (0, 0,
@@ -61,9 +61,9 @@ template <HomogeneousPoint P>
   requires(size_of<P> == 3 && !Point<P>)
 constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
   using T = scalar_of<P>;
-  return detail::rounded_line<T>(detail::evaluate<2>(
-      [](const auto& x) { return detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3)); },
-      detail::gathered<T>(p, q)));
+  const auto own = [](const P& x) { return vec<T, 3>{coordinate(x, 0), coordinate(x, 1), coordinate(x, 2)}; };
+  return detail::rounded_line<T>(
+      values_of<2>([](const auto& a, const auto& b) { return cross(a, b); }, own(p), own(q)));
 }
 
 /// The point that two lines have in common, their cross product: of weight 0, a direction, for parallel lines.
@@ -74,12 +74,10 @@ constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q)
 /// source  Mihajlovic 2016, the dual of formula 2.5; parallel lines have a common point at infinity
 template <Scalar T>
 constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const line<T>& second) noexcept {
-  const auto v = detail::evaluate<2>(
-      [](const auto& x) { return detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3)); },
-      std::array<T, 6>{first.a, first.b, first.c, second.a, second.b, second.c});
-  if (!v || detail::are_zero(*v, 0, 3)) return std::nullopt;
-  const auto p = detail::rounded_together<T, 3>(*v);
-  return hpoint<T, 2>{p[0], p[1], p[2]};
+  const auto own = [](const line<T>& l) { return vec<T, 3>{l.a, l.b, l.c}; };
+  const auto p = detail::rounded_line<T>(
+      values_of<2>([](const auto& a, const auto& b) { return cross(a, b); }, own(first), own(second)));
+  return p ? std::optional(hpoint<T, 2>{p->a, p->b, p->c}) : std::nullopt;
 }
 
 /// a*x + b*y + c: the distance of p from the line times the length of (a, b), positive on the left.

@@ -17,8 +17,8 @@ inline namespace IRG_ABI {
 template <Scalar T>
 constexpr std::optional<line<T>> implicit_line_of(const parametric_line<T, 2>& l) noexcept {
   return detail::rounded_line<T>(
-      detail::evaluate<2>([](const auto& x) { return std::array{-x[1], x[0], x[1] * x[2] - x[0] * x[3]}; },
-                          detail::gathered<T>(l.direction, l.origin)));
+      values_of<2>([](const auto& u, const auto& from) { return vec{-u.y, u.x, u.y * from.x - u.x * from.y}; },
+                   l.direction, l.origin));
 }
 
 /// The implicit form of the line through two homogeneous points.
@@ -35,7 +35,7 @@ constexpr std::optional<line<T>> implicit_line_of(const homogeneous_line<T, 2>& 
 template <Real T>
 constexpr std::optional<parametric_line<T, 2>> parametric_line_of(const line<T>& l) noexcept {
   for (const T& c : {l.a, l.b, l.c})
-    if (!detail::is_proper(c)) return std::nullopt;
+    if (!is_finite(c)) return std::nullopt;
   if (l.a == T(0) && l.b == T(0)) return std::nullopt;
   const T a = l.a < T(0) ? -l.a : l.a, b = l.b < T(0) ? -l.b : l.b;
   const point<T, 2> origin = a < b ? point<T, 2>{T(0), -l.c / l.b} : point<T, 2>{-l.c / l.a, T(0)};

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/math/exact/values_of.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/vec.hpp>
 
@@ -86,9 +86,10 @@ template <Point P>
 constexpr P point_between(const P& a, const P& b, scalar_of<P> t) noexcept {
   using T = scalar_of<P>;
   return generate_coordinates<P>([&](int i) {
-    const auto sum = detail::evaluate<2>([](const auto& x) { return std::array{x[0] + x[2] * (x[1] - x[0])}; },
-                                         std::array<T, 3>{coordinate(a, i), coordinate(b, i), t});
-    return sum ? detail::rounded_to<T>((*sum)[0]) : std::numeric_limits<T>::quiet_NaN();
+    const auto sum =
+        values_of<2>([](const auto& from, const auto& to, const auto& s) { return from + s * (to - from); },
+                     coordinate(a, i), coordinate(b, i), t);
+    return sum ? rounded_to<T>(*sum) : std::numeric_limits<T>::quiet_NaN();
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/math/exact/values_of.hpp>
 #include <irg/math/mat.hpp>
 
 namespace irg {
@@ -30,27 +31,17 @@ struct plane_parameters {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <class T, Point P>
-constexpr point<T, 3> as_point(const P& p) noexcept {
-  return generate_coordinates<point<T, 3>>([&](int i) { return coordinate(p, i); });
-}
-
 /// The cross product of the two directions of a parametric plane, exactly zero or not.
 template <class T>
 constexpr auto directions_normal(const parametric_plane<T>& p) noexcept {
-  return evaluate<2>([](const auto& x) { return cross_of(part_of<3>(x, 0), part_of<3>(x, 3)); },
-                     gathered<T>(p.first, p.second));
+  return values_of<2>([](const auto& a, const auto& b) { return cross(a, b); }, p.first, p.second);
 }
 
 template <Point P>
 constexpr bool spans_plane(const P& a, const P& b, const P& c) noexcept {
-  const auto normal = evaluate<2>(
-      [](const auto& x) {
-        const auto p = part_of<3>(x, 0);
-        return cross_of(difference_of(part_of<3>(x, 3), p), difference_of(part_of<3>(x, 6), p));
-      },
-      gathered<scalar_of<P>>(a, b, c));
-  return normal && !are_zero(*normal, 0, 3);
+  const auto normal =
+      values_of<2>([](const auto& p, const auto& q, const auto& r) { return cross(q - p, r - p); }, a, b, c);
+  return normal && !is_zero(*normal);
 }
 
 }  // namespace IRG_ABI
@@ -104,13 +95,12 @@ constexpr point<T, 3> point_at(const parametric_plane<T>& p, std::type_identity_
 /// exact   as plane_through_accurate, for the directions as they are
 template <class T>
 constexpr std::optional<plane<T>> implicit_plane_of(const parametric_plane<T>& p) noexcept {
-  return detail::rounded_plane<T>(detail::evaluate<3>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto n = detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3));
-        return detail::joined(n, std::array<N, 1>{-detail::dot_of(n, detail::part_of<3>(x, 6))});
+  return detail::plane_of_values<T>(values_of<3>(
+      [](const auto& a, const auto& b, const auto& origin) {
+        const auto n = cross(a, b);
+        return std::array{n.x, n.y, n.z, -dot(n, to_vec(origin))};
       },
-      detail::gathered<T>(p.first, p.second, p.origin)));
+      p.first, p.second, p.origin));
 }
 
 /// A parametric form of a plane: the origin is where it meets the axis nearest to its normal, the directions are made
@@ -124,9 +114,7 @@ constexpr std::optional<parametric_plane<plane_scalar<P>>> parametric_plane_of(c
   const vec<T, 3> n = normal_of(p);
   const auto size = [&](int i) { return n[i] < T(0) ? -n[i] : n[i]; };
   const int k = size(0) < size(1) ? (size(1) < size(2) ? 2 : 1) : (size(0) < size(2) ? 2 : 0);
-  if (detail::is_zero_vector(n)) return std::nullopt;
-  for (int i = 0; i < 4; ++i)
-    if (!detail::is_proper(plane_coefficient(p, i))) return std::nullopt;
+  if (detail::is_zero(n) || !is_finite(detail::as_plane(p))) return std::nullopt;
   const int i = (k + 1) % 3, j = (k + 2) % 3;
   parametric_plane<T> q{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
   q.first[i] = n[k], q.first[k] = -n[i];
@@ -145,17 +133,14 @@ constexpr std::optional<parametric_plane<plane_scalar<P>>> parametric_plane_of(c
 template <Real T, Point P>
   requires(size_of<P> == 3 && std::same_as<scalar_of<P>, T>)
 constexpr std::optional<plane_parameters<T>> parameters_of(const parametric_plane<T>& p, const P& q) noexcept {
-  const auto v = detail::evaluate<4>(
-      [](const auto& x) {
-        const auto a = detail::part_of<3>(x, 0), b = detail::part_of<3>(x, 3);
-        const auto n = detail::cross_of(a, b),
-                   w = detail::difference_of(detail::part_of<3>(x, 9), detail::part_of<3>(x, 6));
-        return std::array{detail::dot_of(n, n), detail::dot_of(detail::cross_of(w, b), n),
-                          detail::dot_of(detail::cross_of(a, w), n)};
+  const auto v = values_of<4>(
+      [](const auto& a, const auto& b, const auto& origin, const auto& at) {
+        const auto n = cross(a, b), w = at - origin;
+        return vec{dot(n, n), dot(cross(w, b), n), dot(cross(a, w), n)};
       },
-      detail::gathered<T>(p.first, p.second, p.origin, q));
-  if (!v || detail::known_sign((*v)[0]) == 0) return std::nullopt;
-  return plane_parameters<T>{detail::rounded_to<T>((*v)[1] / (*v)[0]), detail::rounded_to<T>((*v)[2] / (*v)[0])};
+      p.first, p.second, p.origin, q);
+  if (!v || detail::is_zero(v->x)) return std::nullopt;
+  return plane_parameters<T>{rounded_to<T>(v->y / v->x), rounded_to<T>(v->z / v->x)};
 }
 
 /// Whether the point at these parameters lies in the triangle of the origin and the ends of both directions: none is

@@ -6,13 +6,13 @@
 
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/ring.hpp>
-#include <irg/geometry/detail/exact_sign.hpp>
+#include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
 
 /// The points with a*x + b*y + c*z + d = 0; (a, b, c) points to its upper side and need not be of length 1.
-template <Scalar T>
+template <Number T>
 struct plane {
   T a{}, b{}, c{}, d{};
   constexpr bool operator==(const plane&) const = default;
@@ -23,6 +23,11 @@ enum class plane_side { below = -1, on = 0, above = 1 };
 
 namespace detail {
 inline namespace IRG_ABI {
+
+template <Plane P>
+IRG_INLINE constexpr plane<plane_scalar<P>> as_plane(const P& p) noexcept {
+  return {plane_coefficient(p, 0), plane_coefficient(p, 1), plane_coefficient(p, 2), plane_coefficient(p, 3)};
+}
 
 template <class T, Coordinates P>
 IRG_INLINE constexpr vec<T, 3> displacement(const P& from, const P& to) noexcept {
@@ -42,6 +47,12 @@ IRG_INLINE constexpr std::optional<plane<T>> plane_with_normal(const vec<T, 3>& 
 }  // namespace detail
 
 inline namespace IRG_ABI {
+
+/// The plane as polynomials of sign_of and values_of take it.
+template <class N, class T, class F>
+IRG_INLINE constexpr plane<N> in_numbers(const plane<T>& p, const F& number) noexcept {
+  return {number(p.a), number(p.b), number(p.c), number(p.d)};
+}
 
 /// The vector (a, b, c), at right angles to the plane.
 template <Plane P>
@@ -117,18 +128,15 @@ template <Plane P, Coordinates Q>
            std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
 constexpr plane_side side_of(const P& p, const Q& q) noexcept {
   using T = scalar_of<Q>;
-  const auto coefficient = [&](int i) { return plane_traits<P>::coefficient(p, i); };
+  const plane<T> form = detail::as_plane(p);
   if constexpr (size_of<Q> == 3) {
-    const auto formula = [](const auto& x) { return x[0] * x[4] + x[1] * x[5] + x[2] * x[6] + x[3]; };
-    return static_cast<plane_side>(detail::sign_of_degree_2(
-        formula, std::array<T, 7>{coefficient(0), coefficient(1), coefficient(2), coefficient(3), coordinate(q, 0),
-                                  coordinate(q, 1), coordinate(q, 2)}));
+    return static_cast<plane_side>(
+        sign_of<2>([](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d; }, form, q));
   } else {
-    const auto formula = [](const auto& x) { return x[0] * x[4] + x[1] * x[5] + x[2] * x[6] + x[3] * x[7]; };
-    const int sign = detail::sign_of_degree_2(
-        formula, std::array<T, 8>{coefficient(0), coefficient(1), coefficient(2), coefficient(3), coordinate(q, 0),
-                                  coordinate(q, 1), coordinate(q, 2), coordinate(q, 3)});
-    return static_cast<plane_side>(coordinate(q, 3) < T(0) ? -sign : sign);
+    const auto at = generate_coordinates<hpoint<T, 3>>([&](int i) { return coordinate(q, i); });
+    const int sign = sign_of<2>(
+        [](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d * x.w; }, form, at);
+    return static_cast<plane_side>(at.w < T(0) ? -sign : sign);
   }
 }
 

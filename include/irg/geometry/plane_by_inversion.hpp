@@ -32,21 +32,22 @@ template <HomogeneousPoint P>
 constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& p2, const P& p3,
                                                           scalar_of<P> d = scalar_of<P>(1)) noexcept {
   using T = scalar_of<P>;
-  if (d == T(0) || !detail::is_proper(d)) return {};
+  if (d == T(0) || !is_finite(d)) return {};
   const auto minors = detail::homogeneous_plane(p1, p2, p3);
   if (!minors) return {};
   const auto& m = *minors;
-  if (detail::known_sign(m[3]) == 0)
-    return {detail::are_zero(m, 0, 3) ? inversion_outcome::collinear : inversion_outcome::through_origin, {}};
+  if (sign_of(m[3]) == 0)
+    return {detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_outcome::collinear : inversion_outcome::through_origin,
+            {}};
   const auto factor = [&] {
     if constexpr (Floating<T>) {
       const auto [significand, exponent] = detail::decompose(widened(d));  // subnormals are no known numbers
-      return detail::known_number{significand, 0, exponent};
+      return known_number{significand, 0, exponent};
     } else {
       return d;
     }
   }();
-  const auto coefficient = [&](std::size_t i) { return detail::rounded_to<T>(m[i] * factor / m[3]); };
+  const auto coefficient = [&](std::size_t i) { return rounded_to<T>(m[i] * factor / m[3]); };
   return {inversion_outcome::plane, {coefficient(0), coefficient(1), coefficient(2), d}};
 }
 

@@ -6,8 +6,9 @@
 #include <array>
 #include <optional>
 
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/plane.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 namespace detail {
@@ -15,9 +16,8 @@ inline namespace IRG_ABI {
 
 /// The minors of the rows p, q, r that are the plane's coefficients.
 template <class N>
-constexpr std::array<N, 4> plane_minors(const std::array<N, 4>& p, const std::array<N, 4>& q,
-                                        const std::array<N, 4>& r) noexcept {
-  const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) {
+constexpr std::array<N, 4> plane_minors(const hpoint<N, 3>& p, const hpoint<N, 3>& q, const hpoint<N, 3>& r) noexcept {
+  const auto minor = [&](int i, int j, int k) {
     return p[i] * (q[j] * r[k] - q[k] * r[j]) - p[j] * (q[i] * r[k] - q[k] * r[i]) + p[k] * (q[i] * r[j] - q[j] * r[i]);
   };
   return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
@@ -26,13 +26,16 @@ constexpr std::array<N, 4> plane_minors(const std::array<N, 4>& p, const std::ar
 /// The four coefficients of the plane through three homogeneous points.
 template <HomogeneousPoint P>
 constexpr auto homogeneous_plane(const P& p, const P& q, const P& r) noexcept {
-  return evaluate<3>([](const auto& x) { return plane_minors(part_of<4>(x, 0), part_of<4>(x, 4), part_of<4>(x, 8)); },
-                     gathered<scalar_of<P>>(p, q, r));
+  const auto own = [](const P& x) {
+    return generate_coordinates<hpoint<scalar_of<P>, 3>>([&](int i) { return coordinate(x, i); });
+  };
+  return values_of<3>([](const auto& a, const auto& b, const auto& c) { return plane_minors(a, b, c); }, own(p), own(q),
+                      own(r));
 }
 
 template <class T, class V>
-constexpr std::optional<plane<T>> rounded_plane(const std::optional<std::array<V, 4>>& v) noexcept {
-  if (!v || are_zero(*v, 0, 3)) return std::nullopt;
+constexpr std::optional<plane<T>> plane_of_values(const std::optional<std::array<V, 4>>& v) noexcept {
+  if (!v || is_zero(vec<V, 3>{(*v)[0], (*v)[1], (*v)[2]})) return std::nullopt;
   const auto c = rounded_together<T, 3>(*v);
   return plane<T>{c[0], c[1], c[2], c[3]};
 }
@@ -54,15 +57,12 @@ template <Point P>
   requires(size_of<P> == 3)
 constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1, const P& p2, const P& p3) noexcept {
   using T = scalar_of<P>;
-  return detail::rounded_plane<T>(detail::evaluate<3>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto p = detail::part_of<3>(x, 0);
-        const auto n = detail::cross_of(detail::difference_of(detail::part_of<3>(x, 3), p),
-                                        detail::difference_of(detail::part_of<3>(x, 6), p));
-        return detail::joined(n, std::array<N, 1>{-detail::dot_of(n, p)});
+  return detail::plane_of_values<T>(values_of<3>(
+      [](const auto& p, const auto& q, const auto& r) {
+        const auto n = cross(q - p, r - p);
+        return std::array{n.x, n.y, n.z, -dot(n, to_vec(p))};
       },
-      detail::gathered<T>(p1, p2, p3)));
+      p1, p2, p3));
 }
 
 /// The plane through three homogeneous points: the minors of the matrix of their coordinates. Points of weight 1 give
@@ -74,7 +74,7 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1,
 template <HomogeneousPoint P>
   requires(size_of<P> == 4)
 constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2, const P& p3) noexcept {
-  return detail::rounded_plane<scalar_of<P>>(detail::homogeneous_plane(p1, p2, p3));
+  return detail::plane_of_values<scalar_of<P>>(detail::homogeneous_plane(p1, p2, p3));
 }
 
 /// The plane through p at right angles to `normal`, which becomes its vector (a, b, c).
@@ -84,12 +84,11 @@ template <Point P, Vector V>
   requires(size_of<P> == 3 && size_of<V> == 3 && std::same_as<scalar_of<P>, scalar_of<V>>)
 constexpr std::optional<plane<scalar_of<P>>> plane_at(const P& p, const V& normal) noexcept {
   using T = scalar_of<P>;
-  if (detail::is_zero_vector(normal)) return std::nullopt;
-  const auto d = detail::evaluate<2>(
-      [](const auto& x) { return std::array{-detail::dot_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3))}; },
-      detail::gathered<T>(p, normal));
+  const vec<T, 3> n{coordinate(normal, 0), coordinate(normal, 1), coordinate(normal, 2)};
+  if (detail::is_zero(n)) return std::nullopt;
+  const auto d = values_of<2>([](const auto& at, const auto& v) { return -dot(to_vec(at), v); }, p, n);
   if (!d) return std::nullopt;
-  return plane<T>{coordinate(normal, 0), coordinate(normal, 1), coordinate(normal, 2), detail::rounded_to<T>((*d)[0])};
+  return plane<T>{n.x, n.y, n.z, rounded_to<T>(*d)};
 }
 
 }  // namespace IRG_ABI

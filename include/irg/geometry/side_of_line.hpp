@@ -3,7 +3,7 @@
 #pragma once
 
 #include <irg/core/coordinates.hpp>
-#include <irg/geometry/detail/exact_sign.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 namespace irg {
 namespace detail {
@@ -47,17 +47,14 @@ template <detail::line_coefficients L, Coordinates Q>
 constexpr int side_of_line(const L& l, const Q& q) noexcept {
   using T = scalar_of<Q>;
   static_assert(std::same_as<T, decltype(detail::line_coefficient(l, 0))>);
-  const auto coefficient = [&](int i) { return detail::line_coefficient(l, i); };
+  const vec<T, 3> line{detail::line_coefficient(l, 0), detail::line_coefficient(l, 1), detail::line_coefficient(l, 2)};
   if constexpr (size_of<Q> == 2) {
-    const auto formula = [](const auto& x) { return x[0] * x[3] + x[1] * x[4] + x[2]; };
-    return detail::sign_of_degree_2(
-        formula, std::array<T, 5>{coefficient(0), coefficient(1), coefficient(2), coordinate(q, 0), coordinate(q, 1)});
+    return sign_of<2>([](const auto& k, const auto& x) { return k.x * x.x + k.y * x.y + k.z; }, line, q);
   } else {
-    const auto formula = [](const auto& x) { return x[0] * x[3] + x[1] * x[4] + x[2] * x[5]; };
-    const T x = coordinate(q, 0), y = coordinate(q, 1), w = coordinate(q, 2);
+    const hpoint<T, 2> at{coordinate(q, 0), coordinate(q, 1), coordinate(q, 2)};
     const int sign =
-        detail::sign_of_degree_2(formula, std::array<T, 6>{coefficient(0), coefficient(1), coefficient(2), x, y, w});
-    return w < T(0) ? -sign : sign;
+        sign_of<2>([](const auto& k, const auto& x) { return k.x * x.x + k.y * x.y + k.z * x.z; }, line, at);
+    return at.z < T(0) ? -sign : sign;
   }
 }
 

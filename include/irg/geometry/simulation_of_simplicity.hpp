@@ -30,10 +30,11 @@
 #include <utility>
 
 #include <irg/geometry/compare.hpp>
-#include <irg/geometry/detail/exact_sign.hpp>
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
+#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/exact_number.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -87,7 +88,7 @@ private:
       if (std::popcount(cols) == 1) {
         const int j = std::countr_zero(cols);
         const int first = std::countr_zero(rows), second = std::countr_zero(rows & (rows - 1));
-        return compare_scalars(coordinate(point(first), j), coordinate(point(second), j));
+        return compare_numbers(coordinate(point(first), j), coordinate(point(second), j));
       }
       if constexpr (dimension >= 2)
         if (std::popcount(cols) == 2) return shadow_orientation(rows, cols);
@@ -111,33 +112,41 @@ private:
   }
 
   IRG_NOINLINE constexpr int exact_determinant_sign(unsigned rows, unsigned cols) const noexcept {
-    if constexpr (fits_in_double<T> || std::is_integral_v<T>)
-      return determinant<dyadic<words_for_degree(dimension + 1)>>(rows, cols).sign();
+    if constexpr (Floating<T> || std::is_integral_v<T>)
+      return determinant<exact_number<dimension + 1>>(rows, cols).sign();
     else
-      return compare_scalars(determinant<T>(rows, cols), T(0));
+      return compare_numbers(determinant<T>(rows, cols), T(0));
+  }
+
+  template <class Value>
+  static constexpr Value as_number(const T& x) noexcept {
+    if constexpr (std::is_same_v<Value, T>)
+      return x;
+    else
+      return exactly<Value>(x);
   }
 
   // Coordinate j, or the sum of squares.
-  template <class Number>
-  constexpr Number entry(int row, int column) const noexcept {
-    const auto number = [&](int j) { return exact_number<Number>(coordinate(point(row), j)); };
+  template <class Value>
+  constexpr Value entry(int row, int column) const noexcept {
+    const auto number = [&](int j) { return as_number<Value>(coordinate(point(row), j)); };
     if (column < dimension) return number(column);
-    Number sum = number(0) * number(0);
+    Value sum = number(0) * number(0);
     for (int j = 1; j < dimension; ++j) sum = sum + number(j) * number(j);
     return sum;
   }
 
   // By the first column.
-  template <class Number>
-  constexpr Number determinant(unsigned rows, unsigned cols) const noexcept {
+  template <class Value>
+  constexpr Value determinant(unsigned rows, unsigned cols) const noexcept {
     const int column = std::countr_zero(cols);
     const unsigned rest = cols & (cols - 1);
-    Number sum = exact_number<Number>(T(0));
+    Value sum = as_number<Value>(T(0));
     bool minus = false;
     for (unsigned left = rows; left != 0; left &= left - 1, minus = !minus) {
       const int row = std::countr_zero(left);
-      const Number x = entry<Number>(row, column);
-      const Number term = rest == 0 ? x : x * determinant<Number>(rows & ~(1u << row), rest);
+      const Value x = entry<Value>(row, column);
+      const Value term = rest == 0 ? x : x * determinant<Value>(rows & ~(1u << row), rest);
       sum = minus ? sum - term : sum + term;
     }
     return sum;
@@ -162,7 +171,7 @@ IRG_INLINE constexpr int compare_for_perturbation(const P& p, const P& q) noexce
 }
 template <class P>
 IRG_INLINE constexpr int compare_for_perturbation(const numbered_point<P>& p, const numbered_point<P>& q) noexcept {
-  return compare_scalars(p.number, q.number);
+  return compare_numbers(p.number, q.number);
 }
 
 // The perturbed determinant's sign for points in the order they come: that in their own order, times the sign of the

@@ -22,27 +22,17 @@ struct ball_support {
 
 inline namespace IRG_ABI {
 
-// Whether p is outside of the smallest sphere through the first `Count` points.
-template <std::size_t Count, Point P>
-constexpr bool is_outside(const std::array<P, 4>& on, const P& p) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
-  using T = scalar_of<P>;
-  const auto sign = [&](const auto& in) {
-    const auto v = *evaluate<6>(
-        [](const auto& x) {
-          const auto c = centre_from<Count, D>(x);
-          const auto way = difference_of(part_of<D>(x, Count * D), part_of<D>(x, 0));
-          return std::array{dot_of(way, way) * c.divisor - dot_of(way, c.offset), c.divisor};
-        },
-        in);
-    return known_sign(v[0]) * known_sign(v[1]);  // the divisor of a ball on D + 1 points may be negative
-  };
-  if constexpr (Count == 2)
-    return sign(gathered<T>(on[0], on[1], p)) > 0;
-  else if constexpr (Count == 3)
-    return sign(gathered<T>(on[0], on[1], on[2], p)) > 0;
-  else
-    return sign(gathered<T>(on[0], on[1], on[2], on[3], p)) > 0;
+// Whether p is outside of the smallest sphere through the points `on`.
+template <Point P, std::same_as<P>... More>
+constexpr bool is_outside(const P& p, const P& on, const More&... more) noexcept {
+  const auto [gap, turn] = sign_of<6>(
+      [](const auto& x, const auto& from, const auto&... to) {
+        const auto c = centre_of_sphere((to - from)...);
+        const auto way = x - from;
+        return std::array{dot(way, way) * c.divisor - dot(way, c.offset), c.divisor};
+      },
+      p, on, more...);
+  return gap * turn > 0;  // the divisor of a ball on D + 1 points may be negative
 }
 
 // The smallest ball around D + 2 points at most.
@@ -96,10 +86,10 @@ private:
     for (std::size_t k = 0; k < s.count; ++k) on[k] = points_[s.at[k]];
     if (s.count == 0) return true;
     if (s.count == 1) return !are_equal(on[0], p);
-    if (s.count == 2) return detail::is_outside<2>(on, p);
+    if (s.count == 2) return detail::is_outside(p, on[0], on[1]);
     if constexpr (D == 3)
-      if (s.count == 4) return detail::is_outside<4>(on, p);
-    return detail::is_outside<3>(on, p);
+      if (s.count == 4) return detail::is_outside(p, on[0], on[1], on[2], on[3]);
+    return detail::is_outside(p, on[0], on[1], on[2]);
   }
 
   std::array<P, D + 2> points_{};

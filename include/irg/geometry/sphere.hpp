@@ -6,10 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/plane.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 namespace detail {
@@ -17,76 +19,64 @@ inline namespace IRG_ABI {
 
 // The smallest sphere through a and up to three points at u, v, w from it: its centre is at `offset / (2 divisor)` from
 // a.
-template <class N, std::size_t D>
+template <class N, int D>
 struct sphere_centre {
   N divisor{};
-  std::array<N, D> offset{};
+  vec<N, D> offset{};
 };
 
-template <class N, std::size_t D>
-constexpr sphere_centre<N, D> centre_of_sphere(const std::array<N, D>& u) noexcept {
-  return {dot_of(u, u), multiple_of(u, dot_of(u, u))};
+template <class N, int D>
+constexpr sphere_centre<N, D> centre_of_sphere(const vec<N, D>& u) noexcept {
+  return {dot(u, u), u * dot(u, u)};
 }
 template <class N>
-constexpr sphere_centre<N, 2> centre_of_sphere(const std::array<N, 2>& u, const std::array<N, 2>& v) noexcept {
-  const N uu = dot_of(u, u), vv = dot_of(v, v);
-  return {cross_of(u, v)[0], {uu * v[1] - vv * u[1], vv * u[0] - uu * v[0]}};
+constexpr sphere_centre<N, 2> centre_of_sphere(const vec<N, 2>& u, const vec<N, 2>& v) noexcept {
+  const N uu = dot(u, u), vv = dot(v, v);
+  return {cross(u, v), {uu * v.y - vv * u.y, vv * u.x - uu * v.x}};
 }
 template <class N>
-constexpr sphere_centre<N, 3> centre_of_sphere(const std::array<N, 3>& u, const std::array<N, 3>& v) noexcept {
-  const auto n = cross_of(u, v);
-  return {dot_of(n, n), sum_of(multiple_of(cross_of(v, n), dot_of(u, u)), multiple_of(cross_of(n, u), dot_of(v, v)))};
+constexpr sphere_centre<N, 3> centre_of_sphere(const vec<N, 3>& u, const vec<N, 3>& v) noexcept {
+  const auto n = cross(u, v);
+  return {dot(n, n), cross(v, n) * dot(u, u) + cross(n, u) * dot(v, v)};
 }
 template <class N>
-constexpr sphere_centre<N, 3> centre_of_sphere(const std::array<N, 3>& u, const std::array<N, 3>& v,
-                                               const std::array<N, 3>& w) noexcept {
-  const auto vw = cross_of(v, w), wu = cross_of(w, u), uv = cross_of(u, v);
-  return {dot_of(u, vw),
-          sum_of(sum_of(multiple_of(vw, dot_of(u, u)), multiple_of(wu, dot_of(v, v))), multiple_of(uv, dot_of(w, w)))};
-}
-
-// The centre of the sphere through the points that x holds one after the other, as seen from the first.
-template <std::size_t Count, std::size_t D, class N, std::size_t Size>
-constexpr sphere_centre<N, D> centre_from(const std::array<N, Size>& x) noexcept {
-  const auto way = [&](std::size_t i) { return difference_of(part_of<D>(x, i * D), part_of<D>(x, 0)); };
-  if constexpr (Count == 2)
-    return centre_of_sphere(way(1));
-  else if constexpr (Count == 3)
-    return centre_of_sphere(way(1), way(2));
-  else
-    return centre_of_sphere(way(1), way(2), way(3));
+constexpr sphere_centre<N, 3> centre_of_sphere(const vec<N, 3>& u, const vec<N, 3>& v, const vec<N, 3>& w) noexcept {
+  const auto vw = cross(v, w);
+  return {dot(u, vw), vw * dot(u, u) + cross(w, u) * dot(v, v) + cross(u, v) * dot(w, w)};
 }
 
 template <Point P, class... More>
 constexpr auto sphere_of(const P& a, const More&... more) noexcept {
   using T = scalar_of<P>;
   using ball = bounding_sphere<T, size_of<P>>;
-  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>), points = 1 + sizeof...(More);
-  const auto values = evaluate<5>(
-      [](const auto& x) {
-        const auto c = centre_from<points, D>(x);
+  const auto values = values_of<5>(
+      [](const auto& from, const auto&... to) {
+        const auto c = centre_of_sphere((to - from)...);
         const auto twice = c.divisor + c.divisor;
-        return joined(std::array{twice}, joined(c.offset, sum_of(multiple_of(part_of<D>(x, 0), twice), c.offset)));
+        return std::tuple{twice, c.offset, to_vec(from) * twice + c.offset};
       },
-      gathered<T>(a, more...));
-  if (!values || known_sign((*values)[0]) == 0) return std::optional<ball>();
-  const auto& v = *values;
-  known_number squared = v[1] * v[1];
-  for (std::size_t i = 1; i < D; ++i) squared = squared - -(v[1 + i] * v[1 + i]);
-  const T radius = magnitude(rounded_to<T>(root_of(squared) / v[0]));
-  return std::optional(ball{coordinates_over<point<T, size_of<P>>>(v, 1 + D, v[0]), radius});
+      a, more...);
+  if (!values || is_zero(std::get<0>(*values))) return std::optional<ball>();
+  const auto& [divisor, offset, at] = *values;
+  known_number squared = offset[0] * offset[0];
+  for (int i = 1; i < size_of<P>; ++i) squared = squared + offset[i] * offset[i];
+  const T radius = magnitude(rounded_to<T>(sqrt(squared) / divisor));
+  return std::optional(ball{rounded_coordinates<point<T, size_of<P>>>(at / divisor), radius});
 }
 
-// The sign of a sum of a squared length and the like, or nothing for NaN and infinities.
-template <int Degree, class T, std::size_t Size, class Formula>
-constexpr std::optional<int> sign_of_formula(const Formula& formula, const std::array<T, Size>& in) noexcept {
-  const auto v = evaluate<Degree>(formula, in);
-  if (!v) return std::nullopt;
-  return known_sign((*v)[0]);
-}
-
-constexpr bool touches(std::optional<int> gap, box_boundary boundary) noexcept {
-  return gap && (*gap < 0 || (*gap == 0 && boundary == box_boundary::closed));
+// Whether p lies within this distance of centre, which is the sum of the radii.
+template <Floating T, int N, class... R>
+constexpr bool lies_within(const point<T, N>& centre, const point<T, N>& p, box_boundary boundary,
+                           const R&... radius) noexcept {
+  if (!(is_finite(centre) && is_finite(p) && (is_finite(radius) && ...))) return false;
+  const int gap = sign_of<2>(
+      [](const auto& from, const auto& to, const auto&... r) {
+        const auto d = to - from;
+        const auto reach = (r + ...);
+        return dot(d, d) - reach * reach;
+      },
+      centre, p, radius...);
+  return gap < 0 || (gap == 0 && boundary == box_boundary::closed);
 }
 
 }  // namespace IRG_ABI
@@ -130,15 +120,7 @@ constexpr std::optional<bounding_sphere<scalar_of<P>, 3>> sphere_through(const P
 /// exact   for all finite numbers
 template <Floating T, int N>
 constexpr bool contains(const bounding_sphere<T, N>& s, const point<T, N>& p) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(N);
-  if (!(s.radius >= T(0))) return false;
-  const auto gap = detail::sign_of_formula<2>(
-      [](const auto& x) {
-        const auto d = detail::difference_of(detail::part_of<D>(x, 0), detail::part_of<D>(x, D));
-        return std::array{detail::dot_of(d, d) - x[2 * D] * x[2 * D]};
-      },
-      detail::joined(detail::gathered<T>(s.centre, p), std::array<T, 1>{s.radius}));
-  return detail::touches(gap, box_boundary::closed);
+  return s.radius >= T(0) && detail::lies_within(s.centre, p, box_boundary::closed, s.radius);
 }
 
 /// Whether two spheres have a point in common; with an open boundary touching does not count.
@@ -147,16 +129,7 @@ constexpr bool contains(const bounding_sphere<T, N>& s, const point<T, N>& p) no
 template <Floating T, int N>
 constexpr bool overlap(const bounding_sphere<T, N>& a, const bounding_sphere<T, N>& b,
                        box_boundary boundary = box_boundary::closed) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(N);
-  if (!(a.radius >= T(0)) || !(b.radius >= T(0))) return false;
-  const auto gap = detail::sign_of_formula<2>(
-      [](const auto& x) {
-        const auto d = detail::difference_of(detail::part_of<D>(x, 0), detail::part_of<D>(x, D));
-        const auto reach = x[2 * D] + x[2 * D + 1];
-        return std::array{detail::dot_of(d, d) - reach * reach};
-      },
-      detail::joined(detail::gathered<T>(a.centre, b.centre), std::array<T, 2>{a.radius, b.radius}));
-  return detail::touches(gap, boundary);
+  return a.radius >= T(0) && b.radius >= T(0) && detail::lies_within(a.centre, b.centre, boundary, a.radius, b.radius);
 }
 
 /// Whether a sphere and a box have a point in common; with an open boundary touching does not count.
@@ -165,18 +138,11 @@ constexpr bool overlap(const bounding_sphere<T, N>& a, const bounding_sphere<T, 
 template <Floating T, int N>
 constexpr bool overlap(const bounding_sphere<T, N>& s, const box<T, N>& b,
                        box_boundary boundary = box_boundary::closed) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(N);
   if (!(s.radius >= T(0)) || is_empty(b)) return false;
   const auto nearest = generate_coordinates<point<T, N>>([&](int i) {
     return s.centre[i] < b.low[i] ? b.low[i] : b.high[i] < s.centre[i] ? b.high[i] : s.centre[i];
   });
-  const auto gap = detail::sign_of_formula<2>(
-      [](const auto& x) {
-        const auto d = detail::difference_of(detail::part_of<D>(x, 0), detail::part_of<D>(x, D));
-        return std::array{detail::dot_of(d, d) - x[2 * D] * x[2 * D]};
-      },
-      detail::joined(detail::gathered<T>(s.centre, nearest), std::array<T, 1>{s.radius}));
-  return detail::touches(gap, boundary);
+  return detail::lies_within(s.centre, nearest, boundary, s.radius);
 }
 
 /// Where a sphere lies to a plane: above or below as a whole, or `on` when the plane cuts it; touching is cutting.
@@ -185,21 +151,15 @@ constexpr bool overlap(const bounding_sphere<T, N>& s, const box<T, N>& b,
 template <Plane L, Floating T>
   requires std::same_as<plane_scalar<L>, T>
 constexpr plane_side side_of(const L& plane, const bounding_sphere<T, 3>& s) noexcept {
-  const auto height = [](const auto& x) {
-    return detail::dot_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 4)) + x[3];
-  };
-  const auto in =
-      detail::joined(detail::gathered<T>(detail::coefficients_of(plane), s.centre), std::array<T, 1>{s.radius});
-  const auto v = detail::evaluate<4>(
-      [&](const auto& x) {
-        const auto h = height(x);
-        const auto n = detail::part_of<3>(x, 0);
-        return std::array{h, h * h - x[7] * x[7] * detail::dot_of(n, n)};
+  if (!(s.radius >= T(0)) || detail::is_zero(normal_of(plane))) return plane_side::on;
+  const auto [height, beyond] = sign_of<4>(
+      [](const auto& l, const auto& at, const auto& radius) {
+        const auto n = normal_of(l);
+        const auto h = dot(n, to_vec(at)) + l.d;
+        return std::array{h, h * h - radius * radius * dot(n, n)};
       },
-      in);
-  if (!v || !(s.radius >= T(0)) || detail::known_sign((*v)[1]) <= 0) return plane_side::on;
-  return detail::is_zero_vector(normal_of(plane)) ? plane_side::on
-                                                  : static_cast<plane_side>(detail::known_sign((*v)[0]));
+      detail::as_plane(plane), s.centre, s.radius);
+  return beyond > 0 ? static_cast<plane_side>(height) : plane_side::on;
 }
 
 }  // namespace IRG_ABI

@@ -26,7 +26,7 @@ namespace irg {
   IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
 
 /// A displacement with N coordinates.
-template <Scalar T, int N>
+template <Number T, int N>
 struct vec {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   T elements[static_cast<std::size_t>(N)]{};
@@ -34,19 +34,19 @@ struct vec {
   IRG_INLINE constexpr T& operator[](int i) noexcept { return elements[i]; }
   constexpr bool operator==(const vec&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct vec<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_2
   constexpr bool operator==(const vec&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct vec<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_3
   constexpr bool operator==(const vec&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct vec<T, 4> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_4
@@ -54,15 +54,15 @@ struct vec<T, 4> {
 };
 
 /// A position in N-dimensional space, N = 2 or 3.
-template <Scalar T, int N>
+template <Number T, int N>
 struct point;
-template <Scalar T>
+template <Number T>
 struct point<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
   IRG_COORDINATES_2
   constexpr bool operator==(const point&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct point<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
   IRG_COORDINATES_3
@@ -71,15 +71,15 @@ struct point<T, 3> {
 
 /// A position of N-dimensional projective space, N = 2 (x, y, w as x, y, z) or 3 (x, y, z, w). Weight 0 is a direction;
 /// all coordinates 0 is no position. == compares coordinates; positions are equal when they are proportional.
-template <Scalar T, int N>
+template <Number T, int N>
 struct hpoint;
-template <Scalar T>
+template <Number T>
 struct hpoint<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
   IRG_COORDINATES_3
   constexpr bool operator==(const hpoint&) const = default;
 };
-template <Scalar T>
+template <Number T>
 struct hpoint<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
   IRG_COORDINATES_4
@@ -103,6 +103,9 @@ struct coordinate_traits<vec<T, N>> {
   }
 };
 
+template <class T, std::same_as<T>... More>
+vec(T, More...) -> vec<T, 1 + static_cast<int>(sizeof...(More))>;
+
 namespace detail {
 /// irg's own vec, point and hpoint: the types that carry operators.
 template <class T>
@@ -119,20 +122,20 @@ inline namespace IRG_ABI {
 
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator+(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] + b[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] + b[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return -a[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return -a[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a,
                                          std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return product(a[i], s); });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return product(a[i], s); });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s,
@@ -142,7 +145,7 @@ IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s,
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a,
                                          std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] / s; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] / s; });
 }
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N>& operator+=(vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
@@ -159,15 +162,15 @@ IRG_INLINE constexpr vec<T, N>& operator*=(vec<T, N>& a, std::type_identity_t<T>
 
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> operator-(const point<T, N>& a, const point<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<vec<T, N>>([&](int i) { return a[i] - b[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> operator+(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<point<T, N>>([&](int i) { return a[i] + v[i]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] + v[i]; });
 }
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
-  return generate_coordinates<point<T, N>>([&](int i) { return a[i] - v[i]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - v[i]; });
 }
 
 /// The sum of the products of the coordinates.
@@ -202,10 +205,18 @@ IRG_INLINE constexpr scalar_of<A> dot_fast(const A& a, const B& b) noexcept {
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>>)
 IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
-  const auto minor = [&](int i, int j) {
+  const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
     return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
   };
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+}
+
+/// The area of the parallelogram of two vectors of the plane, positive where b lies counter-clockwise from a.
+/// exact   each product and the difference rounded once
+template <Vector A, Vector B>
+  requires(size_of<A> == 2 && size_of<B> == 2 && std::same_as<scalar_of<A>, scalar_of<B>>)
+IRG_INLINE constexpr scalar_of<A> cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
+  return product(coordinate(a, 0), coordinate(b, 1)) - product(coordinate(a, 1), coordinate(b, 0));
 }
 
 /// The cross product for loops that the compiler is to vectorise: products may be fused with differences, so its last
@@ -217,7 +228,7 @@ IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
-  const auto minor = [&](int i, int j) {
+  const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
     return coordinate(a, i) * coordinate(b, j) - coordinate(a, j) * coordinate(b, i);
   };
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
@@ -226,26 +237,26 @@ IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
 /// The displacement from the origin to p.
 template <class T, int N>
 IRG_INLINE constexpr vec<T, N> to_vec(const point<T, N>& p) noexcept {
-  return generate_coordinates<vec<T, N>>([&](int i) { return p[i]; });
+  return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return p[i]; });
 }
 
 /// The position that v leads to from the origin.
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> to_point(const vec<T, N>& v) noexcept {
-  return generate_coordinates<point<T, N>>([&](int i) { return v[i]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return v[i]; });
 }
 
 /// The homogeneous form of p, of weight 1.
 template <class T, int N>
 IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p) noexcept {
-  return generate_coordinates<hpoint<T, N>>([&](int i) { return i < N ? p[i] : T(1); });
+  return generate_coordinates<hpoint<T, N>>([&](int i) IRG_INLINE_LAMBDA { return i < N ? p[i] : T(1); });
 }
 
 /// The position that p stands for: its coordinates over its weight.
 /// needs   a weight that is not 0
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> to_cartesian(const hpoint<T, N>& p) noexcept {
-  return generate_coordinates<point<T, N>>([&](int i) { return p[i] / p[N]; });
+  return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return p[i] / p[N]; });
 }
 
 }  // namespace IRG_ABI

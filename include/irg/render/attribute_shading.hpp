@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstdint>
 
@@ -21,6 +22,8 @@ namespace irg {
 ///                                         vertices of a batch stand one after the other
 ///   pixel(array of attribute_count floats)                 the pixel
 ///   pixels(array of attribute_count packs), if it exists   the same for a register of pixels: their bits in 32 each
+///   is_dear, if it exists and is true     pixels() costs more than finding out what is seen, and runs once for a
+///                                         register, whatever triangles it shows
 template <class S, class Batch>
 concept AttributeShading = requires(const S& s, const Batch& batch) {
   requires S::attribute_count >= 1;
@@ -44,17 +47,35 @@ IRG_INLINE constexpr std::array<F, static_cast<std::size_t>(K)> interpolate_attr
 
 namespace detail {
 
+template <class Shading>
+inline constexpr bool is_dear = false;
+template <class Shading>
+  requires requires { Shading::is_dear; }
+inline constexpr bool is_dear<Shading> = Shading::is_dear;
+
 // The pixel shader of one triangle.
 template <class Shading>
 struct attribute_pixel_shader {
   const Shading& shading;
   const float *a, *b, *c;
-  IRG_INLINE constexpr auto operator()(const pixel_weights<float>& at) const {
-    return shading.pixel(interpolate_attributes<Shading::attribute_count>(at, a, b, c));
+  template <class F>
+  IRG_INLINE constexpr auto values(const pixel_weights<F>& at) const noexcept {
+    return interpolate_attributes<Shading::attribute_count>(at, a, b, c);
   }
+  IRG_INLINE constexpr auto operator()(const pixel_weights<float>& at) const { return shading.pixel(values(at)); }
 };
 
 inline namespace IRG_ABI {
+
+// N pixels as the shading makes them one by one.
+template <int N, class Shading, std::size_t K>
+pack<std::uint32_t, N> pixels_one_by_one(const Shading& shading, const std::array<pack<float, N>, K>& at) {
+  return lanes<pack<std::uint32_t, N>>::generate([&](int i) {
+    std::array<float, K> one;
+    for (std::size_t j = 0; j < K; ++j) one[j] = at[j][i];
+    return std::bit_cast<std::uint32_t>(shading.pixel(one));
+  });
+}
 
 template <class T, class Shading>
 IRG_INLINE constexpr attribute_pixel_shader<Shading> pixel_shader_of(const Shading& shading,

@@ -36,7 +36,7 @@ struct colour_tiles {
   // The pixels of a window; returns how many show a triangle. Not inlined: one copy for all hidden-surface methods.
   IRG_NOINLINE constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const {
     if (!std::is_constant_evaluated()) {
-      if constexpr (AttributeShading<MakeShader, triangle_batch<T>>)
+      if constexpr (AttributeShading<MakeShader, triangle_batch<T>> && !detail::is_dear<MakeShader>)
         return attribute_kernel<T, MakeShader, Colour>{
             v.place, {find, v.numbers, v.window, make_shader}, colour, background}();
       if (background != nullptr) clear(v.window);

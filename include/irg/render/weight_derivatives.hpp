@@ -18,16 +18,22 @@
 namespace irg {
 
 /// How the weights of a triangle's second and third vertex change on the way to the right and downwards, per pixel.
+template <class F = float>
 struct weight_changes {
-  float weight1_right = 0, weight2_right = 0, weight1_down = 0, weight2_down = 0;
+  F weight1_right{}, weight2_right{}, weight1_down{}, weight2_down{};
 
   /// How a quantity given at the three vertices changes to the right.
-  IRG_INLINE constexpr float right(float at0, float at1, float at2) const noexcept {
-    return product(weight1_right, at1 - at0) + product(weight2_right, at2 - at0);
+  IRG_INLINE constexpr F right(float at0, float at1, float at2) const noexcept {
+    return sum(weight1_right, weight2_right, at1 - at0, at2 - at0);
   }
   /// How it changes downwards.
-  IRG_INLINE constexpr float down(float at0, float at1, float at2) const noexcept {
-    return product(weight1_down, at1 - at0) + product(weight2_down, at2 - at0);
+  IRG_INLINE constexpr F down(float at0, float at1, float at2) const noexcept {
+    return sum(weight1_down, weight2_down, at1 - at0, at2 - at0);
+  }
+
+private:
+  IRG_INLINE static constexpr F sum(const F& weight1, const F& weight2, float to1, float to2) noexcept {
+    return product(weight1, lanes<F>::broadcast(to1)) + product(weight2, lanes<F>::broadcast(to2));
   }
 };
 
@@ -39,9 +45,12 @@ struct weight_derivatives {
 
   /// The derivatives at a pixel's centre.
   /// exact   four roundings of a float, relative to |g'| w and |b g'| w, and those of the pixel's weights
-  IRG_INLINE constexpr weight_changes operator()(const pixel_weights<float>& at) const noexcept {
-    const float here = at.interpolate(w[0], w[1], w[2]);
-    const auto change = [&](float own, float weight, float all) { return product(here, own - product(weight, all)); };
+  template <class F = float>
+  IRG_INLINE constexpr weight_changes<F> operator()(const pixel_weights<F>& at) const noexcept {
+    const F here = at.interpolate(w[0], w[1], w[2]);
+    const auto change = [&](float own, const F& weight, float all) {
+      return product(here, lanes<F>::broadcast(own) - product(weight, lanes<F>::broadcast(all)));
+    };
     return {change(right[0], at.weight1, right[2]), change(right[1], at.weight2, right[2]),
             change(down[0], at.weight1, down[2]), change(down[1], at.weight2, down[2])};
   }

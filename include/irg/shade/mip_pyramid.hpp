@@ -19,10 +19,12 @@ struct mip_pyramid {
   std::vector<image<Value>> levels;
 };
 
-/// How texture coordinates change from a pixel to its right and to its lower neighbour.
-struct texture_derivatives {
-  float u_right = 0, v_right = 0, u_down = 0, v_down = 0;
+/// How texture coordinates change from a pixel to its right and to its lower neighbour; F is a float or a pack of them.
+template <class F>
+struct texture_derivatives_of {
+  F u_right{}, v_right{}, u_down{}, v_down{};
 };
+using texture_derivatives = texture_derivatives_of<float>;
 
 namespace detail {
 inline namespace IRG_ABI {
@@ -50,6 +52,22 @@ constexpr image<V> half_size(const image<V>& from) {
   for (int y = 0; y < half_h; ++y)
     for (int x = 0; x < half_w; ++x) result(x, y) = box_mean(y, h, half_h, [&](int j) { return narrow(x, j); });
   return result;
+}
+
+// The square of the longer side of a pixel's image in a texture, from 1 to 2^64; 1 for NaN.
+template <class F>
+constexpr F squared_side(const texture_derivatives_of<F>& d, int width, int height) noexcept {
+  using f = lanes<F>;
+  const F w = f::broadcast(static_cast<float>(width)), h = f::broadcast(static_cast<float>(height));
+  const auto square_of = [&](const F& u, const F& v) {
+    const F x = product(limited_coordinate(u, -0x1p40f, 0x1p40f), w),
+            y = product(limited_coordinate(v, -0x1p40f, 0x1p40f), h);
+    return product(x, x) + product(y, y);
+  };
+  const F longer = high_of(square_of(d.u_right, d.v_right), square_of(d.u_down, d.v_down));
+  const auto number =
+      both(both(d.u_right == d.u_right, d.v_right == d.v_right), both(d.u_down == d.u_down, d.v_down == d.v_down));
+  return select(number, limited_coordinate(longer, 1.0f, 0x1p64f), f::broadcast(1.0f));
 }
 
 }  // namespace IRG_ABI
@@ -86,14 +104,7 @@ constexpr mip_pyramid<texel_value_of<R>> make_mip_pyramid(const R& texture) {
 /// exact   within 2 ulp of 1/2 log2 of the longer side's square
 /// source  Williams 1983
 constexpr float mip_level(const texture_derivatives& d, int width, int height) noexcept {
-  const auto w = static_cast<float>(width), h = static_cast<float>(height);
-  const auto square_of = [&](float u, float v) {
-    const float x = product(clamp(u, -0x1p40f, 0x1p40f), w), y = product(clamp(v, -0x1p40f, 0x1p40f), h);
-    return product(x, x) + product(y, y);
-  };
-  if (!(d.u_right == d.u_right && d.v_right == d.v_right && d.u_down == d.u_down && d.v_down == d.v_down)) return 0;
-  const float longer = greater(square_of(d.u_right, d.v_right), square_of(d.u_down, d.v_down));
-  return 0.5f * log2(clamp(longer, 1.0f, 0x1p64f));
+  return 0.5f * log2(detail::squared_side(d, width, height));
 }
 
 /// The value at (u, v) of a texture's levels: trilinear, between the two levels next to `level`, each sampled as the

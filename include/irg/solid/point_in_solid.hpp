@@ -35,8 +35,8 @@ inline namespace IRG_ABI {
 template <class P>
 constexpr int orientation_of_moved(const P& a, const P& b, int orientation) noexcept {
   if (orientation != 0) return orientation;
-  const int down = compare_scalars(coordinate(a, 1), coordinate(b, 1));
-  return down != 0 ? down : compare_scalars(coordinate(b, 0), coordinate(a, 0));
+  const int down = compare_numbers(coordinate(a, 1), coordinate(b, 1));
+  return down != 0 ? down : compare_numbers(coordinate(b, 0), coordinate(a, 0));
 }
 
 // Whether the ray upward from p may meet a triangle: its box, seen from above, and its top.

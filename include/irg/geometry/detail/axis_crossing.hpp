@@ -11,46 +11,11 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/detail/crossing_kernel.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact_sum.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
-
-// The floating-point numbers in order, numbered: zero (either) is 0, its neighbours are 1 and -1.
-template <Floating T>
-using float_ordinal = std::conditional_t<std::is_same_v<T, double>, std::int64_t, std::int32_t>;
-template <Floating T>
-constexpr float_ordinal<T> ordinal_of(T x) noexcept {
-  using I = float_ordinal<T>;
-  const auto bits = std::bit_cast<I>(x);
-  return bits < 0 ? (std::numeric_limits<I>::min)() - bits : bits;
-}
-template <Floating T>
-constexpr T float_at(float_ordinal<T> k) noexcept {
-  return std::bit_cast<T>(k < 0 ? (std::numeric_limits<float_ordinal<T>>::min)() - k : k);
-}
-
-// The T nearest to the exact value y, ties to even. `side(p, q)` is the sign of 2*y - (p + q); low <= y <= high, and
-// `guess` is where the search begins.
-template <Floating T, class Side>
-constexpr T nearest_by_sign(T low, T high, T guess, const Side& side) noexcept {
-  using I = float_ordinal<T>;
-  I floor = ordinal_of(low), ceiling = ordinal_of(high);  // floor's number <= y <= ceiling's
-  I at = low <= guess && guess <= high ? ordinal_of(guess) : floor + (ceiling / 2 - floor / 2);
-  for (I step = 1; floor < ceiling;) {
-    const int s = side(float_at<T>(at), float_at<T>(at));
-    if (s == 0) return float_at<T>(at);
-    (s > 0 ? floor : ceiling) = at;
-    const bool wide = ceiling / 2 - floor / 2 > step;
-    if (!wide && ceiling - floor <= 1) break;
-    at = !wide   ? static_cast<I>(floor + (ceiling - floor) / 2)
-         : s > 0 ? static_cast<I>(floor + step)
-                 : static_cast<I>(ceiling - step);
-    if (wide) step = static_cast<I>(step * 2);
-  }
-  const int s = side(float_at<T>(floor), float_at<T>(ceiling));
-  return float_at<T>(s < 0 || (s == 0 && floor % 2 == 0) ? floor : ceiling);
-}
 
 // By integers, for every finite input.
 template <Floating T>

@@ -5,61 +5,62 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <tuple>
 
 #include <irg/geometry/detail/half_space.hpp>
+#include <irg/math/exact/filtered_number.hpp>
+#include <irg/math/exact/quotients_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
 
 // A boundary and two points: from the first point on, where their line meets it: the divisor, and the way times it.
-template <int D>
 struct line_meeting {
-  static constexpr std::size_t first = 4, d = static_cast<std::size_t>(D);
-  template <class M, std::size_t Size>
-  constexpr auto operator()(const std::array<M, Size>& x) const noexcept {
-    using N = decltype(x[0] * x[0]);
-    const auto from = part_of<d>(x, first), to = part_of<d>(x, first + d);
-    const N at_from = half_space_value<D>(part_of<4>(x, 0), from), at_to = half_space_value<D>(part_of<4>(x, 0), to);
-    return joined(std::array<N, 1>{at_from - at_to}, multiple_of(difference_of(to, from), at_from));
+  template <class H, class P>
+  constexpr auto operator()(const H& h, const P& from, const P& to) const noexcept {
+    const auto at_from = half_space_value(h, from);
+    return std::tuple{at_from - half_space_value(h, to), (to - from) * at_from};
+  }
+  template <class H, class P>
+  static constexpr const P& first(const H&, const P& from, const P&) noexcept {
+    return from;
   }
 };
 // Two planes and three points: the same for the point that they and the plane through the points share.
 struct plane_meeting {
-  static constexpr std::size_t first = 8;
-  template <class M, std::size_t Size>
-  constexpr auto operator()(const std::array<M, Size>& x) const noexcept {
-    using N = decltype(x[0] * x[0]);
-    const auto normal = [&](std::size_t i) { return std::array<N, 3>{x[i], x[i + 1], x[i + 2]}; };
-    const auto from = part_of<3>(x, first);
-    const auto a = normal(0), b = normal(4);
-    const auto n = cross_of(difference_of(part_of<3>(x, 11), from), difference_of(part_of<3>(x, 14), from));
-    const N a_from = half_space_value<3>(part_of<4>(x, 0), from), b_from = half_space_value<3>(part_of<4>(x, 4), from);
-    return joined(std::array<N, 1>{dot_of(n, cross_of(a, b))},
-                  sum_of(multiple_of(cross_of(n, b), a_from), multiple_of(cross_of(a, n), b_from)));
+  template <class H, class P>
+  constexpr auto operator()(const H& g, const H& h, const P& from, const P& second, const P& third) const noexcept {
+    const auto n = cross(second - from, third - from);
+    using N = std::remove_cvref_t<decltype(n.x)>;
+    const auto normal = [](const H& of) { return vec<N, 3>{of.numbers[0], of.numbers[1], of.numbers[2]}; };
+    const auto a = normal(g), b = normal(h);
+    return std::tuple{dot(n, cross(a, b)),
+                      cross(n, b) * half_space_value(g, from) + cross(a, n) * half_space_value(h, from)};
+  }
+  template <class H, class P>
+  static constexpr const P& first(const H&, const H&, const P& from, const P&, const P&) noexcept {
+    return from;
   }
 };
 
-// Where these numbers meet, about.
-template <class Meeting, class Corner, Floating T, std::size_t Size>
-constexpr void place_about(Corner& c, const Meeting& meeting, const std::array<T, Size>& in) noexcept {
-  std::array<filtered_input, Size> x{};
-  bool suits = true;
-  for (std::size_t i = 0; i < Size; ++i) {
-    suits = suits && suits_twofold(widened(in[i]));
-    x[i].value = widened(in[i]);
-  }
-  c.error = infinity<double>;
-  if (!suits) return;
-  const auto way = meeting(x);
+// Where these meet, about.
+template <class Meeting, class Corner, class... In>
+constexpr void place_about(Corner& c, const Meeting& meeting, const In&... in) noexcept {
+  c.error = std::numeric_limits<double>::infinity();
+  const auto found = filtered_value_of<5>(meeting, in...);
+  if (!found) return;
+  const auto& [divisor, way] = *found;
   constexpr double relative = 0x1p-48;  // of at most 16 roundings
-  const double divisor = magnitude(way[0].value), off = product(relative, way[0].size);
-  if (!(off + off < divisor)) return;
+  const double size = magnitude(divisor.value), off = product(relative, divisor.size);
+  if (!(off + off < size)) return;
   double error = 0;
-  for (std::size_t i = 0; i < c.about.size(); ++i) {
-    const double from = x[Meeting::first + i].value, part = way[i + 1].value / way[0].value;
-    c.about[i] = from + part;
-    const double way_off = (product(relative, way[i + 1].size) + product(magnitude(part), off)) / divisor;
+  for (int i = 0; i < static_cast<int>(c.about.size()); ++i) {
+    const double from = widened(coordinate(meeting.first(in...), i)), part = way[i].value / divisor.value;
+    c.about[static_cast<std::size_t>(i)] = from + part;
+    const double way_off = (product(relative, way[i].size) + product(magnitude(part), off)) / size;
     error = greater(error, product(3.0, way_off) + product(0x1p-52, magnitude(from) + magnitude(part)));
   }
   c.error = error;
@@ -70,7 +71,7 @@ constexpr int side_about(const Corner& c, const half_space<T, D>& boundary) noex
   std::array<double, 4> h{};
   bool suits = c.error < infinity<double>;
   for (std::size_t i = 0; i < 4; ++i) {
-    suits = suits && suits_twofold(widened(boundary.numbers[i]));
+    suits = suits && suits_filter<5>(widened(boundary.numbers[i]));
     h[i] = widened(boundary.numbers[i]);
   }
   if (!suits) return 0;
@@ -89,32 +90,30 @@ constexpr int side_about(const Corner& c, const half_space<T, D>& boundary) noex
   const double bound = product(size, 0x1p-50) + product(reach, 1.5 * c.error);
   return value > bound ? 1 : -value > bound ? -1 : 0;
 }
-// The same exactly: the sign of the boundary's value where these numbers meet.
-template <int Degree, int D, class Meeting, Floating T, std::size_t Size>
-constexpr int exact_side(const Meeting& meeting, const std::array<T, Size>& in,
-                         const half_space<T, D>& boundary) noexcept {
-  const auto value = [&](const auto& x) {
-    constexpr std::size_t d = static_cast<std::size_t>(D);
-    const auto h = part_of<4>(x, Size);
-    const auto way = meeting(x);
-    const auto at_first = way[0] * half_space_value<D>(h, part_of<d>(x, Meeting::first));
-    if constexpr (D == 2)
-      return std::array{way[0], at_first + (h[2] - h[0]) * way[2] - (h[3] - h[1]) * way[1]};
-    else
-      return std::array{way[0], at_first + dot_of(part_of<3>(h, 0), part_of<3>(way, 1))};
-  };
-  const auto v = evaluate<Degree>(value, joined(in, boundary.numbers));
-  return v ? known_sign((*v)[0]) * known_sign((*v)[1]) : 0;
+// The same exactly: the sign of the boundary's value where these meet.
+template <int Degree, class H, class Meeting, class... In>
+constexpr int exact_side(const Meeting& meeting, const H& boundary, const In&... in) noexcept {
+  const auto [turn, side] = sign_of<Degree>(
+      [&](const auto& h, const auto&... x) {
+        const auto [divisor, way] = meeting(x...);
+        return std::array{divisor, divisor * half_space_value(h, meeting.first(x...)) + half_space_growth(h, way)};
+      },
+      boundary, in...);
+  return turn * side;
 }
 // The same place, rounded.
-template <int Degree, Point P, class Meeting, class T, std::size_t Size>
-constexpr std::optional<P> rounded_place(const Meeting& meeting, const std::array<T, Size>& in) noexcept {
-  const auto from_origin = [&](const auto& x) {
-    constexpr std::size_t d = static_cast<std::size_t>(size_of<P>);
-    const auto way = meeting(x);
-    return joined(part_of<1>(way, 0), sum_of(part_of<d>(way, 1), multiple_of(part_of<d>(x, Meeting::first), way[0])));
-  };
-  const auto found = nearest_quotients<Degree>(from_origin, in);
+template <int Degree, Point P, class Meeting, class... In>
+constexpr std::optional<P> rounded_place(const Meeting& meeting, const In&... in) noexcept {
+  const auto found = quotients_of<Degree>(
+      [&](const auto&... x) {
+        const auto [divisor, way] = meeting(x...);
+        const auto at = way + to_vec(meeting.first(x...)) * divisor;
+        if constexpr (size_of<P> == 2)
+          return std::array{divisor, at.x, at.y};
+        else
+          return std::array{divisor, at.x, at.y, at.z};
+      },
+      in...);
   if (!found) return std::nullopt;
   return generate_coordinates<P>([&](int i) { return (*found)[static_cast<std::size_t>(i)]; });
 }

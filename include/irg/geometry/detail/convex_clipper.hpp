@@ -17,6 +17,8 @@
 #include <irg/geometry/detail/boundary_meeting.hpp>
 #include <irg/geometry/detail/half_space.hpp>
 #include <irg/geometry/parametric_plane.hpp>
+#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/math/exact/nearest_float.hpp>
 
 namespace irg::detail {
 
@@ -40,18 +42,15 @@ template <Floating T, int D, Point P>
 constexpr bool reaches(const half_space<T, D>& boundary, const P& p) noexcept {
   const auto& h = boundary.numbers;
   const auto neighbour = generate_coordinates<P>([&](int i) {
-    const int inwards = D == 3   ? compare_scalars(h[static_cast<std::size_t>(i)], T(0))
-                        : i == 0 ? compare_scalars(h[1], h[3])
-                                 : compare_scalars(h[2], h[0]);
+    const int inwards = D == 3   ? compare_numbers(h[static_cast<std::size_t>(i)], T(0))
+                        : i == 0 ? compare_numbers(h[1], h[3])
+                                 : compare_numbers(h[2], h[0]);
     const T x = coordinate(p, i), next = float_at<T>(ordinal_of(x) + static_cast<float_ordinal<T>>(inwards));
     return is_finite(next) ? next : x;
   });
-  const auto twice_midway = [](const auto& x) {
-    constexpr std::size_t d = static_cast<std::size_t>(D);
-    return half_space_value<D>(part_of<4>(x, 0), part_of<d>(x, 4)) +
-           half_space_value<D>(part_of<4>(x, 0), part_of<d>(x, 4 + d));
-  };
-  return sign_of_degree_2(twice_midway, joined(h, gathered<T>(p, neighbour))) >= 0;
+  return sign_of<2>([](const auto& half, const auto& at,
+                       const auto& next) { return half_space_value(half, at) + half_space_value(half, next); },
+                    boundary, p, neighbour) >= 0;
 }
 
 // boundary(k) is the region's half_space<T, D> with number k.
@@ -80,8 +79,8 @@ public:
       if (c.boundary != corner::none) {
         if (c.line == along(k)) return 0;
         if (const int s = side_about(c, h); s != 0) return s;
-        return as_meeting(c, [&](auto degree, const auto& meeting, const auto& in) {
-          return exact_side<decltype(degree)::value + 1>(meeting, in, h);
+        return as_meeting(c, [&](auto degree, const auto& meeting, const auto&... in) {
+          return exact_side<decltype(degree)::value + 1>(meeting, h, in...);
         });
       }
     return half_space_side(h, position_of(c.vertex));
@@ -93,7 +92,7 @@ public:
     if constexpr (Floating<T>) {
       if (D == 3 && is_stretch(c) && flat_[0] == flat_[1]) find_plane();
       if (Point<V> || is_stretch(c))
-        as_meeting(c, [&](auto, const auto& meeting, const auto& in) { place_about(c, meeting, in); });
+        as_meeting(c, [&](auto, const auto& meeting, const auto&... in) { place_about(c, meeting, in...); });
       if constexpr (D == 3)
         if (is_stretch(c) && polygon_.size() > 3 && !fits(c, from, to)) stand_upright(c, from, to);
     }
@@ -131,14 +130,17 @@ private:
       return half_space_side(boundary_(k), p) >= 0;
   }
 
-  // use(degree, meeting, numbers): what the corner is, and the degree of its coordinates.
+  // use(degree, meeting, what meets...): what the corner is, and the degree of its coordinates.
   template <class Use>
   constexpr auto as_meeting(const corner& c, const Use& use) const noexcept {
     if constexpr (D == 3)
-      if (is_stretch(c)) return use(std::integral_constant<int, 5>{}, plane_meeting{}, planes_of(c));
+      if (is_stretch(c)) {
+        const auto at = [&](std::size_t i) -> const P& { return position_of(polygon_[flat_[i]]); };
+        return use(std::integral_constant<int, 5>{}, plane_meeting{}, boundary_(c.line - polygon_.size()),
+                   boundary_(c.boundary), at(0), at(1), at(2));
+      }
     const auto [a, b] = ends_of(c.line);
-    return use(std::integral_constant<int, 3>{}, line_meeting<D>{},
-               joined(boundary_(c.boundary).numbers, gathered<T>(a, b)));
+    return use(std::integral_constant<int, 3>{}, line_meeting{}, boundary_(c.boundary), a, b);
   }
   // A vertex that carries more than its place, or that is as exact as its numbers, is made at once.
   constexpr void interpolate(corner& c, const corner& from, const corner& to) const {
@@ -180,11 +182,6 @@ private:
     };
     return {from(0), from(2)};
   }
-  constexpr std::array<T, 17> planes_of(const corner& c) const noexcept {
-    const auto at = [&](std::size_t i) { return position_of(polygon_[flat_[i]]); };
-    return joined(joined(boundary_(c.line - polygon_.size()).numbers, boundary_(c.boundary).numbers),
-                  gathered<T>(at(0), at(1), at(2)));
-  }
 
   // A given vertex, a common corner of two boundaries, or rounded.
   constexpr P place(const corner& c) const noexcept {
@@ -204,8 +201,8 @@ private:
     }
   }
   constexpr std::optional<P> rounded(const corner& c) const noexcept {
-    return as_meeting(c, [](auto degree, const auto& meeting, const auto& in) {
-      return rounded_place<decltype(degree)::value, P>(meeting, in);
+    return as_meeting(c, [](auto degree, const auto& meeting, const auto&... in) {
+      return rounded_place<decltype(degree)::value, P>(meeting, in...);
     });
   }
 
@@ -233,15 +230,15 @@ private:
   // It is not: as if the polygon stood upright on the stretch, along the normal's longest axis.
   constexpr void stand_upright(corner& c, const corner& from, const corner& to) const noexcept {
     const P p = place(from), q = place(to);
-    const auto first = boundary_(c.line - polygon_.size()).numbers, second = boundary_(c.boundary).numbers;
+    const auto first = boundary_(c.line - polygon_.size()), second = boundary_(c.boundary);
     const std::size_t k = std::exchange(c.boundary, corner::none);
-    const auto steep = [&](std::size_t i) { return greater(first[i], -first[i]); };
+    const auto steep = [&](std::size_t i) { return greater(first.numbers[i], -first.numbers[i]); };
     const std::size_t lower = steep(0) < steep(1) ? 1 : 0, up = steep(lower) < steep(2) ? 2 : lower;
     const P over = generate_coordinates<P>([&](int i) {
       const T x = coordinate(p, i);
       return static_cast<std::size_t>(i) != up ? x : x == T(0) ? T(1) : T(0);
     });
-    const auto found = rounded_place<5, P>(plane_meeting{}, joined(joined(first, second), gathered<T>(p, q, over)));
+    const auto found = rounded_place<5, P>(plane_meeting{}, first, second, p, q, over);
     P at = found ? *found : p;
     for (std::size_t i = 0; i <= k; ++i)
       if (!touches(i, at)) at = from.side < 0 ? q : p;

@@ -8,10 +8,10 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/core/ring.hpp>
-#include <irg/geometry/detail/formula.hpp>
-#include <irg/geometry/detail/nearest_quotient.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/plane.hpp>
+#include <irg/math/exact/quotients_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
@@ -22,13 +22,33 @@ struct half_space {
   std::array<T, 4> numbers{};
 };
 
-template <int D, class N, class M>
-constexpr auto half_space_value(const std::array<N, 4>& h,
-                                const std::array<M, static_cast<std::size_t>(D)>& v) noexcept {
-  if constexpr (D == 2)
-    return (h[2] - h[0]) * (v[1] - h[1]) - (h[3] - h[1]) * (v[0] - h[0]);
-  else
-    return h[0] * v[0] + h[1] * v[1] + h[2] * v[2] + h[3];
+template <class N, class T, int D, class F>
+IRG_INLINE constexpr auto in_numbers(const half_space<T, D>& h, const F& number) noexcept {
+  return half_space<std::remove_cvref_t<decltype(number(h.numbers[0]))>, D>{
+      {number(h.numbers[0]), number(h.numbers[1]), number(h.numbers[2]), number(h.numbers[3])}};
+}
+
+// Positive inside.
+template <class N, class P>
+constexpr auto half_space_value(const half_space<N, 2>& h, const P& p) noexcept {
+  const auto& [ax, ay, bx, by] = h.numbers;
+  return (bx - ax) * (p.y - ay) - (by - ay) * (p.x - ax);
+}
+template <class N, class P>
+constexpr auto half_space_value(const half_space<N, 3>& h, const P& p) noexcept {
+  const auto& [x, y, z, d] = h.numbers;
+  return x * p.x + y * p.y + z * p.z + d;
+}
+// By how much the value grows along a way.
+template <class N, class V>
+constexpr auto half_space_growth(const half_space<N, 2>& h, const V& way) noexcept {
+  const auto& [ax, ay, bx, by] = h.numbers;
+  return (bx - ax) * way.y - (by - ay) * way.x;
+}
+template <class N, class V>
+constexpr auto half_space_growth(const half_space<N, 3>& h, const V& way) noexcept {
+  const auto& [x, y, z, d] = h.numbers;
+  return x * way.x + y * way.y + z * way.z;
 }
 
 // 1 inside, 0 on the boundary, -1 outside.
@@ -49,17 +69,12 @@ constexpr int half_space_side(const half_space<T, D>& h, const P& p) noexcept {
 template <class T, int D, Point P>
 constexpr int compare_half_space_crossings(const P& a, const P& b, const half_space<T, D>& first,
                                            const half_space<T, D>& second, int sides) noexcept {
-  const auto value = evaluate<4>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        constexpr std::size_t d = static_cast<std::size_t>(D);
-        const auto from = part_of<d>(x, 8), to = part_of<d>(x, 8 + d);
-        const auto p = part_of<4>(x, 0), q = part_of<4>(x, 4);
-        return std::array<N, 1>{half_space_value<D>(q, from) * half_space_value<D>(p, to) -
-                                half_space_value<D>(p, from) * half_space_value<D>(q, to)};
-      },
-      joined(joined(first.numbers, second.numbers), gathered<T>(a, b)));
-  return value ? sides * known_sign((*value)[0]) : 0;
+  return sides * sign_of<4>(
+                     [](const auto& g, const auto& h, const auto& from, const auto& to) {
+                       return half_space_value(h, from) * half_space_value(g, to) -
+                              half_space_value(g, from) * half_space_value(h, to);
+                     },
+                     first, second, a, b);
 }
 
 // Where the line from a to b meets the boundary, and its parameter: correctly rounded, and so between a and b where
@@ -72,17 +87,16 @@ struct half_space_meeting {
 };
 template <class T, int D, Point P>
 constexpr half_space_meeting<T, P> meet_half_space(const P& a, const P& b, const half_space<T, D>& h) noexcept {
-  const auto found = nearest_quotients<3>(
-      [](const auto& x) {
-        constexpr std::size_t d = static_cast<std::size_t>(D);
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto from = part_of<d>(x, 4), to = part_of<d>(x, 4 + d);
-        const N at_from = half_space_value<D>(part_of<4>(x, 0), from),
-                at_to = half_space_value<D>(part_of<4>(x, 0), to);
-        return joined(std::array<N, 2>{at_from - at_to, at_from},
-                      difference_of(multiple_of(to, at_from), multiple_of(from, at_to)));
+  const auto found = quotients_of<3>(
+      [](const auto& boundary, const auto& from, const auto& to) {
+        const auto at_from = half_space_value(boundary, from), at_to = half_space_value(boundary, to);
+        const auto at = to_vec(to) * at_from - to_vec(from) * at_to;
+        if constexpr (D == 2)
+          return std::array{at_from - at_to, at_from, at.x, at.y};
+        else
+          return std::array{at_from - at_to, at_from, at.x, at.y, at.z};
       },
-      joined(h.numbers, gathered<T>(a, b)));
+      h, a, b);
   IRG_EXPECTS(found.has_value());
   return {generate_coordinates<P>([&](int i) { return (*found)[1 + static_cast<std::size_t>(i)]; }), (*found)[0]};
 }

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 
-#include <irg/geometry/detail/formula.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
+#include <irg/math/exact/values_of.hpp>
 
 namespace irg::detail {
 
@@ -28,57 +30,44 @@ inline namespace IRG_ABI {
 
 template <Point P>
 constexpr auto squared_distance(const P& p, const P& q) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
-  return evaluate<2>(
-      [](const auto& x) {
-        const auto d = difference_of(part_of<D>(x, D), part_of<D>(x, 0));
-        return std::array{dot_of(d, d)};
-      },
-      gathered<scalar_of<P>>(p, q));
+  return values_of<2>([](const auto& a, const auto& b) { return squared(b - a); }, p, q);
 }
 
 /// |(b - a) x (p - a)|^2 and |b - a|^2, whose quotient is the squared distance from the line.
 template <Point P>
 constexpr auto squared_from_line(const P& a, const P& b, const P& p) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
-  return evaluate<4>(
-      [](const auto& x) {
-        const auto from = part_of<D>(x, 0), u = difference_of(part_of<D>(x, D), from);
-        const auto across = cross_of(u, difference_of(part_of<D>(x, 2 * D), from));
-        return std::array{dot_of(across, across), dot_of(u, u)};
+  return values_of<4>(
+      [](const auto& from, const auto& to, const auto& at) {
+        const auto u = to - from;
+        return std::array{squared(cross(u, at - from)), dot(u, u)};
       },
-      gathered<scalar_of<P>>(a, b, p));
+      a, b, p);
 }
 
 template <Point P>
 constexpr auto foot_on_line(const P& a, const P& b, const P& p) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
-  const auto v = evaluate<2>(
-      [](const auto& x) {
-        const auto from = part_of<D>(x, 0), u = difference_of(part_of<D>(x, D), from);
-        const auto t = dot_of(u, difference_of(part_of<D>(x, 2 * D), from));
-        const auto divisor = dot_of(u, u);
+  const auto v = values_of<2>(
+      [](const auto& from, const auto& to, const auto& at) {
+        const auto u = to - from;
+        const auto t = dot(u, at - from), divisor = dot(u, u);
         return std::array{divisor, t, divisor - t};
       },
-      gathered<scalar_of<P>>(a, b, p));
-  using V = std::remove_cvref_t<decltype((*v)[0])>;
-  if (!v) return std::optional<line_foot<V>>();
-  return std::optional(line_foot<V>{(*v)[0], (*v)[1], (*v)[2]});
+      a, b, p);
+  using foot = line_foot<known_value<scalar_of<P>>>;
+  return v ? std::optional(foot{(*v)[0], (*v)[1], (*v)[2]}) : std::optional<foot>();
 }
 
 /// The point a + t (b - a), t being the foot's.
 template <Point P>
 constexpr P point_of_foot(const P& a, const P& b, const P& p) noexcept {
-  constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
-  const auto v = evaluate<3>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto from = part_of<D>(x, 0), u = difference_of(part_of<D>(x, D), from);
-        const auto t = dot_of(u, difference_of(part_of<D>(x, 2 * D), from)), divisor = dot_of(u, u);
-        return joined(std::array<N, 1>{divisor}, sum_of(multiple_of(from, divisor), multiple_of(u, t)));
+  const auto [divisor, foot] = *values_of<3>(
+      [](const auto& from, const auto& to, const auto& at) {
+        const auto u = to - from;
+        const auto whole = dot(u, u);
+        return std::tuple{whole, to_vec(from) * whole + u * dot(u, at - from)};
       },
-      gathered<scalar_of<P>>(a, b, p));
-  return coordinates_over<P>(*v, 1, (*v)[0]);
+      a, b, p);
+  return rounded_coordinates<P>(foot / divisor);
 }
 
 /// The squared distance from the segment ab.
@@ -86,8 +75,8 @@ constexpr P point_of_foot(const P& a, const P& b, const P& p) noexcept {
 template <Point P>
 constexpr auto squared_from_segment(const P& a, const P& b, const P& p) noexcept {
   const auto foot = foot_on_line(a, b, p);
-  if (known_sign(foot->t) <= 0) return (*squared_distance(a, p))[0];
-  if (known_sign(foot->rest) <= 0) return (*squared_distance(b, p))[0];
+  if (sign_of(foot->t) <= 0) return *squared_distance(a, p);
+  if (sign_of(foot->rest) <= 0) return *squared_distance(b, p);
   const auto v = *squared_from_line(a, b, p);
   return v[0] / v[1];
 }
@@ -96,25 +85,23 @@ constexpr auto squared_from_segment(const P& a, const P& b, const P& p) noexcept
 /// source  Ericson 2004, 5.1.5; edges of no length are passed over
 template <Point P>
 constexpr auto foot_on_triangle(const P& a, const P& b, const P& c, const P& p) noexcept {
-  const auto v = evaluate<4>(
-      [](const auto& x) {
-        const auto from = part_of<3>(x, 0), ab = difference_of(part_of<3>(x, 3), from);
-        const auto ac = difference_of(part_of<3>(x, 6), from);
-        const auto ap = difference_of(part_of<3>(x, 9), from), bp = difference_of(ap, ab), cp = difference_of(ap, ac);
-        const auto d1 = dot_of(ab, ap), d2 = dot_of(ac, ap), d3 = dot_of(ab, bp), d4 = dot_of(ac, bp);
-        const auto d5 = dot_of(ab, cp), d6 = dot_of(ac, cp);
+  const auto v = values_of<4>(
+      [](const auto& from, const auto& second, const auto& third, const auto& at) {
+        const auto ab = second - from, ac = third - from, ap = at - from, bp = ap - ab, cp = ap - ac;
+        const auto d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp);
+        const auto d5 = dot(ab, cp), d6 = dot(ac, cp);
         const auto va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
         return std::array{d1,          d2, d3,      d4,      d5,      d6,      va,
                           vb,          vc, d4 - d3, d5 - d6, d1 - d3, d2 - d6, (d4 - d3) + (d5 - d6),
                           va + vb + vc};
       },
-      gathered<scalar_of<P>>(a, b, c, p));
-  using V = std::remove_cvref_t<decltype((*v)[0])>;
+      a, b, c, p);
+  using V = known_value<scalar_of<P>>;
   using foot_type = triangle_foot<V>;
   if (!v) return std::optional<foot_type>();
   const auto& x = *v;
   std::array<int, 15> s{};
-  for (std::size_t i = 0; i < 15; ++i) s[i] = known_sign(x[i]);
+  for (std::size_t i = 0; i < 15; ++i) s[i] = sign_of(x[i]);
   const V zero{};
   const auto along = [&](int region, std::size_t from, std::size_t to, const V& part, const V& rest, const V& whole) {
     foot_type foot{region, {zero, zero, zero}, whole};
@@ -134,16 +121,14 @@ constexpr auto foot_on_triangle(const P& a, const P& b, const P& c, const P& p) 
 /// needs   a triangle that is not degenerate
 template <Point P>
 constexpr P foot_on_face(const P& a, const P& b, const P& c, const P& p) noexcept {
-  const auto v = *evaluate<5>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto from = part_of<3>(x, 0), at = part_of<3>(x, 9);
-        const auto n = cross_of(difference_of(part_of<3>(x, 3), from), difference_of(part_of<3>(x, 6), from));
-        const N divisor = dot_of(n, n), height = dot_of(n, difference_of(at, from));
-        return joined(std::array<N, 1>{divisor}, difference_of(multiple_of(at, divisor), multiple_of(n, height)));
+  const auto [divisor, foot] = *values_of<5>(
+      [](const auto& from, const auto& second, const auto& third, const auto& at) {
+        const auto n = cross(second - from, third - from);
+        const auto whole = dot(n, n);
+        return std::tuple{whole, to_vec(at) * whole - n * dot(n, at - from)};
       },
-      gathered<scalar_of<P>>(a, b, c, p));
-  return coordinates_over<P>(v, 1, v[0]);
+      a, b, c, p);
+  return rounded_coordinates<P>(foot / divisor);
 }
 
 /// Which end of two segments without common points is nearest to the other one: 0 to 3 for a, b, c, d.
@@ -154,40 +139,44 @@ constexpr int nearest_end(const P& a, const P& b, const P& c, const P& d) noexce
                            squared_from_segment(a, b, d)};
   int nearest = 0;
   for (int i = 1; i < 4; ++i)
-    if (known_sign(squared[static_cast<std::size_t>(i)] - squared[static_cast<std::size_t>(nearest)]) < 0) nearest = i;
+    if (sign_of(squared[static_cast<std::size_t>(i)] - squared[static_cast<std::size_t>(nearest)]) < 0) nearest = i;
   return nearest;
 }
 
-/// How two lines of space lie: n.n and n.w of the normal n = u x v and w = c - a, and the parameters of the nearest
-/// points times n.n with what they lack of it.
+// With u and v the ways along two lines of space, w = c - a and the normal n = u x v: n.n, and n.n times the parameters
+// of the points that are nearest to each other.
+template <class N>
+struct lines_feet {
+  vec<N, 3> u, v, w, n = cross(u, v);
+  N divisor = dot(n, n), t = dot(cross(w, v), n), s = dot(cross(w, u), n);
+};
+template <class N>
+constexpr lines_feet<N> feet_on_lines(const vec<N, 3>& u, const vec<N, 3>& v, const vec<N, 3>& w) noexcept {
+  return {u, v, w};
+}
+
+/// How two lines of space lie: n.n and n.w, and the parameters of the nearest points times n.n with what they lack of
+/// it.
 template <Point P>
 constexpr auto nearest_on_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
-  return evaluate<4>(
-      [](const auto& x) {
-        const auto from = part_of<3>(x, 0), other = part_of<3>(x, 6), w = difference_of(other, from);
-        const auto u = difference_of(part_of<3>(x, 3), from), v = difference_of(part_of<3>(x, 9), other);
-        const auto n = cross_of(u, v);
-        const auto divisor = dot_of(n, n), t = dot_of(cross_of(w, v), n), s = dot_of(cross_of(w, u), n);
-        return std::array{divisor, dot_of(n, w), t, divisor - t, s, divisor - s};
+  return values_of<4>(
+      [](const auto& from, const auto& to, const auto& other, const auto& end) {
+        const auto f = feet_on_lines(to - from, end - other, other - from);
+        return std::array{f.divisor, dot(f.n, f.w), f.t, f.divisor - f.t, f.s, f.divisor - f.s};
       },
-      gathered<scalar_of<P>>(a, b, c, d));
+      a, b, c, d);
 }
 
 /// The two nearest points on crossing or skew lines.
 template <Point P>
 constexpr std::array<P, 2> points_on_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
-  const auto at = *evaluate<5>(
-      [](const auto& x) {
-        using N = std::remove_cvref_t<decltype(x[0])>;
-        const auto from = part_of<3>(x, 0), other = part_of<3>(x, 6), w = difference_of(other, from);
-        const auto u = difference_of(part_of<3>(x, 3), from), v = difference_of(part_of<3>(x, 9), other);
-        const auto n = cross_of(u, v);
-        const auto divisor = dot_of(n, n), t = dot_of(cross_of(w, v), n), s = dot_of(cross_of(w, u), n);
-        return joined(joined(std::array<N, 1>{divisor}, sum_of(multiple_of(from, divisor), multiple_of(u, t))),
-                      sum_of(multiple_of(other, divisor), multiple_of(v, s)));
+  const auto [divisor, first, second] = *values_of<5>(
+      [](const auto& from, const auto& to, const auto& other, const auto& end) {
+        const auto f = feet_on_lines(to - from, end - other, other - from);
+        return std::tuple{f.divisor, to_vec(from) * f.divisor + f.u * f.t, to_vec(other) * f.divisor + f.v * f.s};
       },
-      gathered<scalar_of<P>>(a, b, c, d));
-  return {coordinates_over<P>(at, 1, at[0]), coordinates_over<P>(at, 4, at[0])};
+      a, b, c, d);
+  return {rounded_coordinates<P>(first / divisor), rounded_coordinates<P>(second / divisor)};
 }
 
 }  // namespace IRG_ABI

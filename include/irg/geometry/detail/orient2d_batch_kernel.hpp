@@ -15,7 +15,7 @@
 #include <cstring>
 
 #include <irg/core/lanes.hpp>
-#include <irg/geometry/detail/exact_sign.hpp>
+#include <irg/math/exact/filtered_number.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/math/error_free.hpp>
 
@@ -46,7 +46,7 @@ struct line_batch_filter {
   IRG_INLINE constexpr line_batch_filter(double x0, double y0, double x1, double y1, const double* xs,
                                          const double* ys) noexcept
       : ax(x0), ay(y0), x(xs), y(ys) {
-    if (!suits_filter(x0) || !suits_filter(y0) || !suits_filter(x1) || !suits_filter(y1)) {
+    if (!suits_filter<2>(x0) || !suits_filter<2>(y0) || !suits_filter<2>(x1) || !suits_filter<2>(y1)) {
       ax = ay = 0;
       return;
     }

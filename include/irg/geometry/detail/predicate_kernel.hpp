@@ -136,7 +136,7 @@ inline constexpr int determinant_factor = D == 3 ? -1 : 1;
 
 // The sign, for exact numbers: T holds the differences of coordinates, their products what they are made of.
 template <class T, int M, int D>
-IRG_INLINE constexpr int sign_of(const point_table<T, M, D>& t) {
+IRG_INLINE constexpr int table_sign(const point_table<T, M, D>& t) {
   return coordinate_sign(difference_determinant(relative_to_last(t)));
 }
 
@@ -152,7 +152,7 @@ template <int M, int D>
 constexpr bool sign_by_double_words(const point_table<double, M, D>& t, int& sign) noexcept {
   point_table<wide_int<2>, M, D> n{};
   if (!to_double_words(t, n)) return false;
-  sign = sign_of(n);
+  sign = table_sign(n);
   return true;
 }
 template <int M, int D>
@@ -215,9 +215,9 @@ IRG_INLINE constexpr int predicate(const P& first, const Ps&... others) noexcept
     using of_bytes = std::conditional_t<is_round, int128, std::int64_t>;
     using of_ints = std::conditional_t<is_round, wide_int<1>, int128>;
     using wide = std::conditional_t<sizeof(T) <= 2, of_bytes, std::conditional_t<sizeof(T) <= 4, of_ints, wide_int<2>>>;
-    return sign_of(table_of<wide>(first, others...));
+    return table_sign(table_of<wide>(first, others...));
   } else {
-    return sign_of(table_of<T>(first, others...));
+    return table_sign(table_of<T>(first, others...));
   }
 }
 

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstdint>
 
-#include <irg/geometry/detail/evaluate.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/math/exact/known_number.hpp>
 #include <irg/math/exact_sum.hpp>
 
 namespace irg::detail {

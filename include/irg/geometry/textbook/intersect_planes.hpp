@@ -33,29 +33,25 @@ constexpr planes_meeting<T> intersect_planes(const parametric_plane<T>& first, c
                                              held_parameter order = held_parameter::s4_then_s3) noexcept {
   using result = planes_meeting<T>;
   const auto n1 = detail::directions_normal(first), n2 = detail::directions_normal(second);
-  if (!n1 || !n2 || detail::are_zero(*n1, 0, 3) || detail::are_zero(*n2, 0, 3)) return {};
+  if (!n1 || !n2 || detail::is_zero(*n1) || detail::is_zero(*n2)) return {};
   for (int attempt = 0; attempt < 2; ++attempt) {
     const bool hold_s4 = (order == held_parameter::s4_then_s3) == (attempt == 0);
     const vec<T, 3>&along = hold_s4 ? second.first : second.second, &held = hold_s4 ? second.second : second.first;
-    const auto v = detail::evaluate<4>(
-        [](const auto& x) {
-          using N = std::remove_cvref_t<decltype(x[0])>;
-          const auto n = detail::cross_of(detail::part_of<3>(x, 0), detail::part_of<3>(x, 3));
-          const auto zero = detail::part_of<3>(x, 6), u = detail::part_of<3>(x, 12);
-          const auto one = detail::sum_of(zero, detail::part_of<3>(x, 15)), base = detail::part_of<3>(x, 9);
-          const N h0 = detail::dot_of(n, detail::difference_of(zero, base));
-          const N h1 = detail::dot_of(n, detail::difference_of(one, base));
-          return detail::joined(detail::cross_plane(n, zero, u, h0), detail::cross_plane(n, one, u, h1));
+    const auto v = values_of<4>(
+        [](const auto& a, const auto& b, const auto& zero, const auto& base, const auto& u, const auto& step) {
+          const auto n = cross(a, b), to_zero = zero - base;
+          return std::tuple{detail::cross_plane(n, zero, u, dot(n, to_zero)),
+                            detail::cross_plane(n, zero + step, u, dot(n, to_zero + step))};
         },
-        detail::gathered<T>(first.first, first.second, second.origin, first.origin, along, held));
+        first.first, first.second, second.origin, first.origin, along, held);
     if (!v) return {};
-    const auto& x = *v;
-    if (detail::known_sign(x[0]) != 0)
-      return {planes_relation::crossing, detail::coordinates_over<point<T, 3>>(x, 2, x[0]),
-              detail::coordinates_over<point<T, 3>>(x, 7, x[0]),
+    const auto& [divisor, height, at_zero] = std::get<0>(*v);
+    if (!detail::is_zero(divisor))
+      return {planes_relation::crossing, rounded_coordinates<point<T, 3>>(at_zero / divisor),
+              rounded_coordinates<point<T, 3>>(std::get<2>(std::get<1>(*v)) / divisor),
               hold_s4 ? result::parameter::s4 : result::parameter::s3};
     if (attempt == 1)
-      return {detail::known_sign(x[1]) == 0 ? planes_relation::coincident : planes_relation::parallel, {}, {}, {}};
+      return {detail::is_zero(height) ? planes_relation::coincident : planes_relation::parallel, {}, {}, {}};
   }
   return {};
 }

@@ -11,7 +11,7 @@
 
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg::detail {

@@ -9,6 +9,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/instructions.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/core/scalar.hpp>
 
 namespace irg::detail {
@@ -26,6 +27,7 @@ IRG_INLINE constexpr double from_bits(std::uint64_t bits) noexcept { return std:
 IRG_INLINE constexpr bool is_negative(double x) noexcept { return (bits_of(x) >> 63) != 0; }
 IRG_INLINE constexpr bool is_negative(float x) noexcept { return (std::bit_cast<std::uint32_t>(x) >> 31) != 0; }
 
+using irg::is_finite;
 using irg::magnitude;
 
 /// The magnitude of x with the sign of y.
@@ -37,10 +39,6 @@ IRG_INLINE constexpr double with_sign(double x, double y) noexcept {
 template <Floating T>
 IRG_INLINE constexpr bool is_nan(T x) noexcept {
   return x != x;
-}
-template <Floating T>
-IRG_INLINE constexpr bool is_finite(T x) noexcept {
-  return magnitude(x) <= (std::numeric_limits<T>::max)();
 }
 
 /// Whether x is 0 or 2^low <= |x| < 2^high. Told from the bits without asking whether they are zero: clang makes a

@@ -15,7 +15,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/geometry/side_of_crossing.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 #include <irg/visibility/detail/direction_order.hpp>
 
 namespace irg::detail {

@@ -7,7 +7,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/segment.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {

@@ -51,63 +51,73 @@ struct phong_pixel_shader {
     return Output{}({converted<float>(light.r), converted<float>(light.g), converted<float>(light.b)});
   }
 
-  // Puts what the chosen pixels show of the triangle to what the others show.
+  // What is seen at a register of pixels of objects that share their light: positions and normals.
   template <int N>
     requires std::same_as<T, double>
-  IRG_INLINE void place(surface_points<N>& points, const pixel_weights<pack<float, N>>& at,
-                        const pack<std::int32_t, N>& chosen) const noexcept {
-    using f = lanes<pack<double, native_lanes<double>>>;
-    alignas(64) float weight1[static_cast<unsigned>(N)], weight2[static_cast<unsigned>(N)];
-    alignas(64) std::int32_t mask[static_cast<unsigned>(N)];
-    lanes<pack<float, N>>::store(weight1, at.weight1);
-    lanes<pack<float, N>>::store(weight2, at.weight2);
-    lanes<pack<std::int32_t, N>>::store(mask, chosen);
-    for (int first = 0; first < N; first += f::count) {
-      const auto few = [&](const auto* from) {
-        return lanes<pack<std::remove_cvref_t<decltype(*from)>, f::count>>::load(from + first);
-      };
-      const auto s = converted<double>(few(weight1)), t = converted<double>(few(weight2));
-      const auto where = converted<std::int64_t>(few(mask));
-      const auto put = [&](double(&to)[static_cast<unsigned>(N)], T from, T to_second, T to_third) {
-        const auto between = f::broadcast(from) + (f::broadcast(to_second) * s + f::broadcast(to_third) * t);
-        f::store(to + first, select(where, between, f::load(to + first)));
-      };
-      for (int k = 0; k < 3; ++k) {
-        put(points.coordinate[k], position[k], to_position[0][k], to_position[1][k]);
-        put(points.coordinate[3 + k], normal[k], to_normal[0][k], to_normal[1][k]);
+  struct collected {
+    using f = lanes<pack<double, lesser(N, native_lanes<double>)>>;
+    static constexpr int parts = N / f::count;
+    alignas(64) double coordinate[6][static_cast<unsigned>(N)];
+    const phong_lanes<T>* light = nullptr;
+
+    IRG_INLINE bool takes(const phong_pixel_shader& s) const noexcept {
+      return light == nullptr || light == s.in_lanes;
+    }
+    IRG_INLINE void put(const phong_pixel_shader& of, const pixel_weights<pack<float, N>>& at,
+                        const pack<std::int32_t, N>& chosen) noexcept {
+      light = of.in_lanes;
+      alignas(64) float weight1[static_cast<unsigned>(N)], weight2[static_cast<unsigned>(N)];
+      alignas(64) std::int32_t mask[static_cast<unsigned>(N)];
+      lanes<pack<float, N>>::store(weight1, at.weight1);
+      lanes<pack<float, N>>::store(weight2, at.weight2);
+      lanes<pack<std::int32_t, N>>::store(mask, chosen);
+      for (int first = 0; first < N; first += f::count) {
+        const auto few = [&](const auto* from) {
+          return lanes<pack<std::remove_cvref_t<decltype(*from)>, f::count>>::load(from + first);
+        };
+        const auto s = converted<double>(few(weight1)), t = converted<double>(few(weight2));
+        const auto where = converted<std::int64_t>(few(mask));
+        const auto put = [&](double* to, T from, T to_second, T to_third) {
+          const auto between = f::broadcast(from) + (f::broadcast(to_second) * s + f::broadcast(to_third) * t);
+          f::store(to + first, select(where, between, f::load(to + first)));
+        };
+        for (int k = 0; k < 3; ++k) {
+          put(coordinate[k], of.position[k], of.to_position[0][k], of.to_position[1][k]);
+          put(coordinate[3 + k], of.normal[k], of.to_normal[0][k], of.to_normal[1][k]);
+        }
       }
     }
-  }
-  // Shades the chosen pixels of a row.
-  template <int N, class P>
-  IRG_INLINE static void shade(const phong_lanes<T>& light_of, const surface_points<N>& points, unsigned chosen,
-                               P* row) {
-    using f = lanes<pack<double, native_lanes<double>>>;
-    alignas(64) float r[static_cast<unsigned>(N)], g[static_cast<unsigned>(N)], b[static_cast<unsigned>(N)];
-    for (int first = 0; first < N; first += f::count) {
-      const auto of = [&](int k) {
-        const auto at = [&](int i) { return f::load(points.coordinate[k + i] + first); };
-        return triple_lanes<double, f::count>{at(0), at(1), at(2)};
+    // Shades the chosen pixels of a row.
+    template <class P>
+    IRG_INLINE void shade(P* row, unsigned chosen) {
+      using channels = rgb<pack<float, f::count>>;
+      channels part[static_cast<unsigned>(parts)];
+      for (int first = 0; first < N; first += f::count) {
+        const auto of = [&](int k) {
+          const auto at = [&](int i) { return f::load(coordinate[k + i] + first); };
+          return triple_lanes<double, f::count>{at(0), at(1), at(2)};
+        };
+        const auto some = (*light)(of(0), of(3), chosen >> first);
+        part[first / f::count] = {converted<float>(some.r), converted<float>(some.g), converted<float>(some.b)};
+      }
+      light = nullptr;
+      const auto all = [&](auto channel) {
+        if constexpr (parts == 1)
+          return part[0].*channel;
+        else
+          return join_halves<float, N>(part[0].*channel, part[1].*channel);
       };
-      const auto light = light_of(of(0), of(3), chosen >> first);
-      using few = lanes<pack<float, f::count>>;
-      few::store(r + first, converted<float>(light.r));
-      few::store(g + first, converted<float>(light.g));
-      few::store(b + first, converted<float>(light.b));
-    }
-    if constexpr (std::same_as<Output, encoded_light> && sizeof(P) == 4) {
-      using floats = lanes<pack<float, N>>;
-      std::uint32_t words[static_cast<unsigned>(N)];
-      lanes<pack<std::uint32_t, N>>::store(words, encode_lanes(floats::load(r), floats::load(g), floats::load(b)));
-      for (; chosen != 0; chosen &= chosen - 1)
-        row[std::countr_zero(chosen)] = std::bit_cast<P>(words[std::countr_zero(chosen)]);
-    } else {
-      for (; chosen != 0; chosen &= chosen - 1) {
-        const int i = std::countr_zero(chosen);
-        row[i] = Output{}({r[i], g[i], b[i]});
+      const rgb<pack<float, N>> made{all(&channels::r), all(&channels::g), all(&channels::b)};
+      if constexpr (std::same_as<Output, encoded_light> && sizeof(P) == 4) {
+        store_pixels(row, encode_lanes(made.r, made.g, made.b), chosen);
+      } else {
+        for (; chosen != 0; chosen &= chosen - 1) {
+          const int i = std::countr_zero(chosen);
+          row[i] = Output{}({made.r[i], made.g[i], made.b[i]});
+        }
       }
     }
-  }
+  };
 };
 
 inline namespace IRG_ABI {

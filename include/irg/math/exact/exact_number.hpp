@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// dyadic<Words>: a sum of powers of two, with exact sum, difference and product. Polynomials of doubles are computed
-// with it where twice the precision of double does not tell them; whatever the exponents, nothing is rounded.
+// exact_number: a sum of powers of two, with exact sum, difference and product. Polynomials of doubles are computed
+// with it where rounded numbers do not tell their sign; whatever the exponents, nothing is rounded.
 #pragma once
 
 #include <bit>
@@ -8,22 +8,20 @@
 
 #include <irg/core/config.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/math/exact/known_number.hpp>
 #include <irg/math/int128.hpp>
 
-namespace irg::detail {
-
-/// A real number to some 106 bits: (high + low) * 2^exponent.
-/// shape   high is high + low rounded
-struct known_number {
-  double high = 0, low = 0;
-  int exponent = 0;
-};
+namespace irg {
+namespace detail {
 
 /// Enough words for any polynomial of this degree in finite doubles, of up to 2^60 terms.
 constexpr int words_for_degree(int degree) { return (2098 * degree + 60) / 64 + 4; }
 
-/// A sign, and the words of the magnitude from the lowest that is not zero to the highest; word 0 counts in units of
-/// 2^(64 place).
+}  // namespace detail
+
+/// A real number of at most this many words of 64 bits.
+/// shape   a sign, and the words of the magnitude from the lowest that is not zero to the highest; word 0 counts in
+///         units of 2^(64 place)
 template <int Words>
 class dyadic {
 public:
@@ -48,6 +46,17 @@ public:
     if (this != &other) take(other);
     return *this;
   }
+
+  /// What words() gave of another.
+  /// needs   size <= Words
+  constexpr dyadic(const std::uint64_t* words, int size, int place, bool negative) noexcept {
+    for (int i = 0; i < size; ++i) word_[i] = words[i];
+    size_ = size, place_ = place, negative_ = negative;
+  }
+  IRG_INLINE constexpr const std::uint64_t* words() const noexcept { return word_; }
+  IRG_INLINE constexpr int size() const noexcept { return size_; }
+  IRG_INLINE constexpr int place() const noexcept { return place_; }
+  friend constexpr bool operator==(const dyadic& a, const dyadic& b) noexcept { return (a - b).sign() == 0; }
 
   IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
 
@@ -148,4 +157,26 @@ private:
   bool negative_ = false;
 };
 
-}  // namespace irg::detail
+/// Numbers in which every polynomial of this degree in finite doubles, of up to 2^60 terms, has room.
+template <int Degree>
+using exact_number = dyadic<detail::words_for_degree(Degree)>;
+
+inline namespace IRG_ABI {
+
+/// x as an exact number.
+/// needs   finite x
+template <class N, class T>
+  requires(Floating<T> || std::is_integral_v<T>)
+IRG_INLINE constexpr N exactly(const T& x) noexcept {
+  if constexpr (Floating<T>) {
+    return N(detail::exactly_widened(x));
+  } else if constexpr (sizeof(T) <= 4) {
+    return N(static_cast<double>(x));
+  } else {
+    const T high = x >> 32;
+    return N(static_cast<double>(high) * 0x1p32) + N(static_cast<double>(x - (high << 32)));
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -18,6 +18,7 @@ struct twofold {
   IRG_INLINE constexpr explicit twofold(double x) noexcept : high(x) {}
   IRG_INLINE constexpr twofold(double h, double l, double b) noexcept : high(h), low(l), bound(b) {}
 
+  constexpr bool operator==(const twofold&) const = default;
   IRG_INLINE friend constexpr twofold operator-(const twofold& a) noexcept { return {-a.high, -a.low, a.bound}; }
   /// source  Joldes, Muller and Popescu 2017: AccurateDWPlusDW, at most 3u^2 + 13u^3
   IRG_INLINE friend constexpr twofold operator+(const twofold& a, const twofold& b) noexcept {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// filtered_number: a double with what its error is measured by, the filter of exact decisions. filtered_input is one as
+// it came, of which a difference is rounded once.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/detail/polynomial_arguments.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+
+/// A rounded number; `size` is what it would be if all terms were positive, which is what its error is measured by.
+struct filtered_number {
+  double value = 0, size = 0;
+
+  constexpr bool operator==(const filtered_number&) const = default;
+  IRG_INLINE friend constexpr filtered_number operator-(const filtered_number& a) noexcept {
+    return {-a.value, a.size};
+  }
+  IRG_INLINE friend constexpr filtered_number operator+(const filtered_number& a, const filtered_number& b) noexcept {
+    return {a.value + b.value, a.size + b.size};
+  }
+  IRG_INLINE friend constexpr filtered_number operator-(const filtered_number& a, const filtered_number& b) noexcept {
+    return {a.value - b.value, a.size + b.size};
+  }
+  IRG_INLINE friend constexpr filtered_number operator*(const filtered_number& a, const filtered_number& b) noexcept {
+    return {product(a.value, b.value), product(a.size, b.size)};
+  }
+};
+
+/// A number as it came: not off by anything, so that a sum or difference of two is off by its own rounding only.
+struct filtered_input {
+  double value = 0;
+
+  constexpr bool operator==(const filtered_input&) const = default;
+  IRG_INLINE constexpr operator filtered_number() const noexcept { return {value, magnitude(value)}; }
+  IRG_INLINE friend constexpr filtered_input operator-(const filtered_input& a) noexcept { return {-a.value}; }
+  IRG_INLINE friend constexpr filtered_number operator+(const filtered_input& a, const filtered_input& b) noexcept {
+    return filtered_input{a.value + b.value};
+  }
+  IRG_INLINE friend constexpr filtered_number operator-(const filtered_input& a, const filtered_input& b) noexcept {
+    return filtered_input{a.value - b.value};
+  }
+  IRG_INLINE friend constexpr filtered_number operator*(const filtered_input& a, const filtered_input& b) noexcept {
+    return filtered_input{product(a.value, b.value)};
+  }
+};
+
+inline namespace IRG_ABI {
+
+template <int N>
+IRG_INLINE constexpr vec<filtered_number, N> operator-(const point<filtered_input, N>& a,
+                                                       const point<filtered_input, N>& b) noexcept {
+  return generate_coordinates<vec<filtered_number, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
+}
+template <int N>
+IRG_INLINE constexpr vec<filtered_number, N> to_vec(const point<filtered_input, N>& p) noexcept {
+  return generate_coordinates<vec<filtered_number, N>>([&](int i) IRG_INLINE_LAMBDA { return filtered_number(p[i]); });
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Less than 60 roundings lie on the way from an argument to the value of a polynomial of degree 9 of up to 2^10 terms.
+inline constexpr double polynomial_filter_bound = 0x1p-46;
+
+// Whether polynomials of this degree in such numbers neither over- nor underflow, with subnormal numbers or with zeros
+// in their place. A float must not be subnormal: what makes a double of it may take it for zero.
+template <int Degree>
+IRG_INLINE constexpr bool suits_filter(double x) noexcept {
+  constexpr int reach = Degree <= 2 ? 400 : 900 / Degree - 50;
+  return is_zero_or_within<-reach, reach>(x);
+}
+template <int Degree>
+IRG_INLINE constexpr bool suits_filter(float x) noexcept {
+  const std::uint32_t size = std::bit_cast<std::uint32_t>(x) << 1, least_normal = std::uint32_t{1} << 24;
+  if constexpr (Degree <= 2)
+    return size - 1 >= least_normal - 1;
+  else
+    return size - 1 >= least_normal - 1 && suits_filter<Degree>(widened(x));
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// polynomial(arguments...) in rounded numbers: off by at most 2^-46 of its size.
+/// shape   as sign_of takes it
+/// gives   nothing for numbers so large or small that something could over- or underflow, NaN and infinity among them
+template <int Degree, class Polynomial, class... A>
+  requires Floating<detail::argument_scalar<A...>>
+IRG_INLINE constexpr auto filtered_value_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+  using detail::in_numbers;
+  using T = detail::argument_scalar<A...>;
+  bool suits = true;
+  const auto input = [&](const T& x) IRG_INLINE_LAMBDA {
+    suits = suits && detail::suits_filter<Degree>(x);
+    return filtered_input{widened(x)};
+  };
+  const auto value = [&](const auto&... x) IRG_INLINE_LAMBDA {
+    using R = decltype(polynomial(x...));
+    return suits ? std::optional<R>(polynomial(x...)) : std::optional<R>();
+  };
+  return value(in_numbers<filtered_number>(arguments, input)...);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

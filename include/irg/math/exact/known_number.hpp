@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// known_number: a real number to some 106 bits, of any exponent: what values_of gives of a polynomial in doubles.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+#include <irg/core/conversion.hpp>
+#include <irg/core/coordinates.hpp>
+#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/detail/twofold.hpp>
+#include <irg/math/error_free.hpp>
+#include <irg/math/sqrt.hpp>
+
+namespace irg {
+
+/// The real number (high + low) * 2^exponent.
+/// shape   high is high + low rounded
+struct known_number {
+  double high = 0, low = 0;
+  int exponent = 0;
+
+  constexpr bool operator==(const known_number&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Whether products and quotients with another such number stay far within the range as they are.
+IRG_INLINE constexpr bool is_middling(const known_number& x) noexcept {
+  const double size = magnitude(x.high);
+  return x.exponent == 0 && size > 0x1p-200 && size < 0x1p200;
+}
+
+// Known numbers of any exponent come here with 1 <= |high| < 2, so that their products and quotients stay in range.
+constexpr known_number normalized_number(const known_number& x) noexcept {
+  if (x.high == 0) return x;
+  const int exponent = decompose(x.high).exponent;
+  const double scale = power_of_two(-exponent);
+  return {x.high * scale, x.low * scale, x.exponent + exponent};
+}
+
+IRG_INLINE constexpr known_number tamed_number(const known_number& x) noexcept {
+  return is_middling(x) ? x : normalized_number(x);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+constexpr known_number operator-(const known_number& a) noexcept { return {-a.high, -a.low, a.exponent}; }
+
+/// a * b to some 100 bits.
+constexpr known_number operator*(const known_number& a, const known_number& b) noexcept {
+  const known_number x = detail::tamed_number(a), y = detail::tamed_number(b);
+  const detail::twofold p = detail::twofold(x.high, x.low, 0) * detail::twofold(y.high, y.low, 0);
+  return {p.high, p.low, x.exponent + y.exponent};
+}
+
+/// a - b, to some 100 bits unless they cancel.
+constexpr known_number operator-(const known_number& a, const known_number& b) noexcept {
+  const known_number x = detail::normalized_number(a), y = detail::normalized_number(b);
+  if (y.high == 0) return x;
+  if (x.high == 0) return -y;
+  const int apart = x.exponent - y.exponent;
+  if (apart > 200) return x;
+  if (apart < -200) return -y;
+  const double scale = detail::power_of_two(-apart);
+  const detail::twofold d = detail::twofold(x.high, x.low, 0) - detail::twofold(y.high * scale, y.low * scale, 0);
+  return {d.high, d.low, x.exponent};
+}
+
+/// a + b, to some 100 bits unless they cancel.
+constexpr known_number operator+(const known_number& a, const known_number& b) noexcept { return a - -b; }
+
+constexpr bool operator<(const known_number& a, const known_number& b) noexcept { return (a - b).high < 0; }
+
+/// a/b to some 100 bits.
+/// needs   b is not zero
+constexpr known_number operator/(const known_number& a, const known_number& b) noexcept {
+  const known_number x = detail::tamed_number(a), y = detail::tamed_number(b);
+  const double q = x.high / y.high;
+  const auto back = fast_two_product(q, y.high);
+  const double rest = ((x.high - back.value) - back.error) + (x.low - product(q, y.low));
+  const auto whole = fast_two_sum(q, rest / y.high);
+  return {whole.value, whole.error, x.exponent - y.exponent};
+}
+
+/// -1, 0 or 1, as x is negative, zero or positive.
+template <Scalar T>
+IRG_INLINE constexpr int sign_of(const T& x) noexcept {
+  if constexpr (std::is_same_v<T, known_number>)
+    return x.high < 0 ? -1 : x.high > 0 ? 1 : 0;
+  else
+    return x < T(0) ? -1 : T(0) < x ? 1 : 0;
+}
+
+/// The square root to some 100 bits.
+/// needs   x is not negative
+constexpr known_number sqrt(const known_number& a) noexcept {
+  known_number x = detail::tamed_number(a);
+  if (x.high <= 0) return {};
+  const int odd = x.exponent & 1;
+  if (odd != 0) x = {x.high * 2, x.low * 2, x.exponent - 1};
+  const double r = sqrt(x.high);
+  const auto back = fast_two_product(r, r);
+  const auto whole = fast_two_sum(r, (((x.high - back.value) - back.error) + x.low) / (r + r));
+  return {whole.value, whole.error, x.exponent / 2};
+}
+
+/// The number as T; infinity beyond the range.
+/// exact   within 0.501 ulp, where the result is subnormal, too
+template <Floating T>
+constexpr T rounded_to(const known_number& x) noexcept {
+  if (x.exponent == 0 && magnitude(x.high) > 0x1p-1000) return converted<T>(x.high);
+  const known_number y = detail::normalized_number(x);
+  if (y.high == 0) return T(0);
+  double value = y.exponent < 0 ? 0.0 : y.high < 0 ? -detail::infinity<double> : detail::infinity<double>;
+  if (y.exponent >= -1022 && y.exponent <= 1023) value = y.high * detail::power_of_two(y.exponent);
+  if (y.exponent < -1022 && y.exponent > -1080) {
+    value = y.high * 0x1p-1000 * detail::power_of_two(y.exponent + 1000);
+    // `high` has been rounded before: where it is halfway between two numbers, `low` tells which one is nearer.
+    const double rest = y.high - value * 0x1p1000 * detail::power_of_two(-y.exponent - 1000);
+    if (magnitude(rest) == detail::power_of_two(-1075 - y.exponent) && y.low != 0 && (rest > 0) == (y.low > 0))
+      value = value + (rest > 0 ? 0x1p-1074 : -0x1p-1074);
+  }
+  return converted<T>(value);
+}
+template <Scalar T>
+  requires(!Floating<T>)
+IRG_INLINE constexpr T rounded_to(const T& x) noexcept {
+  return x;
+}
+
+/// The T nearest to each coordinate.
+template <Coordinates P, Coordinates V>
+  requires(size_of<P> == size_of<V>)
+constexpr P rounded_coordinates(const V& v) noexcept {
+  return generate_coordinates<P>([&](int i) { return rounded_to<scalar_of<P>>(coordinate(v, i)); });
+}
+
+/// All v as T, multiplied by one power of two where one of them is beyond the range, or the largest of the first
+/// `Leading` so small that its last digits are.
+template <Floating T, std::size_t Leading, std::size_t Size>
+constexpr std::array<T, Size> rounded_together(std::array<known_number, Size> v) noexcept {
+  constexpr int highest = std::numeric_limits<T>::max_exponent - 3;
+  constexpr int lowest = std::numeric_limits<T>::min_exponent + std::numeric_limits<T>::digits;
+  int largest = -1000000, leading = -1000000;
+  for (std::size_t i = 0; i < Size; ++i) {
+    v[i] = detail::normalized_number(v[i]);
+    if (v[i].high == 0) continue;
+    largest = greater(largest, v[i].exponent);
+    if (i < Leading) leading = greater(leading, v[i].exponent);
+  }
+  int shift = 0;
+  if (largest > highest)
+    shift = highest - largest;
+  else if (leading < lowest)
+    shift = lesser(-leading, highest - largest);
+  std::array<T, Size> out{};
+  for (std::size_t i = 0; i < Size; ++i) {
+    v[i].exponent += shift;
+    out[i] = rounded_to<T>(v[i]);
+  }
+  return out;
+}
+template <Scalar T, std::size_t Leading, std::size_t Size>
+  requires(!Floating<T>)
+constexpr std::array<T, Size> rounded_together(const std::array<T, Size>& v) noexcept {
+  return v;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Values of polynomials right to 60 bits with the exact sign, for all finite floats and doubles: a polynomial is
+// computed in twice the precision, and in exact numbers where that does not suffice. Quotients of such values are what
+// intersections and nearest points are made of.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include <irg/math/detail/polynomial_arguments.hpp>
+#include <irg/math/detail/twofold.hpp>
+#include <irg/math/exact/exact_number.hpp>
+#include <irg/math/exact/known_number.hpp>
+#include <irg/math/vec.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+IRG_INLINE constexpr bool suits_twofold(double x) noexcept { return is_zero_or_within<-80, 80>(x); }
+
+// each(x) for every number of what a polynomial gave, in the same arrangement.
+template <class N, class F>
+IRG_INLINE constexpr auto for_numbers(const N& x, const F& each) noexcept {
+  return each(x);
+}
+template <class N, int D, class F>
+IRG_INLINE constexpr auto for_numbers(const vec<N, D>& v, const F& each) noexcept {
+  return generate_coordinates<vec<decltype(each(v[0])), D>>([&](int i) IRG_INLINE_LAMBDA { return each(v[i]); });
+}
+template <class N, std::size_t D, class F>
+IRG_INLINE constexpr auto for_numbers(const std::array<N, D>& v, const F& each) noexcept {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) IRG_INLINE_LAMBDA {
+    return std::array<decltype(each(v[0])), D>{each(v[I])...};
+  }(std::make_index_sequence<D>{});
+}
+template <class... N, class F>
+IRG_INLINE constexpr auto for_numbers(const std::tuple<N...>& t, const F& each) noexcept {
+  return std::apply([&](const N&... x) IRG_INLINE_LAMBDA { return std::tuple{for_numbers(x, each)...}; }, t);
+}
+
+IRG_INLINE constexpr known_number known_of(const twofold& x) noexcept { return {x.high, x.low, 0}; }
+
+template <int Degree, class Polynomial, class... A>
+IRG_NOINLINE constexpr auto exact_values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+  using number = exact_number<Degree>;
+  const auto exact = [](const auto& x) { return exactly<number>(x); };
+  return for_numbers(polynomial(in_numbers<number>(arguments, exact)...), [](const number& x) { return x.rounded(); });
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+/// What the value of a polynomial in numbers of type T is known as.
+template <Scalar T>
+using known_value = std::conditional_t<Floating<T>, known_number, T>;
+
+inline namespace IRG_ABI {
+
+/// The values polynomial(arguments...): known numbers for floats and doubles, other scalars compute in their
+/// arithmetic.
+/// shape   the polynomial takes its arguments with numbers of any type that has + - and * in the place of T: numbers
+///         for numbers, vec, point and hpoint for vectors and points, arrays for larger arrays, and the same template
+///         for what overloads in_numbers, as planes do; it gives a number, or an array, vec or tuple of numbers
+/// needs   a polynomial of at most this degree, 6 at most
+/// gives   nothing when a number is NaN or infinite
+/// exact   in floats and doubles each value within 2^-60 of its size, zeros and signs exactly
+/// cost    some 10 ns for each product; where numbers nearly cancel or are beyond 2^+-80, some microseconds
+template <int Degree, class Polynomial, class... A>
+constexpr auto values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+  using detail::in_numbers;
+  using T = detail::argument_scalar<A...>;
+  if constexpr (Floating<T>) {
+    static_assert(Degree >= 1 && Degree <= 6);
+    bool suits = true, finite = true;
+    const auto twice = [&](const T& x) IRG_INLINE_LAMBDA {
+      const double wide = detail::exactly_widened(x);
+      suits = suits && detail::suits_twofold(wide);
+      finite = finite && detail::is_finite(x);
+      return detail::twofold(wide);
+    };
+    const auto stages = [&](const auto&... x) IRG_INLINE_LAMBDA {
+      const auto known = [](const detail::twofold& v) { return detail::known_of(v); };
+      using known_values = decltype(detail::for_numbers(polynomial(x...), known));
+      if (suits) {
+        const auto values = polynomial(x...);
+        bool sure = true;
+        const auto is_sure = [&](const detail::twofold& v) { return sure = sure && v.is_sure(), 0; };
+        static_cast<void>(detail::for_numbers(values, is_sure));
+        if (sure) return std::optional<known_values>(detail::for_numbers(values, known));
+      }
+      if (!finite) return std::optional<known_values>();
+      return std::optional<known_values>(detail::exact_values_of<Degree>(polynomial, arguments...));
+    };
+    return stages(in_numbers<detail::twofold>(arguments, twice)...);
+  } else {
+    return std::optional(polynomial(in_numbers<T>(arguments, [](const T& x) { return x; })...));
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
