@@ -45,6 +45,8 @@
 #include "plane_sight.hpp"
 #include "portals.hpp"
 #include "projections.hpp"
+#include "plots.hpp"
+#include "rays.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
@@ -201,6 +203,8 @@ void methods() {
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
+  save("horizon_lines", plot_pictures::horizon_lines());
+  save("plot_surface", plot_pictures::surfaces());
   save("bsp_tree_2d", bsp_pictures::orders());
   save("bsp_tree_3d", bsp_pictures::order_in_space());
   save("grid_surface", grid_pictures::views());
@@ -447,6 +451,8 @@ int main(int argc, char** argv) {
   save("convex_body", convex_body_pictures::bodies());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("shadow", ray_pictures::shadow());
+  save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
   save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());

@@ -14,6 +14,7 @@
 #include <irg/render/prepared_scene.hpp>
 #include <irg/render/render.hpp>
 #include <irg/render/render_rooms.hpp>
+#include <irg/render/render_traced.hpp>
 #include <irg/render/scene_bsp.hpp>
 #include <irg/render/shade_visible.hpp>
 #include <irg/render/textured_shading.hpp>
