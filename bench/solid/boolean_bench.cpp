@@ -2,7 +2,6 @@
 // A sphere less a moved one: irg, exact, and CGAL's corefinement with exact predicates and rounded constructions. The
 // error is the difference of volumes; wrong are results that are not closed.
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -104,17 +103,19 @@ void enter_case(int n) {
   c.judge = [judge] { return judge(true); };
   enter(what, std::move(c));
 #ifdef IRG_HAVE_CGAL
-  contender peer{"CGAL", {}};
-  peer.seconds = [&first, &second, &made] {
-    surface s = to_surface(*first), t = to_surface(*second), out;
-    const auto start = std::chrono::steady_clock::now();
-    CGAL::Polygon_mesh_processing::corefine_and_compute_difference(s, t, out);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    out.collect_garbage();
-    made = from_surface(out);
-    return took.count();
+  auto& surfaces = keep_lazy([&first, &second] { return std::pair{to_surface(*first), to_surface(*second)}; });
+  auto& out = keep(surface{});
+  contender peer{"CGAL", [&surfaces, &out] {
+                   surface s = surfaces->first, t = surfaces->second;  // which it changes
+                   out.clear();
+                   CGAL::Polygon_mesh_processing::corefine_and_compute_difference(s, t, out);
+                 }};
+  peer.judge = [judge, &made, &out] {
+    surface compact = out;
+    compact.collect_garbage();
+    made = from_surface(compact);
+    return judge(false);
   };
-  peer.judge = [judge] { return judge(false); };
   enter(what, std::move(peer));
 #endif
 }
