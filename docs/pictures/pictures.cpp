@@ -52,6 +52,7 @@
 #include "shaders.hpp"
 #include "sight.hpp"
 #include "solids.hpp"
+#include "space_sight.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
 #include "surfaces.hpp"
@@ -429,6 +430,7 @@ int main(int argc, char** argv) {
   save("weak_visibility", plane_sight::shadows());
   save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
+  save("sight_in_space", space_sight::folded_out());
   save("viewshed", sight_pictures::hills());
   save("portals", portal_pictures::rooms());
   failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;
