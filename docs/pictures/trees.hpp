@@ -10,6 +10,8 @@
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/spatial/triangle_bvh.hpp>
+#include <irg/trace/along_ray.hpp>
+#include <irg/visibility/visible_points.hpp>
 
 #include "sketch.hpp"
 
@@ -123,6 +125,46 @@ inline picture shares() {
            : crossed == 2 ? green
                           : irg::rgba8{200, 200, 200, 255});
     }
+  return p;
+}
+
+// Sheets from the side, and rays among them: what they cross, and their longest free runs.
+inline picture runs() {
+  picture p(620, 200, white);
+  std::vector<std::array<irg::point<double, 3>, 3>> sheets;
+  for (int i = 0; i < 26; ++i) {
+    const double x = 30 + 22.5 * i + 6 * irg::sin(9.0 * i), y = 100 + 70 * irg::sin(5.0 * i),
+                 half = 22 + 10 * irg::sin(3.0 * i);
+    sheets.push_back({{{x, y - half, -50}, {x + 8, y + half, -50}, {x + 4, y, 50}}});
+    stroke(p, {{x + 2, y - half / 2}, {x + 6, y + half / 2}}, 2.5, grey);
+  }
+  const irg::triangle_bvh<double> tree(std::span<const std::array<irg::point<double, 3>, 3>>{sheets});
+  for (int k = 0; k < 5; ++k) {
+    const irg::ray<double, 3> r{{10, 30.0 + 35 * k, 0}, {600, 0, 0}, 0, 1};
+    const auto at = [&](double t) { return point2{r.origin.x + 600 * t, r.origin.y}; };
+    const irg::free_run run = irg::longest_free_run(tree, r, 30.0 / 600);
+    stroke(p, {at(0), at(1)}, 1, light_red);
+    stroke(p, {at(run.from), at(run.to)}, 3, green);
+    for (int i = 0; i <= run.steps; ++i) disc(p, at(run.from + i * 30.0 / 600), 2.6, green);
+    for (const irg::triangle_hit& h : irg::sorted_hits(tree, r)) disc(p, at(h.at.t), 3.2, red);
+  }
+  return p;
+}
+
+// Points of a lattice that hide each other from a viewer.
+inline picture points_seen() {
+  picture p(460, 300, white);
+  std::vector<point2> points;
+  for (int j = 0; j < 9; ++j)
+    for (int i = 0; i < 15; ++i)
+      if ((i * 7 + j * 5) % 4 != 0) points.push_back({20.0 + 30 * i, 20.0 + 32 * j});
+  const point2 viewer{200, 148};
+  const auto seen = irg::visible_points(std::span<const point2>(points), viewer);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (seen[i] != 0) stroke(p, {viewer, points[i]}, 0.6, light_blue);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    disc(p, points[i], seen[i] != 0 ? 4 : 3, seen[i] != 0 ? blue : irg::rgba8{190, 190, 188, 255});
+  disc(p, viewer, 5, red);
   return p;
 }
 
