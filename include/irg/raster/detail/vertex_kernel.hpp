@@ -3,7 +3,6 @@
 // classify give one by one.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -79,8 +78,8 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
   const pack_i snapped_x = both(snap_lanes(sx), kept), snapped_y = both(snap_lanes(sy), kept);
   const pack_f z_screen = select(kept, cz * inverse, zero), w_screen = select(kept, inverse, F::broadcast(1));
   store_vertices<N>(screen, {snapped_x, snapped_y, z_screen, w_screen});
-  static_assert(std::endian::native == std::endian::little && sizeof(clip_code_pair) == 2);
-  const pack_i pairs = outside | (cut << 8);
+  static_assert(sizeof(clip_code_pair) == 2);
+  const pack_i pairs = (outside << byte_shift<2>(0)) | (cut << byte_shift<2>(1));
   lanes<pack<std::uint16_t, N>>::store_bytes(codes, converted<std::uint16_t>(pairs));
   clip_code_pair any;
   if (!all_lanes(pairs == I::broadcast(0)))
