@@ -451,6 +451,8 @@ int main(int argc, char** argv) {
   save("convex_body", convex_body_pictures::bodies());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("along_ray", tree_pictures::runs());
+  save("visible_points", tree_pictures::points_seen());
   save("shadow", ray_pictures::shadow());
   save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
