@@ -6,7 +6,7 @@
 
 namespace irg {
 
-/// Cells in sequence: the vertices of a polyline. Models: std::vector<cell>, std::array, std::span; of points of ints, too.
+/// Cells, or points of ints, in sequence: the vertices of a polyline. Models: std::vector<cell>, std::array, std::span.
 template <class T>
 concept CellSequence = requires(const T& cells, std::size_t i) {
   { cells.size() } -> std::convertible_to<std::size_t>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays of vectors and points as rows of numbers: irg's own types, and those of others that are three numbers in a row.
+// Arrays of vectors and points as rows of numbers: irg's own types, and others that are three numbers in a row.
 #pragma once
 
 #include <concepts>
@@ -24,7 +24,10 @@ template <class V>
 IRG_INLINE constexpr auto row_of(V& v) noexcept {
   using T = std::conditional_t<std::is_const_v<V>, const scalar_of<V>, scalar_of<V>>;
   T* first = nullptr;
-  if constexpr (requires { v.x, v.y, v.z; requires std::same_as<decltype(&v.x), T*>; }) {
+  if constexpr (requires {
+                  v.x, v.y, v.z;
+                  requires std::same_as<decltype(&v.x), T*>;
+                }) {
     if (&v.y == &v.x + 1 && &v.z == &v.x + 2) first = &v.x;
   } else if constexpr (requires { requires std::same_as<decltype(&v[0]), T*>; }) {
     if (&v[1] == &v[0] + 1 && &v[2] == &v[0] + 2) first = &v[0];
