@@ -14,8 +14,8 @@
 
 namespace irg {
 
-/// Vectors in a row: a span, an array or a container of vec<float, 3> or vec<double, 3>, or of your own vectors of three
-/// floats or doubles.
+/// Vectors in a row: a span, an array or a container of vec<float, 3> or vec<double, 3>, or of your own vectors of
+/// three floats or doubles.
 template <class R>
 concept VectorArray = requires {
   requires Vector<detail::element_of<R>>;
