@@ -25,16 +25,42 @@ constexpr const char* re_text = "-0.79601803567933359977060276202712861868001612
 constexpr const char* im_text = "0.152921489508950739029284976898362805189168098776991868427910";
 using counts = irg::image<int>;
 
+// The centre, in 106 bits where pictures are so wide that they do, in all its digits elsewhere.
+struct place {
+  irg::fixed_point<6> x, y;
+  irg::double_double re, im;
+  bool is_rounded;
+};
+place centre_for(double width) {
+  place p{*irg::parse_fixed_point<6>(re_text), *irg::parse_fixed_point<6>(im_text), {}, {}, width > 1e-26};
+  const auto words = [](const irg::fixed_point<6>& v) {
+    const auto high = static_cast<double>(v);
+    return irg::double_double(high) + static_cast<double>(v - irg::fixed_point<6>(high));
+  };
+  const auto exactly = [](const irg::double_double& v) {
+    return irg::fixed_point<6>(v.high) + irg::fixed_point<6>(v.low);
+  };
+  p.re = words(p.x), p.im = words(p.y);
+  if (p.is_rounded) p.x = exactly(p.re), p.y = exactly(p.im);
+  return p;
+}
+
 double offset(int k, double pixel) { return (k - (side - 1) * 0.5) * pixel; }
 
 #ifdef IRG_HAVE_MPFR
-counts true_counts(double pixel, double square) {
+counts true_counts(const place& centre, double pixel, double square) {
   counts out(side, side);
   mpfr_t centre_x, centre_y, cx, cy, x, y, xx, yy, size;
   mpfr_ptr all[] = {centre_x, centre_y, cx, cy, x, y, xx, yy, size};
   for (mpfr_ptr v : all) mpfr_init2(v, 500);
   mpfr_set_str(centre_x, re_text, 10, MPFR_RNDN);
   mpfr_set_str(centre_y, im_text, 10, MPFR_RNDN);
+  if (centre.is_rounded) {
+    mpfr_set_d(centre_x, centre.re.high, MPFR_RNDN);
+    mpfr_add_d(centre_x, centre_x, centre.re.low, MPFR_RNDN);
+    mpfr_set_d(centre_y, centre.im.high, MPFR_RNDN);
+    mpfr_add_d(centre_y, centre_y, centre.im.low, MPFR_RNDN);
+  }
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
       mpfr_add_d(cx, centre_x, offset(i, pixel), MPFR_RNDN);
@@ -62,13 +88,13 @@ counts true_counts(double pixel, double square) {
 void enter_width(double width) {
   const double pixel = width / side;
   const auto limit = irg::make_escape_limit(2.0, most);
-  const irg::deep_escape_job<6> deep{*irg::parse_fixed_point<6>(re_text), *irg::parse_fixed_point<6>(im_text), pixel,
-                                     limit};
+  const place centre = centre_for(width);
+  const irg::deep_escape_job<6> deep{centre.x, centre.y, pixel, limit};
   char name[32];
   std::snprintf(name, sizeof name, "width %.0e", width);
   auto& drawn = keep(counts(side, side));
 #ifdef IRG_HAVE_MPFR
-  auto& truth = keep_lazy([pixel, limit] { return std::make_unique<counts>(true_counts(pixel, limit.square)); });
+  auto& truth = keep_lazy([=] { return std::make_unique<counts>(true_counts(centre, pixel, limit.square)); });
 #endif
   const contest what{"deep", name, "pixel", side * side, "share of wrong counts", ""};
   const auto add = [&](const std::string& who, auto draw, bool promises) {
@@ -91,15 +117,11 @@ void enter_width(double width) {
       "irg:double_doubles about an orbit",
       [&drawn, deep] { irg::draw_deep_mandelbrot<irg::double_double>(drawn, deep); }, true);
   add("irg:doubles about an orbit", [&drawn, deep] { irg::draw_deep_mandelbrot(drawn, deep); }, false);
-  const auto x = static_cast<double>(deep.re), y = static_cast<double>(deep.im);
-  if (width > 1e-26) {
-    const auto rest = [](const irg::fixed_point<6>& v, double high) {
-      return irg::double_double(high) + static_cast<double>(v - irg::fixed_point<6>(high));
-    };
-    const irg::precise_escape_job precise{rest(deep.re, x), rest(deep.im, y), pixel, limit};
-    // Its centre is rounded to 106 bits: where that shows, its counts are those of another picture.
-    add("irg:sure counts", [&drawn, precise] { draw_mandelbrot(drawn, precise); }, width > 1e-15);
+  if (centre.is_rounded) {
+    const irg::precise_escape_job precise{centre.re, centre.im, pixel, limit};
+    add("irg:sure counts", [&drawn, precise] { draw_mandelbrot(drawn, precise); }, true);
   }
+  const double x = centre.re.high, y = centre.im.high;
   const double reach = pixel * (side - 1) / 2;
   const irg::escape_job<double> plain{{{x - reach, x + reach, y - reach, y + reach}, side, side}, limit, {}};
   add("irg:doubles", [&drawn, plain] { irg::draw_mandelbrot(drawn, plain); }, false);
