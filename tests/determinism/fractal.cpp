@@ -42,7 +42,7 @@ constexpr std::uint64_t fractal_sure_counts(int rounds) {
   test::random r(18);
   determinism::hasher h;
   for (int i = 0; i < rounds; ++i) {
-    const double x = 1.8 * r.unit() - 1.5, y = 2 * r.unit() - 1;
+    const double x = irg::product(1.8, r.unit()) - 1.5, y = 2 * r.unit() - 1;
     const irg::sure_count k = irg::sure_mandelbrot_count(
         irg::point<irg::double_double, 2>{irg::double_double(x, x * 0x1p-60), y}, irg::make_escape_limit(2.0, 90));
     h.add(static_cast<std::uint64_t>(k.count + (k.is_sure ? 1000 : 0)));

@@ -177,13 +177,9 @@ HASHED(hidden_horizon, 2, 60);
 constexpr std::uint64_t hidden_horizon_lines(int rounds) {
   determinism::hasher h;
   for (int i = 0; i < rounds; ++i) {
-    irg::horizon_view view{rounds < 10 ? 9.0 : 90.0,
-                           30,
-                           i * 0.17 - static_cast<int>(i * 0.17 / 1.5) * 1.5,
-                           i * 0.1 - 1,
-                           rounds < 10 ? 3 : 12,
+    irg::horizon_view view{rounds < 10 ? 9.0 : 90.0, 30, (i % 12) * 0.125, (i % 16) * 0.125 - 1, rounds < 10 ? 3 : 12,
                            rounds < 10 ? 5 : 45};
-    const auto height = [&](double x, double z) { return irg::cos(5 * x + i) * irg::sin(4 * z); };
+    const auto height = [&](double x, double z) { return irg::product(irg::cos(4 * x + i), irg::sin(4 * z)); };
     const auto add = [&](const irg::horizon_curve_points& c) {
       irg::visible_curves(c.points, [&](const irg::edge_part& p) {
         h.add(static_cast<std::uint64_t>(p.edge));
@@ -192,7 +188,7 @@ constexpr std::uint64_t hidden_horizon_lines(int rounds) {
       });
     };
     add(irg::horizon_curves_of(height, view));
-    add(irg::horizon_curves_from(height, view, {-0.3 - 0.01 * i, 1.2, 0.5}));
+    add(irg::horizon_curves_from(height, view, {-0.3 - i * 0x1p-6, 1.2, 0.5}));
   }
   return h.value();
 }
