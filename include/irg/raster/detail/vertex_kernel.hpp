@@ -3,7 +3,6 @@
 // classify give one by one.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -88,8 +87,8 @@ IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t fi
                    w_screen = select(kept, low_of(inverse, F::broadcast(T(0x1p126))), F::broadcast(1));
   store_vertices<N>(v.screen + first, {both(snap_lanes(sx), shown), both(snap_lanes(sy), shown),
                                        converted<float>(z_screen), converted<float>(w_screen)});
-  static_assert(std::endian::native == std::endian::little && sizeof(clip_code_pair) == 2);
-  const pack_i pairs = outside | (cut << 8);
+  static_assert(sizeof(clip_code_pair) == 2);
+  const pack_i pairs = (outside << byte_shift<2>(0)) | (cut << byte_shift<2>(1));
   lanes<pack<std::uint16_t, N>>::store_bytes(v.codes + first, converted<std::uint16_t>(converted<std::int32_t>(pairs)));
   if (!all_lanes(pairs == I::broadcast(0)))
     for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) any = any | v.codes[first + i];
