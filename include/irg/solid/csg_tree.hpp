@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies as trees of operations on bodies: kept as they were said, made a mesh on demand, or looked through along upright
-// lines without any mesh being made.
+// Bodies as trees of operations on bodies: kept as they were said, made a mesh on demand, or looked through along
+// upright lines without any mesh being made.
 #pragma once
 
 #include <algorithm>
