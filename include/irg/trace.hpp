@@ -2,6 +2,7 @@
 // trace: ray tracing.
 #pragma once
 
+#include <irg/trace/along_ray.hpp>
 #include <irg/trace/ray_tracing.hpp>
 #include <irg/trace/ray_world.hpp>
 #include <irg/trace/trace_ray.hpp>
