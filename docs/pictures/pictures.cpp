@@ -22,6 +22,7 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
+#include "booleans.hpp"
 #include "bsp.hpp"
 #include "cameras.hpp"
 #include "curves.hpp"
@@ -449,6 +450,8 @@ int main(int argc, char** argv) {
   save("fit", mesh_pictures::fitting());
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
+  save("boolean", boolean_pictures::operations());
+  save("half_edges", boolean_pictures::half_edges());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
   save("along_ray", tree_pictures::runs());

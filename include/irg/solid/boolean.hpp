@@ -56,22 +56,25 @@ struct solid_boolean_result {
 namespace detail {
 inline namespace IRG_ABI {
 
+constexpr bool is_in_combination(bool first, bool second, boolean_operation operation) noexcept {
+  switch (operation) {
+    case boolean_operation::unite: return first || second;
+    case boolean_operation::intersection: return first && second;
+    case boolean_operation::difference: return first && !second;
+    default: return first != second;
+  }
+}
+
 // 1 where a part of the first (0) or second (1) body bounds the result, -1 where it does so turned, else 0.
 constexpr int direction_of_part(int body, part_place place, boolean_operation operation) noexcept {
   const bool on = place == part_place::on_same_side || place == part_place::on_other_side;
   if (on && body == 1) return 0;  // the first one's stands for both
-  const auto is_in = [operation](bool first, bool second) {
-    switch (operation) {
-      case boolean_operation::unite: return first || second;
-      case boolean_operation::intersection: return first && second;
-      case boolean_operation::difference: return first && !second;
-      default: return first != second;
-    }
-  };
   const bool other_below = on ? place == part_place::on_same_side : place == part_place::inside;
   const bool other_above = on ? place == part_place::on_other_side : place == part_place::inside;
-  const bool below = body == 0 ? is_in(true, other_below) : is_in(other_below, true);
-  const bool above = body == 0 ? is_in(false, other_above) : is_in(other_above, false);
+  const bool below =
+      body == 0 ? is_in_combination(true, other_below, operation) : is_in_combination(other_below, true, operation);
+  const bool above =
+      body == 0 ? is_in_combination(false, other_above, operation) : is_in_combination(other_above, false, operation);
   return below == above ? 0 : below ? 1 : -1;
 }
 
