@@ -458,6 +458,8 @@ int main(int argc, char** argv) {
   save("along_ray", tree_pictures::runs());
   save("visible_points", tree_pictures::points_seen());
   save("shadow", ray_pictures::shadow());
+  save("path_tracer", ray_pictures::rooms());
+  save("soft_light", ray_pictures::soft_shadows());
   save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
   save("cross_triangle", tree_pictures::shares());
