@@ -12,7 +12,8 @@ namespace {
 
 std::string texts(double low, double high, int most) {
   std::string all;
-  for (const irg::axis_tick& t : irg::axis_ticks(low, high, most)) all += (all.empty() ? "" : " ") + t.text;
+  for (const irg::axis_tick& t : irg::axis_ticks(low, high, most))
+    all.append(all.empty() ? "" : " ").append(std::string_view(t.text));
   return all;
 }
 
@@ -43,8 +44,8 @@ TEST_CASE("axis_ticks: within the range, evenly, neither too many nor too few") 
     for (std::size_t k = 0; k < ticks.size(); ++k) {
       CHECK(ticks[k].value >= low);
       CHECK(ticks[k].value <= high);
-      CHECK(std::stod(ticks[k].text) == ticks[k].value);
-      CHECK(ticks[k].text.size() < 24);
+      CHECK(std::stod(std::string(std::string_view(ticks[k].text))) == ticks[k].value);
+      CHECK(std::string_view(ticks[k].text).size() < 24);
       if (k > 0) CHECK(ticks[k - 1].value < ticks[k].value);
     }
   }

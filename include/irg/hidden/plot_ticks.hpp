@@ -2,8 +2,10 @@
 // Round numbers along an axis, and their texts: steps of 1, 2 or 5 times a power of ten.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
-#include <string>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include <irg/core/instructions.hpp>
@@ -12,10 +14,27 @@
 
 namespace irg {
 
+/// A text that a plot keeps: a std::string without what that costs to include.
+class plot_text {
+public:
+  constexpr plot_text() = default;
+  template <class S>
+    requires std::convertible_to<const S&, std::string_view>
+  constexpr plot_text(const S& text) {
+    const std::string_view view = text;
+    bytes_.assign(view.begin(), view.end());
+  }
+  constexpr operator std::string_view() const noexcept { return {bytes_.data(), bytes_.size()}; }
+  constexpr bool operator==(const plot_text&) const = default;
+
+private:
+  std::vector<char> bytes_{};
+};
+
 /// A place on an axis, and the text beside it.
 struct axis_tick {
   double value = 0;
-  std::string text{};
+  plot_text text{};
 };
 
 namespace detail {
@@ -35,7 +54,7 @@ template <class Tick>
 constexpr void add_tick(std::vector<Tick>& ticks, double value) {
   const double shown = value == 0 ? 0 : value;  // no -0
   char text[longest_decimal<double>] = {};
-  ticks.push_back({shown, std::string(text, print_decimal(text, text + sizeof text, shown))});
+  ticks.push_back({shown, print_decimal(std::span(text), shown)});
 }
 
 }  // namespace IRG_ABI

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include <irg/colour/mix.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/hidden/plot_ticks.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/raster/text_style.hpp>
 
@@ -32,7 +32,7 @@ struct surface_plot_options {
   int width = 640, height = 480;
   double azimuth = 35, elevation = 25, distance = 2.5, tallness = 0.6;
   surface_style style = surface_style::lines;
-  std::string x{"x"}, y{"y"}, z{"z"};  // beside the axes; y is the height
+  plot_text x{"x"}, y{"y"}, z{"z"};  // beside the axes; y is the height
   double text_size = 14;
 };
 
@@ -46,7 +46,7 @@ struct plot_facet {
   rgba8 colour;
 };
 struct plot_label {
-  std::string text;
+  plot_text text;
   point<double, 2> at;
   text_style style;
 };

@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -264,7 +263,7 @@ private:
     } range;
     point<double, 3> from;
     vec<double, 3> along, away;
-    const std::string* name;
+    const plot_text* name;
   };
   // Ticks that point away from the box, their texts beyond, the axis's name beyond them.
   constexpr void add_ticks(const axis& a) {
@@ -301,7 +300,7 @@ private:
     }
   }
   // A text that begins at a place and lies beyond it in a direction; none where it would lie on another.
-  constexpr bool add_label(const std::string& text, const point<double, 2>& at, const vec<double, 2>& d, double size) {
+  constexpr bool add_label(const plot_text& text, const point<double, 2>& at, const vec<double, 2>& d, double size) {
     const double width = measure_text(text, size).width;
     const double x = at.x + product(d.x - 1, width / 2), y = at.y + product(d.y, size / 2);
     const double left = clamp(x, 1.0, greater(1.0, out_.width - width - 1));
