@@ -6,6 +6,7 @@
 #include <irg/visibility/cells_from_bsp.hpp>
 #include <irg/visibility/corner_rule.hpp>
 #include <irg/visibility/cut_source.hpp>
+#include <irg/visibility/faces_around.hpp>
 #include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/guard_cover.hpp>
 #include <irg/visibility/guard_result.hpp>
@@ -21,7 +22,6 @@
 #include <irg/visibility/view_through_portals.hpp>
 #include <irg/visibility/viewshed.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
-#include <irg/visibility/visible_around.hpp>
 #include <irg/visibility/visible_part.hpp>
 #include <irg/visibility/weak_visibility.hpp>
 #include <irg/visibility/textbook/sight_2d.hpp>
