@@ -7,7 +7,7 @@
 
 #include <irg/hidden/visible_polygons.hpp>
 #include <irg/mesh/shapes.hpp>
-#include <irg/visibility/faces_around.hpp>
+#include <irg/hidden/faces_around.hpp>
 
 #include "sketch.hpp"
 

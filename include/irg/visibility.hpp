@@ -6,7 +6,6 @@
 #include <irg/visibility/cells_from_bsp.hpp>
 #include <irg/visibility/corner_rule.hpp>
 #include <irg/visibility/cut_source.hpp>
-#include <irg/visibility/faces_around.hpp>
 #include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/guard_cover.hpp>
 #include <irg/visibility/guard_result.hpp>

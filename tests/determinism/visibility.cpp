@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is seen on grids, in the plane and in space.
+#include <irg/hidden/faces_around.hpp>
 #include <irg/hidden/visible_polygons.hpp>
 #include <irg/visibility/cells_from_bsp.hpp>
 #include <irg/visibility/cut_source.hpp>
-#include <irg/visibility/faces_around.hpp>
 #include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/prepared_walls.hpp>
 #include <irg/visibility/sight_in_space.hpp>

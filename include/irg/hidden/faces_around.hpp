@@ -74,14 +74,14 @@ constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::spa
 
 inline namespace IRG_ABI {
 
-/// Calls sink(side, faces) for the six sides of a cube around a point: the faces of a mesh that its window of size x size
-/// pixels may show, as a std::vector<screen_face>, with the numbers of the mesh's faces.
+/// Calls sink(side, faces) for the six sides of a cube around a point: the faces of a mesh that its window, of size x
+/// size pixels, may show, as a std::vector<screen_face>, with the numbers of the mesh's faces.
 /// shape   sides 0 to 5, towards x, -x, y, -y, z, -z, not mirrored: z is up in the first four, y in the last two
 /// needs   a mesh in which validate() finds no defect, 1 <= size <= 4096, 0 < near_distance; coordinates whose
 ///         differences from the eye are finite
 /// gives   faces whose back is seen, too. What is nearer than near_distance along the axis of a side is cut off
-/// exact   corners are rounded to a 256th of a pixel and depths to floats. What hides what can be told exactly for these
-///         (hidden/visible_polygons.hpp and the methods there do); what shows less of itself may be lost, or found
+/// exact   corners are rounded to a 256th of a pixel and depths to floats. For these, visible_polygons and the methods
+///         of this chapter tell exactly what hides what; what shows less of itself may be lost, or found
 /// cost    each vertex and triangle six times; allocates
 template <Floating T, class Sink>
   requires std::invocable<Sink&, std::size_t, const std::vector<screen_face>&>

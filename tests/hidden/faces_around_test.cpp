@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/visibility/faces_around.hpp>
+#include <irg/hidden/faces_around.hpp>
 
 #include <algorithm>
 #include <cmath>
