@@ -22,6 +22,7 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
+#include "booleans.hpp"
 #include "bsp.hpp"
 #include "cameras.hpp"
 #include "curves.hpp"
@@ -450,9 +451,15 @@ int main(int argc, char** argv) {
   save("fit", mesh_pictures::fitting());
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
+  save("boolean", boolean_pictures::operations());
+  save("half_edges", boolean_pictures::half_edges());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("along_ray", tree_pictures::runs());
+  save("visible_points", tree_pictures::points_seen());
   save("shadow", ray_pictures::shadow());
+  save("path_tracer", ray_pictures::rooms());
+  save("soft_light", ray_pictures::soft_shadows());
   save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
   save("cross_triangle", tree_pictures::shares());

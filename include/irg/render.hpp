@@ -11,6 +11,7 @@
 #include <irg/render/occlusion_culling.hpp>
 #include <irg/render/occlusion_mask.hpp>
 #include <irg/render/options.hpp>
+#include <irg/render/pick.hpp>
 #include <irg/render/prepared_scene.hpp>
 #include <irg/render/render.hpp>
 #include <irg/render/render_rooms.hpp>

@@ -22,6 +22,7 @@
 #include <irg/visibility/viewshed.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
 #include <irg/visibility/visible_part.hpp>
+#include <irg/visibility/visible_points.hpp>
 #include <irg/visibility/weak_visibility.hpp>
 #include <irg/visibility/textbook/sight_2d.hpp>
 #include <irg/visibility/textbook/sight_3d.hpp>
