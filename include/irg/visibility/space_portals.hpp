@@ -75,6 +75,7 @@ constexpr space_plan_defect defect_of_portal(const space_plan<T>& plan, const sp
     if (orient3d(p.ring[0], p.ring[1], p.ring[2], v) != 0) return space_plan_defect::portal_not_flat;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<point<T, 2>> flat;
+    flat.reserve(n);
     for (const auto& v : p.ring) flat.push_back({v[(axis + 1) % 3], v[(axis + 2) % 3]});
     if (orient2d(flat[0], flat[1], flat[2]) == 0) continue;
     if (!is_convex(flat)) return space_plan_defect::portal_not_convex;
