@@ -211,6 +211,7 @@ void methods() {
   save("grid_surface", grid_pictures::views());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());
+  save("one_scene", hidden_pictures::one_scene_by_two());
   save("bsp_faces", hidden_pictures::parts());
 }
 
