@@ -59,8 +59,8 @@ constexpr int byte_shift(int place) noexcept {
   return 8 * (std::endian::native == std::endian::little ? place : Size - 1 - place);
 }
 
-/// Four numbers of 16 bits that follow each other in memory, read as one word and turned so that the first has the lowest
-/// bits.
+/// Four numbers of 16 bits that follow each other in memory, read as one word and turned so that the first has the
+/// lowest bits.
 constexpr std::uint64_t first_lowest(std::uint64_t word) noexcept {
   if constexpr (std::endian::native == std::endian::little) return word;
   word = word << 32 | word >> 32;

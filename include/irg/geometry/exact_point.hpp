@@ -19,6 +19,48 @@ namespace irg {
 /// A point with three coordinates over one divisor, all exact.
 /// cost    one allocation, of some 30 words for ordinary doubles
 class exact_point {
+  // A mean of three crossings has degree 10, its side of a plane 12.
+  using wide = exact_number<13>;
+  struct part {
+    int first = 0, size = 0, place = 0;
+    bool negative = false;
+  };
+
+  template <class Number>
+  static constexpr std::array<Number, 3> vector_of(const point<double, 3>& p) noexcept {
+    return {Number(p.x), Number(p.y), Number(p.z)};
+  }
+  template <class Number>
+  static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a,
+                                               const std::array<Number, 3>& b) noexcept {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  // from + way t / divisor
+  template <class Number>
+  static constexpr exact_point along(const std::array<Number, 3>& from, const std::array<Number, 3>& way,
+                                     const Number& t, const Number& divisor) {
+    exact_point p;
+    if (divisor.sign() != 0)
+      p.store(std::array{divisor, from[0] * divisor + way[0] * t, from[1] * divisor + way[1] * t,
+                         from[2] * divisor + way[2] * t});
+    return p;
+  }
+
+  template <class Number>
+  constexpr void store(const std::array<Number, 4>& v) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      parts_[i] = {static_cast<int>(words_.size()), v[i].size(), v[i].place(), v[i].sign() < 0};
+      words_.insert(words_.end(), v[i].words(), v[i].words() + v[i].size());
+    }
+  }
+  constexpr std::array<wide, 4> load() const noexcept {
+    IRG_EXPECTS(is_known());
+    const auto at = [this](std::size_t i) {
+      return wide(words_.data() + parts_[i].first, parts_[i].size, parts_[i].place, parts_[i].negative);
+    };
+    return {at(0), at(1), at(2), at(3)};
+  }
+
 public:
   /// No point.
   constexpr exact_point() noexcept {}
@@ -87,48 +129,6 @@ public:
   }
 
 private:
-  // A mean of three crossings has degree 10, its side of a plane 12.
-  using wide = exact_number<13>;
-  struct part {
-    int first = 0, size = 0, place = 0;
-    bool negative = false;
-  };
-
-  template <class Number>
-  static constexpr std::array<Number, 3> vector_of(const point<double, 3>& p) noexcept {
-    return {Number(p.x), Number(p.y), Number(p.z)};
-  }
-  template <class Number>
-  static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a,
-                                               const std::array<Number, 3>& b) noexcept {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-  // from + way t / divisor
-  template <class Number>
-  static constexpr exact_point along(const std::array<Number, 3>& from, const std::array<Number, 3>& way,
-                                     const Number& t, const Number& divisor) {
-    exact_point p;
-    if (divisor.sign() != 0)
-      p.store(std::array{divisor, from[0] * divisor + way[0] * t, from[1] * divisor + way[1] * t,
-                         from[2] * divisor + way[2] * t});
-    return p;
-  }
-
-  template <class Number>
-  constexpr void store(const std::array<Number, 4>& v) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      parts_[i] = {static_cast<int>(words_.size()), v[i].size(), v[i].place(), v[i].sign() < 0};
-      words_.insert(words_.end(), v[i].words(), v[i].words() + v[i].size());
-    }
-  }
-  constexpr std::array<wide, 4> load() const noexcept {
-    IRG_EXPECTS(is_known());
-    const auto at = [this](std::size_t i) {
-      return wide(words_.data() + parts_[i].first, parts_[i].size, parts_[i].place, parts_[i].negative);
-    };
-    return {at(0), at(1), at(2), at(3)};
-  }
-
   friend constexpr int compare_along(int axis, const exact_point& p, const exact_point& q) noexcept;
   friend constexpr int orientation_along(int axis, const exact_point& p, const exact_point& q,
                                          const exact_point& r) noexcept;

@@ -51,6 +51,7 @@ private:
   struct mark {
     std::uint32_t triangle, from, to;  // indices of keys, then vertices
     std::uint8_t from_place, to_place;
+    constexpr auto operator<=>(const mark&) const = default;
   };
   struct coplanar_pair {
     std::uint32_t triangle, other;
@@ -141,7 +142,8 @@ private:
     for (std::uint32_t i = 0; i < keys_.size(); ++i)
       if (seams_[i] != 0) is_seam[named(i)] = 1;
     for (mark& m : marks_) m.from = named(m.from), m.to = named(m.to);
-    std::sort(marks_.begin(), marks_.end(), [](const mark& p, const mark& q) { return p.triangle < q.triangle; });
+    std::sort(marks_.begin(), marks_.end());
+    marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
     std::sort(coplanar_.begin(), coplanar_.end());
   }
 

@@ -120,17 +120,6 @@ private:
     const face_piece& t = pieces[piece];
     return t.v[0] == l ? 0 : t.v[1] == l ? 1 : 2;
   }
-  // The piece that has a side from a to b.
-  constexpr std::uint32_t piece_with(std::uint32_t a, std::uint32_t b) {
-    std::uint32_t found = no_index;
-    each_piece_at(a, [&](std::uint32_t piece) {
-      if (pieces[piece].v[(side_from(piece, a) + 1) % 3] == b) found = piece;
-      return found == no_index;
-    });
-    if (found == no_index) failed = true;
-    return found == no_index ? 0 : found;
-  }
-
   // Calls use(piece) for the pieces round a vertex as long as it says so.
   template <class Use>
   constexpr void each_piece_at(std::uint32_t l, const Use& use) {
@@ -143,6 +132,17 @@ private:
     if (at == first) return;
     for (at = pieces[first].beside[side_from(first, l)]; at != no_index; at = pieces[at].beside[side_from(at, l)])
       if (!use(at)) return;
+  }
+
+  // The piece that has a side from a to b.
+  constexpr std::uint32_t piece_with(std::uint32_t a, std::uint32_t b) {
+    std::uint32_t found = no_index;
+    each_piece_at(a, [&](std::uint32_t piece) {
+      if (pieces[piece].v[(side_from(piece, a) + 1) % 3] == b) found = piece;
+      return found == no_index;
+    });
+    if (found == no_index) failed = true;
+    return found == no_index ? 0 : found;
   }
 
   // Puts p on side k of a piece, and of the one beyond.
