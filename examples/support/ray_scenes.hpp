@@ -75,4 +75,56 @@ inline ray_scene glass_scene() {
   return s;
 }
 
+/// A room with a red and a green wall, two blocks and a panel that shines (after Goral et al.), for paths.
+class cornell_box {
+public:
+  cornell_box() {
+    const irg::rgb<double> white{0.73, 0.72, 0.68}, red{0.62, 0.06, 0.05}, green{0.12, 0.45, 0.09};
+    using V = irg::vec<double, 3>;
+    add(sheet({0, 0, 0}, V{0, 0, -10}, V{10, 0, 0}).positions, white);              // floor, seen from above
+    add(sheet({0, 10, 0}, V{10, 0, 0}, V{0, 0, -10}).positions, white);
+    add(sheet({0, 0, -10}, V{10, 0, 0}, V{0, 10, 0}).positions, white);
+    add(sheet({0, 0, 0}, V{0, 10, 0}, V{0, 0, -10}).positions, red);
+    add(sheet({10, 0, 0}, V{0, 0, -10}, V{0, 10, 0}).positions, green);
+    add(sheet({3.6, 9.99, -6.4}, V{2.8, 0, 0}, V{0, 0, 2.4}).positions, {}, {17, 13, 7});
+    add_block({2.3, 0, -4.4}, V{2.8, 0, -0.9}, V{-0.9, 0, -2.8}, 6, white);
+    add_block({5, 0, -1.4}, V{2.8, 0, 0.85}, V{0.85, 0, -2.8}, 3, white);
+  }
+
+  /// The bodies refer to this scene, which has to stay.
+  std::vector<irg::traced_body<double>> bodies() const {
+    std::vector<irg::traced_body<double>> all;
+    for (const part& p : parts_) all.push_back({p.corners, {}, p.triangles, {{}, p.diffuse, {}, 1}, {}, p.emitted});
+    return all;
+  }
+
+  /// The ray through a place of the picture, 0 to 1 from the upper left corner.
+  static irg::ray<double, 3> ray_at(double x, double y) {
+    return {{5, 5, 24}, {(x - 0.5) * 10.6, (0.5 - y) * 10.6, -24}};
+  }
+
+private:
+  struct part {
+    std::vector<irg::point<double, 3>> corners;
+    std::vector<irg::triangle_indices> triangles;
+    irg::rgb<double> diffuse, emitted;
+  };
+
+  void add(const std::vector<irg::point<double, 3>>& corners, const irg::rgb<double>& diffuse,
+           const irg::rgb<double>& emitted = {}) {
+    parts_.push_back({corners, {{{0, 1, 2}}, {{0, 2, 3}}}, diffuse, emitted});
+  }
+  void add_block(const irg::point<double, 3>& at, const irg::vec<double, 3>& u, const irg::vec<double, 3>& v,
+                 double height, const irg::rgb<double>& diffuse) {
+    const irg::vec<double, 3> up{0, height, 0};
+    add(sheet(at + up, u, v).positions, diffuse);
+    add(sheet(at, u, up).positions, diffuse);
+    add(sheet(at + u, v, up).positions, diffuse);
+    add(sheet(at + u + v, -u, up).positions, diffuse);
+    add(sheet(at + v, -v, up).positions, diffuse);
+  }
+
+  std::vector<part> parts_;
+};
+
 }  // namespace program

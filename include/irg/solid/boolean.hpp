@@ -56,27 +56,30 @@ struct solid_boolean_result {
 namespace detail {
 inline namespace IRG_ABI {
 
+constexpr bool is_in_combination(bool first, bool second, boolean_operation operation) noexcept {
+  switch (operation) {
+    case boolean_operation::unite: return first || second;
+    case boolean_operation::intersection: return first && second;
+    case boolean_operation::difference: return first && !second;
+    default: return first != second;
+  }
+}
+
 // 1 where a part of the first (0) or second (1) body bounds the result, -1 where it does so turned, else 0.
 constexpr int direction_of_part(int body, part_place place, boolean_operation operation) noexcept {
   const bool on = place == part_place::on_same_side || place == part_place::on_other_side;
   if (on && body == 1) return 0;  // the first one's stands for both
-  const auto is_in = [operation](bool first, bool second) {
-    switch (operation) {
-      case boolean_operation::unite: return first || second;
-      case boolean_operation::intersection: return first && second;
-      case boolean_operation::difference: return first && !second;
-      default: return first != second;
-    }
-  };
   const bool other_below = on ? place == part_place::on_same_side : place == part_place::inside;
   const bool other_above = on ? place == part_place::on_other_side : place == part_place::inside;
-  const bool below = body == 0 ? is_in(true, other_below) : is_in(other_below, true);
-  const bool above = body == 0 ? is_in(false, other_above) : is_in(other_above, false);
+  const bool below =
+      body == 0 ? is_in_combination(true, other_below, operation) : is_in_combination(other_below, true, operation);
+  const bool above =
+      body == 0 ? is_in_combination(false, other_above, operation) : is_in_combination(other_above, false, operation);
   return below == above ? 0 : below ? 1 : -1;
 }
 
 // Whether the edges at cuts are walked as often one way as the other.
-constexpr bool are_cuts_closed(const body_cutter& cut, const std::vector<signed char>& direction) {
+constexpr bool are_cuts_closed(const body_cutter& cut, const std::vector<int>& direction) {
   struct walk {
     std::uint32_t low, high;
     int times;
@@ -115,7 +118,7 @@ constexpr solid_corner_origin origin_of_corner(const body_cutter& cut, const bod
 
 // The triangles that bound the result, without the corners that are none.
 constexpr std::vector<kept_triangle> keep_triangles(body_cutter& cut, const body_triangles& b,
-                                                    const std::vector<signed char>& direction) {
+                                                    const std::vector<int>& direction) {
   std::vector<kept_triangle> kept;
   for (std::size_t t = 0; t < direction.size(); ++t) {
     const cut_triangle& from = cut.triangles[t];
@@ -180,11 +183,11 @@ constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh
     }
   detail::body_cutter cut(b);
   if (cut.failed) return {solid_boolean_status::not_a_body};
-  std::vector<signed char> direction(cut.triangles.size(), 0);
+  std::vector<int> direction(cut.triangles.size(), 0);
   for (std::size_t t = 0; t < direction.size(); ++t) {
     const detail::cut_triangle& from = cut.triangles[t];
     direction[t] =
-        static_cast<signed char>(detail::direction_of_part(b.body_of(from.source), cut.places[from.part], operation));
+        static_cast<int>(detail::direction_of_part(b.body_of(from.source), cut.places[from.part], operation));
   }
   if (!detail::are_cuts_closed(cut, direction)) return {solid_boolean_status::not_a_body};
   solid_boolean_result<T> out;

@@ -37,6 +37,7 @@ struct traced_body {
   std::span<const triangle_indices> triangles{};
   material<T> surface{};
   optics<T> optic{};
+  rgb<T> emitted{};  // what its fronts shine with, for paths
 };
 
 /// A point of a surface as a ray meets it.
@@ -78,6 +79,7 @@ public:
   IRG_INLINE constexpr const rgb<T>& background() const noexcept { return background_; }
   IRG_INLINE constexpr const triangle_bvh<T>& triangles() const noexcept { return tree_; }
   IRG_INLINE constexpr const traced_body<T>& body(std::uint32_t i) const noexcept { return bodies_[i]; }
+  IRG_INLINE constexpr std::uint32_t body_count() const noexcept { return static_cast<std::uint32_t>(bodies_.size()); }
   /// Whether any body lets light through.
   IRG_INLINE constexpr bool is_transparent() const noexcept { return transparent_; }
 
