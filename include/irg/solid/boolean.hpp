@@ -79,7 +79,8 @@ constexpr int direction_of_part(int body, part_place place, boolean_operation op
 }
 
 // Whether the edges at cuts are walked as often one way as the other.
-constexpr bool are_cuts_closed(const body_cutter& cut, const std::vector<int>& direction) {
+template <class Cut>
+constexpr bool are_cuts_closed(const Cut& cut, const std::vector<int>& direction) {
   struct walk {
     std::uint32_t low, high;
     int times;
@@ -101,7 +102,8 @@ constexpr bool are_cuts_closed(const body_cutter& cut, const std::vector<int>& d
   return sum == 0;
 }
 
-constexpr solid_corner_origin origin_of_corner(const body_cutter& cut, const body_triangles& b, std::uint32_t v) {
+template <class Cut>
+constexpr solid_corner_origin origin_of_corner(const Cut& cut, const body_triangles& b, std::uint32_t v) {
   solid_corner_origin origin;
   if (v < cut.vertices.corners) {
     origin.of[0] = v;
@@ -117,7 +119,8 @@ constexpr solid_corner_origin origin_of_corner(const body_cutter& cut, const bod
 }
 
 // The triangles that bound the result, without the corners that are none.
-constexpr std::vector<kept_triangle> keep_triangles(body_cutter& cut, const body_triangles& b,
+template <class Cut>
+constexpr std::vector<kept_triangle> keep_triangles(Cut& cut, const body_triangles& b,
                                                     const std::vector<int>& direction) {
   std::vector<kept_triangle> kept;
   for (std::size_t t = 0; t < direction.size(); ++t) {
@@ -131,8 +134,8 @@ constexpr std::vector<kept_triangle> keep_triangles(body_cutter& cut, const body
   return kept;
 }
 
-template <Floating T>
-constexpr void collect_result(solid_boolean_result<T>& out, const body_cutter& cut, const body_triangles& b,
+template <Floating T, class Cut>
+constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, const body_triangles& b,
                               const std::vector<kept_triangle>& kept) {
   std::vector<std::uint32_t> number(cut.vertices.at.size(), no_index);
   for (const kept_triangle& from : kept) {

@@ -27,16 +27,17 @@ struct cut_triangle {
 
 inline namespace IRG_ABI {
 
+template <class Bodies>
 class body_cutter {
 public:
-  exact_vertices vertices;
+  exact_vertices<exact_point> vertices;
   std::vector<cut_triangle> triangles;  // those of the first body before those of the second
   std::vector<part_place> places;  // of each triangle's part
   std::vector<std::array<std::uint32_t, 3>> cuts;  // edges at which parts end: from, to, the triangle
   std::vector<unsigned char> is_seam;  // of each vertex, whether it is made of sides that lie within plane faces
   bool failed = false;  // the bodies cut themselves, or are not turned outward
 
-  constexpr explicit body_cutter(const body_triangles& b) : b_(b), cutter_(vertices) {
+  constexpr explicit body_cutter(const Bodies& b) : b_(b), cutter_(vertices) {
     vertices.at = b.positions;
     vertices.corners = static_cast<std::uint32_t>(b.positions.size());
     vertices.triangles = &b.triangles;
@@ -341,8 +342,8 @@ private:
     return part_place::unknown;
   }
 
-  const body_triangles& b_;
-  face_cutter cutter_;
+  const Bodies& b_;
+  face_cutter<exact_vertices<exact_point>> cutter_;
   std::vector<space_box> boxes_;
   std::vector<contact_key> keys_;
   std::vector<unsigned char> seams_;

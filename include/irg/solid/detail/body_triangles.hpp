@@ -57,7 +57,8 @@ constexpr void append_body(body_triangles& b, const mesh<T>& m, surface_fault& f
 }
 
 // Lets equal positions go by the number of the first, and drops triangles that name one twice.
-constexpr void merge_bodies(body_triangles& b) {
+template <class Bodies>
+constexpr void merge_bodies(Bodies& b) {
   struct key {
     point<double, 3> at;
     std::uint32_t index;
@@ -94,7 +95,8 @@ constexpr void merge_bodies(body_triangles& b) {
 }
 
 // Finds for each side of one body's triangles, from `first` to `last`, the one that runs back.
-constexpr surface_fault pair_sides(body_triangles& b, std::uint32_t first, std::uint32_t last) {
+template <class Bodies>
+constexpr surface_fault pair_sides(Bodies& b, std::uint32_t first, std::uint32_t last) {
   struct side {
     std::uint32_t high, corner;  // corner: 2 (3t + k), and 1 more where the side goes up
   };
@@ -126,7 +128,8 @@ constexpr surface_fault pair_sides(body_triangles& b, std::uint32_t first, std::
 }
 
 // Whether two triangles lie in one plane, look the same way and belong to one part of one body.
-constexpr bool are_level(const body_triangles& b, std::uint32_t s, std::uint32_t t) noexcept {
+template <class Bodies>
+constexpr bool are_level(const Bodies& b, std::uint32_t s, std::uint32_t t) noexcept {
   if (s == t) return true;
   if (b.body_of(s) != b.body_of(t) || b.part[s] != b.part[t]) return false;
   const auto at = [&](std::uint32_t i, int k) -> const point<double, 3>& { return b.positions[b.triangles[i].v[k]]; };

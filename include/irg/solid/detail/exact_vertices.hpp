@@ -21,6 +21,7 @@ inline constexpr double rounded_turn_bound = 0x1p-48, rounded_side_bound = 0x1p-
 // Where M D D is above, nothing has been lost to underflow.
 inline constexpr double least_size = 0x1p-900, most_size = 0x1p300;
 
+template <class Exact>
 class exact_vertices {
 public:
   std::vector<point<double, 3>> at;  // rounded, where they are no corners of the bodies
@@ -44,15 +45,15 @@ public:
   }
 
   // The place without rounding. Those of corners stand in one of three slots until it is used again.
-  constexpr const exact_point& exact(std::uint32_t v, std::size_t slot = 0) {
-    if (v < corners) return slots_[slot] = exact_point(at[v]);
-    exact_point& e = exact_[v - corners];
+  constexpr const Exact& exact(std::uint32_t v, std::size_t slot = 0) {
+    if (v < corners) return slots_[slot] = Exact(at[v]);
+    Exact& e = exact_[v - corners];
     if (e.is_known()) return e;
     const contact_key& key = keys[v - corners];
     const auto corner = [&](std::size_t i) -> const point<double, 3>& { return at[key.v[i]]; };
-    if (key.v[3] != no_index) return e = exact_point::on_lines(corner(0), corner(1), corner(2), corner(3));
+    if (key.v[3] != no_index) return e = Exact::on_lines(corner(0), corner(1), corner(2), corner(3));
     const triangle_indices& t = (*triangles)[key.v[2]];
-    return e = exact_point::on_plane(at[t.v[0]], at[t.v[1]], at[t.v[2]], corner(0), corner(1));
+    return e = Exact::on_plane(at[t.v[0]], at[t.v[1]], at[t.v[2]], corner(0), corner(1));
   }
 
   // orient2d of three of them, seen along an axis.
@@ -80,8 +81,8 @@ private:
   static constexpr double largest(const point<double, 2>& p) noexcept {
     return greater(magnitude(p.x), magnitude(p.y));
   }
-  std::vector<exact_point> exact_;
-  exact_point slots_[3];
+  std::vector<Exact> exact_;
+  Exact slots_[3];
 };
 
 }  // namespace IRG_ABI

@@ -27,12 +27,13 @@ struct placed_vertex {
 
 inline namespace IRG_ABI {
 
+template <class Vertices>
 class face_cutter {
 public:
   std::vector<face_piece> pieces;
   bool failed = false;  // what should not meet meets
 
-  constexpr explicit face_cutter(exact_vertices& vertices) : vertices_(vertices) {}
+  constexpr explicit face_cutter(Vertices& vertices) : vertices_(vertices) {}
 
   /// Begins with a triangle and its points, in any order, each once.
   constexpr void begin(const seen_triangle& t, std::vector<placed_vertex>& points) {
@@ -310,7 +311,7 @@ private:
     std::uint32_t from, to;
   };
 
-  exact_vertices& vertices_;
+  Vertices& vertices_;
   int axis_ = 0, turn_ = 1;
   std::vector<std::uint32_t> local_, piece_of_, along_;
   std::vector<std::uint8_t> sides_;

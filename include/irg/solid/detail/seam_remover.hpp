@@ -23,12 +23,13 @@ struct kept_triangle {
 
 inline namespace IRG_ABI {
 
+template <class Vertices>
 class seam_remover {
 public:
   /// needs   is_seam for each vertex; are_level(s, t): whether two triangles of the bodies lie in one plane and look
   ///         the same way
   template <class Level>
-  constexpr seam_remover(std::vector<kept_triangle>& surface, exact_vertices& vertices,
+  constexpr seam_remover(std::vector<kept_triangle>& surface, Vertices& vertices,
                          const std::vector<unsigned char>& is_seam, const Level& are_level)
       : surface_(surface), vertices_(vertices), around_(is_seam.size()), is_seam_(is_seam) {
     for (std::uint32_t t = 0; t < surface_.size(); ++t) note(t);
@@ -152,7 +153,7 @@ private:
   }
 
   std::vector<kept_triangle>& surface_;
-  exact_vertices& vertices_;
+  Vertices& vertices_;
   std::vector<std::vector<std::uint32_t>> around_;
   const std::vector<unsigned char>& is_seam_;
   std::vector<spoke> spokes_;

@@ -43,7 +43,8 @@ struct seen_triangle {
 
 inline namespace IRG_ABI {
 
-constexpr seen_triangle see_triangle(const std::vector<point<double, 3>>& points, const triangle_indices& t,
+template <class P>
+constexpr seen_triangle see_triangle(const std::vector<P>& points, const triangle_indices& t,
                                      std::uint32_t number) noexcept {
   seen_triangle s{{&points[t.v[0]], &points[t.v[1]], &points[t.v[2]]}, {t.v[0], t.v[1], t.v[2]}, number};
   double largest = -1;
@@ -71,6 +72,7 @@ constexpr std::uint8_t place_of(const int (&sign)[3]) noexcept {
   return static_cast<std::uint8_t>(sign[0] != 0 ? 2 : sign[1] != 0 ? 0 : 1);
 }
 
+template <class Triangle>
 class contact_finder {
 public:
   triangle_contact contacts[16]{};
@@ -78,7 +80,7 @@ public:
   bool are_coplanar = false;
 
   /// Finds the contacts of two triangles with area.
-  constexpr contact_finder(const seen_triangle& a, const seen_triangle& b) noexcept : t_{&a, &b} {
+  constexpr contact_finder(const Triangle& a, const Triangle& b) noexcept : t_{&a, &b} {
     for (int k = 0; k < 3; ++k) side_[1][k] = is_corner(a, b.v[k]) ? 0 : orient3d(*a.p[0], *a.p[1], *a.p[2], *b.p[k]);
     if (are_beside(side_[1])) return;
     for (int k = 0; k < 3; ++k) side_[0][k] = is_corner(b, a.v[k]) ? 0 : orient3d(*b.p[0], *b.p[1], *b.p[2], *a.p[k]);
@@ -117,7 +119,7 @@ private:
   static constexpr bool are_beside(const int (&side)[3]) noexcept {
     return (side[0] > 0 && side[1] > 0 && side[2] > 0) || (side[0] < 0 && side[1] < 0 && side[2] < 0);
   }
-  static constexpr bool is_corner(const seen_triangle& t, std::uint32_t v) noexcept {
+  static constexpr bool is_corner(const Triangle& t, std::uint32_t v) noexcept {
     return t.v[0] == v || t.v[1] == v || t.v[2] == v;
   }
 
@@ -186,7 +188,7 @@ private:
       add(static_cast<std::uint8_t>(3 + k), static_cast<std::uint8_t>(3 + l));
   }
 
-  const seen_triangle* t_[2];
+  const Triangle* t_[2];
   int side_[2][3]{};  // of the corners of one triangle against the plane of the other
 };
 
