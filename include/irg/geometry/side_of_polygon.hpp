@@ -18,7 +18,7 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // The sign of (sum of the cross products of the edges, fanned from the first vertex) . (eye - weight * first vertex).
-template <Floating T, class Position>
+template <class N, Floating T, class Position>
 IRG_NOINLINE constexpr int exact_face_volume_sign(std::size_t count, const Position& position,
                                                   const hpoint<T, 3>& eye) noexcept {
   for (std::size_t k = 0; k < count; ++k)
@@ -26,7 +26,6 @@ IRG_NOINLINE constexpr int exact_face_volume_sign(std::size_t count, const Posit
   if (!is_finite(eye)) return 0;
   if (count == 3 && eye.w == T(1))
     return orient3d(position(0), position(1), position(2), point<T, 3>{eye.x, eye.y, eye.z});
-  using N = exact_number<4>;
   const auto exact = [](const auto& p) { return vec{exactly<N>(p[0]), exactly<N>(p[1]), exactly<N>(p[2])}; };
   const vec<N, 3> first = exact(position(0));
   vec<N, 3> normal, before = exact(position(1)) - first;
@@ -86,7 +85,7 @@ constexpr int face_volume_sign(std::size_t count, const Position& position, cons
       hpoint<double, 3>{number(eye.x), number(eye.y), number(eye.z), number(eye.w)});
   if (suits && v.value > v.bound) return 1;
   if (suits && -v.value > v.bound) return -1;
-  return exact_face_volume_sign(count, position, eye);
+  return exact_face_volume_sign<exact_number<4>>(count, position, eye);
 }
 
 }  // namespace IRG_ABI

@@ -244,7 +244,7 @@ template <Floating T>
 constexpr std::optional<ray_crossing> cross_triangle(const ray<T, 3>& r, const point<T, 3>& a, const point<T, 3>& b,
                                                      const point<T, 3>& c) noexcept {
   if (is_empty(r)) return std::nullopt;
-  const detail::triangle_ray q = detail::make_triangle_ray(detail::exactly_widened(r));
+  const auto q = detail::make_triangle_ray(detail::exactly_widened(r));
   const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};
   const double m = detail::largest_from(q.r.origin, p[0], p[1], p[2]);
   const auto sides = detail::sides_round(q, p[0], p[1], p[2]);
