@@ -171,12 +171,12 @@ constexpr void clip_into(std::span<const V> polygon, const Region& region, const
   using T = vertex_scalar<V>;
   if (polygon.size() < 3) return;
   for (const V& v : polygon)
-    if (!has_finite_coordinates(position_of(v))) return;
+    if (!is_finite(position_of(v))) return;
   if constexpr (is_window_for<Region, V>) {
     if (!is_empty(region)) clip_by_window(polygon, region, interpolate, sink);
   } else if constexpr (convex_ring_for<Region, V>) {
     for (std::size_t i = 0; i < ring_size(region); ++i)
-      if (!has_finite_coordinates(ring_vertex(region, i))) return;
+      if (!is_finite(ring_vertex(region, i))) return;
     const int turn = turn_of_convex(region);
     if (turn == 0) return;
     const auto edge = [&](std::size_t i) { return half_space_at(region, i, turn); };
@@ -193,7 +193,7 @@ constexpr void clip_into(std::span<const V> polygon, const Region& region, const
   } else {
     const std::span<const plane<T>> planes(region);
     for (const plane<T>& p : planes)
-      if (!has_finite_coordinates(point<T, 2>{p.a, p.b}) || !has_finite_coordinates(point<T, 2>{p.c, p.d})) return;
+      if (!is_finite(p)) return;
     const auto boundary = [&](std::size_t i) {
       return half_space<T, 3>{{planes[i].a, planes[i].b, planes[i].c, planes[i].d}};
     };

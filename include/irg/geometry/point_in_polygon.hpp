@@ -33,7 +33,7 @@ constexpr bool count_crossings(const R& ring, const ring_point<R>& p, int& windi
     const int to = level(b);
     if (from * to <= 0) {  // NaN is beside everything
       const auto a = ring_vertex(ring, i == 0 ? n - 1 : i - 1);
-      if (!is_finite_point(a) || !is_finite_point(b)) return false;
+      if (!is_finite(a, b)) return false;
       const int turn = orient2d(a, b, p);
       if (turn == 0 && is_between(a, b, p))
         on_edge = true;
@@ -42,7 +42,7 @@ constexpr bool count_crossings(const R& ring, const ring_point<R>& p, int& windi
     }
     from = to;
   }
-  return is_finite_ring(ring);
+  return is_finite(ring);
 }
 
 enum class crossing_count { counted, on_edge, not_finite };
@@ -50,7 +50,7 @@ enum class crossing_count { counted, on_edge, not_finite };
 template <PlanePolygon P>
 constexpr crossing_count count_crossings_of(const P& polygon, const polygon_point<P>& p, int& winding) noexcept {
   bool on_edge = false;
-  if (!is_finite_point(p) ||
+  if (!is_finite(p) ||
       !each_ring(polygon, [&](const auto& ring) { return count_crossings(ring, p, winding, on_edge); }))
     return crossing_count::not_finite;
   return on_edge ? crossing_count::on_edge : crossing_count::counted;

@@ -70,18 +70,13 @@ constexpr void count_upward_crossing(const P& a, const P& b, const P& c, const P
     out.winding += turn;
 }
 
-template <class P>
-constexpr bool is_finite_in_space(const P& p) noexcept {
-  return is_finite(coordinate(p, 0)) && is_finite(coordinate(p, 1)) && is_finite(coordinate(p, 2));
-}
-
 // Calls use(a, b, c) with the corners of all triangles of a mesh that are finite.
 template <class T, class Use>
 constexpr void each_solid_triangle(const mesh<T>& m, const Use& use) {
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const auto corner = [&](std::size_t k) { return m.positions[m.corner(f, k).position]; };
     const point<T, 3> a = corner(0), b = corner(1), c = corner(2);
-    if (is_finite_in_space(a) && is_finite_in_space(b) && is_finite_in_space(c)) use(a, b, c);
+    if (is_finite(a, b, c)) use(a, b, c);
   }
 }
 
@@ -90,7 +85,7 @@ constexpr upward_crossings count_upward_crossings(const M& body, const mesh_poin
   using T = scalar_of<mesh_point<M>>;
   upward_crossings count;
   const point<T, 3> from{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};
-  if (is_finite_in_space(from))
+  if (is_finite(from))
     each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
       count_upward_crossing(a, b, c, from, count);
     });
@@ -144,7 +139,7 @@ constexpr point_location point_in_solid(const M& body, const mesh_point<M>& p, f
 template <detail::mesh_in_space M>
 constexpr point_location point_in_convex_solid(const M& body, const mesh_point<M>& p) {
   const std::size_t faces = mesh_face_count(body);
-  if (faces == 0 || !detail::is_finite_in_space(p)) return point_location::outside;
+  if (faces == 0 || !is_finite(p)) return point_location::outside;
   point_location where = point_location::inside;
   for (std::size_t f = 0; f < faces; ++f) {
     const std::size_t n = mesh_face_size(body, f);
