@@ -2,13 +2,15 @@
 // grid_surface - a surface over a grid without the lines that it hides, decided exactly.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include <irg/hidden/grid_surface.hpp>
+#include <irg/hidden/surface_camera.hpp>
+#include <irg/io/file.hpp>
+#include <irg/io/svg_drawing.hpp>
 #include <irg/raster/line_aa.hpp>
 
 #include "support/command_line.hpp"
@@ -85,42 +87,9 @@ scene read_scene(const program::command_line& line, const std::string& file, std
   return s;
 }
 
-// What the eye sees, turned to the middle of the surface, upright edges upright.
-class camera {
-public:
-  explicit camera(const scene& s) : eye_(s.eye) {
-    const auto [low, high] = std::minmax_element(s.heights.begin(), s.heights.end());
-    const irg::vec<double, 3> to{s.x.back() / 2 - eye_.x, *low / 2 + *high / 2 - eye_.y, s.z.back() / 2 - eye_.z};
-    forward_ = scaled(to);
-    right_ = scaled({forward_.z, 0, -forward_.x});
-    if (!(std::abs(right_.x) + std::abs(right_.z) > 0)) right_ = {1, 0, 0};
-    up_ = {forward_.y * right_.z, forward_.z * right_.x - forward_.x * right_.z, -forward_.y * right_.x};
-  }
-  // Right and up in the plane at distance 1; `ahead` is false for points that are not before the eye.
-  irg::point<double, 2> seen(const irg::point<double, 3>& p, bool& ahead) const {
-    const irg::vec<double, 3> d{p.x - eye_.x, p.y - eye_.y, p.z - eye_.z};
-    const double depth = along(d, forward_);
-    ahead = depth > 0;
-    return {along(d, right_) / depth, along(d, up_) / depth};
-  }
-
-private:
-  static double along(const irg::vec<double, 3>& a, const irg::vec<double, 3>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-  }
-  static irg::vec<double, 3> scaled(const irg::vec<double, 3>& v) {
-    const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(size > 0)) return {0, 0, 0};
-    const double length = std::hypot(v.x / size, v.y / size, v.z / size);
-    return {v.x / size / length, v.y / size / length, v.z / size / length};
-  }
-  irg::point<double, 3> eye_;
-  irg::vec<double, 3> forward_{}, right_{}, up_{};
-};
-
 void draw(const program::command_line& line, const settings& s, const scene& of,
           const std::vector<irg::grid_edge_part>& parts) {
-  const camera view(of);
+  const irg::surface_camera view = irg::camera_on(irg::box_of_surface(of.surface()), of.eye);
   const auto point_at = [&](const irg::grid_edge_part& p, double t) {
     const auto height = [&](int i, int j) {
       return of.heights[static_cast<std::size_t>(i) * of.z.size() + static_cast<std::size_t>(j)];
@@ -131,12 +100,9 @@ void draw(const program::command_line& line, const settings& s, const scene& of,
   std::vector<std::array<irg::point<double, 2>, 2>> lines;
   irg::point<double, 2> low{0, 0}, high{0, 0};
   for (const irg::grid_edge_part& p : parts) {
-    bool ahead[2];
-    const std::array ends{view.seen(point_at(p, p.from), ahead[0]), view.seen(point_at(p, p.to), ahead[1])};
-    if (!ahead[0] || !ahead[1]) continue;
-    bool usable = true;
-    for (const auto& e : ends) usable = usable && std::abs(e.x) < 1e100 && std::abs(e.y) < 1e100;
-    if (!usable) continue;
+    const auto from = view(point_at(p, p.from)), to = view(point_at(p, p.to));
+    if (!from || !to) continue;
+    const std::array ends{*from, *to};
     for (const auto& e : ends) {
       const bool first = lines.empty() && &e == ends.data();
       low = first ? e : irg::point<double, 2>{std::min(low.x, e.x), std::min(low.y, e.y)};
@@ -150,8 +116,21 @@ void draw(const program::command_line& line, const settings& s, const scene& of,
     return irg::point<double, 2>{s.size.width / 2.0 + (p.x - (low.x / 2 + high.x / 2)) / unit,
                                  s.size.height / 2.0 - (p.y - (low.y / 2 + high.y / 2)) / unit};
   };
-  irg::image<irg::rgba8> picture(s.size.width, s.size.height, irg::rgba8{250, 249, 246, 255});
-  for (const auto& l : lines) irg::draw_line_aa(picture, place(l[0]), place(l[1]), irg::rgba8{32, 44, 66, 255});
+  constexpr irg::rgba8 paper{250, 249, 246, 255}, ink{32, 44, 66, 255};
+  if (irg::picture_format_of(s.out) == irg::picture_format::svg) {
+    std::string text;
+    auto sink = [&](std::string_view piece) { text += piece; };
+    irg::svg_drawing drawing(sink, s.size.width, s.size.height, paper);
+    drawing.begin_lines({ink, 1, 0});
+    for (const auto& l : lines) drawing.add_line(place(l[0]), place(l[1]));
+    drawing.finish();
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+    if (const auto error = irg::write_file_atomically(s.out, std::span<const std::uint8_t>(bytes, text.size())))
+      line.fail(std::string(error->message) + ": " + s.out);
+    return;
+  }
+  irg::image<irg::rgba8> picture(s.size.width, s.size.height, paper);
+  for (const auto& l : lines) irg::draw_line_aa(picture, place(l[0]), place(l[1]), ink);
   program::write_picture(line, s.out, picture);
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Points against a closed body: irg's tree, irg's plain pass over all triangles, and what people write themselves, a ray
-// against every triangle in rounded arithmetic. Half of the points have coordinates of the body's own corners, where
-// such rays go through sides and corners. Wrong are answers that are not point_in_solid's.
+// Points against a closed body: irg's tree, irg's plain pass over all triangles, CGAL's Side_of_triangle_mesh, and what
+// people write themselves, a ray against every triangle in rounded arithmetic. Half of the points have coordinates of
+// the body's own corners, where such rays go through sides and corners. Wrong are answers that are not point_in_solid's.
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <irg/mesh/merge_positions.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/solid/solid_locator.hpp>
@@ -14,11 +15,31 @@
 #include "../tests/support/random.hpp"
 #include "support/measure.hpp"
 
+#ifdef IRG_HAVE_CGAL
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Surface_mesh.h>
+#endif
+
 namespace {
 
 using namespace bench;
 using body = irg::mesh<double>;
 using place = irg::point<double, 3>;
+
+#ifdef IRG_HAVE_CGAL
+using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using surface = CGAL::Surface_mesh<kernel::Point_3>;
+
+surface to_surface(const body& m) {
+  surface s;
+  std::vector<surface::Vertex_index> v;
+  for (const auto& p : m.positions) v.push_back(s.add_vertex(kernel::Point_3(p.x, p.y, p.z)));
+  const auto at = [&](std::size_t f, std::size_t k) { return v[m.corner(f, k).position]; };
+  for (std::size_t f = 0; f < m.face_count(); ++f) s.add_face(at(f, 0), at(f, 1), at(f, 2));
+  return s;
+}
+#endif
 
 // Moller and Trumbore's test against the ray upward, parity of what it meets.
 bool plain_is_inside(const body& m, const place& p) {
@@ -74,6 +95,11 @@ void enter_case(const std::string& name, const body& shape) {
   add("irg", [&tree](const place& p) { return tree(p) == irg::point_location::inside; });
   add("irg:all triangles",
       [&triangles](const place& p) { return irg::point_in_solid(triangles, p) == irg::point_location::inside; });
+#ifdef IRG_HAVE_CGAL
+  auto& mesh = keep(to_surface(irg::merge_positions(triangles)));
+  const auto& side = keep(CGAL::Side_of_triangle_mesh<surface, kernel>(mesh));
+  add("CGAL", [&side](const place& p) { return side(kernel::Point_3(p.x, p.y, p.z)) == CGAL::ON_BOUNDED_SIDE; });
+#endif
   add("plain ray", [&triangles](const place& p) { return plain_is_inside(triangles, p); });
 }
 

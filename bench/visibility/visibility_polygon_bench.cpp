@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <irg/visibility/prepared_walls.hpp>
 #include <irg/visibility/sight_line.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
 
@@ -125,6 +126,15 @@ void enter_scene(const std::string& name, layout how, int n) {
   contender c{"irg", [&t] { t.seen = irg::visibility_polygon(source, window, t.walls); }};
   c.judge = [&t] { return judged(t); };
   enter(what, std::move(c));
+  const auto made = std::make_shared<lazy<irg::prepared_walls<double>>>(
+      [&t] { return irg::prepared_walls<double>(t.walls, window); });
+  contender p{"irg:prepared", [made, &t] { t.seen = (**made).seen_from(source); }};
+  p.judge = [&t] { return judged(t); };
+  p.note = "tiles made before";
+  p.same_work = false;
+  enter(what, std::move(p));
+  enter(what, {"irg:prepared, with preparation",
+               [&t] { t.seen = irg::prepared_walls<double>(t.walls, window).seen_from(source); }});
 #if defined(IRG_HAVE_CGAL)
   if (how != layout::crossing) add_cgal(what, t);
 #endif

@@ -101,8 +101,8 @@ inline picture operations() {
   const std::vector<Ring> b{{{90, 60}, {200, 60}, {200, 170}, {90, 170}},
                             {{130, 90}, {170, 90}, {170, 140}, {130, 140}}};
   double left = 0;
-  for (const auto operation : {irg::polygon_operation::intersection, irg::polygon_operation::unite,
-                               irg::polygon_operation::difference, irg::polygon_operation::symmetric_difference}) {
+  for (const auto operation : {irg::boolean_operation::intersection, irg::boolean_operation::unite,
+                               irg::boolean_operation::difference, irg::boolean_operation::symmetric_difference}) {
     std::vector<Ring> rings = polygon_overlay(a, b, operation).rings;
     for (Ring& ring : rings) ring = moved(ring, left);
     irg::fill_polygon_aa(p, rings, irg::fill_rule::non_zero, blue);

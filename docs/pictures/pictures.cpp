@@ -22,6 +22,7 @@
 #include <irg/render/render.hpp>
 #include <irg/view/affine.hpp>
 
+#include "booleans.hpp"
 #include "bsp.hpp"
 #include "cameras.hpp"
 #include "curves.hpp"
@@ -45,11 +46,14 @@
 #include "plane_sight.hpp"
 #include "portals.hpp"
 #include "projections.hpp"
+#include "plots.hpp"
+#include "rays.hpp"
 #include "rectangles.hpp"
 #include "saving.hpp"
 #include "shaders.hpp"
 #include "sight.hpp"
 #include "solids.hpp"
+#include "space_sight.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
 #include "surfaces.hpp"
@@ -200,6 +204,8 @@ void methods() {
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
+  save("horizon_lines", plot_pictures::horizon_lines());
+  save("plot_surface", plot_pictures::surfaces());
   save("bsp_tree_2d", bsp_pictures::orders());
   save("bsp_tree_3d", bsp_pictures::order_in_space());
   save("grid_surface", grid_pictures::views());
@@ -425,6 +431,7 @@ int main(int argc, char** argv) {
   save("weak_visibility", plane_sight::shadows());
   save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
+  save("sight_in_space", space_sight::folded_out());
   save("viewshed", sight_pictures::hills());
   save("portals", portal_pictures::rooms());
   failures += sight_pictures::write_sweep(folder + "/sight_sweep.svg") ? 0 : 1;
@@ -443,8 +450,16 @@ int main(int argc, char** argv) {
   save("fit", mesh_pictures::fitting());
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
+  save("boolean", boolean_pictures::operations());
+  save("half_edges", boolean_pictures::half_edges());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("along_ray", tree_pictures::runs());
+  save("visible_points", tree_pictures::points_seen());
+  save("shadow", ray_pictures::shadow());
+  save("path_tracer", ray_pictures::rooms());
+  save("soft_light", ray_pictures::soft_shadows());
+  save("glass", ray_pictures::glass());
   save("triangle_bvh", tree_pictures::through());
   save("cross_triangle", tree_pictures::shares());
   save("cube_projections", projection_pictures::every_projection());

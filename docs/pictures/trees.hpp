@@ -10,6 +10,8 @@
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/spatial/triangle_bvh.hpp>
+#include <irg/trace/along_ray.hpp>
+#include <irg/visibility/visible_points.hpp>
 
 #include "sketch.hpp"
 
@@ -34,11 +36,11 @@ inline void frames(picture& p, const irg::bvh& tree, std::uint32_t at, int level
   for (int k = 0; k < irg::bvh_node::width; ++k) {
     const irg::bvh_node& n = tree.nodes[at];
     if (n.child[k] == irg::bvh_node::none) continue;
-    const double x0 = n.bounds[0][k] / tree.scale + left, y0 = n.bounds[1][k] / tree.scale,
-                 x1 = n.bounds[3][k] / tree.scale + left, y1 = n.bounds[4][k] / tree.scale;
+    const double x0 = n.low(0, k) / tree.scale + left, y0 = n.low(1, k) / tree.scale,
+                 x1 = n.high(0, k) / tree.scale + left, y1 = n.high(1, k) / tree.scale;
     const double out = 5.0 - 2 * level;
-    outline(p, {{x0 - out, y0 - out}, {x1 + out, y0 - out}, {x1 + out, y1 + out}, {x0 - out, y1 + out}}, level == 0 ? 2 : 1.2,
-            colours[static_cast<std::size_t>(level)]);
+    outline(p, {{x0 - out, y0 - out}, {x1 + out, y0 - out}, {x1 + out, y1 + out}, {x0 - out, y1 + out}},
+            level == 0 ? 2 : 1.2, colours[static_cast<std::size_t>(level)]);
     if (!irg::bvh_node::is_leaf(n.child[k])) frames(p, tree, n.child[k], level + 1, left);
   }
 }
@@ -50,7 +52,11 @@ inline picture levels() {
   for (int side = 0; side < 2; ++side) {
     const double left = side * 400.0;
     for (const auto& b : boxes)
-      area(p, {{b.low.x + left, b.low.y}, {b.high.x + left, b.low.y}, {b.high.x + left, b.high.y}, {b.low.x + left, b.high.y}},
+      area(p,
+           {{b.low.x + left, b.low.y},
+            {b.high.x + left, b.low.y},
+            {b.high.x + left, b.high.y},
+            {b.low.x + left, b.high.y}},
            with_opacity(blue, 150));
     const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(boxes),
                                          {side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::morton});
@@ -73,8 +79,15 @@ inline picture through() {
   picture p(640, 260, white);
   const auto all = triangles_of(irg::shape_teapot<double>({.subdivisions = 8}));
   const irg::triangle_bvh<double> tree(std::span<const std::array<irg::point<double, 3>, 3>>{all});
-  const std::array<irg::rgba8, 9> counts{{{255, 255, 255, 255}, {222, 90, 70, 255}, {214, 226, 240, 255}, {222, 90, 70, 255},
-                                          {150, 184, 222, 255}, {222, 90, 70, 255}, {84, 132, 190, 255}, {222, 90, 70, 255}, {30, 70, 130, 255}}};
+  const std::array<irg::rgba8, 9> counts{{{255, 255, 255, 255},
+                                          {222, 90, 70, 255},
+                                          {214, 226, 240, 255},
+                                          {222, 90, 70, 255},
+                                          {150, 184, 222, 255},
+                                          {222, 90, 70, 255},
+                                          {84, 132, 190, 255},
+                                          {222, 90, 70, 255},
+                                          {30, 70, 130, 255}}};
   for (int y = 0; y < 260; ++y)
     for (int x = 0; x < 320; ++x) {
       const irg::ray<double, 3> r{{(x - 159.5) / 46, (129.5 - y) / 46 + 4.55, 20}, {0.0, -0.15, -1.0}};
@@ -82,7 +95,9 @@ inline picture through() {
         const auto& t = all[hit->triangle];
         const irg::vec<double, 3> n = irg::normalized(irg::cross(t[1] - t[0], t[2] - t[0]));
         const double light = irg::dot(n, irg::normalized(irg::vec<double, 3>{-0.5, 0.7, 0.6}));
-        const auto shade = [&](double most) { return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamp(light, 0.0, 1.0))); };
+        const auto shade = [&](double most) {
+          return static_cast<std::uint8_t>(most * (0.3 + 0.7 * irg::clamp(light, 0.0, 1.0)));
+        };
         p(x, y) = {shade(232), shade(168), shade(96), 255};
       }
       std::size_t crossed = 0;
@@ -105,8 +120,51 @@ inline picture shares() {
     for (int j = 0; j <= 10; ++j) {
       const irg::ray<double, 3> r{{i * 0.5, i % 5 == 2 ? 1 + (i * 0.5 - 1) * 0.8 : j * 0.5 + 0.5, 3}, {0, 0, -1}};
       const int crossed = irg::cross_triangle(r, a, b, c) ? 1 : irg::cross_triangle(r, a, c, d) ? 2 : 0;
-      disc(p, screen(r.origin.x, r.origin.y), 3.6, crossed == 1 ? blue : crossed == 2 ? green : irg::rgba8{200, 200, 200, 255});
+      disc(p, screen(r.origin.x, r.origin.y), 3.6,
+           crossed == 1   ? blue
+           : crossed == 2 ? green
+                          : irg::rgba8{200, 200, 200, 255});
     }
+  return p;
+}
+
+// Sheets from the side, and rays among them: what they cross, and their longest free runs.
+inline picture runs() {
+  picture p(620, 200, white);
+  std::vector<std::array<irg::point<double, 3>, 3>> sheets;
+  for (int i = 0; i < 26; ++i) {
+    const double x = 30 + 22.5 * i + 6 * irg::sin(9.0 * i), y = 100 + 70 * irg::sin(5.0 * i),
+                 half = 22 + 10 * irg::sin(3.0 * i);
+    sheets.push_back({{{x, y - half, -50}, {x + 8, y + half, -50}, {x + 4, y, 50}}});
+    stroke(p, {{x + 2, y - half / 2}, {x + 6, y + half / 2}}, 2.5, grey);
+  }
+  const irg::triangle_bvh<double> tree(std::span<const std::array<irg::point<double, 3>, 3>>{sheets});
+  for (int k = 0; k < 5; ++k) {
+    const irg::ray<double, 3> r{{10, 30.0 + 35 * k, 0}, {600, 0, 0}, 0, 1};
+    const auto at = [&](double t) { return point2{r.origin.x + 600 * t, r.origin.y}; };
+    const irg::free_run run = irg::longest_free_run(tree, r, 30.0 / 600);
+    stroke(p, {at(0), at(1)}, 1, light_red);
+    stroke(p, {at(run.from), at(run.to)}, 3, green);
+    for (int i = 0; i <= run.steps; ++i) disc(p, at(run.from + i * 30.0 / 600), 2.6, green);
+    for (const irg::triangle_hit& h : irg::sorted_hits(tree, r)) disc(p, at(h.at.t), 3.2, red);
+  }
+  return p;
+}
+
+// Points of a lattice that hide each other from a viewer.
+inline picture points_seen() {
+  picture p(460, 300, white);
+  std::vector<point2> points;
+  for (int j = 0; j < 9; ++j)
+    for (int i = 0; i < 15; ++i)
+      if ((i * 7 + j * 5) % 4 != 0) points.push_back({20.0 + 30 * i, 20.0 + 32 * j});
+  const point2 viewer{200, 148};
+  const auto seen = irg::visible_points(std::span<const point2>(points), viewer);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (seen[i] != 0) stroke(p, {viewer, points[i]}, 0.6, light_blue);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    disc(p, points[i], seen[i] != 0 ? 4 : 3, seen[i] != 0 ? blue : irg::rgba8{190, 190, 188, 255});
+  disc(p, viewer, 5, red);
   return p;
 }
 

@@ -12,6 +12,8 @@
 #include <irg/io/file.hpp>
 #include <irg/io/svg_drawing.hpp>
 #include <irg/raster/line_aa.hpp>
+#include <irg/render/render_traced.hpp>
+#include <irg/trace/ray_tracing.hpp>
 
 namespace program {
 namespace {
@@ -58,6 +60,26 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
   const irg::parallel threads{s.threads};
   if (options.style == irg::picture_style::wire || s.hidden == hidden_name::none || s.hidden == hidden_name::zbuffer)
     return irg::render(world, picture, depth, options, {}, threads, observer);
+  if (s.follows_rays()) {
+    const irg::optics<double> optic{{s.mirror, s.mirror, s.mirror}, {}, 1};
+    const std::vector<irg::optics<double>> optics(world.objects.size(), optic);
+    irg::traced_options<double> traced;
+    traced.culling = options.culling;
+    traced.samples = s.samples;
+    traced.limits.shadows = s.shadows ? irg::shadow_rays::on : irg::shadow_rays::off;
+    irg::render_stats stats = irg::render_traced<double>(world, optics, picture, traced, {}, threads);
+    stats.drawn = 0;
+    const irg::rgba8 background = irg::picture_colours().background;
+    for (int y = 0; y < s.size.height; ++y)
+      for (int x = 0; x < s.size.width; ++x) stats.drawn += picture(x, y) == background ? 0 : 1;
+    observer(irg::render_stage::draw);
+    return stats;
+  }
+  if (s.hidden == hidden_name::raytrace) {
+    const irg::render_stats stats = irg::render(irg::ray_tracing<>{}, world, picture, depth, options, threads);
+    observer(irg::render_stage::draw);
+    return stats;
+  }
   using irg::classical_method;
   const auto method = s.hidden == hidden_name::painter   ? classical_method::painter_newell
                       : s.hidden == hidden_name::warnock ? classical_method::warnock

@@ -37,8 +37,11 @@ inline constexpr std::string_view render_options_help =
   --project KIND       perspective, orthographic, isometric, dimetric, trimetric, oblique (seen from the
                        front, depth at half its length); the last four fix the direction of the view, and
                        --eye sets with --target how far away the eye is
-  --hidden METHOD      zbuffer, painter (Newell, Newell and Sancha), warnock, bsp, raycast, none; the first five
-                       draw the same picture
+  --hidden METHOD      zbuffer, painter (Newell, Newell and Sancha), warnock, bsp, raycast, raytrace, none; the
+                       first six draw the same picture
+  --shadows SWITCH     on, off (off), with --hidden raytrace: lamps throw shadows; drawn in style phong
+  --mirror SHARE       0 to 1 (0), with --hidden raytrace: how much the model mirrors itself; in style phong
+  --samples N          1 to 16 (1), with --hidden raytrace: N x N rays a pixel; in style phong
   --style STYLE        gouraud, wire, hidden-line, flat, phong; an .svg of hidden-line is made of lines
   --hidden-edges WHAT  none, dashed: what is drawn of hidden edges, with --style hidden-line
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
@@ -52,7 +55,7 @@ inline constexpr std::string_view render_options_help =
 enum class view_kind { perspective, orthographic, isometric, dimetric, trimetric, oblique };
 
 /// The names of --hidden.
-enum class hidden_name { zbuffer, painter, warnock, bsp, raycast, none };
+enum class hidden_name { zbuffer, painter, warnock, bsp, raycast, raytrace, none };
 
 /// What the options say. A picture's name is what `-o` gives.
 struct render_settings {
@@ -68,6 +71,12 @@ struct render_settings {
   irg::render_options options;
   bool hidden_line = false;  // in place of options.style
   bool dashed = false;  // hidden edges, with hidden_line
+  bool shadows = false;
+  double mirror = 0;
+  int samples = 1;
+
+  /// Whether rays go on from what is seen.
+  bool follows_rays() const { return shadows || mirror > 0 || samples > 1; }
 
   /// Reads the value of --style.
   void read_style(command_line& line) {
@@ -103,7 +112,8 @@ struct render_settings {
       project = static_cast<view_kind>(
           line.choice(word, {"perspective", "orthographic", "isometric", "dimetric", "trimetric", "oblique"}));
     else if (word == "--hidden")
-      hidden = static_cast<hidden_name>(line.choice(word, {"zbuffer", "painter", "warnock", "bsp", "raycast", "none"}));
+      hidden = static_cast<hidden_name>(
+          line.choice(word, {"zbuffer", "painter", "warnock", "bsp", "raycast", "raytrace", "none"}));
     else if (word == "--hidden-edges")
       dashed = line.choice(word, {"none", "dashed"}) == 1;
     else if (word == "--style")
@@ -118,6 +128,13 @@ struct render_settings {
       if (!(crease >= 0 && crease <= 180)) line.fail("option --crease needs an angle from 0 to 180 degrees");
     } else if (word == "--skip")
       options.skip = std::array{irg::skip_options{}, irg::skip_nothing}[line.choice(word, {"on", "off"})];
+    else if (word == "--shadows")
+      shadows = line.choice(word, {"on", "off"}) == 0;
+    else if (word == "--mirror") {
+      mirror = line.numbers(word, 1)[0];
+      if (!(mirror >= 0 && mirror <= 1)) line.fail("option --mirror needs a share from 0 to 1");
+    } else if (word == "--samples")
+      samples = line.integer(word, 1, 16);
     else if (word == "--threads")
       threads = line.integer(word, 1, 256);
     else if (word.size() > 1 && word[0] == '-')
@@ -132,6 +149,8 @@ struct render_settings {
   void finish(const command_line& line) const {
     if (one_file(out, stats)) line.fail("the picture and the statistics need two files, not both: " + out);
     if (one_file(out, model) || one_file(stats, model)) line.fail("the model would be overwritten: " + model);
+    if (follows_rays() && (hidden != hidden_name::raytrace || hidden_line || options.style == irg::picture_style::wire))
+      line.fail("options --shadows, --mirror and --samples need --hidden raytrace and a style of faces");
   }
 };
 

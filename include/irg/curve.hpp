@@ -9,6 +9,7 @@
 #include <irg/curve/bezier_degree.hpp>
 #include <irg/curve/bezier_edge_form.hpp>
 #include <irg/curve/bezier_forward.hpp>
+#include <irg/curve/bezier_prepared.hpp>
 #include <irg/curve/bezier_queries.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bezier_zeros.hpp>

@@ -4,6 +4,7 @@
 
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/barycentric.hpp>
+#include <irg/geometry/boolean_operation.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/geometry/clip_line_cohen_sutherland.hpp>
@@ -19,6 +20,7 @@
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/distance.hpp>
 #include <irg/geometry/edge_equation.hpp>
+#include <irg/geometry/exact_point.hpp>
 #include <irg/geometry/flat_ring.hpp>
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/intersect_lines.hpp>

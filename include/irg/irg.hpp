@@ -16,6 +16,7 @@
 #include <irg/solid.hpp>
 #include <irg/hidden.hpp>
 #include <irg/visibility.hpp>
+#include <irg/trace.hpp>
 #include <irg/scene.hpp>
 #include <irg/render.hpp>
 #include <irg/io.hpp>

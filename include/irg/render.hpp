@@ -11,9 +11,11 @@
 #include <irg/render/occlusion_culling.hpp>
 #include <irg/render/occlusion_mask.hpp>
 #include <irg/render/options.hpp>
+#include <irg/render/pick.hpp>
 #include <irg/render/prepared_scene.hpp>
 #include <irg/render/render.hpp>
 #include <irg/render/render_rooms.hpp>
+#include <irg/render/render_traced.hpp>
 #include <irg/render/scene_bsp.hpp>
 #include <irg/render/shade_visible.hpp>
 #include <irg/render/textured_shading.hpp>

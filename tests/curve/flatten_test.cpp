@@ -55,21 +55,23 @@ flattening flat(const flat_points& c, double tolerance, flat_points& line) {
 TEST_CASE("flatten: keeps its tolerance on random curves, with few pieces") {
   test::random r(81);
   double ours = 0, best = 0, worst = 0;
-  for (int trial = 0; trial < test::many_trials(30); ++trial) {
+  const bool all = test::trials(1) > 1;  // the release tier's 10^5 curves
+  const int count = all ? 100000 : 30;
+  for (int trial = 0; trial < count; ++trial) {
     flat_points c(static_cast<std::size_t>(r.integer(2, 7)), flat_point{}), line;
     for (flat_point& p : c) p = {2 * r.unit() - 1, 2 * r.unit() - 1};
     const double tolerance = std::exp2(-4 - 6 * r.unit());
     const flattening done = flat(c, tolerance, line);
-    CHECK(done.within_tolerance);
-    CHECK(line.size() == done.pieces + 1);
-    CHECK((line.front() == c.front() && line.back() == c.back()));
+    const bool whole =
+        done.within_tolerance && line.size() == done.pieces + 1 && line.front() == c.front() && line.back() == c.back();
+    CHECK(whole);
     for (int k = 0; k <= 300; ++k) {
       double nearest = 1e9;
       for (std::size_t i = 1; i < line.size(); ++i)
         nearest = std::min(nearest, from_segment(flat_at(c, k / 300.0), line[i - 1], line[i]));
       worst = std::max(worst, nearest / tolerance);
     }
-    if (trial < 12) ours += static_cast<double>(done.pieces), best += fewest(c, tolerance);
+    if (all ? trial % 100 == 0 : trial < 12) ours += static_cast<double>(done.pieces), best += fewest(c, tolerance);
   }
   MESSAGE("error over tolerance ", worst, ", pieces over the fewest ", ours / best);
   CHECK(worst <= 1 + 1e-12);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Escape counts.
+#include <irg/fractal/distance_estimate.hpp>
 #include <irg/fractal/escape_picture.hpp>
+#include <irg/fractal/precise_mandelbrot.hpp>
 #include <irg/raster/image.hpp>
 
 #include "hashes.hpp"
@@ -34,5 +36,22 @@ constexpr std::uint64_t fractal_escape_counts(int rounds) { return count_escapes
 constexpr std::uint64_t fractal_escape_counts_float(int rounds) { return count_escapes<float>(rounds); }
 HASHED(fractal_escape_counts, 1, 400);
 HASHED(fractal_escape_counts_float, 1, 400);
+
+// Sure counts, and bounds of distances.
+constexpr std::uint64_t fractal_sure_counts(int rounds) {
+  test::random r(18);
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    const double x = irg::product(1.8, r.unit()) - 1.5, y = 2 * r.unit() - 1;
+    const irg::sure_count k = irg::sure_mandelbrot_count(
+        irg::point<irg::double_double, 2>{irg::double_double(x, x * 0x1p-60), y}, irg::make_escape_limit(2.0, 90));
+    h.add(static_cast<std::uint64_t>(k.count + (k.is_sure ? 1000 : 0)));
+    const auto d = irg::mandelbrot_distance(irg::point<double, 2>{x, y}, irg::make_escape_limit(1000.0, 90));
+    h.add(d.at_least);
+    h.add(d.at_most);
+  }
+  return h.value();
+}
+HASHED(fractal_sure_counts, 3, 600);
 
 }  // namespace

@@ -25,6 +25,13 @@ public:
   constexpr void add(T value) {
     word(value != value ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(static_cast<double>(value)));
   }
+  /// A pixel of four bytes, the same for either order of bytes in memory.
+  template <class Pixel>
+    requires requires(const Pixel& p) { p.r, p.g, p.b, p.a; }
+  constexpr void add(const Pixel& p) {
+    add(static_cast<std::uint32_t>(p.r) | static_cast<std::uint32_t>(p.g) << 8 | static_cast<std::uint32_t>(p.b) << 16 |
+        static_cast<std::uint32_t>(p.a) << 24);
+  }
   constexpr std::uint64_t value() const { return hash_; }
 
 private:

@@ -2,6 +2,8 @@
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/bsp_faces.hpp>
 #include <irg/hidden/bsp_scene.hpp>
+#include <irg/hidden/horizon_curves.hpp>
+#include <irg/hidden/horizon_lines.hpp>
 #include <irg/hidden/horizon_surface.hpp>
 #include <irg/hidden/painter_newell.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
@@ -170,5 +172,26 @@ constexpr std::uint64_t hidden_horizon(int rounds) {
   return h.value();
 }
 HASHED(hidden_horizon, 2, 60);
+
+// Curves of a surface in vectors: their places, and what is seen.
+constexpr std::uint64_t hidden_horizon_lines(int rounds) {
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    irg::horizon_view view{rounds < 10 ? 9.0 : 90.0, 30, (i % 12) * 0.125, (i % 16) * 0.125 - 1, rounds < 10 ? 3 : 12,
+                           rounds < 10 ? 5 : 45};
+    const auto height = [&](double x, double z) { return irg::product(irg::cos(4 * x + i), irg::sin(4 * z)); };
+    const auto add = [&](const irg::horizon_curve_points& c) {
+      irg::visible_curves(c.points, [&](const irg::edge_part& p) {
+        h.add(static_cast<std::uint64_t>(p.edge));
+        h.add(p.from);
+        h.add(p.to);
+      });
+    };
+    add(irg::horizon_curves_of(height, view));
+    add(irg::horizon_curves_from(height, view, {-0.3 - i * 0x1p-6, 1.2, 0.5}));
+  }
+  return h.value();
+}
+HASHED(hidden_horizon_lines, 1, 40);
 
 }  // namespace

@@ -89,7 +89,7 @@ constexpr std::uint64_t render_rescaled(int rounds) {
     irg::image<float> depth(size, size);
     irg::render(s, colour, depth, o);
     for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x) h.add(std::bit_cast<std::uint32_t>(colour(x, y)));
+      for (int x = 0; x < size; ++x) h.add(colour(x, y));
   }
   return h.value();
 }

@@ -19,7 +19,11 @@ constexpr float any_float(test::random& r, double low, double high) {
 constexpr irg::image<irg::rgba8> any_texture(test::random& r, int width, int height) {
   irg::image<irg::rgba8> t(width, height);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) t(x, y) = std::bit_cast<irg::rgba8>(static_cast<std::uint32_t>(r.next()));
+    for (int x = 0; x < width; ++x) {
+      const auto word = static_cast<std::uint32_t>(r.next());
+      const auto byte = [word](int i) { return static_cast<std::uint8_t>(word >> (8 * i)); };
+      t(x, y) = {byte(0), byte(1), byte(2), byte(3)};
+    }
   return t;
 }
 
@@ -51,7 +55,7 @@ HASHED(shade_textures, 12, 20'000);
 
 constexpr void add(determinism::hasher& h, const irg::image<irg::rgba8>& p) {
   for (int y = 0; y < p.height(); ++y)
-    for (int x = 0; x < p.width(); ++x) h.add(std::bit_cast<std::uint32_t>(p(x, y)));
+    for (int x = 0; x < p.width(); ++x) h.add(p(x, y));
 }
 
 // Random scenes with a texture; some of their triangles once more as glass.

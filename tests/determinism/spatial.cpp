@@ -22,8 +22,7 @@ constexpr std::uint64_t crossings(int rounds, irg::bvh_method method) {
     for (int k = 0; k < (small ? 6 : 300); ++k) all.push_back({{{c(), c(), c()}, {c(), c(), c()}, {c(), c(), c()}}});
     const irg::triangle_bvh<T> tree(std::span<const std::array<irg::point<T, 3>, 3>>(all), {method});
     for (const irg::bvh_node& n : tree.tree().nodes) {
-      for (const auto& row : n.bounds)
-        for (const float x : row) h.add(x);
+      for (const float x : n.bounds) h.add(x);
       for (const std::uint32_t child : n.child) h.add(child);
     }
     for (const std::uint32_t place : tree.tree().order) h.add(place);

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What is seen on grids.
+// What is seen on grids, in the plane and in space.
+#include <irg/visibility/cells_from_bsp.hpp>
+#include <irg/visibility/cut_source.hpp>
 #include <irg/visibility/field_of_view.hpp>
+#include <irg/visibility/prepared_walls.hpp>
+#include <irg/visibility/sight_in_space.hpp>
 #include <irg/visibility/textbook/sight_3d.hpp>
+#include <irg/visibility/visible_around.hpp>
 #include <irg/visibility/visible_part.hpp>
+#include <irg/visibility/weak_visibility.hpp>
 
 #include "hashes.hpp"
 #include "support/random.hpp"
@@ -58,6 +64,80 @@ constexpr std::uint64_t visibility_percentages(int rounds) {
   return h.value();
 }
 
+using place = irg::point<double, 2>;
+using wall = irg::segment<double, 2>;
+constexpr irg::box<double, 2> window{{-5, -5}, {5, 5}};
+
+constexpr place somewhere(test::random& r, bool whole) {
+  const auto number = [&] { return whole ? static_cast<double>(r.integer(-4, 4)) : 8 * r.unit() - 4; };
+  const double x = number();
+  return {x, number()};
+}
+constexpr std::vector<wall> walls_of(test::random& r, int count, bool whole) {
+  std::vector<wall> out;
+  for (int k = 0; k < count; ++k) {
+    const place a = somewhere(r, whole);
+    out.push_back({a, somewhere(r, whole)});
+  }
+  return out;
+}
+
+constexpr std::uint64_t visibility_plane(int rounds) {
+  test::random r(43);
+  determinism::hasher h;
+  const auto add_place = [&](const place& p) {
+    h.add(p.x);
+    h.add(p.y);
+  };
+  for (int i = 0; i < rounds; ++i) {
+    const std::vector<wall> walls = walls_of(r, rounds == 1 ? 2 : 8, i % 2 == 0);
+    const place from = somewhere(r, i % 2 == 0);
+    const irg::prepared_walls<double> prepared(walls, window);
+    for (const auto& v : prepared.seen_from(from).ring) add_place(v.at);
+    if (rounds == 1) continue;
+    for (const auto& c : irg::cells_from_bsp(std::span<const wall>(walls), window).plan.cells)
+      for (const place& p : c.corners) add_place(p);
+    const std::vector<place> lamp{from, {from.x + 1, from.y}, {from.x + 0.3, from.y + 0.3}, {from.x, from.y + 1}};
+    const auto cut = irg::cut_source_rounded<double>(lamp, walls);
+    const auto parts = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, window);
+    for (const auto* list : {&parts.all, &parts.some, &parts.none})
+      for (const auto& ring : *list)
+        for (const place& p : ring) add_place(p);
+  }
+  return h.value();
+}
+
+constexpr std::uint64_t visibility_space(int rounds) {
+  test::random r(44);
+  determinism::hasher h;
+  for (int i = 0; i < rounds; ++i) {
+    irg::mesh<double> m;
+    const auto add_triangle = [&] {
+      std::vector<std::uint32_t> face;
+      for (int k = 0; k < 3; ++k) {
+        const place at = somewhere(r, i % 2 == 0);
+        face.push_back(static_cast<std::uint32_t>(m.positions.size()));
+        m.positions.push_back({at.x, at.y, 2 * r.unit() - 1});
+      }
+      irg::add_face(m, face);
+    };
+    for (int k = 0; k < (rounds == 1 ? 1 : 6); ++k) add_triangle();
+    irg::space_region<double> eye, floor;
+    eye.corners.push_back({0.25, 0.5, 3});
+    for (const auto& p : {irg::point<double, 3>{-2, -2, -2}, {2, -2, -2}, {2, 2, -2.5}}) floor.corners.push_back(p);
+    h.add(static_cast<int>(irg::sample_sight(eye, floor, m, {rounds == 1 ? 3 : 100, 5}).seen));
+    h.add(irg::sample_sight(floor, eye, m, {rounds == 1 ? 3 : 100, 6}).high);
+    if (rounds == 1) continue;
+    const auto sure = irg::sure_sight(eye, floor, m);
+    h.add(sure ? static_cast<int>(*sure) : 3);
+    const auto around = irg::visible_around(irg::point<double, 3>{0.25, 0.5, 3}, m, {256, 0.125});
+    for (const std::uint32_t f : around.seen) h.add(static_cast<int>(f));
+  }
+  return h.value();
+}
+
+HASHED(visibility_plane, 1, 40);
+HASHED(visibility_space, 1, 60);
 HASHED(visibility_fields, 1, 200);
 HASHED(visibility_percentages, 1, 100);
 

@@ -51,6 +51,16 @@ constexpr bool relations_hold() {
 
 }  // namespace
 
+// Points of integers: the relation exactly, the place in doubles.
+static_assert([] {
+  using P = irg::point<int, 2>;
+  constexpr int most = 2147483647;
+  const auto m = irg::intersect_lines(P{0, 0}, P{3, 3}, P{0, 1}, P{1, 0});
+  return m.relation == irg::line_relation::crossing && m.at == irg::point<double, 2>{0.5, 0.5} &&
+         irg::intersect_lines(P{-most, -most}, P{most, most - 1}, P{-most, -most + 1}, P{most, most}).relation ==
+             irg::line_relation::parallel;
+}());
+
 TEST_CASE("intersect_lines: Hank's values") {
   CHECK_BOTH(relations_hold<P3>());
   CHECK_BOTH(relations_hold<Q3>());

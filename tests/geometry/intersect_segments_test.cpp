@@ -31,6 +31,13 @@ constexpr auto none = segment_relation::none, touch = segment_relation::point, o
 
 }  // namespace
 
+// Points of integers: the relation exactly, the place in doubles.
+static_assert([] {
+  using P = irg::point<int, 2>;
+  const auto m = irg::intersect_segments(P{0, 0}, P{3, 3}, P{0, 1}, P{1, 0});
+  return m.relation == irg::segment_relation::point && m.first == irg::point<double, 2>{0.5, 0.5};
+}());
+
 TEST_CASE("intersect_segments: by hand") {
   CHECK_BOTH(meet<P2>({0, 0}, {2, 2}, {0, 2}, {2, 0}, touch, {1, 1}, {1, 1}));
   CHECK_BOTH(intersect_segments(P2{0, 0}, {2, 2}, {0, 2}, {2, 0}).t == 0.5);

@@ -10,9 +10,9 @@
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 
+using irg::boolean_operation;
 using irg::point;
 using irg::polygon_clip_status;
-using irg::polygon_operation;
 using irg::polygon_overlay;
 using irg::ring_rule;
 using P = point<double, 2>;
@@ -21,8 +21,8 @@ using Rings = std::vector<Ring>;
 
 namespace {
 
-constexpr polygon_operation all_operations[] = {polygon_operation::intersection, polygon_operation::unite,
-                                                polygon_operation::difference, polygon_operation::symmetric_difference};
+constexpr boolean_operation all_operations[] = {boolean_operation::intersection, boolean_operation::unite,
+                                                boolean_operation::difference, boolean_operation::symmetric_difference};
 
 template <class R>
 constexpr double area(const R& rings) {
@@ -34,7 +34,7 @@ constexpr double area(const R& rings) {
     }
   return sum / 2;
 }
-constexpr double area_of(const Ring& a, const Ring& b, polygon_operation op) {
+constexpr double area_of(const Ring& a, const Ring& b, boolean_operation op) {
   return area(polygon_overlay(a, b, op).rings);
 }
 
@@ -51,10 +51,10 @@ int winding(const Rings& rings, double x, double y) {
   return turns;
 }
 
-bool expected_inside(bool a, bool b, polygon_operation op) {
-  if (op == polygon_operation::intersection) return a && b;
-  if (op == polygon_operation::unite) return a || b;
-  if (op == polygon_operation::difference) return a && !b;
+bool expected_inside(bool a, bool b, boolean_operation op) {
+  if (op == boolean_operation::intersection) return a && b;
+  if (op == boolean_operation::unite) return a || b;
+  if (op == boolean_operation::difference) return a && !b;
   return a != b;
 }
 
@@ -67,10 +67,10 @@ constexpr Ring square(double x, double y, double size) {
 }  // namespace
 
 TEST_CASE("polygon_overlay: by hand, in every life") {
-  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::intersection) == 1);
-  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::unite) == 7);
-  CHECK(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::difference) == 3);
-  CHECK(area_of(square(0, 0, 2), square(1, 1, 2), polygon_operation::symmetric_difference) == 6);
+  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::intersection) == 1);
+  CHECK_BOTH(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::unite) == 7);
+  CHECK(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::difference) == 3);
+  CHECK(area_of(square(0, 0, 2), square(1, 1, 2), boolean_operation::symmetric_difference) == 6);
   // A comb cut by a bar falls apart.
   const Ring comb{{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
   const auto teeth = polygon_overlay(comb, Ring{{-1, 2}, {9, 2}, {9, 9}, {-1, 9}});
@@ -78,35 +78,35 @@ TEST_CASE("polygon_overlay: by hand, in every life") {
   CHECK(area(teeth.rings) == 3);
   for (const Ring& r : teeth.rings) CHECK(r.size() == 4);
   // A hole: a square out of the middle, one out of an edge.
-  const auto frame = polygon_overlay(square(0, 0, 3), square(1, 1, 1), polygon_operation::difference);
+  const auto frame = polygon_overlay(square(0, 0, 3), square(1, 1, 1), boolean_operation::difference);
   CHECK(frame.rings.size() == 2);
   CHECK(area(frame.rings) == 8);
-  const auto again = polygon_overlay(frame.rings, Rings{square(1, 1, 1)}, polygon_operation::unite);
+  const auto again = polygon_overlay(frame.rings, Rings{square(1, 1, 1)}, boolean_operation::unite);
   CHECK(again.rings == Rings{Ring{{0, 0}, {3, 0}, {3, 3}, {0, 3}}});
 }
 
 TEST_CASE("polygon_overlay: shared edges, touching vertices, equal polygons") {
   const Ring a = square(0, 0, 2);
   CHECK(polygon_overlay(a, a).rings == Rings{a});
-  CHECK(polygon_overlay(a, a, polygon_operation::unite).rings == Rings{a});
-  CHECK(polygon_overlay(a, a, polygon_operation::difference).rings.empty());
-  CHECK(polygon_overlay(a, a, polygon_operation::symmetric_difference).rings.empty());
+  CHECK(polygon_overlay(a, a, boolean_operation::unite).rings == Rings{a});
+  CHECK(polygon_overlay(a, a, boolean_operation::difference).rings.empty());
+  CHECK(polygon_overlay(a, a, boolean_operation::symmetric_difference).rings.empty());
   const Ring back(a.rbegin(), a.rend());
   CHECK(area(polygon_overlay(a, back).rings) == 4);
   // Side by side: nothing in common, one rectangle.
   CHECK(polygon_overlay(a, square(2, 0, 2)).rings.empty());
-  CHECK(polygon_overlay(a, square(2, 0, 2), polygon_operation::unite).rings ==
+  CHECK(polygon_overlay(a, square(2, 0, 2), boolean_operation::unite).rings ==
         Rings{Ring{{0, 0}, {4, 0}, {4, 2}, {0, 2}}});
-  CHECK(area(polygon_overlay(a, square(2, 1, 2), polygon_operation::unite).rings) == 8);
+  CHECK(area(polygon_overlay(a, square(2, 1, 2), boolean_operation::unite).rings) == 8);
   // Corner to corner: two pieces.
   CHECK(polygon_overlay(a, square(2, 2, 2)).rings.empty());
-  CHECK(polygon_overlay(a, square(2, 2, 2), polygon_operation::unite).rings.size() == 2);
+  CHECK(polygon_overlay(a, square(2, 2, 2), boolean_operation::unite).rings.size() == 2);
   // A corner on an edge, from within and from without; a common part of an edge from within.
   CHECK(area(polygon_overlay(a, Ring{{1, 0}, {1.5, 1}, {0.5, 1}}).rings) == 0.5);
   CHECK(polygon_overlay(a, Ring{{1, 0}, {1.5, -1}, {0.5, -1}}).rings.empty());
-  CHECK(area(polygon_overlay(a, Ring{{0.5, 0}, {1.5, 0}, {1, 1}}, polygon_operation::difference).rings) == 3.5);
+  CHECK(area(polygon_overlay(a, Ring{{0.5, 0}, {1.5, 0}, {1, 1}}, boolean_operation::difference).rings) == 3.5);
   // A hole that touches its outline in a corner.
-  const auto touched = polygon_overlay(a, Ring{{0, 0}, {1, 0.5}, {0.5, 1}}, polygon_operation::difference);
+  const auto touched = polygon_overlay(a, Ring{{0, 0}, {1, 0.5}, {0.5, 1}}, boolean_operation::difference);
   CHECK(area(touched.rings) == 4 - 0.375);
   CHECK(touched.rings.size() == 1);
 }
@@ -118,13 +118,13 @@ TEST_CASE("polygon_overlay: what crosses itself goes by the rule; degenerate and
   CHECK(area(polygon_overlay(bow, all).rings) == 2);
   const Ring twice{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 2}, {0, 2}};
   CHECK(polygon_overlay(twice, all).rings.empty());
-  CHECK(area(polygon_overlay(twice, all, polygon_operation::intersection, ring_rule::non_zero).rings) == 4);
+  CHECK(area(polygon_overlay(twice, all, boolean_operation::intersection, ring_rule::non_zero).rings) == 4);
   const Ring spike{{0, 0}, {2, 0}, {2, 2}, {5, 2}, {2, 2}, {0, 2}};
   CHECK(polygon_overlay(spike, all).rings == Rings{square(0, 0, 2)});
   for (const Ring& flat :
        {Ring{}, Ring{{1, 1}}, Ring{{0, 0}, {1, 1}}, Ring{{0, 0}, {1, 1}, {2, 2}}, Ring(5, P{1, 1})}) {
     CHECK(polygon_overlay(flat, all).rings.empty());
-    CHECK(polygon_overlay(all, flat, polygon_operation::difference).rings == Rings{all});
+    CHECK(polygon_overlay(all, flat, boolean_operation::difference).rings == Rings{all});
   }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, inf, -inf})
@@ -181,13 +181,13 @@ TEST_CASE("polygon_overlay: samples and areas, polygons of all kinds") {
         wrong += w == (expected_inside(inside(a, x, y), inside(b, x, y), all_operations[o]) ? 1 : 0) ? 0 : 1;
       }
       // Clipped to itself it stays as it is.
-      const auto again = polygon_overlay(result.rings, result.rings, polygon_operation::intersection, rule);
+      const auto again = polygon_overlay(result.rings, result.rings, boolean_operation::intersection, rule);
       wrong += std::abs(area(again.rings) - areas[o]) <= 0 ? 0 : 1;
     }
     // A polygon cut off and put together: (a - b) + (a and b) = a, and what the identity says of all four.
     wrong += std::abs(areas[1] - areas[0] - areas[3]) <= 1e-13 ? 0 : 1;
-    const double whole_a = area(polygon_overlay(a, Rings{}, polygon_operation::unite, rule).rings);
-    const double whole_b = area(polygon_overlay(b, Rings{}, polygon_operation::unite, rule).rings);
+    const double whole_a = area(polygon_overlay(a, Rings{}, boolean_operation::unite, rule).rings);
+    const double whole_b = area(polygon_overlay(b, Rings{}, boolean_operation::unite, rule).rings);
     wrong += std::abs(whole_a + whole_b - areas[0] - areas[1]) <= 1e-13 ? 0 : 1;
     wrong += std::abs(whole_a - areas[0] - areas[2]) <= 1e-13 ? 0 : 1;
   }

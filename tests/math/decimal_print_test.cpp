@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -104,6 +105,11 @@ long wrong_of_random(int count) {
 }
 
 }  // namespace
+
+static_assert([] {
+  char room[30] = {};
+  return irg::print_decimal(room, 0.1) == "0.1" && irg::print_decimal(std::span(room, 1), 0.1).empty();
+}());
 
 TEST_CASE("decimal text: the shortest one") {
   CHECK_BOTH(prints(0.1, "0.1"));

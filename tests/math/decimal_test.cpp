@@ -66,6 +66,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+static_assert(irg::parse_decimal<double>("0.5x").value == 0.5 && *irg::parse_decimal<float>("0.5x").end == 'x');
+
 TEST_CASE("decimal: plain numbers") {
   CHECK_BOTH(reads("0", 0.0));
   CHECK_BOTH(reads("-0", -0.0));

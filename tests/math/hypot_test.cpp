@@ -16,6 +16,10 @@ constexpr double largest = std::numeric_limits<double>::max();
 static_assert(noexcept(irg::hypot(1.0, 2.0)));
 static_assert(std::is_same_v<decltype(irg::hypot(1.0f, 2.0f, 3.0f)), float>);
 
+// Arguments of different types, and integers, as the standard library takes them.
+static_assert(irg::hypot(3.0, 4.0f) == 5 && irg::hypot(3, 4) == 5 && irg::hypot(2, 3.0f, 6) == 7);
+static_assert(std::is_same_v<decltype(irg::hypot(3.0f, 4.0f)), float>);
+
 TEST_CASE("lengths by hand") {
   CHECK_BOTH(irg::hypot(3.0, -4.0) == 5);
   CHECK_BOTH(irg::hypot(2.0, 3.0, 6.0) == 7);

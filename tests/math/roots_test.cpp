@@ -27,6 +27,14 @@ constexpr three_roots three(double x, double y, double z) { return {roots_kind::
 
 static_assert(noexcept(quadratic_roots(1.0, 2.0, 3.0)) && noexcept(cubic_roots(1.0f, 2.0f, 3.0f, 4.0f)));
 
+// Coefficients of different types, and integers; the roots as a range.
+static_assert(irg::quadratic_roots(1.0, -3, 2).size() == 2 && irg::quadratic_roots(1, -3, 2.0f).root[1] == 2);
+static_assert([] {
+  double sum = 0;
+  for (const double root : irg::cubic_roots(1, -6, 11.0, -6)) sum += root;
+  return sum;
+}() == 6);
+
 TEST_CASE("roots: quadratic by hand") {
   CHECK_BOTH(quadratic_roots(1.0, -3.0, 2.0) == two(1, 2));
   CHECK_BOTH(quadratic_roots(-2.0, 6.0, -4.0) == two(1, 2));

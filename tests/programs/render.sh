@@ -138,7 +138,7 @@ check "none of them is left out" is "$(number backface s.json)" 0
 for style in gouraud flat phong; do
   drawn "$style zbuffer" teapot $small --style $style --cull none
   hash=$(hash_in s.json)
-  for hidden in painter warnock bsp raycast; do
+  for hidden in painter warnock bsp raycast raytrace; do
     drawn "$style $hidden" teapot $small --style $style --cull none --hidden $hidden --threads 2
     check "$style $hidden: the z-buffer's picture" is "$(hash_in s.json)" "$hash"
     [ $style = flat ] || continue
@@ -150,6 +150,21 @@ drawn "wire zbuffer" teapot $small --style wire
 hash=$(hash_in s.json)
 drawn "wire painter" teapot $small --style wire --hidden painter
 check "edges hide nothing, whatever the method" is "$(hash_in s.json)" "$hash"
+
+# ---- what rays add
+drawn "phong by rays" teapot $small --style phong --hidden raytrace
+plain=$(hash_in s.json)
+for option in "--shadows on" "--mirror 0.5" "--samples 2"; do
+  drawn "$option" teapot $small --hidden raytrace $option
+  hash=$(hash_in s.json)
+  check "$option: another picture" test "$hash" != "$plain"
+  drawn "$option on 3 threads" teapot $small --hidden raytrace $option --threads 3
+  check "$option on 3 threads: the same hash" is "$(hash_in s.json)" "$hash"
+  refused "$option without rays" "--hidden raytrace" cube -o x.png $option
+  refused "$option of edges" "style of faces" cube -o x.png --hidden raytrace --style wire $option
+done
+for value in -1 1.5 nan x ""; do refused "--mirror '$value'" "--mirror" cube -o x.png --hidden raytrace --mirror "$value"; done
+for value in 0 17 1.5 x ""; do refused "--samples '$value'" "--samples" cube -o x.png --hidden raytrace --samples "$value"; done
 
 # ---- hashes
 for style in gouraud wire hidden-line flat phong; do
@@ -357,7 +372,7 @@ refused_choice() { # option value supported...
 }
 for value in nothing "" Wire; do
   refused_choice --project "$value" perspective orthographic isometric dimetric trimetric oblique
-  refused_choice --hidden "$value" zbuffer painter warnock bsp raycast none
+  refused_choice --hidden "$value" zbuffer painter warnock bsp raycast raytrace none
   refused_choice --style "$value" gouraud wire flat phong
   refused_choice --cull "$value" back none
   refused_choice --hidden-edges "$value" none dashed

@@ -2,11 +2,14 @@
 #include <irg/raster/projected_vertices.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <vector>
 
 #include <irg/view/projection.hpp>
 
 #include "support/check_both.hpp"
+#include "support/random.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -121,6 +124,50 @@ TEST_CASE("project_vertices: the nearest 1/256 pixel, against long double") {
     REQUIRE(std::fabs(y - v.screen[0].position.y) <= 0.5000001L);
     REQUIRE(std::fabs(static_cast<double>(v.screen[0].depth) - c.z / c.w) <= 0x1p-24 * c.z / c.w * 1.000001);
   }
+}
+
+// Positions as they come, and those that need care: far away, tiny, not finite.
+template <class T>
+int differences(int positions) {
+  test::random r(17);
+  constexpr T special[] = {T(0),
+                           -T(0),
+                           std::numeric_limits<T>::infinity(),
+                           std::numeric_limits<T>::quiet_NaN(),
+                           (std::numeric_limits<T>::max)(),
+                           (std::numeric_limits<T>::min)(),
+                           std::numeric_limits<T>::denorm_min(),
+                           -(std::numeric_limits<T>::max)()};
+  std::vector<irg::point<T, 3>> p;
+  for (int i = 0; i < positions; ++i) {
+    const T size = i % 3 == 0 ? T(1) : i % 3 == 1 ? T(40) : (std::numeric_limits<T>::min)() * T(3);
+    const auto number = [&] {
+      return r.integer(0, 30) == 0 ? special[r.integer(0, 7)] : static_cast<T>(r.unit() * 2 - 1) * size;
+    };
+    const T x = number(), y = number(), z = number();
+    p.push_back({x, y, z});
+  }
+  int wrong = 0;
+  for (const auto& to_clip : {irg::perspective(T(1.2), T(1.5), T(0.01), T(30)), irg::identity<T, 4>(),
+                              irg::perspective(T(1.2), T(1.5), (std::numeric_limits<T>::min)(), T(30))}) {
+    const auto mapping = irg::map_to_screen<T>(640, 480);
+    const auto v = irg::project_vertices<T>(p, to_clip, mapping);
+    irg::clip_code_pair any;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const irg::hpoint<T, 3> clip = to_clip * p[i];
+      const irg::clip_code_pair codes = irg::classify(clip, mapping);
+      const irg::screen_vertex one = codes.cut == 0 ? irg::to_screen(clip, mapping) : irg::screen_vertex{};
+      wrong += !(v.codes[i] == codes) || std::memcmp(&v.screen[i], &one, sizeof one) != 0;
+      any = any | codes;
+    }
+    wrong += !(v.any == any);
+  }
+  return wrong;
+}
+
+TEST_CASE("project_vertices: bit for bit what to_screen and classify give one by one") {
+  CHECK(differences<float>(30'001) == 0);
+  CHECK(differences<double>(30'001) == 0);
 }
 
 TEST_CASE("project_vertices: no positions") {

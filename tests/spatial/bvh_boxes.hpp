@@ -49,8 +49,8 @@ constexpr int depth_of(const irg::bvh& tree, std::span<const irg::box<T, 3>> box
       const irg::box<T, 3>& b = boxes[tree.order[i]];
       if (++seen[tree.order[i]] != 1) return -1000;
       for (int axis = 0; axis < 3; ++axis)
-        if (static_cast<double>(tree.nodes[at].bounds[axis][k]) > static_cast<double>(b.low[axis]) * tree.scale ||
-            static_cast<double>(tree.nodes[at].bounds[3 + axis][k]) < static_cast<double>(b.high[axis]) * tree.scale)
+        if (static_cast<double>(tree.nodes[at].low(axis, k)) > static_cast<double>(b.low[axis]) * tree.scale ||
+            static_cast<double>(tree.nodes[at].high(axis, k)) < static_cast<double>(b.high[axis]) * tree.scale)
           return -1000;
     }
   }

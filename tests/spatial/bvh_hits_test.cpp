@@ -130,6 +130,25 @@ TEST_CASE("bvh: closest, any and all hits of primitives of the caller's, against
   }
 }
 
+TEST_CASE("bvh: what stands in a box, against all boxes") {
+  test::random r(13);
+  const auto boxes = test::lattice_boxes<double>(r, 500, 0.25, 30);
+  const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(boxes));
+  for (const auto& asked : test::lattice_boxes<double>(r, 50, 0.25, 30)) {
+    std::vector<int> seen(boxes.size(), 0);
+    irg::each_in_box(tree, asked, [&](std::uint32_t i) { ++seen[i]; });
+    int more = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const bool meets = irg::overlap(boxes[i], asked);
+      CHECK(seen[i] <= 1);
+      CHECK((seen[i] == 1 || !meets));
+      more += seen[i] == 1 && !meets;
+    }
+    CHECK(more < 100);  // leaves are asked as a whole
+  }
+  irg::each_in_box(tree, irg::box<double, 3>{}, [](std::uint32_t) { CHECK(false); });
+}
+
 TEST_CASE("bvh: lanes and scalars go the same way") {
   test::random r(11);
   const auto boxes = test::lattice_boxes<float>(r, 2000, 0.5, 60);

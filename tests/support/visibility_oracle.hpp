@@ -17,11 +17,12 @@
 #include <utility>
 #include <vector>
 
+#include <irg/math/int128.hpp>
 #include <irg/raster/draw_triangle.hpp>
 
 namespace test {
 
-__extension__ typedef unsigned __int128 uint128;
+using irg::uint128;
 
 /// A non-negative integer below 2^384; what outgrows it ends the test.
 class natural {

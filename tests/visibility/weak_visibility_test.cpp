@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <irg/geometry/point_in_polygon.hpp>
+#include <irg/visibility/cut_source.hpp>
 
 #include "support/check_both.hpp"
 #include "support/plane_sight_oracle.hpp"
@@ -233,6 +234,10 @@ int share_seen(const scene& s, const place& from) {
       all.push_back(e.a - p);
       all.push_back(e.b - p);
     }
+  for (const auto& w : walls)  // where walls cut the source
+    for (const auto& e : edges)
+      if (const auto t = oracle::meets(w.a, w.b - w.a, e); t && *t < number(1))
+        all.push_back(w.a + *t * (w.b - w.a) - p);
   if (n == 1 || (n == 2 && s.source[0] == s.source[1])) {
     const oracle::place d = edges[0].a - p;
     for (const auto& w : walls)
@@ -297,6 +302,32 @@ TEST_CASE("weak_visibility: as dense samples in rationals say") {
     wrong += wrong_places(s, r, 12);
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("weak_visibility: sources that walls cut, cut where they do") {
+  test::random r(16);
+  const int times = std::getenv("IRG_RELEASE_TIER") != nullptr ? 20 : 1;
+  int wrong = 0, judged = 0;
+  for (int i = 0; i < 600 * times; ++i) {
+    scene s = random_scene(r, 2, 4);
+    if (s.source.size() < 3 || !s.second.empty()) continue;
+    if (parts_of(s).status != visibility_status::source_crosses_obstacle) continue;
+    const auto cut = irg::cut_source_rounded<double>(s.source, s.walls);
+    const auto got = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, plan);
+    if (got.status != visibility_status::done) continue;
+    ++judged;
+    for (int k = 0; k < 12; ++k) {
+      const double x = 10 * r.unit() - 5;
+      const place p{x, 10 * r.unit() - 5};
+      const int want = share_seen(s, p);
+      const rings* parts[] = {&got.none, &got.some, &got.all};
+      for (int n = 0; n < 3; ++n)
+        wrong += (irg::point_in_polygon(*parts[n], p, irg::fill_rule::even_odd) == irg::point_location::inside) !=
+                 (n == want);
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(judged > 50 * times);
 }
 
 TEST_CASE("sight_between: what places in the region see in rationals, and the other way round") {

@@ -36,9 +36,9 @@ inline namespace IRG_ABI {
 template <int N>
 IRG_INLINE pack<std::uint32_t, N> encode_lanes(const pack<float, N>& r, const pack<float, N>& g,
                                                const pack<float, N>& b) noexcept {
-  static_assert(std::endian::native == std::endian::little);
   const auto word = [](const pack<float, N>& light) { return bits_as<std::uint32_t>(detail::srgb_codes_of(light)); };
-  return word(r) | (word(g) << 8) | (word(b) << 16) | 0xff000000u;
+  return (word(r) << byte_shift<4>(0)) | (word(g) << byte_shift<4>(1)) | (word(b) << byte_shift<4>(2)) |
+         0xffu << byte_shift<4>(3);
 }
 
 /// The light of N pixels, whose bits the words are.
@@ -46,9 +46,8 @@ IRG_INLINE pack<std::uint32_t, N> encode_lanes(const pack<float, N>& r, const pa
 /// cost    three loads from a table per pixel
 template <int N>
 IRG_INLINE rgb<pack<float, N>> decode_lanes(const pack<std::int32_t, N>& words) noexcept {
-  static_assert(std::endian::native == std::endian::little);
   const auto light = [&](int shift) { return gather<float>(detail::srgb_light, (words >> shift) & 255); };
-  return {light(0), light(8), light(16)};
+  return {light(byte_shift<4>(0)), light(byte_shift<4>(1)), light(byte_shift<4>(2))};
 }
 
 }  // namespace IRG_ABI

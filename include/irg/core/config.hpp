@@ -4,13 +4,12 @@
 #pragma once
 
 #define IRG_VERSION_MAJOR 0
-#define IRG_VERSION_MINOR 1
+#define IRG_VERSION_MINOR 2
 #define IRG_VERSION_PATCH 0
 
 #if !defined(IRG_ALLOW_ANY_COMPILER) && \
-    (!defined(__SIZEOF_INT128__) ||     \
-     (defined(__clang__) ? __clang_major__ < 14 : (!defined(__GNUC__) || __GNUC__ < 12)))
-#error "irg: needs g++ 12 or clang 14, or newer, for a 64-bit target (define IRG_ALLOW_ANY_COMPILER to try another)"
+    (defined(__clang__) ? __clang_major__ < 14 : (!defined(__GNUC__) || __GNUC__ < 12))
+#error "irg: needs g++ 12 or clang 14, or newer (define IRG_ALLOW_ANY_COMPILER to try another)"
 #endif
 #if (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||              \
      defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)) && \

@@ -2,6 +2,7 @@
 // Packs bit by bit, and conversions of their lanes.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -50,6 +51,20 @@ IRG_INLINE pack<T, N> operator<<(const pack<T, N>& a, int bits) noexcept {
 template <std::integral T, int N>
 IRG_INLINE pack<T, N> operator>>(const pack<T, N>& a, int bits) noexcept {
   return lanes_detail::lanewise<T, N>([bits](auto& r, const auto& x) { r = x >> static_cast<T>(bits); }, a);
+}
+
+/// How far to the left, in an integer of `Size` bytes, the byte lies that stands `place` bytes behind its address.
+template <int Size>
+constexpr int byte_shift(int place) noexcept {
+  return 8 * (std::endian::native == std::endian::little ? place : Size - 1 - place);
+}
+
+/// Four numbers of 16 bits that follow each other in memory, read as one word and turned so that the first has the
+/// lowest bits.
+constexpr std::uint64_t first_lowest(std::uint64_t word) noexcept {
+  if constexpr (std::endian::native == std::endian::little) return word;
+  word = word << 32 | word >> 32;
+  return (word & 0x0000ffff0000ffff) << 16 | (word >> 16 & 0x0000ffff0000ffff);
 }
 
 /// The bits of a pack, read as numbers of another type: as many as its bytes hold.

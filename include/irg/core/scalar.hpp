@@ -45,6 +45,12 @@ concept Real = Scalar<T> && !std::integral<T>;
 template <class T>
 concept Floating = std::same_as<T, float> || std::same_as<T, double>;
 
+/// Numbers of different types, or integers, as a function's arguments: it takes them as the standard library's do, as
+/// doubles.
+template <class... T>
+concept MixedArguments = (std::is_arithmetic_v<T> && ...) && !(std::same_as<T, float> && ...) &&
+                         !(std::same_as<T, double> && ...) && (!std::same_as<T, long double> && ...);
+
 inline namespace IRG_ABI {
 
 /// The smaller of two numbers; b when they are unordered (a is NaN).

@@ -9,13 +9,15 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include <irg/core/contract.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/curve/bezier.hpp>
-#include <irg/math/error_free.hpp>
+#include <irg/curve/detail/bspline_kernel.hpp>
+#include <irg/math/homogeneous.hpp>
 
 namespace irg {
 
@@ -46,80 +48,6 @@ struct knots_degree<degree_at_run_time> {
   int degree_at_hand = 0;
   constexpr int degree() const noexcept { return degree_at_hand; }
 };
-
-// Adds to the largest value what the sum of all lacks of 1.
-template <class V>
-constexpr void make_sum_one(V& value) noexcept {
-  auto sum = value[0], error = sum - sum;
-  std::size_t largest = 0;
-  for (std::size_t i = 1; i < value.size(); ++i) {
-    const auto s = two_sum(sum, value[i]);
-    sum = s.value;
-    error = error + s.error;
-    if (value[largest] < value[i]) largest = i;
-  }
-  value[largest] = value[largest] + ((1 - sum) - error);
-}
-
-// How t divides the stretch between two knots: what is right of it and what is left, of 1. The greater part is what the
-// lesser one leaves.
-template <Floating T>
-IRG_INLINE constexpr curve_parameter<T> share_of_stretch(const T& from, const T& to, const T& t) noexcept {
-  const T right = to - t, left = t - from, stretch = to - from;
-  if (right < left) {
-    const T rest = right / stretch;
-    return {rest, T(1) - rest};
-  }
-  const T on = left / stretch;
-  return {T(1) - on, on};
-}
-
-// The greatest `low` of [low, high) with u(low) <= t.
-// needs   u(low) <= t < u(high)
-template <class Knots, Floating T>
-constexpr std::size_t stretch_between(const Knots& u, std::size_t low, std::size_t high, T t) noexcept {
-  while (high - low > 1) {
-    const std::size_t middle = low + (high - low) / 2;
-    (t < u[middle] ? high : low) = middle;
-  }
-  return low;
-}
-
-// Cox's and de Boor's recursion in the stretch from knot(low) on, each level at a place of its own: at one t the basis
-// functions, at successive knots of a refined list the coefficients of a refined control point.
-template <class V, class Knot, class Place>
-constexpr void fill_bspline_values(V& value, const Knot& knot, std::size_t low, const Place& place) noexcept {
-  using T = std::remove_cvref_t<decltype(value[0])>;
-  value[0] = T(1);
-  for (std::size_t k = 1; k < value.size(); ++k) {
-    T carried = 0;
-    for (std::size_t r = 0; r < k; ++r) {
-      if (value[r] == T(0)) {  // its share may be any number then
-        value[r] = carried;
-        carried = 0;
-        continue;
-      }
-      const auto share = share_of_stretch<T>(knot(low + r + 1 - k), knot(low + r + 1), place(k));
-      const T before = value[r];
-      value[r] = carried + product(before, share.rest);
-      carried = product(before, share.t);
-    }
-    value[k] = carried;
-  }
-  make_sum_one(value);
-}
-
-// Control points of value 0 do not count, whatever they are: an end point is the control point itself.
-template <class V, PolygonRing R>
-constexpr ring_point<R> blend_points(const V& value, std::size_t first, const R& points) noexcept {
-  using T = scalar_of<ring_point<R>>;
-  return generate_coordinates<ring_point<R>>([&](int axis) {
-    T sum = 0;
-    for (std::size_t i = 0; i < value.size(); ++i)
-      if (value[i] != T(0)) sum = sum + product(value[i], coordinate(ring_vertex(points, first + i), axis));
-    return sum;
-  });
-}
 
 // Values of a basis times the weights that belong to them, over the sum; false where there is no such thing.
 template <class V, Floating T>
@@ -349,6 +277,20 @@ constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree
   const auto first = nurbs_basis(knots, weights, t, scratch);
   if (!first) return std::nullopt;
   return detail::blend_points(scratch.first(knots.order()), *first, points);
+}
+
+/// The point of a rational B-spline curve (NURBS) of homogeneous control points at t.
+/// needs   as many control points as knots.size()
+/// gives   nothing for NaN, for t outside of the knots' range, and where the weight is 0 or not finite
+/// exact   as bspline_point, and a quotient
+/// source  Piegl and Tiller 1997, A4.1
+template <Floating T, int Degree, PolygonRing R>
+  requires(Degree >= 0 && coordinate_traits<ring_point<R>>::kind == coordinate_kind::homogeneous)
+constexpr auto nurbs_point(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t) noexcept
+    -> decltype(try_to_cartesian(ring_vertex(points, 0))) {
+  const auto p = bspline_point(knots, points, t);
+  if (!p) return std::nullopt;
+  return detail::cartesian_of(*p);
 }
 
 }  // namespace IRG_ABI

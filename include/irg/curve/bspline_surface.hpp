@@ -42,23 +42,13 @@ constexpr bool is_in_range(const bspline_surface<P, U, V>& s, const scalar_of<P>
   return s.u.first() <= u && u <= s.u.last() && s.v.first() <= v && v <= s.v.last();
 }
 
-template <Coordinates P>
-constexpr void add_multiple(P& sum, const scalar_of<P>& factor, const P& p) noexcept {
-  sum = generate_coordinates<P>([&](int axis) { return coordinate(sum, axis) + product(factor, coordinate(p, axis)); });
-}
-
 // The sum of the control points that count, each times its two functions; those of value 0 do not count.
 template <Coordinates P, class U, class V>
 constexpr P blend_net(const control_net<P>& net, std::size_t i0, const U& u, std::size_t j0, const V& v) noexcept {
-  P sum{};
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    if (u[i] == 0) continue;
-    P row{};
-    for (std::size_t j = 0; j < v.size(); ++j)
-      if (v[j] != 0) add_multiple(row, v[j], net(i0 + i, j0 + j));
-    add_multiple(sum, u[i], row);
-  }
-  return sum;
+  return sum_of_multiples(u, [&](std::size_t i) {
+    const P* const row = &net.points[(i0 + i) * net.columns + j0];
+    return sum_of_multiples(v, [row](std::size_t j) { return row[j]; });
+  });
 }
 
 // Whether these control points, `step` apart, are all one position.
@@ -204,14 +194,14 @@ constexpr std::optional<point<T, N>> nurbs_surface_point(const bspline_surface<h
                                                          std::type_identity_t<T> u,
                                                          std::type_identity_t<T> v) noexcept {
   const auto p = bspline_surface_point(surface, u, v);
-  return p ? try_to_cartesian(*p) : std::nullopt;
+  return p ? detail::cartesian_of(*p) : std::nullopt;
 }
 template <Floating T, int N, int U, int V>
 constexpr std::optional<point<T, N>> nurbs_surface_point(const bspline_surface<hpoint<T, N>, U, V>& surface,
                                                          std::type_identity_t<T> u, std::type_identity_t<T> v,
                                                          std::type_identity_t<std::span<T>> scratch) noexcept {
   const auto p = bspline_surface_point(surface, u, v, scratch);
-  return p ? try_to_cartesian(*p) : std::nullopt;
+  return p ? detail::cartesian_of(*p) : std::nullopt;
 }
 
 /// The point of a rational B-spline surface (NURBS) with its first derivatives and the mixed one.

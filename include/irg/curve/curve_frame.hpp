@@ -14,7 +14,7 @@ namespace irg {
 template <class V>
 struct curve_frame {
   V tangent{}, normal{}, binormal{};
-  constexpr bool operator==(const curve_frame&) const = default;
+  bool operator==(const curve_frame&) const = default;
 };
 
 namespace detail {

@@ -188,8 +188,23 @@ private:
   // The lattice but for `margin` lines on each side.
   constexpr void put_lattice(std::size_t margin) {
     const std::size_t n = u_.places.size() - 2 * margin, m = v_.places.size() - 2 * margin;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < m; ++j) add_corner(u_[i + margin], v_[j + margin]);
+    const std::span<P> line = std::span(room_).first(net_.columns),
+                       work = std::span(room_).subspan(net_.columns, net_.columns),
+                       along = std::span(room_).subspan(2 * net_.columns, net_.rows());
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto at_u = curve_fraction<T>(u_[i + margin], patch_steps);
+      for (std::size_t j = 0; j < net_.columns; ++j) {
+        for (std::size_t k = 0; k < along.size(); ++k) along[k] = net_(k, j);
+        reduce(along, 1, at_u);
+        line[j] = along[0];
+      }
+      for (std::size_t j = 0; j < m; ++j) {
+        const auto at_v = curve_fraction<T>(v_[j + margin], patch_steps);
+        for (std::size_t k = 0; k < line.size(); ++k) work[k] = line[k];
+        reduce(work, 1, at_v);
+        corners_.push_back({corners_.size(), at_u, at_v, on_surface(work[0])});
+      }
+    }
     for (std::size_t i = 0; i + 1 < n; ++i)
       for (std::size_t j = 0; j + 1 < m; ++j) {
         const std::size_t a = i * m + j, b = a + m;
@@ -263,8 +278,9 @@ constexpr std::array<P, static_cast<std::size_t>((U + 1) * (V + 1))> net_of(
 /// gives   nothing, and within_tolerance false, for control points or differences that are not finite and for weights
 ///         that are not over 0; no triangles for a net of one row or column. A direction is cut into some thousand
 ///         stretches at most, so that tolerance 0 ends, too
-/// exact   the tolerance holds but for the rounding of patch_sample; corners are patch_sample's. Two patches that share
-///         a border's control points bit for bit, whichever way it runs, have the same corners on it, bit for bit
+/// exact   the tolerance holds but for rounding; corners are within 3 degree u of patch_sample's, on borders
+///         bezier_point's of the border. Two patches that share a border's control points bit for bit, whichever way it
+///         runs, have the same corners on it, bit for bit
 /// cost    some bends of boxes (a subdivision each) for each line, a sample for each corner
 /// source  Filip, Magedson and Markot 1986 for the bound; irg's own: cells, borders and the frame between
 template <Coordinates P, class Sink>

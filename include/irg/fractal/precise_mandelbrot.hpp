@@ -96,7 +96,7 @@ constexpr sure_count sure_mandelbrot_count(const point<T, 2>& c, const escape_li
 
 /// The counts of every pixel about a centre of 106 bits.
 /// shape   a raster of integers of any size; the number of pixel (x, y) is the centre and the offset
-///         ((x - (width - 1)/2) pixel, ((height - 1)/2 - y) pixel), rounded to 106 bits
+///         ((x - (width - 1)/2) pixel, ((height - 1)/2 - y) pixel), each product rounded to a double
 /// gives   the same for every executor; how many pixels took 448 binary places, and of how many the count may yet be
 ///         wrong: orbits of thousands of steps beside the border
 /// exact   sure_mandelbrot_count, with 448 binary places where 106 bits are unsure
@@ -108,13 +108,17 @@ constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_j
   std::vector<precise_escape_stats> of_row(static_cast<std::size_t>(height), precise_escape_stats{});
   executor(of_row.size(), [&](std::size_t i) {
     const int y = static_cast<int>(i);
-    const double_double im = job.im + product((height - 1) * 0.5 - y, job.pixel);
+    const double up = product((height - 1) * 0.5 - y, job.pixel);
+    const double_double im = job.im + up;
     for (int x = 0; x < width; ++x) {
-      const point<double_double, 2> c{job.re + product(x - (width - 1) * 0.5, job.pixel), im};
+      const double right = product(x - (width - 1) * 0.5, job.pixel);
+      const point<double_double, 2> c{job.re + right, im};  // the sum's rounding is less than a step's
       sure_count k = sure_mandelbrot_count(c, job.limit);
       if (!k.is_sure && magnitude(c.x.high) < 0x1p20 && magnitude(c.y.high) < 0x1p20) {
         ++of_row[i].again;
-        k = detail::sure_orbit(detail::fixed_of(c.x), detail::fixed_of(c.y), job.limit, detail::rounded_in_fixed);
+        using fixed = fixed_point<detail::more_digits>;
+        k = detail::sure_orbit(detail::fixed_of(job.re) + fixed(right), detail::fixed_of(job.im) + fixed(up), job.limit,
+                               detail::rounded_in_fixed);
       }
       of_row[i].unsure += k.is_sure ? 0 : 1;
       set_pixel(counts, x, y, static_cast<pixel_of<R>>(k.count));

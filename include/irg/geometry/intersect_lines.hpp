@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -27,6 +28,16 @@ struct lines_meeting {
 };
 
 namespace detail {
+
+// Points of integers that doubles hold exactly.
+template <class P>
+concept SmallIntegerPoint =
+    Point<P> && std::integral<scalar_of<P>> && sizeof(scalar_of<P>) <= 4 && (size_of<P> == 2 || size_of<P> == 3);
+
+template <class P>
+constexpr point<double, size_of<P>> in_doubles(const P& p) noexcept {
+  return generate_coordinates<point<double, size_of<P>>>([&](int k) { return static_cast<double>(coordinate(p, k)); });
+}
 
 // What is known of two crossing lines: t and s times the divisor, what they lack of 1, and the point times it.
 template <class V, int D>
@@ -132,6 +143,13 @@ template <Point P>
 constexpr lines_meeting<P> intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
   if (detail::are_equal(a, b) || detail::are_equal(c, d)) return {};
   return detail::rounded_meeting<P>(detail::cross_lines(a, b, c, d));
+}
+
+/// The same for points of integers; where the lines cross comes in doubles.
+template <detail::SmallIntegerPoint P>
+constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, const P& b, const P& c,
+                                                                   const P& d) noexcept {
+  return intersect_lines(detail::in_doubles(a), detail::in_doubles(b), detail::in_doubles(c), detail::in_doubles(d));
 }
 
 /// The same for lines given by origin and direction; t and s count in their directions.

@@ -85,5 +85,12 @@ constexpr segments_meeting<point<T, N>> intersect_segments(const segment<T, N>& 
   return intersect_segments(first.a, first.b, second.a, second.b);
 }
 
+/// The same for points of integers; what they have in common comes in doubles.
+template <detail::SmallIntegerPoint P>
+constexpr segments_meeting<point<double, size_of<P>>> intersect_segments(const P& a, const P& b, const P& c,
+                                                                         const P& d) noexcept {
+  return intersect_segments(detail::in_doubles(a), detail::in_doubles(b), detail::in_doubles(c), detail::in_doubles(d));
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg

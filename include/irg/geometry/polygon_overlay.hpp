@@ -17,6 +17,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/attributed_point.hpp>
+#include <irg/geometry/boolean_operation.hpp>
 #include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
@@ -24,9 +25,6 @@
 #include <irg/math/exact_sum.hpp>
 
 namespace irg {
-
-/// What to make of two polygons a and b.
-enum class polygon_operation { intersection, unite, difference, symmetric_difference };
 
 /// Which places belong to a polygon of several rings: those that its rings go round an odd number of times, so that
 /// holes are holes whatever their direction, or any number but 0.
@@ -206,13 +204,13 @@ constexpr void winding_beside(const std::vector<boundary_piece<T>>& pieces, std:
   }
 }
 
-constexpr bool is_within_result(const int (&winding)[2], polygon_operation operation, ring_rule rule) noexcept {
+constexpr bool is_within_result(const int (&winding)[2], boolean_operation operation, ring_rule rule) noexcept {
   const auto inside = [&](int w) { return rule == ring_rule::even_odd ? w % 2 != 0 : w != 0; };
   const bool a = inside(winding[0]), b = inside(winding[1]);
   switch (operation) {
-    case polygon_operation::intersection: return a && b;
-    case polygon_operation::unite: return a || b;
-    case polygon_operation::difference: return a && !b;
+    case boolean_operation::intersection: return a && b;
+    case boolean_operation::unite: return a || b;
+    case boolean_operation::difference: return a && !b;
     default: return a != b;
   }
 }
@@ -278,7 +276,7 @@ constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, const R& ring, i
 }
 
 template <class T>
-constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, polygon_operation operation,
+constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
                                           ring_rule rule) {
   merge_pieces(pieces);
   // As a rule one round of cuts and one that finds none. Where edges lie within an ulp of each other over a long way,
@@ -324,7 +322,7 @@ inline namespace IRG_ABI {
 template <PlanePolygon A, PlanePolygon B>
   requires OverlayScalar<scalar_of<polygon_point<A>>> &&
            std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
-constexpr auto polygon_overlay(const A& a, const B& b, polygon_operation operation = polygon_operation::intersection,
+constexpr auto polygon_overlay(const A& a, const B& b, boolean_operation operation = boolean_operation::intersection,
                                ring_rule rule = ring_rule::even_odd) {
   using S = scalar_of<polygon_point<A>>;
   using T = std::conditional_t<Floating<S>, S, double>;

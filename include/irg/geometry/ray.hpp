@@ -39,13 +39,14 @@ constexpr point<T, N> point_at(const ray<T, N>& r, std::type_identity_t<T> t) no
 template <Floating T, int N>
 constexpr bool is_empty(const ray<T, N>& r) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)();
-  const auto is_number = [](T x) { return -most <= x && x <= most; };
-  bool finite = r.low <= most, moves = false;
+  const auto is_number = [](T x) { return (unsigned{-most <= x} & unsigned{x <= most}) != 0; };
+  // All is asked at once: branches would cost more.
+  unsigned finite = r.low <= most, moves = 0;
   for (int i = 0; i < N; ++i) {
-    finite = finite && is_number(r.origin[i]) && is_number(r.direction[i]);
-    moves = moves || r.direction[i] < T(0) || T(0) < r.direction[i];
+    finite &= unsigned{is_number(r.origin[i])} & unsigned{is_number(r.direction[i])};
+    moves |= unsigned{r.direction[i] < T(0)} | unsigned{T(0) < r.direction[i]};
   }
-  return !finite || !moves || !(greater(r.low, T(0)) <= r.high);
+  return (finite & moves & unsigned{greater(r.low, T(0)) <= r.high}) == 0;
 }
 
 }  // namespace IRG_ABI

@@ -11,7 +11,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
+#include <limits>
 #include <vector>
 
 #include <irg/hidden/detail/face_grids.hpp>
@@ -32,7 +32,7 @@ enum class face_search { nearby, every };
 /// What was done to find the hidden parts.
 struct hidden_line_counts {
   std::int64_t edges = 0;  // with a length
-  std::int64_t faces = 0;  // with an area, no two the same
+  std::int64_t faces = 0;  // with an area
   std::int64_t tried = 0;  // pairs of an edge and a face whose boxes meet and whose depths do not part them
   std::int64_t hiding = 0;  // pairs where the face hides something
   std::int64_t visible = 0, hidden = 0;  // parts
@@ -40,73 +40,7 @@ struct hidden_line_counts {
 
 namespace detail {
 
-// The faces that can hide something, the nearest first, one of those that are the same.
-template <class Face>
-struct sorted_faces {
-  std::vector<Face> faces;
-  std::vector<float> nearest;
-};
-
 inline namespace IRG_ABI {
-
-// A face with its corners clockwise, the first one the first by its coordinates.
-template <int Sense>
-constexpr hiding_face hiding_face_of(const screen_face& f) noexcept {
-  hiding_face h{};
-  int first = 0;
-  const auto before = [&](int i, int j) {
-    const subpixel &p = f.v[i].position, &q = f.v[j].position;
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-  };
-  for (int i = 1; i < 3; ++i)
-    if (before(i, first)) first = i;
-  for (int i = 0; i < 3; ++i) {
-    const screen_vertex& v = f.v[(first + (f.coverage.flipped ? 3 - i : i)) % 3];
-    h.p[i] = v.position;
-    h.depth[i] = Sense > 0 ? v.depth : -v.depth;
-  }
-  return h;
-}
-
-template <class Face>
-constexpr bool comes_before(const Face& a, const Face& b) noexcept {
-  for (int i = 0; i < 3; ++i) {
-    if (a.p[i].x != b.p[i].x) return a.p[i].x < b.p[i].x;
-    if (a.p[i].y != b.p[i].y) return a.p[i].y < b.p[i].y;
-    if (a.depth[i] != b.depth[i]) return a.depth[i] < b.depth[i];
-  }
-  return false;
-}
-
-template <int Sense, class Face = hiding_face, class Faces>
-constexpr sorted_faces<Face> sort_faces(const Faces& faces) {
-  struct key {
-    float nearest;
-    std::uint32_t face;
-  };
-  std::vector<Face> all;
-  std::vector<key> keys;
-  all.reserve(faces.size());
-  keys.reserve(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const screen_face& f = faces[i];
-    if (f.coverage.double_area == 0) continue;
-    keys.push_back({Sense > 0 ? f.depth_high : -f.depth_low, static_cast<std::uint32_t>(all.size())});
-    all.push_back(hiding_face_of<Sense>(f));
-  }
-  std::sort(keys.begin(), keys.end(), [&](const key& a, const key& b) {
-    return a.nearest != b.nearest ? a.nearest > b.nearest : comes_before(all[a.face], all[b.face]);
-  });
-  sorted_faces<Face> sorted;
-  sorted.faces.reserve(all.size());
-  sorted.nearest.reserve(all.size());
-  for (const key& k : keys) {
-    if (!sorted.faces.empty() && sorted.faces.back() == all[k.face]) continue;
-    sorted.faces.push_back(all[k.face]);
-    sorted.nearest.push_back(k.nearest);
-  }
-  return sorted;
-}
 
 // Of each edge the first one in the range that has the same ends.
 template <class Index = std::size_t, class Edges>
@@ -133,22 +67,32 @@ constexpr std::vector<Index> first_alike(const Edges& edges) {
 }
 
 // Finds what is hidden of one edge after another.
-template <class Faces, class Interval = hidden_interval>
+template <int Sense, class Faces, class Interval = hidden_interval>
 class hidden_part_finder {
 public:
-  constexpr hidden_part_finder(const Faces& sorted, face_search search)
-      : sorted_(sorted), last_tried_by_(sorted.faces.size(), std::uint64_t{0}), search_(search) {
-    if (search == face_search::nearby) grids_ = face_grids<Faces>(sorted);
+  template <class Edges>
+  constexpr hidden_part_finder(const Faces& faces, const Edges& edges, face_search search)
+      : faces_(faces), last_tried_by_(faces.size(), std::uint32_t{0}), search_(search) {
+    if (search == face_search::nearby) faces_.prepare_for(edges);
+  }
+
+  // Faces with an area.
+  constexpr std::int64_t count() const {
+    std::int64_t n = 0;
+    for (std::uint32_t i = 0; i < last_tried_by_.size(); ++i)
+      n += faces_.nearest(i) > -std::numeric_limits<float>::infinity() ? 1 : 0;
+    return n;
   }
 
   // The hidden parts of an edge, in order and apart from each other.
   constexpr const std::vector<Interval>& find(const hidden_edge& e, hidden_line_counts& counts) {
     hidden_.clear();
     ++edges_;
-    if (search_ == face_search::every) {
-      for (const auto& f : sorted_.faces) try_face(f, e, counts);
-    } else {
+    if (search_ == face_search::nearby) {
       find_nearby(e, counts);
+    } else {
+      for (std::uint32_t i = 0; i < last_tried_by_.size(); ++i)
+        if (faces_.nearest(i) > -std::numeric_limits<float>::infinity()) try_face(i, e, counts);
     }
     return hidden_.intervals();
   }
@@ -159,20 +103,18 @@ private:
     const float farthest = lesser(e.depth[0], e.depth[1]);
     // The face that hid all that was left of an edge before may well hide all of this one.
     for (std::uint32_t& face : finishers_) {
-      if (face >= sorted_.faces.size() || !(sorted_.nearest[face] > farthest)) continue;
-      last_tried_by_[face] = edges_;
-      try_face(sorted_.faces[face], e, counts);
+      if (face == no_face || !(faces_.nearest(face) > farthest)) continue;
+      try_face(face, e, counts);
       if (!hidden_.is_whole()) continue;
       const std::uint32_t first = finishers_[0];
       finishers_[0] = face;
       face = first;
       return;
     }
-    grids_.visit_cells(e, [&](const listed_face* i, const listed_face* end) {
+    faces_.visit_cells(e, [&](const listed_face* i, const listed_face* end) {
       for (; i != end && i->nearest > farthest; ++i) {
         if (!boxes_meet(i->box, box) || last_tried_by_[i->face] == edges_) continue;
-        last_tried_by_[i->face] = edges_;
-        try_face(sorted_.faces[i->face], e, counts);
+        try_face(i->face, e, counts);
         if (!hidden_.is_whole()) continue;
         for (std::size_t k = 3; k > 0; --k) finishers_[k] = finishers_[k - 1];
         finishers_[0] = i->face;
@@ -181,20 +123,20 @@ private:
       return false;
     });
   }
-  constexpr void try_face(const hiding_face& f, const hidden_edge& e, hidden_line_counts& counts) {
+  constexpr void try_face(std::uint32_t face, const hidden_edge& e, hidden_line_counts& counts) {
+    last_tried_by_[face] = edges_;
     ++counts.tried;
-    if (const auto interval = interval_hidden_by(f, e)) {
+    if (const auto interval = interval_hidden_by(faces_.face(face), e)) {
       ++counts.hiding;
       hidden_.add(*interval, e);
     }
   }
 
-  const Faces& sorted_;
-  face_grids<Faces> grids_{};
-  std::vector<std::uint64_t> last_tried_by_;
+  face_grids<Sense, Faces> faces_;
+  std::vector<std::uint32_t> last_tried_by_;
   interval_union<Interval> hidden_{};
   std::uint32_t finishers_[4] = {no_face, no_face, no_face, no_face};
-  std::uint64_t edges_ = 0;
+  std::uint32_t edges_ = 0;
   face_search search_;
 };
 
@@ -211,18 +153,18 @@ inline namespace IRG_ABI {
 ///         edges whose ends have one position. Faces without area hide nothing
 /// exact   the parts by integers, `from` and `to` then rounded once: the same bytes for every order of the faces and
 ///         for either search. Depths may be of any sign and size
-/// cost    n log n for the faces; an edge is tried with the faces of the cells that it meets, the nearest first, until
-///         all of it is hidden; edges with the same ends are tried once. Allocates about 200 bytes a face, 30 an edge
+/// cost    linear in the faces, of which only the cells that edges meet are sorted; an edge is tried with the faces of
+///         the cells that it meets, the nearest first, until all of it is hidden; edges with the same ends are tried
+///         once. Allocates about 150 bytes a face, 30 an edge
 /// source  Roberts 1963; Appel 1967, for intervals along the edge
 template <DepthOrder Order = nearer_is_greater, class Faces, class Edges, class Emit>
   requires(detail::depth_sense<Order> != 0)
 constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& emit,
                                           face_search search = face_search::nearby) {
   constexpr int sense = detail::depth_sense<Order>;
-  const auto sorted = detail::sort_faces<sense>(faces);
-  detail::hidden_part_finder<std::remove_const_t<decltype(sorted)>> finder(sorted, search);
+  detail::hidden_part_finder<sense, Faces> finder(faces, edges, search);
   hidden_line_counts counts;
-  counts.faces = static_cast<std::int64_t>(sorted.faces.size());
+  counts.faces = finder.count();
   const auto give = [&](std::size_t edge, line_visibility visibility, double from, double to) {
     if (!(from < to)) return;
     ++(visibility == line_visibility::visible ? counts.visible : counts.hidden);

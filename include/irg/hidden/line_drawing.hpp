@@ -5,12 +5,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include <irg/core/facing.hpp>
 #include <irg/hidden/hidden_lines.hpp>
 #include <irg/math/angle_between.hpp>
+#include <irg/math/constants.hpp>
+#include <irg/math/trigonometry.hpp>
 #include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/raster/projected_vertices.hpp>
@@ -56,7 +59,8 @@ public:
   constexpr drawn_mesh(const mesh<T>& m, const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping,
                        const line_drawing_options<T>& options)
       : mesh_(m), mapping_(mapping), options_(options),
-        vertices_(project_vertices<T>(std::span<const point<T, 3>>(m.positions), to_clip, mapping)) {}
+        vertices_(project_vertices<T>(std::span<const point<T, 3>>(m.positions), to_clip, mapping)),
+        is_common_(T(0) < options.crease && options.crease < pi<T>), cosine_(is_common_ ? cos(options.crease) : T(0)) {}
 
   constexpr void add_to(line_drawing& drawing) {
     add_faces(drawing);
@@ -68,59 +72,94 @@ public:
   }
 
 private:
+  struct face_direction {
+    vec<T, 3> normal;
+    bool is_known;
+  };
+
   // Gives out what hides, and notes the side that each face turns to the eye, by its winding on the screen: 1 the
   // front, -1 the back, 0 its edge.
   constexpr void add_faces(line_drawing& drawing) {
-    const mesh<T> triangles = triangulate(mesh_);
-    drawing.faces.reserve(drawing.faces.size() + triangles.face_count());
+    const bool is_cut = mesh_.corners.size() == 3 * mesh_.face_count();
+    const mesh<T> cut = is_cut ? mesh<T>{} : triangulate(mesh_);
+    const mesh<T>& triangles = is_cut ? mesh_ : cut;
+    if (const std::size_t n = drawing.faces.size() + triangles.face_count(); n > drawing.faces.capacity())
+      drawing.faces.reserve(greater(n, 2 * drawing.faces.capacity()));  // bodies are added one by one
     face_of_corner_.reserve(mesh_.corners.size());
+    side_.reserve(mesh_.face_count());
     for (std::size_t f = 0, t = 0; f < mesh_.face_count(); ++f) {
-      const std::size_t first = drawing.faces.size();
+      const std::size_t end = t + mesh_.face_size(f) - 2;
       std::int64_t area = 0;
-      for (std::size_t k = 2; k < mesh_.face_size(f); ++k, ++t) area += add_triangle(drawing, triangles, t);
+      for (std::size_t k = t; k < end; ++k) area += double_area_of(triangles, k);
       const bool left_out = options_.culling == face_culling::back && area >= 0;
-      const auto count = static_cast<std::int64_t>(mesh_.face_size(f)) - 2;
-      drawing.triangles += count;
-      if (left_out) {
-        drawing.faces.resize(first);
-        drawing.culled += count;
-      }
+      drawing.triangles += static_cast<std::int64_t>(end - t);
+      if (left_out) drawing.culled += static_cast<std::int64_t>(end - t);
+      for (; t < end; ++t)
+        if (!left_out) add_triangle(drawing, triangles, t);
       side_.push_back(area < 0 ? 1 : area > 0 ? -1 : 0);
       face_of_corner_.resize(mesh_.face_starts[f + 1], static_cast<std::uint32_t>(f));
     }
   }
 
-  constexpr std::int64_t add_triangle(line_drawing& drawing, const mesh<T>& triangles, std::size_t t) const {
-    std::uint32_t v[3]{};
-    std::uint8_t cut = 0;
+  struct triangle_corners {
+    std::uint32_t v[3];
+    std::uint8_t cut;
+  };
+  constexpr triangle_corners corners_of(const mesh<T>& triangles, std::size_t t) const noexcept {
+    triangle_corners c{{}, 0};
     for (std::size_t k = 0; k < 3; ++k) {
-      v[k] = triangles.corner(t, k).position;
-      cut |= vertices_.codes[v[k]].cut;
+      c.v[k] = triangles.corners[3 * t + k].position;
+      c.cut |= vertices_.codes[c.v[k]].cut;
     }
+    return c;
+  }
+  constexpr screen_pieces pieces_of(const triangle_corners& c, std::uint32_t number) const noexcept {
+    const hpoint<T, 3> corner[3] = {clip_position(vertices_, c.v[0]), clip_position(vertices_, c.v[1]),
+                                    clip_position(vertices_, c.v[2])};
+    return clip_to_screen(corner, mapping_, number);
+  }
+  constexpr std::int64_t double_area_of(const mesh<T>& triangles, std::size_t t) const noexcept {
+    const triangle_corners c = corners_of(triangles, t);
+    const auto& at = vertices_.screen;
+    return c.cut != 0 ? pieces_of(c, 0).double_area
+                      : signed_double_area(at[c.v[0]].position, at[c.v[1]].position, at[c.v[2]].position);
+  }
+  constexpr void add_triangle(line_drawing& drawing, const mesh<T>& triangles, std::size_t t) const {
+    const triangle_corners c = corners_of(triangles, t);
     const auto number = static_cast<std::uint32_t>(drawing.faces.size());
-    if (cut == 0) {
-      const screen_vertex &a = vertices_.screen[v[0]], &b = vertices_.screen[v[1]], &c = vertices_.screen[v[2]];
-      drawing.faces.push_back(make_screen_face(a, b, c, number));
-      return signed_double_area(a.position, b.position, c.position);
-    }
-    const hpoint<T, 3> corner[3] = {clip_position(vertices_, v[0]), clip_position(vertices_, v[1]),
-                                    clip_position(vertices_, v[2])};
-    const screen_pieces pieces = clip_to_screen(corner, mapping_, number);
-    for (const screen_piece& p : pieces) drawing.faces.push_back(p.face);
-    return pieces.double_area;
+    const auto& at = vertices_.screen;
+    if (c.cut == 0)
+      drawing.faces.push_back(make_screen_face(at[c.v[0]], at[c.v[1]], at[c.v[2]], number));
+    else
+      for (const screen_piece& p : pieces_of(c, number)) drawing.faces.push_back(p.face);
   }
 
-  constexpr line_role role_of(std::span<const edge_end> ends) const {
+  constexpr line_role role_of(std::span<const edge_end> ends) {
     if (ends.size() == 1) return line_role::border;
     if (ends.size() != 2) return line_role::crease;
     const std::uint32_t f = face_of_corner_[ends[0].corner], g = face_of_corner_[ends[1].corner];
     if ((side_[f] > 0) != (side_[g] > 0)) return line_role::silhouette;
     if (ends[0].leaves == ends[1].leaves) return line_role::crease;
-    const auto a = face_normal(mesh_, f), b = face_normal(mesh_, g);
-    return a && b && angle_between(*a, *b) <= options_.crease ? line_role::smooth : line_role::crease;
+    return turns_little(normal_of(f), normal_of(g)) ? line_role::smooth : line_role::crease;
   }
 
-  constexpr void add_edge(line_drawing& drawing, std::span<const edge_end> ends) const {
+  // The unit normal, zero where the face has none. Worked out once for all edges.
+  constexpr const vec<T, 3>& normal_of(std::uint32_t f) {
+    if (normals_.empty()) normals_.assign(mesh_.face_count(), {vec<T, 3>{}, false});
+    face_direction& n = normals_[f];
+    if (!n.is_known) n = {face_normal(mesh_, f).value_or(vec<T, 3>{}), true};
+    return n.normal;
+  }
+  // By the cosine where that is farther from the crease's than both are rounded, by the angle else.
+  constexpr bool turns_little(const vec<T, 3>& a, const vec<T, 3>& b) const {
+    if (a == vec<T, 3>{} || b == vec<T, 3>{}) return false;
+    constexpr T rounding = 32 * std::numeric_limits<T>::epsilon();
+    const T beyond = dot(a, b) - cosine_;
+    if (is_common_ && (beyond > rounding || beyond < -rounding)) return beyond > T(0);
+    return angle_between(a, b) <= options_.crease;
+  }
+
+  constexpr void add_edge(line_drawing& drawing, std::span<const edge_end> ends) {
     bool drawn = options_.culling == face_culling::none;
     for (const edge_end& e : ends) drawn = drawn || side_[face_of_corner_[e.corner]] > 0;
     if (!drawn) return;
@@ -142,6 +181,9 @@ private:
   const screen_mapping<T>& mapping_;
   const line_drawing_options<T>& options_;
   projected_vertices<T> vertices_;
+  bool is_common_;  // between 0 and pi, where cosines fall as angles rise
+  T cosine_;  // of the crease
+  std::vector<face_direction> normals_{};
   std::vector<std::int8_t> side_{};  // of each face
   std::vector<std::uint32_t> face_of_corner_{};
 };

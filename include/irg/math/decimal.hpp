@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <string_view>
 #include <type_traits>
 
 #include <irg/core/scalar.hpp>
@@ -144,6 +146,22 @@ constexpr char* print_integer(char* first, char* last, I value) noexcept {
   if (negative) *first++ = '-';
   detail::write_digits(first + count, magnitude, count);
   return first + count;
+}
+
+/// The same of a text in one piece.
+template <class T>
+  requires requires(const char* p) { parse_decimal<T>(p, p); }
+constexpr decimal_result<T> parse_decimal(std::string_view text) noexcept {
+  return parse_decimal<T>(text.data(), text.data() + text.size());
+}
+
+/// The text that print_decimal writes to the head of `room`.
+/// gives   an empty text, and nothing written, when there is not enough room
+template <class T>
+  requires requires(char* p, T value) { print_decimal(p, p, value); }
+constexpr std::string_view print_decimal(std::span<char> room, T value) noexcept {
+  char* const first = room.data();
+  return {first, static_cast<std::size_t>(print_decimal(first, first + room.size(), value) - first)};
 }
 
 }  // namespace IRG_ABI

@@ -32,5 +32,17 @@ constexpr T hypot(T x, T y) noexcept {
   return detail::hypot_of(x, y);
 }
 
+/// The same for numbers of different types, and integers.
+template <class X, class Y>
+  requires MixedArguments<X, Y>
+constexpr double hypot(X x, Y y) noexcept {
+  return hypot(static_cast<double>(x), static_cast<double>(y));
+}
+template <class X, class Y, class Z>
+  requires MixedArguments<X, Y, Z>
+constexpr double hypot(X x, Y y, Z z) noexcept {
+  return hypot(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+}
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -13,14 +13,17 @@ namespace irg {
 enum class roots_kind { none, one, two, three, linear, all, undefined };
 
 /// The distinct real roots of an equation of degree N or less.
-/// shape   root[0] to root[count - 1] in ascending order; multiplicity[i] is 1, 2 or 3. Roots that differ by less than
-///         rounding does can be equal numbers. A root beyond the range of T is an infinity
+/// shape   a range of numbers in ascending order, root[0] to root[count - 1]; multiplicity[i] is 1, 2 or 3. Roots that
+///         differ by less than rounding does can be equal numbers. A root beyond the range of T is an infinity
 template <Floating T, int N>
 struct real_roots {
   roots_kind kind = roots_kind::none;
   int count = 0;
   T root[static_cast<std::size_t>(N)]{};
   int multiplicity[static_cast<std::size_t>(N)]{};
+  constexpr const T* begin() const noexcept { return root; }
+  constexpr const T* end() const noexcept { return root + count; }
+  constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
   friend constexpr bool operator==(const real_roots&, const real_roots&) = default;
 };
 
@@ -157,6 +160,13 @@ constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
   return detail::roots_of_quadratic<T, 2>(widened(a), widened(b), widened(c));
 }
 
+/// The same for coefficients of different types, and integers.
+template <class A, class B, class C>
+  requires MixedArguments<A, B, C>
+constexpr real_roots<double, 2> quadratic_roots(A a, B b, C c) noexcept {
+  return quadratic_roots(static_cast<double>(a), static_cast<double>(b), static_cast<double>(c));
+}
+
 /// The real roots of a*x^2 + b*x + c = 0 by the stable formula in working precision.
 /// needs   a not 0; a*c and b*b 0 or between 2^-900 and 2^1000 (float: no limit), quotients in the range
 /// exact   within 3 ulp (measured: 2.0); the number of roots is right
@@ -189,6 +199,13 @@ constexpr real_roots<T, 3> cubic_roots(T a, T b, T c, T d) noexcept {
     return detail::no_equation<T, 3>(roots_kind::undefined);
   if (a == 0) return detail::roots_of_quadratic<T, 3>(p[2], p[1], p[0]);
   return d == 0 ? detail::roots_with_zero<T>(p[3], p[2], p[1]) : detail::roots_of_cubic<T>(p);
+}
+
+/// The same for coefficients of different types, and integers.
+template <class A, class B, class C, class D>
+  requires MixedArguments<A, B, C, D>
+constexpr real_roots<double, 3> cubic_roots(A a, B b, C c, D d) noexcept {
+  return cubic_roots(static_cast<double>(a), static_cast<double>(b), static_cast<double>(c), static_cast<double>(d));
 }
 
 }  // namespace IRG_ABI

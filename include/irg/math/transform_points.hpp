@@ -7,6 +7,7 @@
 #include <span>
 
 #include <irg/core/contract.hpp>
+#include <irg/math/detail/coordinate_rows_kernel.hpp>
 #include <irg/math/detail/transform_kernel.hpp>
 #include <irg/math/mat.hpp>
 
@@ -45,6 +46,36 @@ constexpr void transform_vectors(const mat<T, 4, 4>& a, std::type_identity_t<std
   if (vectors.empty()) return;
   detail::transform_triples<3>(a, &vectors[0].x, &out[0].x, vectors.size(),
                                [&](std::size_t i) { out[i] = transform_vector(a, vectors[i]); });
+}
+
+/// The same for points and vectors of a type that is not irg's: three floats or doubles in a row.
+template <class T, class A, class B>
+  requires(Point<detail::element_of<const A>> && detail::Triple<detail::element_of<const A>> &&
+           !std::same_as<detail::element_of<const A>, point<T, 3>> &&
+           std::same_as<detail::element_of<const A>, detail::element_of<B>>)
+constexpr void transform_points(const mat<T, 4, 4>& a, const A& points, B&& out) noexcept {
+  const std::span from(points);
+  const std::span to(out);
+  IRG_EXPECTS(from.size() == to.size());
+  if (from.empty()) return;
+  const auto one = [&](std::size_t i) { to[i] = transform_point(a, from[i]); };
+  detail::by_rows(
+      from.size(), one, [&](auto* p, auto* q) { detail::transform_triples<4>(a, p, q, from.size(), one); }, from[0],
+      to[0]);
+}
+template <class T, class A, class B>
+  requires(Vector<detail::element_of<const A>> && detail::Triple<detail::element_of<const A>> &&
+           !std::same_as<detail::element_of<const A>, vec<T, 3>> &&
+           std::same_as<detail::element_of<const A>, detail::element_of<B>>)
+constexpr void transform_vectors(const mat<T, 4, 4>& a, const A& vectors, B&& out) noexcept {
+  const std::span from(vectors);
+  const std::span to(out);
+  IRG_EXPECTS(from.size() == to.size());
+  if (from.empty()) return;
+  const auto one = [&](std::size_t i) { to[i] = transform_vector(a, from[i]); };
+  detail::by_rows(
+      from.size(), one, [&](auto* v, auto* w) { detail::transform_triples<3>(a, v, w, from.size(), one); }, from[0],
+      to[0]);
 }
 
 /// The images of positions in streams under an affine matrix.

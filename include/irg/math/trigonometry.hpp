@@ -148,6 +148,13 @@ constexpr T atan2(T y, T x) noexcept {
   return detail::narrow<T>(detail::angle_of(y, x));
 }
 
+/// The same for numbers of different types, and integers.
+template <class Y, class X>
+  requires MixedArguments<Y, X>
+constexpr double atan2(Y y, X x) noexcept {
+  return atan2(static_cast<double>(y), static_cast<double>(x));
+}
+
 /// The arctangent of x.
 /// units   radians in [-pi/2, pi/2]
 /// gives   NaN for NaN; -0 for -0

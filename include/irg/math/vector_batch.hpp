@@ -7,24 +7,20 @@
 #include <span>
 
 #include <irg/core/contract.hpp>
+#include <irg/math/detail/coordinate_rows_kernel.hpp>
 #include <irg/math/detail/vector_kernel.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
 
-namespace detail {
+/// Vectors in a row: a span, an array or a container of vec<float, 3> or vec<double, 3>, or of your own vectors of
+/// three floats or doubles.
 template <class R>
-using element_of = std::remove_cv_t<typename decltype(std::span(std::declval<R&>()))::element_type>;
-template <class V>
-inline constexpr bool is_vec3 = false;
-template <Floating T>
-inline constexpr bool is_vec3<vec<T, 3>> = true;
-}  // namespace detail
-
-/// Vectors in a row: a span, an array or a container of vec<float, 3> or vec<double, 3>.
-template <class R>
-concept VectorArray = requires { requires detail::is_vec3<detail::element_of<R>>; };
+concept VectorArray = requires {
+  requires Vector<detail::element_of<R>>;
+  requires detail::Triple<detail::element_of<R>>;
+};
 
 inline namespace IRG_ABI {
 
@@ -37,7 +33,9 @@ constexpr void dot_products(const A& a, const B& b, std::span<scalar_of<detail::
   const std::span from(a), with(b);
   IRG_EXPECTS(from.size() == with.size() && from.size() == out.size());
   if (from.empty()) return;
-  detail::dots(&from[0].x, &with[0].x, out.data(), from.size(), [&](std::size_t i) { out[i] = dot(from[i], with[i]); });
+  const auto one = [&](std::size_t i) { out[i] = dot(from[i], with[i]); };
+  detail::by_rows(
+      from.size(), one, [&](auto* v, auto* w) { detail::dots(v, w, out.data(), from.size(), one); }, from[0], with[0]);
 }
 
 /// out[i] = cross(a[i], b[i]).
@@ -49,8 +47,10 @@ constexpr void cross_products(const A& a, const B& b, std::span<detail::element_
   const std::span from(a), with(b);
   IRG_EXPECTS(from.size() == with.size() && from.size() == out.size());
   if (from.empty()) return;
-  detail::crosses(&from[0].x, &with[0].x, &out[0].x, from.size(),
-                  [&](std::size_t i) { out[i] = cross(from[i], with[i]); });
+  const auto one = [&](std::size_t i) { out[i] = cross(from[i], with[i]); };
+  detail::by_rows(
+      from.size(), one, [&](auto* v, auto* w, auto* to) { detail::crosses(v, w, to, from.size(), one); }, from[0],
+      with[0], out[0]);
 }
 
 /// out[i] = normalized(v[i]): the vector of length 1, or zero where there is no direction.
@@ -63,7 +63,9 @@ constexpr void normalize_vectors(const V& v, std::span<detail::element_of<const 
   const std::span from(v);
   IRG_EXPECTS(from.size() == out.size());
   if (from.empty()) return;
-  detail::normalize(&from[0].x, &out[0].x, from.size(), [&](std::size_t i) { out[i] = normalized(from[i]); });
+  const auto one = [&](std::size_t i) { out[i] = normalized(from[i]); };
+  detail::by_rows(
+      from.size(), one, [&](auto* w, auto* to) { detail::normalize(w, to, from.size(), one); }, from[0], out[0]);
 }
 
 /// out[i] = normalized_fast(v[i]).
@@ -75,7 +77,9 @@ constexpr void normalize_vectors_fast(const V& v, std::span<detail::element_of<c
   const std::span from(v);
   IRG_EXPECTS(from.size() == out.size());
   if (from.empty()) return;
-  detail::normalize_fast(&from[0].x, &out[0].x, from.size(), [&](std::size_t i) { out[i] = normalized_fast(from[i]); });
+  const auto one = [&](std::size_t i) { out[i] = normalized_fast(from[i]); };
+  detail::by_rows(
+      from.size(), one, [&](auto* w, auto* to) { detail::normalize_fast(w, to, from.size(), one); }, from[0], out[0]);
 }
 
 }  // namespace IRG_ABI

@@ -6,11 +6,11 @@
 
 namespace irg {
 
-/// Cells in sequence: the vertices of a polyline. Models: std::vector<cell>, std::array, std::span.
+/// Cells, or points of ints, in sequence: the vertices of a polyline. Models: std::vector<cell>, std::array, std::span.
 template <class T>
 concept CellSequence = requires(const T& cells, std::size_t i) {
   { cells.size() } -> std::convertible_to<std::size_t>;
-  { cells[i] } -> std::convertible_to<cell>;
+  { as_cell(cells[i]) } -> std::same_as<cell>;
 };
 
 /// Whether a polyline has ends.
@@ -32,11 +32,11 @@ constexpr void draw_polyline(R& raster, const Vertices& vertices, const Paint& p
   const auto size = static_cast<std::size_t>(vertices.size());
   if (size == 0) return;
   const line_options half_open{line_ends::half_open, ties};
-  const cell first = vertices[0];
+  const cell first = as_cell(vertices[0]);
   cell from = first;
   bool moved = false;
   for (std::size_t i = 1; i < size; ++i) {
-    const cell to = vertices[i];
+    const cell to = as_cell(vertices[i]);
     draw_line(raster, from, to, paint, half_open);
     moved = moved || !(from == to);
     from = to;

@@ -36,7 +36,7 @@ constexpr hpoint<T, 3> clip_position(const projected_vertices<T>& v, std::size_t
 /// Projects all positions into `out`: classified, and on the screen where they are inside the guard band.
 /// needs   positions that outlive `out`
 /// exact   as to_screen; positions that are not finite are outside of every plane
-/// cost    linear, in lanes for floats; allocates what `out` lacks
+/// cost    linear, in lanes; allocates what `out` lacks
 template <Floating T, Executor E = sequential>
 constexpr void project_vertices(projected_vertices<T>& out, std::span<const point<T, 3>> positions,
                                 const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping, const E& executor = {}) {
@@ -49,8 +49,8 @@ constexpr void project_vertices(projected_vertices<T>& out, std::span<const poin
   std::vector<clip_code_pair> any((n + portion - 1) / portion, clip_code_pair{});
   executor(any.size(), [&](std::size_t i) {
     const std::size_t first = i * portion, last = lesser(first + portion, n);
-    any[i] =
-        detail::project_range(out.screen.data(), out.codes.data(), positions.data(), first, last, to_clip, mapping);
+    any[i] = detail::project_range<T>({out.screen.data(), out.codes.data(), positions.data(), to_clip, mapping}, first,
+                                      last);
   });
   out.any = {};
   for (const clip_code_pair& a : any) out.any = out.any | a;

@@ -56,9 +56,10 @@ IRG_INLINE constexpr bool can_snap(const subpixel& p) noexcept {
 IRG_INLINE constexpr bool can_snap(const cell& c) noexcept {
   return c.x >= -snap_limit && c.x < snap_limit && c.y >= -snap_limit && c.y < snap_limit;
 }
-template <Floating T>
-IRG_INLINE constexpr bool can_snap(const point<T, 2>& p) noexcept {
-  return can_snap(p.x) && can_snap(p.y);
+template <Point P>
+  requires(size_of<P> == 2 && Floating<scalar_of<P>>)
+IRG_INLINE constexpr bool can_snap(const P& p) noexcept {
+  return can_snap(coordinate(p, 0)) && can_snap(coordinate(p, 1));
 }
 
 /// The snapped position of a point given in pixels; of a cell its centre; a snapped position as it is.
@@ -67,9 +68,10 @@ IRG_INLINE constexpr subpixel snap(const subpixel& p) noexcept { return p; }
 IRG_INLINE constexpr subpixel snap(const cell& c) noexcept {
   return {c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel};
 }
-template <Floating T>
-IRG_INLINE constexpr subpixel snap(const point<T, 2>& p) noexcept {
-  return {snap(p.x), snap(p.y)};
+template <Point P>
+  requires(size_of<P> == 2 && Floating<scalar_of<P>>)
+IRG_INLINE constexpr subpixel snap(const P& p) noexcept {
+  return {snap(coordinate(p, 0)), snap(coordinate(p, 1))};
 }
 
 }  // namespace IRG_ABI

@@ -5,6 +5,8 @@
 // An intensity I is a colour rgb<T> or one number T. The terms are exact on rationals.
 #pragma once
 
+#include <cstddef>
+
 #include <irg/core/contract.hpp>
 #include <irg/math/exponential.hpp>
 #include <irg/math/length.hpp>
@@ -125,25 +127,34 @@ IRG_INLINE constexpr I weakened_by_distance(const I& light, const T& r, const T&
 }
 
 /// The intensity of the point p of a surface as the eye sees it: the ambient term and what each source adds (7.9 or
-/// 7.10).
+/// 7.10), where arriving(i, intensity) tells what of source i's intensity arrives at p: shadows are made of it.
 /// shape   p, the lights, the eye and the normal in one coordinate system, with the same unit on all axes
 /// needs   a normal of length 1
 /// gives   values over 1 (or 255) where much light meets: see fit_intensities; nothing from a light that stands in p
 ///         itself, no highlight when the eye does; the ambient term where the normal is 0
 /// exact   written from + - * / sqrt and pow in one order: the same bits everywhere
 /// source  Phong 1975
-template <Floating T, class I>
+template <Floating T, class I, class Arriving>
 constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light, const point<T, 3>& eye,
-                        const point<T, 3>& p, const vec<T, 3>& normal) noexcept {
+                        const point<T, 3>& p, const vec<T, 3>& normal, const Arriving& arriving) {
   const bool weakened = light.distance == distance_term::viewer;
   const vec<T, 3> to_viewer = normalized(eye - p);
   const T r = weakened ? length(eye - p) : T(0);
   I sum = ambient_term(light.ambient, surface.ambient);
-  for (const auto& source : light.lights) {
-    const I arriving = weakened ? weakened_by_distance(source.intensity, r, light.k) : source.intensity;
-    sum = sum + reflected_light(surface, arriving, normalized(direction_to_light(source, p)), normal, to_viewer);
+  for (std::size_t i = 0; i < light.lights.size(); ++i) {
+    const auto& source = light.lights[i];
+    const I emitted = weakened ? weakened_by_distance(source.intensity, r, light.k) : source.intensity;
+    const vec<T, 3> to_light = normalized(direction_to_light(source, p));
+    sum = sum + reflected_light(surface, arriving(i, emitted), to_light, normal, to_viewer);
   }
   return sum;
+}
+
+/// The same with nothing between the lights and p.
+template <Floating T, class I>
+constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light, const point<T, 3>& eye,
+                        const point<T, 3>& p, const vec<T, 3>& normal) noexcept {
+  return phong_model(surface, light, eye, p, normal, [](std::size_t, const I& emitted) { return emitted; });
 }
 
 }  // namespace IRG_ABI

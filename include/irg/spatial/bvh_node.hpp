@@ -10,16 +10,22 @@
 namespace irg {
 
 /// Up to eight boxes, side by side, and what is in each: a node, or up to four primitives.
-/// shape   bounds[axis] the lows, bounds[3 + axis] the highs, in units of the tree; boxes that hold nothing are empty
+/// shape   bounds are in units of the tree: first all lows along x, then along y and z, then the highs; boxes that hold
+///         nothing are empty
 struct alignas(32) bvh_node {
   static constexpr int width = 8;
   static constexpr std::uint32_t none = 0xffffffff, leaf = 0x80000000;
   static constexpr std::uint32_t block = 4;  // places of the order for each leaf
 
-  float bounds[6][width];
+  float bounds[6 * width];
   std::uint32_t child[width];
 
   constexpr bool operator==(const bvh_node&) const = default;
+
+  IRG_INLINE constexpr float& low(int axis, int k) noexcept { return bounds[axis * width + k]; }
+  IRG_INLINE constexpr float& high(int axis, int k) noexcept { return bounds[(3 + axis) * width + k]; }
+  IRG_INLINE constexpr float low(int axis, int k) const noexcept { return bounds[axis * width + k]; }
+  IRG_INLINE constexpr float high(int axis, int k) const noexcept { return bounds[(3 + axis) * width + k]; }
 
   // A child is the index of a node; or a leaf's number and its count of primitives - 1.
   IRG_INLINE static constexpr bool is_leaf(std::uint32_t child) noexcept { return (child & leaf) != 0; }

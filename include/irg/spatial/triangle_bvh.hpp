@@ -117,11 +117,12 @@ inline namespace IRG_ABI {
 /// cost    some log n boxes and triangles; nothing allocated
 template <Floating T, Floating U>
 constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r) noexcept {
-  detail::first_crossing best;
-  detail::triangle_ray q;
-  if (!detail::find_first_crossing(triangles.tree(), triangles.blocks(), detail::exactly_widened(r), q, best))
-    return std::nullopt;
-  return triangle_hit{best.number, detail::finished_crossing(q, best)};
+  std::optional<triangle_hit> hit;
+  detail::find_first_crossing(triangles.tree(), triangles.blocks(), detail::exactly_widened(r),
+                              [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
+                                hit = triangle_hit{x.number, detail::finished_crossing(q, x)};
+                              });
+  return hit;
 }
 
 /// Whether the ray crosses a triangle; with `counts`, one of those for which counts(number) holds.

@@ -41,7 +41,7 @@ template <Floating T, PlanePolygon Domain>
 constexpr visible_region<T> visibility_polygon(const point<T, 2>& source, const Domain& domain,
                                                std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {},
                                                const sight_options& options = {}) {
-  detail::visible_ring<T> sweep(source, options);
+  detail::visible_ring_builder<T> sweep(source, options);
   sweep.expect_obstacles(obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i) sweep.add_obstacle(obstacles[i], i);
   if constexpr (PlaneRing<Domain>)

@@ -11,6 +11,7 @@
 
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
+#include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 

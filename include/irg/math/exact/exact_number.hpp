@@ -47,6 +47,15 @@ public:
     return *this;
   }
 
+  /// What words() gave of another.
+  /// needs   size <= Words
+  constexpr dyadic(const std::uint64_t* words, int size, int place, bool negative) noexcept {
+    for (int i = 0; i < size; ++i) word_[i] = words[i];
+    size_ = size, place_ = place, negative_ = negative;
+  }
+  IRG_INLINE constexpr const std::uint64_t* words() const noexcept { return word_; }
+  IRG_INLINE constexpr int size() const noexcept { return size_; }
+  IRG_INLINE constexpr int place() const noexcept { return place_; }
   friend constexpr bool operator==(const dyadic& a, const dyadic& b) noexcept { return (a - b).sign() == 0; }
 
   IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }

@@ -3,7 +3,6 @@
 // classify give one by one.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,47 +15,55 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <class T>
-IRG_INLINE constexpr clip_code_pair project_one(screen_vertex& screen, clip_code_pair& codes, const point<T, 3>& p,
-                                                const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) {
-  const hpoint<T, 3> clip = to_clip * p;
-  codes = classify(clip, mapping);
-  screen = codes.cut == 0 ? to_screen(clip, mapping) : screen_vertex{};
-  return codes;
-}
-
 // snap() of a number that can be snapped, in every lane; whatever it gives for others is not used.
-template <int N>
-IRG_INLINE pack<std::int32_t, N> snap_lanes(const pack<float, N>& pixels) noexcept {
-  using F = lanes<pack<float, N>>;
-  const auto scaled = pixels * F::broadcast(one_pixel);
+template <class T, int N>
+IRG_INLINE pack<std::int32_t, N> snap_lanes(const pack<T, N>& pixels) noexcept {
+  using F = lanes<pack<T, N>>;
+  const auto scaled = pixels * F::broadcast(T(one_pixel));
   // Out of range the conversion is undefined in the language, though not on any machine: keep it in.
-  const auto limit = F::broadcast(static_cast<float>(snap_limit) * one_pixel / 2);
+  const auto limit = F::broadcast(static_cast<T>(snap_limit) * T(one_pixel) / 2);
   const auto sane = low_of(high_of(scaled, F::broadcast(0) - limit), limit);
   const auto toward_zero = converted<std::int32_t>(sane);
-  const auto rest = sane - to_float(toward_zero);
-  return toward_zero - (rest >= F::broadcast(0.5f)) + (rest < F::broadcast(-0.5f));
+  const auto rest = sane - converted<T>(toward_zero);
+  return toward_zero - converted<std::int32_t>(rest >= F::broadcast(T(0.5))) +
+         converted<std::int32_t>(rest < F::broadcast(T(-0.5)));
 }
 
-// N vertices. The matrix' entries stand broadcast in m, row by row.
-template <int N>
-IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* codes, const point<float, 3>* p,
-                                        const pack<float, N> (&m)[16], const mat<float, 4, 4>& to_clip,
-                                        const screen_mapping<float>& mapping) noexcept {
-  using pack_f = pack<float, N>;
-  using pack_i = pack<std::int32_t, N>;
-  using F = lanes<pack_f>;
-  using I = lanes<pack_i>;
-  static_assert(sizeof *p == 3 * sizeof(float));
-  const auto at = load_triples<N>(&p->x);
-  const auto row = [&](int r) { return ((m[r] * at.x + m[r + 1] * at.y) + m[r + 2] * at.z) + m[r + 3]; };
-  const pack_f cx = row(0), cy = row(4), cz = row(8), cw = row(12), zero = F::broadcast(0);
+// Vertices on their way: where they come from, and where they go to.
+template <class T>
+struct vertex_range {
+  screen_vertex* screen;
+  clip_code_pair* codes;
+  const point<T, 3>* positions;
+  const mat<T, 4, 4>& to_clip;
+  const screen_mapping<T>& mapping;
 
-  const auto beyond = [&](const pack_f& distance, clip_planes plane) {
-    const auto bit = I::broadcast(static_cast<std::int32_t>(plane));
+  constexpr clip_code_pair project_one(std::size_t i) const {
+    const hpoint<T, 3> clip = to_clip * positions[i];
+    codes[i] = classify(clip, mapping);
+    screen[i] = codes[i].cut == 0 ? to_screen(clip, mapping) : screen_vertex{};
+    return codes[i];
+  }
+};
+
+// N vertices from number `first` on. The matrix' entries stand broadcast in m, row by row.
+template <int N, class T>
+IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t first,
+                                        const pack<T, N> (&m)[16]) noexcept {
+  using F = lanes<pack<T, N>>;
+  using pack_i = typename F::mask;
+  using I = lanes<pack_i>;
+  const screen_mapping<T>& mapping = v.mapping;
+  static_assert(sizeof *v.positions == 3 * sizeof(T));
+  const auto at = load_triples<N>(&v.positions[first].x);
+  const auto row = [&](int r) { return ((m[r] * at.x + m[r + 1] * at.y) + m[r + 2] * at.z) + m[r + 3]; };
+  const pack<T, N> cx = row(0), cy = row(4), cz = row(8), cw = row(12), zero = F::broadcast(0);
+
+  const auto beyond = [&](const pack<T, N>& distance, clip_planes plane) {
+    const auto bit = I::broadcast(static_cast<int>(plane));
     return bit - both(bit, distance >= zero);  // the bit where the distance is negative or NaN
   };
-  const auto sides = [&](const pack_f& across, const pack_f& up) {
+  const auto sides = [&](const pack<T, N>& across, const pack<T, N>& up) {
     return (beyond(across + cx, clip_planes::left) | beyond(across - cx, clip_planes::right)) |
            (beyond(up + cy, clip_planes::bottom) | beyond(up - cy, clip_planes::top));
   };
@@ -64,47 +71,42 @@ IRG_INLINE clip_code_pair project_lanes(screen_vertex* screen, clip_code_pair* c
   const pack_i outside =
       depth | sides(F::broadcast(mapping.picture.guard_x) * cw, F::broadcast(mapping.picture.guard_y) * cw);
   const pack_i cut = depth | sides(F::broadcast(mapping.guard.guard_x) * cw, F::broadcast(mapping.guard.guard_y) * cw);
+  const auto kept = cut == I::broadcast(0);
 
   // Where 1/w would overflow, one by one.
-  const auto subnormal = cw < F::broadcast((std::numeric_limits<float>::min)());
-  if (mask_bits(both(subnormal, cut == I::broadcast(0))) != 0) [[unlikely]] {
-    clip_code_pair any;
-    for (int i = 0; i < N; ++i) any = any | project_one(screen[i], codes[i], p[i], to_clip, mapping);
+  clip_code_pair any;
+  if (mask_bits(both(cw < F::broadcast((std::numeric_limits<T>::min)()), kept)) != 0) [[unlikely]] {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) any = any | v.project_one(first + i);
     return any;
   }
-  const pack_f inverse = F::broadcast(1) / cw;
-  const pack_f sx = (cx * inverse) * F::broadcast(mapping.half_width) + F::broadcast(mapping.centre_x);
-  const pack_f sy = F::broadcast(mapping.centre_y) - (cy * inverse) * F::broadcast(mapping.half_height);
-  const auto kept = cut == I::broadcast(0);
-  const pack_i snapped_x = both(snap_lanes(sx), kept), snapped_y = both(snap_lanes(sy), kept);
-  const pack_f z_screen = select(kept, cz * inverse, zero), w_screen = select(kept, inverse, F::broadcast(1));
-  store_vertices<N>(screen, {snapped_x, snapped_y, z_screen, w_screen});
-  static_assert(std::endian::native == std::endian::little && sizeof(clip_code_pair) == 2);
-  const pack_i pairs = outside | (cut << 8);
-  lanes<pack<std::uint16_t, N>>::store_bytes(codes, converted<std::uint16_t>(pairs));
-  clip_code_pair any;
+  const pack<T, N> inverse = F::broadcast(1) / cw;
+  const pack<T, N> sx = (cx * inverse) * F::broadcast(mapping.half_width) + F::broadcast(mapping.centre_x);
+  const pack<T, N> sy = F::broadcast(mapping.centre_y) - (cy * inverse) * F::broadcast(mapping.half_height);
+  const auto shown = converted<std::int32_t>(kept);
+  const pack<T, N> z_screen = select(kept, cz * inverse, zero),
+                   w_screen = select(kept, low_of(inverse, F::broadcast(T(0x1p126))), F::broadcast(1));
+  store_vertices<N>(v.screen + first, {both(snap_lanes(sx), shown), both(snap_lanes(sy), shown),
+                                       converted<float>(z_screen), converted<float>(w_screen)});
+  static_assert(sizeof(clip_code_pair) == 2);
+  const pack_i pairs = (outside << byte_shift<2>(0)) | (cut << byte_shift<2>(1));
+  lanes<pack<std::uint16_t, N>>::store_bytes(v.codes + first, converted<std::uint16_t>(converted<std::int32_t>(pairs)));
   if (!all_lanes(pairs == I::broadcast(0)))
-    for (int i = 0; i < N; ++i) any = any | codes[i];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) any = any | v.codes[first + i];
   return any;
 }
 
 // The vertices [first, last), and the planes that some of them are beyond.
 template <class T>
-constexpr clip_code_pair project_range(screen_vertex* screen, clip_code_pair* codes, const point<T, 3>* positions,
-                                       std::size_t first, std::size_t last, const mat<T, 4, 4>& to_clip,
-                                       const screen_mapping<T>& mapping) noexcept {
+constexpr clip_code_pair project_range(const vertex_range<T>& v, std::size_t first, std::size_t last) noexcept {
   clip_code_pair any;
-  std::size_t i = first;
-  if constexpr (std::same_as<T, float>) {
-    if (!std::is_constant_evaluated()) {
-      constexpr int count = native_lanes<float>;
-      pack<float, count> m[16];
-      for (int k = 0; k < 16; ++k) m[k] = lanes<pack<float, count>>::broadcast(to_clip(k / 4, k % 4));
-      for (; i + static_cast<std::size_t>(count) <= last; i += static_cast<std::size_t>(count))
-        any = any | project_lanes<count>(screen + i, codes + i, positions + i, m, to_clip, mapping);
-    }
+  constexpr int count = native_lanes<T>;
+  if (!std::is_constant_evaluated()) {
+    pack<T, count> m[16];
+    for (int k = 0; k < 16; ++k) m[k] = lanes<pack<T, count>>::broadcast(v.to_clip(k / 4, k % 4));
+    for (; last - first >= static_cast<std::size_t>(count); first += static_cast<std::size_t>(count))
+      any = any | project_lanes<count>(v, first, m);
   }
-  for (; i < last; ++i) any = any | project_one(screen[i], codes[i], positions[i], to_clip, mapping);
+  for (; first < last; ++first) any = any | v.project_one(first);
   return any;
 }
 

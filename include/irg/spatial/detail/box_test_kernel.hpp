@@ -2,6 +2,7 @@
 // Which of a node's eight boxes a ray meets, in lanes.
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
 
 #include <irg/core/lanes.hpp>
@@ -14,7 +15,7 @@ namespace irg::detail {
 template <class F>
 struct wide_box_ray {
   F near_origin[3], far_origin[3], near_gain[3], far_gain[3], low;
-  int near_row[3], far_row[3];
+  std::ptrdiff_t near_at[3], far_at[3];  // the places of the faces that are asked, from bounds[0][0] on
 };
 
 inline namespace IRG_ABI {
@@ -27,25 +28,26 @@ IRG_INLINE constexpr wide_box_ray<F> widen_box_ray(const box_ray& r) noexcept {
           {all(r.near_gain[0]), all(r.near_gain[1]), all(r.near_gain[2])},
           {all(r.far_gain[0]), all(r.far_gain[1]), all(r.far_gain[2])},
           all(r.low),
-          {r.near_row[0], r.near_row[1], r.near_row[2]},
-          {r.far_row[0], r.far_row[1], r.far_row[2]}};
+          {r.near_at[0], r.near_at[1], r.near_at[2]},
+          {r.far_at[0], r.far_at[1], r.far_at[2]}};
 }
 
 /// A bit for each box that the ray meets not after `high`, and when it does into `times`.
-// A NaN stands first in low_of and high_of, which pass it over.
+// A NaN that stands first in low_of and high_of is passed over; one that stands second takes the other limit with it,
+// which makes the box larger at worst.
 template <class F>
 IRG_INLINE constexpr unsigned meet_boxes(const bvh_node& node, const wide_box_ray<F>& r, float high,
                                          float* times) noexcept {
   unsigned bits = 0;
   for (int k = 0; k < bvh_node::width; k += lanes<F>::count) {
     const auto near = [&](int i) {
-      return (lanes<F>::load(node.bounds[r.near_row[i]] + k) - r.near_origin[i]) * r.near_gain[i];
+      return (lanes<F>::load(node.bounds + r.near_at[i] + k) - r.near_origin[i]) * r.near_gain[i];
     };
     const auto far = [&](int i) {
-      return (lanes<F>::load(node.bounds[r.far_row[i]] + k) - r.far_origin[i]) * r.far_gain[i];
+      return (lanes<F>::load(node.bounds + r.far_at[i] + k) - r.far_origin[i]) * r.far_gain[i];
     };
-    const F first = high_of(near(0), high_of(near(1), high_of(near(2), r.low)));
-    const F last = low_of(far(0), low_of(far(1), low_of(far(2), lanes<F>::broadcast(high))));
+    const F first = high_of(high_of(near(0), near(1)), high_of(near(2), r.low));
+    const F last = low_of(low_of(far(0), far(1)), low_of(far(2), lanes<F>::broadcast(high)));
     lanes<F>::store(times + k, first);
     bits |= static_cast<unsigned>(mask_bits(first <= last)) << k;
   }

@@ -76,8 +76,8 @@ IRG_INLINE constexpr void grow(bvh_item& around, const bvh_item& item) noexcept 
 IRG_INLINE constexpr void set_child(bvh_node& node, int k, std::uint32_t child, const bvh_item& b) noexcept {
   node.child[k] = child;
   for (int i = 0; i < 3; ++i) {
-    node.bounds[i][k] = b.v[i];
-    node.bounds[3 + i][k] = 0.0f - b.v[4 + i];
+    node.low(i, k) = b.v[i];
+    node.high(i, k) = 0.0f - b.v[4 + i];
   }
 }
 
@@ -85,8 +85,8 @@ IRG_INLINE constexpr bvh_item box_round(const bvh_node& node) noexcept {
   bvh_item b = empty_item();
   for (int k = 0; k < bvh_node::width; ++k)
     for (int i = 0; i < 3; ++i) {
-      b.v[i] = lesser(b.v[i], node.bounds[i][k]);
-      b.v[4 + i] = lesser(b.v[4 + i], 0.0f - node.bounds[3 + i][k]);
+      b.v[i] = lesser(b.v[i], node.low(i, k));
+      b.v[4 + i] = lesser(b.v[4 + i], 0.0f - node.high(i, k));
     }
   return b;
 }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <irg/spatial/detail/triangle_block_kernel.hpp>
@@ -38,6 +39,29 @@ IRG_INLINE constexpr double bound_of(const bvh& tree, const space_point& origin)
   const double m = reach_of(tree, origin);
   return m < largest ? side_bound(m) : std::numeric_limits<double>::infinity();
 }
+
+// What triangles need of a ray, made when it comes to the first of them: most rays come to none.
+class late_triangle_ray {
+public:
+  IRG_INLINE constexpr late_triangle_ray(const bvh& tree, const ray<double, 3>& r) noexcept : tree_(tree), given_(r) {}
+
+  IRG_INLINE constexpr void prepare() noexcept {
+    if (!ray_) make();
+  }
+  IRG_INLINE constexpr const triangle_ray& ray_for_triangles() const noexcept { return *ray_; }
+  IRG_INLINE constexpr double bound() const noexcept { return bound_; }
+
+private:
+  constexpr void make() noexcept {
+    ray_ = make_triangle_ray(given_);
+    bound_ = bound_of(tree_, given_.origin);
+  }
+
+  const bvh& tree_;
+  const ray<double, 3>& given_;
+  std::optional<triangle_ray> ray_{};
+  double bound_ = 0;
+};
 
 // -1, 0 or 1, as a is crossed before b, with it, or after it.
 IRG_NOINLINE constexpr int exact_order(const std::same_as<triangle_ray> auto& q, const first_crossing& a,
@@ -103,33 +127,36 @@ constexpr ray_crossing finished_crossing(const std::same_as<triangle_ray> auto& 
   return x;
 }
 
-template <class T>
-constexpr bool find_first_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<double, 3>& r,
-                                   triangle_ray& q, first_crossing& best) noexcept {
-  if (is_empty(r)) return false;
-  q = make_triangle_ray(r);
-  const double bound = bound_of(tree, r.origin);
+// The first crossing into use(triangle_ray, crossing), if there is one.
+template <class T, class Use>
+IRG_INLINE constexpr void find_first_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks,
+                                              const ray<double, 3>& r, const Use& use) {
+  if (is_empty(r)) return;
+  late_triangle_ray q(tree, r);
+  std::optional<first_crossing> best;
   box_ray b = make_box_ray(r, tree.scale);
-  walk_near_to_far(tree, b, [&](std::uint32_t leaf) {
-    cross_leaf(tree, blocks, leaf, q, bound, [&](const first_crossing& x) {
-      if (best.number == bvh_node::none || is_before(q, x, best)) {
+  walk_near_to_far(tree, b, [&](std::uint32_t leaf) IRG_INLINE_LAMBDA {
+    q.prepare();
+    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(), [&](const first_crossing& x) {
+      if (!best || is_before(q.ray_for_triangles(), x, *best)) {
         best = x;
         b.high = later_time(b, x.time.t + x.time.error);
       }
       return false;
     });
   });
-  return best.number != bvh_node::none;
+  if (best) use(q.ray_for_triangles(), *best);
 }
 
 template <class T, class Counts>
 constexpr bool crosses_any(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<double, 3>& r,
                            const Counts& counts) {
   if (is_empty(r)) return false;
-  const triangle_ray q = make_triangle_ray(r);
-  const double bound = bound_of(tree, r.origin);
-  return walk_anyhow(tree, make_box_ray(r, tree.scale), [&](std::uint32_t leaf) {
-    return cross_leaf(tree, blocks, leaf, q, bound, [&](const first_crossing& x) { return counts(x.number); });
+  late_triangle_ray q(tree, r);
+  return walk_anyhow(tree, make_box_ray(r, tree.scale), [&](std::uint32_t leaf) IRG_INLINE_LAMBDA {
+    q.prepare();
+    return cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(),
+                      [&](const first_crossing& x) { return counts(x.number); });
   });
 }
 
@@ -137,10 +164,11 @@ template <class T, class Use>
 constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<double, 3>& r,
                              const Use& use) {
   if (is_empty(r)) return;
-  const triangle_ray q = make_triangle_ray(r);
-  const double bound = bound_of(tree, r.origin);
-  walk_anyhow(tree, make_box_ray(r, tree.scale), [&](std::uint32_t leaf) {
-    cross_leaf(tree, blocks, leaf, q, bound, [&](const first_crossing& x) { return use(q, x), false; });
+  late_triangle_ray q(tree, r);
+  walk_anyhow(tree, make_box_ray(r, tree.scale), [&](std::uint32_t leaf) IRG_INLINE_LAMBDA {
+    q.prepare();
+    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(),
+               [&](const first_crossing& x) { return use(q.ray_for_triangles(), x), false; });
     return false;
   });
 }

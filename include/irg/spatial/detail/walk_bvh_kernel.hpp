@@ -23,7 +23,7 @@ template <class F, class Visit>
 IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, box_ray& r, const Visit& visit) {
   const wide_box_ray<F> wide = widen_box_ray<F>(r);
   std::uint64_t waiting[bvh_waiting];
-  int top = 0;
+  std::uint64_t* top = waiting;
   std::uint32_t at = 0;
   for (;;) {
     if (!bvh_node::is_leaf(at)) {
@@ -31,23 +31,28 @@ IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, box_ray& r, const V
       float times[bvh_node::width];
       unsigned bits = meet_boxes<F>(node, wide, r.high, times);
       if (bits != 0) {
-        int k = std::countr_zero(bits);
+        unsigned k = static_cast<unsigned>(std::countr_zero(bits));
         bits &= bits - 1;
         if (bits == 0) {
           at = node.child[k];
           continue;
         }
-        const int base = top;
-        waiting[top++] = waiting_child(node.child[k], times[k]);
-        do {  // the latest lowest
-          k = std::countr_zero(bits);
+        std::uint64_t nearest = waiting_child(node.child[k], times[k]);
+        std::uint64_t* const base = top;
+        do {  // the nearest is kept apart, the others stand with the latest lowest
+          k = static_cast<unsigned>(std::countr_zero(bits));
           bits &= bits - 1;
-          const std::uint64_t child = waiting_child(node.child[k], times[k]);
-          int i = top++;
-          for (; i > base && waiting[i - 1] < child; --i) waiting[i] = waiting[i - 1];
-          waiting[i] = child;
+          std::uint64_t child = waiting_child(node.child[k], times[k]);
+          if (child < nearest) {
+            const std::uint64_t farther = nearest;
+            nearest = child;
+            child = farther;
+          }
+          std::uint64_t* place = top++;
+          for (; place != base && place[-1] < child; --place) *place = place[-1];
+          *place = child;
         } while (bits != 0);
-        at = static_cast<std::uint32_t>(waiting[--top]);
+        at = static_cast<std::uint32_t>(nearest);
         continue;
       }
     } else if (at != bvh_node::none) {
@@ -55,8 +60,8 @@ IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, box_ray& r, const V
     }
     std::uint64_t next = 0;
     do {
-      if (top == 0) return;
-      next = waiting[--top];
+      if (top == waiting) return;
+      next = *--top;
     } while (r.high < std::bit_cast<float>(static_cast<std::uint32_t>(next >> 32)));
     at = static_cast<std::uint32_t>(next);
   }
@@ -66,20 +71,20 @@ template <class F, class Visit>
 IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
   const wide_box_ray<F> wide = widen_box_ray<F>(r);
   std::uint32_t waiting[bvh_waiting];
-  int top = 0;
-  waiting[top++] = 0;
-  while (top > 0) {
-    const std::uint32_t at = waiting[--top];
+  std::uint32_t* top = waiting;
+  std::uint32_t at = 0;
+  for (;;) {
     if (bvh_node::is_leaf(at)) {
       if (at != bvh_node::none && visit(at)) return true;
-      continue;
+    } else {
+      const bvh_node& node = nodes[at];
+      float times[bvh_node::width];
+      for (unsigned bits = meet_boxes<F>(node, wide, r.high, times); bits != 0; bits &= bits - 1)
+        *top++ = node.child[static_cast<unsigned>(std::countr_zero(bits))];
     }
-    const bvh_node& node = nodes[at];
-    float times[bvh_node::width];
-    for (unsigned bits = meet_boxes<F>(node, wide, r.high, times); bits != 0; bits &= bits - 1)
-      waiting[top++] = node.child[std::countr_zero(bits)];
+    if (top == waiting) return false;
+    at = *--top;
   }
-  return false;
 }
 
 IRG_INLINE constexpr bool walks_in_lanes() noexcept { return has_lanes && !std::is_constant_evaluated(); }

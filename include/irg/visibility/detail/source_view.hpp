@@ -87,7 +87,7 @@ public:
       const int from = orient2d(o.a, o.b, u);
       if (from * orient2d(o.a, o.b, v) < 0 || parts_from_source(o, from)) return false;
     }
-    return (at_u != 3 || is_source(u)) && (at_v != 3 || is_source(v));
+    return (at_u != 3 || lies_on_source(u)) && (at_v != 3 || is_source(v));
   }
 
 private:
@@ -101,6 +101,13 @@ private:
     for (const auto& s : source)
       if (s == p) return true;
     return false;
+  }
+
+  constexpr bool lies_on_source(const point<T, 2>& p) const noexcept {
+    const auto within = [](T from, T to, T v) { return from < to ? from <= v && v <= to : to <= v && v <= from; };
+    for (const auto& e : outline)
+      if (orient2d(e.a, e.b, p) == 0 && within(e.a.x, e.b.x, p.x) && within(e.a.y, e.b.y, p.y)) return true;
+    return is_source(p);
   }
 
   static constexpr bool cross_properly(const point<T, 2>& p, const point<T, 2>& q, const segment<T, 2>& o) noexcept {

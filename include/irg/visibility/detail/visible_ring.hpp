@@ -20,9 +20,9 @@ namespace irg::detail {
 inline namespace IRG_ABI {
 
 template <Floating T>
-class visible_ring {
+class visible_ring_builder {
 public:
-  constexpr visible_ring(const point<T, 2>& source, const sight_options& options) : options_(options) {
+  constexpr visible_ring_builder(const point<T, 2>& source, const sight_options& options) : options_(options) {
     envelope_.source = source;
     is_finite_ = is_finite_sight_point(source);
   }

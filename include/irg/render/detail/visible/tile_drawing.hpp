@@ -77,7 +77,7 @@ struct tile_painter {
     std::uint64_t words[count / 4];
     lanes<pack<std::uint16_t, count>>::store_bytes(words, converted<std::uint16_t>(covered));
     for (int w = 0; w < count / 4; ++w)
-      for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) {
+      for (std::uint64_t bits = first_lowest(words[w]); bits != 0; bits &= bits - 1) {
         const int bit = std::countr_zero(bits), i = 4 * w + bit / 16, pixel = bit % 16;
         draw_dot<Test>(key[pixel][i], at[i] + pixel / across * tile_stride + pixel % across, place[i]);
       }

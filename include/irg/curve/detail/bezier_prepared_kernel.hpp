@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Private to the chapter: Horner's scheme for Bezier curves whose control points are multiplied by their binomials, for
+// one point with its coordinates side by side in a register, and for many points.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+#include <irg/core/lanes.hpp>
+#include <irg/curve/bezier.hpp>
+#include <irg/math/error_free.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// What rounding took from p, the product of a and b: of numbers or packs, by Dekker's splitting where nothing is fused.
+template <class F>
+IRG_INLINE constexpr F rest_of_product(const F& a, const F& b, const F& p) noexcept {
+  using T = std::remove_cvref_t<decltype(lane(a, 0))>;
+  if constexpr (has_fused_multiply_add && std::is_same_v<T, double>)
+    if (!std::is_constant_evaluated()) return fused_multiply_add(a, b, -p);
+  const F factor = lanes<F>::broadcast(std::is_same_v<T, double> ? T(134217729) : T(4097));  // 2^27 + 1, 2^12 + 1
+  const F scaled_a = product(factor, a), scaled_b = product(factor, b);
+  const F high_a = scaled_a - (scaled_a - a), high_b = scaled_b - (scaled_b - b);
+  const F low_a = a - high_a, low_b = b - high_b;
+  return (((product(high_a, high_b) - p) + product(high_a, low_b)) + product(low_a, high_b)) + product(low_a, low_b);
+}
+
+// (x + rest)^n by squares, as if in twice the precision.
+template <class F>
+IRG_INLINE constexpr F to_the_power(F x, F rest, std::size_t n) noexcept {
+  const auto square = [&] {
+    const F x2 = product(x, x), across = product(x, rest);
+    rest = rest_of_product(x, x, x2) + (across + across);
+    x = x2;
+    n /= 2;
+  };
+  if (n == 0) return lanes<F>::broadcast(1);
+  while (n % 2 == 0) square();
+  F power = x, off = rest;
+  while (n > 1) {
+    square();
+    if (n % 2 == 0) continue;
+    const F next = product(power, x);
+    off = rest_of_product(power, x, next) + (product(power, rest) + product(off, x));
+    power = next;
+  }
+  return power + off;
+}
+
+// What side lacks of 1 / (1 + ratio), so that ratio and side belong to one place of the curve, next to the one asked
+// for: otherwise what rounding took from the ratio would count as often as the degree says.
+template <class F>
+IRG_INLINE constexpr F rest_for_ratio(const F& side, const F& rest, const F& other, const F& ratio) noexcept {
+  const F back = product(ratio, side);
+  const F off = ((other - back) - rest_of_product(ratio, side, back)) - product(ratio, rest);
+  return rest + product(side, off);
+}
+
+// t and 1 - t: the greater one with what rounding took from it, and the other.
+template <class T>
+struct curve_side {
+  T side, rest, other;
+  bool far;
+};
+template <Floating T>
+IRG_INLINE constexpr curve_side<T> side_of(T t) noexcept {
+  const exact_sum<T> back = two_sum(T(1), -t);
+  const bool far = back.value < t;
+  return {far ? t : back.value, far ? T(0) : back.error, far ? back.value : t, far};
+}
+
+// (a_0 + a_1 r + ... + a_n r^n) * side^n for r = other / side.
+template <class F, class Coefficient>
+IRG_INLINE constexpr F horner_of_side(std::size_t n, const F& ratio, const F& power,
+                                      const Coefficient& coefficient) noexcept {
+  F sum = coefficient(n);
+  for (std::size_t i = n; i-- > 0;) sum = product(sum, ratio) + coefficient(i);
+  return product(sum, power);
+}
+
+template <Coordinates P, class Curve>
+constexpr P prepared_point_plain(const Curve& curve, scalar_of<P> t) noexcept {
+  using T = scalar_of<P>;
+  const std::size_t n = curve.degree();
+  const auto [side, rest, other, is_far] = side_of(t);
+  const T ratio = other / side, power = to_the_power(side, rest_for_ratio(side, rest, other, ratio), n);
+  const bool far = is_far;
+  return generate_coordinates<P>([&](int axis) {
+    return horner_of_side(n, ratio, power, [&](std::size_t i) {
+      return curve.rows[(far ? n - i : i) * Curve::width + static_cast<std::size_t>(axis)];
+    });
+  });
+}
+
+// The coordinates of one point side by side.
+template <Coordinates P, class Curve>
+IRG_INLINE P prepared_point_in_lanes(const Curve& curve, scalar_of<P> t) noexcept {
+  using T = scalar_of<P>;
+  constexpr int width = static_cast<int>(Curve::width);
+  using F = pack<T, width>;
+  const std::size_t n = curve.degree();
+  const auto at = side_of(t);
+  const auto far = static_cast<std::ptrdiff_t>(at.far);  // no jump: places at random are near and far by turns
+  const T* row = curve.rows.data() + (1 - far) * static_cast<std::ptrdiff_t>(n) * width;
+  const std::ptrdiff_t step = (2 * far - 1) * width;
+  const T ratio = at.other / at.side;
+  const F r = lanes<F>::broadcast(ratio);
+  F sum = lanes<F>::load(row);
+  for (std::size_t i = 0; i < n; ++i) {
+    row += step;
+    sum = product(sum, r) + lanes<F>::load(row);
+  }
+  sum = product(sum, lanes<F>::broadcast(to_the_power(at.side, rest_for_ratio(at.side, at.rest, at.other, ratio), n)));
+  return generate_coordinates<P>([&](int axis) { return lane(sum, axis); });
+}
+
+template <Floating T>
+constexpr int count_far(std::span<const T> t) noexcept {
+  int far = 0;
+  for (const T& at : t) far += T(1) - at < at ? 1 : 0;
+  return far;
+}
+
+// How many packs of points are under way at once: one waits for its own last product at each step.
+inline constexpr std::size_t packs_together = 2;
+
+// Points on the side of 0 or of 1, packs_together packs of them.
+template <class F, Coordinates P, class Curve>
+IRG_INLINE void prepared_points_in_lanes(const Curve& curve, const scalar_of<P>* t, bool far, P* points) noexcept {
+  using T = scalar_of<P>;
+  constexpr std::size_t width = Curve::width, axes = static_cast<std::size_t>(size_of<P>);
+  constexpr std::size_t count = static_cast<std::size_t>(lanes<F>::count);
+  const std::size_t n = curve.degree();
+  const F one = lanes<F>::broadcast(1);
+  F ratio[packs_together], power[packs_together], sum[packs_together][axes];
+  const T* row = curve.rows.data() + (far ? 0 : n * width);
+  for (std::size_t g = 0; g < packs_together; ++g) {
+    const F at = lanes<F>::load(t + g * count), back = one - at;
+    const F of_t = back - one, rest = (one - (back - of_t)) + ((-at) - of_t);  // two_sum of 1 and -t
+    const F side = far ? at : back, other = far ? back : at, lost = far ? lanes<F>::broadcast(0) : rest;
+    ratio[g] = other / side;
+    power[g] = to_the_power(side, rest_for_ratio(side, lost, other, ratio[g]), n);
+    for (std::size_t axis = 0; axis < axes; ++axis) sum[g][axis] = lanes<F>::broadcast(row[axis]);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    row += far ? static_cast<std::ptrdiff_t>(width) : -static_cast<std::ptrdiff_t>(width);
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const F c = lanes<F>::broadcast(row[axis]);
+      for (std::size_t g = 0; g < packs_together; ++g) sum[g][axis] = product(sum[g][axis], ratio[g]) + c;
+    }
+  }
+  for (std::size_t g = 0; g < packs_together; ++g) {
+    for (std::size_t axis = 0; axis < axes; ++axis) sum[g][axis] = product(sum[g][axis], power[g]);
+    for (std::size_t i = 0; i < count; ++i)
+      points[g * count + i] = generate_coordinates<P>(
+          [&](int axis) { return lane(sum[g][static_cast<std::size_t>(axis)], static_cast<int>(i)); });
+  }
+}
+
+template <Coordinates P, class Curve>
+IRG_INLINE constexpr P prepared_point(const Curve& curve, scalar_of<P> t) noexcept {
+  if (!has_lanes || std::is_constant_evaluated()) return prepared_point_plain<P>(curve, t);
+  return prepared_point_in_lanes<P>(curve, t);
+}
+
+template <Coordinates P, class Curve>
+constexpr void prepared_points(const Curve& curve, std::span<const scalar_of<P>> t, std::span<P> points) noexcept {
+  using T = scalar_of<P>;
+  std::size_t k = 0;
+  if (has_lanes && !std::is_constant_evaluated()) {
+    using F = pack<T, widest_lanes<T>>;
+    constexpr std::size_t count = packs_together * static_cast<std::size_t>(widest_lanes<T>);
+    for (; k + count <= t.size(); k += count) {
+      const int far = count_far<T>(t.subspan(k, count));
+      if (far == 0 || far == static_cast<int>(count))
+        prepared_points_in_lanes<F, P>(curve, &t[k], far != 0, &points[k]);
+      else
+        for (std::size_t i = k; i < k + count; ++i) points[i] = prepared_point_in_lanes<P>(curve, t[i]);
+    }
+  }
+  for (; k < t.size(); ++k) points[k] = prepared_point<P>(curve, t[k]);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

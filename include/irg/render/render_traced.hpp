@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// render_traced: a scene becomes a picture with shadows, mirrors and glass. What each pixel shows first is what
+// render() shows there, to the bit; from there on rays tell what light arrives.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <irg/colour/srgb.hpp>
+#include <irg/render/prepared_scene.hpp>
+#include <irg/render/render.hpp>
+#include <irg/trace/trace_ray.hpp>
+
+namespace irg {
+
+/// How a traced picture is taken: of samples by samples rays a pixel, 1 to 16, on a grid; fewer where a side of the
+/// picture would be of more than 65536 of them.
+template <Floating T>
+struct traced_options {
+  trace_limits<T> limits{};
+  int samples = 1;
+  face_culling culling = face_culling::back;
+};
+
+/// An executor that tells, after each task, that it is done: for a bar that shows how far long work has come. It calls
+/// from whatever thread the task ran on.
+template <Executor E, class Report>
+struct reporting {
+  const E& executor;
+  const Report& report;
+
+  template <class Task>
+  constexpr void operator()(std::size_t count, const Task& task) const {
+    executor(count, [&](std::size_t i) {
+      task(i);
+      report(i, count);
+    });
+  }
+};
+template <class E, class Report>
+reporting(const E&, const Report&) -> reporting<E, Report>;
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Makes shaders that trace what comes from a triangle's point to the eye.
+template <class T>
+struct traced_shading {
+  const ray_world<T>& world;
+  const trace_limits<T>& limits;
+  point<T, 3> eye;
+
+  struct pixel_shader {
+    const traced_shading& shading;
+    std::uint32_t triangle;
+    facing side;
+
+    constexpr rgb<float> operator()(const pixel_weights<float>& at) const noexcept {
+      const surface_point<T> s =
+          shading.world.point_of(triangle, converted<T>(at.weight1), converted<T>(at.weight2), side);
+      const rgb<T> light = trace_from(shading.world, s, shading.eye, shading.limits);
+      return {converted<float>(light.r), converted<float>(light.g), converted<float>(light.b)};
+    }
+  };
+
+  constexpr pixel_shader operator()(const triangle_batch<T>& batch, std::uint32_t triangle,
+                                    facing side) const noexcept {
+    return {*this, world.first_triangle(batch.object) + triangle, side};
+  }
+};
+
+// Each pixel the mean of samples by samples.
+template <class Colour>
+constexpr void encode_means(Colour& colour, const image<rgb<float>>& light, int samples) {
+  const float share = 1.0f / static_cast<float>(samples * samples);
+  for (int y = 0; y < height_of(colour); ++y)
+    for (int x = 0; x < width_of(colour); ++x) {
+      rgb<float> sum = light(x * samples, y * samples);
+      for (int k = 1; k < samples * samples; ++k)
+        sum = sum + light(x * samples + k % samples, y * samples + k / samples);
+      if (samples > 1) sum = {product(sum.r, share), product(sum.g, share), product(sum.b, share)};
+      set_pixel(colour, x, y, encode(sum));
+    }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Renders a scene by rays into a picture, which is overwritten, and returns what it did.
+/// shape   optic i belongs to object i; objects beyond their number are opaque and mirror nothing
+/// needs   as render
+/// gives   the background alone for a scene without objects, and where rays leave the scene. Normals are those of the
+///         style phong; with shadows off and no optics, one sample, the bytes of render() in that style
+/// exact   the triangle that each sample shows first, as render(); the same bytes for every executor and compiler
+/// cost    as trace_ray for each sample; allocates a picture of all samples, and a tree
+/// source  Whitted 1980
+template <Floating T, RowRaster Colour, Executor E = sequential>
+  requires std::same_as<pixel_of<Colour>, rgba8>
+constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic,
+                                     Colour& colour, const traced_options<T>& options = {},
+                                     const picture_colours& colours = {}, const E& executor = {}) {
+  if (width_of(colour) == 0 || height_of(colour) == 0) return {};
+  const int longer = greater(width_of(colour), height_of(colour));
+  const int samples = clamp(lesser(options.samples, 65536 / longer), 1, 16);
+  const int width = width_of(colour) * samples, height = height_of(colour) * samples;
+  prepared_scene<T> ready = prepare_scene(world);
+  std::vector<traced_body<T>> bodies;
+  std::vector<triangle_batch<T>> batches;
+  const screen_mapping<T> mapping = map_to_screen<T>(width, height);
+  const mat<T, 4, 4> to_clip = view_projection(world.view, static_cast<T>(width) / static_cast<T>(height));
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < ready.objects.size(); ++i) {
+    prepared_object<T>& o = ready.objects[i];
+    bodies.push_back(
+        {o.body.positions, o.body.normals, o.body.triangles, o.surface, i < optic.size() ? optic[i] : optics<T>{}});
+    project_vertices<T>(o.frame.vertices, o.body.positions, to_clip, mapping, executor);
+    batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
+    number += static_cast<std::uint32_t>(o.body.triangles.size());
+  }
+  const rgb<float> back = decode(colours.background);
+  const ray_world<T> rays(std::move(bodies), {world.ambient, world.lights, world.distance, world.k},
+                          {converted<T>(back.r), converted<T>(back.g), converted<T>(back.b)}, executor);
+  image<rgb<float>> light(width, height);
+  image<float> depth(width, height);
+  const detail::traced_shading<T> shading{rays, options.limits, viewpoint(world.view)};
+  draw_settings<rgb<float>> settings;
+  settings.culling = options.culling;
+  settings.clear = clearing::before_drawing;
+  settings.background = back;
+  const render_stats stats =
+      draw_batches<nearer_is_greater, T>(light, depth, batches, mapping, shading, settings, ready.workspace, executor);
+  detail::encode_means(colour, light, samples);
+  return stats;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

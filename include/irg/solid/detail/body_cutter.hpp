@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// Two bodies cut at each other: the triangles that they meet in are replaced by pieces, all pieces fall into parts that
+// no cut runs through, and each part is inside of the other body, outside, or on its surface.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <irg/solid/detail/body_triangles.hpp>
+#include <irg/solid/detail/face_cutter.hpp>
+#include <irg/solid/point_in_solid.hpp>
+
+namespace irg::detail {
+
+/// Where a part lies against the other body.
+enum class part_place : std::uint8_t { unknown, outside, inside, on_same_side, on_other_side };
+
+/// A triangle of the result before any is left out.
+struct cut_triangle {
+  std::uint32_t v[3];
+  std::uint32_t source;  // of body_triangles
+  std::uint32_t part;
+};
+
+inline namespace IRG_ABI {
+
+class body_cutter {
+public:
+  exact_vertices vertices;
+  std::vector<cut_triangle> triangles;  // those of the first body before those of the second
+  std::vector<part_place> places;  // of each triangle's part
+  std::vector<std::array<std::uint32_t, 3>> cuts;  // edges at which parts end: from, to, the triangle
+  std::vector<unsigned char> is_seam;  // of each vertex, whether it is made of sides that lie within plane faces
+  bool failed = false;  // the bodies cut themselves, or are not turned outward
+
+  constexpr explicit body_cutter(const body_triangles& b) : b_(b), cutter_(vertices) {
+    vertices.at = b.positions;
+    vertices.corners = static_cast<std::uint32_t>(b.positions.size());
+    vertices.triangles = &b.triangles;
+    find_contacts();
+    if (!failed) name_contacts();
+    if (!failed) cut_all();
+    if (!failed) place_parts();
+  }
+
+private:
+  // A contact on a triangle, or a cut from one to another.
+  struct mark {
+    std::uint32_t triangle, from, to;  // indices of keys, then vertices
+    std::uint8_t from_place, to_place;
+    constexpr auto operator<=>(const mark&) const = default;
+  };
+  struct coplanar_pair {
+    std::uint32_t triangle, other;
+    constexpr auto operator<=>(const coplanar_pair&) const = default;
+  };
+  struct border_side {
+    std::uint32_t low, high, triangle;
+    constexpr auto operator<=>(const border_side&) const = default;
+  };
+
+  constexpr void find_contacts() {
+    boxes_.reserve(b_.triangles.size());
+    for (const triangle_indices& t : b_.triangles) {
+      space_box box = no_box();
+      for (const std::uint32_t v : t.v) box.add(b_.positions[v]);
+      boxes_.push_back(box);
+    }
+    std::vector<std::uint32_t> lots[2];
+    for (std::uint32_t t = 0; t < b_.triangles.size(); ++t) lots[b_.body_of(t)].push_back(t);
+    const auto use = [this](std::uint32_t s, std::uint32_t t) { add_contacts(s, t); };
+    box_pair_search<decltype(use)>(boxes_, use).search(lots[0], lots[1]);
+  }
+
+  constexpr void add_contacts(std::uint32_t s, std::uint32_t t) {
+    const seen_triangle a = see_triangle(b_.positions, b_.triangles[s], s);
+    const seen_triangle b = see_triangle(b_.positions, b_.triangles[t], t);
+    if (a.turn == 0 || b.turn == 0) {
+      failed = true;
+      return;
+    }
+    const contact_finder found(a, b);
+    const auto first = static_cast<std::uint32_t>(keys_.size());
+    for (int i = 0; i < found.count; ++i) {
+      keys_.push_back(found.contacts[i].key);
+      seams_.push_back(is_of_seam(found.contacts[i], s, t) ? 1 : 0);
+    }
+    const auto add = [&](int i, int k) {
+      const triangle_contact &p = found.contacts[i], &q = found.contacts[k];
+      const auto from = first + static_cast<std::uint32_t>(i), to = first + static_cast<std::uint32_t>(k);
+      marks_.push_back({s, from, to, p.at[0], q.at[0]});
+      marks_.push_back({t, from, to, p.at[1], q.at[1]});
+    };
+    for (int i = 0; i < found.count; ++i) add(i, i);
+    found.each_segment(add);
+    if (!found.are_coplanar || found.count < 3) return;
+    coplanar_.push_back({s, t});
+    coplanar_.push_back({t, s});
+  }
+
+  // Whether side k of a triangle lies within a plane face.
+  constexpr bool is_level_side(std::uint32_t t, std::uint8_t at) const noexcept {
+    const std::uint32_t twin = b_.twin[3 * std::size_t{t} + at - 3];
+    return twin != no_index && are_level(b_, t, twin / 3);
+  }
+  constexpr bool is_of_seam(const triangle_contact& c, std::uint32_t s, std::uint32_t t) const noexcept {
+    if (c.key.v[1] == no_index) return false;
+    const bool first = c.at[0] != inside_triangle && is_level_side(s, c.at[0]);
+    const bool second = c.at[1] != inside_triangle && is_level_side(t, c.at[1]);
+    if (c.at[0] == inside_triangle) return second;
+    if (c.at[1] == inside_triangle) return first;
+    if (first == second) return first;
+    // A true edge and a seam: a corner only where the edge goes through the plane.
+    const triangle_indices &plane = b_.triangles[first ? s : t], &edge = b_.triangles[first ? t : s];
+    const int k = c.at[first ? 1 : 0] - 3;
+    const auto side = [&](std::uint32_t v) {
+      return orient3d(b_.positions[plane.v[0]], b_.positions[plane.v[1]], b_.positions[plane.v[2]], b_.positions[v]);
+    };
+    return side(edge.v[k]) == 0 && side(edge.v[(k + 1) % 3]) == 0;
+  }
+
+  // Each key once, and a vertex for it.
+  constexpr void name_contacts() {
+    std::vector<contact_key> sorted = keys_;
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    std::vector<std::uint32_t> vertex;
+    vertex.reserve(sorted.size());
+    touched_.assign(b_.positions.size(), 0);
+    for (const contact_key& key : sorted) {
+      if (key.v[1] == no_index) touched_[key.v[0]] = 1;
+      vertex.push_back(key.v[1] == no_index ? key.v[0] : vertices.add(key));
+    }
+    const auto named = [&](std::uint32_t i) {
+      return vertex[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), keys_[i]) -
+                                             sorted.begin())];
+    };
+    is_seam.assign(vertices.at.size(), 0);
+    for (std::uint32_t i = 0; i < keys_.size(); ++i)
+      if (seams_[i] != 0) is_seam[named(i)] = 1;
+    for (mark& m : marks_) m.from = named(m.from), m.to = named(m.to);
+    std::sort(marks_.begin(), marks_.end());
+    marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
+    std::sort(coplanar_.begin(), coplanar_.end());
+  }
+
+  constexpr void cut_all() {
+    triangles.reserve(b_.triangles.size() + 3 * marks_.size());
+    piece_of_.assign(b_.triangles.size(), no_index);
+    std::size_t next = 0;
+    for (std::uint32_t t = 0; t < b_.triangles.size() && !failed; ++t) {
+      const auto first = static_cast<std::uint32_t>(triangles.size());
+      if (next == marks_.size() || marks_[next].triangle != t) {
+        const triangle_indices& n = b_.triangles[t];
+        piece_of_[t] = first;
+        triangles.push_back({{n.v[0], n.v[1], n.v[2]}, t, first});
+        continue;
+      }
+      const std::size_t begin = next;
+      while (next < marks_.size() && marks_[next].triangle == t) ++next;
+      cut_one(t, begin, next);
+    }
+    if (!failed) join_parts();
+  }
+
+  constexpr void cut_one(std::uint32_t t, std::size_t begin, std::size_t end) {
+    points_.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      const mark& m = marks_[i];
+      if (m.from == m.to && m.from_place >= 3) points_.push_back({m.from, m.from_place});
+    }
+    std::sort(points_.begin(), points_.end(), [](const placed_vertex& p, const placed_vertex& q) { return p.v < q.v; });
+    points_.erase(std::unique(points_.begin(), points_.end(),
+                              [](const placed_vertex& p, const placed_vertex& q) { return p.v == q.v; }),
+                  points_.end());
+    cutter_.begin(see_triangle(b_.positions, b_.triangles[t], t), points_);
+    for (std::size_t i = begin; i < end; ++i)
+      if (marks_[i].from != marks_[i].to) cutter_.cut(marks_[i].from, marks_[i].to);
+    failed = failed || cutter_.failed;
+    if (failed) return;
+    const auto first = static_cast<std::uint32_t>(triangles.size());
+    for (std::uint32_t p = 0; p < cutter_.pieces.size(); ++p) {
+      const face_piece& piece = cutter_.pieces[p];
+      triangles.push_back(
+          {{cutter_.vertex(piece.v[0]), cutter_.vertex(piece.v[1]), cutter_.vertex(piece.v[2])}, t, first + p});
+    }
+    for (std::uint32_t p = 0; p < cutter_.pieces.size(); ++p)
+      for (int k = 0; k < 3; ++k) end_side(t, first, p, k);
+  }
+
+  // What lies beyond side k of a piece: nothing that belongs to its part, another piece, or another triangle.
+  constexpr void end_side(std::uint32_t t, std::uint32_t first, std::uint32_t p, int k) {
+    const face_piece& piece = cutter_.pieces[p];
+    const std::uint32_t from = piece.v[k], to = piece.v[(k + 1) % 3];
+    const std::uint32_t u = cutter_.vertex(from), v = cutter_.vertex(to);
+    if (piece.fixed[k]) {
+      cuts.push_back({u, v, first + p});
+    } else if (piece.beside[k] != no_index) {
+      join(first + p, first + piece.beside[k]);
+    } else if (b_.twin[3 * std::size_t{t} + static_cast<std::size_t>(cutter_.border(from, to))] != no_index) {
+      sides_.push_back({lesser(u, v), greater(u, v), first + p});
+    }
+  }
+
+  constexpr std::uint32_t part_of(std::uint32_t t) noexcept {
+    while (triangles[t].part != t) t = triangles[t].part = triangles[triangles[t].part].part;
+    return t;
+  }
+  constexpr void join(std::uint32_t s, std::uint32_t t) noexcept {
+    s = part_of(s), t = part_of(t);
+    triangles[greater(s, t)].part = lesser(s, t);
+  }
+
+  constexpr void join_parts() {
+    for (std::uint32_t t = 0; t < b_.triangles.size(); ++t) {
+      if (piece_of_[t] == no_index) continue;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t twin = b_.twin[3 * std::size_t{t} + k];
+        if (twin == no_index) continue;
+        const std::uint32_t other = piece_of_[twin / 3];
+        if (other != no_index) {
+          if (other < piece_of_[t]) join(piece_of_[t], other);
+        } else {
+          const std::uint32_t u = b_.triangles[t].v[k], v = b_.triangles[t].v[(k + 1) % 3];
+          sides_.push_back({lesser(u, v), greater(u, v), piece_of_[t]});
+        }
+      }
+    }
+    // Sides of pieces along sides of triangles: two of the same body each.
+    std::sort(sides_.begin(), sides_.end());
+    for (std::size_t i = 0, next = 0; i < sides_.size(); i = next) {
+      while (next < sides_.size() && sides_[next].low == sides_[i].low && sides_[next].high == sides_[i].high) ++next;
+      for (std::size_t k = i; k < next;) {  // those of the first body stand first
+        const int body = body_of(sides_[k].triangle);
+        if (k + 1 == next || body_of(sides_[k + 1].triangle) != body) {
+          failed = true;
+          return;
+        }
+        join(sides_[k].triangle, sides_[k + 1].triangle);
+        k += 2;
+      }
+    }
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) triangles[t].part = part_of(t);
+  }
+  constexpr int body_of(std::uint32_t t) const noexcept { return b_.body_of(triangles[t].source); }
+
+  // Asks for one triangle of each part where it lies; a corner that does not touch the other body answers at once.
+  constexpr void place_parts() {
+    places.assign(triangles.size(), part_place::unknown);
+    std::vector<std::uint32_t> corner(triangles.size(), no_index);
+    for (const cut_triangle& t : triangles)
+      if (corner[t.part] == no_index)
+        for (const std::uint32_t v : t.v)
+          if (v < vertices.corners && touched_[v] == 0) corner[t.part] = v;
+    for (std::uint32_t t = 0; t < triangles.size() && !failed; ++t) {
+      if (triangles[t].part != t) continue;
+      if (corner[t] != no_index)
+        places[t] = place_of_corner(corner[t], 1 - body_of(t));
+      else
+        places[t] = place_of_piece(t);
+    }
+  }
+
+  constexpr part_place by_winding(const upward_crossings& count) {
+    failed = failed || count.on_surface || count.winding < 0 || count.winding > 1;
+    return count.winding > 0 ? part_place::inside : part_place::outside;
+  }
+
+  template <class Use>
+  constexpr void each_above(const point<double, 3>& p, double slack, int body, const Use& use) const {
+    const std::uint32_t first = body == 0 ? 0 : b_.second;
+    const auto last = body == 0 ? b_.second : static_cast<std::uint32_t>(b_.triangles.size());
+    for (std::uint32_t t = first; t < last; ++t) {
+      const space_box& box = boxes_[t];
+      if (p.x + slack < box.low[0] || box.high[0] < p.x - slack || p.y + slack < box.low[1] ||
+          box.high[1] < p.y - slack || box.high[2] < p.z - slack)
+        continue;
+      use(b_.triangles[t]);
+    }
+  }
+
+  constexpr part_place place_of_corner(std::uint32_t v, int body) {
+    upward_crossings count;
+    const point<double, 3>& p = b_.positions[v];
+    each_above(p, 0.0, body, [&](const triangle_indices& t) {
+      count_upward_crossing(b_.positions[t.v[0]], b_.positions[t.v[1]], b_.positions[t.v[2]], p, count);
+    });
+    return by_winding(count);
+  }
+
+  // By the middle of a piece, which is no double.
+  constexpr part_place place_of_piece(std::uint32_t piece) {
+    const cut_triangle& t = triangles[piece];
+    const exact_point a = vertices.exact(t.v[0]), b = vertices.exact(t.v[1]), c = vertices.exact(t.v[2]);
+    const exact_point middle = exact_point::mean_of(a, b, c);
+    if (const part_place on = place_on_surface(t.source, middle); on != part_place::unknown) return on;
+    const point<double, 3> near = middle.rounded();
+    const double slack =
+        greater(greater(magnitude(near.x), magnitude(near.y)), magnitude(near.z)) * 0x1p-50 + 0x1p-1000;
+    upward_crossings count;
+    each_above(near, slack, 1 - b_.body_of(t.source),
+               [&](const triangle_indices& other) { count_above(other, middle, count); });
+    return by_winding(count);
+  }
+
+  // As count_upward_crossing.
+  constexpr void count_above(const triangle_indices& t, const exact_point& p, upward_crossings& out) const {
+    const auto at = [&](int k) -> const point<double, 3>& { return b_.positions[t.v[k % 3]]; };
+    int sign[3]{};
+    bool none_right = true, none_left = true;
+    for (int k = 0; k < 3; ++k) {
+      sign[k] = irg::orientation_along(2, exact_point(at(k)), exact_point(at(k + 1)), p);
+      none_right = none_right && sign[k] >= 0, none_left = none_left && sign[k] <= 0;
+    }
+    if (none_right == none_left) return;  // beside, or upright
+    const int side = side_of_plane(at(0), at(1), at(2), p), turn = none_right ? 1 : -1;
+    if (side == 0) out.on_surface = true;
+    if (side == turn || side == 0) return;
+    for (int k = 0; k < 3; ++k)
+      if (orientation_of_moved(at(k), at(k + 1), sign[k]) != turn) return;
+    out.winding += turn;
+  }
+
+  // Whether the point, of a triangle, lies on one of the other body in the same plane.
+  constexpr part_place place_on_surface(std::uint32_t source, const exact_point& p) const {
+    auto pair = std::lower_bound(coplanar_.begin(), coplanar_.end(), coplanar_pair{source, 0});
+    for (; pair != coplanar_.end() && pair->triangle == source; ++pair) {
+      const seen_triangle s = see_triangle(b_.positions, b_.triangles[pair->other], 0);
+      bool within = true;
+      for (int k = 0; k < 3 && within; ++k)
+        within = irg::orientation_along(s.axis, exact_point(*s.p[k]), exact_point(*s.p[(k + 1) % 3]), p) * s.turn > 0;
+      if (!within) continue;
+      const triangle_indices& own = b_.triangles[source];
+      const int turn =
+          orientation_along(b_.positions[own.v[0]], b_.positions[own.v[1]], b_.positions[own.v[2]], s.axis);
+      return turn == s.turn ? part_place::on_same_side : part_place::on_other_side;
+    }
+    return part_place::unknown;
+  }
+
+  const body_triangles& b_;
+  face_cutter cutter_;
+  std::vector<space_box> boxes_;
+  std::vector<contact_key> keys_;
+  std::vector<unsigned char> seams_;
+  std::vector<mark> marks_;
+  std::vector<coplanar_pair> coplanar_;
+  std::vector<unsigned char> touched_;
+  std::vector<std::uint32_t> piece_of_;  // the only piece of a triangle that is not cut
+  std::vector<border_side> sides_;
+  std::vector<placed_vertex> points_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

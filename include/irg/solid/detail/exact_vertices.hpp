@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The vertices of two bodies that are cut at each other: those they had, and the places where a side goes through a
+// triangle or crosses a side. Decisions look at rounded coordinates first; where these do not tell, the place itself is
+// computed, once, without rounding.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <irg/math/exact/compare_numbers.hpp>
+#include <irg/geometry/exact_point.hpp>
+#include <irg/geometry/intersect_plane_line.hpp>
+#include <irg/solid/detail/triangle_contacts.hpp>
+
+namespace irg::detail {
+inline namespace IRG_ABI {
+
+// Rounded coordinates are off by less than 1.01u times their size. Of a determinant of differences below D, of numbers
+// below M, the error is less than 25u M D, since D is at most 2M; of three rows, less than 103u M D^2.
+inline constexpr double rounded_turn_bound = 0x1p-48, rounded_side_bound = 0x1p-46;
+// Where M D D is above, nothing has been lost to underflow.
+inline constexpr double least_size = 0x1p-900, most_size = 0x1p300;
+
+class exact_vertices {
+public:
+  std::vector<point<double, 3>> at;  // rounded, where they are no corners of the bodies
+  std::uint32_t corners = 0;  // the first of those that were made
+  std::vector<contact_key> keys;  // of those
+  const std::vector<triangle_indices>* triangles = nullptr;
+
+  constexpr std::uint32_t add(const contact_key& key) {
+    keys.push_back(key);
+    exact_.push_back({});
+    const auto v = static_cast<std::uint32_t>(at.size());
+    at.push_back({});
+    if (key.v[3] == no_index) {
+      const triangle_indices& t = (*triangles)[key.v[2]];
+      const auto meeting = intersect_plane_line(at[t.v[0]], at[t.v[1]], at[t.v[2]], at[key.v[0]], at[key.v[1]]);
+      at[v] = meeting.at;
+    } else {
+      at[v] = exact(v).rounded();
+    }
+    return v;
+  }
+
+  // The place without rounding. Those of corners stand in one of three slots until it is used again.
+  constexpr const exact_point& exact(std::uint32_t v, std::size_t slot = 0) {
+    if (v < corners) return slots_[slot] = exact_point(at[v]);
+    exact_point& e = exact_[v - corners];
+    if (e.is_known()) return e;
+    const contact_key& key = keys[v - corners];
+    const auto corner = [&](std::size_t i) -> const point<double, 3>& { return at[key.v[i]]; };
+    if (key.v[3] != no_index) return e = exact_point::on_lines(corner(0), corner(1), corner(2), corner(3));
+    const triangle_indices& t = (*triangles)[key.v[2]];
+    return e = exact_point::on_plane(at[t.v[0]], at[t.v[1]], at[t.v[2]], corner(0), corner(1));
+  }
+
+  // orient2d of three of them, seen along an axis.
+  constexpr int turn(std::uint32_t u, std::uint32_t v, std::uint32_t w, int axis) {
+    if (u < corners && v < corners && w < corners) return orientation_along(at[u], at[v], at[w], axis);
+    const auto p = seen_along(at[u], axis), q = seen_along(at[v], axis), r = seen_along(at[w], axis);
+    const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
+    const double size = greater(greater(largest(p), largest(q)), largest(r));
+    const double reach = greater(greater(magnitude(ax), magnitude(ay)), greater(magnitude(bx), magnitude(by)));
+    const double value = product(ax, by) - product(ay, bx), bound = product(size, reach) * rounded_turn_bound;
+    if (bound > least_size && size < most_size && magnitude(value) > bound) return value > 0 ? 1 : -1;
+    return irg::orientation_along(axis, exact(u, 0), exact(v, 1), exact(w, 2));
+  }
+
+  // Which of two is farther along an axis.
+  constexpr int compare(std::uint32_t u, std::uint32_t v, int axis) {
+    const double p = at[u][axis], q = at[v][axis];
+    if (u < corners && v < corners) return compare_numbers(p, q);
+    const double bound = greater(magnitude(p), magnitude(q)) * 0x1p-50;
+    if (bound > least_size && magnitude(p - q) > bound) return p < q ? -1 : 1;
+    return irg::compare_along(axis, exact(u, 0), exact(v, 1));
+  }
+
+private:
+  static constexpr double largest(const point<double, 2>& p) noexcept {
+    return greater(magnitude(p.x), magnitude(p.y));
+  }
+  std::vector<exact_point> exact_;
+  exact_point slots_[3];
+};
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail

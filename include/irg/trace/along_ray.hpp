@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What stands along a ray: all crossings in their order, whether one point sees another, how far it is free.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/geometry/orient3d.hpp>
+#include <irg/spatial/triangle_bvh.hpp>
+
+namespace irg {
+
+/// A part of a ray that nothing crosses, and how many steps of a given length it has room for.
+struct free_run {
+  double from = 0, to = 0;
+  std::int64_t steps = 0;
+  constexpr bool operator==(const free_run&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The whole steps within a length, at most 2^53.
+constexpr std::int64_t whole_steps(double length, double step) noexcept {
+  constexpr double most = 0x1p53;
+  if (!(0 < step) || !(step <= length)) return 0;
+  const double n = length / step;
+  if (!(n < most)) return std::int64_t{1} << 53;
+  std::int64_t whole = static_cast<std::int64_t>(n);
+  while (whole > 0 && product(static_cast<double>(whole), step) > length) --whole;
+  return whole;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// All triangles that a ray crosses, in the order in which it does.
+/// gives   of those whose times are one double the lower number first
+/// exact   which are crossed, as cross_triangle; the order is that of the rounded times
+/// cost    as all_hits, and sorting; allocates the result
+template <Floating T, Floating U>
+constexpr std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r) {
+  std::vector<triangle_hit> hits;
+  all_hits(triangles, r, [&](const triangle_hit& h) { hits.push_back(h); });
+  std::sort(hits.begin(), hits.end(), [](const triangle_hit& a, const triangle_hit& b) {
+    return a.at.t != b.at.t ? a.at.t < b.at.t : a.triangle < b.triangle;
+  });
+  return hits;
+}
+
+/// Whether p sees q past triangles, of which corners(i) gives the corners: none of them crosses the way from p to q.
+/// gives   true for equal points. What p or q stands on does not hide: triangles whose planes hold one of them, to the
+///         last bit, are passed over; false where a coordinate is NaN or infinite
+/// exact   for the direction q - p as it is rounded; what holds p or q by orient3d
+/// cost    as any_hit
+template <Floating T, class Corners>
+constexpr bool is_visible(const triangle_bvh<T>& triangles, const Corners& corners, const point<T, 3>& p,
+                          const point<T, 3>& q) {
+  if (p == q) return true;
+  const ray<T, 3> way = ray_between(p, q);
+  if (is_empty(way)) return false;
+  return !any_hit(triangles, way, [&](std::uint32_t number) {
+    const std::array<point<T, 3>, 3> corner = corners(number);
+    const auto holds = [&](const point<T, 3>& x) { return orient3d(corner[0], corner[1], corner[2], x) == 0; };
+    return !holds(p) && !holds(q);
+  });
+}
+
+/// How many steps, of so many of the ray's direction, can be taken from its beginning before something is crossed.
+/// gives   at most 2^53; 0 where a step is not positive
+/// exact   of the rounded time of the first crossing
+/// cost    as closest_hit
+template <Floating T, Floating U>
+constexpr std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) noexcept {
+  if (is_empty(r)) return 0;
+  const double low = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
+  const auto hit = closest_hit(triangles, r);
+  return detail::whole_steps((hit ? hit->at.t : static_cast<double>(r.high)) - low, step);
+}
+
+/// The longest part of a ray that nothing crosses, and how many steps of the given length it has room for: the greatest
+/// number of segments in a row that see each other.
+/// needs   a ray that ends
+/// gives   of equally long ones the first; nothing of an empty ray
+/// exact   of the rounded times of the crossings
+/// cost    as sorted_hits
+/// source  irg's own: the task is that of Fabris 2012
+template <Floating T, Floating U>
+constexpr free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) {
+  if (is_empty(r)) return {};
+  double from = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
+  free_run best{from, from, 0};
+  const auto try_run = [&](double to) {
+    if (best.to - best.from < to - from) best = {from, to, detail::whole_steps(to - from, step)};
+    from = to;
+  };
+  for (const triangle_hit& h : sorted_hits(triangles, r)) try_run(h.at.t);
+  try_run(static_cast<double>(r.high));
+  return best;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Path tracing: the light along a ray as the mean of random paths, for dull surfaces lit by each other and by surfaces
+// that shine.
+//
+// The estimator of one path: what the first surface shines with; then at each surface of diffuse share k, up to
+// `bounces` of them, the light of one place y chosen evenly on all shining surfaces,
+//     share * k * L(y) * cos * cos' * area / (pi r^2)    where nothing is between,
+// and a next direction chosen with the density cos / pi, along which share becomes share * k. What a next surface
+// shines with is not counted there: the place chosen before it stood for it. Its mean is the light that is reflected at
+// most `bounces` times; the error of n paths falls as 1 / sqrt(n).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <irg/math/constants.hpp>
+#include <irg/math/sqrt.hpp>
+#include <irg/math/trigonometry.hpp>
+#include <irg/trace/trace_ray.hpp>
+
+namespace irg {
+
+/// How paths are taken: how many for each ray, how often they are reflected, and which random numbers.
+struct path_options {
+  int paths = 64, bounces = 5;
+  std::uint64_t seed = 1;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Numbers from 0 to 1, made of integers alone (SplitMix64 of Steele, Lea and Flood).
+class path_numbers {
+public:
+  constexpr explicit path_numbers(std::uint64_t seed) noexcept : state_(seed) {}
+  template <class T>
+  constexpr T next() noexcept {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return static_cast<T>((z ^ (z >> 31)) >> 40) * T(0x1p-24);
+  }
+
+private:
+  std::uint64_t state_;
+};
+
+// A direction about a normal of length 1, with density cos / pi.
+template <class T>
+constexpr vec<T, 3> dull_direction(const vec<T, 3>& n, T u, T v) noexcept {
+  const vec<T, 3> other = magnitude(n.x) < T(0.5) ? vec<T, 3>{T(1), T(0), T(0)} : vec<T, 3>{T(0), T(1), T(0)};
+  const vec<T, 3> x = normalized(cross(other, n)), y = cross(n, x);
+  const T radius = sqrt(u), angle = v * T(2) * pi<T>;
+  return x * (radius * cos(angle)) + y * (radius * sin(angle)) + n * sqrt(T(1) - u);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+/// A world made ready for paths: the places that shine.
+/// needs   a world that outlives it
+template <Floating T>
+class path_tracer {
+public:
+  constexpr explicit path_tracer(const ray_world<T>& world) : world_(world) {
+    for (std::uint32_t b = 0; b < world.body_count(); ++b) {
+      const traced_body<T>& body = world.body(b);
+      if (!(T(0) < detail::greatest_channel(body.emitted))) continue;
+      for (std::size_t i = 0; i < body.triangles.size(); ++i) {
+        const std::uint32_t t = world.first_triangle(b) + static_cast<std::uint32_t>(i);
+        const auto c = world.corners(t);
+        area_ = area_ + length(cross(c[1] - c[0], c[2] - c[0])) / T(2);
+        shining_.push_back({area_, t});
+      }
+    }
+  }
+
+  /// The light along a ray: the mean of its paths.
+  /// shape   `stream` tells the random numbers of this ray from those of others: the number of its pixel
+  /// gives   the background where a path leaves the world
+  /// exact   the same bits for every compiler and executor, given seed and stream
+  /// cost    2 (bounces + 1) rays for a path
+  /// source  Kajiya 1986
+  constexpr rgb<T> operator()(const ray<T, 3>& r, const path_options& options, std::uint64_t stream) const noexcept {
+    rgb<T> sum{};
+    const int paths = options.paths < 1 ? 1 : options.paths;
+    detail::path_numbers numbers(options.seed * 0xd1342543de82ef95u + stream * 0x2545f4914f6cdd1du);
+    for (int i = 0; i < paths; ++i) sum = sum + light_of_path(r, options.bounces, numbers);
+    const T share = T(1) / static_cast<T>(paths);
+    return {product(sum.r, share), product(sum.g, share), product(sum.b, share)};
+  }
+
+private:
+  constexpr rgb<T> light_of_path(ray<T, 3> r, int bounces, detail::path_numbers& numbers) const noexcept {
+    rgb<T> sum{}, share{T(1), T(1), T(1)};
+    for (int depth = 0;; ++depth) {
+      const auto s = world_.meet(r);
+      if (!s) return sum + detail::filtered_light(share, world_.background());
+      const traced_body<T>& body = world_.body(s->body);
+      if (depth == 0 && s->side == facing::front) sum = sum + body.emitted;
+      if (depth >= bounces) return sum;
+      share = detail::filtered_light(share, body.surface.diffuse);
+      const point<T, 3> from = detail::beside(*s, s->face);
+      sum = sum + detail::filtered_light(share, light_of_place(from, s->face, numbers));
+      const T u = numbers.next<T>(), v = numbers.next<T>();
+      r = {from, detail::dull_direction(s->face, u, v)};
+    }
+  }
+
+  // What arrives of a place chosen on all that shines, over pi and over the chance of its choice.
+  constexpr rgb<T> light_of_place(const point<T, 3>& from, const vec<T, 3>& normal,
+                                  detail::path_numbers& numbers) const noexcept {
+    if (shining_.empty()) return {};
+    const T where = numbers.next<T>() * area_;
+    const auto found = std::upper_bound(shining_.begin(), shining_.end() - 1, where,
+                                        [](T a, const auto& place) { return a < place.first; });
+    const std::uint32_t triangle = found->second;
+    const T root = sqrt(numbers.next<T>()), v = numbers.next<T>();
+    const surface_point<T> y = world_.point_of(triangle, root * (T(1) - v), root * v, facing::front);
+    const vec<T, 3> way = detail::beside(y, y.face) - from;
+    const T distance = dot(way, way), cosine = dot(way, normal), back = -dot(way, y.face);
+    if (!(T(0) < cosine) || !(T(0) < back) || any_hit(world_.triangles(), ray<T, 3>{from, way, T(0), T(1)})) return {};
+    const T weight = product(product(cosine, back), area_) / product(product(distance, distance), pi<T>);
+    const rgb<T>& light = world_.body(y.body).emitted;
+    return {product(light.r, weight), product(light.g, weight), product(light.b, weight)};
+  }
+
+  const ray_world<T>& world_;
+  std::vector<std::pair<T, std::uint32_t>> shining_{};  // the area up to and with each triangle
+  T area_ = T(0);
+};
+
+}  // namespace irg

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <irg/curve/bezier_prepared.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <irg/curve/bezier_accurate.hpp>
+#include <irg/math/length.hpp>
+
+#include "support/check_both.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using P = irg::point<double, 3>;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+constexpr P arch_at(double t) {
+  constexpr std::array<P, 4> arch{P{0, 0, 1}, {1, 3, 2}, {4, 3, 5}, {5, 0, 7}};
+  std::array<double, 16> space{};
+  return irg::bezier_point(*irg::prepare_bezier(arch, std::span<double>(space)), t);
+}
+
+template <class Point>
+std::vector<Point> random_points(test::random& r, std::size_t count) {
+  using T = irg::scalar_of<Point>;
+  std::vector<Point> points(count);
+  for (Point& p : points) p = irg::generate_coordinates<Point>([&](int) { return static_cast<T>(2 * r.unit() - 1); });
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("prepared Bezier curves: by hand, ends") {
+  CHECK_BOTH(arch_at(0) == P{0, 0, 1});
+  CHECK_BOTH(arch_at(1) == P{5, 0, 7});
+  CHECK_BOTH(arch_at(0.5) == P{2.5, 2.25, 3.625});
+  CHECK_BOTH(irg::length(arch_at(0.25) - P{1.0625, 1.6875, 2.078125}) < 1e-15);
+}
+
+TEST_CASE("prepared Bezier curves: the documented error; plain, in lanes and in batches the same bits") {
+  test::random r(101);
+  double worst = 0;
+  for (const std::size_t degree : {0u, 1u, 2u, 3u, 4u, 7u, 10u, 13u, 20u, 30u, 50u}) {
+    const auto points = random_points<P>(r, degree + 1);
+    std::vector<double> space(4 * (degree + 1)), t;
+    const auto curve = *irg::prepare_bezier(points, std::span<double>(space));
+    CHECK(curve.degree() == degree);
+    for (int k = 0; k < 200; ++k)
+      t.push_back(k % 3 == 0 ? r.unit() : k % 3 == 1 ? r.unit() * 0.4 : 1 - r.unit() * 0x1p-20);
+    for (int k = 0; k < 100; ++k) t.push_back(0.49 * r.unit() / 3);  // of which 1 - t is no double
+    for (int k = 0; k < 61; ++k) t.push_back(k / 60.);
+    std::vector<P> batch(t.size());
+    irg::bezier_points(curve, t, std::span<P>(batch));
+    std::vector<irg::exact_sum<double>> room(degree + 1);
+    bool same = true;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      const P p = irg::bezier_point(curve, t[k]);
+      same = same && p == irg::detail::prepared_point_plain<P>(curve, t[k]) && p == batch[k];
+      const P want = irg::bezier_point_accurate(points, t[k], std::span<irg::exact_sum<double>>(room));
+      for (int i = 0; i < 3; ++i) worst = std::fmax(worst, std::abs(p[i] - want[i]) * 0x1p53);
+    }
+    CHECK(same);
+    MESSAGE("degree ", degree, ": ", worst, " u");
+    CHECK(worst <= (degree == 3 || degree == 10 || degree == 30 ? 3.5 : 4.5));
+    worst = 0;
+    CHECK(irg::bezier_point(curve, 0) == points.front());
+    CHECK(irg::bezier_point(curve, 1) == points.back());
+  }
+}
+
+TEST_CASE("prepared Bezier curves: floats, other dimensions, homogeneous points") {
+  test::random r(102);
+  const auto agree = [&]<class Point>(Point, double tolerance) {
+    using T = irg::scalar_of<Point>;
+    const auto points = random_points<Point>(r, 6);
+    std::vector<T> space(irg::prepared_bezier<Point>::width * 6), t;
+    std::vector<Point> room(6);
+    const auto curve = *irg::prepare_bezier(points, std::span<T>(space));
+    for (int k = 0; k <= 100; ++k) t.push_back(static_cast<T>(k) / 100);
+    std::vector<Point> batch(t.size());
+    irg::bezier_points(curve, t, std::span<Point>(batch));
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      const Point want = irg::bezier_point(points, t[k], room), p = irg::bezier_point(curve, t[k]);
+      CHECK(p == batch[k]);
+      CHECK(p == irg::detail::prepared_point_plain<Point>(curve, t[k]));
+      for (int i = 0; i < irg::size_of<Point>; ++i)
+        CHECK(std::abs(static_cast<double>(irg::coordinate(p, i) - irg::coordinate(want, i))) < tolerance);
+    }
+  };
+  agree(irg::point<float, 3>{}, 1e-6);
+  agree(irg::point<float, 2>{}, 1e-6);
+  agree(irg::point<double, 2>{}, 2e-15);
+  agree(irg::vec<double, 4>{}, 2e-15);
+  agree(irg::hpoint<double, 3>{}, 2e-15);
+}
+
+TEST_CASE("prepared Bezier curves: what cannot be prepared; t outside, NaN") {
+  std::vector<P> points(4, P{1, 2, 3});
+  std::vector<double> space(4 * 1000);
+  points[2].y = none;
+  CHECK(!irg::prepare_bezier(points, std::span<double>(space)));
+  points[2].y = 1e308;
+  CHECK(!irg::prepare_bezier(points, std::span<double>(space)));
+  points.assign(902, P{1, 1, 1});
+  CHECK(!irg::prepare_bezier(points, std::span<double>(space)));
+  points.resize(901);
+  const auto long_one = irg::prepare_bezier(points, std::span<double>(space));
+  REQUIRE(long_one);
+  CHECK(irg::length(irg::bezier_point(*long_one, 0.3) - P{1, 1, 1}) < 1e-12);
+  points.assign(2, P{0, 0, 0});
+  points[1] = {1, 2, 3};
+  const auto line = *irg::prepare_bezier(points, std::span<double>(space));
+  CHECK(irg::length(irg::bezier_point(line, 3) - P{3, 6, 9}) < 1e-14);
+  CHECK(irg::length(irg::bezier_point(line, -1) - P{-1, -2, -3}) < 1e-14);
+  CHECK(irg::bezier_point(line, none).x != irg::bezier_point(line, none).x);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <irg/render/pick.hpp>
+
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <irg/mesh/shapes.hpp>
+
+namespace {
+
+TEST_CASE("pick: the object, face and point of every pixel, as the visibility buffer has them") {
+  irg::scene<double> s;
+  s.objects.push_back({irg::shape_cube<double>()});
+  s.objects.push_back({irg::shape_sphere<double>({.slices = 8, .stacks = 5})});
+  s.objects[1].placement(0, 3) = 1.5;
+  s.view.eye = {2, 3, 4};
+  constexpr int width = 80, height = 70;
+  auto ready = irg::prepare_scene(s);
+  irg::image<std::uint32_t> ids(width, height, irg::no_face);
+  irg::image<float> depth(width, height);
+  std::vector<irg::triangle_batch<double>> batches;
+  const auto mapping = irg::map_to_screen<double>(width, height);
+  std::vector<irg::projected_vertices<double>> vertices;
+  for (auto& o : ready.objects)
+    vertices.push_back(
+        irg::project_vertices<double>(o.body.positions, irg::view_projection(s.view, 80.0 / 70), mapping));
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    batches.push_back({&vertices[i], ready.objects[i].body.triangles, number, static_cast<std::uint32_t>(i)});
+    number += static_cast<std::uint32_t>(ready.objects[i].body.triangles.size());
+  }
+  irg::draw_workspace workspace;
+  irg::draw_visibility<irg::nearer_is_greater, double>(ids, depth, batches, mapping,
+                                                       {.clear = irg::clearing::before_drawing}, workspace);
+  int shown = 0;
+  for (int y = 0; y < height; y += 3)
+    for (int x = 0; x < width; x += 3) {
+      const auto p = irg::pick(ready, {width, height}, {x, y});
+      REQUIRE(p.has_value() == (ids(x, y) != irg::no_face));
+      if (!p) continue;
+      ++shown;
+      const std::size_t object = ids(x, y) < batches[1].first_number ? 0 : 1;
+      CHECK(p->object == object);
+      CHECK(p->face == ready.objects[object].body.face_of[ids(x, y) - batches[object].first_number]);
+      if (object == 0) CHECK((p->at.x > -1e-6 && p->at.x < 1 + 1e-6 && p->at.y > -1e-6 && p->at.y < 1 + 1e-6));
+    }
+  CHECK(shown > 50);
+  CHECK(irg::pick(s, {width, height}, {40, 35}) == irg::pick(ready, {width, height}, {40, 35}));
+  for (const irg::cell outside : {irg::cell{-1, 0}, irg::cell{0, -1}, irg::cell{width, 0}, irg::cell{0, height}})
+    CHECK(!irg::pick(ready, {width, height}, outside));
+  CHECK(!irg::pick(irg::scene<double>{}, {width, height}, {3, 3}));
+}
+
+}  // namespace
