@@ -13,6 +13,7 @@
 #include <irg/hidden/warnock.hpp>
 #include <irg/raster/line_aa.hpp>
 
+#include "../../tests/hidden/one_scene.hpp"
 #include "enlarged.hpp"
 
 namespace hidden_pictures {
@@ -120,6 +121,32 @@ inline picture parts() {
       for (int x = n.box.x_first; x < n.box.x_last; ++x)
         if (covers(n.part, x, y)) p(width + x, y) = darker(of_face[n.part.face->number], shade);
   });
+  return p;
+}
+
+// The scene of the page "one scene, every method" at half its size: as all exact methods have it, and by centroids, wrong
+// pixels dark.
+inline picture one_scene_by_two() {
+  const one_scene::bodies s = one_scene::make();
+  const auto faces = one_scene::faces_of(s);
+  const int w = one_scene::width, h = one_scene::height;
+  const ids exact = found_by(irg::painter_newell<>{}, faces, w, h),
+            naive = found_by(irg::painter_by_centroid_rounded<>{}, faces, w, h);
+  constexpr irg::rgba8 of_body[] = {{120, 150, 212, 255}, {204, 96, 72, 255}, {96, 160, 120, 255}, {250, 214, 90, 255},
+                                    {236, 190, 96, 255}};
+  const auto shaded = [&](std::uint32_t id) {
+    if (id == irg::no_face) return paper;
+    const auto& [v] = s.triangles[id];
+    const auto n = irg::cross(s.corners[v[1]] - s.corners[v[0]], s.corners[v[2]] - s.corners[v[0]]);
+    const double up = (0.3 * n[0] + 0.8 * n[1] + 0.5 * n[2]) / std::sqrt(dot(n, n));
+    return darker(of_body[s.body[id]], static_cast<int>(70 + 30 * std::fmax(up, -0.5)));
+  };
+  picture p(w, h / 2, paper);
+  for (int y = 0; y < h; y += 2)
+    for (int x = 0; x < w; x += 2) {
+      p(x / 2, y / 2) = shaded(exact(x, y));
+      p(x / 2 + w / 2, y / 2) = naive(x, y) == exact(x, y) ? shaded(naive(x, y)) : ink;
+    }
   return p;
 }
 

@@ -211,6 +211,7 @@ void methods() {
   save("grid_surface", grid_pictures::views());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());
+  save("one_scene", hidden_pictures::one_scene_by_two());
   save("bsp_faces", hidden_pictures::parts());
 }
 
@@ -429,6 +430,7 @@ int main(int argc, char** argv) {
   save("see", sight_pictures::corners());
   save("visibility_polygon", plane_sight::polygons());
   save("weak_visibility", plane_sight::shadows());
+  save("street_view", plane_sight::street());
   save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
   save("sight_in_space", space_sight::folded_out());

@@ -107,6 +107,44 @@ inline picture shadows() {
                        lit_by({{-1.5, 3}, {0, 3.8}, {1.5, 3}, {0.8, 4.6}, {-0.8, 4.6}}, walls)});
 }
 
+// A town of houses: what is seen from a place, from places on a path, and the places that see all of the path or some.
+inline panel town(const ring& places, bool as_a_whole) {
+  const std::vector<ring> houses{
+      {{-4.5, -4}, {-2, -4}, {-2, -2.5}, {-4.5, -2.5}}, {{-0.5, -4.5}, {1, -4.5}, {1, -1.5}, {-0.5, -1.5}},
+      {{2.5, -3.5}, {4.5, -3.5}, {4.5, -1}, {2.5, -1}}, {{-4, 0.5}, {-1.5, 0.5}, {-1.5, 2}, {-3, 3.5}, {-4, 3.5}},
+      {{0.5, 1}, {2, 1.5}, {1.5, 3}, {0, 2.5}},         {{3, 2}, {4.5, 2}, {4.5, 4}, {3, 4}}};
+  std::vector<wall> walls;
+  for (const ring& h : houses)
+    for (std::size_t i = 0; i < h.size(); ++i) walls.push_back({h[i], h[(i + 1) % h.size()]});
+  const irg::box<double, 2> window{{-5, -5}, {5, 5}};
+  panel p;
+  p.fill({{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, night);
+  if (as_a_whole) {
+    const auto parts = irg::weak_visibility(std::span<const point2>(places), walls, window);
+    for (const auto& [rings, colour] :
+         {std::pair{&parts.some, irg::rgba8{176, 166, 146, 255}}, std::pair{&parts.all, glow}}) {
+      std::vector<ring> placed;
+      for (const ring& r : *rings) placed.push_back(panel::placed(r));
+      irg::fill_polygon_aa(p.image, placed, irg::fill_rule::even_odd, glaze(colour));
+    }
+  } else {
+    for (const point2& from : places) {
+      ring seen;
+      for (const auto& v : irg::visibility_polygon(from, window, walls).ring) seen.push_back(v.at);
+      p.fill(seen, glow);
+    }
+  }
+  for (const ring& h : houses) p.fill(h, {150, 104, 84, 255});
+  if (as_a_whole) p.line(places.front(), places.back(), 4.0, red);
+  for (const point2& from : places) mark(p.image, panel::at(from), 4, red);
+  return p;
+}
+
+inline picture street() {
+  return side_by_side(
+      {town({{-1, -0.5}}, false), town({{-3, -1}, {-1, -0.5}, {1, 0}}, false), town({{-3, -1}, {1, 0}}, true)});
+}
+
 // A plan, its guards, and the parts in the colour of the guard who is said to see them.
 inline panel guarded(const std::vector<ring>& rings) {
   panel p;

@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/hidden/visible_polygons.hpp>
 #include <irg/mesh/shapes.hpp>
-#include <irg/visibility/visible_around.hpp>
+#include <irg/hidden/faces_around.hpp>
 
 #include "sketch.hpp"
 
@@ -40,16 +41,16 @@ inline picture folded_out() {
   constexpr irg::rgba8 colours[] = {{178, 176, 166, 255}, {204, 76, 58, 255},   {62, 112, 176, 255}, {66, 140, 84, 255},
                                     {214, 170, 70, 255},  {150, 104, 150, 255}, {150, 104, 150, 255}};
   constexpr int size = 150;
-  const auto around = irg::visible_around(point3{0, 0, 0}, m, {size, 0.01});
   picture p(4 * size + 20, 3 * size + 20, paper);
   constexpr int column[] = {3, 1, 2, 0, 0, 2}, row[] = {1, 1, 1, 1, 0, 2};
-  for (std::size_t i = 0; i < 6; ++i) {
+  const auto draw_side = [&](std::size_t i, const std::vector<irg::screen_face>& faces) {
+    const auto map = irg::visible_polygons(faces, irg::cell_window{0, 0, size, size});
     const double left = 10 + size * column[i], top = 10 + size * row[i];
-    for (const auto& r : around.sides[i].rings) {
+    for (const auto& r : map.rings) {
       if (r.number == irg::no_face) continue;
       ring outline;
       for (std::size_t k = 0; k < r.count; ++k) {
-        const auto at = irg::corner_of(around.sides[i], r, k);
+        const auto at = irg::corner_of(map, r, k);
         outline.push_back({left + at.x, top + at.y});
       }
       const std::uint32_t side = r.number % 12 / 2;
@@ -61,7 +62,8 @@ inline picture folded_out() {
     }
     const ring frame{{left, top}, {left + size, top}, {left + size, top + size}, {left, top + size}, {left, top}};
     stroke(p, frame, 2.0, {40, 44, 56, 255});
-  }
+  };
+  irg::faces_around(point3{0, 0, 0}, m, {size, 0.01}, draw_side);
   return p;
 }
 

@@ -36,8 +36,8 @@ inline void frames(picture& p, const irg::bvh& tree, std::uint32_t at, int level
   for (int k = 0; k < irg::bvh_node::width; ++k) {
     const irg::bvh_node& n = tree.nodes[at];
     if (n.child[k] == irg::bvh_node::none) continue;
-    const double x0 = n.low(0, k) / tree.scale + left, y0 = n.low(1, k) / tree.scale,
-                 x1 = n.high(0, k) / tree.scale + left, y1 = n.high(1, k) / tree.scale;
+    const double x0 = double{n.low(0, k)} / tree.scale + left, y0 = double{n.low(1, k)} / tree.scale,
+                 x1 = double{n.high(0, k)} / tree.scale + left, y1 = double{n.high(1, k)} / tree.scale;
     const double out = 5.0 - 2 * level;
     outline(p, {{x0 - out, y0 - out}, {x1 + out, y0 - out}, {x1 + out, y1 + out}, {x0 - out, y1 + out}},
             level == 0 ? 2 : 1.2, colours[static_cast<std::size_t>(level)]);

@@ -8,6 +8,7 @@
 #include <irg/hidden/classical_methods.hpp>
 #include <irg/hidden/draw_plot.hpp>
 #include <irg/hidden/edge_part.hpp>
+#include <irg/hidden/faces_around.hpp>
 #include <irg/hidden/floating_horizon.hpp>
 #include <irg/hidden/grid_covering_order.hpp>
 #include <irg/hidden/grid_surface.hpp>

@@ -16,11 +16,11 @@
 #include <irg/visibility/sight_line.hpp>
 #include <irg/visibility/sight_result.hpp>
 #include <irg/visibility/sight_tracker.hpp>
+#include <irg/visibility/space_portals.hpp>
 #include <irg/visibility/unit_sight.hpp>
 #include <irg/visibility/view_through_portals.hpp>
 #include <irg/visibility/viewshed.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
-#include <irg/visibility/visible_around.hpp>
 #include <irg/visibility/visible_part.hpp>
 #include <irg/visibility/visible_points.hpp>
 #include <irg/visibility/weak_visibility.hpp>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is seen on grids, in the plane and in space.
+#include <irg/hidden/faces_around.hpp>
+#include <irg/hidden/visible_polygons.hpp>
 #include <irg/visibility/cells_from_bsp.hpp>
 #include <irg/visibility/cut_source.hpp>
 #include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/prepared_walls.hpp>
 #include <irg/visibility/sight_in_space.hpp>
 #include <irg/visibility/textbook/sight_3d.hpp>
-#include <irg/visibility/visible_around.hpp>
 #include <irg/visibility/visible_part.hpp>
 #include <irg/visibility/weak_visibility.hpp>
 
@@ -130,8 +131,11 @@ constexpr std::uint64_t visibility_space(int rounds) {
     if (rounds == 1) continue;
     const auto sure = irg::sure_sight(eye, floor, m);
     h.add(sure ? static_cast<int>(*sure) : 3);
-    const auto around = irg::visible_around(irg::point<double, 3>{0.25, 0.5, 3}, m, {256, 0.125});
-    for (const std::uint32_t f : around.seen) h.add(static_cast<int>(f));
+    const auto add_side = [&](std::size_t, const std::vector<irg::screen_face>& faces) {
+      for (const auto& ring : irg::visible_polygons(faces, irg::cell_window{0, 0, 256, 256}).rings)
+        h.add(static_cast<int>(ring.number + ring.count));
+    };
+    irg::faces_around(irg::point<double, 3>{0.25, 0.5, 3}, m, {256, 0.125}, add_side);
   }
   return h.value();
 }

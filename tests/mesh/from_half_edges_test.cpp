@@ -64,6 +64,7 @@ TEST_CASE("from_half_edges: a hole through a box is two rings, and the mesh has 
   for (const auto& p : shaft.positions) both.positions.push_back(p);
   for (std::size_t f = 0; f < shaft.face_count(); ++f) {
     std::vector<std::size_t> names;
+    names.reserve(shaft.face_size(f));
     for (std::size_t k = 0; k < shaft.face_size(f); ++k)
       names.push_back(shaft.corner(f, k).position + outer.positions.size());
     irg::add_face(both, names);

@@ -71,6 +71,7 @@ TEST_CASE("to_half_edges: a vertex of 20,000 faces takes no longer than others")
   irg::mesh<double> m;
   constexpr int n = 20000;
   for (int i = 0; i < n + 1; ++i) m.positions.push_back({double(i), 0, 0});
+  order.reserve(n);
   for (int i = 0; i < n; ++i) order.push_back(i);
   for (int i = n - 1; i > 0; --i) std::swap(order[std::size_t(i)], order[std::size_t(r.integer(0, i))]);
   for (const int i : order) irg::add_face(m, face{0, 1 + i, 1 + (i + 1) % n});

@@ -33,8 +33,10 @@ TEST_CASE("csg_tree: spans of a box with a hole, through sides and corners, at c
     const spans s = irg::spans_upward(t, x, y);
     const double* end = ends.begin();
     if (2 * s.size() != ends.size()) return false;
-    for (const auto& span : s)
-      if (span.from != *end++ || span.to != *end++) return false;
+    for (const auto& span : s) {
+      if (span.from != end[0] || span.to != end[1]) return false;
+      end += 2;
+    }
     return true;
   };
   CHECK_BOTH(is(2, 2.5, {0, 1, 3, 4}));

@@ -17,6 +17,7 @@ void append(body& m, const body& other, double scale) {
   for (const auto& p : other.positions) m.positions.push_back({p.x * scale, p.y * scale, p.z * scale});
   for (std::size_t f = 0; f < other.face_count(); ++f) {
     std::vector<std::uint32_t> corners;
+    corners.reserve(other.face_size(f));
     for (std::size_t k = 0; k < other.face_size(f); ++k) corners.push_back(first + other.corner(f, k).position);
     irg::add_face(m, corners);
   }

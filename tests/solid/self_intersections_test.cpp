@@ -54,6 +54,7 @@ TEST_CASE("self_intersections: none in bodies; those of two bodies that cut each
     for (const place& p : second.positions) m.positions.push_back({p.x + x, p.y, p.z});
     for (std::size_t f = 0; f < second.face_count(); ++f) {
       std::vector<std::uint32_t> corners;
+      corners.reserve(second.face_size(f));
       for (std::size_t k = 0; k < second.face_size(f); ++k) corners.push_back(first + second.corner(f, k).position);
       irg::add_face(m, corners);
     }

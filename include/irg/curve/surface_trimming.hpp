@@ -16,14 +16,9 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-// Where the edge from a to b meets the line on which the coordinate `axis` is `at`; the same from b to a.
+// Where the edge from a to b meets the line on which the coordinate `axis` is `at`; from b to a the same bits.
 template <Floating T>
-constexpr point<T, 2> edge_at(point<T, 2> a, point<T, 2> b, int axis, T at) noexcept {
-  if (b[axis] < a[axis]) {
-    const point<T, 2> kept = a;
-    a = b;
-    b = kept;
-  }
+constexpr point<T, 2> edge_at(const point<T, 2>& a, const point<T, 2>& b, int axis, T at) noexcept {
   const curve_parameter<T> share{(b[axis] - at) / (b[axis] - a[axis]), (at - a[axis]) / (b[axis] - a[axis])};
   point<T, 2> p = blend(a, b, share);
   p[axis] = at;

@@ -3,7 +3,7 @@
 // definition of the picture, carried out; the other methods give the same and do less.
 #pragma once
 
-#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,21 +20,36 @@ inline namespace IRG_ABI {
 // seen.
 template <class Face>
 constexpr void leave_out_equal_faces(std::vector<Face>& list) {
-  const auto compare = [](const Face& a, const Face& b) {
-    for (int i = 0; i < 3; ++i) {
-      const screen_vertex &p = a.v[i], &q = b.v[i];
-      if (p.position.x != q.position.x) return p.position.x < q.position.x ? -1 : 1;
-      if (p.position.y != q.position.y) return p.position.y < q.position.y ? -1 : 1;
-      if (p.depth != q.depth) return p.depth < q.depth ? -1 : 1;
-    }
-    return 0;
+  const auto is_same = [](const Face& a, const Face& b) {
+    for (int i = 0; i < 3; ++i)
+      if (a.v[i].position != b.v[i].position || a.v[i].depth != b.v[i].depth) return false;
+    return true;
   };
-  std::sort(list.begin(), list.end(), [&](const Face& a, const Face& b) {
-    const int order = compare(a, b);
-    return order != 0 ? order < 0 : a.number < b.number;
-  });
-  list.erase(std::unique(list.begin(), list.end(), [&](const Face& a, const Face& b) { return compare(a, b) == 0; }),
-             list.end());
+  const auto hash_of = [](const Face& f) {
+    std::uint64_t h = 0;
+    for (const screen_vertex& v : f.v) {
+      h = (h ^ static_cast<std::uint32_t>(v.position.x)) * 0x9e3779b97f4a7c15u;
+      h = (h ^ (h >> 32) ^ static_cast<std::uint32_t>(v.position.y)) * 0xd1b54a32d192ed03u;
+      h ^= h >> 29;  // equal depths may differ in their bits: 0 and -0
+    }
+    return h;
+  };
+  // The places in the list of those met before, open addressing.
+  std::vector<std::uint32_t> met(std::bit_ceil(2 * list.size()), no_face);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::size_t at = hash_of(list[i]) & (met.size() - 1);
+    while (met[at] != no_face && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
+    if (met[at] != no_face) {
+      Face& first = list[met[at]];
+      if (list[i].number < first.number) first.number = list[i].number;
+      continue;
+    }
+    met[at] = static_cast<std::uint32_t>(kept);
+    if (kept != i) list[kept] = list[i];
+    ++kept;
+  }
+  list.resize(kept, Face{});
 }
 
 // The faces with an area that touch a window, side by side.

@@ -39,10 +39,48 @@ struct no_window_observer {
 
 namespace detail {
 
-// A face on a window's list.
+// A face on a window's list. `covered` has, in blocks, a bit for each pixel of the block that the face covers, and all
+// bits where it surrounds the window.
 struct warnock_face {
   const screen_face* face;
-  bool surrounds;
+  std::uint64_t covered;
+  cell_window bounds;  // of the face's pixels
+
+  static constexpr std::uint64_t all = ~std::uint64_t{0};
+  IRG_INLINE constexpr bool surrounds() const noexcept { return covered == all; }
+};
+
+// A window of at most 8 x 8 pixels, whose parts hold faces against windows by their bits.
+struct warnock_block {
+  static constexpr int side = 8;
+  int x = 0, y = 0;
+
+  static constexpr bool holds(const cell_window& w) noexcept {
+    return w.x_last - w.x_first <= side && w.y_last - w.y_first <= side;
+  }
+  constexpr std::uint64_t bit(int px, int py) const noexcept {
+    return std::uint64_t{1} << ((py - y) * side + (px - x));
+  }
+  constexpr std::uint64_t bits_of(const cell_window& w) const noexcept {
+    const std::uint64_t row = ((std::uint64_t{1} << (w.x_last - w.x_first)) - 1) << (w.x_first - x);
+    std::uint64_t bits = 0;
+    for (int py = w.y_first; py < w.y_last; ++py) bits |= row << ((py - y) * side);
+    return bits;
+  }
+  constexpr std::uint64_t covered_by(const triangle_coverage& t, const cell_window& w) const noexcept {
+    std::uint64_t bits = 0;
+    const cell_window both = intersect(t.bounds, w);
+    if (t.double_area == 0) return 0;
+    for (int py = both.y_first; py < both.y_last; ++py) {
+      std::int64_t e[3];
+      for (int i = 0; i < 3; ++i) e[i] = t.edge[i](both.x_first, py);
+      for (int px = both.x_first; px < both.x_last; ++px) {
+        if ((e[0] | e[1] | e[2]) >= 0) bits |= bit(px, py);
+        for (int i = 0; i < 3; ++i) e[i] += t.edge[i].right;
+      }
+    }
+    return bits;
+  }
 };
 
 template <DepthOrder Order, class Observer>
@@ -51,35 +89,87 @@ public:
   constexpr warnock_division(image<std::uint32_t>& ids, Observer& observer) : ids_(ids), observer_(observer) {}
 
   constexpr warnock_counts operator()(const std::vector<screen_face>& faces, const cell_window& window) {
-    for (const screen_face& f : faces) lists_.push_back({&f, false});
-    look_at(window, 0, lists_.size());
+    for (const screen_face& f : faces) lists_.push_back({&f, 0, f.coverage.bounds});
+    look_at(window, 0, lists_.size(), false);
     return counts_;
   }
 
 private:
   // Draws a window, whose parent's list is [first, last). Its own list goes behind all others, and away at the end.
-  constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last) {
+  constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last, bool in_block) {
     const std::size_t own = lists_.size();
-    for (std::size_t i = first; i < last; ++i) {
-      const warnock_face f = lists_[i];
-      if (f.surrounds) {
-        lists_.push_back(f);
-        continue;
-      }
-      ++counts_.classified;
-      const containment where = classify(f.face->coverage, w);
-      if (where != containment::outside) lists_.push_back({f.face, where == containment::inside});
-    }
+    if (warnock_block::holds(w))
+      take_in_block(w, first, last, in_block);
+    else
+      take(w, first, last);
     leave_out_hidden(w, own);
     const warnock_case ending = draw_if_easy(w, own);
     ++counts_.windows[static_cast<int>(ending)];
     observer_(w, ending);
     if (ending == warnock_case::divided) {
       const std::size_t end = lists_.size();
+      const bool to_pixels = w.x_last - w.x_first <= 2 && w.y_last - w.y_first <= 2;
       for (const cell_window& part : quarters(w))
-        if (!part.empty()) look_at(part, own, end);
+        if (part.empty())
+          continue;
+        else if (to_pixels)
+          look_at_pixel(part, own);
+        else
+          look_at(part, own, end, warnock_block::holds(w));
     }
     lists_.resize(own, warnock_face{});
+  }
+  // The same for a pixel, whose parent's list is the last one: all that cover it but the nearest are hidden.
+  constexpr void look_at_pixel(const cell_window& w, std::size_t own) {
+    const std::uint64_t bit = block_.bit(w.x_first, w.y_first);
+    const screen_face* seen = nullptr;
+    for (std::size_t i = own; i < lists_.size(); ++i) {
+      const warnock_face& f = lists_[i];
+      counts_.classified += f.surrounds() ? 0 : 1;
+      if ((f.covered & bit) == 0) continue;
+      counts_.hidden += seen != nullptr ? 1 : 0;
+      if (seen == nullptr || is_nearer<Order>(*f.face, *seen, w.x_first, w.y_first)) seen = f.face;
+    }
+    if (seen != nullptr) ids_(w.x_first, w.y_first) = seen->number;
+    const warnock_case ending = seen != nullptr ? warnock_case::single_pixel : warnock_case::empty;
+    ++counts_.windows[static_cast<int>(ending)];
+    observer_(w, ending);
+  }
+  constexpr void take(const cell_window& w, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      bool surrounds = lists_[i].surrounds();
+      if (!surrounds) {
+        ++counts_.classified;
+        const cell_window& b = lists_[i].bounds;
+        if (b.x_last <= w.x_first || w.x_last <= b.x_first || b.y_last <= w.y_first || w.y_last <= b.y_first) continue;
+        const bool within =
+            w.x_first < b.x_first && b.x_last < w.x_last && w.y_first < b.y_first && b.y_last < w.y_last;
+        if (!within) {
+          const containment where = classify(lists_[i].face->coverage, w);
+          if (where == containment::outside) continue;
+          surrounds = where == containment::inside;
+        }
+      }
+      lists_.push_back({lists_[i].face, surrounds ? warnock_face::all : 0, lists_[i].bounds});
+    }
+  }
+  constexpr void take_in_block(const cell_window& w, std::size_t first, std::size_t last, bool in_block) {
+    if (!in_block) block_ = {w.x_first, w.y_first};
+    const std::uint64_t all = block_.bits_of(w);
+    for (std::size_t i = first; i < last; ++i) {
+      const warnock_face& f = lists_[i];
+      std::uint64_t covered = warnock_face::all;
+      if (!f.surrounds()) {
+        ++counts_.classified;
+        if (in_block)
+          covered = f.covered;
+        else
+          covered = intersect(f.bounds, w).empty() ? 0 : block_.covered_by(f.face->coverage, w);
+        if ((covered & all) == 0) continue;
+        if ((covered & all) == all) covered = warnock_face::all;
+      }
+      lists_.push_back({f.face, covered, f.bounds});
+    }
   }
 
   // Of the surrounding faces the one that is seen in the window's first pixel hides most: what lies behind it in all of
@@ -88,7 +178,7 @@ private:
     const screen_face* front = nullptr;
     for (std::size_t i = own; i < lists_.size(); ++i)
       if (const warnock_face& f = lists_[i];
-          f.surrounds && (front == nullptr || is_nearer<Order>(*f.face, *front, w.x_first, w.y_first)))
+          f.surrounds() && (front == nullptr || is_nearer<Order>(*f.face, *front, w.x_first, w.y_first)))
         front = f.face;
     if (front == nullptr) return;
     std::size_t kept = own;
@@ -106,24 +196,25 @@ private:
     if (lists_.size() == own) return warnock_case::empty;
     const bool single = is_one_pixel(w);
     if (lists_.size() > own + 1 && !single) return warnock_case::divided;
-    const screen_face* seen = nullptr;  // the only one, or the nearest in a pixel
-    for (std::size_t i = own; i < lists_.size(); ++i)
-      if (const screen_face* f = lists_[i].face;
-          !single ||
-          (covers(*f, w.x_first, w.y_first) && (seen == nullptr || is_nearer<Order>(*f, *seen, w.x_first, w.y_first))))
-        seen = f;
-    if (seen != nullptr)
-      covered_spans(seen->coverage, w, [&](const span_of_cells& s) {
-        for (int x = s.x_first; x < s.x_last; ++x) ids_(x, s.y) = seen->number;
+    const warnock_face* seen = &lists_[own];  // the only one, or the nearest in a pixel, which all cover
+    for (std::size_t i = own + 1; i < lists_.size(); ++i)
+      if (is_nearer<Order>(*lists_[i].face, *seen->face, w.x_first, w.y_first)) seen = &lists_[i];
+    if (warnock_block::holds(w)) {
+      for (int y = w.y_first; y < w.y_last; ++y)
+        for (int x = w.x_first; x < w.x_last; ++x)
+          if ((seen->covered & block_.bit(x, y)) != 0) ids_(x, y) = seen->face->number;
+    } else {
+      covered_spans(seen->face->coverage, w, [&](const span_of_cells& s) {
+        for (int x = s.x_first; x < s.x_last; ++x) ids_(x, s.y) = seen->face->number;
       });
-    return single                  ? warnock_case::single_pixel
-           : lists_[own].surrounds ? warnock_case::surrounded
-                                   : warnock_case::one_face;
+    }
+    return single ? warnock_case::single_pixel : seen->surrounds() ? warnock_case::surrounded : warnock_case::one_face;
   }
 
   image<std::uint32_t>& ids_;
   Observer& observer_;
   std::vector<warnock_face> lists_{};
+  warnock_block block_{};  // of the window that is looked at
   warnock_counts counts_{};
 };
 

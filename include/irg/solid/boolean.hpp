@@ -79,7 +79,7 @@ constexpr int direction_of_part(int body, part_place place, boolean_operation op
 }
 
 // Whether the edges at cuts are walked as often one way as the other.
-constexpr bool are_cuts_closed(const body_cutter& cut, const std::vector<signed char>& direction) {
+constexpr bool are_cuts_closed(const body_cutter& cut, const std::vector<int>& direction) {
   struct walk {
     std::uint32_t low, high;
     int times;
@@ -118,7 +118,7 @@ constexpr solid_corner_origin origin_of_corner(const body_cutter& cut, const bod
 
 // The triangles that bound the result, without the corners that are none.
 constexpr std::vector<kept_triangle> keep_triangles(body_cutter& cut, const body_triangles& b,
-                                                    const std::vector<signed char>& direction) {
+                                                    const std::vector<int>& direction) {
   std::vector<kept_triangle> kept;
   for (std::size_t t = 0; t < direction.size(); ++t) {
     const cut_triangle& from = cut.triangles[t];
@@ -183,11 +183,11 @@ constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh
     }
   detail::body_cutter cut(b);
   if (cut.failed) return {solid_boolean_status::not_a_body};
-  std::vector<signed char> direction(cut.triangles.size(), 0);
+  std::vector<int> direction(cut.triangles.size(), 0);
   for (std::size_t t = 0; t < direction.size(); ++t) {
     const detail::cut_triangle& from = cut.triangles[t];
     direction[t] =
-        static_cast<signed char>(detail::direction_of_part(b.body_of(from.source), cut.places[from.part], operation));
+        static_cast<int>(detail::direction_of_part(b.body_of(from.source), cut.places[from.part], operation));
   }
   if (!detail::are_cuts_closed(cut, direction)) return {solid_boolean_status::not_a_body};
   solid_boolean_result<T> out;

@@ -7,12 +7,23 @@
 #include <span>
 #include <type_traits>
 
+#include <irg/core/interleaved_lanes.hpp>
+#include <irg/core/lane_masks.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/curve/bezier.hpp>
 #include <irg/math/error_free.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
+
+// The product of numbers or packs; these guard their own operator *.
+template <class F>
+IRG_INLINE constexpr F times(const F& a, const F& b) noexcept {
+  if constexpr (std::is_floating_point_v<F>)
+    return product(a, b);
+  else
+    return a * b;
+}
 
 // What rounding took from p, the product of a and b: of numbers or packs, by Dekker's splitting where nothing is fused.
 template <class F>
@@ -21,17 +32,18 @@ IRG_INLINE constexpr F rest_of_product(const F& a, const F& b, const F& p) noexc
   if constexpr (has_fused_multiply_add && std::is_same_v<T, double>)
     if (!std::is_constant_evaluated()) return fused_multiply_add(a, b, -p);
   const F factor = lanes<F>::broadcast(std::is_same_v<T, double> ? T(134217729) : T(4097));  // 2^27 + 1, 2^12 + 1
-  const F scaled_a = product(factor, a), scaled_b = product(factor, b);
+  const F scaled_a = times(factor, a), scaled_b = times(factor, b);
   const F high_a = scaled_a - (scaled_a - a), high_b = scaled_b - (scaled_b - b);
   const F low_a = a - high_a, low_b = b - high_b;
-  return (((product(high_a, high_b) - p) + product(high_a, low_b)) + product(low_a, high_b)) + product(low_a, low_b);
+  return (((times(high_a, high_b) - p) + times(high_a, low_b)) + times(low_a, high_b)) + times(low_a, low_b);
 }
 
 // (x + rest)^n by squares, as if in twice the precision.
 template <class F>
-IRG_INLINE constexpr F to_the_power(F x, F rest, std::size_t n) noexcept {
+IRG_INLINE constexpr F to_the_power(const F& base, const F& rest_of_base, std::size_t n) noexcept {
+  F x = base, rest = rest_of_base;
   const auto square = [&] {
-    const F x2 = product(x, x), across = product(x, rest);
+    const F x2 = times(x, x), across = times(x, rest);
     rest = rest_of_product(x, x, x2) + (across + across);
     x = x2;
     n /= 2;
@@ -42,8 +54,8 @@ IRG_INLINE constexpr F to_the_power(F x, F rest, std::size_t n) noexcept {
   while (n > 1) {
     square();
     if (n % 2 == 0) continue;
-    const F next = product(power, x);
-    off = rest_of_product(power, x, next) + (product(power, rest) + product(off, x));
+    const F next = times(power, x);
+    off = rest_of_product(power, x, next) + (times(power, rest) + times(off, x));
     power = next;
   }
   return power + off;
@@ -53,9 +65,9 @@ IRG_INLINE constexpr F to_the_power(F x, F rest, std::size_t n) noexcept {
 // for: otherwise what rounding took from the ratio would count as often as the degree says.
 template <class F>
 IRG_INLINE constexpr F rest_for_ratio(const F& side, const F& rest, const F& other, const F& ratio) noexcept {
-  const F back = product(ratio, side);
-  const F off = ((other - back) - rest_of_product(ratio, side, back)) - product(ratio, rest);
-  return rest + product(side, off);
+  const F back = times(ratio, side);
+  const F off = ((other - back) - rest_of_product(ratio, side, back)) - times(ratio, rest);
+  return rest + times(side, off);
 }
 
 // t and 1 - t: the greater one with what rounding took from it, and the other.
@@ -76,8 +88,8 @@ template <class F, class Coefficient>
 IRG_INLINE constexpr F horner_of_side(std::size_t n, const F& ratio, const F& power,
                                       const Coefficient& coefficient) noexcept {
   F sum = coefficient(n);
-  for (std::size_t i = n; i-- > 0;) sum = product(sum, ratio) + coefficient(i);
-  return product(sum, power);
+  for (std::size_t i = n; i-- > 0;) sum = times(sum, ratio) + coefficient(i);
+  return times(sum, power);
 }
 
 template <Coordinates P, class Curve>
@@ -110,17 +122,23 @@ IRG_INLINE P prepared_point_in_lanes(const Curve& curve, scalar_of<P> t) noexcep
   F sum = lanes<F>::load(row);
   for (std::size_t i = 0; i < n; ++i) {
     row += step;
-    sum = product(sum, r) + lanes<F>::load(row);
+    sum = times(sum, r) + lanes<F>::load(row);
   }
-  sum = product(sum, lanes<F>::broadcast(to_the_power(at.side, rest_for_ratio(at.side, at.rest, at.other, ratio), n)));
+  sum = times(sum, lanes<F>::broadcast(to_the_power(at.side, rest_for_ratio(at.side, at.rest, at.other, ratio), n)));
   return generate_coordinates<P>([&](int axis) { return lane(sum, axis); });
 }
 
-template <Floating T>
-constexpr int count_far(std::span<const T> t) noexcept {
-  int far = 0;
-  for (const T& at : t) far += T(1) - at < at ? 1 : 0;
-  return far;
+// Writes a pack of points, given by coordinates.
+template <class F, Coordinates P>
+IRG_INLINE void put_points(const F (&sum)[static_cast<std::size_t>(size_of<P>)], P* points) noexcept {
+  using T = scalar_of<P>;
+  if constexpr (size_of<P> == 3 && sizeof(P) == 3 * sizeof(T) && std::is_trivially_copyable_v<P> &&
+                std::is_standard_layout_v<P>)
+    store_triples(reinterpret_cast<T*>(points), triple_lanes<T, lanes<F>::count>{sum[0], sum[1], sum[2]});
+  else
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lanes<F>::count); ++i)
+      points[i] = generate_coordinates<P>(
+          [&](int axis) { return lane(sum[static_cast<std::size_t>(axis)], static_cast<int>(i)); });
 }
 
 // How many packs of points are under way at once: one waits for its own last product at each step.
@@ -148,14 +166,12 @@ IRG_INLINE void prepared_points_in_lanes(const Curve& curve, const scalar_of<P>*
     row += far ? static_cast<std::ptrdiff_t>(width) : -static_cast<std::ptrdiff_t>(width);
     for (std::size_t axis = 0; axis < axes; ++axis) {
       const F c = lanes<F>::broadcast(row[axis]);
-      for (std::size_t g = 0; g < packs_together; ++g) sum[g][axis] = product(sum[g][axis], ratio[g]) + c;
+      for (std::size_t g = 0; g < packs_together; ++g) sum[g][axis] = times(sum[g][axis], ratio[g]) + c;
     }
   }
   for (std::size_t g = 0; g < packs_together; ++g) {
-    for (std::size_t axis = 0; axis < axes; ++axis) sum[g][axis] = product(sum[g][axis], power[g]);
-    for (std::size_t i = 0; i < count; ++i)
-      points[g * count + i] = generate_coordinates<P>(
-          [&](int axis) { return lane(sum[g][static_cast<std::size_t>(axis)], static_cast<int>(i)); });
+    for (std::size_t axis = 0; axis < axes; ++axis) sum[g][axis] = times(sum[g][axis], power[g]);
+    put_points<F>(sum[g], points + g * count);
   }
 }
 
@@ -173,9 +189,15 @@ constexpr void prepared_points(const Curve& curve, std::span<const scalar_of<P>>
     using F = pack<T, widest_lanes<T>>;
     constexpr std::size_t count = packs_together * static_cast<std::size_t>(widest_lanes<T>);
     for (; k + count <= t.size(); k += count) {
-      const int far = count_far<T>(t.subspan(k, count));
-      if (far == 0 || far == static_cast<int>(count))
-        prepared_points_in_lanes<F, P>(curve, &t[k], far != 0, &points[k]);
+      bool all_far = true, all_near = true;
+      for (std::size_t g = 0; g < count; g += static_cast<std::size_t>(lanes<F>::count)) {
+        const F at = lanes<F>::load(&t[k + g]);
+        const auto is_far = lanes<F>::broadcast(1) - at < at;
+        all_far = all_far && all_lanes(is_far);
+        all_near = all_near && no_lane(is_far);
+      }
+      if (all_far || all_near)
+        prepared_points_in_lanes<F, P>(curve, &t[k], all_far, &points[k]);
       else
         for (std::size_t i = k; i < k + count; ++i) points[i] = prepared_point_in_lanes<P>(curve, t[i]);
     }

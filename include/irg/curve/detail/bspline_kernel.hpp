@@ -103,7 +103,7 @@ IRG_INLINE constexpr auto sum_of_multiples(const V& value, const At& at) noexcep
       for (std::size_t i = 0; i < value.size(); ++i) {
         if (value[i] == T(0)) continue;
         const auto coordinates = std::bit_cast<std::array<T, 4>>(at(i));
-        sum = sum + product(lanes<F>::broadcast(value[i]), lanes<F>::load(coordinates.data()));
+        sum = sum + lanes<F>::broadcast(value[i]) * lanes<F>::load(coordinates.data());
       }
       std::array<T, 4> result;
       lanes<F>::store(result.data(), sum);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// visible_around: which faces of a mesh are seen from a point, in all directions, and which parts of them, as polygons
-// in the six sides of a cube around it.
+// faces_around: the faces of a mesh as they are seen from a point in all directions, in the six sides of a cube around
+// it, ready for whatever finds out what hides what: visible_polygons for polygons, a hidden-surface method for ids.
 #pragma once
 
-#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <irg/core/contract.hpp>
-#include <irg/hidden/visible_polygons.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/mesh/triangulate.hpp>
@@ -29,19 +28,10 @@ struct cube_options {
   T near_distance = T(1) / T(1024);
 };
 
-/// What is seen around a point.
-/// shape   six sides, towards x, -x, y, -y, z, -z, windows of size x size pixels, not mirrored: z is up in the first
-///         four, y in the last two. Rings have the numbers of the mesh's faces; `seen` holds these, rising
-struct seen_around {
-  std::vector<visible_polygon_map> sides{};
-  std::vector<std::uint32_t> seen{};
-  int size = 0;
-};
-
 namespace detail {
 inline namespace IRG_ABI {
 
-// Right, up and forward of a side, as axes and their signs.
+// Right, up and forward of a side, as axes and their signs: towards x, -x, y, -y, z, -z.
 struct cube_side {
   int right, right_sign, up, forward, forward_sign;
 };
@@ -84,58 +74,50 @@ constexpr std::vector<screen_face> faces_of_side(const mesh<T>& around, std::spa
 
 inline namespace IRG_ABI {
 
-/// The faces of a mesh that are seen from a point, and the parts of them that are.
+/// Calls sink(side, faces) for the six sides of a cube around a point: the faces of a mesh that its window, of size x
+/// size pixels, may show, as a std::vector<screen_face>, with the numbers of the mesh's faces.
+/// shape   sides 0 to 5, towards x, -x, y, -y, z, -z, not mirrored: z is up in the first four, y in the last two
 /// needs   a mesh in which validate() finds no defect, 1 <= size <= 4096, 0 < near_distance; coordinates whose
 ///         differences from the eye are finite
-/// gives   both sides of faces are seen. What is nearer than near_distance along the axis of a side is not; faces seen
-///         edge-on are not. Nothing (no_face) where no face is
-/// exact   the picture of each side: corners are rounded to a 256th of a pixel and depths to floats; what hides what is
-///         exact for these. What shows less than that of itself may be lost, or found
-/// cost    visible_polygons for each side
-template <Floating T>
-constexpr seen_around visible_around(const point<T, 3>& eye, const mesh<T>& m, const cube_options<T>& options = {}) {
+/// gives   faces whose back is seen, too. What is nearer than near_distance along the axis of a side is cut off
+/// exact   corners are rounded to a 256th of a pixel and depths to floats. For these, visible_polygons and the methods
+///         of this chapter tell exactly what hides what; what shows less of itself may be lost, or found
+/// cost    each vertex and triangle six times; allocates
+template <Floating T, class Sink>
+  requires std::invocable<Sink&, std::size_t, const std::vector<screen_face>&>
+constexpr void faces_around(const point<T, 3>& eye, const mesh<T>& m, const cube_options<T>& options, Sink&& sink) {
   IRG_EXPECTS(1 <= options.size && options.size <= 4096 && T(0) < options.near_distance);
   mesh<T> triangles = triangulate(m);
   for (point<T, 3>& p : triangles.positions) p = {p.x - eye.x, p.y - eye.y, p.z - eye.z};
   std::vector<std::uint32_t> numbers;
   for (std::size_t f = 0; f < m.face_count(); ++f)
     numbers.resize(numbers.size() + m.face_size(f) - 2, static_cast<std::uint32_t>(f));
-  seen_around out{{}, {}, options.size};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto faces = detail::faces_of_side<T>(triangles, numbers, detail::cube_sides[i], options);
-    visible_polygon_map map = visible_polygons(faces, cell_window{0, 0, options.size, options.size});
-    for (const visible_ring& r : map.rings)
-      if (r.number != no_face) out.seen.push_back(r.number);
-    out.sides.push_back(std::move(map));
-  }
-  std::sort(out.seen.begin(), out.seen.end());
-  out.seen.erase(std::unique(out.seen.begin(), out.seen.end()), out.seen.end());
-  return out;
+  for (std::size_t i = 0; i < 6; ++i)
+    sink(i, detail::faces_of_side<T>(triangles, numbers, detail::cube_sides[i], options));
 }
 
 /// The direction in which a place of a side, in pixels, is seen; its largest coordinate is 1 or -1.
-/// needs   side < 6
+/// needs   side < 6, 1 <= size
 /// exact   within an ulp of 1 in each coordinate
-constexpr vec<double, 3> direction_of(const seen_around& around, std::size_t side, const point<double, 2>& place) {
+constexpr vec<double, 3> direction_of(int size, std::size_t side, const point<double, 2>& place) noexcept {
   const detail::cube_side& s = detail::cube_sides[side];
   vec<double, 3> out{};
-  out[s.right] = s.right_sign * (2 * place.x / around.size - 1);
-  out[s.up] = 1 - 2 * place.y / around.size;
+  out[s.right] = s.right_sign * (2 * place.x / size - 1);
+  out[s.up] = 1 - 2 * place.y / size;
   out[s.forward] = s.forward_sign;
   return out;
 }
 
 /// The side of the cube that a direction meets, and where, in pixels; of several the first.
 /// needs   a finite direction, not 0
-constexpr std::pair<std::size_t, point<double, 2>> place_of(const seen_around& around,
-                                                            const vec<double, 3>& direction) {
+constexpr std::pair<std::size_t, point<double, 2>> place_of(int size, const vec<double, 3>& direction) noexcept {
   std::size_t best = 0;
   for (std::size_t i = 1; i < 6; ++i) {
     const detail::cube_side &s = detail::cube_sides[i], &b = detail::cube_sides[best];
     if (s.forward_sign * direction[s.forward] > b.forward_sign * direction[b.forward]) best = i;
   }
   const detail::cube_side& s = detail::cube_sides[best];
-  const double far = s.forward_sign * direction[s.forward], half = around.size / 2.0;
+  const double far = s.forward_sign * direction[s.forward], half = size / 2.0;
   return {best, {half + half * (s.right_sign * direction[s.right] / far), half - half * (direction[s.up] / far)}};
 }
 

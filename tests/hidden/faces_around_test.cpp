@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <irg/visibility/visible_around.hpp>
+#include <irg/hidden/faces_around.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include <irg/geometry/point_in_polygon.hpp>
-#include <irg/mesh/shapes.hpp>
+#include <irg/hidden/visible_polygons.hpp>
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"
@@ -17,6 +18,24 @@ namespace {
 
 using place = irg::point<double, 3>;
 using body = irg::mesh<double>;
+
+// What is seen in each side, and the numbers of the faces that are, rising.
+struct surroundings {
+  std::vector<irg::visible_polygon_map> sides;
+  std::vector<std::uint32_t> seen;
+};
+constexpr surroundings look(const place& eye, const body& m, const irg::cube_options<double>& options) {
+  surroundings out;
+  irg::faces_around(eye, m, options, [&](std::size_t, const std::vector<irg::screen_face>& faces) {
+    irg::visible_polygon_map map = irg::visible_polygons(faces, irg::cell_window{0, 0, options.size, options.size});
+    for (const auto& r : map.rings)
+      if (r.number != irg::no_face) out.seen.push_back(r.number);
+    out.sides.push_back(std::move(map));
+  });
+  std::sort(out.seen.begin(), out.seen.end());
+  out.seen.erase(std::unique(out.seen.begin(), out.seen.end()), out.seen.end());
+  return out;
+}
 
 void add(body& m, const std::vector<place>& corners) {
   std::vector<std::uint32_t> face;
@@ -38,11 +57,11 @@ double area_of(const irg::visible_polygon_map& map, std::uint32_t number) {
 }
 
 constexpr bool sees_nothing() {
-  const irg::seen_around around = irg::visible_around(place{0, 0, 0}, body{}, {4, 0.5});
+  const surroundings around = look(place{0, 0, 0}, body{}, {4, 0.5});
   return around.seen.empty() && around.sides[5].rings.size() == 1 && around.sides[0].rings[0].number == irg::no_face;
 }
 
-TEST_CASE("visible_around: a room from within, each wall on its own side") {
+TEST_CASE("faces_around: a room from within, each wall on its own side") {
   body room;
   const double s = 2;
   const std::vector<std::vector<place>> walls{
@@ -52,7 +71,7 @@ TEST_CASE("visible_around: a room from within, each wall on its own side") {
   for (const auto& w : walls) add(room, w);
   add(room, {{0.5, -0.25, -0.25}, {0.5, 0.25, -0.25}, {0.5, 0.25, 0.25}, {0.5, -0.25, 0.25}});  // a picture on a stand
   add(room, {{1, -0.25, -0.25}, {1, 0.25, -0.25}, {1, 0.25, 0.25}, {1, -0.25, 0.25}});  // behind it
-  const auto around = irg::visible_around(place{0, 0, 0}, room, {256, 0.125});
+  const auto around = look(place{0, 0, 0}, room, {256, 0.125});
   CHECK(around.seen == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6});
   for (std::uint32_t i = 1; i < 6; ++i) CHECK(area_of(around.sides[i], i) == 256 * 256);
   CHECK(area_of(around.sides[0], 6) == 128 * 128);
@@ -60,14 +79,12 @@ TEST_CASE("visible_around: a room from within, each wall on its own side") {
   CHECK_BOTH(sees_nothing());
 }
 
-TEST_CASE("visible_around: places and directions lead back to each other") {
-  irg::seen_around around;
-  around.size = 512;
+TEST_CASE("faces_around: places and directions lead back to each other") {
   test::random r(1);
   for (int i = 0; i < 200; ++i) {
     const irg::vec<double, 3> d{r.unit() - 0.5, r.unit() - 0.5, r.unit() - 0.5};
-    const auto [side, at] = irg::place_of(around, d);
-    const auto back = irg::direction_of(around, side, at);
+    const auto [side, at] = irg::place_of(512, d);
+    const auto back = irg::direction_of(512, side, at);
     const double longest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     for (int k = 0; k < 3; ++k) CHECK(std::fabs(back[k] - d[k] / longest) < 1e-14);
   }
@@ -95,7 +112,7 @@ std::uint32_t first_met(const body& m, const irg::vec<double, 3>& d, double& mar
   return best;
 }
 
-TEST_CASE("visible_around: each direction shows what a ray in it meets first") {
+TEST_CASE("faces_around: each direction shows what a ray in it meets first") {
   test::random r(9);
   const int times = std::getenv("IRG_RELEASE_TIER") != nullptr ? 40 : 1;
   int wrong = 0, judged = 0, unseen = 0;
@@ -113,14 +130,14 @@ TEST_CASE("visible_around: each direction shows what a ray in it meets first") {
       };
       add(m, {beside(), beside(), beside()});
     }
-    const auto around = irg::visible_around(place{0, 0, 0}, m, {1024, 1e-6});
+    const auto around = look(place{0, 0, 0}, m, {1024, 1e-6});
     for (int k = 0; k < 200; ++k) {
       const irg::vec<double, 3> d{r.unit() - 0.5, r.unit() - 0.5, r.unit() - 0.5};
       double margin = 0;
       const std::uint32_t want = first_met(m, d, margin);
       if (margin < 1e-3) continue;  // within some pixels of a side of a triangle
       ++judged;
-      const auto [side, at] = irg::place_of(around, d);
+      const auto [side, at] = irg::place_of(1024, d);
       const auto& map = around.sides[side];
       std::vector<std::vector<irg::point<double, 2>>> rings;
       for (const auto& ring : map.rings)

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Cells and portals in space: convex cells of any kind, and the flat convex openings between them. Which cells may be
+// seen from which, and what an eye sees: too much, never too little.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <irg/geometry/orient3d.hpp>
+#include <irg/spatial/cell_grid.hpp>
+#include <irg/visibility/detail/space_blockers.hpp>
+#include <irg/visibility/potentially_visible.hpp>
+#include <irg/visibility/view_through_portals.hpp>
+
+namespace irg {
+
+/// An opening between two cells, counter-clockwise as one sees it who passes from the first to the second.
+template <Floating T>
+struct space_portal {
+  std::uint32_t first = 0, second = 0;
+  std::vector<point<T, 3>> ring;
+};
+
+/// Convex cells, each the hull of its corners, and portals between them.
+template <Floating T>
+struct space_plan {
+  std::vector<std::vector<point<T, 3>>> cells;
+  std::vector<space_portal<T>> portals;
+};
+
+/// What is wrong with a plan in space.
+enum class space_plan_defect {
+  none,
+  portal_to_no_cell,  ///< it names a cell that the plan does not have
+  portal_to_itself,  ///< both of its cells are the same: mirrors are no portals
+  portal_without_area,  ///< fewer than three corners, or all of them on a line
+  portal_not_flat,  ///< its corners are not in one plane, or are not finite
+  portal_not_convex,  ///< a corner turns inwards, or the ring goes round more than once
+  cell_on_both_sides,  ///< the first cell is not before the portal's plane, or the second not behind it
+};
+
+/// The first defect of a plan: of the portal number `portal`.
+struct space_plan_finding {
+  space_plan_defect defect = space_plan_defect::none;
+  std::size_t portal = 0;
+  constexpr bool operator==(const space_plan_finding&) const = default;
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Whether all points lie on one side of the plane of a ring, or in it; `side` is 1 for who sees it counter-clockwise.
+template <Floating T>
+constexpr bool are_beside(const std::vector<point<T, 3>>& ring, std::span<const point<T, 3>> points,
+                          int side) noexcept {
+  for (const auto& p : points)
+    if (orient3d(ring[0], ring[1], ring[2], p) == -side) return false;
+  return true;
+}
+
+template <Floating T>
+constexpr space_plan_defect defect_of_portal(const space_plan<T>& plan, const space_portal<T>& p) {
+  if (p.first >= plan.cells.size() || p.second >= plan.cells.size()) return space_plan_defect::portal_to_no_cell;
+  if (p.first == p.second) return space_plan_defect::portal_to_itself;
+  const std::size_t n = p.ring.size();
+  if (n < 3) return space_plan_defect::portal_without_area;
+  for (const auto& v : p.ring)
+    for (int i = 0; i < 3; ++i)
+      if (!is_finite(v[i])) return space_plan_defect::portal_not_flat;
+  for (const auto& v : p.ring)
+    if (orient3d(p.ring[0], p.ring[1], p.ring[2], v) != 0) return space_plan_defect::portal_not_flat;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<point<T, 2>> flat;
+    flat.reserve(n);
+    for (const auto& v : p.ring) flat.push_back({v[(axis + 1) % 3], v[(axis + 2) % 3]});
+    if (orient2d(flat[0], flat[1], flat[2]) == 0) continue;
+    if (!is_convex(flat)) return space_plan_defect::portal_not_convex;
+    return are_beside<T>(p.ring, plan.cells[p.first], 1) && are_beside<T>(p.ring, plan.cells[p.second], -1)
+               ? space_plan_defect::none
+               : space_plan_defect::cell_on_both_sides;
+  }
+  return space_plan_defect::portal_without_area;
+}
+
+// A portal as one passes it.
+template <Floating T>
+struct space_doorway {
+  std::uint32_t to = 0;
+  std::vector<point<T, 3>> ring{};
+};
+
+// Ways through doors that some straight line may pass.
+template <Floating T>
+class space_walk {
+public:
+  constexpr explicit space_walk(const space_plan<T>& plan)
+      : doors_(plan.cells.size(), std::vector<space_doorway<T>>{}) {
+    for (const auto& p : plan.portals) {
+      doors_[p.first].push_back({p.second, p.ring});
+      doors_[p.second].push_back({p.first, {p.ring.rbegin(), p.ring.rend()}});
+    }
+  }
+
+  // Calls sink(cell) for each cell on a way; may_pass(passed, door) says whether it goes on. False when more than
+  // most_doors were looked at.
+  template <class MayPass, class Sink>
+  constexpr bool from(std::uint32_t cell, std::uint64_t most_doors, const MayPass& may_pass, const Sink& sink) const {
+    std::vector<std::pair<std::uint32_t, std::size_t>> way(1, {cell, std::size_t{0}});
+    std::vector<const space_doorway<T>*> passed;
+    sink(cell);
+    for (std::uint64_t count = 0; !way.empty();) {
+      const std::uint32_t at = way.back().first;
+      if (way.back().second == doors_[at].size()) {
+        way.pop_back();
+        if (!way.empty()) passed.pop_back();
+        continue;
+      }
+      if (count++ == most_doors) return false;
+      const space_doorway<T>& d = doors_[at][way.back().second++];
+      if (!may_pass(passed, d)) continue;
+      passed.push_back(&d);
+      way.emplace_back(d.to, std::size_t{0});
+      sink(d.to);
+    }
+    return true;
+  }
+
+  // Whether a line may pass a door after others: of each two it passes first one, then the other, and what lies between
+  // does not miss their hull.
+  static constexpr bool may_be_stabbed(const std::vector<const space_doorway<T>*>& passed, const space_doorway<T>& d) {
+    for (const auto* before : passed)
+      if (are_beside<T>(before->ring, d.ring, 1) || are_beside<T>(d.ring, before->ring, -1)) return false;
+    for (std::size_t i = 0; i + 1 < passed.size(); ++i) {
+      std::vector<point<T, 3>> both = passed[i]->ring;
+      both.insert(both.end(), d.ring.begin(), d.ring.end());
+      for (std::size_t k = i + 1; k < passed.size(); ++k)
+        if (are_parted<T>(both, passed[k]->ring)) return false;
+    }
+    return true;
+  }
+
+  constexpr const std::vector<space_doorway<T>>& doors(std::uint32_t cell) const noexcept { return doors_[cell]; }
+
+private:
+  std::vector<std::vector<space_doorway<T>>> doors_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The first thing that is wrong with a plan in space.
+/// exact   for all coordinates of portals, infinities and NaN included; corners of cells must be finite
+/// cost    the corners of both cells for each portal
+template <Floating T>
+constexpr space_plan_finding validate(const space_plan<T>& plan) {
+  for (std::size_t i = 0; i < plan.portals.size(); ++i)
+    if (const auto d = detail::defect_of_portal(plan, plan.portals[i]); d != space_plan_defect::none) return {d, i};
+  return {};
+}
+
+/// For each cell the cells of which something may be seen from somewhere in it, itself among them.
+/// shape   as potentially_visible of plans in the plane
+/// needs   a plan without defects, fewer than 2^31 cells
+/// gives   too much, never too little, of what lines see that pass portals within their edges: of each three portals on
+///         a way, the middle one meets the hull of the others. Where a search would look at more than
+///         options.most_doors portals, all cells, and such searches are counted
+/// exact   each of these tests, for all finite coordinates
+/// cost    for each sequence of portals that is tried the pairs of portals before, each the planes through three of
+///         their corners
+/// source  Teller and Sequin 1991, with hulls for their stabbing lines
+template <Floating T>
+constexpr visible_sets potentially_visible(const space_plan<T>& plan, const visible_set_options& options = {}) {
+  const auto cells = static_cast<int>(plan.cells.size());
+  visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
+  const detail::space_walk<T> walk(plan);
+  for (int row = 0; row < cells; ++row) {
+    const auto see = [&](std::uint32_t c) { out.seen.set({static_cast<int>(c), row, 0}); };
+    if (walk.from(static_cast<std::uint32_t>(row), options.most_doors, detail::space_walk<T>::may_be_stabbed, see))
+      continue;
+    for (std::uint32_t c = 0; c < plan.cells.size(); ++c) see(c);
+    ++out.unfinished;
+  }
+  return out;
+}
+
+/// Calls sink(cell) for each cell that an eye may see and each way on which it may, its own cell first.
+/// needs   a plan without defects; the cell that holds the eye, which is finite
+/// gives   too much, never too little, of what is seen within the edges of portals: each two portals on a way are seen
+///         through one another. Nothing through a portal in whose plane the eye is
+/// exact   for all finite coordinates
+/// cost    the edges times the corners of each two portals on a way
+/// source  Luebke and Georges 1995
+template <Floating T, class Sink>
+  requires std::invocable<const Sink&, std::uint32_t>
+constexpr void view_through_portals(const space_plan<T>& plan, std::uint32_t cell, const point<T, 3>& eye,
+                                    const Sink& sink) {
+  if (cell >= plan.cells.size()) return;
+  const auto may_pass = [&](const auto& passed, const detail::space_doorway<T>& d) {
+    if (orient3d(d.ring[0], d.ring[1], d.ring[2], eye) <= 0) return false;
+    for (const auto* before : passed)
+      if (!seen_through_both(eye, before->ring, d.ring)) return false;
+    return true;
+  };
+  detail::space_walk<T>(plan).from(cell, ~std::uint64_t{0}, may_pass, sink);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
