@@ -85,13 +85,15 @@ template <VertexRange R, class Region, class F = lerp_vertex>
 constexpr std::vector<range_vertex<R>> clip_sutherland_hodgman(const R& polygon, const Region& region,
                                                                const F& interpolate = {}) {
   using V = range_vertex<R>;
-  std::vector<V> kept(static_cast<std::size_t>(std::size(polygon)) * 2 + 8, V{});
+  if (std::size(polygon) == 0) return {};
+  const V& any = *std::data(polygon);  // V{} of a foreign type may leave its numbers as they are
+  std::vector<V> kept(static_cast<std::size_t>(std::size(polygon)) * 2 + 8, any);
   std::size_t count = clip_sutherland_hodgman(polygon, region, std::span<V>(kept), interpolate);
   if (count > kept.size()) {
-    kept.resize(count, V{});
+    kept.resize(count, any);
     count = clip_sutherland_hodgman(polygon, region, std::span<V>(kept), interpolate);
   }
-  kept.resize(count, V{});
+  kept.resize(count, any);
   return kept;
 }
 
