@@ -86,7 +86,8 @@ private:
   };
 
   static constexpr float leaves_for(std::uint32_t count) noexcept {
-    return static_cast<float>((count + bvh_node::block - 1) / bvh_node::block);
+    const std::uint32_t leaves = (count + bvh_node::block - 1) / bvh_node::block;
+    return static_cast<float>(leaves);
   }
 
   static constexpr void fill(bin_row (&rows)[3], const std::vector<Item>& from, const range& r,
