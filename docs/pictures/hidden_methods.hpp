@@ -132,8 +132,8 @@ inline picture one_scene_by_two() {
   const int w = one_scene::width, h = one_scene::height;
   const ids exact = found_by(irg::painter_newell<>{}, faces, w, h),
             naive = found_by(irg::painter_by_centroid_rounded<>{}, faces, w, h);
-  constexpr irg::rgba8 of_body[] = {{120, 150, 212, 255}, {204, 96, 72, 255}, {96, 160, 120, 255}, {250, 214, 90, 255},
-                                    {236, 190, 96, 255}};
+  constexpr irg::rgba8 of_body[] = {
+      {120, 150, 212, 255}, {204, 96, 72, 255}, {96, 160, 120, 255}, {250, 214, 90, 255}, {236, 190, 96, 255}};
   const auto shaded = [&](std::uint32_t id) {
     if (id == irg::no_face) return paper;
     const auto& [v] = s.triangles[id];

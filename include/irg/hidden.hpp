@@ -6,7 +6,6 @@
 #include <irg/hidden/bsp_faces.hpp>
 #include <irg/hidden/bsp_scene.hpp>
 #include <irg/hidden/classical_methods.hpp>
-#include <irg/hidden/draw_plot.hpp>
 #include <irg/hidden/edge_part.hpp>
 #include <irg/hidden/faces_around.hpp>
 #include <irg/hidden/floating_horizon.hpp>
@@ -23,11 +22,8 @@
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/painter_newell.hpp>
 #include <irg/hidden/plane_depth.hpp>
-#include <irg/hidden/plot_surface.hpp>
-#include <irg/hidden/plot_ticks.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/hidden/surface_camera.hpp>
-#include <irg/hidden/surface_plot.hpp>
 #include <irg/hidden/visible_polygons.hpp>
 #include <irg/hidden/warnock.hpp>
 #include <irg/hidden/zbuffer_memory.hpp>

@@ -24,5 +24,4 @@
 #include <irg/io/stored_body.hpp>
 #include <irg/io/svg.hpp>
 #include <irg/io/svg_drawing.hpp>
-#include <irg/io/svg_plot.hpp>
 #include <irg/io/terrain.hpp>

@@ -18,6 +18,7 @@
 #include <irg/mesh/part_name.hpp>
 #include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shape_sphere.hpp>
+#include <irg/mesh/shape_sweeps.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/to_half_edges.hpp>

@@ -105,6 +105,14 @@ TEST_CASE("visible_curves: upright steps, touching, no points") {
   CHECK(parts_of({{0, std::numeric_limits<double>::infinity()}, {1, 0}, {2, 0}}).size() == 1);
 }
 
+TEST_CASE("visible_curves: a curve that ends where two others cross leaves a jump there") {
+  const std::vector<P> curves{{0, -6}, {2, 6},  {gap, 0}, {0, 4}, {2, -4}, {gap, 0},
+                              {1, -2}, {0, -6}, {gap, 0}, {0, 4}, {2, -6}};
+  const auto parts = parts_of(curves);
+  REQUIRE(!parts.empty());
+  CHECK((parts.back().edge == 9 && parts.back().from == 0.5 && parts.back().to == 1));
+}
+
 constexpr int parts_in_constants() {
   const P points[] = {{0, 0}, {2, 2}, {4, 0}, {gap, 0}, {0, 1}, {4, 1}, {gap, 0}, {0, 0.5}, {4, 0.5}};
   int parts = 0;

@@ -36,7 +36,7 @@ constexpr bool is_sound(const irg::half_edge_mesh<T>& b) {
   for (std::uint32_t l = 0; l < b.loops.size(); ++l) {
     if (b.loops[l].face == none) continue;
     ++loops;
-    lone += b.loops[l].first == none ? 1 : 0;
+    lone += b.loops[l].first == none ? 1u : 0u;
     bool own = true;
     irg::each_half_edge_of(b, l, [&](std::uint32_t h) { own = own && b.half_edges[h].loop == l; });
     if (!own) return false;

@@ -4,4 +4,5 @@
 
 #include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shape_sphere.hpp>
+#include <irg/mesh/shape_sweeps.hpp>
 #include <irg/mesh/teapot.hpp>

@@ -17,16 +17,16 @@ struct depth_settings {
 };
 
 namespace detail {
+inline namespace IRG_ABI {
 
 // Makes nothing of what tiles show.
-struct depths_alone {
-  IRG_INLINE constexpr void clear(const cell_window&) const noexcept {}
-  template <class T>
-  IRG_INLINE constexpr std::int64_t operator()(const visible_window&, const triangle_finder<T>&) const noexcept {
-    return 0;
-  }
+template <class T>
+struct depths_alone final : tile_finish<T> {
+  constexpr void clear(const cell_window&) const override {}
+  constexpr std::int64_t operator()(const visible_window&, const triangle_finder<T>&) const override { return 0; }
 };
 
+}  // namespace IRG_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -45,7 +45,7 @@ constexpr render_stats draw_depth(Depth& depth, std::type_identity_t<std::span<c
   constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
   return detail::draw_tiles<T>(detail::zbuffer_tiles<Order, test>{}, depth,
                                {batches, mapping, workspace, settings.culling, settings.skip, settings.clear},
-                               detail::depths_alone{}, executor);
+                               detail::depths_alone<T>{}, executor);
 }
 
 /// As above, for the triangles of one object.

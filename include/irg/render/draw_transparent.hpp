@@ -88,12 +88,24 @@ constexpr std::vector<std::uint32_t> sorted_lists(const triangle_bins& bins, con
   return numbers;
 }
 
-// A tile's list, blended in its order; seen[i] is set for each source triangle i that was not passed over.
-template <depth_test Test, class Order, class T, class Colour, class Depth, class MakeShader, class Blend>
-constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::span<const std::uint32_t> numbers,
-                                            const triangle_finder<T>& find, const cell_window& window,
-                                            const MakeShader& make_shader, const Blend& blend, skipping occluded,
-                                            std::vector<std::uint8_t>& seen) {
+// How lists of triangles are blended; seen[i] is set for each source triangle i that was not passed over.
+template <class T, class Colour, class Depth, class MakeShader, class Blend>
+struct blended_tiles {
+  Colour& colour;
+  Depth& depth;
+  const triangle_finder<T>& find;
+  const MakeShader& make_shader;
+  const Blend& blend;
+  skipping occluded;
+  std::vector<std::uint8_t>& seen;
+};
+
+// A tile's list, blended in its order.
+template <depth_test Test, class Order, class Tiles>
+constexpr draw_counts blend_tile(const Tiles& tiles, std::span<const std::uint32_t> numbers,
+                                 const cell_window& window) {
+  const auto& [colour, depth, find, make_shader, blend, occluded, seen] = tiles;
+  using Depth = std::remove_reference_t<decltype(tiles.depth)>;
   constexpr bool by_depth = !std::same_as<Order, drawing_order>;
   constexpr bool can_hide = by_depth && (Test == depth_test::nearer || Test == depth_test::nearer_or_equal);
   farthest_depths<Order, Depth> hidden_depths{depth, window};
@@ -111,7 +123,10 @@ constexpr draw_counts draw_transparent_tile(Colour& colour, Depth& depth, std::s
     store_relaxed(seen[find.source(number)], 1);
     const auto shader = shader_for(make_shader, find, number, t.coverage.flipped ? facing::front : facing::back);
     counts += paint_triangle<Order, depth_policy<Test, depth_write::off>>(
-        colour, depth, t, blend_over<decltype(shader), Blend>{shader, blend, piece_weights_of(find, number)}, window);
+        colour, depth, t,
+        blend_over<decltype(shader), std::remove_cvref_t<decltype(blend)>>{shader, blend,
+                                                                           piece_weights_of(find, number)},
+        window);
   }
   return counts;
 }
@@ -150,12 +165,13 @@ constexpr render_stats draw_transparent(Colour& colour, Depth& depth,
   const std::vector<std::uint32_t> numbers =
       detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());
   std::vector<std::uint8_t> seen(bins.triangle_count, 0);
+  const detail::blended_tiles<T, Colour, Depth, MakeShader, Blend> tiles{
+      colour, depth, find, make_shader, blend, settings.skip.occluded, seen};
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {
     const std::span<const std::uint32_t> list(numbers.data() + bins.tile_first[i],
                                               bins.tile_first[i + 1] - bins.tile_first[i]);
-    done[i] = detail::draw_transparent_tile<Test, Order>(colour, depth, list, find, grid.window(i), make_shader, blend,
-                                                         settings.skip.occluded, seen);
+    done[i] = detail::blend_tile<Test, Order>(tiles, list, grid.window(i));
   });
   render_stats stats;
   for (const draw_counts& c : done) stats.pixels += c;

@@ -23,41 +23,37 @@ struct draw_settings {
 };
 
 namespace detail {
+inline namespace IRG_ABI {
 
 // Colours what tiles show.
 template <class T, class Colour, class MakeShader>
-struct colour_tiles {
-  Colour& colour;
-  const MakeShader& make_shader;
-  const pixel_of<Colour>* background;  // for pixels without a triangle; null when they keep what is there
+class colour_tiles final : public tile_finish<T> {
+public:
+  constexpr colour_tiles(Colour& colour, const MakeShader& make_shader, clearing clear,
+                         const pixel_of<Colour>& background) noexcept
+      : colour_(colour), make_shader_(make_shader),
+        background_(clear == clearing::before_drawing ? &background : nullptr) {}
 
-  IRG_INLINE constexpr void clear(const cell_window& w) const { clear_window(colour, w, *background); }
+  constexpr void clear(const cell_window& w) const override { clear_window(colour_, w, *background_); }
 
-  // The pixels of a window; returns how many show a triangle. Not inlined: one copy for all hidden-surface methods.
-  IRG_NOINLINE constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const {
+  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const override {
     if (!std::is_constant_evaluated()) {
-      if constexpr (AttributeShading<MakeShader, triangle_batch<T>> && !detail::is_dear<MakeShader>)
+      if constexpr (AttributeShading<MakeShader, triangle_batch<T>> && !is_dear<MakeShader>)
         return attribute_kernel<T, MakeShader, Colour>{
-            v.place, {find, v.numbers, v.window, make_shader}, colour, background}();
-      if (background != nullptr) clear(v.window);
-      return shade_by_triangle<T, MakeShader>{v, find, make_shader}.template in_lanes<pack<float, tile_lanes>>(colour);
+            v.place, {find, v.numbers, v.window, make_shader_}, colour_, background_}();
+      if (background_ != nullptr) clear(v.window);
+      return shade_by_triangle<T, MakeShader>{v, find, make_shader_}.template in_lanes<pack<float, tile_lanes>>(
+          colour_);
     }
-    if (background != nullptr) clear(v.window);
-    return shade_by_triangle<T, MakeShader>{v, find, make_shader}.template in_lanes<float>(colour);
+    if (background_ != nullptr) clear(v.window);
+    return shade_by_triangle<T, MakeShader>{v, find, make_shader_}.template in_lanes<float>(colour_);
   }
+
+private:
+  Colour& colour_;
+  const MakeShader& make_shader_;
+  const pixel_of<Colour>* background_;  // for pixels without a triangle; null when they keep what is there
 };
-
-inline namespace IRG_ABI {
-
-// Draws what a method finds visible, coloured.
-template <class T, class Method, class Colour, class Depth, class MakeShader, class E>
-constexpr render_stats draw_coloured(const Method& method, Colour& colour, Depth& depth, const tile_job<T>& job,
-                                     const MakeShader& make_shader, const pixel_of<Colour>& background,
-                                     const E& executor) {
-  const colour_tiles<T, Colour, MakeShader> finish{colour, make_shader,
-                                                   job.clear == clearing::before_drawing ? &background : nullptr};
-  return draw_tiles<T>(method, depth, job, finish, executor);
-}
 
 }  // namespace IRG_ABI
 }  // namespace detail
@@ -80,10 +76,10 @@ constexpr render_stats draw_batches(Colour& colour, Depth& depth,
                                     const screen_mapping<T>& mapping, const MakeShader& make_shader,
                                     const draw_settings<pixel_of<Colour>>& settings, draw_workspace& workspace,
                                     const E& executor = {}) {
-  return detail::draw_coloured<T>(
-      detail::zbuffer_method<Order>{}, colour, depth,
-      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth}, make_shader,
-      settings.background, executor);
+  return detail::draw_tiles<T>(
+      detail::zbuffer_method<Order>{}, depth,
+      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth},
+      detail::colour_tiles<T, Colour, MakeShader>(colour, make_shader, settings.clear, settings.background), executor);
 }
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.

@@ -41,7 +41,7 @@ struct mip_textured_pixels {
     const texture_pyramid& t = textures[texture_index(number, textures.size())];
     return t.levels == nullptr || t.levels->levels.empty() ? nullptr : &t;
   }
-  constexpr rgba8 pixel(const values<float>& at) const {
+  IRG_INLINE constexpr rgba8 pixel(const values<float>& at) const {
     if (textures.empty()) return encode({at[2], at[3], at[4]});
     const texture_pyramid* const t = pyramid(at[5]);
     if (t == nullptr) return encode({0, 0, 0});

@@ -93,11 +93,13 @@ constexpr farthest_keys farthest_of(const visible_window& v) noexcept {
 }
 
 // Keeps the farthest keys of a tile.
-struct keep_farthest {
+template <class T>
+struct keep_farthest final : tile_finish<T> {
   farthest_keys& farthest;
 
-  template <class T>
-  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>&) const noexcept {
+  constexpr explicit keep_farthest(farthest_keys& to) noexcept : farthest(to) {}
+  constexpr void clear(const cell_window&) const override {}
+  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>&) const override {
     farthest = farthest_of(v);
     return 0;
   }
@@ -113,7 +115,7 @@ constexpr void draw_occluders(occluder_depths& m, std::span<const triangle_batch
     if (bins.list_of(i).empty()) return;
     const clearing clear = m.touched[i] == 0 ? clearing::before_drawing : clearing::none;
     const tile_job<T> job{batches, mapping, m.workspace, culling, skip_options{}, clear};
-    zbuffer_tiles<Order, tile_test::depth_only>{}(m.pixels, job, i, keep_farthest{m.farthest[i]});
+    zbuffer_tiles<Order, tile_test::depth_only>{}(m.pixels, job, i, keep_farthest<T>(m.farthest[i]));
     m.touched[i] = 1;
   });
 }

@@ -108,10 +108,10 @@ constexpr render_stats draw_filled(const Method& method, const picture_frame<T>&
     run.observer(render_stage::project);
   }
   const styled_objects<T> styled{shadings, batches, f.mapping, f.options, workspace};
-  render_stats stats =
-      f.options.intensities == intensity_range::rescale
-          ? draw_rescaled(method, styled, run.colour, run.depth, f.colours.background, run.executor)
-          : draw_styled<encoded_light>(method, styled, run.colour, run.depth, f.colours.background, run.executor);
+  const picture_target to{run.colour, run.depth, f.colours.background};
+  render_stats stats = f.options.intensities == intensity_range::rescale
+                           ? draw_rescaled(method, styled, to, run.executor)
+                           : draw_styled<encoded_light>(method, styled, to, run.executor);
   stats.triangles += chosen.beyond + chosen.occluded;
   stats.skipped.frustum += chosen.beyond;
   stats.skipped.occluded += chosen.occluded;

@@ -39,10 +39,10 @@ constexpr render_stats shade_visible(Colour& colour, Depth& depth, image<std::ui
                                      const draw_settings<pixel_of<Colour>>& settings, draw_workspace& workspace,
                                      const E& executor = {}) {
   const detail::ids_as_they_are method{};
-  return detail::draw_coloured<T>(
-      detail::method_tiles<Order, detail::ids_as_they_are>{method, ids}, colour, depth,
-      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth}, make_shader,
-      settings.background, executor);
+  return detail::draw_tiles<T>(
+      detail::method_tiles<Order, detail::ids_as_they_are>{method, ids}, depth,
+      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth},
+      detail::colour_tiles<T, Colour, MakeShader>(colour, make_shader, settings.clear, settings.background), executor);
 }
 
 }  // namespace IRG_ABI

@@ -14,17 +14,17 @@
 namespace irg {
 
 namespace detail {
+inline namespace IRG_ABI {
 
 // Stores the source triangles of what tiles show; where nothing was drawn, the raster keeps what it has.
-template <class Ids>
-struct number_tiles {
+template <class T, class Ids>
+struct number_tiles final : tile_finish<T> {
   Ids& ids;
   clearing clear_first;
 
-  IRG_INLINE constexpr void clear(const cell_window& w) const { clear_window(ids, w, no_face); }
-
-  template <class T>
-  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const {
+  constexpr number_tiles(Ids& to, clearing first) noexcept : ids(to), clear_first(first) {}
+  constexpr void clear(const cell_window& w) const override { clear_window(ids, w, no_face); }
+  constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const override {
     if (clear_first == clearing::before_drawing) clear(v.window);
     std::int64_t shown = 0;
     for (int y = v.window.y_first; y < v.window.y_last; ++y) {
@@ -40,6 +40,7 @@ struct number_tiles {
   }
 };
 
+}  // namespace IRG_ABI
 }  // namespace detail
 
 inline namespace IRG_ABI {
@@ -61,7 +62,7 @@ constexpr render_stats draw_visibility(Ids& ids, Depth& depth,
                                        draw_workspace& workspace, const E& executor = {}) {
   return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, depth,
                                {batches, mapping, workspace, settings.culling, settings.skip, settings.clear},
-                               detail::number_tiles<Ids>{ids, settings.clear}, executor);
+                               detail::number_tiles<T, Ids>(ids, settings.clear), executor);
 }
 
 /// As above, for the triangles of one object.

@@ -63,7 +63,14 @@ public:
     }
     if (w.open) runs_.push_back({w.since, no_grid_edge});
     if (beyond < 0) put(pieces_[n].edge, {grid_mark_kind::vertex, ends.to, 0});
-    if (!runs_.empty()) replace(n);
+    if (!runs_.empty()) {
+      const std::uint32_t end = pieces_[n].next;
+      replace(n);
+      // Where g ends the perimeter may jump, even at what was a crossing.
+      if constexpr (Sight::has_jumps)
+        if (beyond == 0 && pieces_[end].start.kind == grid_mark_kind::crossing)
+          pieces_[end].start = {grid_mark_kind::vertex, ends.to, 0};
+    }
     return runs_;
   }
 

@@ -32,6 +32,7 @@ constexpr bvh_item centres_round(const Items& items, std::size_t first, std::siz
 }
 
 // Splits where the areas of both boxes, times the leaves that their primitives fill, come to least.
+template <class Item>
 class area_splits {
 public:
   struct range {
@@ -40,18 +41,18 @@ public:
     float area = 0;
   };
 
-  constexpr area_splits(std::vector<bvh_item>& items, int bins)
-      : items_{&items, &other_}, other_(items.size(), bvh_item{}), bins_(bins),
+  constexpr area_splits(std::vector<Item>& items, int bins)
+      : items_{&items, &other_}, other_(items.size(), Item{}), bins_(bins),
         deepest_(2 * static_cast<int>(std::bit_width(items.size())) + 16) {}
 
   IRG_INLINE constexpr float priority(const range& r) const noexcept { return r.area; }
-  IRG_INLINE constexpr const bvh_item& item(const range& r, std::uint32_t i) const noexcept {
+  IRG_INLINE constexpr const Item& item(const range& r, std::uint32_t i) const noexcept {
     return (*items_[r.buffer])[r.first + i];
   }
 
   constexpr void split(range& r, range& second) noexcept {
-    const std::vector<bvh_item>& from = *items_[r.buffer];
-    const bvh_item centres = centres_round(from, r.first, r.count);
+    const std::vector<Item>& from = *items_[r.buffer];
+    const Item centres = centres_round(from, r.first, r.count);
     binning b;
     const std::uint32_t quarter = r.count / 4 + 4;
     b.count = quarter < static_cast<std::uint32_t>(bins_) ? static_cast<int>(quarter) : bins_;
@@ -76,7 +77,7 @@ private:
     int count = 0;
   };
   struct bin_row {
-    bvh_item around[most_bins];
+    Item around[most_bins];
     std::uint32_t count[most_bins];
   };
   struct choice {
@@ -85,10 +86,11 @@ private:
   };
 
   static constexpr float leaves_for(std::uint32_t count) noexcept {
-    return static_cast<float>((count + bvh_node::block - 1) / bvh_node::block);
+    const std::uint32_t leaves = (count + bvh_node::block - 1) / bvh_node::block;
+    return static_cast<float>(leaves);
   }
 
-  static constexpr void fill(bin_row (&rows)[3], const std::vector<bvh_item>& from, const range& r,
+  static constexpr void fill(bin_row (&rows)[3], const std::vector<Item>& from, const range& r,
                              const binning& b) noexcept {
     for (bin_row& row : rows)
       for (int i = 0; i < b.count; ++i) row.around[i] = empty_item(), row.count[i] = 0;
@@ -102,7 +104,7 @@ private:
     }
   }
 
-  static constexpr choice cheapest(const std::vector<bvh_item>& from, const range& r, const binning& b) noexcept {
+  static constexpr choice cheapest(const std::vector<Item>& from, const range& r, const binning& b) noexcept {
     bin_row rows[3];
     fill(rows, from, r, b);
     choice best;
@@ -110,7 +112,7 @@ private:
       if (!(b.gain[axis] > 0)) continue;
       const bin_row& row = rows[axis];
       float above[most_bins];
-      bvh_item around = empty_item();
+      Item around = empty_item();
       for (int i = b.count - 1; i > 0; --i) {
         grow(around, row.around[i]);
         above[i - 1] = area_of(around);
@@ -130,12 +132,12 @@ private:
   }
 
   // The items of lower bins to the front of the other buffer, the rest, turned round, to the back.
-  constexpr void partition(const std::vector<bvh_item>& from, range& r, range& second, const binning& b,
+  constexpr void partition(const std::vector<Item>& from, range& r, range& second, const binning& b,
                            const choice& best) noexcept {
-    std::vector<bvh_item>& to = *items_[1 - r.buffer];
+    std::vector<Item>& to = *items_[1 - r.buffer];
     std::size_t low = r.first, high = std::size_t{r.first} + r.count - 1;
     for (std::size_t i = r.first; i < std::size_t{r.first} + r.count; ++i) {
-      const bvh_item item = from[i];
+      const Item item = from[i];
       const float at = (item.v[best.axis] - item.v[4 + best.axis]) - b.least[best.axis];
       const bool is_low = static_cast<int>(low_of(at * b.gain[best.axis], static_cast<float>(b.count - 1))) <= best.bin;
       to[low] = item;  // one of the two is written over
@@ -149,7 +151,7 @@ private:
   }
 
   constexpr float area_of_range(const range& r) const noexcept {
-    bvh_item around = empty_item();
+    Item around = empty_item();
     for (std::uint32_t i = 0; i < r.count; ++i) grow(around, item(r, i));
     return area_of(around);
   }
@@ -162,19 +164,20 @@ private:
     second.area = area_of_range(second);
   }
 
-  std::vector<bvh_item>* items_[2];
-  std::vector<bvh_item> other_;
+  std::vector<Item>* items_[2];
+  std::vector<Item> other_;
   int bins_, deepest_;
 };
 
 // Splits where the highest bit changes in which places along a curve of 2^10 steps an axis differ.
+template <class Item>
 class morton_splits {
 public:
   struct range {
     std::uint32_t first = 0, count = 0;
   };
 
-  constexpr explicit morton_splits(const std::vector<bvh_item>& items) {
+  constexpr explicit morton_splits(const std::vector<Item>& items) {
     const std::vector<std::uint64_t> keys = sorted_keys(items);
     items_.reserve(items.size());
     codes_.reserve(items.size());
@@ -185,9 +188,7 @@ public:
   }
 
   IRG_INLINE constexpr std::uint32_t priority(const range& r) const noexcept { return r.count; }
-  IRG_INLINE constexpr const bvh_item& item(const range& r, std::uint32_t i) const noexcept {
-    return items_[r.first + i];
-  }
+  IRG_INLINE constexpr const Item& item(const range& r, std::uint32_t i) const noexcept { return items_[r.first + i]; }
 
   constexpr void split(range& r, range& second) const noexcept {
     const std::uint32_t differ = codes_[r.first] ^ codes_[r.first + r.count - 1];
@@ -218,8 +219,8 @@ private:
   }
 
   // The places in the upper halves, the items' in the lower, by place.
-  static constexpr std::vector<std::uint64_t> sorted_keys(const std::vector<bvh_item>& items) {
-    const bvh_item centres = centres_round(items, 0, items.size());
+  static constexpr std::vector<std::uint64_t> sorted_keys(const std::vector<Item>& items) {
+    const Item centres = centres_round(items, 0, items.size());
     float least[4]{}, gain[4]{};
     for (int i = 0; i < 3; ++i) {
       const float extent = 0.0f - centres.v[4 + i] - centres.v[i];
@@ -246,7 +247,7 @@ private:
     return keys;
   }
 
-  std::vector<bvh_item> items_;
+  std::vector<Item> items_;
   std::vector<std::uint32_t> codes_;
 };
 
@@ -256,14 +257,15 @@ inline constexpr std::size_t bvh_grain = 8192;
 /// needs   items; numbers below 2^32
 template <class E>
 constexpr void build_by_area(bvh& tree, std::vector<bvh_item>& items, int bins, const E& executor) {
-  area_splits source(items, bins);
-  bvh_grower<area_splits>(source, tree, bvh_grain)({0, static_cast<std::uint32_t>(items.size()), 0, 0, 0}, executor);
+  area_splits<bvh_item> source(items, bins);
+  bvh_grower<area_splits<bvh_item>>(source, tree, bvh_grain)({0, static_cast<std::uint32_t>(items.size()), 0, 0, 0},
+                                                             executor);
 }
 
 template <class E>
 constexpr void build_by_morton(bvh& tree, const std::vector<bvh_item>& items, const E& executor) {
-  morton_splits source(items);
-  bvh_grower<morton_splits>(source, tree, bvh_grain)({0, static_cast<std::uint32_t>(items.size())}, executor);
+  morton_splits<bvh_item> source(items);
+  bvh_grower<morton_splits<bvh_item>>(source, tree, bvh_grain)({0, static_cast<std::uint32_t>(items.size())}, executor);
 }
 
 }  // namespace IRG_ABI

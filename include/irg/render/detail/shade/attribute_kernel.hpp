@@ -54,6 +54,7 @@ struct attribute_kernel {
     std::uint32_t count = 0, triangles = 0;
     job list[tile_size * tile_size];
     std::uint32_t place[tile_size * tile_size];
+    alignas(64) std::uint32_t words[static_cast<unsigned>(tile_size * tile_stride)];  // the colours
   };
 
   IRG_INLINE void add_job(job_list& jobs, int first, std::uint32_t place) noexcept {
@@ -143,14 +144,13 @@ struct attribute_kernel {
 
   // Shades all runs of the k-th triangle that is seen.
   template <class Edge>
-  IRG_INLINE void shade_runs(std::uint32_t* words, const job_list& jobs, std::uint32_t k, const shared& s,
-                             const Edge& edge) const noexcept {
+  IRG_INLINE void shade_runs(job_list& jobs, std::uint32_t k, const shared& s, const Edge& edge) const noexcept {
     const integers id = lanes<integers>::broadcast(static_cast<std::int32_t>(jobs.place[k]));
     for (std::uint32_t i = last_job[jobs.place[k]]; i != none;) {
       const job& run = jobs.list[i];
       i = run.next;
       const int at = run.at(), y = run.row(), part = run.part();
-      blend(words + at, ids_at(at) == id, s.attributes(edge(0, y, part), edge(1, y, part), edge(2, y, part)));
+      blend(jobs.words + at, ids_at(at) == id, s.attributes(edge(0, y, part), edge(1, y, part), edge(2, y, part)));
     }
   }
   IRG_INLINE void blend(std::uint32_t* to, const integers& where, const values& v) const noexcept {
@@ -159,8 +159,8 @@ struct attribute_kernel {
   }
 
   // Integers of up to 2^24 in floats, as their products are.
-  IRG_INLINE void shade_small(std::uint32_t* words, const job_list& jobs, std::uint32_t k, const small_triangles& of,
-                              std::size_t i, const floats (&row)[tile_size]) const noexcept {
+  IRG_INLINE void shade_small(job_list& jobs, std::uint32_t k, const small_triangles& of, std::size_t i,
+                              const floats (&row)[tile_size]) const noexcept {
     using F = lanes<floats>;
     floats f[3], right[3], down[3], column[static_cast<unsigned>(parts)];
     for (int e = 0; e < 3; ++e) {
@@ -170,17 +170,17 @@ struct attribute_kernel {
     }
     for (int part = 0; part < parts; ++part)
       column[part] = F::ramp() + F::broadcast(static_cast<float>(part * lane_count));
-    shade_runs(words, jobs, k, share(of, i),
+    shade_runs(jobs, k, share(of, i),
                [&](int e, int y, int part) { return f[e] + down[e] * row[y] + right[e] * column[part]; });
   }
-  IRG_NOINLINE void shade_other(std::uint32_t* words, const job_list& jobs, std::uint32_t k) const {
+  IRG_NOINLINE void shade_other(job_list& jobs, std::uint32_t k) const {
     const uniform u = set_up.prepare(jobs.place[k]);
     const shared s = share(u);
-    with_edges(u, [&](const auto& edge) { shade_runs(words, jobs, k, s, edge); });
+    with_edges(u, [&](const auto& edge) { shade_runs(jobs, k, s, edge); });
   }
 
   // Shades what is listed, triangle by triangle; N of them are made ready at once.
-  IRG_INLINE void shade_jobs(std::uint32_t* words, const job_list& jobs) const {
+  IRG_INLINE void shade_jobs(job_list& jobs) const {
     floats row[tile_size];
     for (int y = 0; y < tile_size; ++y) row[y] = lanes<floats>::broadcast(static_cast<float>(y));
     for (std::uint32_t first = 0; first < jobs.triangles; first += lane_count) {
@@ -193,16 +193,16 @@ struct attribute_kernel {
       const bool all_small = set_up.prepare_small(group, number);
       for (std::uint32_t i = 0; i < used; ++i) {
         if (all_small)
-          shade_small(words, jobs, first + i, group, i, row);
+          shade_small(jobs, first + i, group, i, row);
         else
-          shade_other(words, jobs, first + i);
+          shade_other(jobs, first + i);
       }
     }
   }
 
   // Lists the runs of a row.
   // gives   the number of pixels that show a triangle
-  IRG_INLINE int collect_row(job_list& jobs, int y, std::uint32_t* words) {
+  IRG_INLINE int collect_row(job_list& jobs, int y) {
     // A bit for each pixel that shows another triangle than the next, that shows nothing, that starts a register.
     std::uint64_t last = 0, nothing = 0, first = 0;
     for (int part = 0; part < parts; ++part) {
@@ -220,13 +220,13 @@ struct attribute_kernel {
         add_job(jobs, y * tile_size + x / lane_count * lane_count, id[x]);
       }
     else
-      collect_many(jobs, y, starts, words);
+      collect_many(jobs, y, starts);
     return tile_size - std::popcount(nothing);
   }
 
   // A row of small triangles: three and more in a register are shaded now, each pixel for itself, unless they are
   // listed already.
-  IRG_NOINLINE void collect_many(job_list& jobs, int y, std::uint64_t starts, std::uint32_t* words) {
+  IRG_NOINLINE void collect_many(job_list& jobs, int y, std::uint64_t starts) {
     for (int x = 0; x < tile_size; x += lane_count, starts >>= lane_count - 1, starts >>= 1) {
       unsigned runs = static_cast<unsigned>(starts) & everyone;
       const int at = y * tile_stride + x;
@@ -238,7 +238,7 @@ struct attribute_kernel {
         if (mask_bits(met == lanes<integers>::broadcast(-1)) != 0 &&
             set_up.of_many(ids, ~mask_bits(nothing) & everyone, set_up.window.x_first + x, set_up.window.y_first + y,
                            v)) {
-          blend(words + at, ~nothing, v);
+          blend(jobs.words + at, ~nothing, v);
           continue;
         }
       }
@@ -251,24 +251,23 @@ struct attribute_kernel {
   IRG_INLINE std::int64_t shade_in_lanes() {
     const int width = set_up.window.x_last - set_up.window.x_first,
               height = set_up.window.y_last - set_up.window.y_first;
-    alignas(64) std::uint32_t words[static_cast<unsigned>(tile_size * tile_stride)];
     job_list jobs;
     last_job.assign(set_up.numbers.size(), none);
     std::int64_t shaded = 0;
     for (int y = 0; y < height; ++y) {
-      std::uint32_t* const row = words + y * tile_stride;
+      std::uint32_t* const row = jobs.words + y * tile_stride;
       if (background != nullptr)
         fill_pixels(row, tile_stride, std::bit_cast<std::uint32_t>(*background));
       else
         std::memcpy(row, raster_traits<Colour>::row(colour, set_up.window.y_first + y) + set_up.window.x_first,
                     static_cast<std::size_t>(width) * 4);
-      shaded += collect_row(jobs, y, words);
+      shaded += collect_row(jobs, y);
     }
-    shade_jobs(words, jobs);
+    shade_jobs(jobs);
     const row_store how = row_store_for(colour);
     for (int y = 0; y < height; ++y)
       copy_row(raster_traits<Colour>::row(colour, set_up.window.y_first + y) + set_up.window.x_first,
-               words + y * tile_stride, static_cast<std::size_t>(width) * 4, how);
+               jobs.words + y * tile_stride, static_cast<std::size_t>(width) * 4, how);
     end_of_rows(how);
     return shaded;
   }

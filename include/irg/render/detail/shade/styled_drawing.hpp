@@ -12,6 +12,16 @@
 
 namespace irg {
 namespace detail {
+// A picture, its depths, and what it shows where there is nothing.
+template <class Colour, class Depth>
+struct picture_target {
+  Colour& colour;
+  Depth& depth;
+  pixel_of<Colour> background;
+};
+template <class Colour, class Depth>
+picture_target(Colour&, Depth&, pixel_of<Colour>) -> picture_target<Colour, Depth>;
+
 inline namespace IRG_ABI {
 
 // What drawing needs to know of the objects, whatever it draws into.
@@ -25,14 +35,16 @@ struct styled_objects {
 };
 
 // Clears the picture and draws the objects, Output deciding what becomes of light.
-template <class Output, class Method, class T, class Colour, class Depth, class E>
-constexpr render_stats draw_styled(const Method& method, const styled_objects<T>& s, Colour& colour, Depth& depth,
-                                   const pixel_of<Colour>& background, const E& executor) {
-  const auto draw = [&](const auto& shading) {
-    return draw_coloured<T>(
-        method, colour, depth,
-        {s.batches, s.mapping, s.workspace, s.options.culling, s.options.skip, clearing::before_drawing}, shading,
-        background, executor);
+template <class Output, class Method, class T, class Target, class E>
+constexpr render_stats draw_styled(const Method& method, const styled_objects<T>& s, const Target& to,
+                                   const E& executor) {
+  const auto draw = [&]<class Shading>(const Shading& shading) {
+    return draw_tiles<T>(
+        method, to.depth,
+        {s.batches, s.mapping, s.workspace, s.options.culling, s.options.skip, clearing::before_drawing},
+        colour_tiles<T, std::remove_reference_t<decltype(to.colour)>, Shading>(to.colour, shading,
+                                                                               clearing::before_drawing, to.background),
+        executor);
   };
   if (s.options.style == picture_style::flat) return draw(flat_pixels<Output, T>{s.objects});
   if (s.options.style == picture_style::gouraud) return draw(gouraud_pixels<Output, T>{s.objects});
@@ -40,13 +52,13 @@ constexpr render_stats draw_styled(const Method& method, const styled_objects<T>
 }
 
 // As draw_styled; if some pixel is brighter than 1, all light of the picture is divided by the brightest channel's.
-template <class Method, class T, class Colour, class Depth, class E>
-constexpr render_stats draw_rescaled(const Method& method, const styled_objects<T>& s, Colour& colour, Depth& depth,
-                                     const pixel_of<Colour>& background, const E& executor) {
+template <class Method, class T, class Target, class E>
+constexpr render_stats draw_rescaled(const Method& method, const styled_objects<T>& s, const Target& to,
+                                     const E& executor) {
   constexpr int rows = 64;
-  const int width = width_of(colour), height = height_of(colour);
+  const int width = width_of(to.colour), height = height_of(to.colour);
   image<rgb<float>> light(width, height);
-  const render_stats stats = draw_styled<light_itself>(method, s, light, depth, {}, executor);
+  const render_stats stats = draw_styled<light_itself>(method, s, picture_target{light, to.depth, {}}, executor);
   const auto in_portions = [&](const auto& f) {
     executor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t i) {
       const int first = static_cast<int>(i) * rows;
@@ -61,9 +73,9 @@ constexpr render_stats draw_rescaled(const Method& method, const styled_objects<
   for (const float l : largest_of) largest = greater(l, largest);
   in_portions([&](std::size_t, int y) {
     for (int x = 0; x < width; ++x) {
-      const bool shown = get_pixel(depth, x, y) != Method::order::farthest;
+      const bool shown = get_pixel(to.depth, x, y) != Method::order::farthest;
       const auto scaled = per_channel([&](float channel) { return channel / largest; }, light(x, y));
-      set_pixel(colour, x, y, shown ? encode(scaled) : background);
+      set_pixel(to.colour, x, y, shown ? encode(scaled) : to.background);
     }
   });
   return stats;

@@ -66,8 +66,9 @@ struct method_tiles {
   const Method& method;
   image<std::uint32_t>& ids;
 
-  template <class T, class Depth, class Finish>
-  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) const {
+  template <class T, class Depth>
+  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i,
+                                   const tile_finish<T>& finish) const {
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
     const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
     const triangle_finder<T> find = job.finder();

@@ -196,8 +196,9 @@ struct tile_painter {
   IRG_INLINE void draw_ready(const tile_triangle<I>& t, const cell_window& box) noexcept {
     constexpr int small_box = 2 * block_size;
     const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
+    const tile_ties<decltype(before)> rule{counts, before};
     if (box.x_last - box.x_first > small_box || box.y_last - box.y_first > small_box) {
-      if (tile_blocks<Test>(out, t, box, counts, before, order.front_to_back)) note_seen(t.place);
+      if (tile_blocks<Test>(out, t, box, rule, order.front_to_back)) note_seen(t.place);
       return;
     }
     if (order.front_to_back) {
@@ -212,7 +213,7 @@ struct tile_painter {
       out.stale |= touched;
     }
     note_seen(t.place);
-    tile_rows<Test>(out, t, box, counts, before);
+    tile_rows<Test>(out, t, box, rule);
   }
 
   template <class I>

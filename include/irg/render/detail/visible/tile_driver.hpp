@@ -48,6 +48,18 @@ struct tile_job {
 
 inline namespace IRG_ABI {
 
+// What becomes of what tiles show: colours, numbers, nothing. A virtual call for each tile, so that what finds them is
+// compiled once for all.
+template <class T>
+struct tile_finish {
+  virtual constexpr void clear(const cell_window& w) const = 0;  // where no triangle is
+  // Returns how many pixels show a triangle.
+  virtual constexpr std::int64_t operator()(const visible_window& v, const triangle_finder<T>& find) const = 0;
+
+protected:
+  constexpr ~tile_finish() = default;
+};
+
 template <class R>
 IRG_INLINE constexpr void clear_window(R& raster, const cell_window& w, const pixel_of<R>& value) {
   for (int y = w.y_first; y < w.y_last; ++y) fill_span(raster, {y, w.x_first, w.x_last}, value);
@@ -150,9 +162,10 @@ template <class Order, tile_test Test>
 struct zbuffer_tiles {
   using order = Order;
 
-  // Tile i, which has a list: what is seen, and then finish(visible_window, finder), which says how many pixels it was.
-  template <class T, class Depth, class Finish>
-  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) const {
+  // Tile i, which has a list: what is seen, and then finish(visible_window, finder).
+  template <class T, class Depth>
+  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i,
+                                   const tile_finish<T>& finish) const {
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
     if constexpr (key_sign<Order> != 0)
       if (!std::is_constant_evaluated()) return in_lanes(depth, job, i, finish);
@@ -167,8 +180,8 @@ struct zbuffer_tiles {
   }
 
 private:
-  template <class T, class Depth, class Finish>
-  static draw_counts in_lanes(Depth& depth, const tile_job<T>& job, std::size_t i, const Finish& finish) {
+  template <class T, class Depth>
+  static draw_counts in_lanes(Depth& depth, const tile_job<T>& job, std::size_t i, const tile_finish<T>& finish) {
     drawn_tile d;
     draw_counts counts = find_visible<Order, Test>(d, depth, job, i);
     const cell_window w = picture_tiles(width_of(depth), height_of(depth)).window(i);
@@ -181,11 +194,10 @@ private:
 template <class Order>
 using zbuffer_method = zbuffer_tiles<Order, std::same_as<Order, drawing_order> ? tile_test::always : tile_test::nearer>;
 
-// All tiles. What is seen is the method's affair, what becomes of it finish's; finish.clear(window) is asked for where
-// no triangle is.
-template <class T, class Method, class Depth, class Finish, class E>
-constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job, const Finish& finish,
-                                  const E& executor) {
+// All tiles. What is seen is the method's affair, what becomes of it finish's.
+template <class T, class Method, class Depth, class E>
+constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile_job<T>& job,
+                                  const tile_finish<T>& finish, const E& executor) {
   const picture_tiles grid(width_of(depth), height_of(depth));
   triangle_bins& bins = job.workspace.bins;
   bin_triangles(bins, job.batches, {job.mapping, grid, job.culling, job.skip}, executor);

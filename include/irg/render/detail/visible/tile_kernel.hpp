@@ -43,26 +43,39 @@ struct tile_counts {
   pack<std::int32_t, native_lanes<std::int32_t>> tested, ties;
 };
 
+// Where a register of pixels stands in the tile.
+struct pixels_of_tile {
+  float* key;
+  std::uint32_t* id;
+};
+
+// What is counted, and before(a, b): whether of two triangles as near as each other a comes first.
+template <class Before>
+struct tile_ties {
+  tile_counts& counts;
+  const Before& before;
+};
+
 // One register of pixels: those covered and nearer than what is there become the triangle's. Where it is exactly as
 // near, `tied` is set and the pixel kept: see tied_pixels.
 // gives   the keys that are there now
 template <tile_test Test, class I>
-IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, const I& f0, const I& f1, const I& f2,
-                                                    float* key_at, std::uint32_t* id_at, tile_counts& counts,
+IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, const I (&f)[3],
+                                                    const pixels_of_tile& at, tile_counts& counts,
                                                     pack<std::int32_t, lanes<I>::count>& tied) noexcept {
   constexpr int lane_count = lanes<I>::count;
   using F = lanes<pack<float, lane_count>>;
   typedef pack<std::int32_t, lane_count> mask;
-  const mask inside = none_negative(f0, f1, f2);
+  const mask inside = none_negative(f[0], f[1], f[2]);
   const auto key =
-      depth_at<pack<float, lane_count>>(f0, f1, f2, t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
-  const auto stored = F::load(key_at);
+      depth_at<pack<float, lane_count>>(f[0], f[1], f[2], t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
+  const auto stored = F::load(at.key);
   const mask covered = both(inside, stored < F::broadcast(beyond_everything));
   mask drawn = covered;
   counts.tested = counts.tested - covered;
   if constexpr (Test == tile_test::depth_only) {
     const auto nearest = select(covered, high_of(key, stored), stored);
-    F::store(key_at, nearest);
+    F::store(at.key, nearest);
     return nearest;
   }
   if constexpr (Test == tile_test::nearer) {
@@ -70,37 +83,37 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
     drawn = both(covered, stored < key);
   }
   const auto now = select(drawn, key, stored);
-  F::store(key_at, now);
+  F::store(at.key, now);
   const mask place = lanes<mask>::broadcast(static_cast<std::int32_t>(t.place));
-  lanes<mask>::store_bytes(id_at, select(drawn, place, lanes<mask>::load_bytes(id_at)));
+  lanes<mask>::store_bytes(at.id, select(drawn, place, lanes<mask>::load_bytes(at.id)));
   return now;
 }
 
 // The pixels of a register that tile_pixels found tied: the triangle's if before(a, b) says of it and the other that it
 // comes first. Keys stay as they are.
 template <class I, class Before>
-IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I& f0, const I& f1, const I& f2, const float* key_at,
-                            std::uint32_t* id_at, tile_counts& counts, const Before& before) noexcept {
+IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I (&f)[3], const pixels_of_tile& at, tile_counts& counts,
+                            const Before& before) noexcept {
   constexpr int lane_count = lanes<I>::count;
   using F = lanes<pack<float, lane_count>>;
   typedef pack<std::int32_t, lane_count> mask;
   const auto key =
-      depth_at<pack<float, lane_count>>(f0, f1, f2, t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
-  const auto stored = F::load(key_at);
-  const mask covered = both(none_negative(f0, f1, f2), stored < F::broadcast(beyond_everything));
+      depth_at<pack<float, lane_count>>(f[0], f[1], f[2], t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
+  const auto stored = F::load(at.key);
+  const mask covered = both(none_negative(f[0], f[1], f[2]), stored < F::broadcast(beyond_everything));
   mask tie = both(covered, key == stored);
   for (int i = 0; i < lane_count; ++i)
-    if (id_at[i] == t.place) set_lane(tie, i, 0);  // drawn just now
+    if (at.id[i] == t.place) set_lane(tie, i, 0);  // drawn just now
   counts.ties = counts.ties - tie;
   for (int i = 0; i < lane_count; ++i)
-    if (tie[i] != 0 && id_at[i] != no_face && before(t.place, id_at[i])) id_at[i] = t.place;
+    if (tie[i] != 0 && at.id[i] != no_face && before(t.place, at.id[i])) at.id[i] = t.place;
 }
 
 // The rows of a box, from its first column on; `steps` are taken to the right, each of a register.
 template <tile_test Test, class I, class Before>
-IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, const cell_window& box, tile_counts& all_counts,
-                          const Before& before) noexcept {
-  tile_counts counts = all_counts;
+IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, const cell_window& box,
+                          const tile_ties<Before>& ties) noexcept {
+  tile_counts counts = ties.counts;
   constexpr int lane_count = lanes<I>::count;
   using J = lanes<I>;
   using mask = pack<std::int32_t, lane_count>;
@@ -121,11 +134,11 @@ IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, const cell_windo
   };
   mask tied = lanes<mask>::broadcast(0);
   for_each_register(
-      [&](const I(&f)[3], int at) { tile_pixels<Test>(t, f[0], f[1], f[2], out.key + at, out.id + at, counts, tied); });
+      [&](const I(&f)[3], int at) { tile_pixels<Test>(t, f, {out.key + at, out.id + at}, counts, tied); });
   if (Test == tile_test::nearer && mask_bits(tied) != 0) [[unlikely]]
     for_each_register(
-        [&](const I(&f)[3], int at) { tied_pixels(t, f[0], f[1], f[2], out.key + at, out.id + at, counts, before); });
-  all_counts = counts;
+        [&](const I(&f)[3], int at) { tied_pixels(t, f, {out.key + at, out.id + at}, counts, ties.before); });
+  ties.counts = counts;
 }
 
 // The blocks of a box that the edges let in and, `by_depth`, whose pixels are not all nearer than the triangle: a bit
@@ -191,11 +204,11 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>&
 // A box block by block. Blocks that no edge lets in, or that lie behind what is drawn there, are passed over.
 // gives   whether any block was gone into
 template <tile_test Test, class I, class Before>
-IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, const cell_window& box, tile_counts& all_counts,
-                            const Before& before, bool by_depth) noexcept {
+IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, const cell_window& box, const tile_ties<Before>& ties,
+                            bool by_depth) noexcept {
   const std::uint64_t blocks = blocks_to_draw(out, t, box, by_depth);
   if (blocks == 0) return false;
-  tile_counts counts = all_counts;
+  tile_counts counts = ties.counts;
   constexpr int lane_count = lanes<I>::count, parts = block_size / lane_count;
   using J = lanes<I>;
   using F = lanes<pack<float, lane_count>>;
@@ -203,34 +216,33 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, const cell_win
   using mask = pack<std::int32_t, lane_count>;
   const I down[3] = {J::broadcast(t.down[0]), J::broadcast(t.down[1]), J::broadcast(t.down[2])};
   const auto for_each_register = [&](int bx, int by, const auto& pixels) {
-    I f[3][static_cast<unsigned>(parts)];
+    I f[static_cast<unsigned>(parts)][3];
     for (int i = 0; i < 3; ++i)
       for (int part = 0; part < parts; ++part)
-        f[i][part] =
+        f[part][i] =
             t.ramp[i] +
             J::broadcast(t.f[i] + t.right[i] * static_cast<integer>(bx * block_size + part * lane_count - box.x_first) +
                          t.down[i] * static_cast<integer>(by * block_size - box.y_first));
     int at = by * block_size * tile_stride + bx * block_size;
     for (int y = 0; y < block_size; ++y, at += tile_stride)
       for (int part = 0; part < parts; ++part) {
-        pixels(f[0][part], f[1][part], f[2][part], at + part * lane_count);
-        for (int i = 0; i < 3; ++i) f[i][part] = f[i][part] + down[i];
+        pixels(f[part], at + part * lane_count);
+        for (int i = 0; i < 3; ++i) f[part][i] = f[part][i] + down[i];
       }
   };
   for (std::uint64_t bits = blocks; bits != 0; bits &= bits - 1) {
     const int block = std::countr_zero(bits), bx = block % blocks_across, by = block / blocks_across;
     auto least = F::broadcast(beyond_everything);
     mask tied = lanes<mask>::broadcast(0);
-    for_each_register(bx, by, [&](const I& f0, const I& f1, const I& f2, int at) {
-      least = low_of(tile_pixels<Test>(t, f0, f1, f2, out.key + at, out.id + at, counts, tied), least);
+    for_each_register(bx, by, [&](const I(&f)[3], int at) {
+      least = low_of(tile_pixels<Test>(t, f, {out.key + at, out.id + at}, counts, tied), least);
     });
     if (Test == tile_test::nearer && mask_bits(tied) != 0) [[unlikely]]
-      for_each_register(bx, by, [&](const I& f0, const I& f1, const I& f2, int at) {
-        tied_pixels(t, f0, f1, f2, out.key + at, out.id + at, counts, before);
-      });
+      for_each_register(
+          bx, by, [&](const I(&f)[3], int at) { tied_pixels(t, f, {out.key + at, out.id + at}, counts, ties.before); });
     if (by_depth) out.farthest_key[block] = least_of(least);
   }
-  all_counts = counts;
+  ties.counts = counts;
   return true;
 }
 
