@@ -31,12 +31,12 @@ TEST_CASE("clipped_line: the whole line by default, parameters as precise as the
 TEST_CASE("clipped_line: every coordinate of a point is looked at") {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   using P = irg::point<double, 3>;
-  CHECK_BOTH(irg::detail::has_finite_coordinates(P{1, 2, 3}));
-  CHECK_BOTH(!irg::detail::has_finite_coordinates(P{infinite, 2, 3}));
-  CHECK_BOTH(!irg::detail::has_finite_coordinates(P{1, -infinite, 3}));
-  CHECK_BOTH(!irg::detail::has_finite_coordinates(P{1, 2, infinite}));
-  CHECK_BOTH(irg::detail::has_finite_coordinates(irg::point<int, 2>{1, 2}));
-  CHECK_BOTH(irg::detail::has_finite_coordinates(std::array<double, 2>{1, 2}));  // and none beyond the last
+  CHECK_BOTH(irg::is_finite(P{1, 2, 3}));
+  CHECK_BOTH(!irg::is_finite(P{infinite, 2, 3}));
+  CHECK_BOTH(!irg::is_finite(P{1, -infinite, 3}));
+  CHECK_BOTH(!irg::is_finite(P{1, 2, infinite}));
+  CHECK_BOTH(irg::is_finite(irg::point<int, 2>{1, 2}));
+  CHECK_BOTH(irg::is_finite(std::array<double, 2>{1, 2}));  // and none beyond the last
 }
 
 #if defined(IRG_HAVE_EIGEN) || defined(IRG_HAVE_OPENCV)

@@ -81,15 +81,15 @@ struct values {
 // One call: whether it compiles with the types of `v`, in which case it is made.
 #define FOREIGN_CALL(...)                                \
   [](const auto& v) {                                    \
-    constexpr bool taken = requires { __VA_ARGS__; };    \
-    if constexpr (taken) static_cast<void>(__VA_ARGS__); \
-    return taken;                                        \
+    constexpr bool takes = requires { __VA_ARGS__; };    \
+    if constexpr (takes) static_cast<void>(__VA_ARGS__); \
+    return takes;                                        \
   }
 
 template <class V>
-std::map<std::string, bool> calls(const V& v) {
+std::map<std::string, bool> calls(const V& values) {
   std::map<std::string, bool> taken;
-  const auto call = [&](const char* name, const auto& function) { taken[name] = function(v); };
+  const auto call = [&](const char* name, const auto& function) { taken[name] = function(values); };
   // vectors
   call("dot", FOREIGN_CALL(irg::dot(v.a3, v.b3)));
   call("dot_fast", FOREIGN_CALL(irg::dot_fast(v.a3, v.b3)));

@@ -132,11 +132,11 @@ TEST_CASE("view_projection: degenerate cameras give a finite matrix") {
   constexpr camera at_target{{1, 2, 3}, {1, 2, 3}, {0, 1, 0}};
   constexpr camera parallel_up{{0, 5, 0}, {0, 0, 0}, {0, 1, 0}};
   constexpr camera no_up{{0, 0, 5}, {0, 0, 0}, {0, 0, 0}};
-  CHECK_BOTH(irg::detail::all_finite(irg::view_projection(at_target, 1.5)));
-  CHECK_BOTH(irg::detail::all_finite(irg::view_projection(in_parallel(at_target), 1.5)));
-  CHECK_BOTH(irg::detail::all_finite(irg::view_projection(parallel_up, 1.5)));
-  CHECK_BOTH(irg::detail::all_finite(irg::view_projection(in_parallel(parallel_up), 1.5)));
-  CHECK_BOTH(irg::detail::all_finite(irg::view_projection(no_up, 1.5)));
+  CHECK_BOTH(irg::is_finite(irg::view_projection(at_target, 1.5)));
+  CHECK_BOTH(irg::is_finite(irg::view_projection(in_parallel(at_target), 1.5)));
+  CHECK_BOTH(irg::is_finite(irg::view_projection(parallel_up, 1.5)));
+  CHECK_BOTH(irg::is_finite(irg::view_projection(in_parallel(parallel_up), 1.5)));
+  CHECK_BOTH(irg::is_finite(irg::view_projection(no_up, 1.5)));
   CHECK_BOTH(near(seen(at_target, 1, {1, 2, 0}).x, 0));  // it looks along -z
   CHECK_BOTH(near(seen(parallel_up, 1, {0, 0, 0}).x, 0));
   // At the target a parallel camera shows what it shows from distance 1: tan(20 degrees) up.
@@ -144,7 +144,7 @@ TEST_CASE("view_projection: degenerate cameras give a finite matrix") {
   CHECK_BOTH(near(seen(in_parallel(at_target), 1, {1, 2 + height, 3}).y, 1));
   // So near that what is seen is no normal number.
   constexpr camera touching = in_parallel({{0, 0, 1e-320}, {0, 0, 0}, {0, 1, 0}});
-  CHECK_BOTH(irg::detail::all_finite(irg::view_projection(touching, 0.001)));
+  CHECK_BOTH(irg::is_finite(irg::view_projection(touching, 0.001)));
 }
 
 // How the clip coordinates of a sphere's points lie: the largest |x|/w and |y|/w, and whether all points are in the
@@ -240,8 +240,7 @@ TEST_CASE("with_depth_range: a point at the eye still has a range") {
   CHECK_BOTH((c.near_distance > 0 && c.near_distance < c.far_distance));
   constexpr camera p = irg::with_depth_range(in_parallel({{1, 1, 1}, {0, 0, 0}, {0, 1, 0}}), {1, 1, 1}, 0);
   CHECK_BOTH(p.near_distance < p.far_distance);
-  CHECK_BOTH((irg::detail::all_finite(irg::view_projection(c, 0.25)) &&
-              irg::detail::all_finite(irg::view_projection(p, 0.25))));
+  CHECK_BOTH((irg::is_finite(irg::view_projection(c, 0.25)) && irg::is_finite(irg::view_projection(p, 0.25))));
 }
 
 TEST_CASE("camera_around: obliquely, the sphere's image touches the border too, and the target's depth stays") {

@@ -312,6 +312,13 @@ TEST_CASE("weak_visibility: sources that walls cut, cut where they do") {
     scene s = random_scene(r, 2, 4);
     if (s.source.size() < 3 || !s.second.empty()) continue;
     if (parts_of(s).status != visibility_status::source_crosses_obstacle) continue;
+    bool runs_along = false;  // rounding bends the edge off such a wall
+    for (const wall& w : s.walls)
+      for (std::size_t k = 0; k < s.source.size(); ++k) {
+        const place &e = s.source[k], &f = s.source[(k + 1) % s.source.size()];
+        runs_along = runs_along || (irg::orient2d(e, f, w.a) == 0 && irg::orient2d(e, f, w.b) == 0);
+      }
+    if (runs_along) continue;
     const auto cut = irg::cut_source_rounded<double>(s.source, s.walls);
     const auto got = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, plan);
     if (got.status != visibility_status::done) continue;

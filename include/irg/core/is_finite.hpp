@@ -2,22 +2,46 @@
 // is_finite: whether everything in numbers, points, vectors, planes and rings is a number one can compute with.
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/core/instructions.hpp>
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/ring.hpp>
 
 namespace irg {
+namespace detail {
 inline namespace IRG_ABI {
 
-/// Whether x is neither NaN nor infinite; numbers that are no floats always are finite.
+// The highest bit is set when x is NaN or infinite: its exponent, all ones, carries into the sign.
+template <Floating T>
+IRG_INLINE constexpr std::uint64_t not_finite_bit(const T& x) noexcept {
+  constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52, one = std::uint64_t{1} << 52;
+  return (std::bit_cast<std::uint64_t>(widened(x)) & exponent) + one;
+}
+template <Coordinates P>
+IRG_INLINE constexpr std::uint64_t not_finite_bit(const P& p) noexcept {
+  std::uint64_t bits = 0;
+  for (int i = 0; i < size_of<P>; ++i) bits |= not_finite_bit(coordinate(p, i));
+  return bits;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Whether x is neither NaN nor infinite; numbers without infinities always are finite.
 template <Scalar T>
 IRG_INLINE constexpr bool is_finite(const T& x) noexcept {
   if constexpr (Floating<T>)
     return magnitude(x) <= (std::numeric_limits<T>::max)();
+  else if constexpr (std::numeric_limits<T>::has_infinity)
+    return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
   else
     return true;
 }
@@ -25,6 +49,7 @@ IRG_INLINE constexpr bool is_finite(const T& x) noexcept {
 /// Whether all coordinates are.
 template <Coordinates P>
 IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
+  if constexpr (Floating<scalar_of<P>>) return detail::not_finite_bit(p) >> 63 == 0;
   for (int i = 0; i < size_of<P>; ++i)
     if (!is_finite(coordinate(p, i))) return false;
   return true;
@@ -43,9 +68,16 @@ IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
 template <PolygonRing R>
   requires(!Coordinates<R>)
 constexpr bool is_finite(const R& ring) noexcept {
-  for (std::size_t i = 0; i < ring_size(ring); ++i)
-    if (!is_finite(ring_vertex(ring, i))) return false;
-  return true;
+  const std::size_t n = ring_size(ring);
+  if constexpr (Floating<scalar_of<ring_point<R>>>) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < n; ++i) bits |= detail::not_finite_bit(ring_traits<R>::vertex(ring, i));
+    return bits >> 63 == 0;
+  } else {
+    for (std::size_t i = 0; i < n; ++i)
+      if (!is_finite(ring_traits<R>::vertex(ring, i))) return false;
+    return true;
+  }
 }
 
 /// Whether all of them are.

@@ -12,25 +12,30 @@ namespace irg {
 /// What polynomials are computed in: sums, differences and products. Models: every Scalar, and the exact numbers and
 /// numbers with a bound of their error that sign_of and values_of (math/exact) hand to a polynomial.
 template <class T>
-concept Number = std::regular<T> && !std::same_as<T, bool> && requires(const T a, const T b) {
-  a + b;
-  a - b;
-  a* b;
-  -a;
-};
+concept Number = !std::same_as<T, bool> && std::same_as<T, std::remove_cvref_t<T>> &&
+                 (std::is_arithmetic_v<T> || requires(T& to, const T a, const T b) {
+                   T();
+                   T(a);
+                   to = b;
+                   static_cast<bool>(a == b);
+                   a + b;
+                   a - b;
+                   a* b;
+                   -a;
+                 });
 
 /// A number that is ordered, with the four operations, made from small integers. Models: every built-in arithmetic type
 /// but bool, rationals, double-double, interval and fixed-point types.
 template <class T>
-concept Scalar = Number<T> && requires(const T a, const T b) {
-  static_cast<T>(1);
-  { a + b } -> std::convertible_to<T>;
-  { a - b } -> std::convertible_to<T>;
-  { a* b } -> std::convertible_to<T>;
-  { a / b } -> std::convertible_to<T>;
-  { -a } -> std::convertible_to<T>;
-  { a < b } -> std::convertible_to<bool>;
-};
+concept Scalar = Number<T> && (std::is_arithmetic_v<T> || requires(const T a, const T b) {
+                   static_cast<T>(1);
+                   { a + b } -> std::convertible_to<T>;
+                   { a - b } -> std::convertible_to<T>;
+                   { a* b } -> std::convertible_to<T>;
+                   { a / b } -> std::convertible_to<T>;
+                   { -a } -> std::convertible_to<T>;
+                   { a < b } -> std::convertible_to<bool>;
+                 });
 
 /// A number whose division is no truncation. Models: float, double, rationals and the like; not the integers.
 template <class T>

@@ -57,7 +57,7 @@ constexpr std::optional<clipped_line<P>> clip_line_cohen_sutherland(const P& a, 
                                                                     const box<scalar_of<P>, 2>& window) noexcept {
   if (is_empty(window)) return std::nullopt;
   if (detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
-  if (!detail::has_finite_coordinates(a) || !detail::has_finite_coordinates(b)) return std::nullopt;
+  if (!is_finite(a, b)) return std::nullopt;
   const auto end_at = [&](const P& p) {
     return detail::moving_end<P>{
         p, {detail::place_of(coordinate(p, 0), window, 0), detail::place_of(coordinate(p, 1), window, 1)}};

@@ -58,9 +58,9 @@ inline namespace IRG_ABI {
 template <Point P, PolygonRing R>
   requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<scalar_of<ring_point<R>>, scalar_of<P>>)
 constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b, const R& polygon) noexcept {
-  if (!detail::has_finite_coordinates(a) || !detail::has_finite_coordinates(b)) return std::nullopt;
+  if (!is_finite(a, b)) return std::nullopt;
   for (std::size_t i = 0; i < ring_size(polygon); ++i)
-    if (!detail::has_finite_coordinates(ring_vertex(polygon, i))) return std::nullopt;
+    if (!is_finite(ring_vertex(polygon, i))) return std::nullopt;
   const int turn = detail::turn_of_convex(polygon);
   if (turn == 0) return std::nullopt;
   return detail::clip_by_half_spaces<scalar_of<P>, 2>(
@@ -77,12 +77,10 @@ template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b,
                                                               std::span<const plane<scalar_of<P>>> planes) noexcept {
-  if (!detail::has_finite_coordinates(a) || !detail::has_finite_coordinates(b)) return std::nullopt;
+  if (!is_finite(a, b)) return std::nullopt;
   using T = scalar_of<P>;
   for (const plane<T>& p : planes)
-    if (!detail::has_finite_coordinates(point<T, 2>{p.a, p.b}) ||
-        !detail::has_finite_coordinates(point<T, 2>{p.c, p.d}))
-      return std::nullopt;
+    if (!is_finite(p)) return std::nullopt;
   return detail::clip_by_half_spaces<T, 3>(a, b, planes.size(), [&](std::size_t i) {
     return detail::half_space<T, 3>{{planes[i].a, planes[i].b, planes[i].c, planes[i].d}};
   });

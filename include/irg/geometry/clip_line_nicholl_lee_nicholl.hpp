@@ -23,7 +23,7 @@ constexpr std::optional<clipped_line<P>> clip_line_nicholl_lee_nicholl(const P& 
   using side = detail::window_side;
   if (is_empty(window)) return std::nullopt;
   if (detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
-  if (!detail::has_finite_coordinates(a) || !detail::has_finite_coordinates(b)) return std::nullopt;
+  if (!is_finite(a, b)) return std::nullopt;
   const int ax = detail::place_of(coordinate(a, 0), window, 0), ay = detail::place_of(coordinate(a, 1), window, 1);
   const int bx = detail::place_of(coordinate(b, 0), window, 0), by = detail::place_of(coordinate(b, 1), window, 1);
   if ((ax != 0 && ax == bx) || (ay != 0 && ay == by)) return std::nullopt;

@@ -27,17 +27,4 @@ struct clipped_line {
   }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
-
-template <Point P>
-IRG_INLINE constexpr bool has_finite_coordinates(const P& p) noexcept {
-  if constexpr (Floating<scalar_of<P>>)
-    for (int i = 0; i < size_of<P>; ++i)
-      if (!is_finite(coordinate(p, i))) return false;
-  return true;
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
 }  // namespace irg

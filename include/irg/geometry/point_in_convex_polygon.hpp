@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, rules 3.3 and 3.4
 template <PlaneRing R>
 constexpr point_location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
-  if (!detail::is_finite_point(p)) return point_location::outside;
+  if (!is_finite(p)) return point_location::outside;
   int side = 0;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const auto a = ring_vertex(ring, i), b = ring_vertex(ring, i + 1);
@@ -124,7 +124,7 @@ inline namespace IRG_ABI {
 /// source  Preparata and Shamos 1985
 template <PlaneRing R>
 constexpr point_location point_in_convex_polygon_log(const R& ring, const ring_point<R>& p) noexcept {
-  if (ring_size(ring) == 0 || !detail::is_finite_point(p)) return point_location::outside;
+  if (ring_size(ring) == 0 || !is_finite(p)) return point_location::outside;
   return detail::convex_fan<R>(ring).locate(p);
 }
 

@@ -3,12 +3,12 @@
 // clockwise and counter-clockwise change places.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 #include <irg/core/conversion.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/core/ring.hpp>
 
 namespace irg {
@@ -50,32 +50,6 @@ using polygon_point = typename detail::polygon_point_of<P>::type;
 
 namespace detail {
 inline namespace IRG_ABI {
-
-// The top bit is set when a coordinate is NaN or infinite: one more makes its exponent overflow. No comparison stands
-// in the way of doing several at once.
-template <Point P>
-IRG_INLINE constexpr std::uint64_t not_finite_bit(const P& p) noexcept {
-  if constexpr (Floating<scalar_of<P>>) {
-    const auto x = std::bit_cast<std::uint64_t>(widened(coordinate(p, 0)));
-    const auto y = std::bit_cast<std::uint64_t>(widened(coordinate(p, 1)));
-    constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52, one = std::uint64_t{1} << 52;
-    return ((x & exponent) + one) | ((y & exponent) + one);
-  } else {
-    return 0;
-  }
-}
-template <Point P>
-IRG_INLINE constexpr bool is_finite_point(const P& p) noexcept {
-  return not_finite_bit(p) >> 63 == 0;
-}
-
-template <PlaneRing R>
-constexpr bool is_finite_ring(const R& ring) noexcept {
-  std::uint64_t bits = 0;
-  if constexpr (Floating<scalar_of<ring_point<R>>>)
-    for (std::size_t i = 0, n = ring_size(ring); i < n; ++i) bits |= not_finite_bit(ring_traits<R>::vertex(ring, i));
-  return bits >> 63 == 0;
-}
 
 template <Point P>
 IRG_INLINE constexpr bool same_place(const P& a, const P& b) noexcept {
@@ -134,12 +108,17 @@ constexpr void each_edge(const P& polygon, F&& f) noexcept {
   });
 }
 
-template <PlanePolygon P>
-constexpr bool is_finite_polygon(const P& polygon) noexcept {
-  return each_ring(polygon, [](const auto& ring) { return is_finite_ring(ring); });
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
+inline namespace IRG_ABI {
+
+/// Whether no coordinate of any ring is NaN or infinite.
+template <PlanePolygon P>
+  requires(!PlaneRing<P>)
+constexpr bool is_finite(const P& polygon) noexcept {
+  return detail::each_ring(polygon, [](const auto& ring) { return is_finite(ring); });
+}
+
+}  // namespace IRG_ABI
 }  // namespace irg

@@ -35,7 +35,7 @@ template <PlanePolygon P>
 constexpr auto polygon_area_exact(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   if constexpr (Floating<T>) {
-    if (!detail::is_finite_polygon(polygon)) return detail::not_a_number<T>;
+    if (!irg::is_finite(polygon)) return detail::not_a_number<T>;
     auto twice = detail::shoelace(polygon);
     const double area = twice.rounded(-1);
     if constexpr (std::is_same_v<T, double>) {

@@ -47,7 +47,7 @@ constexpr auto polygon_centroid(const P& polygon) noexcept {
   if constexpr (Floating<T> || std::integral<T>) {
     using result_type = std::conditional_t<Floating<T>, T, double>;
     using centre = std::optional<point<result_type, 2>>;
-    if (!detail::is_finite_polygon(polygon)) return centre();
+    if (!irg::is_finite(polygon)) return centre();
     exact_accumulator<3> x, y, area;
     detail::each_edge(polygon, [&](const auto& p, const auto& q) {
       const auto x1 = widened(coordinate(p, 0)), y1 = widened(coordinate(p, 1));

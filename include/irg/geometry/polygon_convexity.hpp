@@ -18,7 +18,7 @@ inline namespace IRG_ABI {
 template <PlaneRing R>
 constexpr bool is_convex(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
-  if (!detail::is_finite_ring(ring)) return false;
+  if (!is_finite(ring)) return false;
   std::size_t start = 1;  // an edge that has a length ends there
   while (start <= n && detail::same_place(ring_vertex(ring, start - 1), ring_vertex(ring, start))) ++start;
   if (n == 0 || start > n) return true;

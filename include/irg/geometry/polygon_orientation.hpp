@@ -40,7 +40,7 @@ inline namespace IRG_ABI {
 /// cost    one pass; nothing allocates
 template <PlaneRing R>
 constexpr polygon_orientation orientation_of(const R& ring) noexcept {
-  if (ring_size(ring) < 3 || !detail::is_finite_ring(ring)) return polygon_orientation::degenerate;
+  if (ring_size(ring) < 3 || !is_finite(ring)) return polygon_orientation::degenerate;
   return static_cast<polygon_orientation>(detail::shoelace_sign(ring));
 }
 

@@ -269,8 +269,8 @@ constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, const R& ring, i
     return point<T, 2>{static_cast<T>(coordinate(v, 0)), static_cast<T>(coordinate(v, 1))};
   };
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
-    if (!has_finite_coordinates(at(i))) return false;
-    if (has_finite_coordinates(at(i + 1))) add_piece(pieces, at(i), at(i + 1), times);
+    if (!is_finite(at(i))) return false;
+    if (is_finite(at(i + 1))) add_piece(pieces, at(i), at(i + 1), times);
   }
   return true;
 }

@@ -51,7 +51,7 @@ constexpr std::vector<std::array<std::uint32_t, 3>> triangulate_ear_clipping(con
                                                                              ear_clipping_options options = {}) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto n = static_cast<std::uint32_t>(ring_size(ring));
-  if (n < 3 || !detail::is_finite_ring(ring)) return triangles;
+  if (n < 3 || !is_finite(ring)) return triangles;
   triangles.reserve(n - 2);
   const auto emit = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) { triangles.push_back({i, j, k}); };
   ear_clipping_memory<scalar_of<ring_point<R>>> memory;

@@ -48,7 +48,7 @@ inline namespace IRG_ABI {
 template <PlanePolygon P>
 constexpr triangulation triangulate_monotone(const P& polygon) {
   triangulation result;
-  if (!detail::is_finite_polygon(polygon)) {
+  if (!irg::is_finite(polygon)) {
     result.state = triangulation_state::not_finite;
     return result;
   }

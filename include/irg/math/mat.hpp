@@ -31,11 +31,6 @@ IRG_INLINE constexpr mat<T, R, C> filled_mat(const F& f) noexcept {
   return entries;
 }
 
-template <class T, int R, int C>
-constexpr bool all_finite(const mat<T, R, C>& a) noexcept {
-  return entries_finite<T>(a, R, C);
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -45,6 +40,12 @@ inline namespace IRG_ABI {
 template <Scalar T, int N>
 constexpr mat<T, N, N> identity() noexcept {
   return detail::filled_mat<T, N, N>([](int r, int c) { return r == c ? T(1) : T(0); });
+}
+
+/// Whether no entry is NaN or infinite.
+template <class T, int R, int C>
+constexpr bool is_finite(const mat<T, R, C>& a) noexcept {
+  return detail::entries_finite<T>(a, R, C);
 }
 
 /// The matrix with rows and columns exchanged.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/mesh/mesh.hpp>
 
 namespace irg {
@@ -36,20 +37,12 @@ struct mesh_finding {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <Scalar T>
-constexpr bool all_finite(T x) noexcept {
-  if constexpr (std::numeric_limits<T>::has_infinity)
-    return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
-  else
-    return true;
-}
-
 /// The first element with a coordinate that is not finite; size() when there is none.
 template <int N, class Elements>
 constexpr std::size_t first_not_finite(const Elements& elements) noexcept {
   for (std::size_t i = 0; i < elements.size(); ++i)
     for (int k = 0; k < N; ++k)
-      if (!all_finite(elements[i][k])) return i;
+      if (!is_finite(elements[i][k])) return i;
   return elements.size();
 }
 

@@ -19,92 +19,9 @@
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/to_mesh.hpp>
 #include <irg/mesh/triangulate.hpp>
+#include <irg/solid/detail/point_in_solid_steps.hpp>
 
 namespace irg {
-namespace detail {
-
-// The triangles that a ray upward has crossed.
-struct upward_crossings {
-  int winding = 0;
-  bool on_surface = false;
-};
-
-inline namespace IRG_ABI {
-
-// orient2d of a, b and the moved point, seen from above: not zero where a and b differ there.
-template <class P>
-constexpr int orientation_of_moved(const P& a, const P& b, int orientation) noexcept {
-  if (orientation != 0) return orientation;
-  const int down = compare_numbers(coordinate(a, 1), coordinate(b, 1));
-  return down != 0 ? down : compare_numbers(coordinate(b, 0), coordinate(a, 0));
-}
-
-// Whether the ray upward from p may meet a triangle: its box, seen from above, and its top.
-template <class P>
-IRG_INLINE constexpr bool may_cross_above(const P& a, const P& b, const P& c, const P& p) noexcept {
-  const auto within = [](const auto& u, const auto& v, const auto& w, const auto& at) {
-    return !(at < u && at < v && at < w) && !(u < at && v < at && w < at);
-  };
-  return within(coordinate(a, 0), coordinate(b, 0), coordinate(c, 0), coordinate(p, 0)) &&
-         within(coordinate(a, 1), coordinate(b, 1), coordinate(c, 1), coordinate(p, 1)) &&
-         !(coordinate(a, 2) < coordinate(p, 2) && coordinate(b, 2) < coordinate(p, 2) &&
-           coordinate(c, 2) < coordinate(p, 2));
-}
-
-template <class P>
-constexpr void count_upward_crossing(const P& a, const P& b, const P& c, const P& p, upward_crossings& out) noexcept {
-  if (!may_cross_above(a, b, c, p)) return;
-  const int ab = orientation_along(a, b, p, 2), bc = orientation_along(b, c, p, 2), ca = orientation_along(c, a, p, 2);
-  const bool none_right = ab >= 0 && bc >= 0 && ca >= 0, none_left = ab <= 0 && bc <= 0 && ca <= 0;
-  if (!none_right && !none_left) return;
-  const int side = orient3d(a, b, c, p);
-  if (side == 0) {
-    out.on_surface = out.on_surface || is_on_triangle(a, b, c, p);
-    return;
-  }
-  if (none_right && none_left) return;  // upright, as an edge is seen from above
-  const int turn = none_right ? 1 : -1;
-  if (side == turn) return;  // below p
-  if (orientation_of_moved(a, b, ab) == turn && orientation_of_moved(b, c, bc) == turn &&
-      orientation_of_moved(c, a, ca) == turn)
-    out.winding += turn;
-}
-
-template <class P>
-constexpr bool is_finite_in_space(const P& p) noexcept {
-  return is_finite(coordinate(p, 0)) && is_finite(coordinate(p, 1)) && is_finite(coordinate(p, 2));
-}
-
-// Calls use(a, b, c) with the corners of all triangles of a mesh that are finite.
-template <class T, class Use>
-constexpr void each_solid_triangle(const mesh<T>& m, const Use& use) {
-  for (std::size_t f = 0; f < m.face_count(); ++f) {
-    const auto corner = [&](std::size_t k) { return m.positions[m.corner(f, k).position]; };
-    const point<T, 3> a = corner(0), b = corner(1), c = corner(2);
-    if (is_finite_in_space(a) && is_finite_in_space(b) && is_finite_in_space(c)) use(a, b, c);
-  }
-}
-
-template <class M>
-constexpr upward_crossings count_upward_crossings(const M& body, const mesh_point<M>& p) {
-  using T = scalar_of<mesh_point<M>>;
-  upward_crossings count;
-  const point<T, 3> from{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};
-  if (is_finite_in_space(from))
-    each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
-      count_upward_crossing(a, b, c, from, count);
-    });
-  return count;
-}
-
-constexpr point_location location_by_winding(const upward_crossings& count, fill_rule rule) noexcept {
-  if (count.on_surface) return point_location::boundary;
-  const bool inside = rule == fill_rule::even_odd ? count.winding % 2 != 0 : count.winding != 0;
-  return inside ? point_location::inside : point_location::outside;
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
 
 inline namespace IRG_ABI {
 
@@ -144,7 +61,7 @@ constexpr point_location point_in_solid(const M& body, const mesh_point<M>& p, f
 template <detail::mesh_in_space M>
 constexpr point_location point_in_convex_solid(const M& body, const mesh_point<M>& p) {
   const std::size_t faces = mesh_face_count(body);
-  if (faces == 0 || !detail::is_finite_in_space(p)) return point_location::outside;
+  if (faces == 0 || !is_finite(p)) return point_location::outside;
   point_location where = point_location::inside;
   for (std::size_t f = 0; f < faces; ++f) {
     const std::size_t n = mesh_face_size(body, f);

@@ -120,7 +120,7 @@ private:
   constexpr detail::upward_crossings cross(const point<T, 3>& p, solid_locator_counts* counts) const {
     detail::upward_crossings out;
     solid_locator_counts asked{1, 0, 0};
-    if (detail::is_finite_in_space(p))
+    if (is_finite(p))
       for (std::uint32_t i = 0; i < nodes_.size() && !out.on_surface;) {
         const node& n = nodes_[i];
         ++asked.boxes;

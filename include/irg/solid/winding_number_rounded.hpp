@@ -50,7 +50,7 @@ inline namespace IRG_ABI {
 template <detail::mesh_in_space M>
 constexpr double winding_number_rounded(const M& surface, const mesh_point<M>& p) {
   using T = scalar_of<mesh_point<M>>;
-  if (!detail::is_finite_in_space(p)) return 0;
+  if (!is_finite(p)) return 0;
   const point<T, 3> from{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};
   double sum = 0, error = 0;
   detail::each_solid_triangle(triangulate(to_mesh<T>(surface)), [&](const auto& a, const auto& b, const auto& c) {

@@ -11,12 +11,14 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <optional>
 
 #include <irg/core/facing.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/spatial/detail/ray_shear.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/quotients_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 
 namespace irg {
 
@@ -31,7 +33,8 @@ struct ray_crossing {
 
 namespace detail {
 
-// A ray made ready for triangles, in doubles.
+// A ray made ready for triangles, in doubles. Functions of it are templates, so that including them instantiates
+// nothing.
 struct triangle_ray {
   ray<double, 3> r;
   ray_shear shear;
@@ -46,9 +49,8 @@ IRG_INLINE constexpr triangle_ray make_triangle_ray(const ray<double, 3>& r) noe
   return {r, s, magnitude(r.direction[s.z])};
 }
 
-template <class P>
-IRG_INLINE constexpr std::array<double, 15> gathered_doubles(const ray<double, 3>& r, const P& a, const P& b,
-                                                             const P& c) noexcept {
+IRG_INLINE constexpr std::array<double, 15> gathered_doubles(const ray<double, 3>& r, const space_point& a,
+                                                             const space_point& b, const space_point& c) noexcept {
   const vec<double, 3>& d = r.direction;
   return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, r.origin.x, r.origin.y, r.origin.z, d.x, d.y, d.z};
 }
@@ -79,8 +81,8 @@ constexpr auto side_round_ray(const X& x, std::size_t from, std::size_t to) noex
 }
 
 // How the side from a to b turns round the moved ray; 0 where it is along the ray.
-template <class P>
-IRG_NOINLINE constexpr int exact_side(const ray<double, 3>& r, const P& a, const P& b) noexcept {
+IRG_NOINLINE constexpr int exact_side(const std::same_as<ray<double, 3>> auto& r, const space_point& a,
+                                      const space_point& b) noexcept {
   const std::array<double, 15> in = gathered_doubles(r, a, b, b);
   int sign = irg::sign_of<3>([](const auto& x) { return side_round_ray(x, 0, 3); }, in);
   for (std::size_t i = 0; sign == 0 && i < 3; ++i)
@@ -94,9 +96,8 @@ IRG_NOINLINE constexpr int exact_side(const ray<double, 3>& r, const P& a, const
 }
 
 // The sign of t - limit for a crossing from the front or the back, of the moved ray.
-template <class P>
-IRG_NOINLINE constexpr int exact_order(const ray<double, 3>& r, const P& a, const P& b, const P& c, int along,
-                                       double limit) noexcept {
+IRG_NOINLINE constexpr int exact_order(const std::same_as<ray<double, 3>> auto& r, const space_point& a,
+                                       const space_point& b, const space_point& c, int along, double limit) noexcept {
   const std::array<double, 15> in = gathered_doubles(r, a, b, c);
   std::array<double, 16> with_limit{};
   for (std::size_t i = 0; i < 15; ++i) with_limit[i] = in[i];
@@ -121,9 +122,8 @@ struct crossing_time {
 
 IRG_INLINE constexpr double sum_of_sizes(double a, double b) noexcept { return magnitude(a) + magnitude(b); }
 
-template <class P>
-IRG_INLINE constexpr crossing_time time_of_crossing(const triangle_ray& q, const P& a, const P& b, const P& c,
-                                                    double m) noexcept {
+IRG_INLINE constexpr crossing_time time_of_crossing(const std::same_as<triangle_ray> auto& q, const space_point& a,
+                                                    const space_point& b, const space_point& c, double m) noexcept {
   constexpr double largest = 0x1p250, least = 0x1p-700, grazing = 0x1p-16, error = 0x1p-28;
   const double off = error * m / q.reach;
   if (m < largest && q.reach < largest) {
@@ -142,17 +142,16 @@ IRG_INLINE constexpr crossing_time time_of_crossing(const triangle_ray& q, const
 }
 
 // The largest coordinate of the corners as seen from the origin.
-template <class P>
-IRG_INLINE constexpr double largest_from(const P& o, const P& a, const P& b, const P& c) noexcept {
+IRG_INLINE constexpr double largest_from(const space_point& o, const space_point& a, const space_point& b,
+                                         const space_point& c) noexcept {
   double m = 0;
-  for (const P* p : {&a, &b, &c})
+  for (const space_point* p : {&a, &b, &c})
     for (int i = 0; i < 3; ++i) m = greater(m, magnitude((*p)[i] - o[i]));
   return m;
 }
 
-template <class P>
-IRG_INLINE constexpr sheared_sides<double> sides_round(const triangle_ray& q, const P& a, const P& b,
-                                                       const P& c) noexcept {
+IRG_INLINE constexpr sheared_sides<double> sides_round(const triangle_ray& q, const space_point& a,
+                                                       const space_point& b, const space_point& c) noexcept {
   const ray_shear& s = q.shear;
   const double corners[3][3] = {{a[s.x], a[s.y], a[s.z]}, {b[s.x], b[s.y], b[s.z]}, {c[s.x], c[s.y], c[s.z]}};
   return sides_round<double>(s, s.origin[0], s.origin[1], s.origin[2], corners);
@@ -160,9 +159,8 @@ IRG_INLINE constexpr sheared_sides<double> sides_round(const triangle_ray& q, co
 
 // 1 where all sides turn counter-clockwise round the moved ray, as seen along it: it comes from the back. -1 where all
 // turn clockwise, 0 where the ray passes by.
-template <class P>
-constexpr int turn_of_sides(const triangle_ray& q, const P& a, const P& b, const P& c,
-                            const sheared_sides<double>& sides, double bound) noexcept {
+constexpr int turn_of_sides(const std::same_as<triangle_ray> auto& q, const space_point& a, const space_point& b,
+                            const space_point& c, const sheared_sides<double>& sides, double bound) noexcept {
   const auto sure = [bound](double side) { return side > bound ? 1 : -side > bound ? -1 : 0; };
   int ab = sure(sides.ab), bc = sure(sides.bc), ca = sure(sides.ca);
   const bool left = ab > 0 || bc > 0 || ca > 0, right = ab < 0 || bc < 0 || ca < 0;
@@ -174,9 +172,9 @@ constexpr int turn_of_sides(const triangle_ray& q, const P& a, const P& b, const
 }
 
 // The weights of b and c. Sides are off by 65u m^2: where their sum is at least 2^-40 of m^2 they are good for that.
-template <class P>
-constexpr void set_weights(ray_crossing& x, const triangle_ray& q, const P& a, const P& b, const P& c,
-                           const sheared_sides<double>& sides, double m) noexcept {
+constexpr void set_weights(ray_crossing& x, const std::same_as<triangle_ray> auto& q, const space_point& a,
+                           const space_point& b, const space_point& c, const sheared_sides<double>& sides,
+                           double m) noexcept {
   constexpr double largest = 0x1p250, least = 0x1p-250, share = 0x1p-40;
   const double whole = (sides.ab + sides.bc) + sides.ca;
   if (least < m && m < largest && magnitude(whole) >= m * m * share) {
@@ -201,9 +199,9 @@ struct timed_crossing {
 };
 
 // Whether the moved ray crosses the triangle between low and high, and where.
-template <class P>
-constexpr timed_crossing cross_in_time(const triangle_ray& q, const P& a, const P& b, const P& c,
-                                       const sheared_sides<double>& sides, double m) noexcept {
+constexpr timed_crossing cross_in_time(const std::same_as<triangle_ray> auto& q, const space_point& a,
+                                       const space_point& b, const space_point& c, const sheared_sides<double>& sides,
+                                       double m) noexcept {
   constexpr double largest = 0x1p250;
   const double bound = m < largest ? side_bound(m) : std::numeric_limits<double>::infinity();
   const int turn = turn_of_sides(q, a, b, c, sides, bound);
@@ -246,7 +244,7 @@ template <Floating T>
 constexpr std::optional<ray_crossing> cross_triangle(const ray<T, 3>& r, const point<T, 3>& a, const point<T, 3>& b,
                                                      const point<T, 3>& c) noexcept {
   if (is_empty(r)) return std::nullopt;
-  const detail::triangle_ray q = detail::make_triangle_ray(detail::exactly_widened(r));
+  const auto q = detail::make_triangle_ray(detail::exactly_widened(r));
   const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};
   const double m = detail::largest_from(q.r.origin, p[0], p[1], p[2]);
   const auto sides = detail::sides_round(q, p[0], p[1], p[2]);

@@ -50,7 +50,7 @@ constexpr T quotient(T a, T b) noexcept {
 
 template <class T>
 constexpr checked<mat<T, 4, 4>, projection_status> unless_infinite(const mat<T, 4, 4>& m) noexcept {
-  if (!all_finite(m)) return refused<T>(projection_status::not_representable);
+  if (!is_finite(m)) return refused<T>(projection_status::not_representable);
   return {m, projection_status::ordinary};
 }
 

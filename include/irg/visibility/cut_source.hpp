@@ -27,7 +27,8 @@ inline namespace IRG_ABI {
 /// Cuts the edges of a ring and the obstacles that cross them, in the points nearest to where they do: a light that
 /// walls cut, for weak_visibility.
 /// needs   finite coordinates
-/// gives   edges and obstacles bent by as much as these points are rounded. In plans so fine that bent ones cross again
+/// gives   edges and obstacles bent by as much as these points are rounded; an obstacle along an edge that another one
+///         cuts may come to lie beside it. In plans so fine that bent ones cross again
 ///         and again, some may be left that cross; weak_visibility says so
 /// exact   which ones cross; where is correctly rounded
 /// cost    the edges times the obstacles, a few times over; allocates

@@ -180,8 +180,7 @@ constexpr auto clip_weiler_atherton(const A& subject, const B& clip) {
   using T = scalar_of<polygon_point<A>>;
   weiler_atherton_clip<T> result;
   const auto ended = [&](weiler_atherton_status status) { return result.status = status, result; };
-  if (!detail::is_finite_polygon(subject) || !detail::is_finite_polygon(clip))
-    return ended(weiler_atherton_status::not_finite);
+  if (!irg::is_finite(subject) || !irg::is_finite(clip)) return ended(weiler_atherton_status::not_finite);
   detail::weiler_atherton_lists<T> lists;
   lists.add_vertices(0, subject);
   lists.add_vertices(1, clip);

@@ -33,7 +33,7 @@ constexpr auto polygon_area(const P& polygon) noexcept {
 template <PlaneRing R>
 constexpr polygon_orientation orientation_of(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
-  if (n < 3 || !detail::is_finite_ring(ring)) return polygon_orientation::degenerate;
+  if (n < 3 || !is_finite(ring)) return polygon_orientation::degenerate;
   const auto turn = [&](std::size_t i) {
     return orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), ring_vertex(ring, i + 2));
   };

@@ -48,7 +48,7 @@ private:
   constexpr bool clip(const face_ring<T>& ring, int axis, const Emit& emit) {
     // A position that is NaN or infinite leaves nothing to decide: such faces are cut into a fan.
     const flat_ring<face_ring<T>> flat(ring, axis);
-    return is_finite_ring(flat) && triangulate_ear_clipping(flat, emit, memory_, options_);
+    return is_finite(flat) && triangulate_ear_clipping(flat, emit, memory_, options_);
   }
 };
 

@@ -42,7 +42,7 @@ public:
   };
 
   constexpr area_splits(std::vector<Item>& items, int bins)
-      : items_{&items, &other_}, other_(items.size(), bvh_item{}), bins_(bins),
+      : items_{&items, &other_}, other_(items.size(), Item{}), bins_(bins),
         deepest_(2 * static_cast<int>(std::bit_width(items.size())) + 16) {}
 
   IRG_INLINE constexpr float priority(const range& r) const noexcept { return r.area; }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -63,8 +64,8 @@ private:
 };
 
 // -1, 0 or 1, as a is crossed before b, with it, or after it.
-template <class Crossing>
-IRG_NOINLINE constexpr int exact_order(const triangle_ray& q, const Crossing& a, const Crossing& b) noexcept {
+IRG_NOINLINE constexpr int exact_order(const std::same_as<triangle_ray> auto& q, const first_crossing& a,
+                                       const first_crossing& b) noexcept {
   bool same = true;
   for (int i = 0; i < 3; ++i) same = same && a.corner[i] == b.corner[i];
   if (same) return 0;
@@ -86,8 +87,8 @@ IRG_NOINLINE constexpr int exact_order(const triangle_ray& q, const Crossing& a,
   return sign * a.turn * b.turn;
 }
 
-template <class Crossing>
-IRG_INLINE constexpr bool is_before(const triangle_ray& q, const Crossing& a, const Crossing& b) noexcept {
+IRG_INLINE constexpr bool is_before(const std::same_as<triangle_ray> auto& q, const first_crossing& a,
+                                    const first_crossing& b) noexcept {
   const double apart = a.time.t - b.time.t, error = a.time.error + b.time.error;
   if (apart > error) return false;
   const int order = -apart > error ? -1 : exact_order(q, a, b);
@@ -120,8 +121,7 @@ IRG_INLINE constexpr bool cross_leaf(const bvh& tree, std::span<const triangle_b
   return false;
 }
 
-template <class Crossing>
-constexpr ray_crossing finished_crossing(const triangle_ray& q, const Crossing& f) noexcept {
+constexpr ray_crossing finished_crossing(const std::same_as<triangle_ray> auto& q, const first_crossing& f) noexcept {
   ray_crossing x{f.turn < 0 ? facing::front : facing::back, f.time.t, 0, 0};
   set_weights(x, q, f.corner[0], f.corner[1], f.corner[2], f.sides, f.largest);
   return x;

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The steps of side_of_polygon.hpp.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include <irg/core/ring.hpp>
+#include <irg/geometry/detail/exact_forms.hpp>
+#include <irg/geometry/orient3d.hpp>
+#include <irg/geometry/plane.hpp>
+#include <irg/math/exact/exact_number.hpp>
+#include <irg/math/exact/filtered_number.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+// The sign of (sum of the cross products of the edges, fanned from the first vertex) . (eye - weight * first vertex).
+template <class N, Floating T, class Position>
+IRG_NOINLINE constexpr int exact_face_volume_sign(std::size_t count, const Position& position,
+                                                  const hpoint<T, 3>& eye) noexcept {
+  for (std::size_t k = 0; k < count; ++k)
+    if (!is_finite(position(k))) return 0;
+  if (!is_finite(eye)) return 0;
+  if (count == 3 && eye.w == T(1))
+    return orient3d(position(0), position(1), position(2), point<T, 3>{eye.x, eye.y, eye.z});
+  const auto exact = [](const auto& p) { return vec{exactly<N>(p[0]), exactly<N>(p[1]), exactly<N>(p[2])}; };
+  const vec<N, 3> first = exact(position(0));
+  vec<N, 3> normal, before = exact(position(1)) - first;
+  for (std::size_t k = 2; k < count; ++k) {
+    const vec<N, 3> after = exact(position(k)) - first;
+    normal = normal + cross(before, after);
+    before = after;
+  }
+  return dot(normal, exact(eye) - first * exactly<N>(eye.w)).sign();
+}
+
+// The same in doubles, and how far it may be off; the bound is NaN or infinite where it does not say.
+struct rounded_volume {
+  double value, bound;
+};
+
+// With E the greatest coordinate of an edge, rounded once, and W that of |eye| + |weight * first|, the value is a sum
+// of 6 (n - 2) products below E E W, off by n + 6 roundings at most: twice that and some more. While E and W stay
+// within 2^-200 and 2^200, nothing overflows, and what underflows is far below a rounding.
+template <class Position>
+constexpr rounded_volume rounded_face_volume(std::size_t count, const Position& position,
+                                             const hpoint<double, 3>& eye) noexcept {
+  constexpr double undecided = std::numeric_limits<double>::infinity();
+  const point<double, 3> first = position(0);
+  double widest = 0, farthest = 0;
+  vec<double, 3> normal, before, towards;
+  for (std::size_t k = 1; k < count; ++k) {
+    const vec<double, 3> after = position(k) - first;
+    widest = greater(widest, greater(magnitude(after.x), greater(magnitude(after.y), magnitude(after.z))));
+    normal += cross(before, after);
+    before = after;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double moved = product(eye.w, first[i]);
+    towards[i] = eye[i] - moved;
+    farthest = greater(farthest, magnitude(eye[i]) + magnitude(moved));
+  }
+  constexpr double least = 0x1p-200, most = 0x1p200;
+  if (!(widest >= least && widest <= most && farthest >= least && farthest <= most)) return {0, undecided};
+  const double n = static_cast<double>(count);
+  return {dot(normal, towards), (n + 16) * 0x1p-52 * (6 * n) * widest * widest * farthest};
+}
+
+// position(k) is vertex k.
+// gives   0 when something is NaN or infinite, or with fewer than three vertices
+template <Floating T, class Position>
+constexpr int face_volume_sign(std::size_t count, const Position& position, const hpoint<T, 3>& eye) noexcept {
+  if (count < 3) return 0;
+  bool suits = true;  // what takes subnormal floats for zero while widening them is not asked
+  const auto number = [&](const T& x) {
+    if constexpr (sizeof(T) < sizeof(double)) suits = suits && suits_filter<2>(x);
+    return widened(x);
+  };
+  const auto wide = [&](const point<T, 3>& p) { return point<double, 3>{number(p.x), number(p.y), number(p.z)}; };
+  const rounded_volume v = rounded_face_volume(
+      count, [&](std::size_t k) { return wide(position(k)); },
+      hpoint<double, 3>{number(eye.x), number(eye.y), number(eye.z), number(eye.w)});
+  if (suits && v.value > v.bound) return 1;
+  if (suits && -v.value > v.bound) return -1;
+  return exact_face_volume_sign<exact_number<4>>(count, position, eye);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+}  // namespace irg
