@@ -26,17 +26,17 @@ void enter(const std::string& name, const std::string& who, int triangles, Run r
   bench::contender c{
       who, [&w, run] {
         for (const auto& patch : w.patches)
-          run(patch, [&w](const auto& a, const auto& b, const auto& c) { w.sum += a.point.x + b.point.y + c.point.z; });
+          run(patch, [&w](const auto& p, const auto& q, const auto& r) { w.sum += p.point.x + q.point.y + r.point.z; });
       }};
   c.judge = [&w, run] {
     bench::errors e;
     e.max = 0;
     for (const auto& patch : w.patches)
-      run(patch, [&](const auto& a, const auto& b, const auto& c) {
-        const auto mean = [](double p, double q, double r) { return (p + q + r) / 3; };
-        const point at = irg::patch_point(patch, mean(a.u.t, b.u.t, c.u.t), mean(a.v.t, b.v.t, c.v.t));
-        const point flat{mean(a.point.x, b.point.x, c.point.x), mean(a.point.y, b.point.y, c.point.y),
-                         mean(a.point.z, b.point.z, c.point.z)};
+      run(patch, [&](const auto& p, const auto& q, const auto& r) {
+        const auto mean = [](double x, double y, double z) { return (x + y + z) / 3; };
+        const point at = irg::patch_point(patch, mean(p.u.t, q.u.t, r.u.t), mean(p.v.t, q.v.t, r.v.t));
+        const point flat{mean(p.point.x, q.point.x, r.point.x), mean(p.point.y, q.point.y, r.point.y),
+                         mean(p.point.z, q.point.z, r.point.z)};
         e.max = std::fmax(e.max, 1000 * irg::length(at - flat));
       });
     return e;

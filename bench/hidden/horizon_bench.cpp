@@ -61,9 +61,7 @@ double wrong_columns(const irg::floating_horizon<>& drawn, const hills& h, const
   struct extremes {
     std::vector<irg::horizon_column> columns;
     void begin_curve() {}
-    void add(const irg::cell& c, int) {
-      irg::detail::extend_horizon(columns[static_cast<std::size_t>(c.x)], c.y);
-    }
+    void add(const irg::cell& c, int) { irg::detail::extend_horizon(columns[static_cast<std::size_t>(c.x)], c.y); }
   } all{std::vector<irg::horizon_column>(static_cast<std::size_t>(drawn.columns()))};
   irg::draw_horizon_surface(all, h, v, 0);
   double wrong = 0;

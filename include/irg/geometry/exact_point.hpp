@@ -18,7 +18,8 @@ namespace irg {
 
 /// A point with three coordinates over one divisor, all exact.
 /// cost    one allocation, of some 30 words for ordinary doubles
-class exact_point {
+template <class Word = std::uint64_t>
+class basic_exact_point {
   // A mean of three crossings has degree 10, its side of a plane 12.
   using wide = exact_number<13>;
   struct part {
@@ -37,9 +38,9 @@ class exact_point {
   }
   // from + way t / divisor
   template <class Number>
-  static constexpr exact_point along(const std::array<Number, 3>& from, const std::array<Number, 3>& way,
-                                     const Number& t, const Number& divisor) {
-    exact_point p;
+  static constexpr basic_exact_point along(const std::array<Number, 3>& from, const std::array<Number, 3>& way,
+                                           const Number& t, const Number& divisor) {
+    basic_exact_point p;
     if (divisor.sign() != 0)
       p.store(std::array{divisor, from[0] * divisor + way[0] * t, from[1] * divisor + way[1] * t,
                          from[2] * divisor + way[2] * t});
@@ -63,10 +64,10 @@ class exact_point {
 
 public:
   /// No point.
-  constexpr exact_point() noexcept {}
+  constexpr basic_exact_point() noexcept {}
   /// The point p.
   /// needs   finite coordinates
-  constexpr explicit exact_point(const point<double, 3>& p) {
+  constexpr explicit basic_exact_point(const point<double, 3>& p) {
     using number = exact_number<1>;
     store(std::array{number(1.0), number(p.x), number(p.y), number(p.z)});
   }
@@ -74,8 +75,9 @@ public:
   /// Where the line through a and b crosses the plane through p, q and r.
   /// needs   finite coordinates
   /// gives   no point when they are parallel, or a == b, or the three lie on a line
-  static constexpr exact_point on_plane(const point<double, 3>& p, const point<double, 3>& q, const point<double, 3>& r,
-                                        const point<double, 3>& a, const point<double, 3>& b) {
+  static constexpr basic_exact_point on_plane(const point<double, 3>& p, const point<double, 3>& q,
+                                              const point<double, 3>& r, const point<double, 3>& a,
+                                              const point<double, 3>& b) {
     using number = exact_number<4>;
     const auto base = vector_of<number>(p), u = minus(vector_of<number>(q), base),
                v = minus(vector_of<number>(r), base);
@@ -90,8 +92,8 @@ public:
   /// needs   finite coordinates
   /// gives   no point when they are parallel; where they pass each other, a point of the first that is a crossing as
   ///         seen along an axis
-  static constexpr exact_point on_lines(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
-                                        const point<double, 3>& d) {
+  static constexpr basic_exact_point on_lines(const point<double, 3>& a, const point<double, 3>& b,
+                                              const point<double, 3>& c, const point<double, 3>& d) {
     using number = exact_number<4>;
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from);
     const auto start = vector_of<number>(c), other = minus(vector_of<number>(d), start), between = minus(start, from);
@@ -105,12 +107,13 @@ public:
 
   /// The mean of three points.
   /// needs   three points
-  static constexpr exact_point mean_of(const exact_point& p, const exact_point& q, const exact_point& r) {
+  static constexpr basic_exact_point mean_of(const basic_exact_point& p, const basic_exact_point& q,
+                                             const basic_exact_point& r) {
     const auto a = p.load(), b = q.load(), c = r.load();
     const wide bc = b[0] * c[0], ca = c[0] * a[0], ab = a[0] * b[0];
     std::array<wide, 4> sum{ab * c[0] * wide(3.0), {}, {}, {}};
     for (std::size_t i = 1; i < 4; ++i) sum[i] = a[i] * bc + b[i] * ca + c[i] * ab;
-    exact_point mean;
+    basic_exact_point mean;
     mean.store(sum);
     return mean;
   }
@@ -129,20 +132,25 @@ public:
   }
 
 private:
-  friend constexpr int compare_along(int axis, const exact_point& p, const exact_point& q) noexcept;
-  friend constexpr int orientation_along(int axis, const exact_point& p, const exact_point& q,
-                                         const exact_point& r) noexcept;
+  template <class W>
+  friend constexpr int compare_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q) noexcept;
+  template <class W>
+  friend constexpr int orientation_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q,
+                                         const basic_exact_point<W>& r) noexcept;
+  template <class W>
   friend constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
-                                     const exact_point& p) noexcept;
+                                     const basic_exact_point<W>& p) noexcept;
 
-  std::vector<std::uint64_t> words_;
+  std::vector<Word> words_;
   part parts_[4]{};  // the divisor first
 };
+using exact_point = basic_exact_point<>;
 
 /// -1, 0 or 1, as coordinate `axis` of p is less than that of q, equal or greater.
 /// needs   two points
 /// exact   always
-constexpr int compare_along(int axis, const exact_point& p, const exact_point& q) noexcept {
+template <class W>
+constexpr int compare_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q) noexcept {
   const auto a = p.load(), b = q.load();
   const auto i = static_cast<std::size_t>(axis) + 1;
   return (a[i] * b[0] - b[i] * a[0]).sign() * a[0].sign() * b[0].sign();
@@ -151,7 +159,9 @@ constexpr int compare_along(int axis, const exact_point& p, const exact_point& q
 /// orient2d of the points without coordinate `axis`, the others in their order.
 /// needs   three points
 /// exact   always
-constexpr int orientation_along(int axis, const exact_point& p, const exact_point& q, const exact_point& r) noexcept {
+template <class W>
+constexpr int orientation_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q,
+                                const basic_exact_point<W>& r) noexcept {
   const auto a = p.load(), b = q.load(), c = r.load();
   const std::size_t x = axis == 0 ? 2 : 1, y = axis == 2 ? 2 : 3;
   const auto area =
@@ -162,12 +172,14 @@ constexpr int orientation_along(int axis, const exact_point& p, const exact_poin
 /// orient3d(a, b, c, p): the sign of plane_through(a, b, c) at p.
 /// needs   finite coordinates, a point
 /// exact   always
+template <class W>
 constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
-                            const exact_point& p) noexcept {
-  using number = exact_point::wide;
-  const auto base = exact_point::vector_of<number>(a);
-  const auto u = exact_point::minus(exact_point::vector_of<number>(b), base);
-  const auto v = exact_point::minus(exact_point::vector_of<number>(c), base);
+                            const basic_exact_point<W>& p) noexcept {
+  using exact = basic_exact_point<W>;
+  using number = typename exact::wide;
+  const auto base = exact::template vector_of<number>(a);
+  const auto u = exact::minus(exact::template vector_of<number>(b), base);
+  const auto v = exact::minus(exact::template vector_of<number>(c), base);
   const auto at = p.load();
   const auto from = [&](std::size_t i) { return at[i + 1] - base[i] * at[0]; };
   const number value = (u[1] * v[2] - u[2] * v[1]) * from(0) + (u[2] * v[0] - u[0] * v[2]) * from(1) +

@@ -41,7 +41,7 @@ struct mip_textured_pixels {
     const texture_pyramid& t = textures[texture_index(number, textures.size())];
     return t.levels == nullptr || t.levels->levels.empty() ? nullptr : &t;
   }
-  IRG_INLINE constexpr rgba8 pixel(const values<float>& at) const {
+  IRG_INLINE constexpr rgba8 pixel(const std::same_as<values<float>> auto& at) const {
     if (textures.empty()) return encode({at[2], at[3], at[4]});
     const texture_pyramid* const t = pyramid(at[5]);
     if (t == nullptr) return encode({0, 0, 0});
@@ -89,10 +89,13 @@ struct mip_textured_shader {
             change.down(a[1], b[1], c[1])};
   }
   /// The level at a pixel for a texture of width x height texels: mip_level of how u and v change there.
-  IRG_INLINE constexpr float level(const pixel_weights<float>& at, int width, int height) const noexcept {
+  IRG_INLINE constexpr float level(const std::same_as<pixel_weights<float>> auto& at, int width,
+                                   int height) const noexcept {
     return mip_level(shading.changes(values(at)), width, height);
   }
-  IRG_INLINE constexpr rgba8 operator()(const pixel_weights<float>& at) const { return shading.pixel(values(at)); }
+  IRG_INLINE constexpr rgba8 operator()(const std::same_as<pixel_weights<float>> auto& at) const {
+    return shading.pixel(values(at));
+  }
 };
 
 /// Textured surfaces as a maker of pixel shaders for draw_batches and draw_transparent; as textured_shading, but with
