@@ -38,11 +38,12 @@ constexpr std::vector<irg::screen_face> faces_of(const test::space_scene& s, con
 double moved_depth(const irg::screen_face& f) {
   const auto& [a, b, c] = f.v;
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y,
-               uz = double{b.depth} - double{a.depth};
+               uz = static_cast<double>(b.depth) - static_cast<double>(a.depth);
   const double vx = c.position.x - a.position.x, vy = c.position.y - a.position.y,
-               vz = double{c.depth} - double{a.depth};
+               vz = static_cast<double>(c.depth) - static_cast<double>(a.depth);
   const double area = std::fabs(ux * vy - uy * vx);
-  return (std::fabs(uy * vz - uz * vy) + std::fabs(uz * vx - ux * vz)) / area + 0x1p-22 * double{f.depth_high};
+  return (std::fabs(uy * vz - uz * vy) + std::fabs(uz * vx - ux * vz)) / area +
+         0x1p-22 * static_cast<double>(f.depth_high);
 }
 // Whether snapping may have decided that a face covers a pixel.
 bool is_at_border(const irg::screen_face& f, int x, int y) {
@@ -60,8 +61,9 @@ double depth_in(const irg::screen_face& f, int x, int y) {
   const auto area = [](const irg::subpixel& r, const irg::subpixel& s, const irg::subpixel& t) {
     return static_cast<double>(irg::signed_double_area(r, s, t));
   };
-  return (area(b.position, c.position, p) * double{a.depth} + area(c.position, a.position, p) * double{b.depth} +
-          area(a.position, b.position, p) * double{c.depth}) /
+  return (area(b.position, c.position, p) * static_cast<double>(a.depth) +
+          area(c.position, a.position, p) * static_cast<double>(b.depth) +
+          area(a.position, b.position, p) * static_cast<double>(c.depth)) /
          area(a.position, b.position, c.position);
 }
 
