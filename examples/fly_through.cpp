@@ -242,6 +242,7 @@ void run(program::command_line& line) {
   const auto sample = [&](double t) { return way(t); };
   const irg::constant_speed motion(sample, knots.first(), knots.last(), std::span<double>(lengths));
   std::vector<irg::curve_sample<point>> places;
+  places.reserve(static_cast<std::size_t>(s.pictures));
   for (int k = 0; k < s.pictures; ++k)
     places.push_back(motion.at(s.pictures > 1 ? static_cast<double>(k) / (s.pictures - 1) : 0));
   numbered_files files(s.frames);

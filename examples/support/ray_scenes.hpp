@@ -94,6 +94,7 @@ public:
   /// The bodies refer to this scene, which has to stay.
   std::vector<irg::traced_body<double>> bodies() const {
     std::vector<irg::traced_body<double>> all;
+    all.reserve(parts_.size());
     for (const part& p : parts_) all.push_back({p.corners, {}, p.triangles, {{}, p.diffuse, {}, 1}, {}, p.emitted});
     return all;
   }

@@ -17,9 +17,9 @@ constexpr auto made = irg::from_coordinates<vec2>(1, 2);
 #elif CASE == 1  // dot of different sizes
 // expect: no matching function for call to .*dot
 constexpr auto x = irg::dot(v2, v3);
-#elif CASE == 2  // cross of vectors of the plane
+#elif CASE == 2  // cross of vectors of the plane and of space: of two of the plane it is their area
 // expect: no matching function for call to .*cross
-constexpr auto x = irg::cross(v2, v2);
+constexpr auto x = irg::cross(v2, v3);
 #elif CASE == 3  // point plus point
 // expect: (no match for|invalid operands)
 constexpr auto x = p3 + p3;

@@ -189,8 +189,10 @@ constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
   IRG_EXPECTS(points.size() > 1 && places.size() >= points.size());
   places[0] = T(0);
   for (std::size_t k = 1; k < points.size(); ++k) {
-    const T far = length(detail::scaled_difference(points[k - 1], points[k], 1));
-    const T step = spacing == fit_spacing::uniform ? T(1) : spacing == fit_spacing::chord_length ? far : sqrt(far);
+    const T distant = length(detail::scaled_difference(points[k - 1], points[k], 1));
+    const T step = spacing == fit_spacing::uniform        ? T(1)
+                   : spacing == fit_spacing::chord_length ? distant
+                                                          : sqrt(distant);
     places[k] = places[k - 1] + step;
   }
   const std::size_t last = points.size() - 1;

@@ -68,9 +68,9 @@ constexpr escape_distance<T> distance_of_orbit(const distance_orbit<T>& begin, c
       continue;
     }
     if (!(size <= (std::numeric_limits<T>::max)())) return {k, T(0), T(0)};
-    const T away = sqrt(size), far = product(product(away, log(away)) / slope, unit);
+    const T away = sqrt(size), distant = product(product(away, log(away)) / slope, unit);
     const auto [below, above] = potential_factors(product(degree, log(away)));
-    return {k, product(far / 2, below), product(2 * far, above)};
+    return {k, product(distant / 2, below), product(2 * distant, above)};
   }
   return {limit.most, T(0), T(0)};
 }

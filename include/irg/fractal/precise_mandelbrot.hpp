@@ -58,10 +58,10 @@ constexpr sure_count sure_orbit(const T& cx, const T& cy, const escape_limit<dou
     const T beyond = xx + yy - square;
     error = (2 * z_size + error) * error + rounded * (z_size * z_size + z_size + c_size);
     z_size = size_of(x, y);
-    const auto far = static_cast<double>(beyond);
-    const bool sure =
-        magnitude(far) > ((2 * z_size + error) * error + rounded * (z_size * z_size + limit.square)) * (1 + 0x1p-30);
-    if (!(far < 0)) return {k, sure};
+    const auto distant = static_cast<double>(beyond);
+    const bool sure = magnitude(distant) >
+                      ((2 * z_size + error) * error + rounded * (z_size * z_size + limit.square)) * (1 + 0x1p-30);
+    if (!(distant < 0)) return {k, sure};
     if (!sure) return {k, false};
   }
   return {limit.most, true};

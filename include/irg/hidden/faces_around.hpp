@@ -117,8 +117,9 @@ constexpr std::pair<std::size_t, point<double, 2>> place_of(int size, const vec<
     if (s.forward_sign * direction[s.forward] > b.forward_sign * direction[b.forward]) best = i;
   }
   const detail::cube_side& s = detail::cube_sides[best];
-  const double far = s.forward_sign * direction[s.forward], half = size / 2.0;
-  return {best, {half + half * (s.right_sign * direction[s.right] / far), half - half * (direction[s.up] / far)}};
+  const double distant = s.forward_sign * direction[s.forward], half = size / 2.0;
+  return {best,
+          {half + half * (s.right_sign * direction[s.right] / distant), half - half * (direction[s.up] / distant)}};
 }
 
 }  // namespace IRG_ABI

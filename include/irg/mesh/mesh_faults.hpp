@@ -131,10 +131,10 @@ private:
       if (names_[k] == names_[k - 1] && (k == 1 || names_[k] != names_[k - 2]))
         found_.push_back({mesh_fault_kind::corner_repeated, f, names_[k]});
     const auto at = [&](std::size_t k) { return m_.positions[m_.corner(f, k).position]; };
-    std::size_t far = 1;  // the first corner in another place than corner 0
-    while (far < n && at(far) == at(0)) ++far;
-    for (std::size_t k = far + 1; k < n; ++k)
-      if (!are_collinear(at(0), at(far), at(k))) return;
+    std::size_t distant = 1;  // the first corner in another place than corner 0
+    while (distant < n && at(distant) == at(0)) ++distant;
+    for (std::size_t k = distant + 1; k < n; ++k)
+      if (!are_collinear(at(0), at(distant), at(k))) return;
     found_.push_back({mesh_fault_kind::face_without_area, f});
   }
 

@@ -105,10 +105,10 @@ template <depth_test Test, class Order, class Tiles>
 constexpr draw_counts blend_tile(const Tiles& tiles, std::span<const std::uint32_t> numbers,
                                  const cell_window& window) {
   const auto& [colour, depth, find, make_shader, blend, occluded, seen] = tiles;
-  using Depth = std::remove_reference_t<decltype(tiles.depth)>;
+  using depth_raster = std::remove_reference_t<decltype(tiles.depth)>;
   constexpr bool by_depth = !std::same_as<Order, drawing_order>;
   constexpr bool can_hide = by_depth && (Test == depth_test::nearer || Test == depth_test::nearer_or_equal);
-  farthest_depths<Order, Depth> hidden_depths{depth, window};
+  farthest_depths<Order, depth_raster> hidden_depths{depth, window};
   draw_counts counts;
   for (const std::uint32_t number : numbers) {
     const triangle_corners c = find.corners(number);

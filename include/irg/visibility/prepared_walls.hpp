@@ -60,10 +60,10 @@ public:
       kept.insert(kept.end(), fresh.begin(), fresh.end());
       if (kept.size() > 64 + walls_.size() / 2) return visibility_polygon(source, domain_, walls_);
       std::sort(kept.begin(), kept.end());
-      std::vector<segment<T, 2>> near;
-      near.reserve(kept.size());
-      for (const std::uint32_t w : kept) near.push_back(walls_[w]);
-      seen = visibility_polygon(source, domain_, near);
+      std::vector<segment<T, 2>> nearby;
+      nearby.reserve(kept.size());
+      for (const std::uint32_t w : kept) nearby.push_back(walls_[w]);
+      seen = visibility_polygon(source, domain_, nearby);
       is_on_wall = is_on_wall || seen.status == visibility_status::source_on_obstacle;
       keep_what_is_seen(seen, kept);
       if (kept.size() > 64 + walls_.size() / 16) return visibility_polygon(source, domain_, walls_);

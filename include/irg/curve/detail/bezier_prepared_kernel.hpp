@@ -46,12 +46,11 @@ IRG_INLINE constexpr F to_the_power(const F& base, const F& rest_of_base, std::s
     const F x2 = times(x, x), across = times(x, rest);
     rest = rest_of_product(x, x, x2) + (across + across);
     x = x2;
-    n /= 2;
   };
   if (n == 0) return lanes<F>::broadcast(1);
-  while (n % 2 == 0) square();
+  for (; n % 2 == 0; n /= 2) square();
   F power = x, off = rest;
-  while (n > 1) {
+  for (n /= 2; n > 0; n /= 2) {
     square();
     if (n % 2 == 0) continue;
     const F next = times(power, x);
@@ -74,13 +73,13 @@ IRG_INLINE constexpr F rest_for_ratio(const F& side, const F& rest, const F& oth
 template <class T>
 struct curve_side {
   T side, rest, other;
-  bool far;
+  bool distant;
 };
 template <Floating T>
 IRG_INLINE constexpr curve_side<T> side_of(T t) noexcept {
   const exact_sum<T> back = two_sum(T(1), -t);
-  const bool far = back.value < t;
-  return {far ? t : back.value, far ? T(0) : back.error, far ? back.value : t, far};
+  const bool distant = back.value < t;
+  return {distant ? t : back.value, distant ? T(0) : back.error, distant ? back.value : t, distant};
 }
 
 // (a_0 + a_1 r + ... + a_n r^n) * side^n for r = other / side.
@@ -98,10 +97,10 @@ constexpr P prepared_point_plain(const Curve& curve, scalar_of<P> t) noexcept {
   const std::size_t n = curve.degree();
   const auto [side, rest, other, is_far] = side_of(t);
   const T ratio = other / side, power = to_the_power(side, rest_for_ratio(side, rest, other, ratio), n);
-  const bool far = is_far;
+  const bool distant = is_far;
   return generate_coordinates<P>([&](int axis) {
     return horner_of_side(n, ratio, power, [&](std::size_t i) {
-      return curve.rows[(far ? n - i : i) * Curve::width + static_cast<std::size_t>(axis)];
+      return curve.rows[(distant ? n - i : i) * Curve::width + static_cast<std::size_t>(axis)];
     });
   });
 }
@@ -114,9 +113,9 @@ IRG_INLINE P prepared_point_in_lanes(const Curve& curve, scalar_of<P> t) noexcep
   using F = pack<T, width>;
   const std::size_t n = curve.degree();
   const auto at = side_of(t);
-  const auto far = static_cast<std::ptrdiff_t>(at.far);  // no jump: places at random are near and far by turns
-  const T* row = curve.rows.data() + (1 - far) * static_cast<std::ptrdiff_t>(n) * width;
-  const std::ptrdiff_t step = (2 * far - 1) * width;
+  const auto distant = static_cast<std::ptrdiff_t>(at.distant);  // no jump: places at random are near and far by turns
+  const T* row = curve.rows.data() + (1 - distant) * static_cast<std::ptrdiff_t>(n) * width;
+  const std::ptrdiff_t step = (2 * distant - 1) * width;
   const T ratio = at.other / at.side;
   const F r = lanes<F>::broadcast(ratio);
   F sum = lanes<F>::load(row);
@@ -146,24 +145,24 @@ inline constexpr std::size_t packs_together = 2;
 
 // Points on the side of 0 or of 1, packs_together packs of them.
 template <class F, Coordinates P, class Curve>
-IRG_INLINE void prepared_points_in_lanes(const Curve& curve, const scalar_of<P>* t, bool far, P* points) noexcept {
+IRG_INLINE void prepared_points_in_lanes(const Curve& curve, const scalar_of<P>* t, bool distant, P* points) noexcept {
   using T = scalar_of<P>;
   constexpr std::size_t width = Curve::width, axes = static_cast<std::size_t>(size_of<P>);
   constexpr std::size_t count = static_cast<std::size_t>(lanes<F>::count);
   const std::size_t n = curve.degree();
   const F one = lanes<F>::broadcast(1);
   F ratio[packs_together], power[packs_together], sum[packs_together][axes];
-  const T* row = curve.rows.data() + (far ? 0 : n * width);
+  const T* row = curve.rows.data() + (distant ? 0 : n * width);
   for (std::size_t g = 0; g < packs_together; ++g) {
     const F at = lanes<F>::load(t + g * count), back = one - at;
     const F of_t = back - one, rest = (one - (back - of_t)) + ((-at) - of_t);  // two_sum of 1 and -t
-    const F side = far ? at : back, other = far ? back : at, lost = far ? lanes<F>::broadcast(0) : rest;
+    const F side = distant ? at : back, other = distant ? back : at, lost = distant ? lanes<F>::broadcast(0) : rest;
     ratio[g] = other / side;
     power[g] = to_the_power(side, rest_for_ratio(side, lost, other, ratio[g]), n);
     for (std::size_t axis = 0; axis < axes; ++axis) sum[g][axis] = lanes<F>::broadcast(row[axis]);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    row += far ? static_cast<std::ptrdiff_t>(width) : -static_cast<std::ptrdiff_t>(width);
+    row += distant ? static_cast<std::ptrdiff_t>(width) : -static_cast<std::ptrdiff_t>(width);
     for (std::size_t axis = 0; axis < axes; ++axis) {
       const F c = lanes<F>::broadcast(row[axis]);
       for (std::size_t g = 0; g < packs_together; ++g) sum[g][axis] = times(sum[g][axis], ratio[g]) + c;

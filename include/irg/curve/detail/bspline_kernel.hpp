@@ -40,9 +40,9 @@ constexpr void make_sum_one(V& value) noexcept {
 template <Floating T>
 IRG_INLINE constexpr curve_parameter<T> share_of_stretch(const T& from, const T& to, const T& t) noexcept {
   const T right = to - t, left = t - from;
-  const bool far = right < left;  // no jumps here either
-  const T less = (far ? right : left) / (to - from), more = T(1) - less;
-  return {far ? less : more, far ? more : less};
+  const bool distant = right < left;  // no jumps here either
+  const T less = (distant ? right : left) / (to - from), more = T(1) - less;
+  return {distant ? less : more, distant ? more : less};
 }
 
 // The greatest `low` of [low, high) with u(low) <= t.

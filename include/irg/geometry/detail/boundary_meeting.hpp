@@ -26,7 +26,7 @@ struct line_meeting {
   }
   template <class H, class P>
   static constexpr const P& first(const H&, const P& from, const P&) noexcept {
-    return from;
+    return from;  // NOLINT(bugprone-return-const-ref-from-parameter)
   }
 };
 // Two planes and three points: the same for the point that they and the plane through the points share.
@@ -42,7 +42,7 @@ struct plane_meeting {
   }
   template <class H, class P>
   static constexpr const P& first(const H&, const H&, const P& from, const P&, const P&) noexcept {
-    return from;
+    return from;  // NOLINT(bugprone-return-const-ref-from-parameter)
   }
 };
 

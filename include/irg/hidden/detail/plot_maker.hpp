@@ -89,7 +89,7 @@ private:
     for (const double h : surface_.heights) whole = whole && is_number(h);
     if (options_.style == surface_style::facets) {
       out_.method = surface_method::facets_far_to_near;
-      out_.why = "facets are filled, so near ones cover far ones";
+      out_.why = "facets are filled, so nearby ones cover distant ones";
     } else if (whole) {
       out_.method = surface_method::perimeter;
       out_.why = over_grid() ? "the eye is over the grid, where horizons would not do"
@@ -293,9 +293,9 @@ private:
       widest = greater(widest, measure_text(tick.text, text).width);
       add_label(tick.text, {at->x + 10 * d.x, at->y + 10 * d.y}, d, text);
     }
-    const double far = 16 + product(magnitude(d.x), widest) + product(magnitude(d.y), text);
+    const double distant = 16 + product(magnitude(d.x), widest) + product(magnitude(d.y), text);
     for (int tries = 0; tries < 8; ++tries) {  // farther out until it stands alone
-      const double away = far + tries * text;
+      const double away = distant + tries * text;
       if (add_label(*a.name, {middle->x + away * d.x, middle->y + away * d.y}, d, text * 1.1)) break;
     }
   }

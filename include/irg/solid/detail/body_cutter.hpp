@@ -298,11 +298,11 @@ private:
     const exact_point a = vertices.exact(t.v[0]), b = vertices.exact(t.v[1]), c = vertices.exact(t.v[2]);
     const exact_point middle = exact_point::mean_of(a, b, c);
     if (const part_place on = place_on_surface(t.source, middle); on != part_place::unknown) return on;
-    const point<double, 3> near = middle.rounded();
+    const point<double, 3> nearby = middle.rounded();
     const double slack =
-        greater(greater(magnitude(near.x), magnitude(near.y)), magnitude(near.z)) * 0x1p-50 + 0x1p-1000;
+        greater(greater(magnitude(nearby.x), magnitude(nearby.y)), magnitude(nearby.z)) * 0x1p-50 + 0x1p-1000;
     upward_crossings count;
-    each_above(near, slack, 1 - b_.body_of(t.source),
+    each_above(nearby, slack, 1 - b_.body_of(t.source),
                [&](const triangle_indices& other) { count_above(other, middle, count); });
     return by_winding(count);
   }

@@ -32,9 +32,9 @@ IRG_INLINE constexpr box_ray_axes<F> set_up_axes(const D& origin, const D& direc
   const auto stands = along < all(0x1p-126f);
   const F gain = all(1.0f) / select(stands, all(1.0f), along);
   const F size = select(stands, all(std::numeric_limits<float>::infinity()), gain);
-  const F near = size * all(1 - 0x1p-21f), far = size * all(1 + 0x1p-20f);
-  return {select(backwards, low, high), select(backwards, high, low), select(backwards, -near, near),
-          select(backwards, -far, far), any_lane(stands)};
+  const F nearby = size * all(1 - 0x1p-21f), distant = size * all(1 + 0x1p-20f);
+  return {select(backwards, low, high), select(backwards, high, low), select(backwards, -nearby, nearby),
+          select(backwards, -distant, distant), any_lane(stands)};
 }
 
 // Gives whether the ray has hardly a direction along some axis.

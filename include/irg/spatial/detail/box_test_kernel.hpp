@@ -40,14 +40,14 @@ IRG_INLINE constexpr unsigned meet_boxes(const bvh_node& node, const wide_box_ra
                                          float* times) noexcept {
   unsigned bits = 0;
   for (int k = 0; k < bvh_node::width; k += lanes<F>::count) {
-    const auto near = [&](int i) {
+    const auto nearby = [&](int i) {
       return (lanes<F>::load(node.bounds + r.near_at[i] + k) - r.near_origin[i]) * r.near_gain[i];
     };
-    const auto far = [&](int i) {
+    const auto distant = [&](int i) {
       return (lanes<F>::load(node.bounds + r.far_at[i] + k) - r.far_origin[i]) * r.far_gain[i];
     };
-    const F first = high_of(high_of(near(0), near(1)), high_of(near(2), r.low));
-    const F last = low_of(low_of(far(0), far(1)), low_of(far(2), lanes<F>::broadcast(high)));
+    const F first = high_of(high_of(nearby(0), nearby(1)), high_of(nearby(2), r.low));
+    const F last = low_of(low_of(distant(0), distant(1)), low_of(distant(2), lanes<F>::broadcast(high)));
     lanes<F>::store(times + k, first);
     bits |= static_cast<unsigned>(mask_bits(first <= last)) << k;
   }
