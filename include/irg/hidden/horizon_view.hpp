@@ -51,6 +51,7 @@ template <class V>
 constexpr turned_view turn_view(const V& given) noexcept {
   const V v = limited_view(given);
   const auto up = [](double x) {
+    if (!(x == x)) return 0;  // an angle that is no number
     const auto below = static_cast<int>(x);
     return below + (static_cast<double>(below) < x ? 1 : 0);
   };
@@ -65,7 +66,7 @@ constexpr int horizon_steps(const V& v, double share) noexcept {
     return v.families == horizon_curves::both ? (steps + crossing - 1) / crossing * crossing : steps;
   }
   const double pixels = product(v.width, share < 0 ? -share : share);
-  const auto whole = static_cast<int>(pixels + 0.5);
+  const int whole = pixels == pixels ? static_cast<int>(pixels + 0.5) : 0;
   return whole < 1 ? crossing : (whole - 1) / crossing * crossing + crossing;
 }
 
