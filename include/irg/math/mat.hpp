@@ -88,21 +88,21 @@ IRG_INLINE constexpr mat<T, R, C> operator*(const mat<T, R, K>& a, const mat<T, 
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T, int R, int C>
 IRG_INLINE constexpr vec<T, R> operator*(const mat<T, R, C>& a, const vec<T, C>& v) noexcept {
-  return detail::image_of_column<vec<T, R>, C>(a.m, [&](int k) { return v[k]; });
+  return detail::image_of_row<vec<T, R>>(a.m, v);
 }
 
 /// The image of a homogeneous point; the matrix has one row and column more than the space has dimensions.
 template <class T, int M, int N>
   requires(M == N + 1)
 IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const hpoint<T, N>& p) noexcept {
-  return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) { return p[k]; });
+  return detail::image_of_row<hpoint<T, N>>(a.m, p);
 }
 
 /// The image of a point, a homogeneous point since the matrix may be projective. transform_point gives a point.
 template <class T, int M, int N>
   requires(M == N + 1)
 IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const point<T, N>& p) noexcept {
-  return a * to_homogeneous(p);
+  return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) IRG_INLINE_LAMBDA { return k < N ? p[k] : T(1); });
 }
 
 /// The image of a row vector, v * A * B being A first, then B: the form of the course.
@@ -133,7 +133,7 @@ IRG_INLINE constexpr hpoint<T, N> operator*(const point<T, N>& p, const mat<T, M
 template <class T, int M, Point P>
   requires(size_of<P> == M - 1 && std::same_as<scalar_of<P>, T>)
 IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexcept {
-  return detail::image_of_position<P, M - 1>(a.m, [&](int k) { return coordinate(p, k); });
+  return detail::affine_image<P, M - 1, true>(a, [&](int k) IRG_INLINE_LAMBDA { return coordinate(p, k); });
 }
 
 /// The image of a displacement under an affine matrix: translations leave it alone. Surface normals take
@@ -141,7 +141,7 @@ IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexce
 template <class T, int M, Vector V>
   requires(size_of<V> == M - 1 && std::same_as<scalar_of<V>, T>)
 IRG_INLINE constexpr V transform_vector(const mat<T, M, M>& a, const V& v) noexcept {
-  return detail::image_of_column<V, M - 1>(a.m, [&](int k) { return coordinate(v, k); });
+  return detail::affine_image<V, M - 1, false>(a, [&](int k) IRG_INLINE_LAMBDA { return coordinate(v, k); });
 }
 
 /// The matrix without one row and one column.
