@@ -57,18 +57,60 @@ IRG_INLINE constexpr T length_of(const C& c) noexcept {
   if constexpr (N == 1)
     return magnitude(c(0));
   else
-    return [&]<int... I>(std::integer_sequence<int, I...>) {
-      return hypot_of<T>(c(I)...);
-    }(std::make_integer_sequence<int, N>{});
+    return [&]<int... I>(std::integer_sequence<int, I...>)
+               IRG_INLINE_LAMBDA { return hypot_of<T>(c(I)...); }(std::make_integer_sequence<int, N>{});
 }
 
-/// The length of scaled coordinates: float's in double, where their squares are exact.
+/// The length of scaled coordinates.
 template <class T, int N>
 constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
-  if constexpr (std::same_as<T, double>) return length_of<double, N>([&](int i) { return s.c[i]; });
-  double sum = 0;
-  for (const double c : s.c) sum = sum + product(c, c);
-  return sqrt(sum);
+  return length_of<double, N>([&](int i) { return s.c[i]; });
+}
+
+/// Puts a float vector's direction into `unit`, zero where there is none, and says whether there is one. No square
+/// leaves the range of double, where it is exact.
+template <Vector V>
+IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
+  requires std::same_as<scalar_of<V>, float>
+{
+  double c[static_cast<std::size_t>(size_of<V>)]{}, square = 0;
+  for (int i = 0; i < size_of<V>; ++i) c[i] = widened(coordinate(v, i));
+  if (std::is_constant_evaluated())
+    for (const double x : c)
+      if (!is_finite(x)) return false;
+  for (const double x : c) square = square + x * x;
+  const bool has_direction = (square > 0) & (square < infinity<double>);
+  const double factor = 1 / sqrt(has_direction ? square : 1.0);
+  unit = generate_coordinates<V>(
+      [&](int i) IRG_INLINE_LAMBDA { return converted<float>(has_direction ? product(c[i], factor) : 0.0); });
+  return has_direction;
+}
+
+template <Vector V>
+IRG_NOINLINE constexpr bool put_direction_of_any_size(const V& v, V& unit) noexcept {
+  const auto s = scaled(v);
+  if (!(s.scale > 0)) return false;
+  const double length = scaled_length<double>(s);
+  unit = generate_coordinates<V>([&](int i) { return s.c[i] / length; });
+  return true;
+}
+
+/// The same of doubles.
+template <Vector V>
+IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
+  requires std::same_as<scalar_of<V>, double>
+{
+  double largest = 0;
+  bool is_number = true;
+  for (int i = 0; i < size_of<V>; ++i) {
+    const double size = magnitude(coordinate(v, i));
+    is_number = is_number && size <= 0x1p500;
+    largest = largest < size ? size : largest;
+  }
+  if (!is_number || !has_moderate_square(largest)) return put_direction_of_any_size(v, unit);
+  const double length = length_of<double, size_of<V>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i); });
+  unit = generate_coordinates<V>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i) / length; });
+  return true;
 }
 
 }  // namespace IRG_ABI
@@ -90,7 +132,7 @@ IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
 /// cost    that of hypot
 template <Vector V>
   requires Floating<scalar_of<V>>
-constexpr scalar_of<V> length(const V& v) noexcept {
+IRG_INLINE constexpr scalar_of<V> length(const V& v) noexcept {
   return detail::length_of<scalar_of<V>, size_of<V>>([&](int i) { return coordinate(v, i); });
 }
 
@@ -101,10 +143,9 @@ constexpr scalar_of<V> length(const V& v) noexcept {
 template <Vector V>
   requires Floating<scalar_of<V>>
 constexpr std::optional<V> try_normalize(const V& v) noexcept {
-  const auto s = detail::scaled(v);
-  if (!(s.scale > 0)) return std::nullopt;
-  const double length = detail::scaled_length<scalar_of<V>>(s);
-  return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(s.c[i] / length); });
+  V unit = v;
+  if (!detail::put_direction(v, unit)) return std::nullopt;
+  return unit;
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -112,9 +153,12 @@ constexpr std::optional<V> try_normalize(const V& v) noexcept {
 /// exact   as try_normalize
 template <Vector V>
   requires Floating<scalar_of<V>>
-constexpr V normalized(const V& v) noexcept {
-  const std::optional<V> unit = try_normalize(v);
-  return unit ? *unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
+IRG_INLINE constexpr V normalized(const V& v) noexcept {
+  V unit = v;
+  const bool has_direction = detail::put_direction(v, unit);
+  if constexpr (std::same_as<scalar_of<V>, float>)
+    if (!std::is_constant_evaluated()) return unit;  // zero where there is none
+  return has_direction ? unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
 }
 
 /// The length of v without care for the ends of the exponents, for inner loops.

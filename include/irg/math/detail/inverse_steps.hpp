@@ -55,6 +55,38 @@ constexpr bool has_mixed_sizes(const mat<T, N, N>& a) noexcept {
   return least < largest * static_cast<T>(0x1p-16);
 }
 
+// norm_1 of a matrix of four rows of four less `Diagonal` in its diagonal, as many columns at once as a register holds.
+template <int Diagonal, class T>
+IRG_INLINE T norm_1_in_lanes(const T (&a)[4][4]) noexcept {
+  constexpr int count = has_row_lanes<T> ? 4 : 2;
+  using F = lanes<pack<T, count>>;
+  const auto sums_from = [&](int column) IRG_INLINE_LAMBDA {
+    const auto row = [&](int r) IRG_INLINE_LAMBDA {
+      const auto entries = F::load(a[r] + column);
+      if constexpr (Diagonal == 0)
+        return magnitude(entries);
+      else
+        return magnitude(entries - F::generate([&](int i) { return column + i == r ? T(Diagonal) : T(0); }));
+    };
+    return ((row(0) + row(1)) + row(2)) + row(3);
+  };
+  if constexpr (count == 4) {
+    const auto sums = sums_from(0), pairs = high_of(shuffled<2, 3, 2, 3>(sums), sums);
+    return greater(pairs[0], pairs[1]);
+  } else {
+    const auto pairs = high_of(sums_from(0), sums_from(2));
+    return greater(pairs[0], pairs[1]);
+  }
+}
+template <int Diagonal, class T, int N>
+IRG_INLINE constexpr T norm_1_less(mat<T, N, N> a) noexcept {
+  if constexpr (has_lanes && Floating<T> && N == 4)
+    if (!std::is_constant_evaluated()) return norm_1_in_lanes<Diagonal>(a.m);
+  if constexpr (Diagonal != 0)
+    for (int i = 0; i < N; ++i) a(i, i) = a(i, i) - T(Diagonal);
+  return norm_1(a);
+}
+
 // Puts the inverse by cofactors into x, and says whether it is one: whether a * x differs from the identity by no more
 // than 3 u times the condition number. False for numbers of a size that the cofactors, or a * x, might not fit.
 template <Floating T, int N>
@@ -63,15 +95,14 @@ IRG_INLINE constexpr bool inverse_is_easy(const mat<T, N, N>& a, mat<T, N, N>& x
   constexpr T largest = static_cast<T>(is_double ? 0x1p150 : 0x1p20),
               least = static_cast<T>(is_double ? 0x1p-300 : 0x1p-40);
   constexpr T epsilon = std::numeric_limits<T>::epsilon();
-  const T size = norm_1(a);
+  const T size = norm_1_less<0>(a);
   if (!(size <= largest)) return false;
   x = inverse_by_cofactors(a, least);
-  const T condition = product(size, norm_1(x));
+  const T condition = product(size, norm_1_less<0>(x));
   if (!(condition * (T(N) * epsilon) < T(1))) return false;
   mat<T, N, N> rest = a * x;
-  for (int i = 0; i < N; ++i) rest(i, i) = rest(i, i) - T(1);
-  if (!(norm_1(rest) <= T(1.5) * epsilon * condition)) return false;
-  keep_affine(a, x);
+  if (!(norm_1_less<1>(rest) <= T(1.5) * epsilon * condition)) return false;
+  if (a(N - 1, N - 1) == T(1)) keep_affine(a, x);
   return true;
 }
 
