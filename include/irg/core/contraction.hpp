@@ -3,13 +3,12 @@
 // flags that belong to the user. `product(x, y)` is x*y rounded on its own under every flag, so a formula written with
 // it has the same bits everywhere. Every exact path of irg spells a product that meets a sum this way.
 //
-// Where the target has no fused instruction, as plain x86-64, there is nothing to guard against. Where it has one and the
-// compiler is known to leave it alone, the product is fused with -0, which adds nothing and rounds once: the result is no
-// product that could be fused with anything else, it takes the instruction and the time of a product, and loops of it
-// are vectorised. Elsewhere an empty asm statement takes the product out of the optimiser's sight; it emits no
-// instruction, but plain loops over products are not vectorised (explicit packs are not affected). Nothing less holds:
-// clang ignores its FP_CONTRACT pragma under -ffp-contract=fast, and g++ 12 forgets __builtin_assoc_barrier when it
-// vectorises a loop.
+// Where the target has no fused instruction, as plain x86-64, there is nothing to guard against. Where it has one and
+// the compiler is known to leave it alone, the product is fused with -0, which adds nothing and rounds once: the result
+// cannot be fused with anything else, it takes the instruction and the time of a product, and loops of it are
+// vectorised. Elsewhere an empty asm statement takes the product out of the optimiser's sight; it emits no instruction,
+// but plain loops over products are not vectorised (explicit packs are not affected). Nothing less holds: clang ignores
+// its FP_CONTRACT pragma under -ffp-contract=fast, g++ 12 forgets __builtin_assoc_barrier when it vectorises a loop.
 #pragma once
 
 #include <type_traits>
@@ -47,8 +46,8 @@
 #define IRG_TARGET_FUSES 1
 #endif
 
-// Whether a product is guarded by being fused with -0: where that is one instruction, and the compiler does not take the
-// -0 away again. clang would, and is not told that it is -0; g++ 12 does not, others have not been tried.
+// Whether a product is guarded by being fused with -0: where that is one instruction, and the compiler does not take
+// the -0 away again. clang would, and is not told that it is -0; g++ 12 does not, others have not been tried.
 #if defined(__FMA__) && (defined(__clang__) || __GNUC__ == 12)
 #define IRG_FUSES_WITH_ZERO 1
 #else

@@ -11,6 +11,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/float_bits.hpp>
+#include <irg/math/detail/length_kernel.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/sqrt.hpp>
@@ -67,25 +68,6 @@ constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
   return length_of<double, N>([&](int i) { return s.c[i]; });
 }
 
-/// Puts a float vector's direction into `unit`, zero where there is none, and says whether there is one. No square
-/// leaves the range of double, where it is exact.
-template <Vector V>
-IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
-  requires std::same_as<scalar_of<V>, float>
-{
-  double c[static_cast<std::size_t>(size_of<V>)]{}, square = 0;
-  for (int i = 0; i < size_of<V>; ++i) c[i] = widened(coordinate(v, i));
-  if (std::is_constant_evaluated())
-    for (const double x : c)
-      if (!is_finite(x)) return false;
-  for (const double x : c) square = square + x * x;
-  const bool has_direction = (square > 0) & (square < infinity<double>);
-  const double factor = 1 / sqrt(has_direction ? square : 1.0);
-  unit = generate_coordinates<V>(
-      [&](int i) IRG_INLINE_LAMBDA { return converted<float>(has_direction ? product(c[i], factor) : 0.0); });
-  return has_direction;
-}
-
 template <Vector V>
 IRG_NOINLINE constexpr bool put_direction_of_any_size(const V& v, V& unit) noexcept {
   const auto s = scaled(v);
@@ -95,7 +77,14 @@ IRG_NOINLINE constexpr bool put_direction_of_any_size(const V& v, V& unit) noexc
   return true;
 }
 
-/// The same of doubles.
+/// Puts a vector's direction into `unit` and says whether there is one. A float's stands there as zero where there is
+/// none.
+template <Vector V>
+IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
+  requires std::same_as<scalar_of<V>, float>
+{
+  return put_float_direction(v, unit);
+}
 template <Vector V>
 IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
   requires std::same_as<scalar_of<V>, double>
@@ -138,8 +127,9 @@ IRG_INLINE constexpr scalar_of<V> length(const V& v) noexcept {
 
 /// The vector of length 1 in the direction of v.
 /// gives   nothing when v is zero or has a coordinate that is NaN or infinite
-/// exact   each coordinate within 1.51 ulp (float 0.51): the length is rounded, then the quotient. The result's length
-///         is 1 within 2u (u = 2^-53, float 2^-24), over the whole range
+/// exact   each coordinate within 1.51 ulp (float 0.51): the length is rounded, then the quotient; float: 1 over the
+///         length in double, then the product. The result's length is 1 within 2u (u = 2^-53, float 2^-24), over the
+///         whole range
 template <Vector V>
   requires Floating<scalar_of<V>>
 constexpr std::optional<V> try_normalize(const V& v) noexcept {
@@ -156,8 +146,7 @@ template <Vector V>
 IRG_INLINE constexpr V normalized(const V& v) noexcept {
   V unit = v;
   const bool has_direction = detail::put_direction(v, unit);
-  if constexpr (std::same_as<scalar_of<V>, float>)
-    if (!std::is_constant_evaluated()) return unit;  // zero where there is none
+  if constexpr (std::same_as<scalar_of<V>, float>) return unit;
   return has_direction ? unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
 }
 

@@ -5,6 +5,7 @@
 #include <concepts>
 
 #include <irg/core/conversion.hpp>
+#include <irg/math/detail/length_kernel.hpp>
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/sqrt.hpp>
 
@@ -86,16 +87,7 @@ IRG_INLINE constexpr T hypot_of(T first, Others... others) noexcept {
     if (has_moderate_square(first) && ((others <= first) && ...)) return round(length_of_moderate(first, others...));
     return hypotenuse_of_any(first, others...);
   } else {
-    const auto has_infinity = [&]() IRG_INLINE_LAMBDA {
-      return (magnitude(first) == infinity<T>) | ((magnitude(others) == infinity<T>) | ... | false);
-    };
-    if (std::is_constant_evaluated() && (is_nan(first) || (is_nan(others) || ...) || has_infinity()))
-      return has_infinity() ? infinity<T> : not_a_number<T>;
-    // In double the squares are exact and cannot overflow.
-    double sum = widened(first) * widened(first);
-    ((sum = sum + widened(others) * widened(others)), ...);
-    const T length = narrow<T>(sqrt(sum));
-    return is_nan(sum) && has_infinity() ? infinity<T> : length;
+    return float_length(first, others...);
   }
 }
 
