@@ -406,7 +406,7 @@ int main(int argc, char** argv) {
   save("fill_convex_textbook", textbook_fill::rules());
   save("seed_fill", textbook_fill::seeds());
   save("conformance", textbook_fill::tiling());
-  save("location", textbook_fill::locations());
+  save("point_location", textbook_fill::locations());
   save("edge_walk", fills::edge());
   save("fill_convex", fills::convex());
   save("fill_polygon", fills::rules());
