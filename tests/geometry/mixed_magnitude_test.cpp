@@ -466,7 +466,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: planes", T, double, float) {
                              : want[3].sign() != 0 ? inversion_outcome::plane
                              : collinear           ? inversion_outcome::collinear
                                                    : inversion_outcome::through_origin;
-        if (inverted.outcome != outcome) return wrong;
+        if (inverted.status != outcome) return wrong;
         double worst = off(plane_through(p, q, s), want);
         if (outcome != inversion_outcome::plane) return worst;
         const T got[3] = {inverted.value.a, inverted.value.b, inverted.value.c};
