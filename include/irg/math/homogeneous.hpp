@@ -61,7 +61,6 @@ IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p, std::type
 
 /// The direction of v as a point at infinity, of weight 0.
 template <class T, int N>
-  requires(N == 2 || N == 3)
 IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const vec<T, N>& v) noexcept {
   return generate_coordinates<hpoint<T, N>>([&](int i) { return i < N ? v[i] : T(0); });
 }
