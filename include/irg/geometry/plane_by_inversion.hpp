@@ -10,7 +10,7 @@ namespace irg {
 
 /// What the inversion finds: a plane; that the matrix is singular since the plane passes through the origin, or since
 /// the points span no plane; or that a number is NaN or infinite, or D zero.
-enum class inversion_outcome { plane, through_origin, collinear, invalid };
+enum class [[nodiscard]] inversion_outcome { plane, through_origin, collinear, invalid };
 
 /// The plane by inversion, and why there is none.
 template <Scalar T>
@@ -29,8 +29,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formula 4.3 in its consistent form
 template <HomogeneousPoint P>
   requires(size_of<P> == 4 && Real<scalar_of<P>>)
-constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& p2, const P& p3,
-                                                          scalar_of<P> d = scalar_of<P>(1)) noexcept {
+[[nodiscard]] constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& p2, const P& p3,
+                                                                        scalar_of<P> d = scalar_of<P>(1)) noexcept {
   using T = scalar_of<P>;
   if (d == T(0) || !is_finite(d)) return {};
   const auto minors = detail::homogeneous_plane(p1, p2, p3);

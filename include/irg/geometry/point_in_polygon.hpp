@@ -23,7 +23,7 @@ inline namespace IRG_ABI {
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    one pass; nothing allocates
 template <PlanePolygon P>
-constexpr std::optional<int> winding_number(const P& polygon, const polygon_point<P>& p) noexcept {
+[[nodiscard]] constexpr std::optional<int> winding_number(const P& polygon, const polygon_point<P>& p) noexcept {
   int winding = 0;
   if (detail::count_crossings_of(polygon, p, winding) != detail::crossing_count::counted) return std::nullopt;
   return winding;
@@ -37,8 +37,8 @@ constexpr std::optional<int> winding_number(const P& polygon, const polygon_poin
 /// cost    as winding_number
 /// source  Hormann and Agathos 2001 (the crossings rule)
 template <PlanePolygon P>
-constexpr point_location point_in_polygon(const P& polygon, const polygon_point<P>& p,
-                                          fill_rule rule = fill_rule::non_zero) noexcept {
+[[nodiscard]] constexpr point_location point_in_polygon(const P& polygon, const polygon_point<P>& p,
+                                                        fill_rule rule = fill_rule::non_zero) noexcept {
   int winding = 0;
   switch (detail::count_crossings_of(polygon, p, winding)) {
     case detail::crossing_count::on_edge: return point_location::boundary;
@@ -51,7 +51,7 @@ constexpr point_location point_in_polygon(const P& polygon, const polygon_point<
 
 /// point_in_polygon of one ring by the non-zero rule.
 template <PlaneRing R>
-constexpr point_location locate_point(const R& ring, const ring_point<R>& p) noexcept {
+[[nodiscard]] constexpr point_location locate_point(const R& ring, const ring_point<R>& p) noexcept {
   return point_in_polygon(ring, p);
 }
 

@@ -50,7 +50,8 @@ struct mesh_face_ring {
 inline namespace IRG_ABI {
 
 /// Whether a face of which the eye sees this side is left out.
-IRG_INLINE constexpr bool is_hidden(face_side side, edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_hidden(face_side side,
+                                                  edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
   return side == face_side::back || (side == face_side::edge_on && edge_on == edge_on_faces::hidden);
 }
 
@@ -60,7 +61,7 @@ IRG_INLINE constexpr bool is_hidden(face_side side, edge_on_faces edge_on = edge
 /// exact   for every finite float, double and integer, as side_of
 /// source  Mihajlovic 2016, 7.1; the same as the angle's form
 template <Plane P, Coordinates Q>
-constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
+[[nodiscard]] constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
   return static_cast<face_side>(static_cast<int>(side_of(face, eye)));
 }
 
@@ -70,8 +71,9 @@ constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
 /// exact   the sign of the cosine, for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.1, whose text says that normals point inward; what it describes holds for outward ones
 template <Scalar T>
-constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
-                                  normals_point direction = normals_point::outward) noexcept {
+[[nodiscard]] constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre,
+                                                const point<T, 3>& eye,
+                                                normals_point direction = normals_point::outward) noexcept {
   const point<T, 3> tip{normal.x, normal.y, normal.z};
   const int sign = order_along_line(point<T, 3>{}, tip, eye, centre);
   return static_cast<face_side>(direction == normals_point::outward ? sign : -sign);
@@ -83,7 +85,8 @@ constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& ce
 /// exact   as orientation_of: for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.3, with the area in place of its edges
 template <PlaneRing R>
-constexpr face_side side_by_order(const R& projected, vertex_order order = vertex_order::counter_clockwise) noexcept {
+[[nodiscard]] constexpr face_side side_by_order(const R& projected,
+                                                vertex_order order = vertex_order::counter_clockwise) noexcept {
   const int turn = static_cast<int>(orientation_of(projected));
   return static_cast<face_side>(order == vertex_order::counter_clockwise ? turn : -turn);
 }
@@ -95,7 +98,8 @@ constexpr face_side side_by_order(const R& projected, vertex_order order = verte
 /// exact   for every finite float and double, by Newell's normal, as side_of_polygon
 /// cost    as side_of_polygon
 template <detail::mesh_in_space M>
-constexpr face_side side_of_face(const M& m, std::size_t f, const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
+[[nodiscard]] constexpr face_side side_of_face(const M& m, std::size_t f,
+                                               const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
   return static_cast<face_side>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
 }
 
@@ -103,8 +107,9 @@ constexpr face_side side_of_face(const M& m, std::size_t f, const hpoint<scalar_
 /// shape   as side_of_face
 /// cost    linear; allocates the result
 template <detail::mesh_in_space M>
-constexpr std::vector<std::uint32_t> front_faces(const M& m, const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
-                                                 edge_on_faces edge_on = edge_on_faces::hidden) {
+[[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
+                                                               const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
+                                                               edge_on_faces edge_on = edge_on_faces::hidden) {
   std::vector<std::uint32_t> left;
   for (std::size_t f = 0; f < mesh_face_count(m); ++f)
     if (!is_hidden(side_of_face(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));
