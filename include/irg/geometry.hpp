@@ -21,6 +21,7 @@
 #include <irg/geometry/distance.hpp>
 #include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/exact_point.hpp>
+#include <irg/geometry/flat_relation.hpp>
 #include <irg/geometry/flat_ring.hpp>
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/intersect_lines.hpp>

@@ -10,19 +10,17 @@
 #include <tuple>
 
 #include <irg/geometry/detail/exact_forms.hpp>
+#include <irg/geometry/flat_relation.hpp>
 #include <irg/geometry/parametric_line.hpp>
 #include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 
-/// How two lines lie: `none` when one of them is no line (two equal points) or a coordinate is NaN or infinite.
-enum class line_relation { none, crossing, parallel, coincident, skew };
-
 /// How two lines lie, where they cross, and the parameters of that point on the first and on the second line.
 /// shape   at, t and s have a meaning only where the lines cross
 template <Point P>
 struct lines_meeting {
-  line_relation relation = line_relation::none;
+  flat_relation relation = flat_relation::none;
   P at{};
   scalar_of<P> t{}, s{};
 };
@@ -42,7 +40,7 @@ constexpr point<double, size_of<P>> in_doubles(const P& p) noexcept {
 // What is known of two crossing lines: t and s times the divisor, what they lack of 1, and the point times it.
 template <class V, int D>
 struct line_crossing {
-  line_relation relation = line_relation::none;
+  flat_relation relation = flat_relation::none;
   V divisor{}, t{}, s{}, t_rest{}, s_rest{};
   vec<V, D> at{};
 };
@@ -89,7 +87,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
     const auto& [n, volume] = *normal;
     parallel = is_zero(n);
     if (!parallel && !is_zero(volume)) {
-      result.relation = line_relation::skew;
+      result.relation = flat_relation::skew;
       return result;
     }
     k = largest_coordinate(n);
@@ -104,7 +102,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
         a, b, c, d);
     if (!meeting) return result;
     const auto& [n, t, s, t_rest, s_rest, at] = *meeting;
-    if (!is_zero(n)) return line_crossing<V, D>{line_relation::crossing, n, t, s, t_rest, s_rest, at};
+    if (!is_zero(n)) return line_crossing<V, D>{flat_relation::crossing, n, t, s, t_rest, s_rest, at};
   }
   // All four points on one line? Where a line is but a point, it need be on the other one.
   const auto apart = values_of<2>(
@@ -115,13 +113,13 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
       a, b, c, d);
   if (!apart) return result;
   const auto& [from_first, from_second] = *apart;
-  result.relation = is_zero(from_first) && is_zero(from_second) ? line_relation::coincident : line_relation::parallel;
+  result.relation = is_zero(from_first) && is_zero(from_second) ? flat_relation::coincident : flat_relation::parallel;
   return result;
 }
 
 template <Point P, class V, int D>
 constexpr lines_meeting<P> rounded_meeting(const line_crossing<V, D>& c) noexcept {
-  if (c.relation != line_relation::crossing) return {c.relation, {}, {}, {}};
+  if (c.relation != flat_relation::crossing) return {c.relation, {}, {}, {}};
   using T = scalar_of<P>;
   return {c.relation, rounded_coordinates<P>(c.at / c.divisor), rounded_to<T>(c.t / c.divisor),
           rounded_to<T>(c.s / c.divisor)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a line meets a plane given by its coefficients, by three points or by parameters: crossing, parallel or
-// contained is decided exactly, and point and parameters are right to the last bit or nearly so.
+// coincident is decided exactly, and point and parameters are right to the last bit or nearly so.
 #pragma once
 
 #include <array>
@@ -15,15 +15,11 @@
 
 namespace irg {
 
-/// How a line lies to a plane: `none` when one of them is none (zero normal, collinear or equal points) or a number is
-/// NaN or infinite.
-enum class plane_line_relation { none, crossing, parallel, contained };
-
 /// How a line lies to a plane, where it crosses it, and the parameter of that point on the line.
 /// shape   at and t have a meaning only where the line crosses the plane
 template <Point P>
 struct plane_line_meeting {
-  plane_line_relation relation = plane_line_relation::none;
+  flat_relation relation = flat_relation::none;
   P at{};
   scalar_of<P> t{};
 };
@@ -31,7 +27,7 @@ struct plane_line_meeting {
 /// The same with the parameters s1 and s2 of the point in the plane.
 template <Scalar T>
 struct parametric_meeting {
-  plane_line_relation relation = plane_line_relation::none;
+  flat_relation relation = flat_relation::none;
   point<T, 3> at{};
   T s1{}, s2{}, t{};
 };
@@ -52,8 +48,8 @@ template <Point P, class V>
 constexpr plane_line_meeting<P> rounded_plane_meeting(const std::optional<std::tuple<V, V, vec<V, 3>>>& v) noexcept {
   if (!v) return {};
   const auto& [divisor, t, at] = *v;
-  if (is_zero(divisor)) return {is_zero(t) ? plane_line_relation::contained : plane_line_relation::parallel, {}, {}};
-  return {plane_line_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
+  if (is_zero(divisor)) return {is_zero(t) ? flat_relation::coincident : flat_relation::parallel, {}, {}};
+  return {flat_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
 }
 
 }  // namespace IRG_ABI
@@ -107,7 +103,7 @@ template <Point P>
         return detail::cross_plane(n, from, to - from, dot(n, from - base));
       },
       p, q, r, a, b));
-  if (m.relation == plane_line_relation::contained && !detail::spans_plane(p, q, r)) return {};
+  if (m.relation == flat_relation::coincident && !detail::spans_plane(p, q, r)) return {};
   return m;
 }
 
@@ -128,7 +124,7 @@ template <Real T>
       plane.first, plane.second, plane.origin, line.origin, line.direction);
   if (!v) return {};
   const auto m = detail::rounded_plane_meeting<point<T, 3>>(std::optional(std::get<0>(*v)));
-  if (m.relation == plane_line_relation::crossing) {
+  if (m.relation == flat_relation::crossing) {
     const auto s = std::get<1>(*v) / std::get<0>(std::get<0>(*v));
     return {m.relation, m.at, rounded_to<T>(s.x), rounded_to<T>(s.y), m.t};
   }

@@ -68,8 +68,8 @@ template <Point P>
   if constexpr (size_of<P> == 2)
     if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
   const auto m = detail::cross_lines(a, b, c, d);
-  if (m.relation == line_relation::coincident) return detail::common_part(a, b, c, d);
-  if (m.relation != line_relation::crossing) return {};
+  if (m.relation == flat_relation::coincident) return detail::common_part(a, b, c, d);
+  if (m.relation != flat_relation::crossing) return {};
   const int side = sign_of(m.divisor);
   const auto part = [&](const auto& v) { return sign_of(v) * side; };
   const int t = part(m.t), t_rest = part(m.t_rest), s = part(m.s), s_rest = part(m.s_rest);

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include <irg/core/side.hpp>
 #include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/math/exact/values_of.hpp>
@@ -18,9 +19,6 @@ struct line {
   T a{}, b{}, c{};
   constexpr bool operator==(const line&) const = default;
 };
-
-/// Where a point lies to a line when one looks along the y axis: `vertical` when the line has no upper side.
-enum class height_over_line { below = -1, on = 0, above = 1, vertical = 2 };
 
 namespace detail {
 inline namespace IRG_ABI {
@@ -100,15 +98,15 @@ template <Scalar T>
 /// Whether p lies above or below the line, y up. The sign of the line's value tells left from right of its direction
 /// alone: above is left only for lines that run to greater x.
 /// needs   finite numbers
-/// gives   `on` when a number is NaN or infinite and the line is not vertical
+/// gives   nothing for a vertical line, which has no upper side; `on` when a number of another one is NaN or infinite
 /// exact   for every finite float, double and integer
 /// source  Mihajlovic 2016, 2.3, whose sign means above for x2 > x1 only
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
-[[nodiscard]] constexpr height_over_line height_of(const line<T>& l, const P& p) noexcept {
-  if (l.b == T(0)) return height_over_line::vertical;
+[[nodiscard]] constexpr std::optional<side> height_of(const line<T>& l, const P& p) noexcept {
+  if (l.b == T(0)) return std::nullopt;
   const int sign = side_of_line(l, p);
-  return static_cast<height_over_line>(l.b < T(0) ? -sign : sign);
+  return static_cast<side>(l.b < T(0) ? -sign : sign);
 }
 
 }  // namespace IRG_ABI

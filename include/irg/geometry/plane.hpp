@@ -6,6 +6,7 @@
 
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/core/side.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 
@@ -17,9 +18,6 @@ struct plane {
   T a{}, b{}, c{}, d{};
   constexpr bool operator==(const plane&) const = default;
 };
-
-/// Where a point lies: on the side the normal points to (above), on the plane, or on the other side.
-enum class plane_side { below = -1, on = 0, above = 1 };
 
 namespace detail {
 inline namespace IRG_ABI {
@@ -128,17 +126,17 @@ template <Plane P, HomogeneousPoint Q>
 template <Plane P, Coordinates Q>
   requires(((size_of<Q> == 3 && Point<Q>) || (size_of<Q> == 4 && HomogeneousPoint<Q>)) &&
            std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
-[[nodiscard]] constexpr plane_side side_of(const P& p, const Q& q) noexcept {
+[[nodiscard]] constexpr side side_of(const P& p, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const plane<T> form = detail::as_plane(p);
   if constexpr (size_of<Q> == 3) {
-    return static_cast<plane_side>(
+    return static_cast<side>(
         sign_of<2>([](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d; }, form, q));
   } else {
     const auto at = generate_coordinates<hpoint<T, 3>>([&](int i) { return coordinate(q, i); });
     const int sign = sign_of<2>(
         [](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d * x.w; }, form, at);
-    return static_cast<plane_side>(at.w < T(0) ? -sign : sign);
+    return static_cast<side>(at.w < T(0) ? -sign : sign);
   }
 }
 

@@ -187,7 +187,7 @@ template <PlaneRing A, PlaneRing B>
 [[nodiscard]] constexpr polygon_overlap polygons_overlap(const A& a, const B& b) noexcept {
   const auto ring_a = counter_clockwise_ring(a);
   const auto ring_b = counter_clockwise_ring(b);
-  if (orientation_of(a) == polygon_orientation::degenerate || orientation_of(b) == polygon_orientation::degenerate)
+  if (orientation_of(a) == orientation::degenerate || orientation_of(b) == orientation::degenerate)
     return polygon_overlap::separate;
   const auto apart = [](const auto& p, const auto& q, const auto& r, const auto& s, int k) {
     const auto low = [&](const auto& u, const auto& v) { return lesser(coordinate(u, k), coordinate(v, k)); };
@@ -207,8 +207,8 @@ template <PlaneRing A, PlaneRing B>
   // No edge enters the other polygon: one lies inside the other as a whole, or in no part.
   const auto holds_vertex_of = [](const auto& outer, const auto& inner) {
     for (std::size_t i = 0; i < inner.size(); ++i) {
-      const point_location where = locate_point(outer, inner[i]);
-      if (where != point_location::boundary) return where == point_location::inside;
+      const location where = locate_point(outer, inner[i]);
+      if (where != location::boundary) return where == location::inside;
     }
     return false;
   };

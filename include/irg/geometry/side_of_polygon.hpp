@@ -30,10 +30,10 @@ inline namespace IRG_ABI {
 template <PolygonRing R, HomogeneousPoint Q>
   requires(size_of<ring_point<R>> == 3 && size_of<Q> == 4 && Floating<scalar_of<Q>> &&
            std::same_as<scalar_of<ring_point<R>>, scalar_of<Q>>)
-[[nodiscard]] constexpr plane_side side_of_polygon(const R& polygon, const Q& q) noexcept {
+[[nodiscard]] constexpr side side_of_polygon(const R& polygon, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const auto position = [&](std::size_t k) { return detail::as_point<T>(ring_vertex(polygon, k)); };
-  return static_cast<plane_side>(
+  return static_cast<side>(
       detail::face_volume_sign(ring_size(polygon), position,
                                hpoint<T, 3>{coordinate(q, 0), coordinate(q, 1), coordinate(q, 2), coordinate(q, 3)}));
 }

@@ -86,8 +86,8 @@ template <Floating T, int N>
 /// exact   for all finite numbers
 template <Plane L, Floating T>
   requires std::same_as<plane_scalar<L>, T>
-[[nodiscard]] constexpr plane_side side_of(const L& plane, const bounding_sphere<T, 3>& s) noexcept {
-  if (!(s.radius >= T(0)) || detail::is_zero(normal_of(plane))) return plane_side::on;
+[[nodiscard]] constexpr side side_of(const L& plane, const bounding_sphere<T, 3>& s) noexcept {
+  if (!(s.radius >= T(0)) || detail::is_zero(normal_of(plane))) return side::on;
   const auto [height, beyond] = sign_of<4>(
       [](const auto& l, const auto& at, const auto& radius) {
         const auto n = normal_of(l);
@@ -95,7 +95,7 @@ template <Plane L, Floating T>
         return std::array{h, h * h - radius * radius * dot(n, n)};
       },
       detail::as_plane(plane), s.centre, s.radius);
-  return beyond > 0 ? static_cast<plane_side>(height) : plane_side::on;
+  return beyond > 0 ? static_cast<side>(height) : side::on;
 }
 
 }  // namespace IRG_ABI

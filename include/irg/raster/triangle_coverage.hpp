@@ -10,6 +10,7 @@
 
 #include <cstdint>
 
+#include <irg/core/orientation.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/subpixel.hpp>
@@ -28,9 +29,6 @@ struct triangle_edge {
     return at_origin + std::int64_t{right} * x + std::int64_t{down} * y;
   }
 };
-
-/// How a triangle runs on the screen, as seen with y down.
-enum class winding { clockwise, counter_clockwise, degenerate };
 
 /// A triangle ready to be walked over.
 /// shape   edge[i] is opposite to vertex i; vertices 1 and 2 are exchanged when `flipped`, so that all edges have
@@ -51,11 +49,11 @@ inline namespace IRG_ABI {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
 }
 
-/// The winding of a triangle on the screen (y down).
-[[nodiscard]] IRG_INLINE constexpr winding winding_of(const subpixel& a, const subpixel& b,
-                                                      const subpixel& c) noexcept {
+/// Which way round a triangle runs as it is seen on the screen (y down).
+[[nodiscard]] IRG_INLINE constexpr orientation orientation_of(const subpixel& a, const subpixel& b,
+                                                              const subpixel& c) noexcept {
   const std::int64_t area = signed_double_area(a, b, c);
-  return area > 0 ? winding::clockwise : area < 0 ? winding::counter_clockwise : winding::degenerate;
+  return area > 0 ? orientation::clockwise : area < 0 ? orientation::counter_clockwise : orientation::degenerate;
 }
 
 }  // namespace IRG_ABI

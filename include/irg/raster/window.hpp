@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
-// cell_window: the rectangle of pixels that drawing may touch. within(raster, window): a raster with such a rectangle,
-// for every function that draws.
+// within(raster, window): a raster of which drawing touches a rectangle of pixels only, for every function that draws.
 #pragma once
 
 #include <irg/core/raster_concept.hpp>
+#include <irg/core/sinks.hpp>
 
 namespace irg {
-
-/// The pixels with x_first <= x < x_last and y_first <= y < y_last; none when either range is empty.
-struct cell_window {
-  int x_first = 0, y_first = 0, x_last = 0, y_last = 0;
-
-  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept { return x_first >= x_last || y_first >= y_last; }
-  constexpr bool operator==(const cell_window&) const = default;
-};
 
 /// A raster of which drawing touches a window only. Its size and its pixels are those of the raster it refers to; it is
 /// one itself, and like a pointer writes even when it is const.

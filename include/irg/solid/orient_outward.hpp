@@ -57,7 +57,7 @@ constexpr outward_status orient_outward(mesh<T>& m) {
     bool is_cavity = false;
     const point<T, 3> p = turned.positions[each[s].corners[0].position];
     for (std::uint32_t t = 0; t < shells.count; ++t)
-      if (t != s && point_in_solid(each[t], p) == point_location::inside) is_cavity = !is_cavity;
+      if (t != s && point_in_solid(each[t], p) == location::inside) is_cavity = !is_cavity;
     turn[s] = (solid_volume(each[s]) < 0) != is_cavity ? 1 : 0;
   }
   for (std::size_t f = 0; f < turned.face_count(); ++f)

@@ -46,8 +46,8 @@ public:
   /// point_in_solid of the body.
   /// gives, exact   as point_in_solid
   /// cost    as winding_number
-  constexpr point_location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
-                                      solid_locator_counts* counts = nullptr) const {
+  constexpr location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
+                                solid_locator_counts* counts = nullptr) const {
     return detail::location_by_winding(cross(p, counts), rule);
   }
 

@@ -120,8 +120,7 @@ constexpr plan_defect defect_of_cell(const plan_cell<T>& c) noexcept {
   for (const point<T, 2>& p : c.corners)
     if (!is_convex(std::span(&p, 1))) return plan_defect::corner_not_finite;
   if (!is_convex(c.corners)) return plan_defect::cell_not_convex;
-  if (orientation_of(c.corners) != polygon_orientation::counter_clockwise)
-    return plan_defect::cell_not_counter_clockwise;
+  if (orientation_of(c.corners) != orientation::counter_clockwise) return plan_defect::cell_not_counter_clockwise;
   const point<T, 2> heights{c.floor, c.ceiling};
   return c.floor < c.ceiling && is_convex(std::span(&heights, 1)) ? plan_defect::none
                                                                   : plan_defect::heights_not_in_order;

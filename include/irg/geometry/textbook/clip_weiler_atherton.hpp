@@ -194,7 +194,7 @@ template <PlanePolygon A, PlanePolygon B>
   const auto keep_uncrossed = [&](int which, const auto& other) {
     for (std::size_t r = 0; r + 1 < lists.first_edge[which].size(); ++r)
       if (const auto ring = lists.uncrossed_ring(which, r);
-          !ring.empty() && point_in_polygon(other, ring[0]) == point_location::inside)
+          !ring.empty() && point_in_polygon(other, ring[0]) == location::inside)
         result.rings.push_back(ring);
   };
   keep_uncrossed(0, clip), keep_uncrossed(1, subject);

@@ -23,7 +23,7 @@ constexpr std::optional<lines_meeting<P>> cross_in_two(const P& a, const P& b, c
   if (!(zero < n || n < -zero)) return std::nullopt;
   const T t = minor(a, c, c, d) / n, s = minor(a, c, a, b) / n;
   const auto at = [&](int k) { return coordinate(a, k) + product(t, way(a, b, k)); };
-  return lines_meeting<P>{line_relation::crossing, generate_coordinates<P>(at), t, s};
+  return lines_meeting<P>{flat_relation::crossing, generate_coordinates<P>(at), t, s};
 }
 
 template <Point P>

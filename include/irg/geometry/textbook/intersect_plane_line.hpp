@@ -43,7 +43,7 @@ template <Real T>
   }
   const auto x = textbook::solve_gauss(equations, zero);
   if (!x) return std::nullopt;
-  return parametric_meeting<T>{plane_line_relation::crossing, point_at(line, x->z), x->x, x->y, x->z};
+  return parametric_meeting<T>{flat_relation::crossing, point_at(line, x->z), x->x, x->y, x->z};
 }
 
 }  // namespace IRG_ABI

@@ -12,7 +12,7 @@ namespace irg::textbook {
 /// shape   points and parameter have a meaning only where the planes cross
 template <Scalar T>
 struct planes_meeting {
-  planes_relation relation = planes_relation::none;
+  flat_relation relation = flat_relation::none;
   point<T, 3> at_zero{}, at_one{};
   enum class parameter { s3, s4 } held = parameter::s4;
 };
@@ -48,11 +48,11 @@ template <Real T>
     if (!v) return {};
     const auto& [divisor, height, at_zero] = std::get<0>(*v);
     if (!detail::is_zero(divisor))
-      return {planes_relation::crossing, rounded_coordinates<point<T, 3>>(at_zero / divisor),
+      return {flat_relation::crossing, rounded_coordinates<point<T, 3>>(at_zero / divisor),
               rounded_coordinates<point<T, 3>>(std::get<2>(std::get<1>(*v)) / divisor),
               hold_s4 ? result::parameter::s4 : result::parameter::s3};
     if (attempt == 1)
-      return {detail::is_zero(height) ? planes_relation::coincident : planes_relation::parallel, {}, {}, {}};
+      return {detail::is_zero(height) ? flat_relation::coincident : flat_relation::parallel, {}, {}, {}};
   }
   return {};
 }

@@ -16,15 +16,14 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 7.3, for clockwise vertices; for counter-clockwise ones, as the same course lists them
 ///         elsewhere, with the inequality reversed
 template <PlaneRing R>
-[[nodiscard]] constexpr bool is_back_by_edges(const R& projected,
-                                              vertex_order order = vertex_order::clockwise) noexcept {
+[[nodiscard]] constexpr bool is_back_by_edges(const R& projected, orientation order = orientation::clockwise) noexcept {
   const std::size_t n = ring_size(projected);
   for (std::size_t i = 0; i < n; ++i) {
     const auto p = ring_vertex(projected, i), q = ring_vertex(projected, i + 1 < n ? i + 1 : 0);
     bool outside = true;
     for (std::size_t j = 0; j < n && outside; ++j) {
       const int side = orient2d(p, q, ring_vertex(projected, j));
-      outside = order == vertex_order::clockwise ? side >= 0 : side <= 0;
+      outside = order == orientation::clockwise ? side >= 0 : side <= 0;
     }
     if (outside) return true;
   }
@@ -67,7 +66,7 @@ template <PolygonRing R>
   const auto p = [&](std::size_t i) {
     return generate_coordinates<point<T, 3>>([&](int k) { return coordinate(ring_vertex(polygon, i), k); });
   };
-  return is_hidden(static_cast<face_side>(orient3d(p(0), p(1), p(2), point<T, 3>{T(0), T(0), d})), edge_on);
+  return is_hidden(static_cast<facing>(orient3d(p(0), p(1), p(2), point<T, 3>{T(0), T(0), d})), edge_on);
 }
 
 /// Whether a face is a back face by the camera's z axis alone: z . normal > 0.
