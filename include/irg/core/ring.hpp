@@ -81,15 +81,15 @@ inline namespace IRG_ABI {
 
 /// The number of vertices of a ring; 0, 1 and 2 are legal sizes of a degenerate one.
 template <PolygonRing R>
-IRG_INLINE constexpr std::size_t ring_size(const R& r) noexcept(noexcept(ring_traits<R>::size(r))) {
+[[nodiscard]] IRG_INLINE constexpr std::size_t ring_size(const R& r) noexcept(noexcept(ring_traits<R>::size(r))) {
   return static_cast<std::size_t>(ring_traits<R>::size(r));
 }
 
 /// Vertex i of a ring, counted round and round: vertex size is vertex 0 again.
 /// needs   a ring that is not empty
 template <PolygonRing R>
-IRG_INLINE constexpr ring_point<R> ring_vertex(const R& r,
-                                               std::size_t i) noexcept(noexcept(ring_traits<R>::vertex(r, i))) {
+[[nodiscard]] IRG_INLINE constexpr ring_point<R> ring_vertex(const R& r, std::size_t i) noexcept(
+    noexcept(ring_traits<R>::vertex(r, i))) {
   const std::size_t n = ring_size(r);
   return ring_traits<R>::vertex(r, i < n ? i : i % n);
 }

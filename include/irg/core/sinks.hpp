@@ -19,7 +19,7 @@ struct cell {
 struct cell_window {
   int x_first = 0, y_first = 0, x_last = 0, y_last = 0;
 
-  IRG_INLINE constexpr bool empty() const noexcept { return x_first >= x_last || y_first >= y_last; }
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept { return x_first >= x_last || y_first >= y_last; }
   friend constexpr bool operator==(const cell_window&, const cell_window&) = default;
 };
 

@@ -25,7 +25,7 @@ enum class fit_ends { through, free };
 
 /// What became of a fit: `not_rising` where a parameter is less than the one before it (for interpolation: not more) or
 /// outside of the knots' range, `undetermined` where some control point is not determined by the points.
-enum class bspline_fit_status { done, not_rising, undetermined, not_finite };
+enum class [[nodiscard]] bspline_fit_status { done, not_rising, undetermined, not_finite };
 
 namespace detail {
 inline namespace IRG_ABI {

@@ -163,7 +163,8 @@ constexpr std::size_t convex_hull(const R& points, std::span<std::uint32_t> hull
 /// The corners of the convex hull, as above.
 /// gives   no index for no points, and when a coordinate is NaN or infinite
 template <PlaneRing R>
-constexpr std::vector<std::uint32_t> convex_hull(const R& points, side_points option = side_points::leave_out) {
+[[nodiscard]] constexpr std::vector<std::uint32_t> convex_hull(const R& points,
+                                                               side_points option = side_points::leave_out) {
   std::vector<std::uint32_t> hull(is_finite(points) ? ring_size(points) : 0, 0u);
   if (!hull.empty()) hull.resize(convex_hull(points, std::span<std::uint32_t>(hull), option));
   return hull;

@@ -23,7 +23,7 @@ public:
     IRG_EXPECTS(axis >= 0 && axis < 3);
   }
   flat_ring(const R&& ring, int axis) = delete;
-  IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
   /// needs   i < size()
   IRG_INLINE constexpr point<scalar, 2> operator[](std::size_t i) const noexcept {
     const auto p = ring_vertex(*ring_, i);
@@ -44,7 +44,7 @@ inline namespace IRG_ABI {
 ///         areas are nearly equal, and any for areas that are lost in rounding
 /// cost    one pass; doubles a second one, against overflow
 template <SpaceRing R>
-constexpr int flattening_axis(const R& ring) noexcept {
+[[nodiscard]] constexpr int flattening_axis(const R& ring) noexcept {
   using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   T scale(1);  // a power of two that keeps products from overflow and underflow

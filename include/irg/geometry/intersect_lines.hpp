@@ -138,15 +138,15 @@ inline namespace IRG_ABI {
 /// cost    some 250 ns (space: 300), about 4 us near a degenerate case or for coordinates beyond 2^+-80
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr lines_meeting<P> intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
+[[nodiscard]] constexpr lines_meeting<P> intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
   if (detail::are_equal(a, b) || detail::are_equal(c, d)) return {};
   return detail::rounded_meeting<P>(detail::cross_lines(a, b, c, d));
 }
 
 /// The same for points of integers; where the lines cross comes in doubles.
 template <detail::SmallIntegerPoint P>
-constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, const P& b, const P& c,
-                                                                   const P& d) noexcept {
+[[nodiscard]] constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, const P& b, const P& c,
+                                                                                 const P& d) noexcept {
   return intersect_lines(detail::in_doubles(a), detail::in_doubles(b), detail::in_doubles(c), detail::in_doubles(d));
 }
 
@@ -155,8 +155,8 @@ constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, c
 /// exact   as for points, for the directions as they are
 template <Real T, int N>
   requires(N == 2 || N == 3)
-constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>& first,
-                                                     const parametric_line<T, N>& second) noexcept {
+[[nodiscard]] constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>& first,
+                                                                   const parametric_line<T, N>& second) noexcept {
   if (detail::is_zero(first.direction) || detail::is_zero(second.direction)) return {};
   return detail::rounded_meeting<point<T, N>>(
       detail::cross_lines(first.origin, first.direction, second.origin, second.direction));

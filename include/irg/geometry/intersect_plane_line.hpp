@@ -65,7 +65,7 @@ inline namespace IRG_ABI {
 /// cost    some 150 ns; about 3 us near a degenerate case or for numbers beyond 2^+-80
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
-constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
+[[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
   if (detail::are_equal(a, b) || detail::is_zero(normal_of(plane))) return {};
   return detail::rounded_plane_meeting<P>(values_of<3>(
       [](const auto& l, const auto& from, const auto& to) {
@@ -78,8 +78,8 @@ constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a,
 /// The same for a line given by origin and direction; t counts in its direction.
 template <Plane L, Real T>
   requires std::same_as<plane_scalar<L>, T>
-constexpr plane_line_meeting<point<T, 3>> intersect_plane_line(const L& plane,
-                                                               const parametric_line<T, 3>& line) noexcept {
+[[nodiscard]] constexpr plane_line_meeting<point<T, 3>> intersect_plane_line(
+    const L& plane, const parametric_line<T, 3>& line) noexcept {
   if (detail::is_zero(line.direction) || detail::is_zero(normal_of(plane))) return {};
   return detail::rounded_plane_meeting<point<T, 3>>(values_of<3>(
       [](const auto& l, const auto& from, const auto& u) {
@@ -94,8 +94,8 @@ constexpr plane_line_meeting<point<T, 3>> intersect_plane_line(const L& plane,
 /// exact   as for coefficients, for the points as they are
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, const P& r, const P& a,
-                                                     const P& b) noexcept {
+[[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, const P& r, const P& a,
+                                                                   const P& b) noexcept {
   if (detail::are_equal(a, b)) return {};
   const auto m = detail::rounded_plane_meeting<P>(values_of<4>(
       [](const auto& base, const auto& second, const auto& third, const auto& from, const auto& to) {
@@ -112,8 +112,8 @@ constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, con
 /// exact   as for coefficients, for the directions as they are
 /// source  Hank n.d., 1.3.5: s1*first + s2*second - t*direction = line's origin - plane's origin
 template <Real T>
-constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& plane,
-                                                     const parametric_line<T, 3>& line) noexcept {
+[[nodiscard]] constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& plane,
+                                                                   const parametric_line<T, 3>& line) noexcept {
   if (detail::is_zero(line.direction)) return {};
   const auto v = values_of<4>(
       [](const auto& first, const auto& second, const auto& base, const auto& from, const auto& u) {

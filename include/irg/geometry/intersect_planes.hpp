@@ -43,7 +43,7 @@ inline namespace IRG_ABI {
 /// cost    some 300 ns; about 4 us near a degenerate case or for numbers beyond 2^+-80
 template <Plane L>
   requires Real<plane_scalar<L>>
-constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second) noexcept {
+[[nodiscard]] constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second) noexcept {
   using T = plane_scalar<L>;
   if (detail::is_zero(normal_of(first)) || detail::is_zero(normal_of(second))) return {};
   const auto p = detail::as_plane(first), q = detail::as_plane(second);
@@ -76,8 +76,8 @@ constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const
 /// cost    some 200 ns for a point; about 5 us near a degenerate case or for numbers beyond 2^+-80
 template <Plane L>
   requires Real<plane_scalar<L>>
-constexpr three_planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second,
-                                                                 const L& third) noexcept {
+[[nodiscard]] constexpr three_planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second,
+                                                                               const L& third) noexcept {
   using T = plane_scalar<L>;
   using relation = three_planes_relation;
   const L* planes[] = {&first, &second, &third};

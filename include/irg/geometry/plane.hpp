@@ -48,13 +48,13 @@ inline namespace IRG_ABI {
 
 /// The plane as polynomials of sign_of and values_of take it.
 template <class N, class T, class F>
-IRG_INLINE constexpr plane<N> in_numbers(const plane<T>& p, const F& number) noexcept {
+[[nodiscard]] IRG_INLINE constexpr plane<N> in_numbers(const plane<T>& p, const F& number) noexcept {
   return {number(p.a), number(p.b), number(p.c), number(p.d)};
 }
 
 /// The vector (a, b, c), at right angles to the plane.
 template <Plane P>
-IRG_INLINE constexpr vec<typename plane_traits<P>::scalar, 3> normal_of(const P& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<typename plane_traits<P>::scalar, 3> normal_of(const P& p) noexcept {
   return {plane_traits<P>::coefficient(p, 0), plane_traits<P>::coefficient(p, 1), plane_traits<P>::coefficient(p, 2)};
 }
 
@@ -67,7 +67,8 @@ IRG_INLINE constexpr vec<typename plane_traits<P>::scalar, 3> normal_of(const P&
 /// source  Mihajlovic 2016, formula 4.1
 template <Point P>
   requires(size_of<P> == 3)
-constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2, const P& p3) noexcept {
+[[nodiscard]] constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2,
+                                                                         const P& p3) noexcept {
   using T = scalar_of<P>;
   return detail::plane_with_normal(cross(detail::displacement<T>(p1, p2), detail::displacement<T>(p1, p3)), p1);
 }
@@ -80,7 +81,7 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P&
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <PolygonRing R>
   requires Point<typename ring_traits<R>::point> && (size_of<typename ring_traits<R>::point> == 3)
-constexpr std::optional<plane<ring_scalar<R>>> newell_plane(const R& ring) noexcept {
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> newell_plane(const R& ring) noexcept {
   using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   if (n < 3) return std::nullopt;
@@ -101,7 +102,7 @@ constexpr std::optional<plane<ring_scalar<R>>> newell_plane(const R& ring) noexc
 ///         the absolute values of the four terms, so that its sign may be wrong for points nearer than that
 template <Plane P, Point Q>
   requires(size_of<Q> == 3 && std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
-IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
   const auto term = [&](int i) { return product(plane_traits<P>::coefficient(p, i), coordinate(q, i)); };
   return term(0) + term(1) + term(2) + plane_traits<P>::coefficient(p, 3);
 }
@@ -110,7 +111,7 @@ IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
 /// exact   as for a point
 template <Plane P, HomogeneousPoint Q>
   requires(size_of<Q> == 4 && std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
-IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
   const auto term = [&](int i) { return product(plane_traits<P>::coefficient(p, i), coordinate(q, i)); };
   return term(0) + term(1) + term(2) + term(3);
 }
@@ -124,7 +125,7 @@ IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
 template <Plane P, Coordinates Q>
   requires(((size_of<Q> == 3 && Point<Q>) || (size_of<Q> == 4 && HomogeneousPoint<Q>)) &&
            std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
-constexpr side side_of(const P& p, const Q& q) noexcept {
+[[nodiscard]] constexpr side side_of(const P& p, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const plane<T> form = detail::as_plane(p);
   if constexpr (size_of<Q> == 3) {
@@ -145,7 +146,7 @@ constexpr side side_of(const P& p, const Q& q) noexcept {
 /// source  Mihajlovic 2016, formula 4.2
 template <PolygonRing R>
   requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Real<ring_scalar<R>>
-constexpr std::optional<plane<ring_scalar<R>>> newell_plane_through_centroid(const R& ring) noexcept {
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> newell_plane_through_centroid(const R& ring) noexcept {
   using T = ring_scalar<R>;
   auto p = newell_plane(ring);
   if (!p) return p;

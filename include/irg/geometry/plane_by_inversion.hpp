@@ -11,7 +11,7 @@ namespace irg {
 
 /// What the inversion finds: a plane; that the matrix is singular since the plane passes through the origin, or since
 /// the points span no plane; or that a number is NaN or infinite, or D zero.
-enum class inversion_outcome { plane, through_origin, collinear, invalid };
+enum class [[nodiscard]] inversion_outcome { plane, through_origin, collinear, invalid };
 
 inline namespace IRG_ABI {
 
@@ -23,7 +23,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formula 4.3 in its consistent form
 template <HomogeneousPoint P>
   requires(size_of<P> == 4 && Real<scalar_of<P>>)
-constexpr checked<plane<scalar_of<P>>, inversion_outcome> plane_by_inversion(
+[[nodiscard]] constexpr checked<plane<scalar_of<P>>, inversion_outcome> plane_by_inversion(
     const P& p1, const P& p2, const P& p3, scalar_of<P> d = scalar_of<P>(1)) noexcept {
   using T = scalar_of<P>;
   if (d == T(0) || !is_finite(d)) return {{}, inversion_outcome::invalid};

@@ -19,7 +19,7 @@ inline namespace IRG_ABI {
 /// cost    up to one turn for each edge; ends at the first two edges that see p on different sides
 /// source  Mihajlovic 2016, rules 3.3 and 3.4
 template <PlaneRing R>
-constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
+[[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
   if (!is_finite(p)) return location::outside;
   int side = 0;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
@@ -123,7 +123,7 @@ inline namespace IRG_ABI {
 ///         without area is looked at edge by edge
 /// source  Preparata and Shamos 1985
 template <PlaneRing R>
-constexpr location point_in_convex_polygon_log(const R& ring, const ring_point<R>& p) noexcept {
+[[nodiscard]] constexpr location point_in_convex_polygon_log(const R& ring, const ring_point<R>& p) noexcept {
   if (ring_size(ring) == 0 || !is_finite(p)) return location::outside;
   return detail::convex_fan<R>(ring).locate(p);
 }

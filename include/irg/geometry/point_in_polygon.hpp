@@ -21,7 +21,7 @@ inline namespace IRG_ABI {
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    one pass; nothing allocates
 template <PlanePolygon P>
-constexpr std::optional<int> winding_number(const P& polygon, const polygon_point<P>& p) noexcept {
+[[nodiscard]] constexpr std::optional<int> winding_number(const P& polygon, const polygon_point<P>& p) noexcept {
   int winding = 0;
   if (detail::count_crossings_of(polygon, p, winding) != detail::crossing_count::counted) return std::nullopt;
   return winding;
@@ -35,8 +35,8 @@ constexpr std::optional<int> winding_number(const P& polygon, const polygon_poin
 /// cost    as winding_number
 /// source  Hormann and Agathos 2001 (the crossings rule)
 template <PlanePolygon P>
-constexpr location point_in_polygon(const P& polygon, const polygon_point<P>& p,
-                                    fill_rule rule = fill_rule::non_zero) noexcept {
+[[nodiscard]] constexpr location point_in_polygon(const P& polygon, const polygon_point<P>& p,
+                                                  fill_rule rule = fill_rule::non_zero) noexcept {
   int winding = 0;
   switch (detail::count_crossings_of(polygon, p, winding)) {
     case detail::crossing_count::on_edge: return location::boundary;
@@ -49,7 +49,7 @@ constexpr location point_in_polygon(const P& polygon, const polygon_point<P>& p,
 
 /// point_in_polygon of one ring by the non-zero rule.
 template <PlaneRing R>
-constexpr location locate_point(const R& ring, const ring_point<R>& p) noexcept {
+[[nodiscard]] constexpr location locate_point(const R& ring, const ring_point<R>& p) noexcept {
   return point_in_polygon(ring, p);
 }
 

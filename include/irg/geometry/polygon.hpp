@@ -107,7 +107,7 @@ inline namespace IRG_ABI {
 /// Whether no coordinate of any ring is NaN or infinite.
 template <PlanePolygon P>
   requires(!PlaneRing<P>)
-constexpr bool is_finite(const P& polygon) noexcept {
+[[nodiscard]] constexpr bool is_finite(const P& polygon) noexcept {
   return detail::each_ring(polygon, [](const auto& ring) { return is_finite(ring); });
 }
 

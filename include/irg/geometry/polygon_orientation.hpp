@@ -18,7 +18,7 @@ template <PlaneRing R>
 class directed_ring {
 public:
   IRG_INLINE constexpr directed_ring(const R& ring, bool reversed) noexcept : ring_(&ring), reversed_(reversed) {}
-  IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
   /// needs   i < size()
   IRG_INLINE constexpr ring_point<R> operator[](std::size_t i) const noexcept {
     return ring_vertex(*ring_, reversed_ ? size() - i : i);
@@ -37,7 +37,7 @@ inline namespace IRG_ABI {
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    one pass; nothing allocates
 template <PlaneRing R>
-constexpr orientation orientation_of(const R& ring) noexcept {
+[[nodiscard]] constexpr orientation orientation_of(const R& ring) noexcept {
   if (ring_size(ring) < 3 || !is_finite(ring)) return orientation::degenerate;
   return static_cast<orientation>(detail::shoelace_sign(ring));
 }
@@ -45,23 +45,23 @@ constexpr orientation orientation_of(const R& ring) noexcept {
 /// The ring, read the other way round.
 /// cost    constant; nothing is copied
 template <PlaneRing R>
-constexpr directed_ring<R> reversed_ring(const R& ring) noexcept {
+[[nodiscard]] constexpr directed_ring<R> reversed_ring(const R& ring) noexcept {
   return {ring, true};
 }
 /// needs   a ring that outlives the view
 template <PlaneRing R>
-constexpr directed_ring<R> reversed_ring(const R&& ring) = delete;
+[[nodiscard]] constexpr directed_ring<R> reversed_ring(const R&& ring) = delete;
 
 /// The ring, read counter-clockwise.
 /// gives   the ring in its own direction when its orientation is `degenerate`
 /// cost    as orientation_of; nothing is copied
 template <PlaneRing R>
-constexpr directed_ring<R> counter_clockwise_ring(const R& ring) noexcept {
+[[nodiscard]] constexpr directed_ring<R> counter_clockwise_ring(const R& ring) noexcept {
   return {ring, orientation_of(ring) == orientation::clockwise};
 }
 /// needs   a ring that outlives the view
 template <PlaneRing R>
-constexpr directed_ring<R> counter_clockwise_ring(const R&& ring) = delete;
+[[nodiscard]] constexpr directed_ring<R> counter_clockwise_ring(const R&& ring) = delete;
 
 /// Turns the ring round in place: the same vertices in the other order, the first stays first.
 template <PlaneRing R>

@@ -32,7 +32,7 @@ concept OverlayScalar = Floating<T> || (std::integral<T> && sizeof(T) <= 4);
 
 /// How polygon_overlay ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
 /// made new crossings again and again (never seen).
-enum class polygon_clip_status { done, not_finite, unresolved };
+enum class [[nodiscard]] polygon_clip_status { done, not_finite, unresolved };
 
 /// The rings of a polygon: outer ones counter-clockwise, holes clockwise (y up).
 template <Floating T>
@@ -318,8 +318,9 @@ inline namespace IRG_ABI {
 template <PlanePolygon A, PlanePolygon B>
   requires OverlayScalar<scalar_of<polygon_point<A>>> &&
            std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
-constexpr auto polygon_overlay(const A& a, const B& b, boolean_operation operation = boolean_operation::intersection,
-                               fill_rule rule = fill_rule::even_odd) {
+[[nodiscard]] constexpr auto polygon_overlay(const A& a, const B& b,
+                                             boolean_operation operation = boolean_operation::intersection,
+                                             fill_rule rule = fill_rule::even_odd) {
   using S = scalar_of<polygon_point<A>>;
   using T = std::conditional_t<Floating<S>, S, double>;
   std::vector<detail::boundary_piece<T>> pieces;

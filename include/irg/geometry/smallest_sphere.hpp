@@ -24,7 +24,7 @@ inline namespace IRG_ABI {
 template <PolygonRing R>
   requires(Point<ring_point<R>> && Floating<ring_scalar<R>> &&
            (size_of<ring_point<R>> == 2 || size_of<ring_point<R>> == 3))
-constexpr std::optional<bounding_sphere<ring_scalar<R>, size_of<ring_point<R>>>> smallest_sphere(
+[[nodiscard]] constexpr std::optional<bounding_sphere<ring_scalar<R>, size_of<ring_point<R>>>> smallest_sphere(
     const R& points) noexcept {
   using P = ring_point<R>;
   if (ring_size(points) == 0) return std::nullopt;

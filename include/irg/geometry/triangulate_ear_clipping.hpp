@@ -46,8 +46,8 @@ constexpr bool triangulate_ear_clipping(const R& ring, const Emit& emit, ear_cli
 /// The triangles of a ring, as above.
 /// gives   n - 2 triangles without area, a fan, for a ring without area; none when a coordinate is NaN or infinite
 template <PlaneRing R>
-constexpr std::vector<std::array<std::uint32_t, 3>> triangulate_ear_clipping(const R& ring,
-                                                                             ear_clipping_options options = {}) {
+[[nodiscard]] constexpr std::vector<std::array<std::uint32_t, 3>> triangulate_ear_clipping(
+    const R& ring, ear_clipping_options options = {}) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto n = static_cast<std::uint32_t>(ring_size(ring));
   if (n < 3 || !is_finite(ring)) return triangles;

@@ -45,7 +45,7 @@ struct mesh_face_ring {
 inline namespace IRG_ABI {
 
 /// Whether a face of which the eye sees this side is left out.
-IRG_INLINE constexpr bool is_hidden(facing side, edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_hidden(facing side, edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
   return side == facing::back || (side == facing::edge_on && edge_on == edge_on_faces::hidden);
 }
 
@@ -55,7 +55,7 @@ IRG_INLINE constexpr bool is_hidden(facing side, edge_on_faces edge_on = edge_on
 /// exact   for every finite float, double and integer, as side_of
 /// source  Mihajlovic 2016, 7.1; the same as the angle's form
 template <Plane P, Coordinates Q>
-constexpr facing side_by_plane(const P& face, const Q& eye) noexcept {
+[[nodiscard]] constexpr facing side_by_plane(const P& face, const Q& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of(face, eye)));
 }
 
@@ -65,8 +65,8 @@ constexpr facing side_by_plane(const P& face, const Q& eye) noexcept {
 /// exact   the sign of the cosine, for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.1, whose text says that normals point inward; what it describes holds for outward ones
 template <Scalar T>
-constexpr facing side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
-                               normals_point direction = normals_point::outward) noexcept {
+[[nodiscard]] constexpr facing side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
+                                             normals_point direction = normals_point::outward) noexcept {
   const point<T, 3> tip{normal.x, normal.y, normal.z};
   const int sign = order_along_line(point<T, 3>{}, tip, eye, centre);
   return static_cast<facing>(direction == normals_point::outward ? sign : -sign);
@@ -78,7 +78,8 @@ constexpr facing side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centr
 /// exact   as orientation_of: for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.3, with the area in place of its edges
 template <PlaneRing R>
-constexpr facing side_by_order(const R& projected, orientation order = orientation::counter_clockwise) noexcept {
+[[nodiscard]] constexpr facing side_by_order(const R& projected,
+                                             orientation order = orientation::counter_clockwise) noexcept {
   return static_cast<facing>(static_cast<int>(order) * static_cast<int>(orientation_of(projected)));
 }
 
@@ -89,7 +90,8 @@ constexpr facing side_by_order(const R& projected, orientation order = orientati
 /// exact   for every finite float and double, by Newell's normal, as side_of_polygon
 /// cost    as side_of_polygon
 template <detail::mesh_in_space M>
-constexpr facing side_of_face(const M& m, std::size_t f, const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
+[[nodiscard]] constexpr facing side_of_face(const M& m, std::size_t f,
+                                            const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
 }
 
@@ -97,8 +99,9 @@ constexpr facing side_of_face(const M& m, std::size_t f, const hpoint<scalar_of<
 /// shape   as side_of_face
 /// cost    linear; allocates the result
 template <detail::mesh_in_space M>
-constexpr std::vector<std::uint32_t> front_faces(const M& m, const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
-                                                 edge_on_faces edge_on = edge_on_faces::hidden) {
+[[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
+                                                               const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
+                                                               edge_on_faces edge_on = edge_on_faces::hidden) {
   std::vector<std::uint32_t> left;
   for (std::size_t f = 0; f < mesh_face_count(m); ++f)
     if (!is_hidden(side_of_face(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));

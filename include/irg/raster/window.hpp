@@ -45,18 +45,18 @@ struct raster_traits<raster_within<R>> : raster_traits<const raster_within<R>> {
 inline namespace IRG_ABI {
 
 /// The pixels that both windows hold.
-IRG_INLINE constexpr cell_window intersect(const cell_window& a, const cell_window& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr cell_window intersect(const cell_window& a, const cell_window& b) noexcept {
   return {greater(a.x_first, b.x_first), greater(a.y_first, b.y_first), lesser(a.x_last, b.x_last),
           lesser(a.y_last, b.y_last)};
 }
 
 /// The pixels of a raster that drawing may touch: all, or those that within() leaves.
 template <ReadableRaster R>
-IRG_INLINE constexpr cell_window window_of(const R& r) {
+[[nodiscard]] IRG_INLINE constexpr cell_window window_of(const R& r) {
   return {0, 0, width_of(r), height_of(r)};
 }
 template <class R>
-IRG_INLINE constexpr cell_window window_of(const raster_within<R>& r) {
+[[nodiscard]] IRG_INLINE constexpr cell_window window_of(const raster_within<R>& r) {
   return r.window;
 }
 
@@ -68,7 +68,7 @@ IRG_INLINE constexpr const raster_within<R> within(R& r, const cell_window& wind
   return {r, intersect(window, window_of(r))};
 }
 template <class R>
-IRG_INLINE constexpr const raster_within<R> within(const raster_within<R>& r, const cell_window& window) {
+[[nodiscard]] IRG_INLINE constexpr const raster_within<R> within(const raster_within<R>& r, const cell_window& window) {
   return {r.raster, intersect(window, r.window)};
 }
 

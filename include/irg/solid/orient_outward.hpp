@@ -18,7 +18,7 @@
 namespace irg {
 
 /// What orient_outward made of a mesh.
-enum class outward_status {
+enum class [[nodiscard]] outward_status {
   done,
   no_surface,  ///< faces cannot be made to run alike, or do not make a surface: to_half_edges() tells why
   open,  ///< an edge has one face: there is no inside. Faces run alike

@@ -29,8 +29,9 @@ inline namespace IRG_ABI {
 ///         they are
 /// source  Hank n.d., 1.3.6: the program holds s4 first, the text s3
 template <Real T>
-constexpr planes_meeting<T> intersect_planes(const parametric_plane<T>& first, const parametric_plane<T>& second,
-                                             held_parameter order = held_parameter::s4_then_s3) noexcept {
+[[nodiscard]] constexpr planes_meeting<T> intersect_planes(const parametric_plane<T>& first,
+                                                           const parametric_plane<T>& second,
+                                                           held_parameter order = held_parameter::s4_then_s3) noexcept {
   using result = planes_meeting<T>;
   const auto n1 = detail::directions_normal(first), n2 = detail::directions_normal(second);
   if (!n1 || !n2 || detail::is_zero(*n1) || detail::is_zero(*n2)) return {};

@@ -16,7 +16,7 @@ inline namespace IRG_ABI {
 /// source  Meister 1769 (the shoelace formula)
 template <PlanePolygon P>
   requires Real<scalar_of<polygon_point<P>>>
-constexpr auto polygon_area(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto polygon_area(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   T twice(0);
   detail::each_edge(polygon, [&](const auto& p, const auto& q) {
@@ -31,7 +31,7 @@ constexpr auto polygon_area(const P& polygon) noexcept {
 /// exact   as orientation_of
 /// source  Mihajlovic 2016, criterion 3.2
 template <PlaneRing R>
-constexpr orientation orientation_of(const R& ring) noexcept {
+[[nodiscard]] constexpr orientation orientation_of(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
   if (n < 3 || !is_finite(ring)) return orientation::degenerate;
   const auto turn = [&](std::size_t i) {
@@ -50,7 +50,7 @@ constexpr orientation orientation_of(const R& ring) noexcept {
 /// exact   as point_in_convex_polygon
 /// source  Mihajlovic 2016, rules 3.3 and 3.4. Its exercise prints the boundary as inside
 template <PlaneRing R>
-constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
+[[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
   bool all_negative = true;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const int value = orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), p);

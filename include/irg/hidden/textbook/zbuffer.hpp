@@ -108,7 +108,7 @@ public:
       : screen_(&screen), depth_(&depth), references_(&references) {}
 
   /// The pixels that all buffers have, and may be drawn.
-  IRG_INLINE constexpr cell_window window() const {
+  [[nodiscard]] IRG_INLINE constexpr cell_window window() const {
     const cell_window both = intersect(limit_, intersect(window_of(*screen_), window_of(*depth_)));
     if constexpr (has_references)
       return intersect(both, window_of(*references_));
@@ -117,7 +117,7 @@ public:
   }
 
   /// The same buffers, of which nothing outside of a window is drawn.
-  IRG_INLINE constexpr zbuffer within(const cell_window& window) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr zbuffer within(const cell_window& window) const noexcept {
     zbuffer part = *this;
     part.limit_ = intersect(limit_, window);
     return part;
