@@ -89,15 +89,9 @@ private:
       bool surrounds = lists_[i].surrounds;
       if (!surrounds) {
         ++counts_.classified;
-        const cell_window& b = lists_[i].bounds;
-        if (b.x_last <= w.x_first || w.x_last <= b.x_first || b.y_last <= w.y_first || w.y_last <= b.y_first) continue;
-        const bool within =
-            w.x_first < b.x_first && b.x_last < w.x_last && w.y_first < b.y_first && b.y_last < w.y_last;
-        if (!within) {
-          const containment where = classify(lists_[i].face->coverage, w);
-          if (where == containment::outside) continue;
-          surrounds = where == containment::inside;
-        }
+        const containment where = classify_face(*lists_[i].face, lists_[i].bounds, w);
+        if (where == containment::outside) continue;
+        surrounds = where == containment::inside;
       }
       lists_.push_back({lists_[i].face, lists_[i].bounds, surrounds});
     }
