@@ -133,7 +133,7 @@ inline namespace IRG_ABI {
 /// cost    n log n where planes split little: 8 planes are tried on 24 parts for each node; allocates. No recursion
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater, class Faces>
-constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
+[[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
   bsp_of_faces tree;
   tree.faces = detail::copied_faces(faces, window);
   tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());

@@ -227,7 +227,7 @@ constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& win
 /// rows and columns, each pixel's share of every face is the share of its k*k parts.
 /// needs   k > 0, positions that stay within snap_limit
 /// exact   nothing is rounded
-constexpr screen_face subdivided_face(const screen_face& f, int k) noexcept {
+[[nodiscard]] constexpr screen_face subdivided_face(const screen_face& f, int k) noexcept {
   const auto corner = [&](int i) {
     return screen_vertex{{f.v[i].position.x * k, f.v[i].position.y * k}, f.v[i].depth, f.v[i].inverse_w};
   };
