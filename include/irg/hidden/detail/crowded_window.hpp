@@ -52,7 +52,7 @@ struct window_face {
 };
 
 template <DepthOrder Order>
-IRG_INLINE constexpr window_face list_face(const screen_face& f) noexcept {
+IRG_INLINE constexpr window_face window_face_of(const screen_face& f) noexcept {
   return {&f, f.coverage.bounds, farthest_depth<Order>(f), nearest_depth<Order>(f)};
 }
 
