@@ -135,9 +135,8 @@ private:
     if (surface == nullptr || surface->w < 1 || surface->h < 1) return;
     session_.resize(surface->w, surface->h);
     auto& picture = session_.draw();
-    SDL_Surface* const drawn =
-        SDL_CreateRGBSurfaceWithFormatFrom(picture.data(), surface->w, surface->h, 32,
-                                           static_cast<int>(picture.bytes_per_row()), SDL_PIXELFORMAT_RGBA32);
+    SDL_Surface* const drawn = SDL_CreateRGBSurfaceWithFormatFrom(
+        picture.data(), surface->w, surface->h, 32, static_cast<int>(picture.bytes_per_row()), SDL_PIXELFORMAT_RGBA32);
     if (drawn == nullptr) line_.fail(std::string("the picture cannot be shown: ") + SDL_GetError());
     SDL_SetSurfaceBlendMode(drawn, SDL_BLENDMODE_NONE);
     SDL_BlitSurface(drawn, nullptr, surface, nullptr);

@@ -58,11 +58,13 @@ irg::studio_event<double> any_event(std::mt19937_64& random) {
     case 6:
     case 7: {
       irg::studio_transformation<double> t{static_cast<irg::studio_map>(upto(10)), {}};
-      for (std::size_t i = 0; i < irg::studio_maps[static_cast<std::size_t>(t.kind)].numbers; ++i) t.numbers[i] = number();
+      for (std::size_t i = 0; i < irg::studio_maps[static_cast<std::size_t>(t.kind)].numbers; ++i)
+        t.numbers[i] = number();
       return irg::add_transformation<double>{name, stage, t};
     }
     case 8:
-      return irg::move_transformation{name, stage, static_cast<std::size_t>(upto(3)), static_cast<std::size_t>(upto(3))};
+      return irg::move_transformation{name, stage, static_cast<std::size_t>(upto(3)),
+                                      static_cast<std::size_t>(upto(3))};
     case 9: return irg::remove_transformation{name, stage, static_cast<std::size_t>(upto(5))};
     case 10:
       return irg::aim_camera<double>{

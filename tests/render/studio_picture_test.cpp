@@ -51,8 +51,7 @@ pixels view_of(const studio& s, studio_view v = studio_view::main, int width = 9
 
 bool same(const pixels& a, const pixels& b) {
   bool equal = a.width() == b.width() && a.height() == b.height();
-  for (int y = 0; equal && y < a.height(); ++y)
-    equal = std::equal(a.row(y), a.row(y) + a.width(), b.row(y));
+  for (int y = 0; equal && y < a.height(); ++y) equal = std::equal(a.row(y), a.row(y) + a.width(), b.row(y));
   return equal;
 }
 int count(const pixels& p, const irg::rgba8& colour) {
@@ -74,7 +73,8 @@ std::vector<event> four_bodies() {
 }  // namespace
 
 TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading and projection") {
-  studio s = studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}}});
+  studio s =
+      studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}}});
   CHECK(apply_event(s, moved("teapot", 0.5, -1, 0)) == irg::studio_status::done);
   const irg::rgb<float> light = irg::decode({250, 20, 90, 255});
   irg::object<double> o{irg::shape_teapot<double>({4}), irg::translation(irg::vec<double, 3>{0.5, -1, 0})};
@@ -94,10 +94,10 @@ TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading
         CHECK(apply_event(s, irg::show_part{{}, studio_part::backs, backs}) == irg::studio_status::done);
         pixels expected(96, 72);
         irg::image<float> depth(96, 72);
-        irg::render(world, expected, depth,
-                    {.style = style,
-                     .culling = backs == display::shown ? irg::face_culling::none : irg::face_culling::back},
-                    {.background = colours.background});
+        irg::render(
+            world, expected, depth,
+            {.style = style, .culling = backs == display::shown ? irg::face_culling::none : irg::face_culling::back},
+            {.background = colours.background});
         const pixels seen = view_of(s);
         CHECK(same(seen, expected));
         CHECK(count(seen, colours.background) < 96 * 72 - 500);
@@ -109,7 +109,8 @@ TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading
   CHECK(count(plain, {250, 20, 90, 255}) + count(plain, colours.background) == 96 * 72);
 }
 
-TEST_CASE("studio picture: the same bytes whatever the order of events that do not meet, and whatever was drawn before") {
+TEST_CASE(
+    "studio picture: the same bytes whatever the order of events that do not meet, and whatever was drawn before") {
   std::vector<event> changes{irg::colour_body{"teapot", {200, 120, 60, 255}},
                              irg::shade_body{"teapot", irg::studio_shading::gouraud},
                              irg::show_part{"cube", studio_part::edges, display::shown},
@@ -153,8 +154,7 @@ TEST_CASE("studio picture: an event that cannot be leaves all but its sentence")
 
 TEST_CASE("studio picture: points, edges, faces and backs of a cube seen from its front") {
   // From straight ahead: the back's edges lie within the front's square.
-  studio s = studio_of({load("cube", irg::shape_cube<double>()),
-                        moved("cube", -0.5, -0.5, -0.5),
+  studio s = studio_of({load("cube", irg::shape_cube<double>()), moved("cube", -0.5, -0.5, -0.5),
                         irg::aim_camera<double>{studio_view::main, {0, 0, 2.5}, {0, 0, 0}},
                         irg::show_part{"cube", studio_part::edges, display::shown}});
   const auto with = [&](studio_part part, display how) {
@@ -177,10 +177,12 @@ TEST_CASE("studio picture: points, edges, faces and backs of a cube seen from it
 }
 
 TEST_CASE("studio picture: transparent bodies let through what is behind them, opaque ones hide it") {
-  std::vector<event> events{load("cube", irg::shape_cube<double>()), load("cube", irg::shape_cube<double>()),
+  std::vector<event> events{load("cube", irg::shape_cube<double>()),
+                            load("cube", irg::shape_cube<double>()),
                             irg::aim_camera<double>{studio_view::main, {0, 0, 9}, {0, 0, 0}},
                             irg::shade_body{{}, irg::studio_shading::none},
-                            irg::colour_body{"cube", {255, 0, 0, 255}}, irg::colour_body{"cube(2)", {0, 0, 255, 255}},
+                            irg::colour_body{"cube", {255, 0, 0, 255}},
+                            irg::colour_body{"cube(2)", {0, 0, 255, 255}},
                             moved("cube(2)", 0, 0, 3)};
   studio s = studio_of(events);
   CHECK(count(view_of(s), {255, 0, 0, 255}) == 0);
@@ -210,7 +212,8 @@ TEST_CASE("studio picture: faces have the colours of their surfaces") {
     b.surface_of_face[f] = f % 3 == 2 ? irg::stored_body<double>::no_surface : static_cast<std::uint32_t>(f % 3);
   const studio s = studio_of({irg::load_body<double>{b}, irg::shade_body{{}, irg::studio_shading::none}});
   const pixels p = view_of(s);
-  const int red = count(p, {255, 0, 0, 255}), green = count(p, {0, 255, 0, 255}), white = count(p, {255, 255, 255, 255});
+  const int red = count(p, {255, 0, 0, 255}), green = count(p, {0, 255, 0, 255}),
+            white = count(p, {255, 255, 255, 255});
   CHECK(red > 50);
   CHECK(green > 50);
   CHECK(white > 50);
@@ -220,8 +223,9 @@ TEST_CASE("studio picture: faces have the colours of their surfaces") {
 TEST_CASE("studio picture: both cameras see what transformations behind the camera do") {
   studio s = studio_of({load("cube", irg::shape_cube<double>())});
   const pixels main = view_of(s), outer = view_of(s, studio_view::outer);
-  CHECK(apply_event(s, irg::add_transformation<double>{
-                           "cube", irg::studio_stage::after, {irg::studio_map::translate, {0.8, 0, 0}}}) ==
+  CHECK(apply_event(s,
+                    irg::add_transformation<double>{
+                        "cube", irg::studio_stage::after, {irg::studio_map::translate, {0.8, 0, 0}}}) ==
         irg::studio_status::done);
   const auto centre = [&](const pixels& p) {
     int n = 0, sum = 0;
@@ -261,18 +265,21 @@ TEST_CASE("studio picture: bodies behind the eye of a projection, and what nobod
   studio without = s;
   CHECK(apply_event(without, irg::drop_body{"cube"}) == irg::studio_status::done);
   // The cube reaches from x = -3 to -2: an eye at -2.5 has parts of it on both sides of itself.
-  CHECK(apply_event(s, irg::add_transformation<double>{"cube", irg::studio_stage::before,
-                                                       {irg::studio_map::central, {1, 0, 0, 5, -2.5, 0, 0}}}) ==
+  CHECK(apply_event(s,
+                    irg::add_transformation<double>{
+                        "cube", irg::studio_stage::before, {irg::studio_map::central, {1, 0, 0, 5, -2.5, 0, 0}}}) ==
         irg::studio_status::done);
   CHECK(same(picture_of(s), picture_of(without)));
   // From farther off it has a shadow.
   CHECK(apply_event(s, irg::remove_transformation{"cube", irg::studio_stage::before, 1}) == irg::studio_status::done);
-  CHECK(apply_event(s, irg::add_transformation<double>{"cube", irg::studio_stage::before,
-                                                       {irg::studio_map::central, {0, 1, 0, 2, 0, 8, 0}}}) ==
+  CHECK(apply_event(s,
+                    irg::add_transformation<double>{
+                        "cube", irg::studio_stage::before, {irg::studio_map::central, {0, 1, 0, 2, 0, 8, 0}}}) ==
         irg::studio_status::done);
   CHECK_FALSE(same(picture_of(s), picture_of(without)));
 
-  for (const auto& [width, height] : {std::pair{1, 1}, std::pair{2, 1}, std::pair{3, 50}, std::pair{90, 2}, std::pair{0, 0}})
+  for (const auto& [width, height] :
+       {std::pair{1, 1}, std::pair{2, 1}, std::pair{3, 50}, std::pair{90, 2}, std::pair{0, 0}})
     picture_of(s, width, height, "a sentence");
   for (const double size : {1e-300, 1e-150, 1e100, 1e150, 1e300}) {
     studio extreme = s;
@@ -280,11 +287,13 @@ TEST_CASE("studio picture: bodies behind the eye of a projection, and what nobod
       return irg::aim_camera<double>{studio_view::main, {far_off, far_off, 2 * far_off}, {0, 0, 0}};
     };
     CHECK(apply_event(extreme, camera(size)) == irg::studio_status::done);
-    CHECK(apply_event(extreme, irg::add_transformation<double>{
-                                   {}, irg::studio_stage::before, {irg::studio_map::scale, {size, size, size}}}) ==
+    CHECK(apply_event(extreme,
+                      irg::add_transformation<double>{
+                          {}, irg::studio_stage::before, {irg::studio_map::scale, {size, size, size}}}) ==
           irg::studio_status::done);
-    CHECK(apply_event(extreme, irg::add_transformation<double>{
-                                   {}, irg::studio_stage::after, {irg::studio_map::scale, {size, 1, size}}}) ==
+    CHECK(apply_event(extreme,
+                      irg::add_transformation<double>{
+                          {}, irg::studio_stage::after, {irg::studio_map::scale, {size, 1, size}}}) ==
           irg::studio_status::done);
     for (const auto kind :
          {irg::projection_kind::perspective, irg::projection_kind::orthographic, irg::projection_kind::oblique}) {

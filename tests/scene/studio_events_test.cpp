@@ -16,9 +16,7 @@ using enum irg::studio_status;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
-irg::load_body<double> cube(const char* name = "kocka") {
-  return {irg::store_body(name, irg::shape_cube<double>())};
-}
+irg::load_body<double> cube(const char* name = "kocka") { return {irg::store_body(name, irg::shape_cube<double>())}; }
 
 std::string names(const studio& s) {
   std::string all;
@@ -205,9 +203,14 @@ TEST_CASE("studio events: cameras, and those that are none") {
   refused(s, irg::see_along<double>{main, {}}, eye_in_target);
   refused(s, irg::see_along<double>{main, {nan, 0, 1}}, not_finite);
   refused(s, irg::set_projection<double>{main, irg::projection_kind::oblique, nan, 1}, not_finite);
-  for (const irg::view_pyramid<double>& p :
-       {irg::view_pyramid<double>{0, 2, 2, 1, 2}, {1, -2, 2, 1, 2}, {1, 2, 0, 1, 2}, {1, 2, 2, 0, 2}, {1, 2, 2, 2, 2},
-        {1, 2, 2, 1, inf}, {1, 2, 2, nan, 2}, {1, 5e-324, 1e308, 1, 2}})
+  for (const irg::view_pyramid<double>& p : {irg::view_pyramid<double>{0, 2, 2, 1, 2},
+                                             {1, -2, 2, 1, 2},
+                                             {1, 2, 0, 1, 2},
+                                             {1, 2, 2, 0, 2},
+                                             {1, 2, 2, 2, 2},
+                                             {1, 2, 2, 1, inf},
+                                             {1, 2, 2, nan, 2},
+                                             {1, 5e-324, 1e308, 1, 2}})
     refused(s, irg::set_pyramid<double>{main, p}, no_projection);
   refused(s, irg::set_light<double>{{0, 1, 0, 0}, 2}, bad_light);
   refused(s, irg::set_light<double>{{0, inf, 0, 0}, 0}, not_finite);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The state of a studio as XML: the bodies as in any file of bodies, and the events, line by line, that make the rest of
-// the state. Other readers of bodies pass over the events, whose elements have a prefix.
+// The state of a studio as XML: the bodies as in any file of bodies, and the events, line by line, that make the rest
+// of the state. Other readers of bodies pass over the events, whose elements have a prefix.
 #pragma once
 
 #include <cstddef>
@@ -72,8 +72,7 @@ struct studio_writer {
     line("aim", view, c.eye, c.target, c.up);
     line("pyramid", view, p.distance, p.width, p.height, p.near_distance, p.far_distance);
     if (c.projection == projection_kind::orthographic) line("project", view, "orthographic");
-    if (c.projection == projection_kind::oblique)
-      line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
+    if (c.projection == projection_kind::oblique) line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
     for (std::size_t i = 0; i < c.helpers.size(); ++i)
       line("helper", view, studio_helper_names[i], name_of(display_names, c.helpers[i]));
   }

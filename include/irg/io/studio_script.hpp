@@ -145,7 +145,8 @@ struct studio_script_reader {
                                 .to_viewer};
       return true;
     }
-    if (word == "orthographic") e.kind = projection_kind::orthographic;
+    if (word == "orthographic")
+      e.kind = projection_kind::orthographic;
     else if (word == "cavalier" || word == "cabinet" || word == "oblique") {
       e.kind = projection_kind::oblique;
       if (word == "cavalier") e.oblique_factor = cavalier_factor<T>;
@@ -192,9 +193,10 @@ struct studio_script_reader {
     }
     if (word == "drop") return event<drop_body>(out, named);
     if (word == "show")
-      return event<show_part>(out, named, [&](auto& e) {
-        return choice(e.part, studio_part_names, "part is none of points, edges, faces, backs");
-      }, shown);
+      return event<show_part>(
+          out, named,
+          [&](auto& e) { return choice(e.part, studio_part_names, "part is none of points, edges, faces, backs"); },
+          shown);
     if (word == "shade")
       return event<shade_body>(out, named, [&](auto& e) {
         return choice(e.shading, studio_shading_names, "shading is none of none, flat, gouraud, phong");
@@ -206,7 +208,8 @@ struct studio_script_reader {
         return channel(e.colour.r) && channel(e.colour.g) && channel(e.colour.b);
       });
     if (word == "add")
-      return event<add_transformation<T>>(out, named, staged, [&](auto& e) { return transformation(e.transformation); });
+      return event<add_transformation<T>>(out, named, staged,
+                                          [&](auto& e) { return transformation(e.transformation); });
     if (word == "move")
       return event<move_transformation>(out, named, staged, [&](auto& e) { return place(e.from) && place(e.to); });
     if (word == "remove")
@@ -227,9 +230,12 @@ struct studio_script_reader {
                number(p.far_distance);
       });
     if (word == "helper")
-      return event<show_helper>(out, viewed, [&](auto& e) {
-        return choice(e.helper, studio_helper_names, "helper is none of axes, camera-axes, camera, pyramid");
-      }, shown);
+      return event<show_helper>(
+          out, viewed,
+          [&](auto& e) {
+            return choice(e.helper, studio_helper_names, "helper is none of axes, camera-axes, camera, pyramid");
+          },
+          shown);
     if (word == "light")
       return event<set_light<T>>(out, [&](auto& e) {
         hpoint<T, 3>& p = e.lamp;

@@ -103,8 +103,7 @@ struct studio_drawing {
                            typename studio_memory<T>::view_memory& m, const studio_colours& c)
       : s(of), view(v), picture(to), memory(m), colours(c), seen_from(camera_of(of.of(v))),
         projection(view_projection_checked(seen_from, static_cast<T>(to.width()) / static_cast<T>(to.height()))),
-        to_clip(projection.value),
-        mapping(map_to_screen<T>(to.width(), to.height())) {
+        to_clip(projection.value), mapping(map_to_screen<T>(to.width(), to.height())) {
     const T left = T(1) - s.ambient;
     lamp[0] = {s.lamp, {left, left, left}};
     if (memory.depth.width() != to.width() || memory.depth.height() != to.height())
@@ -143,7 +142,8 @@ struct studio_drawing {
   constexpr void add_object(prepared_object<T>& part, const studio_body<T>& b, std::uint8_t opacity) {
     const bool unlit = b.shading == studio_shading::none;
     const T around = unlit ? T(1) : s.ambient;
-    const lighting<T> light{{around, around, around}, unlit ? std::span<const light_of>() : std::span<const light_of>(lamp)};
+    const lighting<T> light{{around, around, around},
+                            unlit ? std::span<const light_of>() : std::span<const light_of>(lamp)};
     const face_culling culling = b.shows(studio_part::backs) ? face_culling::none : face_culling::back;
     objects.push_back({object_shading<T>(part, light, viewpoint(seen_from)), b.shading, culling,
                        static_cast<std::uint8_t>(b.opacity * static_cast<T>(opacity) + T(0.5))});
@@ -187,7 +187,7 @@ struct studio_drawing {
     }
     if (!batches.empty())
       draw_transparent<nearer_is_greater, depth_test::nearer, T>(picture, memory.depth, batches, mapping,
-                                                                  glass_pixels<T>{objects});
+                                                                 glass_pixels<T>{objects});
   }
 
   // Edges of faces that all face away are left out where backs are, or the faces hide them anyway.
@@ -211,7 +211,8 @@ struct studio_drawing {
         if (choose && !std::binary_search(front.begin(), front.end(), key) &&
             std::binary_search(all.begin(), all.end(), key))
           continue;
-        canvas.line_rounded(shape.positions[lesser(e.from, e.to)], shape.positions[greater(e.from, e.to)], colours.edge);
+        canvas.line_rounded(shape.positions[lesser(e.from, e.to)], shape.positions[greater(e.from, e.to)],
+                            colours.edge);
       }
     }
     if (b.shows(studio_part::points))

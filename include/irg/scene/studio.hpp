@@ -59,7 +59,9 @@ struct studio_camera {
   std::array<display, 4> helpers{};
   bool operator==(const studio_camera&) const = default;
 
-  constexpr bool shows(studio_helper h) const noexcept { return helpers[static_cast<std::size_t>(h)] == display::shown; }
+  constexpr bool shows(studio_helper h) const noexcept {
+    return helpers[static_cast<std::size_t>(h)] == display::shown;
+  }
 };
 
 /// All that a picture of the studio depends on.

@@ -36,16 +36,16 @@ struct studio_map_form {
 
 /// The forms, in the order of studio_map.
 inline constexpr std::array<studio_map_form, 11> studio_maps{{{"translate", 3},
-                                                             {"scale", 3},
-                                                             {"rotate-x", 1},
-                                                             {"rotate-y", 1},
-                                                             {"rotate-z", 1},
-                                                             {"rotate", 4},
-                                                             {"shear", 6},
-                                                             {"mirror", 4},
-                                                             {"parallel", 7},
-                                                             {"central", 7},
-                                                             {"matrix", 16}}};
+                                                              {"scale", 3},
+                                                              {"rotate-x", 1},
+                                                              {"rotate-y", 1},
+                                                              {"rotate-z", 1},
+                                                              {"rotate", 4},
+                                                              {"shear", 6},
+                                                              {"mirror", 4},
+                                                              {"parallel", 7},
+                                                              {"central", 7},
+                                                              {"matrix", 16}}};
 
 /// A transformation by its name and as many numbers as it takes; the others are 0.
 template <Floating T>
@@ -73,9 +73,10 @@ constexpr mat<T, 4, 4> studio_matrix(const studio_transformation<T>& t) noexcept
   const auto& n = t.numbers;
   const vec<T, 3> first{n[0], n[1], n[2]}, last{n[4], n[5], n[6]};
   const plane<T> onto{n[0], n[1], n[2], n[3]};
-  const auto or_none = [](const auto& m) { return m.is_ordinary() ? m.value : filled_mat<T, 4, 4>([](int, int) {
-    return std::numeric_limits<T>::quiet_NaN();
-  }); };
+  const auto or_none = [](const auto& m) {
+    return m.is_ordinary() ? m.value
+                           : filled_mat<T, 4, 4>([](int, int) { return std::numeric_limits<T>::quiet_NaN(); });
+  };
   switch (t.kind) {
     case studio_map::translate: return translation(first);
     case studio_map::scale: return scaling(first);

@@ -36,8 +36,8 @@ struct studio_canvas {
   }
 
   constexpr void line_rounded(const hpoint<T, 3>& a, const hpoint<T, 3>& b, const rgba8& paint) {
-    const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{to_clip * a}, clip_vertex<T, 0>{to_clip * b},
-                                               mapping.guard);
+    const auto left =
+        clip_segment_homogeneous(clip_vertex<T, 0>{to_clip * a}, clip_vertex<T, 0>{to_clip * b}, mapping.guard);
     if (!left) return;
     if (!(T(0) < left->first.position.w && T(0) < left->second.position.w)) return;
     const screen_vertex from = to_screen(left->first.position, mapping), to = to_screen(left->second.position, mapping);
