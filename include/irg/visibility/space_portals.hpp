@@ -158,7 +158,7 @@ inline namespace IRG_ABI {
 /// exact   for all coordinates of portals, infinities and NaN included; corners of cells must be finite
 /// cost    the corners of both cells for each portal
 template <Floating T>
-constexpr space_plan_finding validate(const space_plan<T>& plan) {
+[[nodiscard]] constexpr space_plan_finding validate(const space_plan<T>& plan) {
   for (std::size_t i = 0; i < plan.portals.size(); ++i)
     if (const auto d = detail::defect_of_portal(plan, plan.portals[i]); d != space_plan_defect::none) return {d, i};
   return {};
@@ -175,7 +175,8 @@ constexpr space_plan_finding validate(const space_plan<T>& plan) {
 ///         their corners
 /// source  Teller and Sequin 1991, with hulls for their stabbing lines
 template <Floating T>
-constexpr visible_sets potentially_visible(const space_plan<T>& plan, const visible_set_options& options = {}) {
+[[nodiscard]] constexpr visible_sets potentially_visible(const space_plan<T>& plan,
+                                                         const visible_set_options& options = {}) {
   const auto cells = static_cast<int>(plan.cells.size());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
   const detail::space_walk<T> walk(plan);
