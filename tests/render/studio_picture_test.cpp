@@ -132,7 +132,7 @@ TEST_CASE(
     CHECK(s == first);
     CHECK(same(p, expected));
     const event other[] = {irg::drop_body{"cube"}, moved("teapot", turn, 0, 0)};
-    irg::run_studio<double>(s, other, p.view(), used);
+    (void)irg::run_studio<double>(s, other, p.view(), used);
     CHECK_FALSE(same(p, expected));
   }
 }
@@ -317,8 +317,8 @@ TEST_CASE("studio picture: at compile time the bytes of run time") {
     m.positions = {{-2, -2, 0}, {3, -1, 0}, {0, 3, 1}};
     irg::add_face(m, std::initializer_list<int>{0, 1, 2});
     studio s;
-    apply_event(s, irg::load_body<double>{irg::store_body("a", m)});
-    apply_event(s, irg::show_part{"a", studio_part::edges, display::shown});
+    (void)apply_event(s, irg::load_body<double>{irg::store_body("a", m)});
+    (void)apply_event(s, irg::show_part{"a", studio_part::edges, display::shown});
     pixels p(8, 6);
     memory memory;
     irg::draw_studio_view(p.view(), s, studio_view::main, memory);

@@ -257,7 +257,7 @@ inline namespace IRG_ABI {
 /// exact   numbers are correctly rounded to T
 /// cost    linear; no line is kept
 template <Floating T = double>
-constexpr result<std::vector<studio_command<T>>> read_studio_script(std::string_view text) {
+[[nodiscard]] constexpr result<std::vector<studio_command<T>>> read_studio_script(std::string_view text) {
   std::vector<studio_command<T>> commands;
   detail::studio_script_reader<T> reader(text);
   detail::text_cursor& cursor = reader.cursor;

@@ -75,7 +75,7 @@ struct glass_pixels {
       at[0] = at[1] = at[2] = side == facing::front ? frame.face_colours[f] : o.shading.face_colour(f, side);
     } else if (!unseen) {
       for (int k = 0; k < 3; ++k) {
-        const auto& light = frame.vertex_colours[static_cast<int>(side)][body.triangles[triangle].v[k]];
+        const auto& light = frame.vertex_colours[side == facing::back ? 1 : 0][body.triangles[triangle].v[k]];
         at[k] = {light[0], light[1], light[2]};
       }
     }

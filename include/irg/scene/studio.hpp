@@ -43,7 +43,9 @@ struct studio_body {
   std::array<std::vector<studio_transformation<T>>, 2> transformations{};  // by stage
   bool operator==(const studio_body&) const = default;
 
-  constexpr bool shows(studio_part p) const noexcept { return parts[static_cast<std::size_t>(p)] == display::shown; }
+  [[nodiscard]] constexpr bool shows(studio_part p) const noexcept {
+    return parts[static_cast<std::size_t>(p)] == display::shown;
+  }
 };
 
 /// A camera of the studio: where it stands, how it projects, what it sees, and the helpers in its picture.
@@ -59,7 +61,7 @@ struct studio_camera {
   std::array<display, 4> helpers{};
   bool operator==(const studio_camera&) const = default;
 
-  constexpr bool shows(studio_helper h) const noexcept {
+  [[nodiscard]] constexpr bool shows(studio_helper h) const noexcept {
     return helpers[static_cast<std::size_t>(h)] == display::shown;
   }
 };
@@ -77,8 +79,10 @@ struct studio {
   T ambient = T(0.25);  // share of the light that comes from everywhere; the rest is the lamp's
   bool operator==(const studio&) const = default;
 
-  constexpr studio_camera<T>& of(studio_view v) noexcept { return cameras[static_cast<std::size_t>(v)]; }
-  constexpr const studio_camera<T>& of(studio_view v) const noexcept { return cameras[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] constexpr studio_camera<T>& of(studio_view v) noexcept { return cameras[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] constexpr const studio_camera<T>& of(studio_view v) const noexcept {
+    return cameras[static_cast<std::size_t>(v)];
+  }
 };
 
 inline namespace IRG_ABI {

@@ -17,7 +17,7 @@
 namespace irg {
 
 /// What became of an event.
-enum class studio_status {
+enum class [[nodiscard]] studio_status {
   done,
   no_such_body,
   no_name,
@@ -212,7 +212,7 @@ constexpr studio_status change_bodies(studio<T>& s, const part_name& name, const
     const std::size_t i = find_body(s, name);
     return i == s.bodies.size() ? studio_status::no_such_body : change(s.bodies[i]);
   }
-  for (studio_body<T>& b : s.bodies) change(b);
+  for (studio_body<T>& b : s.bodies) static_cast<void>(change(b));
   return studio_status::done;
 }
 
