@@ -56,7 +56,6 @@
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/geometry/side_of_meeting.hpp>
 #include <irg/geometry/side_of_polygon.hpp>
-#include <irg/geometry/sign_of.hpp>
 #include <irg/geometry/simulation_of_simplicity.hpp>
 #include <irg/geometry/smallest_sphere.hpp>
 #include <irg/geometry/sphere.hpp>

@@ -162,8 +162,8 @@ inline namespace IRG_ABI {
 /// shape   in no order. A pair of stretches may hold one meeting, several, or none: curves nearer than the tolerance
 /// needs   one or more control points each, of any dimension; room for 1 meeting or more; scratch three times as long
 ///         as both curves; tolerance >= 0
-/// gives   how many there are: they are the first ones of the room. Coincident curves and control points that are not finite use up the steps: few long
-///         stretches, and `wide`
+/// gives   how many there are: the first ones of the room. Coincident curves and control points that are not finite use
+///         up the steps: few long stretches, and `wide`
 /// exact   no meeting is missed, whatever the sizes, the steps and the room; no stretch is shorter than 2^-30 of its
 ///         parameter (float: 2^-24)
 /// cost    four bezier_split a step; some 10 steps for each halving and each meeting

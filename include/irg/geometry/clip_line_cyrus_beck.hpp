@@ -56,7 +56,7 @@ inline namespace IRG_ABI {
 ///         clip_line_liang_barsky gives the same in a fraction of the time
 /// source  Cyrus and Beck 1978
 template <Point P, PolygonRing R>
-  requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<scalar_of<ring_point<R>>, scalar_of<P>>)
+  requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<ring_scalar<R>, scalar_of<P>>)
 [[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b,
                                                                             const R& polygon) noexcept {
   if (!is_finite(a, b)) return std::nullopt;

@@ -4,9 +4,9 @@
 
 namespace irg {
 
-/// How two lines, two planes, or a line and a plane lie: `none` when one of them is none (equal points, a zero normal) or
-/// a number is NaN or infinite; `coincident` when they are the same or one contains the other; `skew` for lines of space
-/// without a common plane.
+/// How two lines, two planes, or a line and a plane lie: `none` when one of them is none (equal points, a zero normal)
+/// or a number is NaN or infinite; `coincident` when they are the same or one contains the other; `skew` for lines of
+/// space without a common plane.
 enum class flat_relation { none, crossing, parallel, coincident, skew };
 
 }  // namespace irg

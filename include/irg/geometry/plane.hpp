@@ -81,9 +81,8 @@ template <Point P>
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <PolygonRing R>
   requires Point<typename ring_traits<R>::point> && (size_of<typename ring_traits<R>::point> == 3)
-[[nodiscard]] constexpr std::optional<plane<scalar_of<typename ring_traits<R>::point>>> newell_plane(
-    const R& ring) noexcept {
-  using T = scalar_of<typename ring_traits<R>::point>;
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> newell_plane(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   if (n < 3) return std::nullopt;
   const auto origin = ring_vertex(ring, 0);
@@ -146,10 +145,9 @@ template <Plane P, Coordinates Q>
 /// exact   in rationals; in floats the normal as newell_plane's
 /// source  Mihajlovic 2016, formula 4.2
 template <PolygonRing R>
-  requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Real<scalar_of<ring_point<R>>>
-[[nodiscard]] constexpr std::optional<plane<scalar_of<ring_point<R>>>> newell_plane_through_centroid(
-    const R& ring) noexcept {
-  using T = scalar_of<ring_point<R>>;
+  requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Real<ring_scalar<R>>
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> newell_plane_through_centroid(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   auto p = newell_plane(ring);
   if (!p) return p;
   const auto origin = ring_vertex(ring, 0);

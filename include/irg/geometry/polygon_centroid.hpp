@@ -81,10 +81,9 @@ template <PlanePolygon P>
 ///         origin adds half an ulp
 /// cost    about 3 ns for a vertex
 template <PlaneRing R>
-  requires Floating<scalar_of<ring_point<R>>>
-[[nodiscard]] constexpr std::optional<point<scalar_of<ring_point<R>>, 2>> polygon_centroid_fast(
-    const R& ring) noexcept {
-  using T = scalar_of<ring_point<R>>;
+  requires Floating<ring_scalar<R>>
+[[nodiscard]] constexpr std::optional<point<ring_scalar<R>, 2>> polygon_centroid_fast(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   if (n < 3) return std::nullopt;
   const auto origin = ring_vertex(ring, 0), first = ring_vertex(ring, 1);

@@ -62,7 +62,6 @@ template <class T, int N>
 
 /// The direction of v as a point at infinity, of weight 0.
 template <class T, int N>
-  requires(N == 2 || N == 3)
 [[nodiscard]] IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const vec<T, N>& v) noexcept {
   return generate_coordinates<hpoint<T, N>>([&](int i) { return i < N ? v[i] : T(0); });
 }

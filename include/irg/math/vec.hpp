@@ -25,13 +25,16 @@ namespace irg {
   IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; } \
   IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
 
+#define IRG_COORDINATES_ANY(size)                                                        \
+  T elements[static_cast<std::size_t>(size)]{};                                          \
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return elements[i]; } \
+  IRG_INLINE constexpr T& operator[](int i) noexcept { return elements[i]; }
+
 /// A displacement with N coordinates.
 template <Number T, int N>
 struct vec {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
-  T elements[static_cast<std::size_t>(N)]{};
-  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return elements[i]; }
-  IRG_INLINE constexpr T& operator[](int i) noexcept { return elements[i]; }
+  IRG_COORDINATES_ANY(N)
   constexpr bool operator==(const vec&) const = default;
 };
 template <Number T>
@@ -53,9 +56,13 @@ struct vec<T, 4> {
   constexpr bool operator==(const vec&) const = default;
 };
 
-/// A position in N-dimensional space, N = 2 or 3.
+/// A position in N-dimensional space.
 template <Number T, int N>
-struct point;
+struct point {
+  static constexpr coordinate_kind kind = coordinate_kind::point;
+  IRG_COORDINATES_ANY(N)
+  constexpr bool operator==(const point&) const = default;
+};
 template <Number T>
 struct point<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
@@ -69,10 +76,15 @@ struct point<T, 3> {
   constexpr bool operator==(const point&) const = default;
 };
 
-/// A position of N-dimensional projective space, N = 2 (x, y, w as x, y, z) or 3 (x, y, z, w). Weight 0 is a direction;
-/// all coordinates 0 is no position. == compares coordinates; positions are equal when they are proportional.
+/// A position of N-dimensional projective space, the weight last: x, y, w as x, y, z in the plane, x, y, z, w in space.
+/// Weight 0 is a direction; all coordinates 0 is no position. == compares coordinates; proportional ones are the same
+/// position.
 template <Number T, int N>
-struct hpoint;
+struct hpoint {
+  static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
+  IRG_COORDINATES_ANY(N + 1)
+  constexpr bool operator==(const hpoint&) const = default;
+};
 template <Number T>
 struct hpoint<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
@@ -86,22 +98,34 @@ struct hpoint<T, 3> {
   constexpr bool operator==(const hpoint&) const = default;
 };
 
+#undef IRG_COORDINATES_ANY
 #undef IRG_COORDINATES_2
 #undef IRG_COORDINATES_3
 #undef IRG_COORDINATES_4
 
-template <class T, int N>
-  requires(N != 2 && N != 3 && N != 4)
-struct coordinate_traits<vec<T, N>> {
+namespace detail {
+template <class V, class T, int Size>
+struct element_traits {
   using scalar = T;
-  static constexpr int size = N;
-  static constexpr coordinate_kind kind = coordinate_kind::vector;
-  IRG_INLINE static constexpr T get(const vec<T, N>& v, int i) noexcept { return v.elements[i]; }
+  static constexpr int size = Size;
+  static constexpr coordinate_kind kind = V::kind;
+  IRG_INLINE static constexpr T get(const V& v, int i) noexcept { return v.elements[i]; }
   template <class... S>
-  IRG_INLINE static constexpr vec<T, N> make(S... c) noexcept {
+  IRG_INLINE static constexpr V make(S... c) noexcept {
     return {{converted<T>(c)...}};
   }
 };
+}  // namespace detail
+
+template <class T, int N>
+  requires(N != 2 && N != 3 && N != 4)
+struct coordinate_traits<vec<T, N>> : detail::element_traits<vec<T, N>, T, N> {};
+template <class T, int N>
+  requires(N != 2 && N != 3)
+struct coordinate_traits<point<T, N>> : detail::element_traits<point<T, N>, T, N> {};
+template <class T, int N>
+  requires(N != 2 && N != 3)
+struct coordinate_traits<hpoint<T, N>> : detail::element_traits<hpoint<T, N>, T, N + 1> {};
 
 template <class T, std::same_as<T>... More>
 vec(T, More...) -> vec<T, 1 + static_cast<int>(sizeof...(More))>;

@@ -124,27 +124,31 @@ inline namespace IRG_ABI {
 
 /// The covered pixels of row y, cut to the columns [x_first, x_last).
 /// gives   an empty span when there are none, as in an empty range
-/// cost    one division per edge
+/// cost    one division per edge that ends the span
 [[nodiscard]] constexpr span_of_cells covered_span(const triangle_coverage& t, int y, int x_first,
                                                    int x_last) noexcept {
-  const std::int64_t none = lesser(x_first, x_last);
-  std::int64_t first = x_first, last = t.double_area == 0 ? none : x_last;
+  // first and last stay within [x_first, x_last], as does what is computed there.
+  const std::int64_t left = lesser(x_first, x_last), right = x_last;
+  std::int64_t first = x_first, last = t.double_area == 0 ? left : right;
   for (const triangle_edge& e : t.edge) {
     const std::int64_t f = e(0, y);
-    if (e.right > 0)
-      first = greater(first, -detail::floor_div(f, std::int64_t{e.right}));  // smallest x with f + right * x >= 0
-    else if (e.right < 0)
-      last = lesser(last, detail::floor_div(f, -std::int64_t{e.right}) + 1);  // one past the greatest such x
-    else if (f < 0)
-      last = none;
+    if (e.right > 0) {
+      if (f + e.right * first < 0)  // the smallest x with f + right * x >= 0
+        first = lesser(-detail::floor_div(f, std::int64_t{e.right}), right);
+    } else if (e.right < 0) {
+      if (f + e.right * (last - 1) < 0)  // one past the greatest such x
+        last = greater(detail::floor_div(f, -std::int64_t{e.right}) + 1, left);
+    } else if (f < 0) {
+      last = left;
+    }
   }
-  first = lesser(first, std::int64_t{x_last});  // an empty span, too, stays within [x_first, x_last]
+  first = lesser(first, right);
   return {y, static_cast<int>(first), static_cast<int>(greater(first, last))};
 }
 
 /// Calls emit(span) for every row of covered pixels in the window, from top to bottom.
 /// gives   no call for a degenerate triangle or one outside the window
-/// cost    three divisions per row
+/// cost    two divisions per row, sometimes three
 template <SpanSink Sink>
 constexpr void covered_spans(const triangle_coverage& t, const cell_window& window, Sink&& emit) {
   const cell_window w = intersect(t.bounds, window);

@@ -59,10 +59,10 @@ template <Scalar T>
 /// source  Hidden-surface slides, procedure HiddenPoly
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 3)
-[[nodiscard]] constexpr bool is_hidden_polygon(const R& polygon, const scalar_of<typename ring_traits<R>::point>& d,
+[[nodiscard]] constexpr bool is_hidden_polygon(const R& polygon, const ring_scalar<R>& d,
                                                edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
   IRG_EXPECTS(ring_size(polygon) >= 3);
-  using T = scalar_of<typename ring_traits<R>::point>;
+  using T = ring_scalar<R>;
   const auto p = [&](std::size_t i) {
     return generate_coordinates<point<T, 3>>([&](int k) { return coordinate(ring_vertex(polygon, i), k); });
   };
