@@ -70,7 +70,7 @@ real area_in_pixel(const std::vector<corner>& polygon, int x, int y) {
 struct coverages {
   cell_window window;
   std::vector<int> value;
-  constexpr explicit coverages_between(const cell_window& w)
+  constexpr explicit coverages(const cell_window& w)
       : window(w),
         value(static_cast<std::size_t>(w.x_last - w.x_first) * static_cast<std::size_t>(w.y_last - w.y_first), -1) {}
   constexpr int& at(int x, int y) {
