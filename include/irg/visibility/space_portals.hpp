@@ -15,77 +15,12 @@
 #include <irg/visibility/detail/space_blockers.hpp>
 #include <irg/visibility/detail/space_stabbing.hpp>
 #include <irg/visibility/potentially_visible.hpp>
+#include <irg/visibility/space_plan.hpp>
 #include <irg/visibility/view_through_portals.hpp>
 
 namespace irg {
-
-/// An opening between two cells, counter-clockwise as one sees it who passes from the first to the second.
-template <Floating T>
-struct space_portal {
-  std::uint32_t first = 0, second = 0;
-  std::vector<point<T, 3>> ring;
-};
-
-/// Convex cells, each the hull of its corners, and portals between them.
-template <Floating T>
-struct space_plan {
-  std::vector<std::vector<point<T, 3>>> cells;
-  std::vector<space_portal<T>> portals;
-};
-
-/// What is wrong with a plan in space.
-enum class space_plan_defect {
-  none,
-  portal_to_no_cell,  ///< it names a cell that the plan does not have
-  portal_to_itself,  ///< both of its cells are the same: mirrors are no portals
-  portal_without_area,  ///< fewer than three corners, or all of them on a line
-  portal_not_flat,  ///< its corners are not in one plane, or are not finite
-  portal_not_convex,  ///< a corner turns inwards, or the ring goes round more than once
-  cell_on_both_sides,  ///< the first cell is not before the portal's plane, or the second not behind it
-};
-
-/// The first defect of a plan: of the portal number `portal`.
-struct space_plan_finding {
-  space_plan_defect defect = space_plan_defect::none;
-  std::size_t portal = 0;
-  constexpr bool operator==(const space_plan_finding&) const = default;
-};
-
 namespace detail {
 inline namespace IRG_ABI {
-
-// Whether all points lie on one side of the plane of a ring, or in it; `side` is 1 for who sees it counter-clockwise.
-template <Floating T>
-constexpr bool are_beside(const std::vector<point<T, 3>>& ring, std::span<const point<T, 3>> points,
-                          int side) noexcept {
-  for (const auto& p : points)
-    if (orient3d(ring[0], ring[1], ring[2], p) == -side) return false;
-  return true;
-}
-
-template <Floating T>
-constexpr space_plan_defect defect_of_portal(const space_plan<T>& plan, const space_portal<T>& p) {
-  if (p.first >= plan.cells.size() || p.second >= plan.cells.size()) return space_plan_defect::portal_to_no_cell;
-  if (p.first == p.second) return space_plan_defect::portal_to_itself;
-  const std::size_t n = p.ring.size();
-  if (n < 3) return space_plan_defect::portal_without_area;
-  for (const auto& v : p.ring)
-    for (int i = 0; i < 3; ++i)
-      if (!is_finite(v[i])) return space_plan_defect::portal_not_flat;
-  for (const auto& v : p.ring)
-    if (orient3d(p.ring[0], p.ring[1], p.ring[2], v) != 0) return space_plan_defect::portal_not_flat;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<point<T, 2>> flat;
-    flat.reserve(n);
-    for (const auto& v : p.ring) flat.push_back({v[(axis + 1) % 3], v[(axis + 2) % 3]});
-    if (orient2d(flat[0], flat[1], flat[2]) == 0) continue;
-    if (!is_convex(flat)) return space_plan_defect::portal_not_convex;
-    return are_beside<T>(p.ring, plan.cells[p.first], 1) && are_beside<T>(p.ring, plan.cells[p.second], -1)
-               ? space_plan_defect::none
-               : space_plan_defect::cell_on_both_sides;
-  }
-  return space_plan_defect::portal_without_area;
-}
 
 // A portal as one passes it.
 template <Floating T>
@@ -158,16 +93,6 @@ private:
 }  // namespace detail
 
 inline namespace IRG_ABI {
-
-/// The first thing that is wrong with a plan in space.
-/// exact   for all coordinates of portals, infinities and NaN included; corners of cells must be finite
-/// cost    the corners of both cells for each portal
-template <Floating T>
-constexpr space_plan_finding validate(const space_plan<T>& plan) {
-  for (std::size_t i = 0; i < plan.portals.size(); ++i)
-    if (const auto d = detail::defect_of_portal(plan, plan.portals[i]); d != space_plan_defect::none) return {d, i};
-  return {};
-}
 
 /// For each cell the cells of which something may be seen from somewhere in it, itself among them.
 /// shape   as potentially_visible of plans in the plane; symmetric
