@@ -13,8 +13,8 @@
 
 namespace test {
 
-// Rooms in storeys with roofs like pyramids, joined by doors, windows and hatches of three, four and six corners; all of it
-// sheared. All coordinates are few binary digits.
+// Rooms in storeys with roofs like pyramids, joined by doors, windows and hatches of three, four and six corners; all of
+// it sheared. All coordinates are few binary digits.
 class space_house {
 public:
   using place = irg::point<double, 3>;

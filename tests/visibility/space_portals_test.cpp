@@ -175,8 +175,8 @@ std::vector<std::uint32_t> passed_from(const irg::detail::space_walk<double>& wa
   return way;
 }
 
-// Lines through a place of a portal and a place of another one that a few doors lead to: how many pairs of cells such lines show,
-// and how many of these the sets lack.
+// Lines through a place of a portal and a place of another one that a few doors lead to: how many pairs of cells such
+// lines show, and how many of these the sets lack.
 std::array<std::int64_t, 2> found_by_lines(test::random& r, const plan& p, const irg::visible_sets& sets, int lines) {
   const irg::detail::space_walk<double> walk(p);
   irg::cell_grid found(sets.seen.extent());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Whether a straight line passes a sequence of flat convex openings within their edges. It joins a place of the first to
-// one of the last; the pairs of places are cut into parts until a line is found, which is proved by exact signs, or no
-// part is left. A part is left out when for some edges, each as often as it takes, the volumes that its lines span with
-// them sum to nothing positive: lines within all edges span positive ones. Volumes are linear in each of both places,
-// so corners of the part tell.
+// Whether a straight line passes a sequence of flat convex openings within their edges. It joins a place of the first
+// to one of the last; the pairs of places are cut into parts until a line is found, which is proved by exact signs, or
+// no part is left. A part is left out when for some edges, each as often as it takes, the volumes that its lines span
+// with them sum to nothing positive: lines within all edges span positive ones. Volumes are linear in each of both
+// places, so corners of the part tell.
 #pragma once
 
 #include <cstddef>
