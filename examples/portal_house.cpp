@@ -120,7 +120,7 @@ std::string seen_by_eye(const program::command_line& line, const irg::named_plan
     const irg::plan_cell<double>& cell = house.plan.cells[c];
     const irg::point<double, 2> from{eye.x, eye.y};
     if (eye.z < cell.floor || cell.ceiling < eye.z ||
-        irg::point_in_convex_polygon(cell.corners, from) == irg::point_location::outside)
+        irg::point_in_convex_polygon(cell.corners, from) == irg::location::outside)
       continue;
     std::vector<bool> seen(house.names.size(), false);
     irg::view_through_openings(house.plan, doors, c, {from, irg::view_reach::all_round, {}, {}}, eye.z,

@@ -286,7 +286,7 @@ int wrong_places(const scene& s, test::random& r, int samples) {
     const int want = share_seen(s, p);
     const rings* parts[] = {&got.none, &got.some, &got.all};
     for (int k = 0; k < 3; ++k) {
-      const bool inside = irg::point_in_polygon(*parts[k], p, irg::fill_rule::even_odd) == irg::point_location::inside;
+      const bool inside = irg::point_in_polygon(*parts[k], p, irg::fill_rule::even_odd) == irg::location::inside;
       wrong += inside != (k == want);
     }
   }
@@ -329,8 +329,8 @@ TEST_CASE("weak_visibility: sources that walls cut, cut where they do") {
       const int want = share_seen(s, p);
       const rings* parts[] = {&got.none, &got.some, &got.all};
       for (int n = 0; n < 3; ++n)
-        wrong += (irg::point_in_polygon(*parts[n], p, irg::fill_rule::even_odd) == irg::point_location::inside) !=
-                 (n == want);
+        wrong +=
+            (irg::point_in_polygon(*parts[n], p, irg::fill_rule::even_odd) == irg::location::inside) != (n == want);
     }
   }
   CHECK(wrong == 0);
@@ -355,7 +355,7 @@ TEST_CASE("sight_between: what places in the region see in rationals, and the ot
       const auto n = static_cast<std::int64_t>(other.source.size());
       const place& c = other.source[static_cast<std::size_t>(r.integer(0, n - 1))];
       const place p{c.x + x / 3, c.y + y / 3};
-      if (irg::point_in_polygon(other.source, p, irg::fill_rule::even_odd) != irg::point_location::inside) continue;
+      if (irg::point_in_polygon(other.source, p, irg::fill_rule::even_odd) != irg::location::inside) continue;
       const int share = share_seen(s, p);
       least = std::min(least, share);
       most = std::max(most, share);

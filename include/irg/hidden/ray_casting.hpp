@@ -57,6 +57,7 @@ template <class Faces>
 constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_window& window) {
   constexpr std::size_t many = 10000;
   std::vector<screen_face> list;
+  list.reserve(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const screen_face f = faces[i];
     if (f.coverage.double_area != 0 && !intersect(f.coverage.bounds, window).empty()) list.push_back(f);

@@ -76,7 +76,7 @@ inline namespace IRG_ABI {
 /// cost    linear; memory at most eight times the file and 1 MiB, whatever its counts claim
 /// source  Esri
 template <class Grid = height_grid>
-constexpr result<Grid> read_terrain(std::string_view text) {
+[[nodiscard]] constexpr result<Grid> read_terrain(std::string_view text) {
   detail::text_cursor cursor(text, '\0');
   const auto failed = [&] { return detail::error_at(text, cursor.place, cursor.message); };
   detail::terrain_head head;

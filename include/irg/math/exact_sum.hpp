@@ -203,23 +203,25 @@ public:
   }
 
   /// -1, 0 or 1, as the sum is negative, zero or positive.
-  IRG_INLINE constexpr int sign() const noexcept { return detail::sign_of_words(word_, range_); }
+  [[nodiscard]] IRG_INLINE constexpr int sign() const noexcept { return detail::sign_of_words(word_, range_); }
 
   /// The exponent e of the sum: 2^e <= |sum| < 2^(e + 1).
   /// needs   a sum that is not zero
-  IRG_INLINE constexpr int exponent() const noexcept { return detail::highest_bit(word_, range_) + lowest; }
+  [[nodiscard]] IRG_INLINE constexpr int exponent() const noexcept {
+    return detail::highest_bit(word_, range_) + lowest;
+  }
 
   /// The double nearest to the sum times 2^shift.
   /// gives   infinity of the sum's sign where the sum rounds beyond the largest double; 0 (not -0) for zero
   /// exact   correctly rounded, ties to even, subnormals included
-  IRG_INLINE constexpr double rounded(int shift = 0) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr double rounded(int shift = 0) const noexcept {
     return detail::nearest_double(word_, range_, lowest + shift);
   }
 
   /// The sum times 2^shift as the nearest double and what is left of it, rounded in its turn.
   /// gives   error 0 where value is infinite
   /// exact   value + error is within 2^-106 of the sum's size, unless error underflows
-  IRG_INLINE constexpr exact_sum<double> rounded_parts(int shift = 0) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr exact_sum<double> rounded_parts(int shift = 0) const noexcept {
     const double value = rounded(shift);
     const detail::integer_double v = detail::integer_parts(value);
     if (value - value != 0 || v.significand == 0) return {value, 0.0};

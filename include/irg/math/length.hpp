@@ -80,7 +80,7 @@ inline namespace IRG_ABI {
 /// The square of the length: the sum of the squares of the coordinates.
 /// exact   each product and each sum rounded once, never fused; overflows and underflows as the squares do
 template <Vector V>
-IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
   return dot(v, v);
 }
 
@@ -90,7 +90,7 @@ IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
 /// cost    that of hypot
 template <Vector V>
   requires Floating<scalar_of<V>>
-constexpr scalar_of<V> length(const V& v) noexcept {
+[[nodiscard]] constexpr scalar_of<V> length(const V& v) noexcept {
   return detail::length_of<scalar_of<V>, size_of<V>>([&](int i) { return coordinate(v, i); });
 }
 
@@ -100,7 +100,7 @@ constexpr scalar_of<V> length(const V& v) noexcept {
 ///         is 1 within 2u (u = 2^-53, float 2^-24), over the whole range
 template <Vector V>
   requires Floating<scalar_of<V>>
-constexpr std::optional<V> try_normalize(const V& v) noexcept {
+[[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
   const auto s = detail::scaled(v);
   if (!(s.scale > 0)) return std::nullopt;
   const double length = detail::scaled_length<scalar_of<V>>(s);
@@ -112,7 +112,7 @@ constexpr std::optional<V> try_normalize(const V& v) noexcept {
 /// exact   as try_normalize
 template <Vector V>
   requires Floating<scalar_of<V>>
-constexpr V normalized(const V& v) noexcept {
+[[nodiscard]] constexpr V normalized(const V& v) noexcept {
   const std::optional<V> unit = try_normalize(v);
   return unit ? *unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
 }
@@ -123,7 +123,7 @@ constexpr V normalized(const V& v) noexcept {
 /// exact   error below 1.26 ulp: the squares are rounded, the sum of them is rounded once
 template <Vector V>
   requires Floating<scalar_of<V>>
-IRG_INLINE constexpr scalar_of<V> length_fast(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<V> length_fast(const V& v) noexcept {
   using T = scalar_of<V>;
   T sum = product(coordinate(v, 0), coordinate(v, 0)), error = 0;
   for (int i = 1; i < size_of<V>; ++i) {
@@ -139,7 +139,7 @@ IRG_INLINE constexpr scalar_of<V> length_fast(const V& v) noexcept {
 /// exact   each coordinate below 5 ulp for up to three of them; never fused
 template <Vector V>
   requires Floating<scalar_of<V>>
-IRG_INLINE constexpr V normalized_fast(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr V normalized_fast(const V& v) noexcept {
   using T = scalar_of<V>;
   const T square = dot(v, v);
   const T factor = T(1) / sqrt(square > 0 ? square : T(1));

@@ -33,8 +33,8 @@ inline namespace IRG_ABI {
 /// exact   which ones cross; where is correctly rounded
 /// cost    the edges times the obstacles, a few times over; allocates
 template <Floating T>
-constexpr cut_source<T> cut_source_rounded(std::span<const point<T, 2>> ring,
-                                           std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
+[[nodiscard]] constexpr cut_source<T> cut_source_rounded(
+    std::span<const point<T, 2>> ring, std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   cut_source<T> out;
   out.ring.assign(ring.begin(), ring.end());
   std::vector<segment<T, 2>> open(obstacles.begin(), obstacles.end());

@@ -35,7 +35,7 @@ public:
   /// exact   as visibility_polygon
   /// cost    for walls of like sizes some visibility polygons of as many walls as stand in the tiles that are seen;
   ///         where more than a sixteenth of them is seen, visibility_polygon and as much again at most
-  constexpr visible_region<T> seen_from(const point<T, 2>& source) const {
+  [[nodiscard]] constexpr visible_region<T> seen_from(const point<T, 2>& source) const {
     if (!is_finite_) return {visibility_status::not_finite, {}};
     visible_region<T> seen = visibility_polygon(source, domain_);
     if (seen.ring.empty()) return seen;

@@ -109,7 +109,8 @@ inline namespace IRG_ABI {
 ///         most_parts of them for each cell
 /// source  Teller and Sequin 1991, with a search for their stabbing lines
 template <Floating T>
-constexpr visible_sets potentially_visible(const space_plan<T>& plan, const visible_set_options& options = {}) {
+[[nodiscard]] constexpr visible_sets potentially_visible(const space_plan<T>& plan,
+                                                         const visible_set_options& options = {}) {
   const auto cells = static_cast<int>(plan.cells.size());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0, 0};
   const detail::space_walk<T> walk(plan);

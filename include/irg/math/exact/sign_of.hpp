@@ -80,7 +80,7 @@ inline namespace IRG_ABI {
 /// source  Shewchuk 1997 (the stages)
 template <int Degree, class Polynomial, class... A>
   requires(sizeof...(A) > 0)
-IRG_INLINE constexpr auto sign_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto sign_of(const Polynomial& polynomial, const A&... arguments) noexcept {
   static_assert(Degree >= 1 && Degree <= 9);
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
