@@ -177,7 +177,7 @@ private:
       for (const auto& v : portal) {
         const point<T, 2> p{v[(dropped + 1) % 3], v[(dropped + 2) % 3]};
         is_within = is_within && orient3d(ring[0], ring[1], ring[2], v) == 0 &&
-                    point_in_convex_polygon(flat, p) != point_location::outside;
+                    point_in_convex_polygon(flat, p) != location::outside;
       }
       if (is_within) return true;
     }
