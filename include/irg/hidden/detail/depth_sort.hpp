@@ -22,13 +22,13 @@ inline namespace IRG_ABI {
 template <class Keyed = keyed_place>
 constexpr void sort_by_keys(std::vector<Keyed>& list) {
   constexpr int digits = 4, values = 256;
-  std::vector<std::uint32_t> counts(digits * values);
+  std::uint32_t counts[digits][values] = {};
   const auto digit = [](const Keyed& k, int d) { return static_cast<std::size_t>((k.key >> (8 * d)) & (values - 1)); };
   for (const Keyed& k : list)
-    for (int d = 0; d < digits; ++d) ++counts[static_cast<std::size_t>(d) * values + digit(k, d)];
-  std::vector<Keyed> sorted(list.size());
+    for (int d = 0; d < digits; ++d) ++counts[d][digit(k, d)];
+  std::vector<Keyed> sorted(list.size(), Keyed{});
   for (int d = 0; d < digits && !list.empty(); ++d) {
-    std::uint32_t* places = &counts[static_cast<std::size_t>(d) * values];
+    std::uint32_t(&places)[values] = counts[d];
     if (places[digit(list[0], d)] == list.size()) continue;  // all have this digit
     std::uint32_t before = 0;
     for (int v = 0; v < values; ++v) {
