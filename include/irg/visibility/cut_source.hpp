@@ -123,8 +123,8 @@ inline namespace IRG_ABI {
 /// Cuts the edges of a ring and the obstacles that cross them, in the points nearest to where they do: a light that
 /// walls cut, for weak_visibility.
 /// needs   finite coordinates; three points or more, else nothing is cut across the way back
-/// gives   edges and obstacles bent by as much as these points are rounded, obstacles along an edge with it. In plans so
-///         fine that bent ones cross again and again, some may be left that cross; weak_visibility says so
+/// gives   edges and obstacles bent by as much as these points are rounded, obstacles along an edge with it. In plans
+///         so fine that bent ones cross again and again, some may be left that cross; weak_visibility says so
 /// exact   which ones cross, and which lie along an edge; where is correctly rounded
 /// cost    the edges times the obstacles, a few times over; allocates
 template <Floating T>
