@@ -22,7 +22,6 @@
 #include <irg/io/ppm.hpp>
 #include <irg/io/space_plan_text.hpp>
 #include <irg/io/stl.hpp>
-#include <irg/io/stored_body.hpp>
 #include <irg/io/svg.hpp>
 #include <irg/io/svg_drawing.hpp>
 #include <irg/io/terrain.hpp>
