@@ -15,7 +15,7 @@
 #include <irg/io/detail/body_xml_reader.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/mesh_options.hpp>
-#include <irg/io/stored_body.hpp>
+#include <irg/scene/stored_body.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {

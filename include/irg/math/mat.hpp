@@ -9,11 +9,41 @@
 
 namespace irg {
 
-/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{{1, 2}, {3, 4}}}` has the rows (1, 2) and (3, 4).
+/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{1, 2}, {3, 4}}` has the rows (1, 2) and (3, 4). More than
+/// four rows, or rows that are an array, stand in one more pair of braces. Numbers that are not given are 0.
 template <Scalar T, int R, int C>
   requires(R >= 1 && C >= 1)
 struct mat {
+  using entries = const T[static_cast<std::size_t>(C)];
+
   T m[static_cast<std::size_t>(R)][static_cast<std::size_t>(C)]{};
+
+  constexpr mat() = default;
+  IRG_INLINE constexpr mat(entries (&rows)[static_cast<std::size_t>(R)]) noexcept {
+    for (int r = 0; r < R; ++r)
+      for (int c = 0; c < C; ++c) m[r][c] = rows[r][c];
+  }
+  IRG_INLINE constexpr mat(entries& a) noexcept
+    requires(R == 1 && C > 1)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c];
+  }
+  IRG_INLINE constexpr mat(entries& a, entries& b) noexcept
+    requires(R == 2)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c], m[1][c] = b[c];
+  }
+  IRG_INLINE constexpr mat(entries& a, entries& b, entries& d) noexcept
+    requires(R == 3)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c], m[1][c] = b[c], m[2][c] = d[c];
+  }
+  IRG_INLINE constexpr mat(entries& a, entries& b, entries& d, entries& e) noexcept
+    requires(R == 4)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c], m[1][c] = b[c], m[2][c] = d[c], m[3][c] = e[c];
+  }
+
   IRG_INLINE constexpr const T& operator()(int row, int column) const noexcept { return m[row][column]; }
   IRG_INLINE constexpr T& operator()(int row, int column) noexcept { return m[row][column]; }
   constexpr bool operator==(const mat&) const = default;

@@ -73,24 +73,39 @@ template <Floating T>
   return look_at_frame(c.eye, c.target, c.up);
 }
 
-/// The matrix from the world to the camera's clip space (reversed depth), for a picture `aspect` times as wide as high.
+/// The matrix from the world to the camera's clip space (reversed depth), for a picture `aspect` times as wide as high,
+/// or why there is none.
 /// units   clip space is scaled by a power of two so that w, which is 1 in parallel projection, is 1 to 2 at the near
 ///         plane: however large or small the world, 1/w and depth are ordinary floats
-/// needs   a camera in its domain, aspect > 0
-/// gives   parallel projection with the eye at the target: what it shows from distance 1
+/// gives   what perspective_checked, orthographic_checked and oblique_checked refuse, with the identity. Parallel
+///         projection with the eye at the target: what it shows from distance 1
 template <Floating T>
-[[nodiscard]] constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> view_projection_checked(
+    const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
   const mat<T, 4, 4> view = look_at(c.eye, c.target, c.up);
-  if (c.projection == projection_kind::perspective)
-    return perspective(c.vertical_angle, aspect, c.near_distance, c.far_distance) * view *
-           detail::scale_towards_one(c.near_distance);
+  if (c.projection == projection_kind::perspective) {
+    auto p = perspective_checked(c.vertical_angle, aspect, c.near_distance, c.far_distance);
+    if (p.is_ordinary()) p.value = p.value * view * detail::scale_towards_one(c.near_distance);
+    return p;
+  }
   const T away = length(c.target - c.eye), least = (std::numeric_limits<T>::min)();
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
   const T width = greater(height * aspect, least);
-  if (c.projection == projection_kind::oblique)
-    return oblique(c.receding, view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance, -away) *
-           view;
-  return orthographic(-width, width, -height, height, c.near_distance, c.far_distance) * view;
+  auto p = c.projection == projection_kind::oblique
+               ? oblique_checked(c.receding, view_window<T>{-width, width, -height, height}, c.near_distance,
+                                 c.far_distance, -away)
+               : orthographic_checked(-width, width, -height, height, c.near_distance, c.far_distance);
+  if (p.is_ordinary()) p.value = p.value * view;
+  return p;
+}
+
+/// The matrix from the world to the camera's clip space; see view_projection_checked.
+/// needs   a camera in its domain, aspect > 0; where this is broken and not caught, the identity comes out
+template <Floating T>
+[[nodiscard]] constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
+  const auto p = view_projection_checked(c, aspect);
+  IRG_EXPECTS(p.is_ordinary());
+  return p.value;
 }
 
 /// Where the viewer is, as shading needs to know it: the eye. In parallel projection the viewer is infinitely far away;

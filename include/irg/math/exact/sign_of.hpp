@@ -20,9 +20,8 @@ inline namespace IRG_ABI {
 // 2 where rounding leaves it open.
 IRG_INLINE constexpr int filtered_sign(const filtered_number& x) noexcept {
   const double bound = polynomial_filter_bound * x.size;
-  if (x.value > bound) return 1;
-  if (-x.value > bound) return -1;
-  return x.size == 0 ? 0 : 2;
+  const int sign = (x.value > bound ? 1 : 0) - (-x.value > bound ? 1 : 0);  // without a branch that signs mispredict
+  return sign != 0 || x.size == 0 ? sign : 2;
 }
 IRG_INLINE constexpr bool are_sure(int sign) noexcept { return sign != 2; }
 template <std::size_t Size>
