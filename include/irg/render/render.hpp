@@ -161,8 +161,8 @@ constexpr render_stats render(const scene<T>& world, Colour& colour, Depth& dept
 
 /// As above, with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as ever.
 /// gives   what the method finds. Nothing is left out because something else hides it, `options.hidden` has no say, and
-///         edges are not faces: `wire` is drawn as `flat`. A method that says that it `finds_nearest()` is not asked about windows
-///         that show the front faces of one convex body alone: pixels.convex counts these faces
+///         edges are not faces: `wire` is drawn as `flat`. A method that says that it `finds_nearest()` is not asked
+///         about windows that show the front faces of one convex body alone: pixels.convex counts these faces
 /// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer
 template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
