@@ -62,7 +62,7 @@ inline namespace IRG_ABI {
 /// needs   a number or a vector of the compiler's own, not a class around one: clang finds no register for that
 /// exact   the identity; in constant evaluation, where nothing is fused, it does nothing
 template <class T>
-IRG_INLINE constexpr T opaque(T value) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T opaque(T value) noexcept {
 #if defined(__GNUC__) && !defined(__wasm__)
   static_assert(!std::is_class_v<T>);
   // In constant evaluation the statement is skipped: it is no constant there.
@@ -82,7 +82,7 @@ IRG_INLINE constexpr T opaque(T value) noexcept {
 /// exact   the IEEE product, never fused with a sum
 /// source  irg's own: the measurements are in docs/numbers.md
 template <class T>
-IRG_INLINE constexpr T product(T x, T y) noexcept(noexcept(x * y)) {
+[[nodiscard]] IRG_INLINE constexpr T product(T x, T y) noexcept(noexcept(x * y)) {
   if constexpr (IRG_TARGET_FUSES && (std::is_same_v<T, float> || std::is_same_v<T, double>)) {
 #if IRG_FUSES_WITH_ZERO
     if (std::is_constant_evaluated()) return x * y;

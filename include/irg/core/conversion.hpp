@@ -21,7 +21,7 @@ inline namespace IRG_ABI {
 /// needs   x within To's range where this is a constant expression
 /// exact   correctly rounded
 template <class To, class From>
-IRG_INLINE constexpr To converted(const From& x) noexcept(noexcept(static_cast<To>(x))) {
+[[nodiscard]] IRG_INLINE constexpr To converted(const From& x) noexcept(noexcept(static_cast<To>(x))) {
   if constexpr (!IRG_HIDES_CONVERSIONS)
     return static_cast<To>(x);
   else if constexpr (std::is_same_v<From, float> && std::is_same_v<To, double>)
@@ -35,7 +35,7 @@ IRG_INLINE constexpr To converted(const From& x) noexcept(noexcept(static_cast<T
 /// x as a double. What rounded x to a float before, in irg or in the caller's code, has happened.
 /// exact   the identity for float and double
 template <class T>
-IRG_INLINE constexpr double widened(const T& x) noexcept(noexcept(static_cast<double>(x))) {
+[[nodiscard]] IRG_INLINE constexpr double widened(const T& x) noexcept(noexcept(static_cast<double>(x))) {
   return converted<double>(x);
 }
 

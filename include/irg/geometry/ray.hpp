@@ -24,20 +24,20 @@ inline namespace IRG_ABI {
 /// The ray from a to b: b is at t = 1, where it ends.
 /// exact   the direction b - a is rounded once
 template <Floating T, int N>
-constexpr ray<T, N> ray_between(const point<T, N>& a, const point<T, N>& b) noexcept {
+[[nodiscard]] constexpr ray<T, N> ray_between(const point<T, N>& a, const point<T, N>& b) noexcept {
   return {a, b - a, T(0), T(1)};
 }
 
 /// The point at t.
 /// exact   product and sum rounded once each
 template <Floating T, int N>
-constexpr point<T, N> point_at(const ray<T, N>& r, std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr point<T, N> point_at(const ray<T, N>& r, std::type_identity_t<T> t) noexcept {
   return r.origin + r.direction * t;
 }
 
 /// Whether the ray has points.
 template <Floating T, int N>
-constexpr bool is_empty(const ray<T, N>& r) noexcept {
+[[nodiscard]] constexpr bool is_empty(const ray<T, N>& r) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)();
   const auto is_number = [](T x) { return (unsigned{-most <= x} & unsigned{x <= most}) != 0; };
   // All is asked at once: branches would cost more.

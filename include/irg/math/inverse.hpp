@@ -27,12 +27,12 @@ inline namespace IRG_ABI {
 /// cost    one division
 template <Floating T, int N>
   requires(N == 2 || N == 3 || N == 4)
-constexpr mat<T, N, N> inverse_fast(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr mat<T, N, N> inverse_fast(const mat<T, N, N>& a) noexcept {
   return detail::inverse_by_cofactors(a, T(0));
 }
 
 template <Floating T, int N>
-constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept;
+[[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept;
 
 }  // namespace IRG_ABI
 
@@ -68,7 +68,7 @@ inline namespace IRG_ABI {
 ///         where that fails and entries differ by more than 2^16, inverse_accurate
 /// source  Higham 2002, ch. 14; Bauer 1963 for the condition
 template <Real T, int N>
-constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
   if constexpr (Floating<T> && N >= 2 && N <= 4) {
     std::optional<mat<T, N, N>> result(std::in_place);
     if (detail::inverse_is_easy(a, *result)) return result;
@@ -88,7 +88,7 @@ constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
 ///         twice the precision; floats are inverted in double
 /// source  Higham 2002, ch. 12; Demmel et al. 2006
 template <Floating T, int N>
-constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
   const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);

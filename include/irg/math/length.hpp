@@ -11,99 +11,11 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/float_bits.hpp>
-#include <irg/math/detail/length_kernel.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/vec.hpp>
-
-namespace irg::detail {
-
-/// The coordinates of a vector times `scale`, a power of two that brings the largest near 1.
-/// shape   scale is 0 for a vector of zeros, NaN when a coordinate is NaN or infinite
-template <int N>
-struct scaled_coordinates {
-  double c[static_cast<std::size_t>(N)]{};
-  double scale = 0;
-};
-
-inline namespace IRG_ABI {
-
-/// A power of two p with 1 <= x*p < 4, or p = 2^1023 for subnormal x.
-/// needs   0 < x < infinity
-IRG_INLINE constexpr double power_of_two_for(double x) noexcept {
-  const std::uint64_t exponent = bits_of(x) >> 52;
-  return from_bits((exponent < 2045 ? 2046 - exponent : std::uint64_t{1}) << 52);
-}
-
-template <Vector V>
-constexpr scaled_coordinates<size_of<V>> scaled(const V& v) noexcept {
-  scaled_coordinates<size_of<V>> s;
-  std::uint64_t largest = 0;  // sizes are ordered as their bits are, with infinity and NaN at the end
-  for (int i = 0; i < size_of<V>; ++i) {
-    s.c[i] = widened(coordinate(v, i));
-    const std::uint64_t size = bits_of(magnitude(s.c[i]));
-    largest = size > largest ? size : largest;
-  }
-  if (largest >= bits_of(infinity<double>)) s.scale = not_a_number<double>;
-  if (largest >= bits_of(infinity<double>) || largest == 0) return s;
-  s.scale = power_of_two_for(from_bits(largest));
-  for (double& c : s.c) c = c * s.scale;
-  return s;
-}
-
-/// The length of the vector of N coordinates c(i).
-template <class T, int N, class C>
-IRG_INLINE constexpr T length_of(const C& c) noexcept {
-  if constexpr (N == 1)
-    return magnitude(c(0));
-  else
-    return [&]<int... I>(std::integer_sequence<int, I...>)
-               IRG_INLINE_LAMBDA { return hypot_of<T>(c(I)...); }(std::make_integer_sequence<int, N>{});
-}
-
-/// The length of scaled coordinates.
-template <class T, int N>
-constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
-  return length_of<double, N>([&](int i) { return s.c[i]; });
-}
-
-template <Vector V>
-IRG_NOINLINE constexpr bool put_direction_of_any_size(const V& v, V& unit) noexcept {
-  const auto s = scaled(v);
-  if (!(s.scale > 0)) return false;
-  const double length = scaled_length<double>(s);
-  unit = generate_coordinates<V>([&](int i) { return s.c[i] / length; });
-  return true;
-}
-
-/// Puts a vector's direction into `unit` and says whether there is one. A float's stands there as zero where there is
-/// none.
-template <Vector V>
-IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
-  requires std::same_as<scalar_of<V>, float>
-{
-  return put_float_direction(v, unit);
-}
-template <Vector V>
-IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
-  requires std::same_as<scalar_of<V>, double>
-{
-  double largest = 0;
-  bool is_number = true;
-  for (int i = 0; i < size_of<V>; ++i) {
-    const double size = magnitude(coordinate(v, i));
-    is_number = is_number && size <= 0x1p500;
-    largest = largest < size ? size : largest;
-  }
-  if (!is_number || !has_moderate_square(largest)) return put_direction_of_any_size(v, unit);
-  const double length = length_of<double, size_of<V>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i); });
-  unit = generate_coordinates<V>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i) / length; });
-  return true;
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+#include <irg/math/detail/length_steps.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -111,7 +23,7 @@ inline namespace IRG_ABI {
 /// The square of the length: the sum of the squares of the coordinates.
 /// exact   each product and each sum rounded once, never fused; overflows and underflows as the squares do
 template <Vector V>
-IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
   return dot(v, v);
 }
 
@@ -121,7 +33,7 @@ IRG_INLINE constexpr scalar_of<V> length_squared(const V& v) noexcept {
 /// cost    that of hypot
 template <Vector V>
   requires Floating<scalar_of<V>>
-IRG_INLINE constexpr scalar_of<V> length(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<V> length(const V& v) noexcept {
   return detail::length_of<scalar_of<V>, size_of<V>>([&](int i) { return coordinate(v, i); });
 }
 
@@ -132,7 +44,7 @@ IRG_INLINE constexpr scalar_of<V> length(const V& v) noexcept {
 ///         whole range
 template <Vector V>
   requires Floating<scalar_of<V>>
-constexpr std::optional<V> try_normalize(const V& v) noexcept {
+[[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
   V unit = v;
   if (!detail::put_direction(v, unit)) return std::nullopt;
   return unit;
@@ -143,7 +55,7 @@ constexpr std::optional<V> try_normalize(const V& v) noexcept {
 /// exact   as try_normalize
 template <Vector V>
   requires Floating<scalar_of<V>>
-IRG_INLINE constexpr V normalized(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept {
   V unit = v;
   const bool has_direction = detail::put_direction(v, unit);
   if constexpr (std::same_as<scalar_of<V>, float>) return unit;
@@ -156,7 +68,7 @@ IRG_INLINE constexpr V normalized(const V& v) noexcept {
 /// exact   error below 1.26 ulp: the squares are rounded, the sum of them is rounded once
 template <Vector V>
   requires Floating<scalar_of<V>>
-IRG_INLINE constexpr scalar_of<V> length_fast(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<V> length_fast(const V& v) noexcept {
   using T = scalar_of<V>;
   T sum = product(coordinate(v, 0), coordinate(v, 0)), error = 0;
   for (int i = 1; i < size_of<V>; ++i) {
@@ -172,7 +84,7 @@ IRG_INLINE constexpr scalar_of<V> length_fast(const V& v) noexcept {
 /// exact   each coordinate below 5 ulp for up to three of them; never fused
 template <Vector V>
   requires Floating<scalar_of<V>>
-IRG_INLINE constexpr V normalized_fast(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr V normalized_fast(const V& v) noexcept {
   using T = scalar_of<V>;
   const T square = dot(v, v);
   const T factor = T(1) / sqrt(square > 0 ? square : T(1));

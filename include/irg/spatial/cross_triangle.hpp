@@ -241,8 +241,9 @@ inline namespace IRG_ABI {
 ///         numbers are beyond 2^250
 /// source  Woop, Benthin and Wald 2013 (the shear); Edelsbrunner and Muecke 1990 (the moved origin)
 template <Floating T>
-constexpr std::optional<ray_crossing> cross_triangle(const ray<T, 3>& r, const point<T, 3>& a, const point<T, 3>& b,
-                                                     const point<T, 3>& c) noexcept {
+[[nodiscard]] constexpr std::optional<ray_crossing> cross_triangle(const ray<T, 3>& r, const point<T, 3>& a,
+                                                                   const point<T, 3>& b,
+                                                                   const point<T, 3>& c) noexcept {
   if (is_empty(r)) return std::nullopt;
   const auto q = detail::make_triangle_ray(detail::exactly_widened(r));
   const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};
