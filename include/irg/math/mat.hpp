@@ -9,8 +9,8 @@
 
 namespace irg {
 
-/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{1, 2}, {3, 4}}` has the rows (1, 2) and (3, 4). More than
-/// four rows, or rows that are an array, stand in one more pair of braces. Numbers that are not given are 0.
+/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{1, 2}, {3, 4}}` has the rows (1, 2) and (3, 4).
+/// shape   more than four rows, and rows that are an array, in one more pair of braces; what is not given is 0
 template <Scalar T, int R, int C>
   requires(R >= 1 && C >= 1)
 struct mat {
