@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
     for (std::size_t k = 0; k < 3; ++k)
       v[k] = irg::to_screen(to_clip * cube.positions[cube.corner(f, k).position], mapping);
     // Seen from outside the corners run counter-clockwise, on the screen too.
-    if (irg::winding_of(v[0].position, v[1].position, v[2].position) != irg::winding::counter_clockwise) continue;
+    if (irg::orientation_of(v[0].position, v[1].position, v[2].position) != irg::orientation::counter_clockwise)
+      continue;
     ++front_faces;
     irg::draw_triangle(picture, depth, v[0], v[1], v[2], irg::solid_shader<char>{static_cast<char>('a' + f)});
   }

@@ -104,25 +104,25 @@ std::string planes_of(const irg::mesh<double>& m) {
   return text;
 }
 
-const char* name_of(irg::point_location where) {
+const char* name_of(irg::location where) {
   switch (where) {
-    case irg::point_location::inside: return "inside";
-    case irg::point_location::boundary: return "boundary";
+    case irg::location::inside: return "inside";
+    case irg::location::boundary: return "boundary";
     default: return "outside";
   }
 }
 
 program::sketch sketch_of(const irg::mesh<double>& m, const std::vector<point>& points,
-                          const std::vector<irg::point_location>& where) {
+                          const std::vector<irg::location>& where) {
   using program::sketch;
   sketch s;
   const auto flat = [](const point& p) { return sketch::place{p.x, p.y}; };
   for (const auto& [a, b] : program::edges_of(m))
     if (flat(m.positions[a]) != flat(m.positions[b])) s.line(flat(m.positions[a]), flat(m.positions[b]), sketch::ink);
   for (std::size_t i = 0; i < points.size(); ++i)
-    s.dot(flat(points[i]), where[i] == irg::point_location::inside     ? sketch::green
-                           : where[i] == irg::point_location::boundary ? sketch::blue
-                                                                       : sketch::red);
+    s.dot(flat(points[i]), where[i] == irg::location::inside     ? sketch::green
+                           : where[i] == irg::location::boundary ? sketch::blue
+                                                                 : sketch::red);
   return s;
 }
 
@@ -132,14 +132,14 @@ void run(program::command_line& line) {
   if (model.face_count() == 0) line.fail("the model has no faces: " + s.model);
   const std::vector<point> points = read_points(line, s);
   const irg::solid_locator locate(model);
-  std::vector<irg::point_location> where;
+  std::vector<irg::location> where;
   where.reserve(points.size());
   for (const point& p : points) where.push_back(locate(p));
   std::string report;
   if (s.list) {
     report = planes_of(model);
   } else {
-    for (const irg::point_location w : where) report += std::string("point: ") + name_of(w) + "\n";
+    for (const irg::location w : where) report += std::string("point: ") + name_of(w) + "\n";
     const bool convex = irg::is_convex_body(model) || irg::is_convex_body(irg::triangulate(model));
     report += std::string("convex: ") + (convex ? "yes\n" : "no\n");
     report += std::string("closed: ") + (irg::is_closed(model) ? "yes\n" : "no\n");

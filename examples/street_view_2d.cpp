@@ -163,8 +163,7 @@ struct view {
 view look(const town& t, const place& from) {
   view v{from};
   for (; v.in_house < t.houses.size(); ++v.in_house)
-    if (irg::point_in_polygon(t.houses[v.in_house], from, irg::fill_rule::non_zero) != irg::point_location::outside)
-      return v;
+    if (irg::point_in_polygon(t.houses[v.in_house], from, irg::fill_rule::non_zero) != irg::location::outside) return v;
   v.corners = irg::visibility_polygon(from, t.border, t.walls).ring;
   return v;
 }

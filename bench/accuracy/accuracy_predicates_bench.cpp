@@ -140,7 +140,7 @@ void locate(study& s, query made) {
       for_each_item("irg", q.points,
                     [&q](const point2& p) {
                       const auto where = irg::point_in_polygon(q.ring, p);
-                      return where == irg::point_location::inside ? 1 : where == irg::point_location::outside ? -1 : 0;
+                      return where == irg::location::inside ? 1 : where == irg::location::outside ? -1 : 0;
                     }),
       for_each_item("crossings in double", q.points, [&q](const point2& p) { return crossings(q.ring, p); })};
 #ifdef IRG_HAVE_CGAL

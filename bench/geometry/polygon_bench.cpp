@@ -154,7 +154,7 @@ void locations() {
     const double x = random.unit() * 2 - 1;
     points.push_back({x, random.unit() * 2 - 1});
   }
-  const auto number = [](irg::point_location l) { return static_cast<int>(l); };
+  const auto number = [](irg::location l) { return static_cast<int>(l); };
   contest(
       "point_in_convex", "1000 edges",
       {add("irg", points, [=, &circle](const P& p) { return number(irg::point_in_convex_polygon_log(circle, p)); }),

@@ -73,7 +73,7 @@ void enter_case(const std::string& name, const body& shape) {
   }
   auto& truth = keep_lazy([&triangles, &points] {
     auto all = std::make_unique<std::vector<bool>>();
-    for (const place& p : points) all->push_back(irg::point_in_solid(triangles, p) == irg::point_location::inside);
+    for (const place& p : points) all->push_back(irg::point_in_solid(triangles, p) == irg::location::inside);
     return all;
   });
   auto& found = keep(std::vector<bool>(static_cast<std::size_t>(count)));
@@ -92,9 +92,9 @@ void enter_case(const std::string& name, const body& shape) {
     enter(what, std::move(c));
   };
   const auto& tree = keep(irg::solid_locator(triangles));
-  add("irg", [&tree](const place& p) { return tree(p) == irg::point_location::inside; });
+  add("irg", [&tree](const place& p) { return tree(p) == irg::location::inside; });
   add("irg:all triangles",
-      [&triangles](const place& p) { return irg::point_in_solid(triangles, p) == irg::point_location::inside; });
+      [&triangles](const place& p) { return irg::point_in_solid(triangles, p) == irg::location::inside; });
 #ifdef IRG_HAVE_CGAL
   auto& mesh = keep(to_surface(irg::merge_positions(triangles)));
   const auto& side = keep(CGAL::Side_of_triangle_mesh<surface, kernel>(mesh));

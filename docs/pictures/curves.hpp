@@ -115,7 +115,8 @@ inline picture fitted() {
     if (!irg::fit_places(std::span<const point2>(points), spacing, places)) return control;
     irg::fit_knots(std::span<const double>(places), 3, count, knots);
     const auto u = *irg::make_bspline_knots(std::span<const double>(knots), 3);
-    irg::bspline_least_squares(u, places, std::span<const point2>(points), irg::fit_ends::through, control);
+    static_cast<void>(
+        irg::bspline_least_squares(u, places, std::span<const point2>(points), irg::fit_ends::through, control));
     for (int k = 0; k <= 240; ++k) line.push_back(*irg::bspline_point(u, control, k / 240., scratch));
     stroke(p, line, 5, colour);
     return control;

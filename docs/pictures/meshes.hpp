@@ -119,7 +119,7 @@ inline picture fitting() {
   };
   for (int i = 0; i < 2; ++i) {
     const space s = seen_from({0.4, 0.35, 1}, {panel * i + 165.0, 158}, 84);
-    if (i) irg::fit_mesh(shape_of_it);
+    if (i) static_cast<void>(irg::fit_mesh(shape_of_it));
     box_edges(s, {-1, -1, -1}, {1, 1, 1}, true, grey);
     for (std::size_t f = 0; f < shape_of_it.face_count(); ++f)
       outline(p, s.at(face_of(shape_of_it, f)), 0.9, with_opacity(blue, 150));

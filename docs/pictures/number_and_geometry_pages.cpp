@@ -23,6 +23,7 @@ void saving::number_and_geometry_pages() {
   save("orient2d", predicate_pictures::turns());
   save("orient3d", predicate_pictures::planes());
   save("in_circle", predicate_pictures::circles());
+  save("exact", predicate_pictures::discs());
   save("polygon_convexity", polygon_pages::convexity());
   save("polygon", polygon_pages::edges());
   save("polygon_orientation", polygon_pages::orientation());

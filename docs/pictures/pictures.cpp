@@ -56,6 +56,7 @@
 #include "space_sight.hpp"
 #include "splines.hpp"
 #include "stages.hpp"
+#include "studio.hpp"
 #include "surfaces.hpp"
 #include "textbook_fill.hpp"
 #include "texts.hpp"
@@ -480,5 +481,6 @@ int main(int argc, char** argv) {
   save("occlusion_mask", occlusion_pictures::mask());
   save("visibility_buffer", occlusion_pictures::ids());
   save("occlusion_culling", occlusion_culling_pictures::seen_from_above());
+  save("studio", studio_pictures::both_views());
   return failures == 0 ? 0 : 1;
 }

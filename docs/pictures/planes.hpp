@@ -35,7 +35,7 @@ inline void discs(picture& p, const oblique_view& view, const std::vector<patch>
       for (const patch& f : patches) {
         const auto m = irg::intersect_plane_line(
             f.whole, irg::parametric_line<double, 3>{view.under({x + 0.5, y + 0.5}), to_viewer});
-        if (m.relation != irg::plane_line_relation::crossing) continue;
+        if (m.relation != irg::flat_relation::crossing) continue;
         const double reach = irg::length(m.at - point3{});
         if (reach > radius) continue;
         const bool rim = reach > radius - 0.025;

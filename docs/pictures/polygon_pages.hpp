@@ -44,7 +44,7 @@ inline picture edges() {
         int against = 0;
         for (std::size_t i = 0; i < polygon.size(); ++i)
           against += irg::line_value(irg::edge_through(polygon[i], irg::ring_vertex(polygon, i + 1)), q) < 0;
-        const bool in = irg::point_in_polygon(polygon, q) == irg::point_location::inside;
+        const bool in = irg::point_in_polygon(polygon, q) == irg::location::inside;
         p(x, y) = in ? against == 0 ? sky : denied : outside[std::min(against, 3)];
       }
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -61,12 +61,10 @@ inline picture edges() {
   return p;
 }
 
-inline irg::rgba8 colour_of(irg::polygon_orientation o) {
-  return o == irg::polygon_orientation::clockwise ? red : o == irg::polygon_orientation::degenerate ? grey : blue;
+inline irg::rgba8 colour_of(irg::orientation o) {
+  return o == irg::orientation::clockwise ? red : o == irg::orientation::degenerate ? grey : blue;
 }
-inline irg::rgba8 tint_of(irg::polygon_orientation o) {
-  return o == irg::polygon_orientation::clockwise ? light_red : light_blue;
-}
+inline irg::rgba8 tint_of(irg::orientation o) { return o == irg::orientation::clockwise ? light_red : light_blue; }
 
 // A clockwise ring, the same after its repair, and a figure of eight whose halves cancel.
 inline picture orientation() {
@@ -143,7 +141,7 @@ inline void search(const board& b) {
   b.line(r[low], r[high], 4, red);
   b.dots(r, 3.5, ink);
   b.dot(query, 6, paper);
-  b.dot(query, 4.5, irg::point_in_convex_polygon_log(r, query) == irg::point_location::inside ? red : grey);
+  b.dot(query, 4.5, irg::point_in_convex_polygon_log(r, query) == irg::location::inside ? red : grey);
 }
 
 // Beside it the answers over a lattice: inside, boundary, outside.
@@ -156,8 +154,7 @@ inline picture convex_search() {
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
       const auto where = irg::point_in_convex_polygon(r, Q{x, y});
-      if (where != irg::point_location::outside)
-        small(x, rows - 1 - y) = where == irg::point_location::inside ? sky : rose;
+      if (where != irg::location::outside) small(x, rows - 1 - y) = where == irg::location::inside ? sky : rose;
     }
   paste(p, enlarged(small, size), 325, 5);
   const board b{p, 325.0 + size / 2.0, 5 + (rows - 0.5) * size, size};

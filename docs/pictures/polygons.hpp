@@ -40,7 +40,7 @@ inline picture rules() {
       for (double x = 0.5; x < 20; x += 0.75) {
         const auto where =
             irg::point_in_polygon(polygon, P{x, y}, k == 0 ? irg::fill_rule::even_odd : irg::fill_rule::non_zero);
-        const bool inside = where == irg::point_location::inside;
+        const bool inside = where == irg::location::inside;
         b.dot({x, y}, inside ? 3.5 : 2, inside ? blue : pale);
       }
     for (const ring& r : polygon) b.outline(r, 1.5, ink);

@@ -95,7 +95,7 @@ inline picture newell() {
   b.outline(seen(feet), 1, blue);
   b.outline(seen(polygon), 2.5, ink);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const bool above = irg::side_of(plane, polygon[i]) == irg::plane_side::above;
+    const bool above = irg::side_of(plane, polygon[i]) == irg::side::above;
     b.line(seen(polygon[i]), seen(feet[i]), 2, above ? blue : red);
     b.dot(seen(polygon[i]), 5, above ? blue : red);
     const auto corner =

@@ -64,7 +64,7 @@ picture drawn(const irg::cell_plan<double>& plan, const ColourOf& colour_of) {
     for (int x = 0; x < p.width(); ++x) {
       const auto at = place_of(x, y, p.height());
       for (std::uint32_t c = 0; c < plan.cells.size(); ++c)
-        if (irg::point_in_convex_polygon(plan.cells[c].corners, at) == irg::point_location::inside)
+        if (irg::point_in_convex_polygon(plan.cells[c].corners, at) == irg::location::inside)
           p(x, y) = colour_of(c, at);
     }
   return p;

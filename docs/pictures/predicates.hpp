@@ -5,6 +5,7 @@
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
+#include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 
 #include "enlarged.hpp"
@@ -65,6 +66,16 @@ inline picture circles() {
                product(cs, product(ax, by) - product(ay, bx));
       },
       [&](double x, double y) { return static_cast<double>(irg::in_circle(a, b, c, P{x, y})); });
+}
+
+// Inside or outside of a circle by its centre and the square of its radius, near the point (0.5, 0.5) on it.
+inline picture discs() {
+  const auto power = [](const auto& p, const auto& centre, const auto& square) {
+    return dot(p - centre, p - centre) - square;
+  };
+  return side_by_side(
+      -128, 1, [](double x, double y) { return product(x - 12, x - 12) + product(y - 12, y - 12) - 264.5; },
+      [&](double x, double y) { return static_cast<double>(irg::sign_of<2>(power, P{x, y}, P{12, 12}, 264.5)); });
 }
 
 }  // namespace predicate_pictures

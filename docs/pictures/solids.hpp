@@ -36,8 +36,8 @@ inline picture locations() {
   const irg::solid_locator where(prism);
   dots(p, 0, {1.5, 1.5}, 72, [&](const point2& q) {
     switch (where({q.x, q.y, 0.5})) {
-      case irg::point_location::inside: return irg::rgba8{78, 148, 96, 255};
-      case irg::point_location::boundary: return irg::rgba8{60, 116, 176, 255};
+      case irg::location::inside: return irg::rgba8{78, 148, 96, 255};
+      case irg::location::boundary: return irg::rgba8{60, 116, 176, 255};
       default: return irg::rgba8{230, 206, 198, 255};
     }
   });

@@ -103,7 +103,7 @@ inline picture other_knots() {
     if (k == 0) {
       std::array<double, 13> merged{};
       std::array<P, 9> refined{};
-      irg::insert_knots(u, more, merged);
+      static_cast<void>(irg::insert_knots(u, more, merged));
       irg::bspline_refine(u, points, irg::bspline_knots<double, 3>(merged), refined, scratch);
       polygon(refined, colours[0]);
     } else if (k == 1) {

@@ -107,8 +107,8 @@ inline picture locations() {
     for (int y = 1; y < height; ++y)
       for (int x = 1; x < columns; ++x) {
         const auto where = irg::locate_point(rings[k], P{x, y});
-        const bool on = where == irg::point_location::boundary;
-        dot(p, place({x, y}), on ? 4 : 3, on ? red : where == irg::point_location::inside ? blue : pale);
+        const bool on = where == irg::location::boundary;
+        dot(p, place({x, y}), on ? 4 : 3, on ? red : where == irg::location::inside ? blue : pale);
       }
   }
   return p;

@@ -19,14 +19,17 @@
 #include <irg/core/lane_memory.hpp>
 #include <irg/core/lane_shuffles.hpp>
 #include <irg/core/lanes.hpp>
+#include <irg/core/location.hpp>
 #include <irg/core/memory_access.hpp>
 #include <irg/core/mesh_concept.hpp>
+#include <irg/core/orientation.hpp>
 #include <irg/core/pack.hpp>
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/raster_concept.hpp>
 #include <irg/core/result.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/core/scalar.hpp>
+#include <irg/core/side.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/core/triangle_indices.hpp>
 #include <irg/core/wide_lanes.hpp>

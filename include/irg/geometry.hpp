@@ -21,6 +21,7 @@
 #include <irg/geometry/distance.hpp>
 #include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/exact_point.hpp>
+#include <irg/geometry/flat_relation.hpp>
 #include <irg/geometry/flat_ring.hpp>
 #include <irg/geometry/in_circle.hpp>
 #include <irg/geometry/intersect_lines.hpp>
@@ -55,7 +56,6 @@
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/geometry/side_of_meeting.hpp>
 #include <irg/geometry/side_of_polygon.hpp>
-#include <irg/geometry/sign_of.hpp>
 #include <irg/geometry/simulation_of_simplicity.hpp>
 #include <irg/geometry/smallest_sphere.hpp>
 #include <irg/geometry/sphere.hpp>

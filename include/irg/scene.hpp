@@ -5,3 +5,4 @@
 #include <irg/scene/camera.hpp>
 #include <irg/scene/room_mesh.hpp>
 #include <irg/scene/scene.hpp>
+#include <irg/scene/stored_body.hpp>

@@ -5,8 +5,9 @@
 
 namespace {
 
-TEST_CASE("facing: options left out mean fronts, and backs left out") {
-  CHECK_BOTH(irg::facing{} == irg::facing::front);
+TEST_CASE("facing: the values are signs, and culling left out means backs") {
+  CHECK_BOTH((static_cast<irg::facing>(-1) == irg::facing::back && static_cast<irg::facing>(1) == irg::facing::front));
+  CHECK_BOTH(irg::facing{} == irg::facing::edge_on);
   CHECK_BOTH(irg::face_culling{} == irg::face_culling::back);
 }
 

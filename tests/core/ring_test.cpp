@@ -40,6 +40,11 @@ static_assert(irg::PolygonRing<std::vector<irg::hpoint<float, 3>>> &&
 static_assert(irg::PolygonRing<archetype::ring<archetype::point<archetype::scalar, 2>, 3>>);
 static_assert(irg::PolygonRing<archetype::ring<archetype::homogeneous_point<archetype::scalar, 4>, 3>>);
 
+static_assert(irg::PlaneRing<point2[4]> && !irg::SpaceRing<point2[4]> && irg::RingOf<point2[4], 2>);
+static_assert(irg::SpaceRing<std::vector<irg::point<float, 3>>> && !irg::PlaneRing<std::vector<irg::hpoint<int, 2>>>);
+static_assert(irg::RingSequence<std::vector<std::vector<point2>>> && irg::RingSequence<point2[2][4]>);
+static_assert(!irg::RingSequence<std::vector<point2>> && !irg::RingSequence<point2[4]>);
+static_assert(std::same_as<irg::ring_in<point2[2][4]>, point2[4]> && std::same_as<irg::ring_scalar<point2[4]>, int>);
 static_assert(!irg::PolygonRing<std::vector<irg::vec<int, 2>>>);  // displacements are no positions
 static_assert(!irg::PolygonRing<std::vector<float>> && !irg::PolygonRing<std::array<float, 4>> &&
               !irg::PolygonRing<std::string>);

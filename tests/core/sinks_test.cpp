@@ -26,6 +26,8 @@ struct counter {
   constexpr void operator()(irg::cell) { ++n; }
 };
 
+static_assert(irg::cell_window{}.empty() && !irg::cell_window{2, 3, 3, 4}.empty() &&
+              irg::cell_window{5, 0, 4, 9}.empty());
 static_assert(irg::cell{} == irg::cell{0, 0} && irg::span_of_cells{} == irg::span_of_cells{0, 0, 0});
 static_assert(irg::coverage_span{}.y == 0 && irg::coverage_span{}.x_first == 0 && irg::coverage_span{}.x_last == 0 &&
               irg::coverage_span{}.coverage == nullptr);

@@ -17,11 +17,13 @@ using P = irg::point<double, 2>;
 using M = irg::curve_meeting<double>;
 using enum irg::meetings_found;
 
+using meetings_result = irg::checked<std::size_t, irg::meetings_found>;
+
 constexpr std::array<P, 3> arch{P{0, 0}, P{1, 2}, P{2, 0}}, bowl{P{0, 1}, P{1, -1}, P{2, 1}};
 
 struct outcome {
   std::array<M, 8> room{};
-  irg::meetings_result result{};
+  meetings_result result{};
 };
 constexpr outcome of_arch_and_bowl(double tolerance) {
   outcome all;
@@ -30,8 +32,8 @@ constexpr outcome of_arch_and_bowl(double tolerance) {
   return all;
 }
 
-irg::meetings_result meetings(const std::vector<P>& a, const std::vector<P>& b, const irg::meeting_search<double>& how,
-                              std::vector<M>& room) {
+meetings_result meetings(const std::vector<P>& a, const std::vector<P>& b, const irg::meeting_search<double>& how,
+                         std::vector<M>& room) {
   std::vector<P> scratch(3 * (a.size() + b.size()));
   return irg::bezier_meetings(a, b, how, std::span<M>(room), std::span<P>(scratch));
 }
@@ -40,9 +42,9 @@ irg::meetings_result meetings(const std::vector<P>& a, const std::vector<P>& b, 
 
 TEST_CASE("bezier_meetings: two parabolas meet twice") {
   constexpr auto coarse = of_arch_and_bowl(0.01);
-  CHECK_BOTH(coarse.result == irg::meetings_result{2, within_tolerance});
+  CHECK_BOTH(coarse.result == meetings_result{2, within_tolerance});
   const auto fine = of_arch_and_bowl(1e-8);
-  REQUIRE(fine.result == irg::meetings_result{2, within_tolerance});
+  REQUIRE(fine.result == meetings_result{2, within_tolerance});
   // 4 t (1 - t) = 1 - 4 t (1 - t): t (1 - t) = 1/8
   const double low = (1 - std::sqrt(0.5)) / 2;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -57,33 +59,33 @@ TEST_CASE("bezier_meetings: two parabolas meet twice") {
 TEST_CASE("bezier_meetings: apart, touching, coincident, points, huge, not finite, no room") {
   std::vector<M> room(16);
   const std::vector<P> a{{0, 0}, {1, 2}, {2, 0}}, above{{0, 1.5}, {2, 1.5}}, tangent{{0, 1}, {2, 1}}, one{{1, 1}};
-  CHECK(meetings(a, above, {}, room) == irg::meetings_result{0, within_tolerance});
+  CHECK(meetings(a, above, {}, room) == meetings_result{0, within_tolerance});
   const auto touching = meetings(a, tangent, {1e-6}, room);
-  CHECK(touching == irg::meetings_result{1, within_tolerance});
+  CHECK(touching == meetings_result{1, within_tolerance});
   CHECK(std::abs(room[0].first_middle() - 0.5) < 1e-3);
   const auto same = meetings(a, a, {1e-9}, room);
-  CHECK(same.count >= 1);
-  CHECK(same.found != within_tolerance);
+  CHECK(same.value >= 1);
+  CHECK(same.status != within_tolerance);
   for (int k = 0; k <= 64; ++k)
-    CHECK(std::any_of(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(same.count), [&](const M& m) {
+    CHECK(std::any_of(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(same.value), [&](const M& m) {
       return m.first_from <= k / 64.0 && k / 64.0 <= m.first_to && m.second_from <= k / 64.0 && k / 64.0 <= m.second_to;
     }));
-  CHECK(meetings(a, one, {1e-8}, room) == irg::meetings_result{1, within_tolerance});
+  CHECK(meetings(a, one, {1e-8}, room) == meetings_result{1, within_tolerance});
   const std::vector<P> brief{{1e-7 / 2, -1e-7}, {1e-7 / 2, 3e-7}};  // beside a curve ten million times as long
-  CHECK(meetings(a, brief, {1e-8}, room) == irg::meetings_result{1, within_tolerance});
+  CHECK(meetings(a, brief, {1e-8}, room) == meetings_result{1, within_tolerance});
   CHECK(std::abs(room[0].first_middle() - 2.5e-8) < 1e-8);
-  CHECK(meetings(one, one, {1e-9}, room).count == 1);
-  CHECK(meetings(one, {{1, 2}}, {}, room).count == 0);
+  CHECK(meetings(one, one, {1e-9}, room).value == 1);
+  CHECK(meetings(one, {{1, 2}}, {}, room).value == 0);
   const std::vector<P> up{{-1e308, -1e308}, {1e308, 1e308}}, down{{-1e308, 1e308}, {1e308, -1e308}};
-  CHECK(meetings(up, down, {1e300}, room) == irg::meetings_result{1, within_tolerance});
+  CHECK(meetings(up, down, {1e300}, room) == meetings_result{1, within_tolerance});
   const double inf = std::numeric_limits<double>::infinity(), no_number = std::numeric_limits<double>::quiet_NaN();
-  CHECK(meetings(a, {{0, no_number}, {1, 1}}, {0, 1000}, room).found != within_tolerance);
-  CHECK(meetings(a, {{0, inf}, {1, 1}}, {0, 1000}, room).found != within_tolerance);
+  CHECK(meetings(a, {{0, no_number}, {1, 1}}, {0, 1000}, room).status != within_tolerance);
+  CHECK(meetings(a, {{0, inf}, {1, 1}}, {0, 1000}, room).status != within_tolerance);
   std::vector<M> little(1);
   CHECK(meetings({arch.begin(), arch.end()}, {bowl.begin(), bowl.end()}, {1e-6}, little) ==
-        irg::meetings_result{1, too_many});
+        meetings_result{1, too_many});
   CHECK((little[0].first_from < 0.15 && little[0].first_to > 0.85));
-  CHECK(meetings(a, a, {0, 1}, room) == irg::meetings_result{1, wide});
+  CHECK(meetings(a, a, {0, 1}, room) == meetings_result{1, wide});
   CHECK(room[0] == M{0, 1, 0, 1});
 }
 
@@ -111,12 +113,12 @@ TEST_CASE("bezier_meetings: no common point is missed, and each meeting is as na
     const double tolerance = size * 0x1p-20;
     const auto result = meetings(a, b, {tolerance}, room);
     ++meant;
-    missed += std::none_of(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(result.count), [&](const M& m) {
+    missed += std::none_of(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(result.value), [&](const M& m) {
       return m.first_from <= s && s <= m.first_to && m.second_from <= t && t <= m.second_to;
     });
-    if (result.found != within_tolerance) continue;
+    if (result.status != within_tolerance) continue;
     ++within;
-    for (std::size_t k = 0; k < result.count; ++k) {
+    for (std::size_t k = 0; k < result.value; ++k) {
       const P p = irg::bezier_point(a, room[k].first_middle(), std::span<P>(work));
       const P q = irg::bezier_point(b, room[k].second_middle(), std::span<P>(work));
       // Pieces that touch were joined: a hundred of them at most where curves cross at a slant.

@@ -30,7 +30,7 @@ constexpr std::array<P, 7> refined_hill() {
   std::array<double, 10> merged{};
   std::array<double, 3> scratch{};
   std::array<P, 7> result{};
-  irg::insert_knots(knots, std::array<double, 2>{0.5, 1}, merged);
+  static_cast<void>(irg::insert_knots(knots, std::array<double, 2>{0.5, 1}, merged));
   irg::bspline_refine(knots, hill, irg::bspline_knots<double, 2>(merged), result, scratch);
   return result;
 }

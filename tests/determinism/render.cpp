@@ -3,12 +3,14 @@
 #include <irg/render/render.hpp>
 
 #include <bit>
+#include <initializer_list>
 
 #include <irg/io/obj.hpp>
 #include <irg/io/png.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/image.hpp>
+#include <irg/render/studio_picture.hpp>
 
 #include "hashes.hpp"
 
@@ -112,5 +114,35 @@ constexpr std::uint64_t io_obj_and_png(int rounds) {
   return h.value();
 }
 HASHED(io_obj_and_png, 1, 60);
+
+constexpr std::uint64_t studio_views(int rounds) {
+  determinism::hasher h;
+  irg::studio<double> s;
+  irg::mesh<double> m;
+  m.positions = {{-2, -2, 0}, {3, -1, 0}, {0, 3, 1}, {1, 1, 2}};
+  irg::add_face(m, std::initializer_list<int>{0, 1, 2});
+  irg::add_face(m, std::initializer_list<int>{0, 2, 3});
+  (void)irg::apply_event(s, irg::load_body<double>{irg::store_body("a", m)});
+  (void)irg::apply_event(s, irg::load_body<double>{irg::store_body("a", m)});
+  (void)irg::apply_event(s, irg::show_part{{}, irg::studio_part::edges, irg::display::shown});
+  (void)irg::apply_event(s, irg::set_opacity<double>{"a(2)", 0.5});
+  for (int i = 0; i < rounds; ++i) {
+    const auto shading = static_cast<irg::studio_shading>(i % 4);
+    const auto kind = static_cast<irg::projection_kind>(i % 3);
+    (void)irg::apply_event(s, irg::shade_body{{}, shading});
+    (void)irg::apply_event(s, irg::add_transformation<double>{
+                                  "a(2)", static_cast<irg::studio_stage>(i % 2), {irg::studio_map::rotate_z, {17}}});
+    (void)irg::apply_event(s, irg::orbit_camera<double>{irg::studio_view::main, 10.0 * i, 3, 0.98});
+    (void)irg::apply_event(s, irg::set_projection<double>{irg::studio_view::main, kind, 30, 0.5});
+    const int size = rounds < 3 ? 8 : 48;
+    irg::image<irg::rgba8> colour(2 * size, size);
+    irg::studio_memory<double> memory;
+    irg::draw_studio_view(colour.view(), s, irg::studio_view::main, memory);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < 2 * size; ++x) h.add(colour(x, y));
+  }
+  return h.value();
+}
+HASHED(studio_views, 1, 12);
 
 }  // namespace

@@ -18,7 +18,7 @@ using I = irg::point<int, 3>;
 TEST_CASE("flat_ring: counter-clockwise where the normal points forward along the axis") {
   static constexpr std::array<I, 3> tilted{I{7, 0, 0}, I{0, 7, 0}, I{0, 0, 7}};  // normal (1, 1, 1)
   for (int axis = 0; axis < 3; ++axis)
-    CHECK(irg::orientation_of(irg::flat_ring(tilted, axis)) == irg::polygon_orientation::counter_clockwise);
+    CHECK(irg::orientation_of(irg::flat_ring(tilted, axis)) == irg::orientation::counter_clockwise);
   CHECK_BOTH(irg::flat_ring(tilted, 0)[1] == irg::point<int, 2>{7, 0});
   CHECK_BOTH(irg::flat_ring(tilted, 1)[2] == irg::point<int, 2>{7, 0});
   CHECK_BOTH(irg::flat_ring(tilted, 2)[0] == irg::point<int, 2>{7, 0});

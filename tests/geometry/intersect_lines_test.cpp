@@ -8,8 +8,8 @@
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
+using irg::flat_relation;
 using irg::intersect_lines;
-using irg::line_relation;
 using irg::parametric_line;
 using irg::point;
 using test::rational;
@@ -26,7 +26,7 @@ constexpr rational half(1, 2);
 template <class P>
 constexpr bool crosses(const irg::lines_meeting<P>& m, const P& at, const irg::scalar_of<P>& t,
                        const irg::scalar_of<P>& s) {
-  return m.relation == line_relation::crossing && m.at == at && m.t == t && m.s == s;
+  return m.relation == flat_relation::crossing && m.at == at && m.t == t && m.s == s;
 }
 
 // Hank's six pairs of lines.
@@ -35,8 +35,8 @@ constexpr std::array<P, 4> pairs[6] = {
     {P{0, 0, 0}, P{2, 2, 2}, P{2, 0, 0}, P{0, 2, 2}}, {P{0, 0, 0}, P{1, 0, 0}, P{0, 1, 1}, P{0, 1, 2}},
     {P{0, 0, 0}, P{0, 1, 1}, P{0, 0, 1}, P{0, 1, 0}}, {P{0, 0, 0}, P{1, 1, 0}, P{0, 0, 1}, P{1, 1, 1}},
     {P{0, 0, 0}, P{1, 1, 1}, P{2, 2, 2}, P{3, 3, 3}}, {P{0, 0, 0}, P{1, 1, 1}, P{3, 0, 3}, P{0, 3, 3}}};
-constexpr line_relation relations[6] = {line_relation::crossing, line_relation::skew,       line_relation::crossing,
-                                        line_relation::parallel, line_relation::coincident, line_relation::skew};
+constexpr flat_relation relations[6] = {flat_relation::crossing, flat_relation::skew,       flat_relation::crossing,
+                                        flat_relation::parallel, flat_relation::coincident, flat_relation::skew};
 
 template <class P>
 constexpr auto meeting(const std::array<P, 4>& p) {
@@ -56,9 +56,9 @@ static_assert([] {
   using P = irg::point<int, 2>;
   constexpr int most = 2147483647;
   const auto m = irg::intersect_lines(P{0, 0}, P{3, 3}, P{0, 1}, P{1, 0});
-  return m.relation == irg::line_relation::crossing && m.at == irg::point<double, 2>{0.5, 0.5} &&
+  return m.relation == irg::flat_relation::crossing && m.at == irg::point<double, 2>{0.5, 0.5} &&
          irg::intersect_lines(P{-most, -most}, P{most, most - 1}, P{-most, -most + 1}, P{most, most}).relation ==
-             irg::line_relation::parallel;
+             irg::flat_relation::parallel;
 }());
 
 TEST_CASE("intersect_lines: Hank's values") {
@@ -72,22 +72,22 @@ TEST_CASE("intersect_lines: Hank's values") {
 
 TEST_CASE("intersect_lines: the plane") {
   CHECK_BOTH(crosses(intersect_lines(P2{0, 0}, P2{1, 1}, P2{4, 0}, P2{0, 4}), {2, 2}, 2, 0.5));
-  CHECK_BOTH(intersect_lines(P2{0, 0}, P2{1, 1}, P2{1, 0}, P2{3, 2}).relation == line_relation::parallel);
-  CHECK_BOTH(intersect_lines(P2{0, 0}, P2{1, 1}, P2{7, 7}, P2{3, 3}).relation == line_relation::coincident);
+  CHECK_BOTH(intersect_lines(P2{0, 0}, P2{1, 1}, P2{1, 0}, P2{3, 2}).relation == flat_relation::parallel);
+  CHECK_BOTH(intersect_lines(P2{0, 0}, P2{1, 1}, P2{7, 7}, P2{3, 3}).relation == flat_relation::coincident);
   CHECK_BOTH(crosses(intersect_lines(parametric_line<double, 2>{{0, 0}, {2, 0}}, {{1, 3}, {0, -1}}), {1, 0}, 0.5, 3));
   CHECK_BOTH(crosses(intersect_lines(parametric_line<rational, 3>{{0, 0, 1}, {2, 0, 0}}, {{1, 3, 1}, {0, -1, 0}}),
                      {1, 0, 1}, half, 3));
 }
 
 TEST_CASE("intersect_lines: bad input and the ends of the range") {
-  CHECK_BOTH(intersect_lines(P2{1, 1}, P2{1, 1}, P2{0, 0}, P2{2, 2}).relation == line_relation::none);
-  CHECK_BOTH(intersect_lines(P3{1, 1, 1}, P3{0, 0, 0}, P3{2, 0, 0}, P3{2, 0, 0}).relation == line_relation::none);
-  CHECK_BOTH(intersect_lines(P2{undefined_number, 1}, P2{1, 2}, P2{0, 0}, P2{2, 2}).relation == line_relation::none);
+  CHECK_BOTH(intersect_lines(P2{1, 1}, P2{1, 1}, P2{0, 0}, P2{2, 2}).relation == flat_relation::none);
+  CHECK_BOTH(intersect_lines(P3{1, 1, 1}, P3{0, 0, 0}, P3{2, 0, 0}, P3{2, 0, 0}).relation == flat_relation::none);
+  CHECK_BOTH(intersect_lines(P2{undefined_number, 1}, P2{1, 2}, P2{0, 0}, P2{2, 2}).relation == flat_relation::none);
   CHECK_BOTH(
       intersect_lines(P2{0, 1}, P2{1, 2}, P2{0, 0}, P2{huge * 1, std::numeric_limits<double>::infinity()}).relation ==
-      line_relation::none);
+      flat_relation::none);
   CHECK_BOTH(intersect_lines(parametric_line<double, 3>{{0, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}).relation ==
-             line_relation::none);
+             flat_relation::none);
   CHECK_BOTH(
       crosses(intersect_lines(P2{-huge, -huge}, P2{huge, huge}, P2{-huge, huge}, P2{huge, -huge}), {0, 0}, 0.5, 0.5));
   CHECK_BOTH(
@@ -115,7 +115,7 @@ EV<N> exactly(const point<T, N>& p) {
 // An oracle by elimination: unknowns t and s of a + t u = c + s v, one equation per coordinate.
 template <int N>
 struct oracle {
-  line_relation relation = line_relation::none;
+  flat_relation relation = flat_relation::none;
   E t, s;
   EV<N> at;
   oracle(EV<N> a, EV<N> b, EV<N> c, EV<N> d) {
@@ -138,10 +138,10 @@ struct oracle {
     for (int row = rank; row < N; ++row) solvable = solvable && m[row][2].sign() == 0;
     if (a == b || c == d) return;
     if (rank < 2) {
-      relation = solvable ? line_relation::coincident : line_relation::parallel;
+      relation = solvable ? flat_relation::coincident : flat_relation::parallel;
       return;
     }
-    relation = solvable ? line_relation::crossing : line_relation::skew;
+    relation = solvable ? flat_relation::crossing : flat_relation::skew;
     if (!solvable) return;
     t = m[0][2] / m[0][0], s = m[1][2] / m[1][1];
     for (std::size_t i = 0; i < a.size(); ++i) at[i] = a[i] + t * (b[i] - a[i]);
@@ -158,7 +158,7 @@ void compare(const point<T, N> (&p)[4], tally& sum) {
   const auto got = intersect_lines(p[0], p[1], p[2], p[3]);
   const oracle<N> want(exactly(p[0]), exactly(p[1]), exactly(p[2]), exactly(p[3]));
   if (got.relation != want.relation) ++sum.wrong;
-  if (want.relation != line_relation::crossing) {
+  if (want.relation != flat_relation::crossing) {
     ++sum.others;
     return;
   }

@@ -10,11 +10,11 @@
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
+using irg::flat_relation;
 using irg::intersect_plane_line;
 using irg::parametric_line;
 using irg::parametric_plane;
 using irg::plane;
-using irg::plane_line_relation;
 using irg::point;
 using test::rational;
 
@@ -22,8 +22,8 @@ namespace {
 
 using P = point<double, 3>;
 using Q = point<rational, 3>;
-constexpr auto none = plane_line_relation::none, crossing = plane_line_relation::crossing,
-               parallel = plane_line_relation::parallel, contained = plane_line_relation::contained;
+constexpr auto none = flat_relation::none, crossing = flat_relation::crossing, parallel = flat_relation::parallel,
+               contained = flat_relation::coincident;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double huge = (std::numeric_limits<double>::max)();
 
@@ -93,7 +93,7 @@ void compare(const irg::plane_line_meeting<P>& got, const E (&n)[3], const E& d,
   E height_a = d, height_b = d;
   for (int k = 0; k < 3; ++k) height_a = height_a + n[k] * E(a[k]), height_b = height_b + n[k] * E(b[k]);
   const bool no_plane = n[0].sign() == 0 && n[1].sign() == 0 && n[2].sign() == 0;
-  plane_line_relation want = crossing;
+  flat_relation want = crossing;
   if (height_a == height_b) want = height_a.sign() == 0 ? contained : parallel;
   if (no_plane || a == b) want = none;
   sum.wrong += got.relation != want;

@@ -7,10 +7,10 @@
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
+using irg::flat_relation;
 using irg::intersect_planes;
 using irg::parametric_line;
 using irg::plane;
-using irg::planes_relation;
 using irg::point;
 using irg::three_planes_relation;
 using test::rational;
@@ -20,8 +20,8 @@ namespace {
 using P = point<double, 3>;
 using L = plane<double>;
 using Q = point<rational, 3>;
-constexpr auto none = planes_relation::none, crossing = planes_relation::crossing, parallel = planes_relation::parallel,
-               coincident = planes_relation::coincident;
+constexpr auto none = flat_relation::none, crossing = flat_relation::crossing, parallel = flat_relation::parallel,
+               coincident = flat_relation::coincident;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double huge = (std::numeric_limits<double>::max)();
 

@@ -466,7 +466,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: planes", T, double, float) {
                              : want[3].sign() != 0 ? inversion_outcome::plane
                              : collinear           ? inversion_outcome::collinear
                                                    : inversion_outcome::through_origin;
-        if (inverted.outcome != outcome) return wrong;
+        if (inverted.status != outcome) return wrong;
         double worst = off(plane_through(p, q, s), want);
         if (outcome != inversion_outcome::plane) return worst;
         const T got[3] = {inverted.value.a, inverted.value.b, inverted.value.c};
@@ -845,8 +845,8 @@ TEST_CASE_TEMPLATE("mixed magnitudes: intersections", T, double, float) {
         // s1 u + s2 v - t w = a - o
         const std::array<std::array<E, 3>, 3> rows{{{u[0], v[0], w[0]}, {u[1], v[1], w[1]}, {u[2], v[2], w[2]}}};
         const E whole = determinant(rows[0], rows[1], rows[2]);
-        using irg::plane_line_relation;
-        if ((got.relation == plane_line_relation::crossing) != (whole.sign() != 0)) return wrong;
+        using irg::flat_relation;
+        if ((got.relation == flat_relation::crossing) != (whole.sign() != 0)) return wrong;
         if (whole.sign() == 0) return 0.0;
         const E t = -replaced(rows, a - o, 2);
         const double first = quotient_error(got.s1, replaced(rows, a - o, 0), whole);
@@ -865,7 +865,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: intersections", T, double, float) {
         const auto e = rationals(c);
         const std::array<E, 3> n{e[0], e[1], e[2]}, m{e[4], e[5], e[6]}, u = minors(n, m);
         const auto got = intersect_planes(irg::plane<T>{c[0], c[1], c[2], c[3]}, irg::plane<T>{c[4], c[5], c[6], c[7]});
-        if ((got.relation == irg::planes_relation::crossing) != !all_zero(u)) return wrong;
+        if ((got.relation == irg::flat_relation::crossing) != !all_zero(u)) return wrong;
         if (all_zero(u)) return 0.0;
         const auto& along = got.line.direction;
         double worst = error_together<T, 3>({along.x, along.y, along.z}, u, 3);
@@ -889,7 +889,7 @@ TEST_CASE_TEMPLATE("mixed magnitudes: intersections", T, double, float) {
         const auto n = minors(e[0], e[1]);
         const bool exist = !all_zero(n) && !all_zero(minors(e[3], e[4]));
         const bool crossing = exist && !(dot(n, e[3]).sign() == 0 && dot(n, e[4]).sign() == 0);
-        if ((got.relation == irg::planes_relation::crossing) != crossing) return wrong;
+        if ((got.relation == irg::flat_relation::crossing) != crossing) return wrong;
         if (!crossing) return 0.0;
         const bool hold_s4 = dot(n, e[3]).sign() != 0;
         const place<3>&along = e[hold_s4 ? 3 : 4], &held = e[hold_s4 ? 4 : 3];

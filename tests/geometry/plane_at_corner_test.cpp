@@ -80,7 +80,7 @@ TEST_CASE("plane_at_corner: Newell's side, whatever the shape, the direction and
       const auto p = plane_at_corner(turned);
       REQUIRE(p);
       CHECK(agree(*p, *newell));
-      for (const I& q : ring) CHECK(irg::side_of(*p, q) == irg::plane_side::on);
+      for (const I& q : ring) CHECK(irg::side_of(*p, q) == irg::side::on);
       const auto any = irg::plane_through(turned[0], turned[1], turned[2]);
       reflex += any && !agree(*any, *newell) ? 1 : 0;
     }

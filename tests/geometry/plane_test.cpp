@@ -14,10 +14,10 @@
 using irg::hpoint;
 using irg::newell_plane;
 using irg::plane;
-using irg::plane_side;
 using irg::plane_through;
 using irg::plane_value;
 using irg::point;
+using irg::side;
 using irg::side_of;
 using irg::vec;
 using test::rational;
@@ -53,11 +53,11 @@ TEST_CASE("plane: by hand, and one result in every life") {
   constexpr plane<double> xy{0, 0, 1, -4};
   CHECK_BOTH(plane_value(xy, point<double, 3>{7, 8, 9}) == 5);
   CHECK_BOTH(plane_value(xy, hpoint<double, 3>{7, 8, 9, 2}) == 1);
-  CHECK_BOTH(side_of(xy, point<double, 3>{0, 0, 9}) == plane_side::above);
-  CHECK_BOTH(side_of(xy, point<double, 3>{0, 0, 3}) == plane_side::below);
-  CHECK_BOTH(side_of(xy, hpoint<double, 3>{1, 1, 8, 2}) == plane_side::on);
+  CHECK_BOTH(side_of(xy, point<double, 3>{0, 0, 9}) == side::above);
+  CHECK_BOTH(side_of(xy, point<double, 3>{0, 0, 3}) == side::below);
+  CHECK_BOTH(side_of(xy, hpoint<double, 3>{1, 1, 8, 2}) == side::on);
   CHECK_BOTH(irg::normal_of(xy) == vec<double, 3>{0, 0, 1});
-  CHECK_BOTH(side_of(std::array<double, 4>{0, 0, 1, -4}, std::array<double, 3>{0, 0, 9}) == plane_side::above);
+  CHECK_BOTH(side_of(std::array<double, 4>{0, 0, 1, -4}, std::array<double, 3>{0, 0, 9}) == side::above);
 
   constexpr auto p = plane_through(point<double, 3>{0.1, 0.2, 0.3}, {1.7, 0.4, -0.9}, {0.3, 2.1, 0.8});
   volatile double one = 1;
@@ -80,7 +80,7 @@ TEST_CASE("plane: the course's values") {
   CHECK_BOTH(!plane_through(P{0, 0, 0}, P{1, 1, 1}, P{2, 2, 2}));
   CHECK_BOTH(plane_value(L{6, 3, 2, -6}, P{1, 1, 1}) == rational(5));
   CHECK_BOTH(plane_value(L{6, 3, 2, -6}, P{0, 0, 0}) == rational(-6));
-  CHECK_BOTH(side_of(L{6, 3, 2, -6}, P{rational(1, 2), rational(1, 2), rational(3, 4)}) == plane_side::on);
+  CHECK_BOTH(side_of(L{6, 3, 2, -6}, P{rational(1, 2), rational(1, 2), rational(3, 4)}) == side::on);
 }
 
 TEST_CASE("plane: agrees with the formula as printed; Newell's sum agrees with a fan of triangles") {
@@ -94,7 +94,7 @@ TEST_CASE("plane: agrees with the formula as printed; Newell's sum agrees with a
     CHECK(through.has_value() == !collinear);
     if (through) {
       CHECK(*through == printed);
-      for (int k = 0; k < 3; ++k) CHECK(side_of(*through, ring[static_cast<std::size_t>(k)]) == plane_side::on);
+      for (int k = 0; k < 3; ++k) CHECK(side_of(*through, ring[static_cast<std::size_t>(k)]) == side::on);
     }
     L fan{};
     for (std::size_t k = 2; k < ring.size(); ++k) {
@@ -151,5 +151,5 @@ TEST_CASE("plane: degenerate and hostile") {
              plane<double>{0, 0, 2, 0});
   CHECK(!plane_through(D{nan, nan, nan}, D{1, 0, 0}, D{0, 1, 0}));
   CHECK(!plane_through(D{inf, inf, inf}, D{1, 0, 0}, D{0, 1, 0}));
-  CHECK(side_of(plane<double>{nan, 0, 0, 0}, D{1, 1, 1}) == plane_side::on);
+  CHECK(side_of(plane<double>{nan, 0, 0, 0}, D{1, 1, 1}) == side::on);
 }

@@ -15,7 +15,7 @@
 
 namespace {
 
-using irg::point_location;
+using irg::location;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
 constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // the course's values
@@ -23,21 +23,20 @@ constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 5
 TEST_CASE("point in convex polygon: the course's values, both ways") {
   const struct {
     P p;
-    point_location where;
-  } cases[] = {{{150, 200}, point_location::inside},    {{100, 275}, point_location::boundary},
-               {{50, 200}, point_location::boundary},   {{300, 350}, point_location::outside},
-               {{200, 100}, point_location::boundary},  {{0, 0}, point_location::outside},
-               {{200.5, 100}, point_location::outside}, {{199.5, 100}, point_location::inside}};
+    location where;
+  } cases[] = {{{150, 200}, location::inside},    {{100, 275}, location::boundary}, {{50, 200}, location::boundary},
+               {{300, 350}, location::outside},   {{200, 100}, location::boundary}, {{0, 0}, location::outside},
+               {{200.5, 100}, location::outside}, {{199.5, 100}, location::inside}};
   for (const auto& [p, where] : cases) {
     CHECK(irg::point_in_convex_polygon(course, p) == where);
     CHECK(irg::point_in_convex_polygon_log(course, p) == where);
   }
-  CHECK_BOTH(irg::point_in_convex_polygon(course, {150, 200}) == point_location::inside);
-  CHECK_BOTH(irg::point_in_convex_polygon_log(course, {150, 200}) == point_location::inside);
+  CHECK_BOTH(irg::point_in_convex_polygon(course, {150, 200}) == location::inside);
+  CHECK_BOTH(irg::point_in_convex_polygon_log(course, {150, 200}) == location::inside);
   // counter-clockwise and repeated vertices: what the course's rules do not ask for
   constexpr std::array<P, 5> repeated{P{50, 200}, P{150, 350}, P{150, 350}, P{300, 150}, P{100, 50}};
-  CHECK_BOTH(irg::point_in_convex_polygon(repeated, {150, 200}) == point_location::inside);
-  CHECK_BOTH(irg::point_in_convex_polygon_log(repeated, {150, 200}) == point_location::inside);
+  CHECK_BOTH(irg::point_in_convex_polygon(repeated, {150, 200}) == location::inside);
+  CHECK_BOTH(irg::point_in_convex_polygon_log(repeated, {150, 200}) == location::inside);
 }
 
 // Every convex ring of a small lattice that random choices make, with collinear and repeated vertices, both ways round,
@@ -54,8 +53,8 @@ TEST_CASE("point in convex polygon: by edges and in logarithmic time, against th
           const auto expected = irg::point_in_polygon(ring, {x, y});
           REQUIRE(irg::point_in_convex_polygon(ring, {x, y}) == expected);
           REQUIRE(irg::point_in_convex_polygon_log(ring, {x, y}) == expected);
-          inside += expected == point_location::inside;
-          boundary += expected == point_location::boundary;
+          inside += expected == location::inside;
+          boundary += expected == location::boundary;
         }
       if (!ring.empty()) std::rotate(ring.begin(), ring.begin() + 1, ring.end());
     }
@@ -100,11 +99,11 @@ TEST_CASE("point_in_convex_polygon_log: a million vertices, turns counted by exa
     const auto i = static_cast<std::size_t>(random.integer(0, 999'999));
     const P p{ring[i].x, ring[i].y};
     const double y_of_chord = (ring[i].y + ring[i + 1].y) / 2, x_of_chord = p.x + 0.5;
-    REQUIRE(irg::point_in_convex_polygon_log(ring, p) == point_location::boundary);
-    REQUIRE(irg::point_in_convex_polygon_log(ring, {x_of_chord, y_of_chord}) == point_location::boundary);
+    REQUIRE(irg::point_in_convex_polygon_log(ring, p) == location::boundary);
+    REQUIRE(irg::point_in_convex_polygon_log(ring, {x_of_chord, y_of_chord}) == location::boundary);
     const double above = std::nextafter(y_of_chord, 1e300), below = std::nextafter(y_of_chord, -1e300);
-    REQUIRE(irg::point_in_convex_polygon_log(ring, {x_of_chord, above}) == point_location::inside);
-    REQUIRE(irg::point_in_convex_polygon_log(ring, {x_of_chord, below}) == point_location::outside);
+    REQUIRE(irg::point_in_convex_polygon_log(ring, {x_of_chord, above}) == location::inside);
+    REQUIRE(irg::point_in_convex_polygon_log(ring, {x_of_chord, below}) == location::outside);
   }
 }
 
@@ -112,15 +111,15 @@ TEST_CASE("point in convex polygon: hostile numbers") {
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
   constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
   constexpr std::array<P, 4> square{P{-most, -most}, P{most, -most}, P{most, most}, P{-most, most}};
-  CHECK_BOTH(irg::point_in_convex_polygon_log(square, {0, 0}) == point_location::inside);
-  CHECK_BOTH(irg::point_in_convex_polygon_log(square, {most, least}) == point_location::boundary);
+  CHECK_BOTH(irg::point_in_convex_polygon_log(square, {0, 0}) == location::inside);
+  CHECK_BOTH(irg::point_in_convex_polygon_log(square, {most, least}) == location::boundary);
   constexpr std::array<P, 3> tiny{P{0, 0}, P{3 * least, 0}, P{0, 3 * least}};
-  CHECK_BOTH(irg::point_in_convex_polygon_log(tiny, {least, least}) == point_location::inside);
-  CHECK_BOTH(irg::point_in_convex_polygon_log(tiny, {2 * least, least}) == point_location::boundary);
-  CHECK_BOTH(irg::point_in_convex_polygon_log(tiny, {2 * least, 2 * least}) == point_location::outside);
+  CHECK_BOTH(irg::point_in_convex_polygon_log(tiny, {least, least}) == location::inside);
+  CHECK_BOTH(irg::point_in_convex_polygon_log(tiny, {2 * least, least}) == location::boundary);
+  CHECK_BOTH(irg::point_in_convex_polygon_log(tiny, {2 * least, 2 * least}) == location::outside);
   for (const double bad : {inf, -inf, nan_}) {
-    CHECK(irg::point_in_convex_polygon(square, {bad, 0}) == point_location::outside);
-    CHECK(irg::point_in_convex_polygon_log(square, {0, bad}) == point_location::outside);
+    CHECK(irg::point_in_convex_polygon(square, {bad, 0}) == location::outside);
+    CHECK(irg::point_in_convex_polygon_log(square, {0, bad}) == location::outside);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace {
 
 using irg::fill_rule;
-using irg::point_location;
+using irg::location;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
 constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // the course's values
@@ -29,29 +29,29 @@ constexpr R turned_round(R ring) {
 }
 
 TEST_CASE("locate_point: the course's values") {
-  CHECK_BOTH(irg::locate_point(course, {150, 200}) == point_location::inside);
-  CHECK_BOTH(irg::locate_point(course, {100, 275}) == point_location::boundary);
-  CHECK_BOTH(irg::locate_point(course, {50, 200}) == point_location::boundary);
-  CHECK_BOTH(irg::locate_point(course, {300, 350}) == point_location::outside);
-  CHECK_BOTH(irg::locate_point(course, {200, 100}) == point_location::boundary);
-  CHECK_BOTH(irg::locate_point(course, {0, 0}) == point_location::outside);
-  CHECK_BOTH(irg::locate_point(course, {200.5, 100}) == point_location::outside);
-  CHECK_BOTH(irg::locate_point(course, {199.5, 100}) == point_location::inside);
-  CHECK_BOTH(irg::locate_point(turned_round(course), {150, 200}) == point_location::inside);
-  CHECK_BOTH(irg::locate_point(pentagram, {0, 0}) == point_location::inside);  // wound twice
-  CHECK_BOTH(irg::locate_point(pentagram, {0, 1000}) == point_location::boundary);
-  CHECK_BOTH(irg::locate_point(pentagram, {0, 309}) == point_location::boundary);
-  CHECK_BOTH(irg::locate_point(pentagram, {0, -700}) == point_location::outside);
+  CHECK_BOTH(irg::locate_point(course, {150, 200}) == location::inside);
+  CHECK_BOTH(irg::locate_point(course, {100, 275}) == location::boundary);
+  CHECK_BOTH(irg::locate_point(course, {50, 200}) == location::boundary);
+  CHECK_BOTH(irg::locate_point(course, {300, 350}) == location::outside);
+  CHECK_BOTH(irg::locate_point(course, {200, 100}) == location::boundary);
+  CHECK_BOTH(irg::locate_point(course, {0, 0}) == location::outside);
+  CHECK_BOTH(irg::locate_point(course, {200.5, 100}) == location::outside);
+  CHECK_BOTH(irg::locate_point(course, {199.5, 100}) == location::inside);
+  CHECK_BOTH(irg::locate_point(turned_round(course), {150, 200}) == location::inside);
+  CHECK_BOTH(irg::locate_point(pentagram, {0, 0}) == location::inside);  // wound twice
+  CHECK_BOTH(irg::locate_point(pentagram, {0, 1000}) == location::boundary);
+  CHECK_BOTH(irg::locate_point(pentagram, {0, 309}) == location::boundary);
+  CHECK_BOTH(irg::locate_point(pentagram, {0, -700}) == location::outside);
 }
 
 TEST_CASE("locate_point: degenerate polygons are their own boundary") {
   using V = std::vector<I>;
-  CHECK_BOTH(irg::locate_point(V{}, {0, 0}) == point_location::outside);
-  CHECK_BOTH(irg::locate_point(V{{1, 2}}, {1, 2}) == point_location::boundary);
-  CHECK_BOTH(irg::locate_point(V{{1, 2}}, {1, 3}) == point_location::outside);
-  CHECK_BOTH(irg::locate_point(V{{0, 0}, {4, 2}}, {2, 1}) == point_location::boundary);
-  CHECK_BOTH(irg::locate_point(V{{0, 0}, {4, 2}}, {6, 3}) == point_location::outside);
-  CHECK_BOTH(irg::locate_point(V{{0, 0}, {4, 0}}, {6, 0}) == point_location::outside);
+  CHECK_BOTH(irg::locate_point(V{}, {0, 0}) == location::outside);
+  CHECK_BOTH(irg::locate_point(V{{1, 2}}, {1, 2}) == location::boundary);
+  CHECK_BOTH(irg::locate_point(V{{1, 2}}, {1, 3}) == location::outside);
+  CHECK_BOTH(irg::locate_point(V{{0, 0}, {4, 2}}, {2, 1}) == location::boundary);
+  CHECK_BOTH(irg::locate_point(V{{0, 0}, {4, 2}}, {6, 3}) == location::outside);
+  CHECK_BOTH(irg::locate_point(V{{0, 0}, {4, 0}}, {6, 0}) == location::outside);
 }
 
 TEST_CASE("locate_point: any polygon, against the angles of the rational crossings") {
@@ -79,16 +79,16 @@ TEST_CASE("locate_point: any polygon, against the angles of the rational crossin
       const test::rational x = test::rational(a.x) + test::rational((p.y - a.y) * (b.x - a.x), b.y - a.y);
       if (test::rational(p.x) < x) winding += direction;
     }
-    const auto expected = on ? point_location::boundary : winding ? point_location::inside : point_location::outside;
+    const auto expected = on ? location::boundary : winding ? location::inside : location::outside;
     REQUIRE(irg::locate_point(ring, p) == expected);
     REQUIRE(irg::winding_number(ring, p) == (on ? std::nullopt : std::optional(winding)));
-    const auto odd = on ? point_location::boundary : winding % 2 ? point_location::inside : point_location::outside;
+    const auto odd = on ? location::boundary : winding % 2 ? location::inside : location::outside;
     REQUIRE(irg::point_in_polygon(ring, p, fill_rule::even_odd) == odd);
     REQUIRE(irg::point_in_polygon(std::vector{ring}, p, fill_rule::even_odd) == odd);
     // two rings: the windings add up, and so do the boundaries
     const auto twice = irg::winding_number(std::vector{ring, ring}, p);
     REQUIRE(twice == (on ? std::nullopt : std::optional(2 * winding)));
-    inside += expected == point_location::inside;
+    inside += expected == location::inside;
     boundary += on;
   }
   CHECK(inside > 500);
@@ -101,20 +101,20 @@ TEST_CASE("point_in_polygon: self-touching, bow-tie, pentagram, holes that share
   for (const fill_rule rule : {fill_rule::even_odd, fill_rule::non_zero}) {
     // two triangles that touch at (2, 2)
     const V touching{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}};
-    CHECK(where(touching, {2, 2}, rule) == point_location::boundary);
-    CHECK(where(touching, {1, 2}, rule) == point_location::inside);
-    CHECK(where(touching, {2, 1}, rule) == point_location::outside);
+    CHECK(where(touching, {2, 2}, rule) == location::boundary);
+    CHECK(where(touching, {1, 2}, rule) == location::inside);
+    CHECK(where(touching, {2, 1}, rule) == location::outside);
     // a hole that shares an edge, and one that shares a vertex
     const std::vector<V> at_edge{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{0, 3}, {0, 6}, {3, 6}, {3, 3}}};
-    CHECK(where(at_edge, {0, 4}, rule) == point_location::boundary);
-    CHECK(where(at_edge, {1, 4}, rule) == point_location::outside);
-    CHECK(where(at_edge, {4, 4}, rule) == point_location::inside);
-    CHECK(where(at_edge, {1, 3}, rule) == point_location::boundary);
+    CHECK(where(at_edge, {0, 4}, rule) == location::boundary);
+    CHECK(where(at_edge, {1, 4}, rule) == location::outside);
+    CHECK(where(at_edge, {4, 4}, rule) == location::inside);
+    CHECK(where(at_edge, {1, 3}, rule) == location::boundary);
     const std::vector<V> at_vertex{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{0, 0}, {1, 4}, {4, 1}}};
-    CHECK(where(at_vertex, {0, 0}, rule) == point_location::boundary);
-    CHECK(where(at_vertex, {2, 2}, rule) == point_location::outside);
-    CHECK(where(at_vertex, {3, 3}, rule) == point_location::inside);
-    CHECK(where(at_vertex, {0, 4}, rule) == point_location::boundary);
+    CHECK(where(at_vertex, {0, 0}, rule) == location::boundary);
+    CHECK(where(at_vertex, {2, 2}, rule) == location::outside);
+    CHECK(where(at_vertex, {3, 3}, rule) == location::inside);
+    CHECK(where(at_vertex, {0, 4}, rule) == location::boundary);
   }
   const V bow_tie{{0, 0}, {4, 4}, {4, 0}, {0, 4}};
   CHECK(irg::winding_number(bow_tie, {1, 2}) == 1);
@@ -122,16 +122,16 @@ TEST_CASE("point_in_polygon: self-touching, bow-tie, pentagram, holes that share
   CHECK(irg::winding_number(bow_tie, {2, 2}) == std::nullopt);
   CHECK(irg::winding_number(bow_tie, {2, 3}) == 0);
   CHECK(irg::winding_number(pentagram, {0, 0}) == -2);
-  CHECK(where(pentagram, {0, 0}, fill_rule::even_odd) == point_location::outside);
-  CHECK(where(pentagram, {0, 0}, fill_rule::non_zero) == point_location::inside);
-  CHECK(where(pentagram, {0, 800}, fill_rule::even_odd) == point_location::inside);
+  CHECK(where(pentagram, {0, 0}, fill_rule::even_odd) == location::outside);
+  CHECK(where(pentagram, {0, 0}, fill_rule::non_zero) == location::inside);
+  CHECK(where(pentagram, {0, 800}, fill_rule::even_odd) == location::inside);
   // a hole that runs the same way as its ring is filled by the non-zero rule
   const std::vector<V> same_way{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {6, 3}, {6, 6}, {3, 6}}};
-  CHECK(where(same_way, {4, 4}, fill_rule::even_odd) == point_location::outside);
-  CHECK(where(same_way, {4, 4}, fill_rule::non_zero) == point_location::inside);
+  CHECK(where(same_way, {4, 4}, fill_rule::even_odd) == location::outside);
+  CHECK(where(same_way, {4, 4}, fill_rule::non_zero) == location::inside);
   CHECK(irg::winding_number(same_way, {4, 4}) == 2);
   CHECK(irg::winding_number(std::vector<V>{}, {4, 4}) == 0);
-  CHECK(irg::point_in_polygon(std::vector<V>{{}, {}}, {4, 4}) == point_location::outside);
+  CHECK(irg::point_in_polygon(std::vector<V>{{}, {}}, {4, 4}) == location::outside);
 }
 
 TEST_CASE("point_in_polygon: NaN and infinity anywhere, extremes, 64-bit integers") {
@@ -139,28 +139,28 @@ TEST_CASE("point_in_polygon: NaN and infinity anywhere, extremes, 64-bit integer
   for (const double bad : {inf, -inf, nan_})
     for (std::size_t i = 0; i < 3; ++i) {
       std::vector<std::vector<P>> rings{{{0, 0}, {9, 0}, {0, 9}}, {{1, 1}, {1, 2}, {2, 1}}};
-      CHECK(irg::point_in_polygon(rings, {3, 3}) == point_location::inside);
+      CHECK(irg::point_in_polygon(rings, {3, 3}) == location::inside);
       rings[1][i].y = bad;
-      CHECK(irg::point_in_polygon(rings, {3, 3}) == point_location::outside);
-      CHECK(irg::point_in_polygon(rings, {0, 3}) == point_location::outside);
+      CHECK(irg::point_in_polygon(rings, {3, 3}) == location::outside);
+      CHECK(irg::point_in_polygon(rings, {0, 3}) == location::outside);
       CHECK(!irg::winding_number(rings, {3, 3}));
       rings[1][i] = {bad, 5};
-      CHECK(irg::point_in_polygon(rings, {3, 3}) == point_location::outside);
+      CHECK(irg::point_in_polygon(rings, {3, 3}) == location::outside);
     }
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
   constexpr std::array<P, 3> wide{P{-most, -most}, P{most, -most}, P{0, most}};
-  CHECK_BOTH(irg::point_in_polygon(wide, {0, 0}) == point_location::inside);
-  CHECK_BOTH(irg::point_in_polygon(wide, {0, -most}) == point_location::boundary);
-  CHECK_BOTH(irg::point_in_polygon(wide, {most / 2, 0}) == point_location::boundary);
-  CHECK_BOTH(irg::point_in_polygon(wide, {most / 2, least}) == point_location::outside);
-  CHECK_BOTH(irg::point_in_polygon(wide, {most / 2, -least}) == point_location::inside);
+  CHECK_BOTH(irg::point_in_polygon(wide, {0, 0}) == location::inside);
+  CHECK_BOTH(irg::point_in_polygon(wide, {0, -most}) == location::boundary);
+  CHECK_BOTH(irg::point_in_polygon(wide, {most / 2, 0}) == location::boundary);
+  CHECK_BOTH(irg::point_in_polygon(wide, {most / 2, least}) == location::outside);
+  CHECK_BOTH(irg::point_in_polygon(wide, {most / 2, -least}) == location::inside);
   using L = irg::point<std::int64_t, 2>;
   constexpr std::int64_t high = std::numeric_limits<std::int64_t>::max(),
                          low = std::numeric_limits<std::int64_t>::min();
   constexpr std::array<L, 3> half{L{low, low}, L{high, low}, L{high, high}};
-  CHECK_BOTH(irg::point_in_polygon(half, {0, 0}) == point_location::boundary);
-  CHECK_BOTH(irg::point_in_polygon(half, {1, 0}) == point_location::inside);
-  CHECK_BOTH(irg::point_in_polygon(half, {0, 1}) == point_location::outside);
+  CHECK_BOTH(irg::point_in_polygon(half, {0, 0}) == location::boundary);
+  CHECK_BOTH(irg::point_in_polygon(half, {1, 0}) == location::inside);
+  CHECK_BOTH(irg::point_in_polygon(half, {0, 1}) == location::outside);
 }
 
 }  // namespace

@@ -19,8 +19,8 @@
 
 namespace {
 
-using irg::point_location;
-using irg::polygon_orientation;
+using irg::location;
+using irg::orientation;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
 using Q = irg::point<test::rational, 2>;
@@ -40,18 +40,18 @@ constexpr R turned_round(R ring) {
 }
 
 TEST_CASE("orientation and convexity: the course's values") {
-  CHECK_BOTH(irg::orientation_of(course) == polygon_orientation::clockwise);
-  CHECK_BOTH(irg::orientation_of(turned_round(course)) == polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::textbook::orientation_of(course) == polygon_orientation::clockwise);
-  CHECK_BOTH(irg::textbook::orientation_of(turned_round(course)) == polygon_orientation::counter_clockwise);
+  CHECK_BOTH(irg::orientation_of(course) == orientation::clockwise);
+  CHECK_BOTH(irg::orientation_of(turned_round(course)) == orientation::counter_clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(course) == orientation::clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(turned_round(course)) == orientation::counter_clockwise);
   CHECK_BOTH(irg::is_convex(course));
   constexpr std::array<I, 4> dart{I{0, 0}, I{0, 4}, I{2, 1}, I{4, 4}};
   CHECK_BOTH(!irg::is_convex(dart));
-  CHECK_BOTH(irg::textbook::orientation_of(dart) == polygon_orientation::degenerate);
-  CHECK_BOTH(irg::orientation_of(dart) == polygon_orientation::clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(dart) == orientation::degenerate);
+  CHECK_BOTH(irg::orientation_of(dart) == orientation::clockwise);
   // The pentagram satisfies the course's criterion and is not convex.
-  CHECK_BOTH(irg::textbook::orientation_of(pentagram) == polygon_orientation::clockwise);
-  CHECK_BOTH(irg::orientation_of(pentagram) == polygon_orientation::clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(pentagram) == orientation::clockwise);
+  CHECK_BOTH(irg::orientation_of(pentagram) == orientation::clockwise);
   CHECK_BOTH(!irg::is_convex(pentagram));
 }
 
@@ -75,30 +75,28 @@ TEST_CASE("is_convex: collinear and repeated vertices, spikes, and rounds") {
 TEST_CASE("NaN and infinity: no polygon, nowhere") {
   for (const double bad : {nan_, inf, -inf}) {
     const std::array<P, 3> ring{P{0, 0}, P{1, bad}, P{0, 1}};
-    CHECK(irg::orientation_of(ring) == polygon_orientation::degenerate);
-    CHECK(irg::textbook::orientation_of(ring) == polygon_orientation::degenerate);
+    CHECK(irg::orientation_of(ring) == orientation::degenerate);
+    CHECK(irg::textbook::orientation_of(ring) == orientation::degenerate);
     CHECK(!irg::is_convex(ring));
-    CHECK(irg::locate_point(ring, {0, 0}) == point_location::outside);
-    CHECK(irg::locate_point(course, {bad, 200}) == point_location::outside);
+    CHECK(irg::locate_point(ring, {0, 0}) == location::outside);
+    CHECK(irg::locate_point(course, {bad, 200}) == location::outside);
   }
 }
 
 TEST_CASE("the whole range of doubles: the largest and the least") {
   CHECK_BOTH(irg::orientation_of(std::array{P{-largest, -largest}, P{largest, -largest}, P{0, largest}}) ==
-             polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::orientation_of(std::array{P{0, 0}, P{least, 0}, P{0, least}}) ==
-             polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::orientation_of(std::array{P{0, 0}, P{largest, least}, P{largest, 0}}) ==
-             polygon_orientation::clockwise);
+             orientation::counter_clockwise);
+  CHECK_BOTH(irg::orientation_of(std::array{P{0, 0}, P{least, 0}, P{0, least}}) == orientation::counter_clockwise);
+  CHECK_BOTH(irg::orientation_of(std::array{P{0, 0}, P{largest, least}, P{largest, 0}}) == orientation::clockwise);
   CHECK_BOTH(irg::is_convex(std::array{P{0, 0}, P{largest, 0}, P{largest, largest}, P{-least, largest}}));
   CHECK_BOTH(!irg::is_convex(std::array{P{0, 0}, P{largest, 0}, P{largest, largest}, P{least * 2, least}}));
   CHECK_BOTH(irg::is_convex(std::array{P{0, 0}, P{largest, 0}, P{largest, largest}, P{least, least}}));
   CHECK_BOTH(irg::locate_point(std::array{P{-largest, 0}, P{largest, 0}, P{0, largest}}, {1e300, 0.0}) ==
-             point_location::boundary);
+             location::boundary);
   CHECK_BOTH(irg::locate_point(std::array{P{-largest, 0}, P{largest, 0}, P{0, largest}}, {1e300, least}) ==
-             point_location::inside);
+             location::inside);
   CHECK_BOTH(irg::locate_point(std::array{P{-largest, 0}, P{largest, 0}, P{0, largest}}, {1e300, -least}) ==
-             point_location::outside);
+             location::outside);
 }
 
 // The sign of (b - a) x (c - a) for coordinates k * 2^-53, |k| < 2^58, in integers.
@@ -219,12 +217,12 @@ TEST_CASE("random rings of doubles, nearly collinear: orientation, convexity and
         out = out || turn > 0;
         on = on || turn == 0;
       }
-      const auto expected = out ? point_location::outside : on ? point_location::boundary : point_location::inside;
+      const auto expected = out ? location::outside : on ? location::boundary : location::inside;
       REQUIRE(irg::locate_point(ring, p) == expected);
       REQUIRE(irg::point_in_convex_polygon(ring, p) == expected);
       REQUIRE(irg::point_in_convex_polygon_log(ring, p) == expected);
-      boundary += expected == point_location::boundary;
-      inside += expected == point_location::inside;
+      boundary += expected == location::boundary;
+      inside += expected == location::inside;
     }
   }
   MESSAGE(trials, " rings, ", convex, " convex; points on the boundary ", boundary, ", inside ", inside);
@@ -236,30 +234,28 @@ TEST_CASE("random rings of doubles, nearly collinear: orientation, convexity and
 TEST_CASE("any number type: rationals, floats, 64-bit integers, foreign points, hostile size") {
   const std::array<Q, 4> ring{Q{0, 0}, Q{{1, 3}, 0}, Q{{1, 3}, {1, 3}}, Q{0, {1, 3}}};
   CHECK(irg::is_convex(ring));
-  CHECK(irg::orientation_of(ring) == polygon_orientation::counter_clockwise);
-  CHECK(irg::locate_point(ring, {{1, 6}, {1, 6}}) == point_location::inside);
-  CHECK(irg::locate_point(ring, {{1, 3}, {1, 6}}) == point_location::boundary);
+  CHECK(irg::orientation_of(ring) == orientation::counter_clockwise);
+  CHECK(irg::locate_point(ring, {{1, 6}, {1, 6}}) == location::inside);
+  CHECK(irg::locate_point(ring, {{1, 3}, {1, 6}}) == location::boundary);
   using F = irg::point<float, 2>;
-  CHECK_BOTH(irg::orientation_of(std::array{F{0, 0}, F{0.1f, 0}, F{0, 1e-38f}}) ==
-             polygon_orientation::counter_clockwise);
+  CHECK_BOTH(irg::orientation_of(std::array{F{0, 0}, F{0.1f, 0}, F{0, 1e-38f}}) == orientation::counter_clockwise);
   using L = irg::point<std::int64_t, 2>;
-  CHECK_BOTH(irg::orientation_of(std::array{L{0, 0}, L{1000000000, 1}, L{1000000000, 0}}) ==
-             polygon_orientation::clockwise);
+  CHECK_BOTH(irg::orientation_of(std::array{L{0, 0}, L{1000000000, 1}, L{1000000000, 0}}) == orientation::clockwise);
   struct xy {
     int x, y;
   };
   const std::vector<xy> most{
       {2147483647, 2147483647}, {-2147483647 - 1, 2147483647}, {-2147483647 - 1, -2147483647 - 1}};
-  CHECK(irg::orientation_of(most) == polygon_orientation::counter_clockwise);
+  CHECK(irg::orientation_of(most) == orientation::counter_clockwise);
   CHECK(irg::is_convex(most));
-  CHECK(irg::locate_point(most, {0, 0}) == point_location::boundary);
-  CHECK(irg::locate_point(most, {0, -1}) == point_location::outside);
-  CHECK(irg::locate_point(most, {-1, 0}) == point_location::inside);
+  CHECK(irg::locate_point(most, {0, 0}) == location::boundary);
+  CHECK(irg::locate_point(most, {0, -1}) == location::outside);
+  CHECK(irg::locate_point(most, {-1, 0}) == location::inside);
   // a million vertices along a parabola
   std::vector<P> many;
   for (int i = 0; i < 1000000; ++i) many.push_back({static_cast<double>(i), static_cast<double>(i) * i});
   CHECK(irg::is_convex(many));
-  CHECK(irg::orientation_of(many) == polygon_orientation::counter_clockwise);
+  CHECK(irg::orientation_of(many) == orientation::counter_clockwise);
   many[500000].y += 1.0;  // onto the chord of its neighbours: still convex
   CHECK(irg::is_convex(many));
   many[500000].y += 0.001;

@@ -14,25 +14,25 @@
 
 namespace {
 
-using irg::polygon_orientation;
+using irg::orientation;
 using P = irg::point<double, 2>;
 using I = irg::point<int, 2>;
 constexpr std::array<P, 4> course{P{50, 200}, P{150, 350}, P{300, 150}, P{100, 50}};  // the course's values
 
 TEST_CASE("orientation_of: degenerate polygons") {
   using V = std::vector<I>;
-  CHECK_BOTH(irg::orientation_of(V{}) == polygon_orientation::degenerate);
-  CHECK_BOTH(irg::orientation_of(V{{1, 2}}) == polygon_orientation::degenerate);
-  CHECK_BOTH(irg::orientation_of(V{{1, 2}, {3, 4}}) == polygon_orientation::degenerate);
-  CHECK_BOTH(irg::orientation_of(V{{0, 0}, {3, 1}, {9, 3}, {6, 2}}) == polygon_orientation::degenerate);
-  CHECK_BOTH(irg::orientation_of(V{{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == polygon_orientation::degenerate);
+  CHECK_BOTH(irg::orientation_of(V{}) == orientation::degenerate);
+  CHECK_BOTH(irg::orientation_of(V{{1, 2}}) == orientation::degenerate);
+  CHECK_BOTH(irg::orientation_of(V{{1, 2}, {3, 4}}) == orientation::degenerate);
+  CHECK_BOTH(irg::orientation_of(V{{0, 0}, {3, 1}, {9, 3}, {6, 2}}) == orientation::degenerate);
+  CHECK_BOTH(irg::orientation_of(V{{0, 0}, {4, 4}, {4, 0}, {0, 4}}) == orientation::degenerate);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double odd : {nan, inf, -inf})
     for (std::size_t i = 0; i < 4; ++i)
       for (const bool upright : {false, true}) {
         auto ring = course;
         (upright ? ring[i].y : ring[i].x) = odd;
-        CHECK(irg::orientation_of(ring) == polygon_orientation::degenerate);
+        CHECK(irg::orientation_of(ring) == orientation::degenerate);
       }
 }
 
@@ -41,15 +41,15 @@ TEST_CASE("make_counter_clockwise: the course's values, the reversed list and it
     auto ring = course;
     return std::pair{irg::make_counter_clockwise(ring), ring};
   };
-  CHECK_BOTH(repaired().first == polygon_orientation::clockwise);
+  CHECK_BOTH(repaired().first == orientation::clockwise);
   CHECK_BOTH(repaired().second == std::array<P, 4>{P{50, 200}, P{100, 50}, P{300, 150}, P{150, 350}});
-  CHECK_BOTH(irg::orientation_of(repaired().second) == polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::textbook::orientation_of(repaired().second) == polygon_orientation::counter_clockwise);
+  CHECK_BOTH(irg::orientation_of(repaired().second) == orientation::counter_clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(repaired().second) == orientation::counter_clockwise);
   constexpr auto again = [] {
     auto ring = repaired().second;
     return std::pair{irg::make_counter_clockwise(ring), ring};
   };
-  CHECK_BOTH(again().first == polygon_orientation::counter_clockwise);
+  CHECK_BOTH(again().first == orientation::counter_clockwise);
   CHECK_BOTH(again().second == repaired().second);
   // the values of criterion 3.2 on the reversed list: 55000 42500 22500 35000
   const auto ring = repaired().second;
@@ -87,10 +87,9 @@ TEST_CASE("orientation_of: 64-bit integers at their limits") {
   constexpr std::int64_t high = std::numeric_limits<std::int64_t>::max(),
                          low = std::numeric_limits<std::int64_t>::min();
   CHECK_BOTH(irg::orientation_of(std::array{L{low, low}, L{high, low}, L{high, high}, L{low, high}}) ==
-             polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::orientation_of(std::array{L{low, low}, L{high - 1, high}, L{high, high}}) ==
-             polygon_orientation::clockwise);
-  CHECK_BOTH(irg::orientation_of(std::array{L{low, low}, L{0, 0}, L{high, high}}) == polygon_orientation::degenerate);
+             orientation::counter_clockwise);
+  CHECK_BOTH(irg::orientation_of(std::array{L{low, low}, L{high - 1, high}, L{high, high}}) == orientation::clockwise);
+  CHECK_BOTH(irg::orientation_of(std::array{L{low, low}, L{0, 0}, L{high, high}}) == orientation::degenerate);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 #include "support/random.hpp"
 
 using irg::boolean_operation;
+using irg::fill_rule;
 using irg::point;
 using irg::polygon_clip_status;
 using irg::polygon_overlay;
-using irg::ring_rule;
 using P = point<double, 2>;
 using Ring = std::vector<P>;
 using Rings = std::vector<Ring>;
@@ -118,7 +118,7 @@ TEST_CASE("polygon_overlay: what crosses itself goes by the rule; degenerate and
   CHECK(area(polygon_overlay(bow, all).rings) == 2);
   const Ring twice{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 2}, {0, 2}};
   CHECK(polygon_overlay(twice, all).rings.empty());
-  CHECK(area(polygon_overlay(twice, all, boolean_operation::intersection, ring_rule::non_zero).rings) == 4);
+  CHECK(area(polygon_overlay(twice, all, boolean_operation::intersection, fill_rule::non_zero).rings) == 4);
   const Ring spike{{0, 0}, {2, 0}, {2, 2}, {5, 2}, {2, 2}, {0, 2}};
   CHECK(polygon_overlay(spike, all).rings == Rings{square(0, 0, 2)});
   for (const Ring& flat :
@@ -164,10 +164,10 @@ TEST_CASE("polygon_overlay: samples and areas, polygons of all kinds") {
       for (int i = 0; i < 7; ++i) wild.push_back({r.unit() * 6 - 3, r.unit() * 6 - 3});
       b = {wild};
     }
-    const auto rule = r.integer(0, 1) != 0 ? ring_rule::even_odd : ring_rule::non_zero;
+    const auto rule = r.integer(0, 1) != 0 ? fill_rule::even_odd : fill_rule::non_zero;
     const auto inside = [&](const Rings& rings, double x, double y) {
       const int w = winding(rings, x, y);
-      return rule == ring_rule::even_odd ? w % 2 != 0 : w != 0;
+      return rule == fill_rule::even_odd ? w % 2 != 0 : w != 0;
     };
     double areas[4];
     for (std::size_t o = 0; o < 4; ++o) {

@@ -53,8 +53,8 @@ test::rational common_area(const ring& a, const ring& b) {
 polygon_overlap convex_oracle(const ring& a, const ring& b) {
   const bool areas = test::twice_area(a) != 0 && test::twice_area(b) != 0;
   if (areas && !(common_area(a, b) == test::rational(0))) return polygon_overlap::overlapping;
-  bool common = irg::locate_point(a, b[0]) != irg::point_location::outside ||
-                irg::locate_point(b, a[0]) != irg::point_location::outside;
+  bool common =
+      irg::locate_point(a, b[0]) != irg::location::outside || irg::locate_point(b, a[0]) != irg::location::outside;
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t k = 0; k < b.size(); ++k)
       common = common || test::meet(a[i], a[(i + 1) % a.size()], b[k], b[(k + 1) % b.size()]);

@@ -14,7 +14,7 @@
 
 namespace {
 
-using irg::plane_side;
+using irg::side;
 using irg::side_of_polygon;
 using H = irg::hpoint<double, 3>;
 using P = irg::point<double, 3>;
@@ -24,21 +24,21 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::nume
 constexpr std::array<P, 4> tall{{{0.1, 0.7, 0.3}, {1.1, 0.7, 0.3}, {1.1, 1e9, 0.3}, {0.1, 1e9, 0.3}}};
 
 TEST_CASE("side_of_polygon: above, below, on; from infinitely far") {
-  CHECK_BOTH(side_of_polygon(tall, H{1e-9, 1e17, 0.3, 1}) == plane_side::on);
-  CHECK_BOTH(side_of_polygon(tall, H{1e-9, 1e17, 0.30000000000000004, 1}) == plane_side::above);
-  CHECK_BOTH(side_of_polygon(tall, H{1e-9, 1e17, 0.29999999999999993, 1}) == plane_side::below);
-  CHECK_BOTH(side_of_polygon(tall, H{5, 7, -1e-300, 0}) == plane_side::below);
-  CHECK_BOTH(side_of_polygon(tall, H{5, 7, 0, 0}) == plane_side::on);
-  CHECK_BOTH(side_of_polygon(tall, H{0.25, 0.5, 0.25, 0.5}) == plane_side::above);  // (0.5, 1, 0.5)
+  CHECK_BOTH(side_of_polygon(tall, H{1e-9, 1e17, 0.3, 1}) == side::on);
+  CHECK_BOTH(side_of_polygon(tall, H{1e-9, 1e17, 0.30000000000000004, 1}) == side::above);
+  CHECK_BOTH(side_of_polygon(tall, H{1e-9, 1e17, 0.29999999999999993, 1}) == side::below);
+  CHECK_BOTH(side_of_polygon(tall, H{5, 7, -1e-300, 0}) == side::below);
+  CHECK_BOTH(side_of_polygon(tall, H{5, 7, 0, 0}) == side::on);
+  CHECK_BOTH(side_of_polygon(tall, H{0.25, 0.5, 0.25, 0.5}) == side::above);  // (0.5, 1, 0.5)
 }
 
 TEST_CASE("side_of_polygon: concave, not plane, degenerate, not finite") {
   constexpr std::array<P, 5> arrow{{{0, 0, 0}, {4, -3, 0}, {1, 0, 0}, {4, 3, 0}, {3, 3, 1e-9}}};
-  CHECK_BOTH(side_of_polygon(arrow, H{0, 0, 2, 1}) == plane_side::above);
-  CHECK_BOTH(side_of_polygon(std::array<P, 2>{{{0, 0, 0}, {1, 0, 0}}}, H{0, 0, 2, 1}) == plane_side::on);
-  CHECK_BOTH(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}, H{0, 0, 2, 1}) == plane_side::on);
-  CHECK(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}}, H{0, 0, 2, 1}) == plane_side::on);
-  CHECK(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, H{0, 0, inf, 1}) == plane_side::on);
+  CHECK_BOTH(side_of_polygon(arrow, H{0, 0, 2, 1}) == side::above);
+  CHECK_BOTH(side_of_polygon(std::array<P, 2>{{{0, 0, 0}, {1, 0, 0}}}, H{0, 0, 2, 1}) == side::on);
+  CHECK_BOTH(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}, H{0, 0, 2, 1}) == side::on);
+  CHECK(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}}, H{0, 0, 2, 1}) == side::on);
+  CHECK(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, H{0, 0, inf, 1}) == side::on);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -71,9 +71,9 @@ TEST_CASE_TEMPLATE("side_of_polygon: coordinates of every size, and points in th
         for (std::size_t v = 0; v < n; ++v) normal = normal + at(v, j) * at(v + 1, k) - at(v, k) * at(v + 1, j);
         value = value + normal * (E(static_cast<double>(q[i])) - E(static_cast<double>(q.w)) * at(0, i));
       }
-      const plane_side side = side_of_polygon(p, q);
-      CHECK(static_cast<int>(side) == value.sign());
-      on += side == plane_side::on;
+      const side where = side_of_polygon(p, q);
+      CHECK(static_cast<int>(where) == value.sign());
+      on += where == side::on;
     }
   CHECK(on > 100);
 }

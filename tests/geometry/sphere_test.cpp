@@ -12,8 +12,8 @@ using irg::box_boundary;
 using irg::contains;
 using irg::overlap;
 using irg::plane;
-using irg::plane_side;
 using irg::point;
+using irg::side;
 using irg::side_of;
 using irg::sphere_through;
 
@@ -60,13 +60,13 @@ TEST_CASE("sphere: against points, spheres, boxes and planes") {
   CHECK_BOTH(!overlap(C{{4, 5}, 5}, box<double, 2>{{-3, -3}, {0, 2}}, open));
   CHECK_BOTH(!overlap(C{{4, 5}, 5}, box<double, 2>{}));
   CHECK_BOTH(overlap(C{{4, 5}, 0}, box<double, 2>{{3, 3}, {9, 9}}, box_boundary::closed));
-  CHECK_BOTH(side_of(plane<double>{0, 0, 2, -12}, s) == plane_side::below);
-  CHECK_BOTH(side_of(plane<double>{0, 0, -2, 12}, s) == plane_side::above);
-  CHECK_BOTH(side_of(plane<double>{0, 0, 2, -10}, s) == plane_side::on);
-  CHECK_BOTH(side_of(plane<double>{3, 4, 0, -25}, s) == plane_side::on);
-  CHECK_BOTH(side_of(plane<double>{3, 4, 0, -25 - 0x1p-48}, s) == plane_side::below);
-  CHECK_BOTH(side_of(plane<double>{0, 0, 0, 9}, s) == plane_side::on);
-  CHECK_BOTH(side_of(plane<double>{0, not_a_number, 0, 9}, s) == plane_side::on);
+  CHECK_BOTH(side_of(plane<double>{0, 0, 2, -12}, s) == side::below);
+  CHECK_BOTH(side_of(plane<double>{0, 0, -2, 12}, s) == side::above);
+  CHECK_BOTH(side_of(plane<double>{0, 0, 2, -10}, s) == side::on);
+  CHECK_BOTH(side_of(plane<double>{3, 4, 0, -25}, s) == side::on);
+  CHECK_BOTH(side_of(plane<double>{3, 4, 0, -25 - 0x1p-48}, s) == side::below);
+  CHECK_BOTH(side_of(plane<double>{0, 0, 0, 9}, s) == side::on);
+  CHECK_BOTH(side_of(plane<double>{0, not_a_number, 0, 9}, s) == side::on);
 }
 
 #ifdef IRG_HAVE_MPFR

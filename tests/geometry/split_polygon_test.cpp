@@ -155,7 +155,7 @@ void check(const test::lattice_ring& lattice, const test::lattice_point& from, c
     for (const auto& [p, q] : along[k]) {
       const test::rational half(1, 2);
       const Q middle{(p.x + q.x) * half, (p.y + q.y) * half};
-      const bool is_own = irg::point_in_polygon(ring, middle) == irg::point_location::boundary;
+      const bool is_own = irg::point_in_polygon(ring, middle) == irg::location::boundary;
       REQUIRE((is_own || std::count(along[1 - k].begin(), along[1 - k].end(), std::pair(q, p)) == 1));
     }
   REQUIRE(sum + sum == test::rational(test::twice_area(lattice)));
@@ -165,8 +165,8 @@ void check(const test::lattice_ring& lattice, const test::lattice_point& from, c
     for (const auto* half : {&parts.front, &parts.back})
       for (const auto& part : *half) {
         const auto where = irg::point_in_polygon(part, p);
-        count += where == irg::point_location::inside;
-        if (where == irg::point_location::boundary) count = -1000;  // on the cut
+        count += where == irg::location::inside;
+        if (where == irg::location::boundary) count = -1000;  // on the cut
       }
     REQUIRE((count < 0 || count == std::abs(test::windings(lattice, {x, y}))));
   }

@@ -19,8 +19,8 @@
 
 namespace {
 
-using irg::face_side;
-using irg::vertex_order;
+using irg::facing;
+using irg::orientation;
 using point2 = irg::point<double, 2>;
 using point3 = irg::point<double, 3>;
 using vec3 = irg::vec<double, 3>;
@@ -49,22 +49,22 @@ constexpr bool shows(const point3& eye, std::initializer_list<std::uint32_t> vis
   const irg::mesh<double> m = course_cube();
   const auto expected = [&](std::uint32_t f) {
     for (const std::uint32_t v : visible)
-      if (v == f + 1) return face_side::front;
+      if (v == f + 1) return facing::front;
     for (const std::uint32_t v : edge_on)
-      if (v == f + 1) return face_side::edge_on;
-    return face_side::back;
+      if (v == f + 1) return facing::edge_on;
+    return facing::back;
   };
   faces drawn, hidden;
   for (std::uint32_t f = 0; f < 12; ++f) {
     const point3 a = corner_of(m, f, 0), b = corner_of(m, f, 1), c = corner_of(m, f, 2);
     const auto plane = *irg::plane_through(a, b, c);
     const point3 centre{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
-    const face_side side = expected(f);
+    const facing side = expected(f);
     if (irg::side_by_plane(plane, eye) != side || irg::side_of_face(m, f, irg::to_homogeneous(eye)) != side)
       return false;
     if (irg::side_by_angle(irg::normal_of(plane), centre, eye) != side) return false;
     if (!irg::is_hidden(side)) hidden.push_back(f);
-    if (side != face_side::back) drawn.push_back(f);
+    if (side != facing::back) drawn.push_back(f);
   }
   return irg::front_faces(m, irg::to_homogeneous(eye)) == hidden &&
          irg::front_faces(m, irg::to_homogeneous(eye), irg::edge_on_faces::drawn) == drawn;
@@ -80,23 +80,22 @@ TEST_CASE("back_faces: the course's cube from five eyes") {
 }
 
 TEST_CASE("back_faces: normals that point inward give the complement, as the course's text would have it") {
-  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}) == face_side::front);
-  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) ==
-             face_side::back);
+  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}) == facing::front);
+  CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) == facing::back);
   CHECK_BOTH(irg::side_by_angle(vec3{0, 0, -1}, point3{}, point3{0, 0, 5}, irg::normals_point::inward) ==
-             face_side::front);
+             facing::front);
   CHECK_BOTH(irg::side_by_angle(vec3{0, 0, 1}, point3{}, point3{3, 0, 0}, irg::normals_point::inward) ==
-             face_side::edge_on);
+             facing::edge_on);
 }
 
 template <std::size_t N>
 constexpr bool back_by_both(const point2 (&ring)[N], bool back) {
-  const bool by_order = irg::side_by_order(ring, vertex_order::clockwise) != face_side::front;
+  const bool by_order = irg::side_by_order(ring, orientation::clockwise) != facing::front;
   std::array<point2, N> reversed{};
   for (std::size_t i = 0; i < N; ++i) reversed[i] = ring[N - 1 - i];
   return by_order == back && irg::textbook::is_back_by_edges(ring) == back &&
-         irg::textbook::is_back_by_edges(reversed, vertex_order::counter_clockwise) == back &&
-         (irg::side_by_order(reversed) != face_side::front) == back;
+         irg::textbook::is_back_by_edges(reversed, orientation::counter_clockwise) == back &&
+         (irg::side_by_order(reversed) != facing::front) == back;
 }
 
 TEST_CASE("back_faces: the course's values, orientation in the projection plane") {
@@ -108,13 +107,13 @@ TEST_CASE("back_faces: the course's values, orientation in the projection plane"
   CHECK_BOTH(back_by_both(cw_square, false));
   CHECK_BOTH(back_by_both(ccw_square, true));
   CHECK_BOTH(back_by_both(line, true));
-  CHECK_BOTH(irg::side_by_order(line) == face_side::edge_on);
-  CHECK_BOTH(irg::side_by_order(std::array<point2, 0>{}) == face_side::edge_on);
-  CHECK_BOTH(irg::side_by_order(std::array{point2{1, 2}, point2{3, 4}}) == face_side::edge_on);
+  CHECK_BOTH(irg::side_by_order(line) == facing::edge_on);
+  CHECK_BOTH(irg::side_by_order(std::array<point2, 0>{}) == facing::edge_on);
+  CHECK_BOTH(irg::side_by_order(std::array{point2{1, 2}, point2{3, 4}}) == facing::edge_on);
 }
 
 // The side by rationals, from the first vertex and the cross product of two edges.
-face_side exact_side(const irg::mesh<double>& m, const point3& eye) {
+facing exact_side(const irg::mesh<double>& m, const point3& eye) {
   __extension__ using I = __int128;
   const auto d = [&](const point3& a, int i) { return static_cast<I>(a[i]) - static_cast<I>(corner_of(m, 0, 0)[i]); };
   const point3 b = corner_of(m, 0, 1), c = corner_of(m, 0, 2);
@@ -123,7 +122,7 @@ face_side exact_side(const irg::mesh<double>& m, const point3& eye) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     value += d(eye, i) * (d(b, j) * d(c, k) - d(b, k) * d(c, j));
   }
-  return value > 0 ? face_side::front : value < 0 ? face_side::back : face_side::edge_on;
+  return value > 0 ? facing::front : value < 0 ? facing::back : facing::edge_on;
 }
 
 TEST_CASE("back_faces: random triangles of integers, exactly") {
@@ -137,8 +136,8 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
     for (int i = 0; i < 3; ++i) m.positions.push_back({number(), number(), number()});
     irg::add_face(m, std::array{0, 1, 2});
     const point3 eye{number(), number(), number()};
-    const face_side side = exact_side(m, eye);
-    edge_on += side == face_side::edge_on;
+    const facing side = exact_side(m, eye);
+    edge_on += side == facing::edge_on;
     CHECK(irg::side_of_face(m, 0, irg::to_homogeneous(eye)) == side);
     const auto plane = irg::plane_through(m.positions[0], m.positions[1], m.positions[2]);
     if (plane) CHECK(irg::side_by_angle(irg::normal_of(*plane), m.positions[0], eye) == side);
@@ -146,7 +145,7 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
   CHECK(edge_on > 100);
 }
 
-static_assert(irg::side_by_angle(vec3{1e-300, 1e300, 1}, point3{1, 1, 1}, point3{1e300, 1, -1}) == face_side::back);
+static_assert(irg::side_by_angle(vec3{1e-300, 1e300, 1}, point3{1, 1, 1}, point3{1e300, 1, -1}) == facing::back);
 
 #ifdef IRG_HAVE_MPFR
 // Sides by rationals: Newell's normal as the sum of the cross products of neighbouring vertices themselves.
@@ -168,7 +167,7 @@ TEST_CASE_TEMPLATE("back_faces: every form is exact, for coordinates of every si
       const T weight = trial % 4 == 0 ? T(0) : trial % 4 == 1 ? std::abs(any()) : T(1);
       const irg::hpoint<T, 3> eye{any(), any(), trial % 7 == 0 ? T(1) : any(), weight};
       const auto at = [&](std::size_t k, int i) { return E(static_cast<double>(m.positions[k % n][i])); };
-      const auto sign = [](const E& x) { return static_cast<face_side>(x.sign()); };
+      const auto sign = [](const E& x) { return static_cast<facing>(x.sign()); };
       E value(0), area(0), cosine(0);
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -179,17 +178,17 @@ TEST_CASE_TEMPLATE("back_faces: every form is exact, for coordinates of every si
         value = value + normal * way;
         cosine = cosine + at(1, i) * (at(2, i) - at(0, i));
       }
-      const face_side side = irg::side_of_face(m, 0, eye);
+      const facing side = irg::side_of_face(m, 0, eye);
       CHECK(side == sign(value));
-      edge_on += side == face_side::edge_on;
+      edge_on += side == facing::edge_on;
       const irg::point<T, 3> p0 = m.positions[0], p1 = m.positions[1], p2 = m.positions[2];
       CHECK(irg::side_by_angle(irg::vec<T, 3>{p1.x, p1.y, p1.z}, p0, p2) == sign(cosine));
       std::vector<irg::point<T, 2>> flat;
       for (const auto& q : m.positions) flat.push_back({q.x, q.y});
       CHECK(irg::side_by_order(flat) == sign(area));
-      CHECK(irg::side_by_order(flat, vertex_order::clockwise) == sign(E(0) - area));
+      CHECK(irg::side_by_order(flat, orientation::clockwise) == sign(E(0) - area));
       if (n == 3 && area.sign() != 0)
-        CHECK(irg::textbook::is_back_by_edges(flat, vertex_order::counter_clockwise) == (area.sign() < 0));
+        CHECK(irg::textbook::is_back_by_edges(flat, orientation::counter_clockwise) == (area.sign() < 0));
     }
   CHECK(edge_on > 100);
 }
@@ -202,11 +201,11 @@ TEST_CASE("back_faces: what cannot be seen, and what is out of range") {
                  {inf, 1, 0}, {1e308, 0, 0}, {0, 1e308, 0}, {0, 5e-324, 0}};
   for (const auto& f : {std::array{0, 1, 2}, {0, 0, 0}, {0, 1, 4}, {0, 1, 5}, {0, 6, 7}, {0, 1, 8}})
     irg::add_face(m, f);
-  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == face_side::edge_on);
+  for (std::size_t f = 0; f < 4; ++f) CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == facing::edge_on);
   for (std::size_t f = 4; f < 6; ++f) {
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == face_side::front);
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, -1, 1}) == face_side::back);
-    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, nan, 1}) == face_side::edge_on);
+    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, 1, 1}) == facing::front);
+    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, -1, 1}) == facing::back);
+    CHECK(irg::side_of_face(m, f, hpoint3{0, 0, nan, 1}) == facing::edge_on);
   }
   CHECK(irg::front_faces(m, hpoint3{0, 0, 1, 1}) == faces{4, 5});
 }
@@ -216,8 +215,8 @@ TEST_CASE("back_faces: rationals and floats") {
   using irg::point;
   const auto plane =
       irg::plane_through(point<Q, 3>{Q(0), Q(0), Q(0)}, point<Q, 3>{Q(1), Q(0), Q(0)}, point<Q, 3>{Q(0), Q(1), Q(0)});
-  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(1) / Q(1000000007)}) == face_side::front);
-  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(0)}) == face_side::edge_on);
+  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(1) / Q(1000000007)}) == facing::front);
+  CHECK(irg::side_by_plane(*plane, point<Q, 3>{Q(1), Q(2), Q(0)}) == facing::edge_on);
   irg::mesh<float> m;
   m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   irg::add_face(m, std::array{0, 1, 2});

@@ -145,7 +145,7 @@ TEST_CASE("faces_around: each direction shows what a ray in it meets first") {
           rings.emplace_back();
           for (std::size_t n = 0; n < ring.count; ++n) rings.back().push_back(corner_of(map, ring, n));
         }
-      wrong += irg::point_in_polygon(rings, at, irg::fill_rule::even_odd) == irg::point_location::outside;
+      wrong += irg::point_in_polygon(rings, at, irg::fill_rule::even_odd) == irg::location::outside;
       unseen += want != irg::no_face && !std::binary_search(around.seen.begin(), around.seen.end(), want);
     }
   }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include <irg/math/homogeneous.hpp>
+#include <irg/math/mat.hpp>
 #ifdef IRG_HAVE_GLM
 #include <glm/glm.hpp>
 #endif
@@ -128,6 +130,18 @@ TEST_CASE("vec: points and vectors") {
   CHECK_BOTH(irg::to_homogeneous(irg::point<int, 2>{7, 8}) == irg::hpoint<int, 2>{7, 8, 1});
   CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 3>{2, 4, 6, 2}) == point3{1, 2, 3});
   CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 2>{2, 4, -2}) == irg::point<double, 2>{-1, -2});
+}
+
+TEST_CASE("vec: points of any dimension") {
+  using point4 = irg::point<double, 4>;
+  static_assert(irg::Point<point4> && !irg::Vector<point4> && irg::HomogeneousPoint<irg::hpoint<int, 1>>);
+  static_assert(irg::size_of<irg::hpoint<double, 4>> == 5 && irg::size_of<irg::point<int, 1>> == 1);
+  CHECK_BOTH(point4{{4, 3, 2, 1}} - point4{{1, 1, 1, 1}} == irg::vec<double, 4>{3, 2, 1, 0});
+  CHECK_BOTH(irg::to_homogeneous(point4{{4, 3, 2, 1}}) == irg::hpoint<double, 4>{{4, 3, 2, 1, 1}});
+  CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 4>{{4, 3, 2, 1, 2}}) == point4{{2, 1.5, 1, 0.5}});
+  CHECK_BOTH(irg::to_cartesian(irg::hpoint<double, 1>{{6, 3}})[0] == 2);
+  CHECK_BOTH(*irg::try_to_cartesian(irg::identity<double, 5>() * point4{{4, 3, 2, 1}}) == point4{{4, 3, 2, 1}});
+  CHECK_BOTH(irg::homogeneous_kind_of(irg::hpoint<double, 4>{{0, 1, 0, 0, 0}}) == irg::homogeneous_kind::direction);
 }
 
 TEST_CASE("vec: the course's exercise 1") {

@@ -253,8 +253,8 @@ TEST_CASE("side_of_face: the sign of orient3d") {
     const test::face_pair p = make.next(static_cast<test::face_pairs>(i % test::face_pair_kinds));
     for (const irg::screen_vertex& corner : p.b.v) {
       const irg::subpixel &u = p.a.v[0].position, &v = p.a.v[1].position, &w = p.a.v[2].position;
-      const irg::winding seen = irg::winding_of(u, v, w);
-      const int turn = seen == irg::winding::clockwise ? 1 : seen == irg::winding::counter_clockwise ? -1 : 0;
+      const irg::orientation seen = irg::orientation_of(u, v, w);
+      const int turn = seen == irg::orientation::clockwise ? 1 : seen == irg::orientation::counter_clockwise ? -1 : 0;
       const int due = turn * irg::orient3d(at(p.a.v[0]), at(p.a.v[1]), at(p.a.v[2]), at(corner));
       wrong += side_of_face(p.a, corner) != due;
       ++count[due + 1];

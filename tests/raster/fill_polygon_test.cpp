@@ -227,7 +227,7 @@ TEST_CASE("polygon_spans: the fan triangles of a ring, counted with their sign, 
     const cell_window w{-11, -11, 11, 11};
     std::vector<int> winding(22 * 22, 0);
     for (std::size_t k = 1; k + 1 < r.size(); ++k) {
-      const int sign = irg::winding_of(r[0], r[k], r[k + 1]) == irg::winding::clockwise ? 1 : -1;
+      const int sign = irg::orientation_of(r[0], r[k], r[k + 1]) == irg::orientation::clockwise ? 1 : -1;
       irg::convex_spans(ring{r[0], r[k], r[k + 1]}, w, [&](span_of_cells s) {
         for (int x = s.x_first; x < s.x_last; ++x) winding[static_cast<std::size_t>((s.y + 11) * 22 + x + 11)] += sign;
       });

@@ -33,10 +33,9 @@ TEST_CASE("FillableRing: snapped positions and floating points in the plane, not
 
 TEST_CASE("FillablePolygon: one ring or a container of rings") {
   CHECK_BOTH(irg::FillablePolygon<std::vector<irg::subpixel>>);
-  CHECK_BOTH(irg::FillableRings<std::vector<std::vector<irg::subpixel>>>);
-  CHECK_BOTH(irg::FillableRings<std::array<std::array<own_point, 3>, 2>>);
-  CHECK_BOTH(irg::FillableRings<irg::subpixel[2][3]>);
-  CHECK_BOTH(!irg::FillableRings<std::vector<irg::subpixel>>);
+  CHECK_BOTH(irg::FillablePolygon<std::vector<std::vector<irg::subpixel>>>);
+  CHECK_BOTH(irg::FillablePolygon<std::array<std::array<own_point, 3>, 2>>);
+  CHECK_BOTH(irg::FillablePolygon<irg::subpixel[2][3]>);
   CHECK_BOTH(!irg::FillablePolygon<std::vector<std::vector<std::vector<irg::subpixel>>>>);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using position = irg::point<double, 2>;
 using path = std::vector<position>;
-using irg::line_caps, irg::stroke_joins, irg::stroke_ends;
+using irg::line_caps, irg::stroke_joins, irg::polyline_shape;
 
 constexpr double area_of(std::span<const position> ring) {
   double twice = 0;
@@ -57,7 +57,7 @@ static_assert(facts({}, {.width = 2}).accepted && facts({{0, 0}, {4, 0}}, {.widt
 static_assert(!facts({{0, none}}, {}).accepted && !facts({{0, 0}, {infinite, 0}}, {}).accepted);
 static_assert(!facts({{0, 0}, {1, 0}}, {.width = none}).accepted);
 static_assert(facts({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}},
-                    {2, stroke_joins::mitre, line_caps::round, 4, stroke_ends::closed})
+                    {2, stroke_joins::mitre, line_caps::round, 4, polyline_shape::closed})
                   .area == 36);
 
 TEST_CASE("outlines are positive and finite for points and widths of every size, repeated points and turns back") {
@@ -76,7 +76,7 @@ TEST_CASE("outlines are positive and finite for points and widths of every size,
       if (random() % 3 == 0 && p.size() > 2) p.push_back(p[p.size() - 2]);
     }
     const irg::stroke_style style{1 + std::fabs(number(30)), static_cast<stroke_joins>(random() % 3),
-                                  static_cast<line_caps>(random() % 3), 4, static_cast<stroke_ends>(random() % 2)};
+                                  static_cast<line_caps>(random() % 3), 4, static_cast<polyline_shape>(random() % 2)};
     const outline_facts f = facts(p, style);
     REQUIRE(f.accepted);
     REQUIRE(f.all_finite);
@@ -89,7 +89,7 @@ TEST_CASE("outlines are positive and finite for points and widths of every size,
       p.push_back({x, y});
     }
     const irg::stroke_style style{1, static_cast<stroke_joins>(random() % 3), static_cast<line_caps>(random() % 3), 4,
-                                  static_cast<stroke_ends>(random() % 2)};
+                                  static_cast<polyline_shape>(random() % 2)};
     double least = 0;
     irg::stroke_outline(p, style, [&](std::span<const position> ring) { least = std::fmin(least, area_of(ring)); });
     REQUIRE(least > -1e-12);

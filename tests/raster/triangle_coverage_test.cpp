@@ -50,15 +50,15 @@ TEST_CASE("cover_triangle: a triangle by hand, in both windings and from every v
   CHECK_BOTH(pixel_count({1024, 0}, {1024, 1024}, {0, 1024}) == 10);  // here it is a left edge
   CHECK_BOTH(irg::covers(irg::cover_triangle(a, b, c), 0, 0));
   CHECK_BOTH(!irg::covers(irg::cover_triangle(a, b, c), 3, 0));
-  CHECK_BOTH(irg::winding_of(a, b, c) == irg::winding::clockwise);
-  CHECK_BOTH(irg::winding_of(a, c, b) == irg::winding::counter_clockwise);
+  CHECK_BOTH(irg::orientation_of(a, b, c) == irg::orientation::clockwise);
+  CHECK_BOTH(irg::orientation_of(a, c, b) == irg::orientation::counter_clockwise);
 }
 
 TEST_CASE("cover_triangle: triangles without area cover nothing") {
   CHECK_BOTH(pixel_count({128, 128}, {128, 128}, {128, 128}) == 0);
   CHECK_BOTH(pixel_count({128, 128}, {128, 128}, {900, 700}) == 0);
   CHECK_BOTH(pixel_count({0, 0}, {512, 512}, {1024, 1024}) == 0);
-  CHECK_BOTH(irg::winding_of({0, 0}, {1, 1}, {2, 2}) == irg::winding::degenerate);
+  CHECK_BOTH(irg::orientation_of({0, 0}, {1, 1}, {2, 2}) == irg::orientation::degenerate);
 }
 
 TEST_CASE("cover_triangle: vertices at the limit of the domain") {

@@ -193,7 +193,7 @@ TEST_CASE("solid_boolean: heaps of lattice boxes, one step after another, agains
         count += c;
         if (step % 4 == 3 || trial % 8 == 0) {
           const auto where = irg::point_in_solid(heap, {x + 0.5, y + 0.5, z + 0.5});
-          REQUIRE((where == irg::point_location::inside) == (c != 0));
+          REQUIRE((where == irg::location::inside) == (c != 0));
         }
       }
       REQUIRE(irg::solid_volume(heap) == count);

@@ -58,6 +58,6 @@ TEST_CASE("orient_outward: shells in shells, faces turned at random") {
     CHECK(irg::orient_outward(m) == irg::outward_status::done);
     CHECK(irg::solid_volume(m) == doctest::Approx(volume).epsilon(1e-14));
     const double centre_is_inside = depth % 2;
-    CHECK((irg::point_in_solid(m, {0, 0, 0}) == irg::point_location::inside) == (centre_is_inside != 0));
+    CHECK((irg::point_in_solid(m, {0, 0, 0}) == irg::location::inside) == (centre_is_inside != 0));
   }
 }

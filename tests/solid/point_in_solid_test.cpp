@@ -16,9 +16,9 @@
 #include "support/random.hpp"
 #include "support/ulp.hpp"
 
+using irg::location;
 using irg::point_in_convex_solid;
 using irg::point_in_solid;
-using irg::point_location;
 
 namespace {
 
@@ -103,34 +103,34 @@ struct cube_heap {
   }
 
   // Of a point whose coordinates are halves of whole numbers, by the cubes that it is within or touches.
-  point_location locate(int x2, int y2, int z2) const {
+  location locate(int x2, int y2, int z2) const {
     int any = 0, all = 0;
     for (int k = 0; k < 8; ++k) {
       const auto cell = [&](int twice, int upper) { return twice % 2 != 0 ? (twice - 1) / 2 : twice / 2 - 1 + upper; };
       ++all;
       any += at(cell(x2, k & 1), cell(y2, k >> 1 & 1), cell(z2, k >> 2 & 1));
     }
-    return any == 0 ? point_location::outside : any == all ? point_location::inside : point_location::boundary;
+    return any == 0 ? location::outside : any == all ? location::inside : location::boundary;
   }
 };
 
 TEST_CASE("point_in_solid: the course's cube and the prism over an L") {
   constexpr auto cube = [] { return irg::shape_cube<double>(); };
-  CHECK_BOTH(point_in_convex_solid(cube(), {0.5, 0.5, 0.5}) == point_location::inside);
-  CHECK_BOTH(point_in_solid(cube(), {0.25, 0.75, 0.125}) == point_location::inside);
-  CHECK_BOTH(point_in_convex_solid(cube(), {2, 0, 0}) == point_location::outside);
-  CHECK_BOTH(point_in_solid(cube(), {1, 1, 1}) == point_location::boundary);
-  CHECK_BOTH(point_in_convex_solid(cube(), {1, 1, 1}) == point_location::boundary);
-  CHECK_BOTH(point_in_solid(cube(), {0.5, 0.5, 1}) == point_location::boundary);
-  CHECK_BOTH(point_in_solid(cube(), {-1, -1, -1}) == point_location::outside);
-  CHECK_BOTH(point_in_solid(prism_over_l(), {0.5, 2.5, 0.75}) == point_location::inside);
-  CHECK_BOTH(point_in_solid(prism_over_l(), {2, 2, 0.5}) == point_location::outside);
-  CHECK_BOTH(point_in_solid(prism_over_l(), {-1, 0.5, 0.5}) == point_location::outside);
-  CHECK_BOTH(point_in_solid(prism_over_l(), {1, 1, 0.5}) == point_location::boundary);  // on the reflex side
-  CHECK_BOTH(point_in_solid(prism_over_l(), {2, 2, 1}) == point_location::outside);  // in a base's plane, beside it
-  CHECK_BOTH(point_in_solid(prism_over_l(), {2, 1, 0.5}) == point_location::boundary);
-  CHECK_BOTH(point_in_convex_solid(prism_over_l(), {0.5, 2.5, 0.75}) == point_location::outside);  // not its domain
-  CHECK_BOTH(point_in_solid(solid_mesh{}, {0, 0, 0}) == point_location::outside);
+  CHECK_BOTH(point_in_convex_solid(cube(), {0.5, 0.5, 0.5}) == location::inside);
+  CHECK_BOTH(point_in_solid(cube(), {0.25, 0.75, 0.125}) == location::inside);
+  CHECK_BOTH(point_in_convex_solid(cube(), {2, 0, 0}) == location::outside);
+  CHECK_BOTH(point_in_solid(cube(), {1, 1, 1}) == location::boundary);
+  CHECK_BOTH(point_in_convex_solid(cube(), {1, 1, 1}) == location::boundary);
+  CHECK_BOTH(point_in_solid(cube(), {0.5, 0.5, 1}) == location::boundary);
+  CHECK_BOTH(point_in_solid(cube(), {-1, -1, -1}) == location::outside);
+  CHECK_BOTH(point_in_solid(prism_over_l(), {0.5, 2.5, 0.75}) == location::inside);
+  CHECK_BOTH(point_in_solid(prism_over_l(), {2, 2, 0.5}) == location::outside);
+  CHECK_BOTH(point_in_solid(prism_over_l(), {-1, 0.5, 0.5}) == location::outside);
+  CHECK_BOTH(point_in_solid(prism_over_l(), {1, 1, 0.5}) == location::boundary);  // on the reflex side
+  CHECK_BOTH(point_in_solid(prism_over_l(), {2, 2, 1}) == location::outside);  // in a base's plane, beside it
+  CHECK_BOTH(point_in_solid(prism_over_l(), {2, 1, 0.5}) == location::boundary);
+  CHECK_BOTH(point_in_convex_solid(prism_over_l(), {0.5, 2.5, 0.75}) == location::outside);  // not its domain
+  CHECK_BOTH(point_in_solid(solid_mesh{}, {0, 0, 0}) == location::outside);
 }
 
 TEST_CASE("point_in_solid: every half of a whole number in and round heaps of cubes (oracle: the cubes)") {
@@ -149,7 +149,7 @@ TEST_CASE("point_in_solid: every half of a whole number in and round heaps of cu
       for (int y = -1; y <= 2 * cube_heap::side + 1; ++y)
         for (int x = -1; x <= 2 * cube_heap::side + 1; ++x) {
           const solid_point p{x * 0.5, y * 0.5, z * 0.5}, q{p.x * scale, p.y * scale, p.z * scale};
-          const point_location expected = h.locate(x, y, z);
+          const location expected = h.locate(x, y, z);
           wrong += locate(p, irg::fill_rule::non_zero, &counts) != expected;
           wrong += locate_scaled(q, irg::fill_rule::even_odd) != expected;
           if ((x + y + z) % 16 == 0) wrong += point_in_solid(surface, p) != expected;
@@ -162,13 +162,13 @@ TEST_CASE("point_in_solid: every half of a whole number in and round heaps of cu
 TEST_CASE("point_in_solid: shells within shells, overlaps, bodies turned inside out") {
   const solid_mesh cube = moved(irg::shape_cube<double>(), 2, {-1, -1, -1}), small_cube = moved(cube, 0.5, {});
   const solid_mesh hollow = joined(cube, inside_out(small_cube)), twice = joined(cube, small_cube);
-  CHECK(point_in_solid(hollow, {0, 0, 0}) == point_location::outside);
-  CHECK(point_in_solid(hollow, {0.75, 0, 0}) == point_location::inside);
-  CHECK(point_in_solid(hollow, {0.5, 0.25, 0.25}) == point_location::boundary);
+  CHECK(point_in_solid(hollow, {0, 0, 0}) == location::outside);
+  CHECK(point_in_solid(hollow, {0.75, 0, 0}) == location::inside);
+  CHECK(point_in_solid(hollow, {0.5, 0.25, 0.25}) == location::boundary);
   CHECK(irg::winding_number(twice, {0, 0, 0}) == 2);
   CHECK(irg::winding_number(twice, {0.75, 0, 0}) == 1);
-  CHECK(point_in_solid(twice, {0, 0, 0}) == point_location::inside);
-  CHECK(point_in_solid(twice, {0, 0, 0}, irg::fill_rule::even_odd) == point_location::outside);
+  CHECK(point_in_solid(twice, {0, 0, 0}) == location::inside);
+  CHECK(point_in_solid(twice, {0, 0, 0}, irg::fill_rule::even_odd) == location::outside);
   CHECK(irg::winding_number(inside_out(cube), {0, 0, 0}) == -1);
   CHECK(irg::winding_number(inside_out(cube), {3, 0, 0}) == 0);
   CHECK(!irg::winding_number(cube, {1, 0, 0}));
@@ -178,17 +178,17 @@ TEST_CASE("point_in_solid: NaN, infinity, faces that are not finite, faces witho
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   solid_mesh cube = moved(irg::shape_cube<double>(), 2, {-1, -1, -1});
   for (const solid_point& p : {solid_point{nan, 0, 0}, {0, inf, 0}, {0, 0, -inf}}) {
-    CHECK(point_in_solid(cube, p) == point_location::outside);
-    CHECK(point_in_convex_solid(cube, p) == point_location::outside);
-    CHECK(irg::solid_locator(cube)(p) == point_location::outside);
+    CHECK(point_in_solid(cube, p) == location::outside);
+    CHECK(point_in_convex_solid(cube, p) == location::outside);
+    CHECK(irg::solid_locator(cube)(p) == location::outside);
   }
   const std::size_t v = cube.positions.size();
   cube.positions.insert(cube.positions.end(), {{5, 5, nan}, {0, 0, 7}, {0, 0, 9}});
   irg::add_face(cube, std::array<std::size_t, 3>{0, 1, v});
   irg::add_face(cube, std::array<std::size_t, 3>{v + 1, v + 2, v + 1});  // a needle over the cube
-  CHECK(point_in_solid(cube, {0, 0, 0}) == point_location::inside);
-  CHECK(point_in_solid(cube, {0, 0, 8}) == point_location::boundary);
-  CHECK(point_in_solid(cube, {0, 0, 10}) == point_location::outside);
+  CHECK(point_in_solid(cube, {0, 0, 0}) == location::inside);
+  CHECK(point_in_solid(cube, {0, 0, 8}) == location::boundary);
+  CHECK(point_in_solid(cube, {0, 0, 10}) == location::outside);
 }
 
 #ifdef IRG_HAVE_MPFR
@@ -252,9 +252,7 @@ int location_in_rationals(const solid_mesh& m, const solid_point& at, test::rand
   }
 }
 
-point_location located(int code) {
-  return code == 2 ? point_location::boundary : code == 1 ? point_location::inside : point_location::outside;
-}
+location located(int code) { return code == 2 ? location::boundary : code == 1 ? location::inside : location::outside; }
 
 TEST_CASE("point_in_solid: tetrahedra of any magnitude, points on and beside their parts (oracle: rationals)") {
   test::random random(42);
@@ -291,7 +289,7 @@ TEST_CASE("point_in_solid: tetrahedra of any magnitude, points on and beside the
         p = half(p, q);
       }
       if (k == 7) p.z = number();
-      const point_location expected = located(location_in_rationals(m, p, random));
+      const location expected = located(location_in_rationals(m, p, random));
       ++found[static_cast<int>(expected) + 1];
       CHECK(point_in_solid(m, p) == expected);
       CHECK(point_in_convex_solid(m, p) == expected);
@@ -313,8 +311,8 @@ TEST_CASE("point_in_solid: a torus, points that its corners, sides and planes ar
   for (int i = 0, n = std::getenv("IRG_RELEASE_TIER") ? 2000 : 20; i < n; ++i) {
     const auto number = [&](int r) { return static_cast<double>(random.integer(-r, r)); };
     const double x = number(12), y = number(4), z = number(12);
-    const point_location expected = located(location_in_rationals(torus, {x, y, z}, random));
-    inside += expected == point_location::inside;
+    const location expected = located(location_in_rationals(torus, {x, y, z}, random));
+    inside += expected == location::inside;
     wrong += locate({x, y, z}) != expected;
   }
   CHECK(wrong == 0);

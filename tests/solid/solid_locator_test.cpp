@@ -8,7 +8,7 @@
 
 #include "support/random.hpp"
 
-using irg::point_location;
+using irg::location;
 
 namespace {
 
@@ -19,16 +19,16 @@ TEST_CASE("solid_locator: empty bodies, equal triangles, constant evaluation") {
     const solid_mesh m = irg::shape_cube<double>();
     const irg::solid_locator locate(m);
     irg::solid_locator_counts counts;
-    const bool right = locate({0.5, 0.5, 0.5}, irg::fill_rule::non_zero, &counts) == point_location::inside &&
-                       locate({2, 0.5, 0.5}) == point_location::outside && locate.winding_number({0.25, 0.5, 0.5}) == 1;
+    const bool right = locate({0.5, 0.5, 0.5}, irg::fill_rule::non_zero, &counts) == location::inside &&
+                       locate({2, 0.5, 0.5}) == location::outside && locate.winding_number({0.25, 0.5, 0.5}) == 1;
     return right && counts.points == 1 && counts.triangles <= 12;
   }());
-  CHECK(irg::solid_locator(solid_mesh{})({0, 0, 0}) == point_location::outside);
+  CHECK(irg::solid_locator(solid_mesh{})({0, 0, 0}) == location::outside);
   solid_mesh many;
   many.positions = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
   for (int i = 0; i < 20000; ++i) irg::add_face(many, std::array<std::size_t, 3>{0, 1, 2});
   CHECK(irg::solid_locator(many).winding_number({0.25, 0.25, 0}) == 20000);
-  CHECK(irg::solid_locator(many)({0.25, 0.25, 1}) == point_location::boundary);
+  CHECK(irg::solid_locator(many)({0.25, 0.25, 1}) == location::boundary);
 }
 
 TEST_CASE("solid_locator: the answers of point_in_solid, for corners, middles of sides and points beside a torus") {

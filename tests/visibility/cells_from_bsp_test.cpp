@@ -54,7 +54,7 @@ double area_of(const irg::cell_plan<double>& plan) {
 std::optional<std::uint32_t> cell_at(const irg::cell_plan<double>& plan, const place& p) {
   std::optional<std::uint32_t> found;
   for (std::uint32_t c = 0; c < plan.cells.size(); ++c)
-    if (irg::point_in_convex_polygon(plan.cells[c].corners, p) == irg::point_location::inside) {
+    if (irg::point_in_convex_polygon(plan.cells[c].corners, p) == irg::location::inside) {
       if (found) return std::nullopt;  // where rounded cells overlap
       found = c;
     }

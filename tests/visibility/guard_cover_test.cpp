@@ -144,12 +144,12 @@ TEST_CASE("cover_by_guards: every place is seen by a guard, and each part by its
       }
     for (int k = 0; k < 200; ++k) {
       const double x = 10 * r.unit() - 5, y = 10 * r.unit() - 5;
-      if (irg::point_in_polygon(p, place{x, y}, irg::fill_rule::even_odd) != irg::point_location::inside) continue;
+      if (irg::point_in_polygon(p, place{x, y}, irg::fill_rule::even_odd) != irg::location::inside) continue;
       bool seen = false;
       for (const std::size_t g : c.guards) seen = seen || irg::see(place{x, y}, corners[g], walls);
       unseen += !seen;
       for (const auto& part : c.parts)
-        if (irg::point_in_polygon(part.ring, place{x, y}) == irg::point_location::inside)
+        if (irg::point_in_polygon(part.ring, place{x, y}) == irg::location::inside)
           wrong += !irg::see(place{x, y}, corners[part.guard], walls);
     }
     double area = 0, whole = std::fabs(twice_area_of(p[0]));

@@ -58,7 +58,7 @@ inline namespace IRG_ABI {
 ///         kept as it is
 /// exact   channels of 8 bits are kept; coloured pixels become gray by gray_level; light and codes by encode and decode
 template <DecodablePixel To, ConvertiblePixel From>
-IRG_INLINE constexpr To convert_pixel(const From& p) {
+[[nodiscard]] IRG_INLINE constexpr To convert_pixel(const From& p) {
   if constexpr (std::same_as<To, From>)
     return p;
   else if constexpr (std::same_as<From, rgb<float>>)

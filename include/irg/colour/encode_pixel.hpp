@@ -15,26 +15,26 @@ namespace irg {
 inline namespace IRG_ABI {
 
 /// The pixel itself.
-IRG_INLINE constexpr rgba8 to_rgba8(const rgba8& p) noexcept { return p; }
+[[nodiscard]] IRG_INLINE constexpr rgba8 to_rgba8(const rgba8& p) noexcept { return p; }
 
 /// The same colour and opacity, in irg's channel order.
-IRG_INLINE constexpr rgba8 to_rgba8(const bgra8& p) noexcept { return {p.r, p.g, p.b, p.a}; }
-IRG_INLINE constexpr rgba8 to_rgba8(const bgr8& p) noexcept { return {p.r, p.g, p.b, 255}; }
+[[nodiscard]] IRG_INLINE constexpr rgba8 to_rgba8(const bgra8& p) noexcept { return {p.r, p.g, p.b, p.a}; }
+[[nodiscard]] IRG_INLINE constexpr rgba8 to_rgba8(const bgr8& p) noexcept { return {p.r, p.g, p.b, 255}; }
 
 /// The same colour, opaque.
-IRG_INLINE constexpr rgba8 to_rgba8(const rgb8& p) noexcept { return {p.r, p.g, p.b, 255}; }
+[[nodiscard]] IRG_INLINE constexpr rgba8 to_rgba8(const rgb8& p) noexcept { return {p.r, p.g, p.b, 255}; }
 
 /// The gray of that level, opaque: 0 is black, 255 is white. A template, so that no other number turns into a byte
 /// unseen.
 template <std::same_as<std::uint8_t> Gray>
-IRG_INLINE constexpr rgba8 to_rgba8(Gray level) noexcept {
+[[nodiscard]] IRG_INLINE constexpr rgba8 to_rgba8(Gray level) noexcept {
   return {level, level, level, 255};
 }
 
 /// The gray level of a colour, its opacity left aside: what is gray keeps its level.
 /// exact   (299 r + 587 g + 114 b) / 1000, rounded to nearest, half up
 /// source  BT.601
-IRG_INLINE constexpr std::uint8_t gray_level(const rgba8& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::uint8_t gray_level(const rgba8& p) noexcept {
   return static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000);
 }
 

@@ -13,7 +13,7 @@ inline namespace IRG_ABI {
 
 /// a * (255 - coverage) / 255 + b * coverage / 255.
 /// exact   the integer nearest to the exact value (a tie cannot be: 255 is odd)
-IRG_INLINE constexpr std::uint8_t mix(std::uint8_t a, std::uint8_t b, std::uint8_t coverage) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::uint8_t mix(std::uint8_t a, std::uint8_t b, std::uint8_t coverage) noexcept {
   // t / 255 rounded is (u + u / 256) / 256 with u = t + 128, for all t up to 255 * 255.
   const unsigned u = a * (255u - coverage) + b * unsigned{coverage} + 128u;
   return static_cast<std::uint8_t>((u + (u >> 8)) >> 8);
@@ -23,7 +23,7 @@ IRG_INLINE constexpr std::uint8_t mix(std::uint8_t a, std::uint8_t b, std::uint8
 /// exact   a at coverage 0 and b at 255, whatever the other one is; between them four roundings
 /// gives   infinity or NaN between them when a or b is not finite, or b - a overflows
 template <std::floating_point T>
-IRG_INLINE constexpr T mix(T a, T b, std::uint8_t coverage) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T mix(T a, T b, std::uint8_t coverage) noexcept {
   if (coverage == 0) return a;
   if (coverage == 255) return b;
   return a + product(b - a, static_cast<T>(coverage) / T(255));
@@ -32,7 +32,7 @@ IRG_INLINE constexpr T mix(T a, T b, std::uint8_t coverage) noexcept {
 /// Each channel mixed as encoded, opacity like the colours.
 template <class P>
   requires std::same_as<P, rgba8> || std::same_as<P, bgra8>
-IRG_INLINE constexpr P mix(const P& a, const P& b, std::uint8_t coverage) noexcept {
+[[nodiscard]] IRG_INLINE constexpr P mix(const P& a, const P& b, std::uint8_t coverage) noexcept {
   P out;
   out.r = mix(a.r, b.r, coverage);
   out.g = mix(a.g, b.g, coverage);
@@ -44,7 +44,7 @@ IRG_INLINE constexpr P mix(const P& a, const P& b, std::uint8_t coverage) noexce
 /// Each channel mixed as encoded.
 template <class P>
   requires std::same_as<P, rgb8> || std::same_as<P, bgr8>
-IRG_INLINE constexpr P mix(const P& a, const P& b, std::uint8_t coverage) noexcept {
+[[nodiscard]] IRG_INLINE constexpr P mix(const P& a, const P& b, std::uint8_t coverage) noexcept {
   P out;
   out.r = mix(a.r, b.r, coverage);
   out.g = mix(a.g, b.g, coverage);
@@ -54,7 +54,7 @@ IRG_INLINE constexpr P mix(const P& a, const P& b, std::uint8_t coverage) noexce
 
 /// Each channel mixed.
 template <std::floating_point T>
-IRG_INLINE constexpr rgb<T> mix(const rgb<T>& a, const rgb<T>& b, std::uint8_t coverage) noexcept {
+[[nodiscard]] IRG_INLINE constexpr rgb<T> mix(const rgb<T>& a, const rgb<T>& b, std::uint8_t coverage) noexcept {
   return {mix(a.r, b.r, coverage), mix(a.g, b.g, coverage), mix(a.b, b.b, coverage)};
 }
 

@@ -44,7 +44,7 @@ struct rgb {
 inline namespace IRG_ABI {
 
 template <class T>
-IRG_INLINE constexpr rgb<T> operator+(const rgb<T>& a, const rgb<T>& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr rgb<T> operator+(const rgb<T>& a, const rgb<T>& b) noexcept {
   return {a.r + b.r, a.g + b.g, a.b + b.b};
 }
 

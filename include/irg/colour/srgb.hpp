@@ -46,14 +46,14 @@ inline namespace IRG_ABI {
 /// exact   the float nearest to the exact value
 /// cost    one load
 /// source  IEC 61966-2-1
-IRG_INLINE constexpr float srgb_to_linear(std::uint8_t code) noexcept { return detail::srgb_light[code]; }
+[[nodiscard]] IRG_INLINE constexpr float srgb_to_linear(std::uint8_t code) noexcept { return detail::srgb_light[code]; }
 
 /// The 8-bit sRGB code whose encoding of `light` is nearest: 0 for 0 and less, 255 for 1 and more.
 /// gives   0 for NaN
 /// exact   round(255 * encoded light) of the exact curve for every float; no float lies half-way
 /// cost    two comparisons and one load from a table of 6.5 KiB
 /// source  IEC 61966-2-1
-IRG_INLINE constexpr std::uint8_t linear_to_srgb8(float light) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::uint8_t linear_to_srgb8(float light) noexcept {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(clamp(light, detail::srgb_first, detail::srgb_last));
   const std::uint32_t entry = detail::srgb_code_table.entry[(bits - detail::srgb_first_bits) >> 16];
   return static_cast<std::uint8_t>((entry + (bits & 0xffff)) >> 16);
@@ -64,7 +64,7 @@ IRG_INLINE constexpr std::uint8_t linear_to_srgb8(float light) noexcept {
 /// exact   error below 8 ulp for |encoded| <= 1.2: the constants' own rounding, raised by the power
 /// source  IEC 61966-2-1
 template <Floating T>
-constexpr T srgb_to_linear(T encoded) noexcept {
+[[nodiscard]] constexpr T srgb_to_linear(T encoded) noexcept {
   if (encoded < T(0)) return -srgb_to_linear(-encoded);
   if (encoded <= T(0.04045)) return encoded / T(12.92);
   return pow((encoded + T(0.055)) / T(1.055), T(2.4));
@@ -75,7 +75,7 @@ constexpr T srgb_to_linear(T encoded) noexcept {
 /// exact   error below 8 ulp for |light| <= 1.2
 /// source  IEC 61966-2-1
 template <Floating T>
-constexpr T linear_to_srgb(T light) noexcept {
+[[nodiscard]] constexpr T linear_to_srgb(T light) noexcept {
   if (light < T(0)) return -linear_to_srgb(-light);
   if (light <= T(0.0031308)) return product(T(12.92), light);
   return product(T(1.055), pow(light, T(1) / T(2.4))) - T(0.055);
@@ -83,13 +83,13 @@ constexpr T linear_to_srgb(T light) noexcept {
 
 /// The pixel of a colour: each channel by linear_to_srgb8. Opacity is a share, not light, and stays as it is.
 /// exact   each channel correctly rounded
-IRG_INLINE constexpr rgba8 encode(const rgb<float>& light, std::uint8_t opacity = 255) noexcept {
+[[nodiscard]] IRG_INLINE constexpr rgba8 encode(const rgb<float>& light, std::uint8_t opacity = 255) noexcept {
   return {linear_to_srgb8(light.r), linear_to_srgb8(light.g), linear_to_srgb8(light.b), opacity};
 }
 
 /// The colour of a pixel, its opacity left aside.
 /// exact   each channel correctly rounded; encode(decode(p), p.a) is p
-IRG_INLINE constexpr rgb<float> decode(const rgba8& pixel) noexcept {
+[[nodiscard]] IRG_INLINE constexpr rgb<float> decode(const rgba8& pixel) noexcept {
   return {srgb_to_linear(pixel.r), srgb_to_linear(pixel.g), srgb_to_linear(pixel.b)};
 }
 

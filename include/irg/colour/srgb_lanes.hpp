@@ -34,8 +34,8 @@ inline namespace IRG_ABI {
 /// exact   encode() of each
 /// cost    three loads from a table per pixel
 template <int N>
-IRG_INLINE pack<std::uint32_t, N> encode_lanes(const pack<float, N>& r, const pack<float, N>& g,
-                                               const pack<float, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<std::uint32_t, N> encode_lanes(const pack<float, N>& r, const pack<float, N>& g,
+                                                             const pack<float, N>& b) noexcept {
   const auto word = [](const pack<float, N>& light) { return bits_as<std::uint32_t>(detail::srgb_codes_of(light)); };
   return (word(r) << byte_shift<4>(0)) | (word(g) << byte_shift<4>(1)) | (word(b) << byte_shift<4>(2)) |
          0xffu << byte_shift<4>(3);
@@ -45,7 +45,7 @@ IRG_INLINE pack<std::uint32_t, N> encode_lanes(const pack<float, N>& r, const pa
 /// exact   decode() of each
 /// cost    three loads from a table per pixel
 template <int N>
-IRG_INLINE rgb<pack<float, N>> decode_lanes(const pack<std::int32_t, N>& words) noexcept {
+[[nodiscard]] IRG_INLINE rgb<pack<float, N>> decode_lanes(const pack<std::int32_t, N>& words) noexcept {
   const auto light = [&](int shift) { return gather<float>(detail::srgb_light, (words >> shift) & 255); };
   return {light(byte_shift<4>(0)), light(byte_shift<4>(1)), light(byte_shift<4>(2))};
 }

@@ -15,7 +15,7 @@ struct [[nodiscard]] checked {
   Status status{};
 
   /// Whether the value is what was asked for.
-  IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == Status{}; }
+  [[nodiscard]] IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == Status{}; }
   constexpr bool operator==(const checked&) const = default;
 };
 

@@ -167,14 +167,16 @@ inline namespace IRG_ABI {
 /// Coordinate i of v.
 /// needs   0 <= i < size_of<T>
 template <Coordinates T>
-IRG_INLINE constexpr scalar_of<T> coordinate(const T& v, int i) noexcept(noexcept(coordinate_traits<T>::get(v, i))) {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<T> coordinate(const T& v,
+                                                           int i) noexcept(noexcept(coordinate_traits<T>::get(v, i))) {
   return coordinate_traits<T>::get(v, i);
 }
 
 /// A T with the given coordinates.
 template <Coordinates T, class... S>
   requires(sizeof...(S) == static_cast<std::size_t>(size_of<T>))
-IRG_INLINE constexpr T from_coordinates(const S&... c) noexcept(noexcept(coordinate_traits<T>::make(c...))) {
+[[nodiscard]] IRG_INLINE constexpr T from_coordinates(const S&... c) noexcept(
+    noexcept(coordinate_traits<T>::make(c...))) {
   return coordinate_traits<T>::make(c...);
 }
 

@@ -16,18 +16,18 @@ inline namespace IRG_ABI {
 
 /// |x| by clearing the sign bit.
 #if defined(__GNUC__)  // stays in the floating-point registers, where g++ takes the bits through others
-IRG_INLINE constexpr double magnitude(double x) noexcept { return __builtin_fabs(x); }
-IRG_INLINE constexpr float magnitude(float x) noexcept { return __builtin_fabsf(x); }
+[[nodiscard]] IRG_INLINE constexpr double magnitude(double x) noexcept { return __builtin_fabs(x); }
+[[nodiscard]] IRG_INLINE constexpr float magnitude(float x) noexcept { return __builtin_fabsf(x); }
 #else
-IRG_INLINE constexpr double magnitude(double x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr double magnitude(double x) noexcept {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 63));
 }
-IRG_INLINE constexpr float magnitude(float x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr float magnitude(float x) noexcept {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7fffffffu);
 }
 #endif
 template <std::floating_point T, int N>
-IRG_INLINE pack<T, N> magnitude(const pack<T, N>& x) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> magnitude(const pack<T, N>& x) noexcept {
   using bits = typename lanes<mask_of_lanes<T, N>>::scalar;
   return bits_as<T>(bits_as<bits>(x) & (std::numeric_limits<bits>::max)());
 }
@@ -36,7 +36,7 @@ IRG_INLINE pack<T, N> magnitude(const pack<T, N>& x) noexcept {
 /// exact   correctly rounded
 // __builtin_sqrt would branch to the C library for errno's sake.
 template <Floating T>
-IRG_INLINE T square_root_instruction(T x) noexcept {
+[[nodiscard]] IRG_INLINE T square_root_instruction(T x) noexcept {
 #if defined(__clang__) && __has_builtin(__builtin_elementwise_sqrt)
   return __builtin_elementwise_sqrt(x);
 #elif defined(__SSE2__) && defined(__GNUC__) && !defined(__clang__)
@@ -47,10 +47,11 @@ IRG_INLINE T square_root_instruction(T x) noexcept {
   else
     asm("vsqrtsd %1, %1, %0" : "=x"(root) : "x"(x));
 #else
+  root = x;  // in place: a register of its own would have to wait for what was in it
   if constexpr (std::is_same_v<T, float>)
-    asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
+    asm("sqrtss %0, %0" : "+x"(root));
   else
-    asm("sqrtsd %1, %0" : "=x"(root) : "x"(x));
+    asm("sqrtsd %0, %0" : "+x"(root));
 #endif
   return root;
 #elif defined(__GNUC__)
@@ -63,7 +64,7 @@ IRG_INLINE T square_root_instruction(T x) noexcept {
 #endif
 }
 template <std::floating_point T, int N>
-IRG_INLINE pack<T, N> square_root_instruction(const pack<T, N>& x) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> square_root_instruction(const pack<T, N>& x) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__clang__) && __has_builtin(__builtin_elementwise_sqrt)
   return {__builtin_elementwise_sqrt(x.v)};
 #else
@@ -94,14 +95,14 @@ inline constexpr bool has_fused_multiply_add = false;
 #endif
 
 /// a*b + c at run time, rounded once where has_fused_multiply_add, else twice.
-IRG_INLINE double fused_multiply_add(double a, double b, double c) noexcept {
+[[nodiscard]] IRG_INLINE double fused_multiply_add(double a, double b, double c) noexcept {
 #if defined(__FMA__) || defined(__aarch64__)
   return __builtin_fma(a, b, c);
 #else
   return product(a, b) + c;
 #endif
 }
-IRG_INLINE float fused_multiply_add(float a, float b, float c) noexcept {
+[[nodiscard]] IRG_INLINE float fused_multiply_add(float a, float b, float c) noexcept {
 #if defined(__FMA__) || defined(__aarch64__)
   return __builtin_fmaf(a, b, c);
 #else
@@ -109,7 +110,8 @@ IRG_INLINE float fused_multiply_add(float a, float b, float c) noexcept {
 #endif
 }
 template <std::floating_point T, int N>
-IRG_INLINE pack<T, N> fused_multiply_add(const pack<T, N>& a, const pack<T, N>& b, const pack<T, N>& c) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> fused_multiply_add(const pack<T, N>& a, const pack<T, N>& b,
+                                                       const pack<T, N>& c) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__FMA__)
   [[maybe_unused]] constexpr bool is_float = std::is_same_v<T, float>;
   if constexpr (is_float && N == 4) return {__builtin_ia32_vfmaddps(a.v, b.v, c.v)};

@@ -28,14 +28,15 @@ namespace lanes_detail {
 
 // Coordinate C out of three registers in a row; in two steps, since a shuffle takes two registers.
 template <int C, class T, int N>
-IRG_INLINE pack<T, N> every_third(const pack<T, N>& r0, const pack<T, N>& r1, const pack<T, N>& r2) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> every_third(const pack<T, N>& r0, const pack<T, N>& r1,
+                                                const pack<T, N>& r2) noexcept {
   const auto first = shuffled_by<N>(r0, r1, [](int i) { return 3 * i + C < 2 * N ? 3 * i + C : 0; });
   return shuffled_by<N>(first, r2, [](int i) { return 3 * i + C < 2 * N ? i : 3 * i + C - N; });
 }
 
 // Register G of three in a row that hold x y z x y z ...
 template <int G, class T, int N>
-IRG_INLINE pack<T, N> interleaved(const triple_lanes<T, N>& t) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> interleaved(const triple_lanes<T, N>& t) noexcept {
   const auto first = shuffled_by<N>(t.x, t.y, [](int i) { return (G * N + i) / 3 + ((G * N + i) % 3 == 1 ? N : 0); });
   return shuffled_by<N>(first, t.z, [](int i) { return (G * N + i) % 3 == 2 ? (G * N + i) / 3 + N : i; });
 }
@@ -43,7 +44,7 @@ IRG_INLINE pack<T, N> interleaved(const triple_lanes<T, N>& t) noexcept {
 // The lanes I of a and b, 0 to 3 and 4 to 7, in each group of four lanes alike: none has to cross from one group into
 // another.
 template <int... I, class T, int N>
-IRG_INLINE pack<T, N> in_fours(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> in_fours(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return shuffled_by<N>(a, b, [](int i) {
     constexpr int of[4] = {I...};
     return (of[i % 4] < 4 ? of[i % 4] : of[i % 4] - 4 + N) + i / 4 * 4;
@@ -56,7 +57,7 @@ inline constexpr bool sorted_in_fours = sizeof(T) == 4 && (N == 4 || N == 8);
 
 // The groups of four lanes load(0) and, where there are eight lanes, load(1).
 template <int N, class Load>
-IRG_INLINE auto load_fours(const Load& load) noexcept {
+[[nodiscard]] IRG_INLINE auto load_fours(const Load& load) noexcept {
   if constexpr (N == 4)
     return load(0);
   else
@@ -66,7 +67,7 @@ IRG_INLINE auto load_fours(const Load& load) noexcept {
 
 /// N triples from p on.
 template <int N, class T>
-IRG_INLINE triple_lanes<T, N> load_triples(const T* p) noexcept {
+[[nodiscard]] IRG_INLINE triple_lanes<T, N> load_triples(const T* p) noexcept {
   using F = lanes<pack<T, N>>;
   if constexpr (lanes_detail::sorted_in_fours<T, N>) {
     using namespace lanes_detail;
@@ -113,7 +114,7 @@ IRG_INLINE void store_triples(T* p, const triple_lanes<T, N>& t) noexcept {
 
 /// N quadruples of 32-bit words, lane i those from address_of(i) on.
 template <int N, class AddressOf>
-IRG_INLINE quadruple_lanes<N> load_quadruples(const AddressOf& address_of) noexcept {
+[[nodiscard]] IRG_INLINE quadruple_lanes<N> load_quadruples(const AddressOf& address_of) noexcept {
   if constexpr (lanes_detail::sorted_in_fours<float, N>) {
     using namespace lanes_detail;
     const auto row = [&](int i) {

@@ -37,7 +37,7 @@ inline namespace IRG_ABI {
 
 /// Whether x is neither NaN nor infinite; numbers without infinities always are finite.
 template <Scalar T>
-IRG_INLINE constexpr bool is_finite(const T& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_finite(const T& x) noexcept {
   if constexpr (Floating<T>)
     return magnitude(x) <= (std::numeric_limits<T>::max)();
   else if constexpr (std::numeric_limits<T>::has_infinity)
@@ -48,7 +48,7 @@ IRG_INLINE constexpr bool is_finite(const T& x) noexcept {
 
 /// Whether all coordinates are.
 template <Coordinates P>
-IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
   if constexpr (Floating<scalar_of<P>>) return detail::not_finite_bit(p) >> 63 == 0;
   for (int i = 0; i < size_of<P>; ++i)
     if (!is_finite(coordinate(p, i))) return false;
@@ -58,7 +58,7 @@ IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
 /// Whether all coefficients are.
 template <Plane P>
   requires(!Coordinates<P>)
-IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
   for (int i = 0; i < 4; ++i)
     if (!is_finite(plane_coefficient(p, i))) return false;
   return true;
@@ -67,7 +67,7 @@ IRG_INLINE constexpr bool is_finite(const P& p) noexcept {
 /// Whether all vertices are.
 template <PolygonRing R>
   requires(!Coordinates<R>)
-constexpr bool is_finite(const R& ring) noexcept {
+[[nodiscard]] constexpr bool is_finite(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
   if constexpr (Floating<scalar_of<ring_point<R>>>) {
     std::uint64_t bits = 0;
@@ -82,7 +82,7 @@ constexpr bool is_finite(const R& ring) noexcept {
 
 /// Whether all of them are.
 template <class A, class B, class... More>
-IRG_INLINE constexpr bool is_finite(const A& a, const B& b, const More&... more) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_finite(const A& a, const B& b, const More&... more) noexcept {
   return is_finite(a) && is_finite(b) && (is_finite(more) && ...);
 }
 

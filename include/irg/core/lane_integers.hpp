@@ -14,54 +14,54 @@ namespace irg {
 inline namespace IRG_ABI {
 
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x & y; }, a, b);
 }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator|(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator|(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x | y; }, a, b);
 }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x ^ y; }, a, b);
 }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator&(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a & lanes<pack<T, N>>::broadcast(b);
 }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator|(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator|(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a | lanes<pack<T, N>>::broadcast(b);
 }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator^(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a ^ lanes<pack<T, N>>::broadcast(b);
 }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator~(const pack<T, N>& a) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator~(const pack<T, N>& a) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x) { r = ~x; }, a);
 }
 
 /// Each lane moved by so many bits: to the right, signs are carried along.
 /// needs   0 <= bits, less than T has
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator<<(const pack<T, N>& a, int bits) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator<<(const pack<T, N>& a, int bits) noexcept {
   return lanes_detail::lanewise<T, N>([bits](auto& r, const auto& x) { r = x << static_cast<T>(bits); }, a);
 }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> operator>>(const pack<T, N>& a, int bits) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator>>(const pack<T, N>& a, int bits) noexcept {
   return lanes_detail::lanewise<T, N>([bits](auto& r, const auto& x) { r = x >> static_cast<T>(bits); }, a);
 }
 
 /// How far to the left, in an integer of `Size` bytes, the byte lies that stands `place` bytes behind its address.
 template <int Size>
-constexpr int byte_shift(int place) noexcept {
+[[nodiscard]] constexpr int byte_shift(int place) noexcept {
   return 8 * (std::endian::native == std::endian::little ? place : Size - 1 - place);
 }
 
 /// Four numbers of 16 bits that follow each other in memory, read as one word and turned so that the first has the
 /// lowest bits.
-constexpr std::uint64_t first_lowest(std::uint64_t word) noexcept {
+[[nodiscard]] constexpr std::uint64_t first_lowest(std::uint64_t word) noexcept {
   if constexpr (std::endian::native == std::endian::little) return word;
   word = word << 32 | word >> 32;
   return (word & 0x0000ffff0000ffff) << 16 | (word >> 16 & 0x0000ffff0000ffff);
@@ -69,7 +69,7 @@ constexpr std::uint64_t first_lowest(std::uint64_t word) noexcept {
 
 /// The bits of a pack, read as numbers of another type: as many as its bytes hold.
 template <class T, class U, int N>
-IRG_INLINE auto bits_as(const pack<U, N>& x) noexcept {
+[[nodiscard]] IRG_INLINE auto bits_as(const pack<U, N>& x) noexcept {
   constexpr int count = N * static_cast<int>(sizeof(U)) / static_cast<int>(sizeof(T));
 #ifdef IRG_LANES_VECTOR
   return pack<T, count>{reinterpret_cast<typename pack<T, count>::storage>(x.v)};
@@ -81,7 +81,7 @@ IRG_INLINE auto bits_as(const pack<U, N>& x) noexcept {
 namespace lanes_detail {
 
 template <class To, class T, int N>
-IRG_INLINE pack<To, N> static_cast_lanes(const pack<T, N>& x) noexcept {
+[[nodiscard]] IRG_INLINE pack<To, N> static_cast_lanes(const pack<T, N>& x) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__AVX__) && !defined(__clang__)
   // g++ 12 would convert halves and put them together.
   if constexpr (std::is_same_v<T, float> && std::is_same_v<To, double> && N == 4)
@@ -100,7 +100,7 @@ IRG_INLINE pack<To, N> static_cast_lanes(const pack<T, N>& x) noexcept {
 /// the lowest bits of integers that To cannot hold.
 /// needs   floating numbers within To's range
 template <class To, class T, int N>
-IRG_INLINE pack<To, N> converted(const pack<T, N>& x) noexcept {
+[[nodiscard]] IRG_INLINE pack<To, N> converted(const pack<T, N>& x) noexcept {
   if constexpr (std::is_same_v<T, To>)
     return x;
   else if constexpr (std::is_same_v<T, float> && std::is_same_v<To, double>)
@@ -113,11 +113,11 @@ IRG_INLINE pack<To, N> converted(const pack<T, N>& x) noexcept {
 
 /// The integer, rounded to the nearest float, ties to even.
 template <class I>
-IRG_INLINE constexpr float to_float(I i) noexcept {
+[[nodiscard]] IRG_INLINE constexpr float to_float(I i) noexcept {
   return static_cast<float>(i);
 }
 template <int N>
-IRG_INLINE pack<float, N> to_float(const pack<std::int32_t, N>& i) noexcept {
+[[nodiscard]] IRG_INLINE pack<float, N> to_float(const pack<std::int32_t, N>& i) noexcept {
   return converted<float>(i);
 }
 
@@ -132,8 +132,8 @@ inline constexpr bool has_upper_product = false;
 
 /// The upper halves of the products of 16-bit numbers.
 template <int N>
-IRG_INLINE pack<std::uint16_t, N> upper_product(const pack<std::uint16_t, N>& a,
-                                                const pack<std::uint16_t, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<std::uint16_t, N> upper_product(const pack<std::uint16_t, N>& a,
+                                                              const pack<std::uint16_t, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   using shorts = typename pack<std::int16_t, N>::storage;
   using result = typename pack<std::uint16_t, N>::storage;
@@ -150,7 +150,7 @@ IRG_INLINE pack<std::uint16_t, N> upper_product(const pack<std::uint16_t, N>& a,
 }
 
 /// Four numbers of 0 to 255 as the bytes of a word, lane 0 the lowest.
-IRG_INLINE std::uint32_t packed_bytes(const pack<std::int32_t, 4>& p) noexcept {
+[[nodiscard]] IRG_INLINE std::uint32_t packed_bytes(const pack<std::int32_t, 4>& p) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   const auto halves = __builtin_ia32_packssdw128(p.v, p.v);
   const auto bytes = __builtin_ia32_packuswb128(halves, halves);

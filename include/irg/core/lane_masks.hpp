@@ -17,7 +17,7 @@ namespace lanes_detail {
 
 // compare(r, a, b) gives r lane by lane.
 template <class T, int N, class Op>
-IRG_INLINE mask_of_lanes<T, N> compare(const pack<T, N>& a, const pack<T, N>& b, const Op& op) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> compare(const pack<T, N>& a, const pack<T, N>& b, const Op& op) noexcept {
 #ifdef IRG_LANES_VECTOR
   decltype(a.v < b.v) r;
   op(r, a.v, b.v);
@@ -41,7 +41,7 @@ inline constexpr bool is_pair = std::is_same_v<T, double> && N == 2;
 }  // namespace lanes_detail
 
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator<(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator<(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (lanes_detail::is_pair<T, N>)
     return {reinterpret_cast<typename mask_of_lanes<T, N>::storage>(__builtin_ia32_cmpltpd(a.v, b.v))};
@@ -49,7 +49,7 @@ IRG_INLINE mask_of_lanes<T, N> operator<(const pack<T, N>& a, const pack<T, N>& 
   return lanes_detail::compare(a, b, [](auto& r, const auto& x, const auto& y) { r = x < y; });
 }
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator<=(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator<=(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (lanes_detail::is_pair<T, N>)
     return {reinterpret_cast<typename mask_of_lanes<T, N>::storage>(__builtin_ia32_cmplepd(a.v, b.v))};
@@ -57,15 +57,15 @@ IRG_INLINE mask_of_lanes<T, N> operator<=(const pack<T, N>& a, const pack<T, N>&
   return lanes_detail::compare(a, b, [](auto& r, const auto& x, const auto& y) { r = x <= y; });
 }
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator>(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator>(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return b < a;
 }
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator>=(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator>=(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return b <= a;
 }
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator==(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator==(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (lanes_detail::is_pair<T, N>)
     return {reinterpret_cast<typename mask_of_lanes<T, N>::storage>(__builtin_ia32_cmpeqpd(a.v, b.v))};
@@ -75,7 +75,7 @@ IRG_INLINE mask_of_lanes<T, N> operator==(const pack<T, N>& a, const pack<T, N>&
 
 /// Where a <= b does not hold: a is greater, or one of them is NaN.
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> not_at_most(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> not_at_most(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)  // g++ would compare and turn the result round
   using storage = typename mask_of_lanes<T, N>::storage;
   if constexpr (lanes_detail::is_pair<T, N>) return {reinterpret_cast<storage>(__builtin_ia32_cmpnlepd(a.v, b.v))};
@@ -90,30 +90,30 @@ IRG_INLINE mask_of_lanes<T, N> not_at_most(const pack<T, N>& a, const pack<T, N>
 
 /// The same with one number for all lanes.
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator<(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator<(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a < lanes<pack<T, N>>::broadcast(b);
 }
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator<=(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator<=(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a <= lanes<pack<T, N>>::broadcast(b);
 }
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator>(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator>(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a > lanes<pack<T, N>>::broadcast(b);
 }
 template <class T, int N>
-IRG_INLINE mask_of_lanes<T, N> operator>=(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE mask_of_lanes<T, N> operator>=(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a >= lanes<pack<T, N>>::broadcast(b);
 }
 
 /// a where the mask holds, b elsewhere.
 template <class T>
-IRG_INLINE constexpr T select(bool mask, T a, T b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T select(bool mask, T a, T b) noexcept {
   return mask ? a : b;
 }
 template <class T, int N>
-IRG_INLINE pack<T, N> select(const std::type_identity_t<mask_of_lanes<T, N>>& mask, const pack<T, N>& a,
-                             const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> select(const std::type_identity_t<mask_of_lanes<T, N>>& mask, const pack<T, N>& a,
+                                           const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE4_1__)
   if constexpr (lanes_detail::is_pair<T, N>)
     return {__builtin_ia32_blendvpd(b.v, a.v, reinterpret_cast<typename pack<T, N>::storage>(mask.v))};
@@ -131,13 +131,13 @@ IRG_INLINE pack<T, N> select(const std::type_identity_t<mask_of_lanes<T, N>>& ma
 }
 
 /// The lesser and the greater of two numbers, lane by lane in packs; b when they are unordered.
-IRG_INLINE constexpr float low_of(float a, float b) noexcept { return a < b ? a : b; }
-IRG_INLINE constexpr float high_of(float a, float b) noexcept { return b < a ? a : b; }
-IRG_INLINE constexpr double low_of(double a, double b) noexcept { return a < b ? a : b; }
-IRG_INLINE constexpr double high_of(double a, double b) noexcept { return b < a ? a : b; }
+[[nodiscard]] IRG_INLINE constexpr float low_of(float a, float b) noexcept { return a < b ? a : b; }
+[[nodiscard]] IRG_INLINE constexpr float high_of(float a, float b) noexcept { return b < a ? a : b; }
+[[nodiscard]] IRG_INLINE constexpr double low_of(double a, double b) noexcept { return a < b ? a : b; }
+[[nodiscard]] IRG_INLINE constexpr double high_of(double a, double b) noexcept { return b < a ? a : b; }
 // In one instruction where there is one; g++ does not find the second.
 template <class T, int N>
-IRG_INLINE pack<T, N> low_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> low_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (std::is_same_v<T, float> && N == 4) return {__builtin_ia32_minps(a.v, b.v)};
   if constexpr (std::is_same_v<T, double> && N == 2) return {__builtin_ia32_minpd(a.v, b.v)};
@@ -149,7 +149,7 @@ IRG_INLINE pack<T, N> low_of(const pack<T, N>& a, const pack<T, N>& b) noexcept 
   return select(a < b, a, b);
 }
 template <class T, int N>
-IRG_INLINE pack<T, N> high_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> high_of(const pack<T, N>& a, const pack<T, N>& b) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
   if constexpr (std::is_same_v<T, float> && N == 4) return {__builtin_ia32_maxps(a.v, b.v)};
   if constexpr (std::is_same_v<T, double> && N == 2) return {__builtin_ia32_maxpd(a.v, b.v)};
@@ -162,16 +162,17 @@ IRG_INLINE pack<T, N> high_of(const pack<T, N>& a, const pack<T, N>& b) noexcept
 }
 
 /// Where both masks hold.
-IRG_INLINE constexpr bool both(bool a, bool b) noexcept { return a && b; }
+[[nodiscard]] IRG_INLINE constexpr bool both(bool a, bool b) noexcept { return a && b; }
 template <std::integral T, int N>
-IRG_INLINE pack<T, N> both(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> both(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return a & b;
 }
 
 /// Where none of three numbers is negative.
 template <int N>
-IRG_INLINE pack<std::int32_t, N> none_negative(const pack<std::int32_t, N>& a, const pack<std::int32_t, N>& b,
-                                               const pack<std::int32_t, N>& c) noexcept {
+[[nodiscard]] IRG_INLINE pack<std::int32_t, N> none_negative(const pack<std::int32_t, N>& a,
+                                                             const pack<std::int32_t, N>& b,
+                                                             const pack<std::int32_t, N>& c) noexcept {
   return (a | b | c) >= 0;
 }
 
@@ -179,7 +180,7 @@ namespace lanes_detail {
 
 // One bit per lane, set where the lane's sign bit is.
 template <class T, int N>
-IRG_INLINE auto sign_bits(const pack<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE auto sign_bits(const pack<T, N>& p) noexcept {
   using bits = std::conditional_t<(N > 32), std::uint64_t, unsigned>;
   static_assert(N <= 64);
 #if defined(IRG_LANES_VECTOR) && defined(__SSE2__)
@@ -208,29 +209,29 @@ IRG_INLINE auto sign_bits(const pack<T, N>& p) noexcept {
 
 /// One bit per lane, lane 0 the lowest, set where the mask holds.
 /// needs   masks of at most 64 lanes
-IRG_INLINE constexpr unsigned mask_bits(bool mask) noexcept { return mask ? 1u : 0u; }
+[[nodiscard]] IRG_INLINE constexpr unsigned mask_bits(bool mask) noexcept { return mask ? 1u : 0u; }
 template <std::signed_integral T, int N>
-IRG_INLINE auto mask_bits(const pack<T, N>& mask) noexcept {
+[[nodiscard]] IRG_INLINE auto mask_bits(const pack<T, N>& mask) noexcept {
   return lanes_detail::sign_bits(mask);
 }
 
 /// One bit per lane, lane 0 the lowest, set where the sign bit is: of -0 and of NaN, too.
 template <std::floating_point T, int N>
-IRG_INLINE auto sign_bits(const pack<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE auto sign_bits(const pack<T, N>& p) noexcept {
   return lanes_detail::sign_bits(p);
 }
 
 /// Whether the mask holds in any lane, in all, in none.
 template <class Mask>
-IRG_INLINE constexpr bool any_lane(const Mask& mask) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool any_lane(const Mask& mask) noexcept {
   return mask_bits(mask) != 0;
 }
 template <class Mask>
-IRG_INLINE constexpr bool no_lane(const Mask& mask) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool no_lane(const Mask& mask) noexcept {
   return mask_bits(mask) == 0;
 }
 template <class Mask>
-IRG_INLINE constexpr bool all_lanes(const Mask& mask) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool all_lanes(const Mask& mask) noexcept {
   const auto bits = mask_bits(mask);
   return bits == ~decltype(mask_bits(mask)){0} >> (8 * static_cast<int>(sizeof bits) - lanes<Mask>::count);
 }
@@ -238,11 +239,11 @@ IRG_INLINE constexpr bool all_lanes(const Mask& mask) noexcept {
 namespace lanes_detail {
 
 template <class T, class Op>
-IRG_INLINE constexpr T folded(T x, const Op&) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T folded(T x, const Op&) noexcept {
   return x;
 }
 template <class T, int N, class Op>
-IRG_INLINE T folded(const pack<T, N>& p, const Op& op) noexcept {
+[[nodiscard]] IRG_INLINE T folded(const pack<T, N>& p, const Op& op) noexcept {
   if constexpr (N == 1)
     return p[0];
   else
@@ -255,15 +256,15 @@ IRG_INLINE T folded(const pack<T, N>& p, const Op& op) noexcept {
 /// one is left.
 /// exact   lanes 0 to 3 are summed as (0 + 2) + (1 + 3); the order follows the number of lanes. No NaN among floats
 template <class F>
-IRG_INLINE constexpr auto least_of(const F& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto least_of(const F& x) noexcept {
   return lanes_detail::folded(x, [](const auto& a, const auto& b) { return low_of(a, b); });
 }
 template <class F>
-IRG_INLINE constexpr auto greatest_of(const F& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto greatest_of(const F& x) noexcept {
   return lanes_detail::folded(x, [](const auto& a, const auto& b) { return high_of(a, b); });
 }
 template <class F>
-IRG_INLINE constexpr auto total(const F& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto total(const F& x) noexcept {
   return lanes_detail::folded(x, [](const auto& a, const auto& b) { return a + b; });
 }
 

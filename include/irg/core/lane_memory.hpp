@@ -16,7 +16,7 @@ inline namespace IRG_ABI {
 /// The T that stands index[i] * 4 bytes behind base, in lane i.
 /// needs   a T of four bytes
 template <class T, int N>
-IRG_INLINE pack<T, N> gather(const void* base, const pack<std::int32_t, N>& index) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> gather(const void* base, const pack<std::int32_t, N>& index) noexcept {
   static_assert(sizeof(T) == 4);
 #if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
   if constexpr (N == 8) {
@@ -41,7 +41,7 @@ IRG_INLINE pack<T, N> gather(const void* base, const pack<std::int32_t, N>& inde
 /// N bytes: those of a value again and again.
 /// needs   a trivially copyable V; sizeof(V) a power of two, at most N
 template <int N, class V>
-IRG_INLINE pack<std::uint8_t, N> repeated_bytes(const V& value) noexcept {
+[[nodiscard]] IRG_INLINE pack<std::uint8_t, N> repeated_bytes(const V& value) noexcept {
   constexpr int size = static_cast<int>(sizeof(V));
   if constexpr (size > 8) {
     return repeated<N>(lanes<pack<std::uint8_t, size>>::load_bytes(&value));
@@ -71,7 +71,7 @@ namespace lanes_detail {
 // All bits set in the first `count` lanes.
 alignas(64) inline constexpr std::int32_t in_or_out[16] = {-1, -1, -1, -1, -1, -1, -1, -1};
 template <int N>
-IRG_INLINE pack<std::int32_t, N> first_lanes(int count) noexcept {
+[[nodiscard]] IRG_INLINE pack<std::int32_t, N> first_lanes(int count) noexcept {
   return lanes<pack<std::int32_t, N>>::load(in_or_out + 8 - count);
 }
 
@@ -79,7 +79,7 @@ IRG_INLINE pack<std::int32_t, N> first_lanes(int count) noexcept {
 #endif
 
 /// i, but no more than last: without a branch, which a comparison might become.
-IRG_INLINE int no_further_than(int last, int i) noexcept {
+[[nodiscard]] IRG_INLINE int no_further_than(int last, int i) noexcept {
   const int rest = last - i;
   return i + (rest & (rest >> 31));
 }
@@ -88,7 +88,7 @@ IRG_INLINE int no_further_than(int last, int i) noexcept {
 /// and there is no branch.
 /// needs   a T of four bytes; 1 <= count <= N
 template <class T, int N>
-IRG_INLINE pack<T, N> load_some(const void* p, int count) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> load_some(const void* p, int count) noexcept {
   static_assert(sizeof(T) == 4);
 #if defined(IRG_LANES_VECTOR) && defined(__AVX2__)
   using ints = pack<std::int32_t, N>;

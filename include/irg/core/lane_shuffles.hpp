@@ -12,7 +12,8 @@ inline namespace IRG_ABI {
 
 /// The lanes I, in this order, of a and b, one behind the other.
 template <int... I, class T, int N>
-IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled(const pack<T, N>& a,
+                                                                          const pack<T, N>& b) noexcept {
   static_assert(((I >= 0 && I < 2 * N) && ...));
 #ifdef IRG_LANES_VECTOR
   return {__builtin_shufflevector(a.v, b.v, I...)};
@@ -22,15 +23,15 @@ IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled(const pack<T, N>& a,
 }
 /// The lanes I, in this order, of one pack.
 template <int... I, class T, int N>
-IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled(const pack<T, N>& a) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled(const pack<T, N>& a) noexcept {
   return shuffled<I...>(a, a);
 }
 
 namespace lanes_detail {
 
 template <class Index, int... I, class T, int N>
-IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled_by(const pack<T, N>& a, const pack<T, N>& b,
-                                                               std::integer_sequence<int, I...>) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled_by(
+    const pack<T, N>& a, const pack<T, N>& b, std::integer_sequence<int, I...>) noexcept {
   return shuffled<Index{}(I)...>(a, b);
 }
 
@@ -39,27 +40,27 @@ IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled_by(const pack<T, N>&
 /// The same with the order by a rule: lane i of M is lane index(i).
 /// needs   index: a callable without state that takes constants to constants
 template <int M, class T, int N, class Index>
-IRG_INLINE pack<T, M> shuffled_by(const pack<T, N>& a, const pack<T, N>& b, Index) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, M> shuffled_by(const pack<T, N>& a, const pack<T, N>& b, Index) noexcept {
   return lanes_detail::shuffled_by<Index>(a, b, std::make_integer_sequence<int, M>{});
 }
 template <int M, class T, int N, class Index>
-IRG_INLINE pack<T, M> shuffled_by(const pack<T, N>& a, Index index) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, M> shuffled_by(const pack<T, N>& a, Index index) noexcept {
   return shuffled_by<M>(a, a, index);
 }
 
 /// The lower and the upper half of the lanes.
 template <class T, int N>
-IRG_INLINE pack<T, N / 2> low_half(const pack<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N / 2> low_half(const pack<T, N>& p) noexcept {
   return shuffled_by<N / 2>(p, [](int i) { return i; });
 }
 template <class T, int N>
-IRG_INLINE pack<T, N / 2> high_half(const pack<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N / 2> high_half(const pack<T, N>& p) noexcept {
   return shuffled_by<N / 2>(p, [](int i) { return i + N / 2; });
 }
 
 /// Two halves of a pack, put together.
 template <class T, int N>
-IRG_INLINE pack<T, N> join_halves(const pack<T, N / 2>& low, const pack<T, N / 2>& high) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> join_halves(const pack<T, N / 2>& low, const pack<T, N / 2>& high) noexcept {
   if constexpr (sizeof(pack<T, N>) <= static_cast<unsigned>(widest_bytes)) {
     return shuffled_by<N>(low, high, [](int i) { return i; });
   } else {  // which g++ 12 would put together number by number
@@ -72,11 +73,13 @@ IRG_INLINE pack<T, N> join_halves(const pack<T, N / 2>& low, const pack<T, N / 2
 
 /// M lanes: those of p again and again.
 template <int M, class T, int N>
-IRG_INLINE pack<T, M> repeated(const pack<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, M> repeated(const pack<T, N>& p) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__AVX512F__) && !defined(__clang__)
   // g++ 12 makes a wider register of a narrower one by way of memory.
   if constexpr (std::is_same_v<T, float> && N == 4 && M == 16)
     return {__builtin_ia32_broadcastf32x4_512(p.v, typename pack<T, M>::storage{}, static_cast<unsigned short>(-1))};
+  if constexpr (std::is_same_v<T, double> && N == 4 && M == 8)
+    return {__builtin_ia32_broadcastf64x4_512(p.v, typename pack<T, M>::storage{}, static_cast<unsigned char>(-1))};
 #endif
   return shuffled_by<M>(p, [](int i) { return i % N; });
 }

@@ -26,7 +26,9 @@ IRG_INLINE void ask_for([[maybe_unused]] const void* p, [[maybe_unused]] std::pt
 
 /// Asks for the cache line `ahead` bytes behind p, to read it or to write it. Where that is beyond all memory, nothing
 /// happens.
-IRG_INLINE void prefetch(const void* p, std::ptrdiff_t ahead = 0) noexcept { lanes_detail::ask_for<0>(p, ahead); }
+IRG_INLINE constexpr void prefetch(const void* p, std::ptrdiff_t ahead = 0) noexcept {
+  if (!std::is_constant_evaluated()) lanes_detail::ask_for<0>(p, ahead);
+}
 IRG_INLINE void prefetch_to_write(const void* p, std::ptrdiff_t ahead = 0) noexcept {
   lanes_detail::ask_for<1>(p, ahead);
 }

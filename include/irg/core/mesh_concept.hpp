@@ -33,34 +33,34 @@ inline namespace IRG_ABI {
 
 /// The number of positions of a mesh.
 template <Mesh M>
-IRG_INLINE constexpr std::size_t mesh_vertex_count(const M& m) {
+[[nodiscard]] IRG_INLINE constexpr std::size_t mesh_vertex_count(const M& m) {
   return static_cast<std::size_t>(mesh_traits<M>::vertex_count(m));
 }
 
 /// Position v of a mesh.
 /// needs   v < mesh_vertex_count(m)
 template <Mesh M>
-IRG_INLINE constexpr mesh_point<M> mesh_position(const M& m, std::size_t v) {
+[[nodiscard]] IRG_INLINE constexpr mesh_point<M> mesh_position(const M& m, std::size_t v) {
   return mesh_traits<M>::position(m, v);
 }
 
 /// The number of faces of a mesh.
 template <Mesh M>
-IRG_INLINE constexpr std::size_t mesh_face_count(const M& m) {
+[[nodiscard]] IRG_INLINE constexpr std::size_t mesh_face_count(const M& m) {
   return static_cast<std::size_t>(mesh_traits<M>::face_count(m));
 }
 
 /// The number of corners of face f.
 /// needs   f < mesh_face_count(m)
 template <Mesh M>
-IRG_INLINE constexpr std::size_t mesh_face_size(const M& m, std::size_t f) {
+[[nodiscard]] IRG_INLINE constexpr std::size_t mesh_face_size(const M& m, std::size_t f) {
   return static_cast<std::size_t>(mesh_traits<M>::face_size(m, f));
 }
 
 /// The position that corner k of face f names.
 /// needs   f < mesh_face_count(m), k < mesh_face_size(m, f)
 template <Mesh M>
-IRG_INLINE constexpr std::size_t mesh_face_vertex(const M& m, std::size_t f, std::size_t k) {
+[[nodiscard]] IRG_INLINE constexpr std::size_t mesh_face_vertex(const M& m, std::size_t f, std::size_t k) {
   return static_cast<std::size_t>(mesh_traits<M>::face_vertex(m, f, k));
 }
 

@@ -65,11 +65,11 @@ struct pack {
 
 /// Lane i of a number or a pack.
 template <class T>
-IRG_INLINE constexpr T lane(T x, int) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T lane(T x, int) noexcept {
   return x;
 }
 template <class T, int N>
-IRG_INLINE T lane(const pack<T, N>& x, int i) noexcept {
+[[nodiscard]] IRG_INLINE T lane(const pack<T, N>& x, int i) noexcept {
   return x[i];
 }
 
@@ -85,7 +85,7 @@ IRG_INLINE void set_lane(pack<T, N>& p, int i, std::type_identity_t<T> x) noexce
 
 /// The pack of these numbers, the first in lane 0.
 template <class T, std::same_as<T>... Ts>
-IRG_INLINE pack<T, 1 + static_cast<int>(sizeof...(Ts))> pack_of(T first, Ts... others) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, 1 + static_cast<int>(sizeof...(Ts))> pack_of(T first, Ts... others) noexcept {
 #ifdef IRG_LANES_VECTOR
   return {typename pack<T, 1 + static_cast<int>(sizeof...(Ts))>::storage{first, others...}};
 #else
@@ -171,7 +171,7 @@ struct lanes<pack<T, N>> {
 
 /// The pack, unchanged, as something the optimiser may not look into, as opaque() of a number.
 template <class T, int N>
-IRG_INLINE pack<T, N> opaque(const pack<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> opaque(const pack<T, N>& p) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__wasm__)
   return p;
 #elif defined(IRG_LANES_VECTOR)
@@ -199,7 +199,7 @@ namespace lanes_detail {
 // op(r, numbers...) gives r lane by lane: on whole registers where there are some. Of arrays, integers are computed in
 // at least 32 bits, with or without sign as they are.
 template <class T, int N, class Op, std::same_as<pack<T, N>>... Packs>
-IRG_INLINE pack<T, N> lanewise(const Op& op, const Packs&... numbers) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> lanewise(const Op& op, const Packs&... numbers) noexcept {
   pack<T, N> r;
 #ifdef IRG_LANES_VECTOR
   op(r.v, numbers.v...);
@@ -217,16 +217,16 @@ IRG_INLINE pack<T, N> lanewise(const Op& op, const Packs&... numbers) noexcept {
 }  // namespace lanes_detail
 
 template <class T, int N>
-IRG_INLINE pack<T, N> operator+(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator+(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x + y; }, a, b);
 }
 template <class T, int N>
-IRG_INLINE pack<T, N> operator-(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator-(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x - y; }, a, b);
 }
 /// The product of each lane, rounded on its own: packs are never contracted.
 template <class T, int N>
-IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   const auto p = lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x * y; }, a, b);
   if constexpr (IRG_TARGET_FUSES && std::is_floating_point_v<T>)
     return opaque(p);
@@ -234,27 +234,27 @@ IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, const pack<T, N>& b) noexce
     return p;
 }
 template <class T, int N>
-IRG_INLINE pack<T, N> operator/(const pack<T, N>& a, const pack<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator/(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x, const auto& y) { r = x / y; }, a, b);
 }
 
 /// The same with one number for all lanes.
 template <class T, int N>
-IRG_INLINE pack<T, N> operator+(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator+(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a + lanes<pack<T, N>>::broadcast(b);
 }
 template <class T, int N>
-IRG_INLINE pack<T, N> operator-(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator-(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a - lanes<pack<T, N>>::broadcast(b);
 }
 template <class T, int N>
-IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator*(const pack<T, N>& a, std::type_identity_t<T> b) noexcept {
   return a * lanes<pack<T, N>>::broadcast(b);
 }
 
 /// The negative of each lane: of floating numbers the sign is turned, also that of zero and NaN.
 template <class T, int N>
-IRG_INLINE pack<T, N> operator-(const pack<T, N>& a) noexcept {
+[[nodiscard]] IRG_INLINE pack<T, N> operator-(const pack<T, N>& a) noexcept {
   return lanes_detail::lanewise<T, N>([](auto& r, const auto& x) { r = -x; }, a);
 }
 

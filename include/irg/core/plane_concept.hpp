@@ -56,8 +56,8 @@ inline namespace IRG_ABI {
 /// Coefficient a, b, c or d of a plane, for i = 0 to 3.
 /// needs   0 <= i < 4
 template <Plane P>
-IRG_INLINE constexpr plane_scalar<P> plane_coefficient(const P& p,
-                                                       int i) noexcept(noexcept(plane_traits<P>::coefficient(p, i))) {
+[[nodiscard]] IRG_INLINE constexpr plane_scalar<P> plane_coefficient(const P& p, int i) noexcept(
+    noexcept(plane_traits<P>::coefficient(p, i))) {
   return plane_traits<P>::coefficient(p, i);
 }
 

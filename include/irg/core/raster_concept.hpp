@@ -84,26 +84,26 @@ inline namespace IRG_ABI {
 
 /// The number of pixels in a row of r.
 template <ReadableRaster T>
-IRG_INLINE constexpr int width_of(const T& r) {
+[[nodiscard]] IRG_INLINE constexpr int width_of(const T& r) {
   return static_cast<int>(raster_traits<T>::width(r));
 }
 
 /// The number of rows of r.
 template <ReadableRaster T>
-IRG_INLINE constexpr int height_of(const T& r) {
+[[nodiscard]] IRG_INLINE constexpr int height_of(const T& r) {
   return static_cast<int>(raster_traits<T>::height(r));
 }
 
 /// The bytes from each row of r to the next one, negative where rows stand bottom up.
 template <EvenRowRaster T>
-IRG_INLINE constexpr std::ptrdiff_t bytes_per_row_of(const T& r) {
+[[nodiscard]] IRG_INLINE constexpr std::ptrdiff_t bytes_per_row_of(const T& r) {
   return raster_traits<T>::bytes_per_row(r);
 }
 
 /// The pixel in column x of row y.
 /// needs   0 <= x < width, 0 <= y < height
 template <ReadableRaster T>
-IRG_INLINE constexpr pixel_of<T> get_pixel(const T& r, int x, int y) {
+[[nodiscard]] IRG_INLINE constexpr pixel_of<T> get_pixel(const T& r, int x, int y) {
   return raster_traits<T>::get(r, x, y);
 }
 

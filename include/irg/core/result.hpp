@@ -26,7 +26,7 @@ public:
   IRG_INLINE constexpr result(T value) : value_(std::move(value)) {}
   IRG_INLINE constexpr result(E error) : error_(std::move(error)) {}
 
-  IRG_INLINE constexpr bool has_value() const noexcept { return value_.has_value(); }
+  [[nodiscard]] IRG_INLINE constexpr bool has_value() const noexcept { return value_.has_value(); }
   IRG_INLINE constexpr explicit operator bool() const noexcept { return value_.has_value(); }
 
   /// needs   has_value()
@@ -37,7 +37,7 @@ public:
   IRG_INLINE constexpr const T* operator->() const noexcept { return IRG_EXPECTS(has_value()), &*value_; }
 
   /// needs   !has_value()
-  IRG_INLINE constexpr const E& error() const noexcept { return IRG_EXPECTS(!has_value()), error_; }
+  [[nodiscard]] IRG_INLINE constexpr const E& error() const noexcept { return IRG_EXPECTS(!has_value()), error_; }
 
 private:
   std::optional<T> value_;

@@ -44,6 +44,33 @@ concept PolygonRing = requires(const T& r, std::size_t i) {
 template <PolygonRing T>
 using ring_point = typename ring_traits<T>::point;
 
+/// The number type of a ring's vertices.
+template <PolygonRing T>
+using ring_scalar = scalar_of<ring_point<T>>;
+
+/// A ring of points with N coordinates.
+template <class R, int N>
+concept RingOf = PolygonRing<R> && Point<ring_point<R>> && (size_of<ring_point<R>> == N);
+
+/// A ring of points of the plane, and one of points in space.
+template <class R>
+concept PlaneRing = RingOf<R, 2>;
+template <class R>
+concept SpaceRing = RingOf<R, 3>;
+
+/// Any number of rings, in a container with size() and [] or a plain array.
+template <class R>
+concept RingSequence = requires(const R& rings, std::size_t i) {
+  requires PolygonRing<std::remove_cvref_t<decltype(rings[i])>>;
+  requires std::is_array_v<R> || requires {
+    { rings.size() } -> std::convertible_to<std::size_t>;
+  };
+};
+
+/// The type of the rings in a sequence.
+template <RingSequence R>
+using ring_in = std::remove_cvref_t<decltype(std::declval<const R&>()[0])>;
+
 /// The inside of a set of rings, told by the winding number of a point: how often the rings run round it.
 enum class fill_rule {
   even_odd,  // the winding number is odd; a ring inside another is a hole whichever way it runs
@@ -54,15 +81,15 @@ inline namespace IRG_ABI {
 
 /// The number of vertices of a ring; 0, 1 and 2 are legal sizes of a degenerate one.
 template <PolygonRing R>
-IRG_INLINE constexpr std::size_t ring_size(const R& r) noexcept(noexcept(ring_traits<R>::size(r))) {
+[[nodiscard]] IRG_INLINE constexpr std::size_t ring_size(const R& r) noexcept(noexcept(ring_traits<R>::size(r))) {
   return static_cast<std::size_t>(ring_traits<R>::size(r));
 }
 
 /// Vertex i of a ring, counted round and round: vertex size is vertex 0 again.
 /// needs   a ring that is not empty
 template <PolygonRing R>
-IRG_INLINE constexpr ring_point<R> ring_vertex(const R& r,
-                                               std::size_t i) noexcept(noexcept(ring_traits<R>::vertex(r, i))) {
+[[nodiscard]] IRG_INLINE constexpr ring_point<R> ring_vertex(const R& r, std::size_t i) noexcept(
+    noexcept(ring_traits<R>::vertex(r, i))) {
   const std::size_t n = ring_size(r);
   return ring_traits<R>::vertex(r, i < n ? i : i % n);
 }

@@ -15,6 +15,14 @@ struct cell {
   friend constexpr bool operator==(const cell&, const cell&) = default;
 };
 
+/// The pixels with x_first <= x < x_last and y_first <= y < y_last; none when either range is empty.
+struct cell_window {
+  int x_first = 0, y_first = 0, x_last = 0, y_last = 0;
+
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept { return x_first >= x_last || y_first >= y_last; }
+  friend constexpr bool operator==(const cell_window&, const cell_window&) = default;
+};
+
 /// A run of pixels of row y: the columns x_first to x_last - 1, none when x_last <= x_first.
 struct span_of_cells {
   int y = 0, x_first = 0, x_last = 0;

@@ -21,11 +21,11 @@ struct wide_pack {
 };
 
 template <int N>
-IRG_INLINE wide_pack<N> operator+(const wide_pack<N>& a, const wide_pack<N>& b) noexcept {
+[[nodiscard]] IRG_INLINE wide_pack<N> operator+(const wide_pack<N>& a, const wide_pack<N>& b) noexcept {
   return {{a.half[0] + b.half[0], a.half[1] + b.half[1]}};
 }
 template <int N>
-IRG_INLINE wide_pack<N> operator*(const wide_pack<N>& a, const wide_pack<N>& b) noexcept {
+[[nodiscard]] IRG_INLINE wide_pack<N> operator*(const wide_pack<N>& a, const wide_pack<N>& b) noexcept {
   const auto half = [&](int i) {
     return lanes_detail::lanewise<double, N / 2>([](auto& r, const auto& x, const auto& y) { r = x * y; }, a.half[i],
                                                  b.half[i]);
@@ -33,20 +33,20 @@ IRG_INLINE wide_pack<N> operator*(const wide_pack<N>& a, const wide_pack<N>& b) 
   return {{half(0), half(1)}};
 }
 template <int N>
-IRG_INLINE double lane(const wide_pack<N>& a, int i) noexcept {
+[[nodiscard]] IRG_INLINE double lane(const wide_pack<N>& a, int i) noexcept {
   return a.half[i / (N / 2)][i % (N / 2)];
 }
 
 template <int N>
-IRG_INLINE pack<float, N> to_float(const wide_pack<N>& a) noexcept {
+[[nodiscard]] IRG_INLINE pack<float, N> to_float(const wide_pack<N>& a) noexcept {
   const auto half = [&](int i) { return lanes_detail::static_cast_lanes<float>(a.half[i]); };
   return join_halves<float, N>(half(0), half(1));
 }
 
 /// Where none of three numbers is negative.
 template <int N>
-IRG_INLINE pack<std::int32_t, N> none_negative(const wide_pack<N>& a, const wide_pack<N>& b,
-                                               const wide_pack<N>& c) noexcept {
+[[nodiscard]] IRG_INLINE pack<std::int32_t, N> none_negative(const wide_pack<N>& a, const wide_pack<N>& b,
+                                                             const wide_pack<N>& c) noexcept {
   const auto half = [&](int i) {
     return converted<std::int32_t>((a.half[i] >= 0) & (b.half[i] >= 0) & (c.half[i] >= 0));
   };

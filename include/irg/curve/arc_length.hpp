@@ -19,7 +19,7 @@ template <Floating T>
 struct arc_length_table {
   T first = 0, last = 1;
   std::span<const T> lengths{};
-  constexpr T length() const noexcept { return lengths[lengths.size() - 1]; }
+  [[nodiscard]] constexpr T length() const noexcept { return lengths[lengths.size() - 1]; }
 };
 
 namespace detail {
@@ -62,7 +62,8 @@ inline namespace IRG_ABI {
 /// cost    21 speeds for a smooth curve, twice as many with each halving; no stretch is halved more than 16 times
 /// source  irg's own: Gauss's and Legendre's quadrature, halved until two halves agree with the whole
 template <Floating T, class Speed>
-constexpr T arc_length(const Speed& speed, T a, std::type_identity_t<T> b, std::type_identity_t<T> tolerance) {
+[[nodiscard]] constexpr T arc_length(const Speed& speed, T a, std::type_identity_t<T> b,
+                                     std::type_identity_t<T> tolerance) {
   const T whole = detail::gauss_legendre(speed, a, b);
   const T least = product(whole, sizeof(T) == 4 ? T(0x1p-20f) : T(0x1p-48));  // rounding noise is no reason to halve
   return detail::adaptive_length(speed, a, b, whole, greater(tolerance, least), 16);
@@ -95,7 +96,8 @@ constexpr arc_length_table<T> arc_lengths(const Speed& speed, std::type_identity
 ///         smooth; at a place without speed (a cusp) within a 2^40th of a piece
 /// cost    a binary search and some three to six Newton steps of 7 speeds
 template <Floating T, class Speed>
-constexpr T parameter_at_length(const Speed& speed, const arc_length_table<T>& table, std::type_identity_t<T> s) {
+[[nodiscard]] constexpr T parameter_at_length(const Speed& speed, const arc_length_table<T>& table,
+                                              std::type_identity_t<T> s) {
   if (!(s > T(0))) return table.first;
   if (!(s < table.length())) return table.last;
   std::size_t low = 0, high = table.lengths.size() - 1;  // lengths[low] <= s < lengths[high]

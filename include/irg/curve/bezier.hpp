@@ -81,7 +81,7 @@ inline namespace IRG_ABI {
 /// needs   n > 0
 /// exact   k/n and (n - k)/n rounded once each
 template <Real T>
-IRG_INLINE constexpr curve_parameter<T> curve_fraction(int k, int n) noexcept {
+[[nodiscard]] IRG_INLINE constexpr curve_parameter<T> curve_fraction(int k, int n) noexcept {
   return {static_cast<T>(n - k) / static_cast<T>(n), static_cast<T>(k) / static_cast<T>(n)};
 }
 
@@ -147,7 +147,7 @@ constexpr detail::control_point<R> bezier_point(const R& points, parameter_of<R>
 /// The point of the Bezier curve at t, for control points whose number is part of the type.
 /// exact   as the form with scratch
 template <FixedControlPoints R>
-constexpr detail::control_point<R> bezier_point(const R& points, parameter_of<R> t) noexcept {
+[[nodiscard]] constexpr detail::control_point<R> bezier_point(const R& points, parameter_of<R> t) noexcept {
   std::array<detail::control_point<R>, detail::fixed_size<R>()> scratch{};
   return bezier_point(points, t, scratch);
 }
@@ -169,7 +169,8 @@ constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, 
 
 /// The point and the derivative, for control points whose number is part of the type.
 template <FixedControlPoints R>
-constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, parameter_of<R> t) noexcept {
+[[nodiscard]] constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points,
+                                                                             parameter_of<R> t) noexcept {
   std::array<detail::control_point<R>, detail::fixed_size<R>()> scratch{};
   return bezier_sample(points, t, scratch);
 }
@@ -197,7 +198,7 @@ constexpr void bezier_split(const R& points, parameter_of<R> t, std::span<detail
 /// cost    degree blends and divisions
 /// source  Wozny and Chudy 2020
 template <ControlPoints R>
-constexpr detail::control_point<R> bezier_point_wozny_chudy(const R& points, parameter_of<R> t) noexcept {
+[[nodiscard]] constexpr detail::control_point<R> bezier_point_wozny_chudy(const R& points, parameter_of<R> t) noexcept {
   using T = scalar_of<detail::control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0);
@@ -234,13 +235,13 @@ constexpr void bernstein_basis(std::type_identity_t<curve_parameter<T>> t, std::
 /// exact   as the form that fills a span
 template <int N, Real T>
   requires(N >= 0)
-constexpr std::array<T, static_cast<std::size_t>(N) + 1> bernstein_basis(curve_parameter<T> t) noexcept {
+[[nodiscard]] constexpr std::array<T, static_cast<std::size_t>(N) + 1> bernstein_basis(curve_parameter<T> t) noexcept {
   std::array<T, static_cast<std::size_t>(N) + 1> b{};
   bernstein_basis<T>(t, b);
   return b;
 }
 template <int N, Real T>
-constexpr std::array<T, static_cast<std::size_t>(N) + 1> bernstein_basis(T t) noexcept {
+[[nodiscard]] constexpr std::array<T, static_cast<std::size_t>(N) + 1> bernstein_basis(T t) noexcept {
   return bernstein_basis<N>(curve_parameter<T>(t));
 }
 
@@ -250,7 +251,7 @@ constexpr std::array<T, static_cast<std::size_t>(N) + 1> bernstein_basis(T t) no
 /// cost    n products and at most n/2 quotients
 /// source  Bernstein 1912; Mihajlovic 2016, 6.2 (4)
 template <Real T>
-constexpr T bernstein(int n, int i, T t) noexcept {
+[[nodiscard]] constexpr T bernstein(int n, int i, T t) noexcept {
   if (i < 0 || i > n) return T(0);
   const T rest = T(1) - t;
   const int fewer = i < n - i ? i : n - i;

@@ -66,8 +66,8 @@ constexpr detail::control_point<R> bezier_point_accurate(
 /// exact   as the form with scratch
 template <FixedControlPoints R>
   requires Floating<scalar_of<detail::control_point<R>>>
-constexpr detail::control_point<R> bezier_point_accurate(const R& points,
-                                                         scalar_of<detail::control_point<R>> t) noexcept {
+[[nodiscard]] constexpr detail::control_point<R> bezier_point_accurate(const R& points,
+                                                                       scalar_of<detail::control_point<R>> t) noexcept {
   std::array<exact_sum<scalar_of<detail::control_point<R>>>, detail::fixed_size<R>()> scratch{};
   return bezier_point_accurate(points, t, scratch);
 }

@@ -10,6 +10,7 @@
 #include <span>
 #include <type_traits>
 
+#include <irg/core/checked.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/curve/bezier.hpp>
 #include <irg/math/error_free.hpp>
@@ -20,8 +21,8 @@ namespace irg {
 template <Floating T>
 struct curve_meeting {
   T first_from = 0, first_to = 1, second_from = 0, second_to = 1;
-  constexpr T first_middle() const noexcept { return first_from + (first_to - first_from) / 2; }
-  constexpr T second_middle() const noexcept { return second_from + (second_to - second_from) / 2; }
+  [[nodiscard]] constexpr T first_middle() const noexcept { return first_from + (first_to - first_from) / 2; }
+  [[nodiscard]] constexpr T second_middle() const noexcept { return second_from + (second_to - second_from) / 2; }
   constexpr bool operator==(const curve_meeting&) const = default;
 };
 
@@ -155,21 +156,14 @@ struct meeting_list {
 }  // namespace IRG_ABI
 }  // namespace detail
 
-/// Which meetings there are: the first `count` of those that the caller gave room for.
-struct meetings_result {
-  std::size_t count = 0;
-  meetings_found found = meetings_found::within_tolerance;
-  constexpr bool operator==(const meetings_result&) const = default;
-};
-
 inline namespace IRG_ABI {
 
 /// Writes to `room` the stretches in which two Bezier curves may meet; stretches that touch are one.
 /// shape   in no order. A pair of stretches may hold one meeting, several, or none: curves nearer than the tolerance
 /// needs   one or more control points each, of any dimension; room for 1 meeting or more; scratch three times as long
 ///         as both curves; tolerance >= 0
-/// gives   how many there are. Coincident curves and control points that are not finite use up the steps: few long
-///         stretches, and `wide`
+/// gives   how many there are: the first ones of the room. Coincident curves and control points that are not finite use
+///         up the steps: few long stretches, and `wide`
 /// exact   no meeting is missed, whatever the sizes, the steps and the room; no stretch is shorter than 2^-30 of its
 ///         parameter (float: 2^-24)
 /// cost    four bezier_split a step; some 10 steps for each halving and each meeting
@@ -177,7 +171,7 @@ inline namespace IRG_ABI {
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<detail::control_point<R>>> &&
            std::is_same_v<detail::control_point<R>, detail::control_point<S>>)
-constexpr meetings_result bezier_meetings(
+constexpr checked<std::size_t, meetings_found> bezier_meetings(
     const R& first, const S& second,
     const std::type_identity_t<meeting_search<scalar_of<detail::control_point<R>>>>& search,
     std::span<curve_meeting<scalar_of<detail::control_point<R>>>> room,

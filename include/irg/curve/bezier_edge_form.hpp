@@ -54,7 +54,7 @@ constexpr void control_polygon_of_edges(const R& edges, std::span<P> points) noe
 /// cost    n - i steps and i products
 /// source  Bezier 1972; Mihajlovic 2016, 6.1 (2)
 template <Real T>
-constexpr T bezier_weight(int n, int i, T t) noexcept {
+[[nodiscard]] constexpr T bezier_weight(int n, int i, T t) noexcept {
   if (i <= 0) return T(1);
   if (i > n) return T(0);
   const T rest = T(1) - t;

@@ -23,7 +23,7 @@ struct prepared_bezier {
   /// Numbers that a control point takes: its coordinates, up to a power of two.
   static constexpr std::size_t width = std::bit_ceil(static_cast<std::size_t>(size_of<P>));
   std::span<const scalar_of<P>> rows{};
-  constexpr std::size_t degree() const noexcept { return rows.size() / width - 1; }
+  [[nodiscard]] constexpr std::size_t degree() const noexcept { return rows.size() / width - 1; }
 };
 
 inline namespace IRG_ABI {
@@ -68,7 +68,7 @@ constexpr std::optional<prepared_bezier<detail::control_point<R>>> prepare_bezie
 /// source  Schumaker and Volk 1986; irg's own: the power of the side that belongs to the rounded ratio, as if in twice
 ///         the precision
 template <Coordinates P>
-constexpr P bezier_point(const prepared_bezier<P>& curve, std::type_identity_t<scalar_of<P>> t) noexcept {
+[[nodiscard]] constexpr P bezier_point(const prepared_bezier<P>& curve, std::type_identity_t<scalar_of<P>> t) noexcept {
   return detail::prepared_point<P>(curve, t);
 }
 

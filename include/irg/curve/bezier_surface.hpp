@@ -28,7 +28,7 @@ template <Coordinates P>
 struct control_net {
   std::span<const P> points{};
   std::size_t columns = 1;
-  constexpr std::size_t rows() const noexcept { return points.size() / columns; }
+  [[nodiscard]] constexpr std::size_t rows() const noexcept { return points.size() / columns; }
   constexpr const P& operator()(std::size_t i, std::size_t j) const noexcept { return points[i * columns + j]; }
 };
 
@@ -78,8 +78,9 @@ inline namespace IRG_ABI {
 /// cost    bicubic: 36 blends of points
 /// source  de Casteljau 1959; Farin 2002
 template <Coordinates P, int U, int V>
-constexpr surface_sample<P> patch_sample(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
-                                         curve_parameter<scalar_of<P>> v) noexcept {
+[[nodiscard]] constexpr surface_sample<P> patch_sample(const bezier_patch<P, U, V>& patch,
+                                                       curve_parameter<scalar_of<P>> u,
+                                                       curve_parameter<scalar_of<P>> v) noexcept {
   // Two chords along u for every j, then two chords of each along v: the bilinear net that touches the patch here.
   std::array<P, static_cast<std::size_t>(V) + 1> first_row{}, last_row{};
   for (std::size_t j = 0; j <= static_cast<std::size_t>(V); ++j) {
@@ -116,8 +117,8 @@ constexpr surface_sample<P> patch_sample(const control_net<P>& net,
 /// The point of the patch at (u, v).
 /// exact   as patch_sample
 template <Coordinates P, int U, int V>
-constexpr P patch_point(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
-                        curve_parameter<scalar_of<P>> v) noexcept {
+[[nodiscard]] constexpr P patch_point(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
+                                      curve_parameter<scalar_of<P>> v) noexcept {
   return patch_sample(patch, u, v).point;
 }
 
@@ -127,9 +128,8 @@ constexpr P patch_point(const bezier_patch<P, U, V>& patch, curve_parameter<scal
 /// exact   a cross product and try_normalize of the derivatives in s
 template <Coordinates P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
-constexpr std::optional<typename surface_sample<P>::vector> surface_normal(const surface_sample<P>& s,
-                                                                           curve_parameter<scalar_of<P>> u,
-                                                                           curve_parameter<scalar_of<P>> v) noexcept {
+[[nodiscard]] constexpr std::optional<typename surface_sample<P>::vector> surface_normal(
+    const surface_sample<P>& s, curve_parameter<scalar_of<P>> u, curve_parameter<scalar_of<P>> v) noexcept {
   using vector = typename surface_sample<P>::vector;
   const auto is_zero = [](const vector& d) {
     return coordinate(d, 0) == 0 && coordinate(d, 1) == 0 && coordinate(d, 2) == 0;
@@ -148,8 +148,8 @@ constexpr std::optional<typename surface_sample<P>::vector> surface_normal(const
 /// The normal of length 1 of the patch at (u, v).
 /// gives   and is exact as surface_normal
 template <Coordinates P, int U, int V>
-constexpr auto patch_normal(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
-                            curve_parameter<scalar_of<P>> v) noexcept {
+[[nodiscard]] constexpr auto patch_normal(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
+                                          curve_parameter<scalar_of<P>> v) noexcept {
   return surface_normal(patch_sample(patch, u, v), u, v);
 }
 

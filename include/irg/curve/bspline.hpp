@@ -24,7 +24,16 @@ namespace irg {
 /// What is wrong with a list of knots: fewer than 2 * (degree + 1), NaN or beyond an eighth of the largest number in
 /// size, one less than the one before it, more than degree + 1 equal ones, no two different ones between which the
 /// curve could run; with its degree, which is below 0; or with a knot to insert, which is outside of the curve's range.
-enum class knots_error { none, too_few, not_finite, decreasing, too_many_equal, empty, negative_degree, outside };
+enum class [[nodiscard]] knots_error {
+  none,
+  too_few,
+  not_finite,
+  decreasing,
+  too_many_equal,
+  empty,
+  negative_degree,
+  outside
+};
 
 /// The Degree of bspline_knots that bring it along.
 inline constexpr int degree_at_run_time = -1;
@@ -77,7 +86,7 @@ inline namespace IRG_ABI {
 /// What is wrong with the knots of a B-spline of this degree, or none.
 /// cost    one pass
 template <Floating T>
-constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept {
+[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)() / 8;
   if (degree < 0) return knots_error::negative_degree;
   const std::size_t order = static_cast<std::size_t>(degree) + 1;
@@ -92,7 +101,7 @@ constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept
 }
 template <int Degree, Floating T>
   requires(Degree >= 0)
-constexpr knots_error check_knots(std::span<const T> knots) noexcept {
+[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots) noexcept {
   return check_knots(knots, Degree);
 }
 
@@ -117,15 +126,17 @@ public:
   }
 
   /// The number of control points, and of basis functions.
-  IRG_INLINE constexpr std::size_t size() const noexcept { return knots_.size() - order(); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return knots_.size() - order(); }
   /// How many basis functions are not zero at a place: the degree and one.
-  IRG_INLINE constexpr std::size_t order() const noexcept { return static_cast<std::size_t>(this->degree()) + 1; }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t order() const noexcept {
+    return static_cast<std::size_t>(this->degree()) + 1;
+  }
   /// The curve runs from first() to last().
-  IRG_INLINE constexpr T first() const noexcept { return knots_[order() - 1]; }
-  IRG_INLINE constexpr T last() const noexcept { return knots_[size()]; }
+  [[nodiscard]] IRG_INLINE constexpr T first() const noexcept { return knots_[order() - 1]; }
+  [[nodiscard]] IRG_INLINE constexpr T last() const noexcept { return knots_[size()]; }
   IRG_INLINE constexpr T operator[](std::size_t i) const noexcept { return knots_[i]; }
   /// All knots, size() + order() of them.
-  IRG_INLINE constexpr std::span<const T> list() const noexcept { return knots_; }
+  [[nodiscard]] IRG_INLINE constexpr std::span<const T> list() const noexcept { return knots_; }
 
 private:
   std::span<const T> knots_;
@@ -151,13 +162,13 @@ inline namespace IRG_ABI {
 
 /// The knots, if they are legal; check_knots tells why they are not.
 template <int Degree, Floating T>
-constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<const T> knots) noexcept {
+[[nodiscard]] constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<const T> knots) noexcept {
   if (check_knots<Degree>(knots) != knots_error::none) return std::nullopt;
   return bspline_knots<T, Degree>(knots);
 }
 template <Floating T>
-constexpr std::optional<bspline_knots<T, degree_at_run_time>> make_bspline_knots(std::span<const T> knots,
-                                                                                 int degree) noexcept {
+[[nodiscard]] constexpr std::optional<bspline_knots<T, degree_at_run_time>> make_bspline_knots(std::span<const T> knots,
+                                                                                               int degree) noexcept {
   if (check_knots(knots, degree) != knots_error::none) return std::nullopt;
   return bspline_knots<T, degree_at_run_time>(knots, degree);
 }
@@ -170,8 +181,8 @@ constexpr std::optional<bspline_knots<T, degree_at_run_time>> make_bspline_knots
 /// source  Cox 1972; de Boor 1972; Piegl and Tiller 1997, A2.2
 template <Floating T, int Degree>
   requires(Degree >= 0)
-constexpr std::optional<bspline_values<T, Degree>> bspline_basis(const bspline_knots<T, Degree>& knots,
-                                                                 std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr std::optional<bspline_values<T, Degree>> bspline_basis(const bspline_knots<T, Degree>& knots,
+                                                                               std::type_identity_t<T> t) noexcept {
   if (!(knots.first() <= t && t <= knots.last())) return std::nullopt;
   const std::size_t low = detail::bspline_stretch(knots, t);
   bspline_values<T, Degree> basis{low - static_cast<std::size_t>(Degree), {}};
@@ -201,8 +212,9 @@ constexpr std::optional<std::size_t> bspline_basis(const bspline_knots<T, Degree
 ///         once, within the box of the control points up to some u of their size
 template <Floating T, int Degree, PolygonRing R>
   requires(Degree >= 0)
-constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots, const R& points,
-                                                     std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots,
+                                                                   const R& points,
+                                                                   std::type_identity_t<T> t) noexcept {
   IRG_EXPECTS(ring_size(points) == knots.size());
   const auto basis = bspline_basis(knots, t);
   if (!basis) return std::nullopt;
@@ -227,9 +239,9 @@ constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degr
 /// exact   as bspline_basis
 template <Floating T, int Degree>
   requires(Degree >= 0)
-constexpr std::optional<bspline_values<T, Degree>> nurbs_basis(const bspline_knots<T, Degree>& knots,
-                                                               std::type_identity_t<std::span<const T>> weights,
-                                                               std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr std::optional<bspline_values<T, Degree>> nurbs_basis(
+    const bspline_knots<T, Degree>& knots, std::type_identity_t<std::span<const T>> weights,
+    std::type_identity_t<T> t) noexcept {
   IRG_EXPECTS(weights.size() == knots.size());
   auto basis = bspline_basis(knots, t);
   if (!basis || !detail::make_rational(basis->value, weights.subspan(basis->first))) return std::nullopt;
@@ -258,9 +270,9 @@ constexpr std::optional<std::size_t> nurbs_basis(const bspline_knots<T, Degree>&
 /// source  Piegl and Tiller 1997
 template <Floating T, int Degree, PolygonRing R>
   requires(Degree >= 0)
-constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
-                                                   std::type_identity_t<std::span<const T>> weights,
-                                                   std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                                 std::type_identity_t<std::span<const T>> weights,
+                                                                 std::type_identity_t<T> t) noexcept {
   IRG_EXPECTS(ring_size(points) == knots.size());
   const auto basis = nurbs_basis(knots, weights, t);
   if (!basis) return std::nullopt;
@@ -286,7 +298,8 @@ constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree
 /// source  Piegl and Tiller 1997, A4.1
 template <Floating T, int Degree, PolygonRing R>
   requires(Degree >= 0 && coordinate_traits<ring_point<R>>::kind == coordinate_kind::homogeneous)
-constexpr auto nurbs_point(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t) noexcept
+[[nodiscard]] constexpr auto nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                         std::type_identity_t<T> t) noexcept
     -> decltype(try_to_cartesian(ring_vertex(points, 0))) {
   const auto p = bspline_point(knots, points, t);
   if (!p) return std::nullopt;

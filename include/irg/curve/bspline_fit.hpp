@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/checked.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>
@@ -24,15 +25,7 @@ enum class fit_ends { through, free };
 
 /// What became of a fit: `not_rising` where a parameter is less than the one before it (for interpolation: not more) or
 /// outside of the knots' range, `undetermined` where some control point is not determined by the points.
-enum class bspline_fit_status { done, not_rising, undetermined, not_finite };
-
-/// The status, and how far the farthest point is from the curve at its parameter.
-template <Floating T>
-struct fit_result {
-  bspline_fit_status status = bspline_fit_status::done;
-  T farthest = 0;
-  constexpr bool operator==(const fit_result&) const = default;
-};
+enum class [[nodiscard]] bspline_fit_status { done, not_rising, undetermined, not_finite };
 
 namespace detail {
 inline namespace IRG_ABI {
@@ -127,17 +120,17 @@ private:
 };
 
 template <Floating T, int Degree, Coordinates P>
-constexpr fit_result<T> fit_points(const bspline_knots<T, Degree>& knots, std::span<const T> places,
-                                   std::span<const P> points, fit_ends ends, std::span<P> result) {
+constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degree>& knots, std::span<const T> places,
+                                                    std::span<const P> points, fit_ends ends, std::span<P> result) {
   const std::size_t size = knots.size(), order = knots.order();
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!is_finite(places[k])) return {bspline_fit_status::not_finite};
+    if (!is_finite(places[k])) return {T(0), bspline_fit_status::not_finite};
     for (int axis = 0; axis < size_of<P>; ++axis)
-      if (!is_finite(coordinate(points[k], axis))) return {bspline_fit_status::not_finite};
+      if (!is_finite(coordinate(points[k], axis))) return {T(0), bspline_fit_status::not_finite};
     if ((k > 0 && places[k] < places[k - 1]) || places[k] < knots.first() || places[k] > knots.last())
-      return {bspline_fit_status::not_rising};
+      return {T(0), bspline_fit_status::not_rising};
   }
-  if (!determines_all(knots, places)) return {bspline_fit_status::undetermined};
+  if (!determines_all(knots, places)) return {T(0), bspline_fit_status::undetermined};
   const bool through = ends == fit_ends::through && counts_at(knots, 0, places[0]) &&
                        counts_at(knots, size - 1, places[places.size() - 1]) && knots[0] == knots.first() &&
                        knots[knots.list().size() - 1] == knots.last() && places[0] == knots.first() &&
@@ -162,11 +155,11 @@ constexpr fit_result<T> fit_points(const bspline_knots<T, Degree>& knots, std::s
     rows.add(values, first, right);
   }
   rows.solve(result);
-  fit_result<T> fit;
+  checked<T, bspline_fit_status> fit;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const P at = *bspline_point(knots, result, places[k], std::span<T>(values));
     const T off = length(scaled_difference(points[k], at, 1));
-    if (!(off <= fit.farthest)) fit.farthest = off;
+    if (!(off <= fit.value)) fit.value = off;
   }
   return fit;
 }
@@ -235,16 +228,18 @@ constexpr void fit_knots(std::span<const T> places, int degree, std::size_t coun
 
 /// The control points of the curve over these knots that is at each place in the point that belongs to it.
 /// needs   as many points, places and room for control points as knots.size()
-/// gives   a status other than `done`, and no control points, where there is no such curve or more than one
+/// gives   how far the farthest point is from the curve at its place; a status other than `done`, and no control
+///         points, where there is no such curve or more than one
 /// exact   rotations of one banded matrix, each rounded: at its place the curve is within some 10 u of the largest
 ///         control point of the given one, first and last point bit for bit where the end knots are of full
 ///         multiplicity and have the first and last place
 /// cost    some 4 order^2 operations for each point; allocates
 /// source  Schoenberg and Whitney 1953; Givens 1958; Piegl and Tiller 1997, 9.2
 template <Floating T, int Degree, Coordinates P>
-constexpr fit_result<T> bspline_interpolate(const bspline_knots<T, Degree>& knots,
-                                            std::type_identity_t<std::span<const T>> places, std::span<const P> points,
-                                            std::type_identity_t<std::span<P>> result) {
+constexpr checked<T, bspline_fit_status> bspline_interpolate(const bspline_knots<T, Degree>& knots,
+                                                             std::type_identity_t<std::span<const T>> places,
+                                                             std::span<const P> points,
+                                                             std::type_identity_t<std::span<P>> result) {
   IRG_EXPECTS(points.size() == knots.size() && places.size() == points.size() && result.size() >= knots.size());
   return detail::fit_points(knots, places, points, fit_ends::through, result);
 }
@@ -257,10 +252,10 @@ constexpr fit_result<T> bspline_interpolate(const bspline_knots<T, Degree>& knot
 /// exact   as bspline_interpolate: rotations of the matrix itself, no normal equations
 /// source  Givens 1958; Piegl and Tiller 1997, 9.4
 template <Floating T, int Degree, Coordinates P>
-constexpr fit_result<T> bspline_least_squares(const bspline_knots<T, Degree>& knots,
-                                              std::type_identity_t<std::span<const T>> places,
-                                              std::span<const P> points, fit_ends ends,
-                                              std::type_identity_t<std::span<P>> result) {
+constexpr checked<T, bspline_fit_status> bspline_least_squares(const bspline_knots<T, Degree>& knots,
+                                                               std::type_identity_t<std::span<const T>> places,
+                                                               std::span<const P> points, fit_ends ends,
+                                                               std::type_identity_t<std::span<P>> result) {
   IRG_EXPECTS(places.size() == points.size() && !points.empty() && result.size() >= knots.size());
   return detail::fit_points(knots, places, points, ends, result);
 }

@@ -81,9 +81,9 @@ inline namespace IRG_ABI {
 /// source  Piegl and Tiller 1997, A3.5
 template <Coordinates P, int U, int V>
   requires(U >= 0 && V >= 0)
-constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface,
-                                                 std::type_identity_t<scalar_of<P>> u,
-                                                 std::type_identity_t<scalar_of<P>> v) noexcept {
+[[nodiscard]] constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface,
+                                                               std::type_identity_t<scalar_of<P>> u,
+                                                               std::type_identity_t<scalar_of<P>> v) noexcept {
   const auto along_u = bspline_basis(surface.u, u);
   const auto along_v = bspline_basis(surface.v, v);
   if (!along_u || !along_v) return std::nullopt;
@@ -153,9 +153,9 @@ constexpr std::optional<surface_sample<P>> bspline_surface_sample(
 }
 template <Coordinates P, int U, int V>
   requires(U >= 0 && V >= 0)
-constexpr std::optional<surface_sample<P>> bspline_surface_sample(const bspline_surface<P, U, V>& surface,
-                                                                  std::type_identity_t<scalar_of<P>> u,
-                                                                  std::type_identity_t<scalar_of<P>> v) noexcept {
+[[nodiscard]] constexpr std::optional<surface_sample<P>> bspline_surface_sample(
+    const bspline_surface<P, U, V>& surface, std::type_identity_t<scalar_of<P>> u,
+    std::type_identity_t<scalar_of<P>> v) noexcept {
   std::array<typename curve_sample<P>::vector, static_cast<std::size_t>(2 * (U + 2) + 2 * ((U < V ? V : U) + 1))>
       room{};
   return bspline_surface_sample(surface, u, v, std::span<typename curve_sample<P>::vector>(room));
@@ -166,7 +166,8 @@ constexpr std::optional<surface_sample<P>> bspline_surface_sample(const bspline_
 /// exact   the quotient rule, each operation rounded once
 /// source  Piegl and Tiller 1997, A4.4
 template <Floating T, int N>
-constexpr std::optional<surface_sample<point<T, N>>> rational_sample(const surface_sample<hpoint<T, N>>& s) noexcept {
+[[nodiscard]] constexpr std::optional<surface_sample<point<T, N>>> rational_sample(
+    const surface_sample<hpoint<T, N>>& s) noexcept {
   const auto place = try_to_cartesian(s.point);
   if (!place) return std::nullopt;
   const T weight = coordinate(s.point, N), weight_u = coordinate(s.du, N), weight_v = coordinate(s.dv, N),
@@ -190,9 +191,8 @@ constexpr std::optional<surface_sample<point<T, N>>> rational_sample(const surfa
 /// source  Piegl and Tiller 1997, A4.3
 template <Floating T, int N, int U, int V>
   requires(U >= 0 && V >= 0)
-constexpr std::optional<point<T, N>> nurbs_surface_point(const bspline_surface<hpoint<T, N>, U, V>& surface,
-                                                         std::type_identity_t<T> u,
-                                                         std::type_identity_t<T> v) noexcept {
+[[nodiscard]] constexpr std::optional<point<T, N>> nurbs_surface_point(
+    const bspline_surface<hpoint<T, N>, U, V>& surface, std::type_identity_t<T> u, std::type_identity_t<T> v) noexcept {
   const auto p = bspline_surface_point(surface, u, v);
   return p ? detail::cartesian_of(*p) : std::nullopt;
 }
@@ -228,7 +228,7 @@ constexpr std::optional<surface_sample<point<T, N>>> nurbs_surface_sample(
 }
 template <Floating T, int N, int U, int V>
   requires(U >= 0 && V >= 0)
-constexpr std::optional<surface_sample<point<T, N>>> nurbs_surface_sample(
+[[nodiscard]] constexpr std::optional<surface_sample<point<T, N>>> nurbs_surface_sample(
     const bspline_surface<hpoint<T, N>, U, V>& surface, std::type_identity_t<T> u, std::type_identity_t<T> v) noexcept {
   std::array<hpoint<T, N>, static_cast<std::size_t>(2 * (U + 2) + 2 * ((U < V ? V : U) + 1))> room{};
   return nurbs_surface_sample(surface, u, v, std::span<hpoint<T, N>>(room));
@@ -237,7 +237,8 @@ constexpr std::optional<surface_sample<point<T, N>>> nurbs_surface_sample(
 /// How t divides the knots' range: what surface_normal needs to know of a place.
 /// needs   first() <= t <= last()
 template <Floating T, int Degree>
-constexpr curve_parameter<T> share_of_range(const bspline_knots<T, Degree>& knots, std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr curve_parameter<T> share_of_range(const bspline_knots<T, Degree>& knots,
+                                                          std::type_identity_t<T> t) noexcept {
   return detail::share_of_stretch(knots.first(), knots.last(), static_cast<T>(t));
 }
 

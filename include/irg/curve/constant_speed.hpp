@@ -23,23 +23,23 @@ public:
                            std::span<T> lengths)
       : sample_(sample), table_(arc_lengths<T>(speed(), first, last, lengths)) {}
 
-  constexpr T length() const noexcept { return table_.length(); }
+  [[nodiscard]] constexpr T length() const noexcept { return table_.length(); }
 
   /// The parameter where this share of the length has been run.
   /// gives   the curve's beginning for shares up to 0 and NaN, its end for those from 1 on
   /// exact   as parameter_at_length: within some u of the whole length where the speed is smooth within a piece of the
   ///         table
-  constexpr T parameter(std::type_identity_t<T> share) const {
+  [[nodiscard]] constexpr T parameter(std::type_identity_t<T> share) const {
     if (!(share > T(0))) return table_.first;
     if (!(share < T(1))) return table_.last;
     return parameter_at_length(speed(), table_, product(share, length()));
   }
 
   /// The point and the derivative there.
-  constexpr auto at(std::type_identity_t<T> share) const { return sample_(parameter(share)); }
+  [[nodiscard]] constexpr auto at(std::type_identity_t<T> share) const { return sample_(parameter(share)); }
 
 private:
-  constexpr auto speed() const {
+  [[nodiscard]] constexpr auto speed() const {
     return [this](T t) { return irg::length(sample_(t).derivative); };
   }
   Sample sample_;

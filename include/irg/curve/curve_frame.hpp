@@ -44,7 +44,7 @@ inline namespace IRG_ABI {
 /// source  Farin 2002, 10.6
 template <Vector V>
   requires(size_of<V> == 2 && Floating<scalar_of<V>>)
-constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second) noexcept {
   const auto along = try_normalize(first);
   if (!along) return std::nullopt;
   const auto speed = length(first);
@@ -59,7 +59,7 @@ constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second)
 /// source  Farin 2002, 10.6
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
-constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second) noexcept {
   const auto along = try_normalize(first);
   if (!along) return std::nullopt;
   const auto speed = length(first);
@@ -71,8 +71,8 @@ constexpr std::optional<scalar_of<V>> curvature(const V& first, const V& second)
 /// source  Farin 2002, 10.6
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
-constexpr std::optional<scalar_of<V>> torsion(const V& first, const V& second,
-                                              const std::type_identity_t<V>& third) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<V>> torsion(const V& first, const V& second,
+                                                            const std::type_identity_t<V>& third) noexcept {
   const V turn = cross(first, second);
   const auto axis = try_normalize(turn);
   if (!axis) return std::nullopt;
@@ -85,7 +85,7 @@ constexpr std::optional<scalar_of<V>> torsion(const V& first, const V& second,
 /// source  Farin 2002, 11.2
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
-constexpr std::optional<curve_frame<V>> frenet_frame(const V& first, const V& second) noexcept {
+[[nodiscard]] constexpr std::optional<curve_frame<V>> frenet_frame(const V& first, const V& second) noexcept {
   const auto tangent = try_normalize(first);
   const auto bend = try_normalize(second);
   if (!tangent || !bend) return std::nullopt;
@@ -97,7 +97,8 @@ constexpr std::optional<curve_frame<V>> frenet_frame(const V& first, const V& se
 /// gives   nothing for a tangent that is zero or not finite
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
-constexpr std::optional<curve_frame<V>> frame_with_up(const V& tangent, const std::type_identity_t<V>& up) noexcept {
+[[nodiscard]] constexpr std::optional<curve_frame<V>> frame_with_up(const V& tangent,
+                                                                    const std::type_identity_t<V>& up) noexcept {
   const auto along = try_normalize(tangent);
   if (!along) return std::nullopt;
   const auto above = try_normalize(up);
@@ -120,9 +121,9 @@ constexpr std::optional<curve_frame<V>> frame_with_up(const V& tangent, const st
 /// source  Wang, Juttler, Zheng and Liu 2008 (double reflection)
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
-constexpr curve_frame<V> rotation_minimising_frame(const curve_frame<V>& frame,
-                                                   const std::type_identity_t<V>& displacement,
-                                                   const std::type_identity_t<V>& tangent) noexcept {
+[[nodiscard]] constexpr curve_frame<V> rotation_minimising_frame(const curve_frame<V>& frame,
+                                                                 const std::type_identity_t<V>& displacement,
+                                                                 const std::type_identity_t<V>& tangent) noexcept {
   using T = scalar_of<V>;
   const auto along = try_normalize(tangent);
   if (!along) return frame;

@@ -107,8 +107,8 @@ inline namespace IRG_ABI {
 template <ControlPoints R, ControlPoints S>
   requires(Floating<scalar_of<detail::control_point<R>>> &&
            std::is_same_v<detail::control_point<R>, detail::control_point<S>>)
-constexpr curve_joint joint_of(const R& first, const S& second, double first_width = 1,
-                               double second_width = 1) noexcept {
+[[nodiscard]] constexpr curve_joint joint_of(const R& first, const S& second, double first_width = 1,
+                                             double second_width = 1) noexcept {
   constexpr int dimension = size_of<detail::control_point<R>>;
   IRG_EXPECTS(ring_traits<R>::size(first) > 0 && ring_traits<S>::size(second) > 0);
   IRG_EXPECTS(first_width > 0 && second_width > 0);

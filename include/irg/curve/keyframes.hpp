@@ -50,7 +50,7 @@ inline namespace IRG_ABI {
 
 /// Whether keyframes can be followed: one or more, with finite times that rise.
 template <Coordinates P>
-constexpr bool can_be_followed(std::span<const keyframe<P>> frames) noexcept {
+[[nodiscard]] constexpr bool can_be_followed(std::span<const keyframe<P>> frames) noexcept {
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!(frames[k].time - frames[k].time == 0)) return false;
     if (k > 0 && !(frames[k - 1].time < frames[k].time)) return false;
@@ -65,7 +65,8 @@ constexpr bool can_be_followed(std::span<const keyframe<P>> frames) noexcept {
 /// source  Farin 2002, 9.8 (Bessel's tangents)
 template <Coordinates P>
   requires Floating<scalar_of<P>>
-constexpr P place_at(std::span<const keyframe<P>> frames, std::type_identity_t<scalar_of<P>> time) noexcept {
+[[nodiscard]] constexpr P place_at(std::span<const keyframe<P>> frames,
+                                   std::type_identity_t<scalar_of<P>> time) noexcept {
   using T = scalar_of<P>;
   IRG_EXPECTS(can_be_followed(frames));
   if (!(time > frames[0].time)) return frames[0].place;

@@ -54,10 +54,10 @@ constexpr bool rational_derivatives(std::span<const hpoint<T, N>> homogeneous,
 /// exact   begin and end as they are, the corner's coordinates times the weight rounded once each
 /// source  Farin 2002, 12.2
 template <Scalar T, int N>
-constexpr std::array<hpoint<T, N>, 3> conic_arc(const point<T, N>& begin,
-                                                const std::type_identity_t<point<T, N>>& corner,
-                                                const std::type_identity_t<point<T, N>>& end,
-                                                const std::type_identity_t<T>& weight) noexcept {
+[[nodiscard]] constexpr std::array<hpoint<T, N>, 3> conic_arc(const point<T, N>& begin,
+                                                              const std::type_identity_t<point<T, N>>& corner,
+                                                              const std::type_identity_t<point<T, N>>& end,
+                                                              const std::type_identity_t<T>& weight) noexcept {
   const auto weighted = [&](const point<T, N>& p, const T& w) {
     return generate_coordinates<hpoint<T, N>>([&](int axis) { return axis < N ? product(coordinate(p, axis), w) : w; });
   };
@@ -68,7 +68,7 @@ constexpr std::array<hpoint<T, N>, 3> conic_arc(const point<T, N>& begin,
 /// exact   by comparison
 /// source  Farin 2002, 12.5
 template <Scalar T>
-constexpr conic_kind conic_kind_of(const T& weight) noexcept {
+[[nodiscard]] constexpr conic_kind conic_kind_of(const T& weight) noexcept {
   const T size = weight < T(0) ? -weight : weight;
   if (size == T(0)) return conic_kind::line;
   if (size == T(1)) return conic_kind::parabola;
@@ -77,7 +77,7 @@ constexpr conic_kind conic_kind_of(const T& weight) noexcept {
 
 /// The knots of circle_points: four quarters of degree 2, from 0 to 4.
 template <Scalar T>
-constexpr std::array<T, 12> circle_knots() noexcept {
+[[nodiscard]] constexpr std::array<T, 12> circle_knots() noexcept {
   return {T(0), T(0), T(0), T(1), T(1), T(2), T(2), T(3), T(3), T(4), T(4), T(4)};
 }
 
@@ -88,8 +88,8 @@ constexpr std::array<T, 12> circle_knots() noexcept {
 ///         that sums and doubling do not round); otherwise each coordinate is off by two roundings at most
 /// source  Piegl and Tiller 1997, 7.5
 template <Scalar T>
-constexpr std::array<hpoint<T, 2>, 9> circle_points(const point<T, 2>& centre,
-                                                    const std::type_identity_t<T>& radius) noexcept {
+[[nodiscard]] constexpr std::array<hpoint<T, 2>, 9> circle_points(const point<T, 2>& centre,
+                                                                  const std::type_identity_t<T>& radius) noexcept {
   const T x = centre.x, y = centre.y, east = x + radius, west = x - radius, north = y + radius, south = y - radius;
   return {hpoint<T, 2>{east, y, T(1)},  {east, north, T(1)}, {x + x, north + north, T(2)},
           {west, north, T(1)},          {west, y, T(1)},     {west, south, T(1)},

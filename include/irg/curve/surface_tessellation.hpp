@@ -262,7 +262,7 @@ inline namespace IRG_ABI {
 
 /// The control points of a patch in one list, for control_net{list, V + 1}.
 template <Coordinates P, int U, int V>
-constexpr std::array<P, static_cast<std::size_t>((U + 1) * (V + 1))> net_of(
+[[nodiscard]] constexpr std::array<P, static_cast<std::size_t>((U + 1) * (V + 1))> net_of(
     const bezier_patch<P, U, V>& patch) noexcept {
   std::array<P, static_cast<std::size_t>((U + 1) * (V + 1))> list{};
   for (std::size_t i = 0; i <= static_cast<std::size_t>(U); ++i)

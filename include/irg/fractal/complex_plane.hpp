@@ -26,23 +26,23 @@ struct complex_plane {
   /// The real part of column x, a number or a pack of them.
   /// exact   (right - left) / (width - 1) * x + left, each operation rounded
   template <class F>
-  IRG_INLINE constexpr F real(const F& x) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr F real(const F& x) const noexcept {
     return along(window.left, window.right, width, x);
   }
   /// The imaginary part of row y from the top.
   /// exact   (top - bottom) / (height - 1) * (height - 1 - y) + bottom, each operation rounded: as counted from below
   template <class F>
-  IRG_INLINE constexpr F imaginary(const F& y) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr F imaginary(const F& y) const noexcept {
     return along(window.bottom, window.top, height, lanes<F>::broadcast(static_cast<T>(height - 1)) - y);
   }
   /// The number of a pixel.
-  IRG_INLINE constexpr point<T, 2> at(int x, int y) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr point<T, 2> at(int x, int y) const noexcept {
     return {real(static_cast<T>(x)), imaginary(static_cast<T>(y))};
   }
 
 private:
   template <class F>
-  IRG_INLINE constexpr F along(T first, T last, int count, const F& i) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr F along(T first, T last, int count, const F& i) const noexcept {
     using f = lanes<F>;
     const bool inclusive = sampling == plane_sampling::inclusive;
     const int steps = inclusive && count > 1 ? count - 1 : count;

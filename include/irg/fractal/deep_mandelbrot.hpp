@@ -77,7 +77,8 @@ inline namespace IRG_ABI {
 /// cost    three products of N words a step; allocates the orbit
 template <Real T = double, int N>
   requires detail::PerturbedNumber<T>
-constexpr std::vector<point<T, 2>> reference_orbit(const fixed_point<N>& re, const fixed_point<N>& im, int most) {
+[[nodiscard]] constexpr std::vector<point<T, 2>> reference_orbit(const fixed_point<N>& re, const fixed_point<N>& im,
+                                                                 int most) {
   std::vector<point<T, 2>> orbit(1, point<T, 2>{T(0), T(0)});
   fixed_point<N> x, y;
   for (int k = 0; k < most || k == 0; ++k) {
@@ -99,8 +100,9 @@ constexpr std::vector<point<T, 2>> reference_orbit(const fixed_point<N>& re, con
 /// source  Martin 2013; Zhuoran 2021
 template <Real T>
   requires detail::PerturbedNumber<T>
-constexpr perturbed_count perturbed_mandelbrot_count(const std::vector<point<T, 2>>& orbit, const point<T, 2>& offset,
-                                                     const escape_limit<double>& limit) noexcept {
+[[nodiscard]] constexpr perturbed_count perturbed_mandelbrot_count(const std::vector<point<T, 2>>& orbit,
+                                                                   const point<T, 2>& offset,
+                                                                   const escape_limit<double>& limit) noexcept {
   IRG_EXPECTS(orbit.size() >= 2);
   perturbed_count result{limit.most, 0};
   point<T, 2> d{T(0), T(0)};

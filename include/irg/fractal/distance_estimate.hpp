@@ -87,7 +87,8 @@ inline namespace IRG_ABI {
 /// cost    twice that of a count
 /// source  Milnor 2006, for the bounds Koebe's theorem
 template <Floating T>
-constexpr escape_distance<T> mandelbrot_distance(const point<T, 2>& c, const escape_limit<T>& limit) noexcept {
+[[nodiscard]] constexpr escape_distance<T> mandelbrot_distance(const point<T, 2>& c,
+                                                               const escape_limit<T>& limit) noexcept {
   const point<T, 2> zero{T(0), T(0)};
   return detail::distance_of_orbit<T>({zero, c, zero, T(1), 0}, limit);
 }
@@ -96,8 +97,8 @@ constexpr escape_distance<T> mandelbrot_distance(const point<T, 2>& c, const esc
 /// needs   as mandelbrot_distance; a connected set (julia_is_connected)
 /// gives   as mandelbrot_distance
 template <Floating T>
-constexpr escape_distance<T> julia_distance(const point<T, 2>& z, const point<T, 2>& c,
-                                            const escape_limit<T>& limit) noexcept {
+[[nodiscard]] constexpr escape_distance<T> julia_distance(const point<T, 2>& z, const point<T, 2>& c,
+                                                          const escape_limit<T>& limit) noexcept {
   return detail::distance_of_orbit<T>({z, c, {T(1), T(0)}, T(0), 1}, limit);
 }
 

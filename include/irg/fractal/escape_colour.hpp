@@ -13,7 +13,7 @@ inline constexpr cyclic_palette<rgba8, 5> escape_palette{
 inline namespace IRG_ABI {
 
 /// The colour of a count that was made with `most` steps: of escape_palette, black for an orbit that stayed.
-constexpr rgba8 escape_colour(int count, int most) noexcept {
+[[nodiscard]] constexpr rgba8 escape_colour(int count, int most) noexcept {
   return count < most ? escape_palette(count) : rgba8{0, 0, 0, 255};
 }
 

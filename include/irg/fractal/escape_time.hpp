@@ -64,7 +64,7 @@ inline namespace IRG_ABI {
 /// gives   for a radius that is not positive, or NaN, a limit that every orbit exceeds at once
 /// exact   |z|^2 < square decides as sqrt(|z|^2) < radius does, both rounded: no root is needed in the loop
 template <Floating T>
-constexpr escape_limit<T> make_escape_limit(T radius, int most) noexcept {
+[[nodiscard]] constexpr escape_limit<T> make_escape_limit(T radius, int most) noexcept {
   IRG_EXPECTS(most >= 0);
   constexpr T large = sizeof(T) == 4 ? T(0x1p60f) : T(0x1p500), down = T(1) / (large / T(0x1p20));
   if (!(T(0) < radius)) return {T(0), most};
@@ -84,7 +84,7 @@ constexpr escape_limit<T> make_escape_limit(T radius, int most) noexcept {
 /// cost    at most `most` steps; nothing is allocated
 /// source  Mihajlovic 2016, chapter 8
 template <Floating T, ComplexMap<T> F>
-constexpr escape_end<T> escape_orbit(const F& f, point<T, 2> z, const escape_limit<T>& limit) {
+[[nodiscard]] constexpr escape_end<T> escape_orbit(const F& f, point<T, 2> z, const escape_limit<T>& limit) {
   for (int k = 0; k < limit.most; ++k) {
     z = f(z);
     if (!(detail::squared_size(z.x, z.y) < limit.square)) return {k, z};
@@ -95,7 +95,7 @@ constexpr escape_end<T> escape_orbit(const F& f, point<T, 2> z, const escape_lim
 /// How many steps the orbit of z takes.
 /// gives   as escape_orbit
 template <Floating T, ComplexMap<T> F>
-constexpr int escape_count(const F& f, const point<T, 2>& z, const escape_limit<T>& limit) {
+[[nodiscard]] constexpr int escape_count(const F& f, const point<T, 2>& z, const escape_limit<T>& limit) {
   return escape_orbit(f, z, limit).count;
 }
 

@@ -16,7 +16,8 @@ inline namespace IRG_ABI {
 /// exact   in floats as they come: the course's loop in doubles, never contracted
 /// source  Julia 1918; Mihajlovic 2016, chapter 8
 template <Floating T>
-constexpr int julia_count(const point<T, 2>& z, const point<T, 2>& c, const escape_limit<T>& limit) noexcept {
+[[nodiscard]] constexpr int julia_count(const point<T, 2>& z, const point<T, 2>& c,
+                                        const escape_limit<T>& limit) noexcept {
   return escape_count(square_plus<T>{c}, z, limit);
 }
 
@@ -26,7 +27,7 @@ constexpr int julia_count(const point<T, 2>& z, const point<T, 2>& c, const esca
 /// exact   but for the orbit's own rounding
 /// source  Fatou 1919; Julia 1918
 template <Floating T>
-constexpr connectedness julia_is_connected(const point<T, 2>& c, int most) noexcept {
+[[nodiscard]] constexpr connectedness julia_is_connected(const point<T, 2>& c, int most) noexcept {
   if (!(c.x == c.x && c.y == c.y)) return connectedness::undecided;
   if (mandelbrot_part_of(c) != mandelbrot_part::elsewhere) return connectedness::yes;
   const escape_limit<T> limit = make_escape_limit(T(2) + T(0x1p-20f), most);

@@ -52,7 +52,7 @@ inline namespace IRG_ABI {
 /// Whether c lies in the main cardioid or the disc of period 2, at least 2^-20 within by the formula of each.
 /// exact   no point outside of them is said to be inside
 template <Floating T>
-constexpr mandelbrot_part mandelbrot_part_of(const point<T, 2>& c) noexcept {
+[[nodiscard]] constexpr mandelbrot_part mandelbrot_part_of(const point<T, 2>& c) noexcept {
   const T margin = T(0) - static_cast<T>(detail::interior_margin);
   if (detail::outside_cardioid(c.x, c.y) < margin) return mandelbrot_part::cardioid;
   return detail::outside_disc(c.x, c.y) < margin ? mandelbrot_part::disc : mandelbrot_part::elsewhere;
@@ -63,7 +63,7 @@ constexpr mandelbrot_part mandelbrot_part_of(const point<T, 2>& c) noexcept {
 /// exact   in floats as they come: the course's loop in doubles, never contracted
 /// source  Mandelbrot 1980; Mihajlovic 2016, chapter 8
 template <Floating T>
-constexpr int mandelbrot_count(const point<T, 2>& c, const escape_limit<T>& limit) noexcept {
+[[nodiscard]] constexpr int mandelbrot_count(const point<T, 2>& c, const escape_limit<T>& limit) noexcept {
   return escape_count(square_plus<T>{c}, point<T, 2>{T(0), T(0)}, limit);
 }
 

@@ -90,7 +90,8 @@ inline namespace IRG_ABI {
 /// cost    some 15 times as long as in doubles
 /// source  irg's own: an error e becomes 2 |z| e + e^2 and what the step rounds
 template <class T = double_double>
-constexpr sure_count sure_mandelbrot_count(const point<T, 2>& c, const escape_limit<double>& limit) noexcept {
+[[nodiscard]] constexpr sure_count sure_mandelbrot_count(const point<T, 2>& c,
+                                                         const escape_limit<double>& limit) noexcept {
   return detail::sure_orbit(c.x, c.y, limit, detail::rounded_in_words);
 }
 

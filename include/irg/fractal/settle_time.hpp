@@ -14,7 +14,7 @@ inline namespace IRG_ABI {
 /// exact   the map's own rounding; lengths are compared squared, each operation rounded
 /// cost    at most `most` steps; nothing is allocated
 template <Floating T, ComplexMap<T> F>
-constexpr escape_end<T> settle_orbit(const F& f, point<T, 2> z, T rest, int most) {
+[[nodiscard]] constexpr escape_end<T> settle_orbit(const F& f, point<T, 2> z, T rest, int most) {
   const T square = product(rest, rest);
   for (int k = 0; k < most; ++k) {
     const point<T, 2> next = f(z);

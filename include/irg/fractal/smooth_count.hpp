@@ -17,7 +17,7 @@ inline namespace IRG_ABI {
 /// exact   but for rounding, continuous in z up to terms of the size of |c| / radius^2: take a radius of 100 or more
 /// source  irg's own: the logarithm of the potential 2^-n log |z|
 template <Floating T>
-constexpr T smooth_count(const escape_end<T>& end, T radius, int most) noexcept {
+[[nodiscard]] constexpr T smooth_count(const escape_end<T>& end, T radius, int most) noexcept {
   const T square = detail::squared_size(end.z.x, end.z.y);
   if (end.count >= most || !(square <= (std::numeric_limits<T>::max)())) return static_cast<T>(most);
   return static_cast<T>(end.count) + T(1) - log2(log2(square) / log2(product(radius, radius)));

@@ -162,7 +162,7 @@ inline namespace IRG_ABI {
 /// exact   decided exactly for every float and double
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<int> widest_view(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] constexpr std::optional<int> widest_view(const P& a, const P& b, const P& c) noexcept {
   int best = 0;
   if constexpr (Floating<scalar_of<P>>) {
     const detail::plane_corners seen[] = {detail::corners_in(detail::axes_across(0), a, b, c),
@@ -198,7 +198,8 @@ constexpr std::optional<int> widest_view(const P& a, const P& b, const P& c) noe
 /// source  Moebius 1827, the areas of part triangles
 template <Point P>
   requires((size_of<P> == 2 || size_of<P> == 3) && Real<scalar_of<P>>)
-constexpr std::optional<vec<scalar_of<P>, 3>> barycentric(const P& a, const P& b, const P& c, const P& t) noexcept {
+[[nodiscard]] constexpr std::optional<vec<scalar_of<P>, 3>> barycentric(const P& a, const P& b, const P& c,
+                                                                        const P& t) noexcept {
   if constexpr (size_of<P> == 2) {
     return detail::barycentric_in({0, 1}, a, b, c, t);
   } else {
@@ -217,7 +218,8 @@ constexpr std::optional<vec<scalar_of<P>, 3>> barycentric(const P& a, const P& b
 /// cost    about 20 operations and one division
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
-IRG_INLINE constexpr vec<scalar_of<P>, 3> barycentric_fast(const P& a, const P& b, const P& c, const P& t) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<scalar_of<P>, 3> barycentric_fast(const P& a, const P& b, const P& c,
+                                                                         const P& t) noexcept {
   using T = scalar_of<P>;
   const T scale = T(1) / detail::twice_area_plain({0, 1}, a, b, c);
   const T t2 = product(detail::twice_area_plain({0, 1}, a, t, c), scale);
@@ -233,8 +235,8 @@ IRG_INLINE constexpr vec<scalar_of<P>, 3> barycentric_fast(const P& a, const P& 
 /// cost    about 70 operations and widest_view
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_orthogonal(const P& a, const P& b, const P& c,
-                                                                     const P& t) noexcept {
+[[nodiscard]] constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_orthogonal(const P& a, const P& b, const P& c,
+                                                                                   const P& t) noexcept {
   using T = scalar_of<P>;
   if (!widest_view(a, b, c)) return std::nullopt;
   const auto scale = detail::scale_of_sides(a, b, c);
@@ -254,7 +256,7 @@ constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_orthogonal(const P& a,
 /// exact   for every finite float and double, and for integers
 template <Point P>
   requires(size_of<P> == 2)
-constexpr triangle_part locate_in_triangle(const P& a, const P& b, const P& c, const P& t) noexcept {
+[[nodiscard]] constexpr triangle_part locate_in_triangle(const P& a, const P& b, const P& c, const P& t) noexcept {
   return detail::part_in({0, 1}, a, b, c, t);
 }
 
@@ -265,7 +267,8 @@ constexpr triangle_part locate_in_triangle(const P& a, const P& b, const P& c, c
 /// exact   for every finite float and double
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<triangle_location> locate_in_triangle(const P& a, const P& b, const P& c, const P& t) noexcept {
+[[nodiscard]] constexpr std::optional<triangle_location> locate_in_triangle(const P& a, const P& b, const P& c,
+                                                                            const P& t) noexcept {
   const std::optional<int> axis = widest_view(a, b, c);
   if (!axis) return std::nullopt;
   return triangle_location{orient3d(a, b, c, t) == 0, detail::part_in(detail::axes_across(*axis), a, b, c, t)};
@@ -275,8 +278,9 @@ constexpr std::optional<triangle_location> locate_in_triangle(const P& a, const 
 /// exact   three products and two sums, each rounded; for t in the triangle never outside of the range of the three
 ///         values, and exactly x where all three are x
 template <Real T>
-IRG_INLINE constexpr T interpolate(const vec<T, 3>& t, const std::type_identity_t<T>& x1,
-                                   const std::type_identity_t<T>& x2, const std::type_identity_t<T>& x3) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T interpolate(const vec<T, 3>& t, const std::type_identity_t<T>& x1,
+                                                 const std::type_identity_t<T>& x2,
+                                                 const std::type_identity_t<T>& x3) noexcept {
   const T value = product(x1, t.x) + product(x2, t.y) + product(x3, t.z);
   if (t.x < T(0) || t.y < T(0) || t.z < T(0)) return value;
   return clamp(value, lesser(lesser(x1, x2), x3), greater(greater(x1, x2), x3));

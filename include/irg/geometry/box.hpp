@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 
 /// Whether the box contains no point.
 template <class T, int N>
-IRG_INLINE constexpr bool is_empty(const box<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_empty(const box<T, N>& b) noexcept {
   for (int i = 0; i < N; ++i)
     if (!(b.low[i] < b.high[i] || b.low[i] == b.high[i])) return true;
   return false;
@@ -52,7 +52,7 @@ IRG_INLINE constexpr bool is_empty(const box<T, N>& b) noexcept {
 /// gives   a coordinate of p that is NaN is passed over, the others count
 /// exact   no arithmetic
 template <class T, int N>
-IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& b, const point<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& b, const point<T, N>& p) noexcept {
   if constexpr (!std::numeric_limits<T>::is_specialized)
     if (is_empty(b)) return {p, p};
   return {generate_coordinates<point<T, N>>([&](int i) { return lesser(p[i], b.low[i]); }),
@@ -63,7 +63,7 @@ IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& b, const point<T, 
 /// gives   the other one when one is empty
 /// exact   no arithmetic
 template <class T, int N>
-IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& a, const box<T, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& a, const box<T, N>& b) noexcept {
   if (is_empty(a)) return b;
   if (is_empty(b)) return a;
   return enclosing_box(enclosing_box(a, b.low), b.high);
@@ -75,7 +75,7 @@ IRG_INLINE constexpr box<T, N> enclosing_box(const box<T, N>& a, const box<T, N>
 /// cost    one pass
 template <PolygonRing R>
   requires Point<typename ring_traits<R>::point>
-constexpr auto enclosing_box(const R& points) noexcept {
+[[nodiscard]] constexpr auto enclosing_box(const R& points) noexcept {
   using P = typename ring_traits<R>::point;
   using T = scalar_of<P>;
   box<T, size_of<P>> b;
@@ -91,7 +91,7 @@ constexpr auto enclosing_box(const R& points) noexcept {
 /// exact   no arithmetic
 /// cost    one pass
 template <Mesh M>
-constexpr auto enclosing_box(const M& m) noexcept {
+[[nodiscard]] constexpr auto enclosing_box(const M& m) noexcept {
   using P = typename mesh_traits<M>::point;
   using T = scalar_of<P>;
   box<T, size_of<P>> b;
@@ -107,8 +107,8 @@ constexpr auto enclosing_box(const M& m) noexcept {
 /// exact   comparisons alone
 /// source  Mihajlovic 2016, 7.1 (tests of bounding rectangles)
 template <class T, int N>
-IRG_INLINE constexpr bool overlap(const box<T, N>& a, const box<T, N>& b,
-                                  box_boundary boundary = box_boundary::closed) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool overlap(const box<T, N>& a, const box<T, N>& b,
+                                                box_boundary boundary = box_boundary::closed) noexcept {
   if (is_empty(a) || is_empty(b)) return false;
   for (int i = 0; i < N; ++i) {
     if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;
@@ -121,7 +121,7 @@ IRG_INLINE constexpr bool overlap(const box<T, N>& a, const box<T, N>& b,
 /// gives   false when a coordinate of p is NaN
 /// exact   comparisons alone
 template <class T, int N>
-IRG_INLINE constexpr bool contains(const box<T, N>& b, const point<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool contains(const box<T, N>& b, const point<T, N>& p) noexcept {
   return !is_empty(box<T, N>{p, p}) && overlap(b, box<T, N>{p, p});
 }
 
@@ -129,7 +129,7 @@ IRG_INLINE constexpr bool contains(const box<T, N>& b, const point<T, N>& p) noe
 /// gives   zeros for the empty box; infinity where the difference is beyond the range
 /// exact   each difference rounded once
 template <class T, int N>
-constexpr vec<T, N> size(const box<T, N>& b) noexcept {
+[[nodiscard]] constexpr vec<T, N> size(const box<T, N>& b) noexcept {
   if (is_empty(b)) return {};
   return b.high - b.low;
 }
@@ -138,7 +138,7 @@ constexpr vec<T, N> size(const box<T, N>& b) noexcept {
 /// needs   a box that is not empty
 /// exact   (low + high)/2, rounded once unless subnormal; no overflow for finite corners
 template <Real T, int N>
-constexpr point<T, N> centre(const box<T, N>& b) noexcept {
+[[nodiscard]] constexpr point<T, N> centre(const box<T, N>& b) noexcept {
   IRG_EXPECTS(!is_empty(b));
   return generate_coordinates<point<T, N>>([&](int i) {
     if constexpr (std::numeric_limits<T>::is_specialized) {
@@ -152,7 +152,7 @@ constexpr point<T, N> centre(const box<T, N>& b) noexcept {
 /// Corner k of the box: bit i of k chooses low (0) or high (1) on axis i.
 /// needs   0 <= k < 2^N
 template <class T, int N>
-IRG_INLINE constexpr point<T, N> corner(const box<T, N>& b, unsigned k) noexcept {
+[[nodiscard]] IRG_INLINE constexpr point<T, N> corner(const box<T, N>& b, unsigned k) noexcept {
   IRG_EXPECTS(k < (1u << N));
   return generate_coordinates<point<T, N>>([&](int i) { return (k >> i & 1u) != 0 ? b.high[i] : b.low[i]; });
 }
@@ -161,7 +161,7 @@ IRG_INLINE constexpr point<T, N> corner(const box<T, N>& b, unsigned k) noexcept
 /// needs   a box that is not empty
 /// exact   radius within 2 ulp
 template <Floating T, int N>
-constexpr bounding_sphere<T, N> sphere_around(const box<T, N>& b) noexcept {
+[[nodiscard]] constexpr bounding_sphere<T, N> sphere_around(const box<T, N>& b) noexcept {
   const point<T, N> middle = centre(b);
   const vec<T, N> half = generate_coordinates<vec<T, N>>([&](int i) {
     return greater(b.high[i] - middle[i], middle[i] - b.low[i]);  // the centre may be rounded towards either
@@ -173,7 +173,7 @@ constexpr bounding_sphere<T, N> sphere_around(const box<T, N>& b) noexcept {
 /// needs   a mesh with vertices
 /// exact   radius within 2 ulp
 template <Mesh M>
-constexpr auto sphere_around(const M& m) noexcept {
+[[nodiscard]] constexpr auto sphere_around(const M& m) noexcept {
   using traits = mesh_traits<M>;
   using T = scalar_of<typename traits::point>;
   bounding_sphere<T, size_of<typename traits::point>> ball{centre(enclosing_box(m)), T(0)};

@@ -67,11 +67,11 @@ template <ClipVertex V, int Capacity = 9>
 struct clipped_polygon {
   V vertices[static_cast<std::size_t>(Capacity)]{};
   int count = 0;
-  IRG_INLINE constexpr bool empty() const noexcept { return count == 0; }
-  IRG_INLINE constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept { return count == 0; }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
   IRG_INLINE constexpr const V& operator[](std::size_t i) const noexcept { return vertices[i]; }
-  IRG_INLINE constexpr const V* begin() const noexcept { return vertices; }
-  IRG_INLINE constexpr const V* end() const noexcept { return vertices + count; }
+  [[nodiscard]] IRG_INLINE constexpr const V* begin() const noexcept { return vertices; }
+  [[nodiscard]] IRG_INLINE constexpr const V* end() const noexcept { return vertices + count; }
 };
 
 /// What is left of a segment.
@@ -97,18 +97,20 @@ struct lerp_clip_vertex {
 
 inline namespace IRG_ABI {
 
-IRG_INLINE constexpr clip_planes operator|(clip_planes a, clip_planes b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_planes operator|(clip_planes a, clip_planes b) noexcept {
   return static_cast<clip_planes>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
-IRG_INLINE constexpr clip_planes operator&(clip_planes a, clip_planes b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_planes operator&(clip_planes a, clip_planes b) noexcept {
   return static_cast<clip_planes>(static_cast<unsigned>(a) & static_cast<unsigned>(b));
 }
 /// The planes that are not in the set.
-IRG_INLINE constexpr clip_planes operator~(clip_planes a) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_planes operator~(clip_planes a) noexcept {
   return static_cast<clip_planes>(~static_cast<unsigned>(a) & static_cast<unsigned>(clip_planes::all));
 }
 /// Whether the sets have a plane in common.
-IRG_INLINE constexpr bool overlap(clip_planes a, clip_planes b) noexcept { return (a & b) != clip_planes::none; }
+[[nodiscard]] IRG_INLINE constexpr bool overlap(clip_planes a, clip_planes b) noexcept {
+  return (a & b) != clip_planes::none;
+}
 
 }  // namespace IRG_ABI
 
@@ -167,7 +169,7 @@ inline namespace IRG_ABI {
 /// gives   every enabled plane whose test meets a NaN
 /// exact   for the depth planes and guard factors of 1; otherwise guard * w is rounded once
 template <class T>
-constexpr clip_planes clip_code(const hpoint<T, 3>& p, const clip_volume<T>& volume = {}) noexcept {
+[[nodiscard]] constexpr clip_planes clip_code(const hpoint<T, 3>& p, const clip_volume<T>& volume = {}) noexcept {
   const auto outside = [&](clip_planes plane) {
     const T d = detail::clip_distance(p, plane, volume);
     return T(0) < d || d == T(0) ? clip_planes::none : plane;
@@ -269,7 +271,7 @@ inline namespace IRG_ABI {
 /// cost    a polygon all inside or all outside costs its codes; each plane that cuts costs one pass
 /// source  Sutherland and Hodgman 1974; Blinn and Newell 1978
 template <ClipVertex V, std::size_t N, class F = lerp_clip_vertex>
-constexpr clipped_polygon<V, static_cast<int>(N) + 6> clip_homogeneous(
+[[nodiscard]] constexpr clipped_polygon<V, static_cast<int>(N) + 6> clip_homogeneous(
     const V (&polygon)[N], const clip_volume<std::type_identity_t<clip_scalar<V>>>& volume = {},
     const F& interpolate = {}) noexcept(noexcept(interpolate(polygon[0], polygon[0], volume.guard_x))) {
   return detail::clip_polygon<static_cast<int>(N) + 6>(polygon, static_cast<int>(N), volume, interpolate);
@@ -277,7 +279,7 @@ constexpr clipped_polygon<V, static_cast<int>(N) + 6> clip_homogeneous(
 
 /// As above, for what an earlier clip has left.
 template <ClipVertex V, int N, class F = lerp_clip_vertex>
-constexpr clipped_polygon<V, N + 6> clip_homogeneous(
+[[nodiscard]] constexpr clipped_polygon<V, N + 6> clip_homogeneous(
     const clipped_polygon<V, N>& polygon, const clip_volume<std::type_identity_t<clip_scalar<V>>>& volume = {},
     const F& interpolate = {}) noexcept(noexcept(interpolate(polygon[0], polygon[0], volume.guard_x))) {
   return detail::clip_polygon<N + 6>(polygon.vertices, polygon.count, volume, interpolate);
@@ -289,7 +291,7 @@ constexpr clipped_polygon<V, N + 6> clip_homogeneous(
 ///         segment that touches the volume in one point gives this point twice
 /// exact   as clip_homogeneous; swapping the ends swaps the result
 template <ClipVertex V, class F = lerp_clip_vertex>
-constexpr std::optional<clipped_segment<V>> clip_segment_homogeneous(
+[[nodiscard]] constexpr std::optional<clipped_segment<V>> clip_segment_homogeneous(
     const V& first, const V& second, const clip_volume<std::type_identity_t<clip_scalar<V>>>& volume = {},
     const F& interpolate = {}) noexcept(noexcept(interpolate(first, second, volume.guard_x))) {
   clipped_segment<V> kept{first, second};

@@ -56,8 +56,9 @@ inline namespace IRG_ABI {
 ///         clip_line_liang_barsky gives the same in a fraction of the time
 /// source  Cyrus and Beck 1978
 template <Point P, PolygonRing R>
-  requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<scalar_of<ring_point<R>>, scalar_of<P>>)
-constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b, const R& polygon) noexcept {
+  requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<ring_scalar<R>, scalar_of<P>>)
+[[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b,
+                                                                            const R& polygon) noexcept {
   if (!is_finite(a, b)) return std::nullopt;
   for (std::size_t i = 0; i < ring_size(polygon); ++i)
     if (!is_finite(ring_vertex(polygon, i))) return std::nullopt;
@@ -75,8 +76,8 @@ constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const 
 /// source  Cyrus and Beck 1978
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b,
-                                                              std::span<const plane<scalar_of<P>>> planes) noexcept {
+[[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(
+    const P& a, const P& b, std::span<const plane<scalar_of<P>>> planes) noexcept {
   if (!is_finite(a, b)) return std::nullopt;
   using T = scalar_of<P>;
   for (const plane<T>& p : planes)

@@ -25,8 +25,8 @@ inline namespace IRG_ABI {
 ///         exponent range) some microseconds of integer arithmetic
 /// source  Liang and Barsky 1984
 template <Point P>
-constexpr std::optional<clipped_line<P>> clip_line_liang_barsky(const P& a, const P& b,
-                                                                const box<scalar_of<P>, size_of<P>>& window) noexcept {
+[[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_liang_barsky(
+    const P& a, const P& b, const box<scalar_of<P>, size_of<P>>& window) noexcept {
   constexpr int axes = size_of<P>;
   if (!is_empty(window) && detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
   if (is_empty(window) || !is_finite(a, b)) return std::nullopt;

@@ -18,8 +18,8 @@ inline namespace IRG_ABI {
 /// source  Nicholl, Lee and Nicholl 1987
 template <Point P>
   requires(size_of<P> == 2)
-constexpr std::optional<clipped_line<P>> clip_line_nicholl_lee_nicholl(const P& a, const P& b,
-                                                                       const box<scalar_of<P>, 2>& window) noexcept {
+[[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_nicholl_lee_nicholl(
+    const P& a, const P& b, const box<scalar_of<P>, 2>& window) noexcept {
   using side = detail::window_side;
   if (is_empty(window)) return std::nullopt;
   if (detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};

@@ -82,8 +82,8 @@ constexpr std::size_t clip_sutherland_hodgman(const R& polygon, const Region& re
 /// As above, into memory of its own.
 template <VertexRange R, class Region, class F = lerp_vertex>
   requires ClipRegion<Region, range_vertex<R>> && VertexInterpolation<F, range_vertex<R>>
-constexpr std::vector<range_vertex<R>> clip_sutherland_hodgman(const R& polygon, const Region& region,
-                                                               const F& interpolate = {}) {
+[[nodiscard]] constexpr std::vector<range_vertex<R>> clip_sutherland_hodgman(const R& polygon, const Region& region,
+                                                                             const F& interpolate = {}) {
   using V = range_vertex<R>;
   if (std::size(polygon) == 0) return {};
   const V& any = *std::data(polygon);  // V{} of a foreign type may leave its numbers as they are

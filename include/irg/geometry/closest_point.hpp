@@ -64,7 +64,8 @@ inline namespace IRG_ABI {
 /// cost    some 200 ns; about 4 us near a degenerate case or for coordinates beyond 2^+-80
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<point_on_line<P>> closest_point_on_line(const P& a, const P& b, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<point_on_line<P>> closest_point_on_line(const P& a, const P& b,
+                                                                              const P& p) noexcept {
   const auto foot = detail::foot_on_line(a, b, p);
   if (!foot || detail::are_equal(a, b)) return std::nullopt;
   return point_on_line<P>{detail::point_of_foot(a, b, p), rounded_to<scalar_of<P>>(foot->t / foot->divisor)};
@@ -75,7 +76,8 @@ constexpr std::optional<point_on_line<P>> closest_point_on_line(const P& a, cons
 /// exact   whether it is an end, which comes back bit for bit; else as closest_point_on_line
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<point_on_line<P>> closest_point_on_segment(const P& a, const P& b, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<point_on_line<P>> closest_point_on_segment(const P& a, const P& b,
+                                                                                 const P& p) noexcept {
   if (!is_finite(a, b, p)) return std::nullopt;
   return detail::nearest_of_segment(a, b, p);
 }
@@ -85,7 +87,7 @@ constexpr std::optional<point_on_line<P>> closest_point_on_segment(const P& a, c
 /// exact   each coordinate within 0.501 ulp, for the coefficients as they are
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
-constexpr std::optional<P> closest_point_on_plane(const L& plane, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<P> closest_point_on_plane(const L& plane, const P& p) noexcept {
   if (detail::is_zero(normal_of(plane))) return std::nullopt;
   const auto v = values_of<3>(
       [](const auto& l, const auto& at) {
@@ -106,8 +108,8 @@ constexpr std::optional<P> closest_point_on_plane(const L& plane, const P& p) no
 /// source  Ericson 2004, 5.1.5, with exact signs
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<point_on_triangle<P>> closest_point_on_triangle(const P& a, const P& b, const P& c,
-                                                                        const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<point_on_triangle<P>> closest_point_on_triangle(const P& a, const P& b,
+                                                                                      const P& c, const P& p) noexcept {
   using T = scalar_of<P>;
   const auto foot = detail::foot_on_triangle(a, b, c, p);
   if (!foot) return std::nullopt;
@@ -133,7 +135,7 @@ constexpr std::optional<point_on_triangle<P>> closest_point_on_triangle(const P&
 /// gives   the box's low side for a coordinate that is NaN
 /// exact   comparisons alone
 template <class T, int N>
-constexpr point<T, N> closest_point_in_box(const box<T, N>& b, const point<T, N>& p) noexcept {
+[[nodiscard]] constexpr point<T, N> closest_point_in_box(const box<T, N>& b, const point<T, N>& p) noexcept {
   IRG_EXPECTS(!is_empty(b));
   return generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); });
 }
@@ -144,8 +146,8 @@ constexpr point<T, N> closest_point_in_box(const box<T, N>& b, const point<T, N>
 /// exact   each coordinate, t and s within 0.501 ulp
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<point_pair<P>> closest_points_of_lines(const P& a, const P& b, const P& c,
-                                                               const P& d) noexcept {
+[[nodiscard]] constexpr std::optional<point_pair<P>> closest_points_of_lines(const P& a, const P& b, const P& c,
+                                                                             const P& d) noexcept {
   using T = scalar_of<P>;
   if (detail::are_equal(a, b) || detail::are_equal(c, d)) return std::nullopt;
   const auto lines = detail::nearest_on_lines(a, b, c, d);
@@ -167,8 +169,8 @@ constexpr std::optional<point_pair<P>> closest_points_of_lines(const P& a, const
 /// cost    some 1 us; about 30 us near a degenerate case or for coordinates beyond 2^+-80
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<point_pair<P>> closest_points_of_segments(const P& a, const P& b, const P& c,
-                                                                  const P& d) noexcept {
+[[nodiscard]] constexpr std::optional<point_pair<P>> closest_points_of_segments(const P& a, const P& b, const P& c,
+                                                                                const P& d) noexcept {
   using T = scalar_of<P>;
   if (!is_finite(a, b, c, d)) return std::nullopt;
   const auto common = intersect_segments(a, b, c, d);

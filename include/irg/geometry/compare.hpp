@@ -14,7 +14,7 @@ inline namespace IRG_ABI {
 /// needs   no NaN
 /// exact   comparisons alone; -0 and 0 are equal
 template <Point P>
-constexpr int compare_lexicographic(const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr int compare_lexicographic(const P& p, const P& q) noexcept {
   for (int i = 0; i < size_of<P>; ++i)
     if (const int order = compare_numbers(coordinate(p, i), coordinate(q, i)); order != 0) return order;
   return 0;
@@ -27,7 +27,7 @@ constexpr int compare_lexicographic(const P& p, const P& q) noexcept {
 /// exact   the sign of (b - a) . (p - q), for every finite float, double and integer
 /// cost    about 5 ns, where roundings do not tell some 200 ns
 template <Point P>
-constexpr int order_along_line(const P& a, const P& b, const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr int order_along_line(const P& a, const P& b, const P& p, const P& q) noexcept {
   return sign_of<2>(
       [](const auto& from, const auto& to, const auto& x, const auto& y) { return dot(to - from, x - y); }, a, b, p, q);
 }
@@ -37,7 +37,7 @@ constexpr int order_along_line(const P& a, const P& b, const P& p, const P& q) n
 /// exact   the sign of |a - p|^2 - |b - p|^2, for every finite float, double and integer
 /// cost    about 5 ns, where roundings do not tell some 300 ns
 template <Point P>
-constexpr int compare_distance(const P& p, const P& a, const P& b) noexcept {
+[[nodiscard]] constexpr int compare_distance(const P& p, const P& a, const P& b) noexcept {
   return sign_of<2>(
       [](const auto& from, const auto& x, const auto& y) { return dot(x - from, x - from) - dot(y - from, y - from); },
       p, a, b);

@@ -18,7 +18,7 @@ inline namespace IRG_ABI {
 /// cost    about 10 ns, where roundings do not tell some 300 ns
 template <Point P>
   requires(size_of<P> == 2)
-constexpr int compare_distance_to_line(const P& a, const P& b, const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr int compare_distance_to_line(const P& a, const P& b, const P& p, const P& q) noexcept {
   if (compare_lexicographic(a, b) == 0) return compare_distance(a, p, q);
   const int p_side = orient2d(a, b, p), q_side = orient2d(a, b, q);
   if (p_side == 0 || q_side == 0) return p_side * p_side - q_side * q_side;
@@ -40,7 +40,7 @@ constexpr int compare_distance_to_line(const P& a, const P& b, const P& p, const
 /// cost    about 10 ns, where roundings do not tell some 300 ns
 template <Plane L, Point P>
   requires(size_of<P> == 3 && std::same_as<plane_scalar<L>, scalar_of<P>>)
-constexpr int compare_distance_to_plane(const L& plane, const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr int compare_distance_to_plane(const L& plane, const P& p, const P& q) noexcept {
   const int p_side = static_cast<int>(side_of(plane, p)), q_side = static_cast<int>(side_of(plane, q));
   if (p_side == 0 || q_side == 0) return p_side * p_side - q_side * q_side;
   const auto form = detail::as_plane(plane);

@@ -72,7 +72,7 @@ private:
   // The points farthest out in eight directions, nearly: any will do.
   constexpr void find_inner(std::uint32_t lowest, std::uint32_t highest, std::uint32_t n) noexcept {
     for (auto& chain : inner_) chain[0] = chain[1] = chain[2] = chain[3] = lowest, chain[4] = highest;
-    if constexpr (std::is_arithmetic_v<scalar_of<ring_point<R>>>) {
+    if constexpr (std::is_arithmetic_v<ring_scalar<R>>) {
       double farthest[6];
       for (std::uint32_t i = 0; i < n; ++i) {
         const auto p = at(i);
@@ -163,7 +163,8 @@ constexpr std::size_t convex_hull(const R& points, std::span<std::uint32_t> hull
 /// The corners of the convex hull, as above.
 /// gives   no index for no points, and when a coordinate is NaN or infinite
 template <PlaneRing R>
-constexpr std::vector<std::uint32_t> convex_hull(const R& points, side_points option = side_points::leave_out) {
+[[nodiscard]] constexpr std::vector<std::uint32_t> convex_hull(const R& points,
+                                                               side_points option = side_points::leave_out) {
   std::vector<std::uint32_t> hull(is_finite(points) ? ring_size(points) : 0, 0u);
   if (!hull.empty()) hull.resize(convex_hull(points, std::span<std::uint32_t>(hull), option));
   return hull;

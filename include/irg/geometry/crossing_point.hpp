@@ -19,7 +19,8 @@ inline namespace IRG_ABI {
 /// exact   correctly rounded, ties to even
 /// cost    a quotient of polynomials of degree 3 in doubled precision, in exact numbers where that does not suffice
 template <Floating T>
-constexpr std::optional<point<T, 2>> crossing_point(const segment<T, 2>& first, const segment<T, 2>& second) noexcept {
+[[nodiscard]] constexpr std::optional<point<T, 2>> crossing_point(const segment<T, 2>& first,
+                                                                  const segment<T, 2>& second) noexcept {
   // With f and g twice the areas that `second` spans with a and b, the crossing is (g*a - f*b)/(g - f).
   const auto at = quotients_of<3>(
       [](const auto& a, const auto& b, const auto& c, const auto& d) {

@@ -35,7 +35,7 @@ inline namespace IRG_ABI {
 /// cost    some 100 ns; length(q - p) takes 10 ns and rounds the difference
 template <Point P>
   requires Floating<scalar_of<P>>
-constexpr std::optional<scalar_of<P>> distance(const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> distance(const P& p, const P& q) noexcept {
   const auto squared = detail::squared_distance(p, q);
   if (!squared) return std::nullopt;
   return rounded_to<scalar_of<P>>(sqrt(*squared));
@@ -47,7 +47,7 @@ constexpr std::optional<scalar_of<P>> distance(const P& p, const P& q) noexcept 
 /// cost    some 200 ns; about 4 us near a degenerate case or for coordinates beyond 2^+-80
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<scalar_of<P>> distance_to_line(const P& a, const P& b, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> distance_to_line(const P& a, const P& b, const P& p) noexcept {
   const auto v = detail::squared_from_line(a, b, p);
   if (!v || detail::are_equal(a, b)) return std::nullopt;
   return rounded_to<scalar_of<P>>(sqrt((*v)[0] / (*v)[1]));
@@ -58,7 +58,7 @@ constexpr std::optional<scalar_of<P>> distance_to_line(const P& a, const P& b, c
 /// exact   as distance, for the coefficients as they are; the sign always
 template <Floating T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
-constexpr std::optional<T> signed_distance(const line<T>& l, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<T> signed_distance(const line<T>& l, const P& p) noexcept {
   const auto v = values_of<2>(
       [](const auto& k, const auto& at) { return std::array{k.x * at.x + k.y * at.y + k.z, k.x * k.x + k.y * k.y}; },
       vec{l.a, l.b, l.c}, p);
@@ -71,7 +71,7 @@ constexpr std::optional<T> signed_distance(const line<T>& l, const P& p) noexcep
 /// exact   as distance, for the coefficients as they are; the sign always
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
-constexpr std::optional<scalar_of<P>> signed_distance(const L& plane, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> signed_distance(const L& plane, const P& p) noexcept {
   const auto v = values_of<2>(
       [](const auto& l, const auto& at) {
         const auto n = normal_of(l);
@@ -87,7 +87,7 @@ constexpr std::optional<scalar_of<P>> signed_distance(const L& plane, const P& p
 /// exact   as distance
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<scalar_of<P>> distance_to_segment(const P& a, const P& b, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> distance_to_segment(const P& a, const P& b, const P& p) noexcept {
   if (!is_finite(a, b, p)) return std::nullopt;
   return rounded_to<scalar_of<P>>(sqrt(detail::squared_from_segment(a, b, p)));
 }
@@ -97,7 +97,8 @@ constexpr std::optional<scalar_of<P>> distance_to_segment(const P& a, const P& b
 /// exact   as distance
 template <Point P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
-constexpr std::optional<scalar_of<P>> distance_to_triangle(const P& a, const P& b, const P& c, const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> distance_to_triangle(const P& a, const P& b, const P& c,
+                                                                         const P& p) noexcept {
   using T = scalar_of<P>;
   const auto foot = detail::foot_on_triangle(a, b, c, p);
   if (!foot) return std::nullopt;
@@ -124,7 +125,8 @@ constexpr std::optional<scalar_of<P>> distance_to_triangle(const P& a, const P& 
 /// exact   as distance; 0 for crossing lines only
 template <Point P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
-constexpr std::optional<scalar_of<P>> distance_of_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> distance_of_lines(const P& a, const P& b, const P& c,
+                                                                      const P& d) noexcept {
   if (detail::are_equal(a, b) || detail::are_equal(c, d)) return std::nullopt;
   const auto lines = detail::nearest_on_lines(a, b, c, d);
   if (!lines) return std::nullopt;
@@ -139,7 +141,8 @@ constexpr std::optional<scalar_of<P>> distance_of_lines(const P& a, const P& b, 
 /// cost    some 1 us; about 30 us near a degenerate case or for coordinates beyond 2^+-80
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<scalar_of<P>> distance_of_segments(const P& a, const P& b, const P& c, const P& d) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> distance_of_segments(const P& a, const P& b, const P& c,
+                                                                         const P& d) noexcept {
   using T = scalar_of<P>;
   if (!is_finite(a, b, c, d)) return std::nullopt;
   if (intersect_segments(a, b, c, d).relation != segment_relation::none) return T(0);
@@ -162,7 +165,7 @@ constexpr std::optional<scalar_of<P>> distance_of_segments(const P& a, const P& 
 /// gives   nothing when a number is NaN or infinite
 /// exact   as distance
 template <Floating T, int N>
-constexpr std::optional<T> distance_to_box(const box<T, N>& b, const point<T, N>& p) noexcept {
+[[nodiscard]] constexpr std::optional<T> distance_to_box(const box<T, N>& b, const point<T, N>& p) noexcept {
   IRG_EXPECTS(!is_empty(b));
   if (!is_finite(b.low, b.high)) return std::nullopt;
   return distance(p, generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); }));

@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formulas 2.6 and 3.1
 template <Point P>
   requires(size_of<P> == 2)
-constexpr edge_equation<scalar_of<P>> edge_through(const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr edge_equation<scalar_of<P>> edge_through(const P& p, const P& q) noexcept {
   using T = scalar_of<P>;
   const T x1 = coordinate(p, 0), y1 = coordinate(p, 1), x2 = coordinate(q, 0), y2 = coordinate(q, 1);
   if constexpr (Floating<T>)

@@ -28,18 +28,19 @@ class basic_exact_point {
   };
 
   template <class Number>
-  static constexpr std::array<Number, 3> vector_of(const point<double, 3>& p) noexcept {
+  [[nodiscard]] static constexpr std::array<Number, 3> vector_of(const point<double, 3>& p) noexcept {
     return {Number(p.x), Number(p.y), Number(p.z)};
   }
   template <class Number>
-  static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a,
-                                               const std::array<Number, 3>& b) noexcept {
+  [[nodiscard]] static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a,
+                                                             const std::array<Number, 3>& b) noexcept {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
   // from + way t / divisor
   template <class Number>
-  static constexpr basic_exact_point along(const std::array<Number, 3>& from, const std::array<Number, 3>& way,
-                                           const Number& t, const Number& divisor) {
+  [[nodiscard]] static constexpr basic_exact_point along(const std::array<Number, 3>& from,
+                                                         const std::array<Number, 3>& way, const Number& t,
+                                                         const Number& divisor) {
     basic_exact_point p;
     if (divisor.sign() != 0)
       p.store(std::array{divisor, from[0] * divisor + way[0] * t, from[1] * divisor + way[1] * t,
@@ -54,7 +55,7 @@ class basic_exact_point {
       words_.insert(words_.end(), v[i].words(), v[i].words() + v[i].size());
     }
   }
-  constexpr std::array<wide, 4> load() const noexcept {
+  [[nodiscard]] constexpr std::array<wide, 4> load() const noexcept {
     IRG_EXPECTS(is_known());
     const auto at = [this](std::size_t i) {
       return wide(words_.data() + parts_[i].first, parts_[i].size, parts_[i].place, parts_[i].negative);
@@ -75,9 +76,9 @@ public:
   /// Where the line through a and b crosses the plane through p, q and r.
   /// needs   finite coordinates
   /// gives   no point when they are parallel, or a == b, or the three lie on a line
-  static constexpr basic_exact_point on_plane(const point<double, 3>& p, const point<double, 3>& q,
-                                              const point<double, 3>& r, const point<double, 3>& a,
-                                              const point<double, 3>& b) {
+  [[nodiscard]] static constexpr basic_exact_point on_plane(const point<double, 3>& p, const point<double, 3>& q,
+                                                            const point<double, 3>& r, const point<double, 3>& a,
+                                                            const point<double, 3>& b) {
     using number = exact_number<4>;
     const auto base = vector_of<number>(p), u = minus(vector_of<number>(q), base),
                v = minus(vector_of<number>(r), base);
@@ -92,8 +93,8 @@ public:
   /// needs   finite coordinates
   /// gives   no point when they are parallel; where they pass each other, a point of the first that is a crossing as
   ///         seen along an axis
-  static constexpr basic_exact_point on_lines(const point<double, 3>& a, const point<double, 3>& b,
-                                              const point<double, 3>& c, const point<double, 3>& d) {
+  [[nodiscard]] static constexpr basic_exact_point on_lines(const point<double, 3>& a, const point<double, 3>& b,
+                                                            const point<double, 3>& c, const point<double, 3>& d) {
     using number = exact_number<4>;
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from);
     const auto start = vector_of<number>(c), other = minus(vector_of<number>(d), start), between = minus(start, from);
@@ -107,8 +108,8 @@ public:
 
   /// The mean of three points.
   /// needs   three points
-  static constexpr basic_exact_point mean_of(const basic_exact_point& p, const basic_exact_point& q,
-                                             const basic_exact_point& r) {
+  [[nodiscard]] static constexpr basic_exact_point mean_of(const basic_exact_point& p, const basic_exact_point& q,
+                                                           const basic_exact_point& r) {
     const auto a = p.load(), b = q.load(), c = r.load();
     const wide bc = b[0] * c[0], ca = c[0] * a[0], ab = a[0] * b[0];
     std::array<wide, 4> sum{ab * c[0] * wide(3.0), {}, {}, {}};
@@ -118,12 +119,12 @@ public:
     return mean;
   }
 
-  constexpr bool is_known() const noexcept { return parts_[0].size > 0; }
+  [[nodiscard]] constexpr bool is_known() const noexcept { return parts_[0].size > 0; }
 
   /// The nearest doubles, nearly.
   /// needs   a point
   /// exact   within 0.501 ulp
-  constexpr point<double, 3> rounded() const noexcept {
+  [[nodiscard]] constexpr point<double, 3> rounded() const noexcept {
     const auto v = load();
     point<double, 3> p{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -150,7 +151,8 @@ using exact_point = basic_exact_point<>;
 /// needs   two points
 /// exact   always
 template <class W>
-constexpr int compare_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q) noexcept {
+[[nodiscard]] constexpr int compare_along(int axis, const basic_exact_point<W>& p,
+                                          const basic_exact_point<W>& q) noexcept {
   const auto a = p.load(), b = q.load();
   const auto i = static_cast<std::size_t>(axis) + 1;
   return (a[i] * b[0] - b[i] * a[0]).sign() * a[0].sign() * b[0].sign();
@@ -160,8 +162,8 @@ constexpr int compare_along(int axis, const basic_exact_point<W>& p, const basic
 /// needs   three points
 /// exact   always
 template <class W>
-constexpr int orientation_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q,
-                                const basic_exact_point<W>& r) noexcept {
+[[nodiscard]] constexpr int orientation_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q,
+                                              const basic_exact_point<W>& r) noexcept {
   const auto a = p.load(), b = q.load(), c = r.load();
   const std::size_t x = axis == 0 ? 2 : 1, y = axis == 2 ? 2 : 3;
   const auto area =
@@ -173,8 +175,8 @@ constexpr int orientation_along(int axis, const basic_exact_point<W>& p, const b
 /// needs   finite coordinates, a point
 /// exact   always
 template <class W>
-constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b, const point<double, 3>& c,
-                            const basic_exact_point<W>& p) noexcept {
+[[nodiscard]] constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b,
+                                          const point<double, 3>& c, const basic_exact_point<W>& p) noexcept {
   using exact = basic_exact_point<W>;
   using number = typename exact::wide;
   const auto base = exact::template vector_of<number>(a);

@@ -12,22 +12,18 @@
 
 namespace irg {
 
-/// A ring of points in space.
-template <class R>
-concept SpaceRing = PolygonRing<R> && Point<ring_point<R>> && (size_of<ring_point<R>> == 3);
-
 /// A ring in space, read without coordinate `axis`: y z, z x or x y, so that it runs counter-clockwise when its normal
 /// points forward along the axis. It refers to the ring.
 template <SpaceRing R>
 class flat_ring {
 public:
-  using scalar = scalar_of<ring_point<R>>;
+  using scalar = ring_scalar<R>;
   /// needs   0 <= axis < 3; a ring that outlives the view
   IRG_INLINE constexpr flat_ring(const R& ring, int axis) noexcept : ring_(&ring), axis_(axis) {
     IRG_EXPECTS(axis >= 0 && axis < 3);
   }
   flat_ring(const R&& ring, int axis) = delete;
-  IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
   /// needs   i < size()
   IRG_INLINE constexpr point<scalar, 2> operator[](std::size_t i) const noexcept {
     const auto p = ring_vertex(*ring_, i);
@@ -48,8 +44,8 @@ inline namespace IRG_ABI {
 ///         areas are nearly equal, and any for areas that are lost in rounding
 /// cost    one pass; doubles a second one, against overflow
 template <SpaceRing R>
-constexpr int flattening_axis(const R& ring) noexcept {
-  using T = scalar_of<ring_point<R>>;
+[[nodiscard]] constexpr int flattening_axis(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   T scale(1);  // a power of two that keeps products from overflow and underflow
   if constexpr (Floating<T>) {

@@ -25,8 +25,8 @@ inline namespace IRG_ABI {
 /// source  Shewchuk 1997; Devillers and Pion 2003 (the filter)
 template <Point P>
   requires(size_of<P> == 2)
-IRG_INLINE constexpr int in_circle(const P& a, const P& b, const P& c,
-                                   const P& d) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
+[[nodiscard]] IRG_INLINE constexpr int in_circle(const P& a, const P& b, const P& c,
+                                                 const P& d) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
   return detail::predicate(a, b, c, d);
 }
 
@@ -41,8 +41,8 @@ IRG_INLINE constexpr int in_circle(const P& a, const P& b, const P& c,
 /// source  as in_circle
 template <Point P>
   requires(size_of<P> == 3)
-IRG_INLINE constexpr int in_sphere(const P& a, const P& b, const P& c, const P& d,
-                                   const P& e) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
+[[nodiscard]] IRG_INLINE constexpr int in_sphere(const P& a, const P& b, const P& c, const P& d,
+                                                 const P& e) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
   return detail::predicate(a, b, c, d, e);
 }
 

@@ -10,19 +10,17 @@
 #include <tuple>
 
 #include <irg/geometry/detail/exact_forms.hpp>
+#include <irg/geometry/flat_relation.hpp>
 #include <irg/geometry/parametric_line.hpp>
 #include <irg/math/exact/values_of.hpp>
 
 namespace irg {
 
-/// How two lines lie: `none` when one of them is no line (two equal points) or a coordinate is NaN or infinite.
-enum class line_relation { none, crossing, parallel, coincident, skew };
-
 /// How two lines lie, where they cross, and the parameters of that point on the first and on the second line.
 /// shape   at, t and s have a meaning only where the lines cross
 template <Point P>
 struct lines_meeting {
-  line_relation relation = line_relation::none;
+  flat_relation relation = flat_relation::none;
   P at{};
   scalar_of<P> t{}, s{};
 };
@@ -42,7 +40,7 @@ constexpr point<double, size_of<P>> in_doubles(const P& p) noexcept {
 // What is known of two crossing lines: t and s times the divisor, what they lack of 1, and the point times it.
 template <class V, int D>
 struct line_crossing {
-  line_relation relation = line_relation::none;
+  flat_relation relation = flat_relation::none;
   V divisor{}, t{}, s{}, t_rest{}, s_rest{};
   vec<V, D> at{};
 };
@@ -89,7 +87,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
     const auto& [n, volume] = *normal;
     parallel = is_zero(n);
     if (!parallel && !is_zero(volume)) {
-      result.relation = line_relation::skew;
+      result.relation = flat_relation::skew;
       return result;
     }
     k = largest_coordinate(n);
@@ -104,7 +102,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
         a, b, c, d);
     if (!meeting) return result;
     const auto& [n, t, s, t_rest, s_rest, at] = *meeting;
-    if (!is_zero(n)) return line_crossing<V, D>{line_relation::crossing, n, t, s, t_rest, s_rest, at};
+    if (!is_zero(n)) return line_crossing<V, D>{flat_relation::crossing, n, t, s, t_rest, s_rest, at};
   }
   // All four points on one line? Where a line is but a point, it need be on the other one.
   const auto apart = values_of<2>(
@@ -115,13 +113,13 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
       a, b, c, d);
   if (!apart) return result;
   const auto& [from_first, from_second] = *apart;
-  result.relation = is_zero(from_first) && is_zero(from_second) ? line_relation::coincident : line_relation::parallel;
+  result.relation = is_zero(from_first) && is_zero(from_second) ? flat_relation::coincident : flat_relation::parallel;
   return result;
 }
 
 template <Point P, class V, int D>
 constexpr lines_meeting<P> rounded_meeting(const line_crossing<V, D>& c) noexcept {
-  if (c.relation != line_relation::crossing) return {c.relation, {}, {}, {}};
+  if (c.relation != flat_relation::crossing) return {c.relation, {}, {}, {}};
   using T = scalar_of<P>;
   return {c.relation, rounded_coordinates<P>(c.at / c.divisor), rounded_to<T>(c.t / c.divisor),
           rounded_to<T>(c.s / c.divisor)};
@@ -140,15 +138,15 @@ inline namespace IRG_ABI {
 /// cost    some 250 ns (space: 300), about 4 us near a degenerate case or for coordinates beyond 2^+-80
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr lines_meeting<P> intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
+[[nodiscard]] constexpr lines_meeting<P> intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
   if (detail::are_equal(a, b) || detail::are_equal(c, d)) return {};
   return detail::rounded_meeting<P>(detail::cross_lines(a, b, c, d));
 }
 
 /// The same for points of integers; where the lines cross comes in doubles.
 template <detail::SmallIntegerPoint P>
-constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, const P& b, const P& c,
-                                                                   const P& d) noexcept {
+[[nodiscard]] constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, const P& b, const P& c,
+                                                                                 const P& d) noexcept {
   return intersect_lines(detail::in_doubles(a), detail::in_doubles(b), detail::in_doubles(c), detail::in_doubles(d));
 }
 
@@ -157,8 +155,8 @@ constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, c
 /// exact   as for points, for the directions as they are
 template <Real T, int N>
   requires(N == 2 || N == 3)
-constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>& first,
-                                                     const parametric_line<T, N>& second) noexcept {
+[[nodiscard]] constexpr lines_meeting<point<T, N>> intersect_lines(const parametric_line<T, N>& first,
+                                                                   const parametric_line<T, N>& second) noexcept {
   if (detail::is_zero(first.direction) || detail::is_zero(second.direction)) return {};
   return detail::rounded_meeting<point<T, N>>(
       detail::cross_lines(first.origin, first.direction, second.origin, second.direction));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a line meets a plane given by its coefficients, by three points or by parameters: crossing, parallel or
-// contained is decided exactly, and point and parameters are right to the last bit or nearly so.
+// coincident is decided exactly, and point and parameters are right to the last bit or nearly so.
 #pragma once
 
 #include <array>
@@ -15,15 +15,11 @@
 
 namespace irg {
 
-/// How a line lies to a plane: `none` when one of them is none (zero normal, collinear or equal points) or a number is
-/// NaN or infinite.
-enum class plane_line_relation { none, crossing, parallel, contained };
-
 /// How a line lies to a plane, where it crosses it, and the parameter of that point on the line.
 /// shape   at and t have a meaning only where the line crosses the plane
 template <Point P>
 struct plane_line_meeting {
-  plane_line_relation relation = plane_line_relation::none;
+  flat_relation relation = flat_relation::none;
   P at{};
   scalar_of<P> t{};
 };
@@ -31,7 +27,7 @@ struct plane_line_meeting {
 /// The same with the parameters s1 and s2 of the point in the plane.
 template <Scalar T>
 struct parametric_meeting {
-  plane_line_relation relation = plane_line_relation::none;
+  flat_relation relation = flat_relation::none;
   point<T, 3> at{};
   T s1{}, s2{}, t{};
 };
@@ -52,8 +48,8 @@ template <Point P, class V>
 constexpr plane_line_meeting<P> rounded_plane_meeting(const std::optional<std::tuple<V, V, vec<V, 3>>>& v) noexcept {
   if (!v) return {};
   const auto& [divisor, t, at] = *v;
-  if (is_zero(divisor)) return {is_zero(t) ? plane_line_relation::contained : plane_line_relation::parallel, {}, {}};
-  return {plane_line_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
+  if (is_zero(divisor)) return {is_zero(t) ? flat_relation::coincident : flat_relation::parallel, {}, {}};
+  return {flat_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
 }
 
 }  // namespace IRG_ABI
@@ -69,7 +65,7 @@ inline namespace IRG_ABI {
 /// cost    some 150 ns; about 3 us near a degenerate case or for numbers beyond 2^+-80
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
-constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
+[[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
   if (detail::are_equal(a, b) || detail::is_zero(normal_of(plane))) return {};
   return detail::rounded_plane_meeting<P>(values_of<3>(
       [](const auto& l, const auto& from, const auto& to) {
@@ -82,8 +78,8 @@ constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a,
 /// The same for a line given by origin and direction; t counts in its direction.
 template <Plane L, Real T>
   requires std::same_as<plane_scalar<L>, T>
-constexpr plane_line_meeting<point<T, 3>> intersect_plane_line(const L& plane,
-                                                               const parametric_line<T, 3>& line) noexcept {
+[[nodiscard]] constexpr plane_line_meeting<point<T, 3>> intersect_plane_line(
+    const L& plane, const parametric_line<T, 3>& line) noexcept {
   if (detail::is_zero(line.direction) || detail::is_zero(normal_of(plane))) return {};
   return detail::rounded_plane_meeting<point<T, 3>>(values_of<3>(
       [](const auto& l, const auto& from, const auto& u) {
@@ -98,8 +94,8 @@ constexpr plane_line_meeting<point<T, 3>> intersect_plane_line(const L& plane,
 /// exact   as for coefficients, for the points as they are
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, const P& r, const P& a,
-                                                     const P& b) noexcept {
+[[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, const P& r, const P& a,
+                                                                   const P& b) noexcept {
   if (detail::are_equal(a, b)) return {};
   const auto m = detail::rounded_plane_meeting<P>(values_of<4>(
       [](const auto& base, const auto& second, const auto& third, const auto& from, const auto& to) {
@@ -107,7 +103,7 @@ constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, con
         return detail::cross_plane(n, from, to - from, dot(n, from - base));
       },
       p, q, r, a, b));
-  if (m.relation == plane_line_relation::contained && !detail::spans_plane(p, q, r)) return {};
+  if (m.relation == flat_relation::coincident && !detail::spans_plane(p, q, r)) return {};
   return m;
 }
 
@@ -116,8 +112,8 @@ constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, con
 /// exact   as for coefficients, for the directions as they are
 /// source  Hank n.d., 1.3.5: s1*first + s2*second - t*direction = line's origin - plane's origin
 template <Real T>
-constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& plane,
-                                                     const parametric_line<T, 3>& line) noexcept {
+[[nodiscard]] constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& plane,
+                                                                   const parametric_line<T, 3>& line) noexcept {
   if (detail::is_zero(line.direction)) return {};
   const auto v = values_of<4>(
       [](const auto& first, const auto& second, const auto& base, const auto& from, const auto& u) {
@@ -128,7 +124,7 @@ constexpr parametric_meeting<T> intersect_plane_line(const parametric_plane<T>& 
       plane.first, plane.second, plane.origin, line.origin, line.direction);
   if (!v) return {};
   const auto m = detail::rounded_plane_meeting<point<T, 3>>(std::optional(std::get<0>(*v)));
-  if (m.relation == plane_line_relation::crossing) {
+  if (m.relation == flat_relation::crossing) {
     const auto s = std::get<1>(*v) / std::get<0>(std::get<0>(*v));
     return {m.relation, m.at, rounded_to<T>(s.x), rounded_to<T>(s.y), m.t};
   }

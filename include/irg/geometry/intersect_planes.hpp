@@ -12,15 +12,11 @@
 
 namespace irg {
 
-/// How two planes lie: `none` when one of them is none (zero normal, dependent directions) or a number is NaN or
-/// infinite.
-enum class planes_relation { none, crossing, parallel, coincident };
-
 /// How two planes lie, and the line they have in common.
 /// shape   line has a meaning only where the planes cross
 template <Scalar T>
 struct planes_meeting {
-  planes_relation relation = planes_relation::none;
+  flat_relation relation = flat_relation::none;
   parametric_line<T, 3> line{};
 };
 
@@ -47,7 +43,7 @@ inline namespace IRG_ABI {
 /// cost    some 300 ns; about 4 us near a degenerate case or for numbers beyond 2^+-80
 template <Plane L>
   requires Real<plane_scalar<L>>
-constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second) noexcept {
+[[nodiscard]] constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second) noexcept {
   using T = plane_scalar<L>;
   if (detail::is_zero(normal_of(first)) || detail::is_zero(normal_of(second))) return {};
   const auto p = detail::as_plane(first), q = detail::as_plane(second);
@@ -58,7 +54,7 @@ constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const
     // All zero when the coefficients are proportional, d among them.
     const auto offsets =
         values_of<2>([](const auto& a, const auto& b) { return normal_of(a) * b.d - normal_of(b) * a.d; }, p, q);
-    return {detail::is_zero(*offsets) ? planes_relation::coincident : planes_relation::parallel, {}};
+    return {detail::is_zero(*offsets) ? flat_relation::coincident : flat_relation::parallel, {}};
   }
   // (d (u x m) + e (n x u)) / u.u for the planes n.x + d = 0 and m.x + e = 0 with u = n x m.
   const auto origin = values_of<4>(
@@ -70,7 +66,7 @@ constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const
   if (!origin) return {};
   const auto& [divisor, at] = *origin;
   const auto u = rounded_together<T, 3>(std::array{direction->x, direction->y, direction->z});
-  return {planes_relation::crossing, {rounded_coordinates<point<T, 3>>(at / divisor), {u[0], u[1], u[2]}}};
+  return {flat_relation::crossing, {rounded_coordinates<point<T, 3>>(at / divisor), {u[0], u[1], u[2]}}};
 }
 
 /// What three planes have in common.
@@ -80,8 +76,8 @@ constexpr planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const
 /// cost    some 200 ns for a point; about 5 us near a degenerate case or for numbers beyond 2^+-80
 template <Plane L>
   requires Real<plane_scalar<L>>
-constexpr three_planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second,
-                                                                 const L& third) noexcept {
+[[nodiscard]] constexpr three_planes_meeting<plane_scalar<L>> intersect_planes(const L& first, const L& second,
+                                                                               const L& third) noexcept {
   using T = plane_scalar<L>;
   using relation = three_planes_relation;
   const L* planes[] = {&first, &second, &third};
@@ -101,8 +97,8 @@ constexpr three_planes_meeting<plane_scalar<L>> intersect_planes(const L& first,
   int distinct = 0, crossing = -1;
   for (int i = 0; i < 3; ++i) {
     pairs[i] = intersect_planes(*planes[i], *planes[(i + 1) % 3]);
-    distinct += pairs[i].relation == planes_relation::parallel;
-    if (pairs[i].relation == planes_relation::crossing && crossing < 0) crossing = i;
+    distinct += pairs[i].relation == flat_relation::parallel;
+    if (pairs[i].relation == flat_relation::crossing && crossing < 0) crossing = i;
   }
   if (distinct > 0) return {relation::parallel, {}, {}};
   if (crossing < 0) return {relation::coincident, {}, {}};

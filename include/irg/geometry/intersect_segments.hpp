@@ -61,14 +61,15 @@ inline namespace IRG_ABI {
 /// cost    some 20 ns in the plane when one segment is on one side of the other's line, else as intersect_lines
 template <Point P>
   requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr segments_meeting<P> intersect_segments(const P& a, const P& b, const P& c, const P& d) noexcept {
+[[nodiscard]] constexpr segments_meeting<P> intersect_segments(const P& a, const P& b, const P& c,
+                                                               const P& d) noexcept {
   using T = scalar_of<P>;
   if (!is_finite(a, b, c, d)) return {};
   if constexpr (size_of<P> == 2)
     if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
   const auto m = detail::cross_lines(a, b, c, d);
-  if (m.relation == line_relation::coincident) return detail::common_part(a, b, c, d);
-  if (m.relation != line_relation::crossing) return {};
+  if (m.relation == flat_relation::coincident) return detail::common_part(a, b, c, d);
+  if (m.relation != flat_relation::crossing) return {};
   const int side = sign_of(m.divisor);
   const auto part = [&](const auto& v) { return sign_of(v) * side; };
   const int t = part(m.t), t_rest = part(m.t_rest), s = part(m.s), s_rest = part(m.s_rest);
@@ -80,15 +81,16 @@ constexpr segments_meeting<P> intersect_segments(const P& a, const P& b, const P
 
 /// The same for segments by name.
 template <Real T, int N>
-constexpr segments_meeting<point<T, N>> intersect_segments(const segment<T, N>& first,
-                                                           const segment<T, N>& second) noexcept {
+[[nodiscard]] constexpr segments_meeting<point<T, N>> intersect_segments(const segment<T, N>& first,
+                                                                         const segment<T, N>& second) noexcept {
   return intersect_segments(first.a, first.b, second.a, second.b);
 }
 
 /// The same for points of integers; what they have in common comes in doubles.
 template <detail::SmallIntegerPoint P>
-constexpr segments_meeting<point<double, size_of<P>>> intersect_segments(const P& a, const P& b, const P& c,
-                                                                         const P& d) noexcept {
+[[nodiscard]] constexpr segments_meeting<point<double, size_of<P>>> intersect_segments(const P& a, const P& b,
+                                                                                       const P& c,
+                                                                                       const P& d) noexcept {
   return intersect_segments(detail::in_doubles(a), detail::in_doubles(b), detail::in_doubles(c), detail::in_doubles(d));
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include <irg/core/side.hpp>
 #include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/math/exact/values_of.hpp>
@@ -18,9 +19,6 @@ struct line {
   T a{}, b{}, c{};
   constexpr bool operator==(const line&) const = default;
 };
-
-/// Where a point lies to a line when one looks along the y axis: `vertical` when the line has no upper side.
-enum class height_over_line { below = -1, on = 0, above = 1, vertical = 2 };
 
 namespace detail {
 inline namespace IRG_ABI {
@@ -45,7 +43,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formula 2.6, expanded
 template <Point P>
   requires(size_of<P> == 2)
-constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
   using T = scalar_of<P>;
   if (detail::are_equal(p, q)) return std::nullopt;
   return detail::rounded_line<T>(values_of<2>(
@@ -59,7 +57,7 @@ constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q)
 /// source  Mihajlovic 2016, formula 2.5
 template <HomogeneousPoint P>
   requires(size_of<P> == 3 && !Point<P>)
-constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
   using T = scalar_of<P>;
   const auto own = [](const P& x) { return vec<T, 3>{coordinate(x, 0), coordinate(x, 1), coordinate(x, 2)}; };
   return detail::rounded_line<T>(
@@ -73,7 +71,7 @@ constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q)
 ///         for exactly parallel lines only
 /// source  Mihajlovic 2016, the dual of formula 2.5; parallel lines have a common point at infinity
 template <Scalar T>
-constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const line<T>& second) noexcept {
+[[nodiscard]] constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const line<T>& second) noexcept {
   const auto own = [](const line<T>& l) { return vec<T, 3>{l.a, l.b, l.c}; };
   const auto p = detail::rounded_line<T>(
       values_of<2>([](const auto& a, const auto& b) { return cross(a, b); }, own(first), own(second)));
@@ -86,29 +84,29 @@ constexpr std::optional<hpoint<T, 2>> common_point(const line<T>& first, const l
 /// source  Mihajlovic 2016, 2.3
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
-constexpr T line_value(const line<T>& l, const P& p) noexcept {
+[[nodiscard]] constexpr T line_value(const line<T>& l, const P& p) noexcept {
   return product(l.a, coordinate(p, 0)) + product(l.b, coordinate(p, 1)) + l.c;
 }
 
 /// a*x + b*y + c*w, the value at x/w, y/w times the weight w.
 /// exact   as for a point
 template <Scalar T>
-constexpr T line_value(const line<T>& l, const hpoint<T, 2>& p) noexcept {
+[[nodiscard]] constexpr T line_value(const line<T>& l, const hpoint<T, 2>& p) noexcept {
   return product(l.a, p.x) + product(l.b, p.y) + product(l.c, p.z);
 }
 
 /// Whether p lies above or below the line, y up. The sign of the line's value tells left from right of its direction
 /// alone: above is left only for lines that run to greater x.
 /// needs   finite numbers
-/// gives   `on` when a number is NaN or infinite and the line is not vertical
+/// gives   nothing for a vertical line, which has no upper side; `on` when a number of another one is NaN or infinite
 /// exact   for every finite float, double and integer
 /// source  Mihajlovic 2016, 2.3, whose sign means above for x2 > x1 only
 template <Scalar T, Point P>
   requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
-constexpr height_over_line height_of(const line<T>& l, const P& p) noexcept {
-  if (l.b == T(0)) return height_over_line::vertical;
+[[nodiscard]] constexpr std::optional<side> height_of(const line<T>& l, const P& p) noexcept {
+  if (l.b == T(0)) return std::nullopt;
   const int sign = side_of_line(l, p);
-  return static_cast<height_over_line>(l.b < T(0) ? -sign : sign);
+  return static_cast<side>(l.b < T(0) ? -sign : sign);
 }
 
 }  // namespace IRG_ABI

@@ -15,7 +15,7 @@ inline namespace IRG_ABI {
 /// gives   nothing when the direction is zero, or a number is NaN or infinite
 /// exact   as line_through, for the direction as it is
 template <Scalar T>
-constexpr std::optional<line<T>> implicit_line_of(const parametric_line<T, 2>& l) noexcept {
+[[nodiscard]] constexpr std::optional<line<T>> implicit_line_of(const parametric_line<T, 2>& l) noexcept {
   return detail::rounded_line<T>(
       values_of<2>([](const auto& u, const auto& from) { return vec{-u.y, u.x, u.y * from.x - u.x * from.y}; },
                    l.direction, l.origin));
@@ -24,7 +24,7 @@ constexpr std::optional<line<T>> implicit_line_of(const parametric_line<T, 2>& l
 /// The implicit form of the line through two homogeneous points.
 /// gives, exact   as line_through
 template <Scalar T>
-constexpr std::optional<line<T>> implicit_line_of(const homogeneous_line<T, 2>& l) noexcept {
+[[nodiscard]] constexpr std::optional<line<T>> implicit_line_of(const homogeneous_line<T, 2>& l) noexcept {
   return line_through(l.start, l.end);
 }
 
@@ -33,7 +33,7 @@ constexpr std::optional<line<T>> implicit_line_of(const homogeneous_line<T, 2>& 
 /// gives   nothing for the line at infinity (a and b are 0), and when a coefficient is NaN or infinite
 /// exact   one quotient, rounded once; infinite where it is too large
 template <Real T>
-constexpr std::optional<parametric_line<T, 2>> parametric_line_of(const line<T>& l) noexcept {
+[[nodiscard]] constexpr std::optional<parametric_line<T, 2>> parametric_line_of(const line<T>& l) noexcept {
   for (const T& c : {l.a, l.b, l.c})
     if (!is_finite(c)) return std::nullopt;
   if (l.a == T(0) && l.b == T(0)) return std::nullopt;

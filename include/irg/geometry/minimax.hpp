@@ -61,7 +61,7 @@ inline namespace IRG_ABI {
 /// gives   the empty box when there are no points; coordinates that are NaN are passed over
 /// exact   no arithmetic
 template <HasRectangle X>
-constexpr auto rectangle_of(const X& x) noexcept {
+[[nodiscard]] constexpr auto rectangle_of(const X& x) noexcept {
   const auto b = enclosing_box(x);
   using T = std::remove_cvref_t<decltype(b.low[0])>;
   return box<T, 2>{{b.low[0], b.low[1]}, {b.high[0], b.high[1]}};
@@ -73,7 +73,8 @@ constexpr auto rectangle_of(const X& x) noexcept {
 /// exact   comparisons alone
 /// source  Mihajlovic 2016, 7.1: body-body, polygon-body, edge-body, polygon-polygon, edge-polygon and edge-edge
 template <HasRectangle A, HasRectangle B>
-constexpr bool rectangles_overlap(const A& a, const B& b, box_boundary boundary = box_boundary::closed) noexcept {
+[[nodiscard]] constexpr bool rectangles_overlap(const A& a, const B& b,
+                                                box_boundary boundary = box_boundary::closed) noexcept {
   return overlap(rectangle_of(a), rectangle_of(b), boundary);
 }
 

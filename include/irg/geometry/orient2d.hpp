@@ -24,7 +24,8 @@ inline namespace IRG_ABI {
 /// source  Shewchuk 1997; Devillers and Pion 2003 (the filter)
 template <Point P>
   requires(size_of<P> == 2)
-IRG_INLINE constexpr int orient2d(const P& a, const P& b, const P& c) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
+[[nodiscard]] IRG_INLINE constexpr int orient2d(const P& a, const P& b,
+                                                const P& c) noexcept(std::is_arithmetic_v<scalar_of<P>>) {
   return detail::predicate(a, b, c);
 }
 

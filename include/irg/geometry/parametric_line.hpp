@@ -36,8 +36,8 @@ inline namespace IRG_ABI {
 /// exact   the direction b - a is rounded once; functions that take the two points themselves are not affected by that
 /// source  Mihajlovic 2016, formula 2.7; Hank n.d., 1.3.1
 template <Point P>
-constexpr std::optional<parametric_line<scalar_of<P>, size_of<P>>> parametric_line_through(const P& a,
-                                                                                           const P& b) noexcept {
+[[nodiscard]] constexpr std::optional<parametric_line<scalar_of<P>, size_of<P>>> parametric_line_through(
+    const P& a, const P& b) noexcept {
   using T = scalar_of<P>;
   constexpr int N = size_of<P>;
   bool differ = false, comparable = true;
@@ -55,7 +55,7 @@ constexpr std::optional<parametric_line<scalar_of<P>, size_of<P>>> parametric_li
 /// The line's matrix of two columns, direction and origin: the point at t is the matrix times (t, 1).
 /// source  Hank n.d., 1.3.1
 template <class T, int N>
-constexpr mat<T, N, 2> columns_of(const parametric_line<T, N>& line) noexcept {
+[[nodiscard]] constexpr mat<T, N, 2> columns_of(const parametric_line<T, N>& line) noexcept {
   mat<T, N, 2> m;
   for (int i = 0; i < N; ++i) m(i, 0) = line.direction[i], m(i, 1) = line.origin[i];
   return m;
@@ -64,7 +64,7 @@ constexpr mat<T, N, 2> columns_of(const parametric_line<T, N>& line) noexcept {
 /// The point at t.
 /// exact   product and sum rounded once each
 template <class T, int N>
-constexpr point<T, N> point_at(const parametric_line<T, N>& line, std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr point<T, N> point_at(const parametric_line<T, N>& line, std::type_identity_t<T> t) noexcept {
   return line.origin + line.direction * t;
 }
 
@@ -72,7 +72,7 @@ constexpr point<T, N> point_at(const parametric_line<T, N>& line, std::type_iden
 /// exact   difference, product and sum rounded once each
 /// source  Mihajlovic 2016, formula 2.7
 template <class T, int N>
-constexpr hpoint<T, N> point_at(const homogeneous_line<T, N>& line, std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr hpoint<T, N> point_at(const homogeneous_line<T, N>& line, std::type_identity_t<T> t) noexcept {
   return generate_coordinates<hpoint<T, N>>(
       [&](int i) { return product(line.end[i] - line.start[i], t) + line.start[i]; });
 }
@@ -83,7 +83,7 @@ constexpr hpoint<T, N> point_at(const homogeneous_line<T, N>& line, std::type_id
 /// cost    some 100 ns; point_at is the plain formula
 template <Point P>
   requires Real<scalar_of<P>>
-constexpr P point_between(const P& a, const P& b, scalar_of<P> t) noexcept {
+[[nodiscard]] constexpr P point_between(const P& a, const P& b, scalar_of<P> t) noexcept {
   using T = scalar_of<P>;
   return generate_coordinates<P>([&](int i) {
     const auto sum =
@@ -96,7 +96,7 @@ constexpr P point_between(const P& a, const P& b, scalar_of<P> t) noexcept {
 /// Which part of its line the point at t belongs to; both ends count as the segment.
 /// gives   after_end when t is NaN
 template <Scalar T>
-constexpr line_part part_of_line(const T& t) noexcept {
+[[nodiscard]] constexpr line_part part_of_line(const T& t) noexcept {
   return t < T(0) ? line_part::before_start : !(T(1) < t) && t == t ? line_part::segment : line_part::after_end;
 }
 

@@ -55,8 +55,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 4.5 to 4.8
 template <Point P>
   requires(size_of<P> == 3)
-constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_through(const P& v1, const P& v2,
-                                                                                 const P& v3) noexcept {
+[[nodiscard]] constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_through(const P& v1, const P& v2,
+                                                                                               const P& v3) noexcept {
   using T = scalar_of<P>;
   if (!detail::spans_plane(v1, v2, v3)) return std::nullopt;
   return parametric_plane<T>{detail::displacement<T>(v1, v2), detail::displacement<T>(v1, v3), detail::as_point<T>(v1)};
@@ -65,7 +65,7 @@ constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_through
 /// The matrix of the columns first, second and origin: the point at (s1, s2) is the matrix times (s1, s2, 1).
 /// source  Hank n.d., 1.3.2
 template <class T>
-constexpr mat<T, 3, 3> columns_of(const parametric_plane<T>& p) noexcept {
+[[nodiscard]] constexpr mat<T, 3, 3> columns_of(const parametric_plane<T>& p) noexcept {
   mat<T, 3, 3> m;
   for (int i = 0; i < 3; ++i) m(i, 0) = p.first[i], m(i, 1) = p.second[i], m(i, 2) = p.origin[i];
   return m;
@@ -75,7 +75,7 @@ constexpr mat<T, 3, 3> columns_of(const parametric_plane<T>& p) noexcept {
 /// origin, of weight 1.
 /// source  Mihajlovic 2016, 4.5 to 4.8
 template <class T>
-constexpr mat<T, 3, 4> characteristic_matrix(const parametric_plane<T>& p) noexcept {
+[[nodiscard]] constexpr mat<T, 3, 4> characteristic_matrix(const parametric_plane<T>& p) noexcept {
   mat<T, 3, 4> k;
   for (int i = 0; i < 3; ++i) k(0, i) = p.first[i], k(1, i) = p.second[i], k(2, i) = p.origin[i];
   k(0, 3) = T(0), k(1, 3) = T(0), k(2, 3) = T(1);
@@ -85,8 +85,8 @@ constexpr mat<T, 3, 4> characteristic_matrix(const parametric_plane<T>& p) noexc
 /// The point at (s1, s2).
 /// exact   products and sums rounded once each, origin last
 template <class T>
-constexpr point<T, 3> point_at(const parametric_plane<T>& p, std::type_identity_t<T> s1,
-                               std::type_identity_t<T> s2) noexcept {
+[[nodiscard]] constexpr point<T, 3> point_at(const parametric_plane<T>& p, std::type_identity_t<T> s1,
+                                             std::type_identity_t<T> s2) noexcept {
   return p.origin + (p.first * s1 + p.second * s2);
 }
 
@@ -94,7 +94,7 @@ constexpr point<T, 3> point_at(const parametric_plane<T>& p, std::type_identity_
 /// gives   nothing when the directions are dependent, or a number is NaN or infinite
 /// exact   as plane_through_accurate, for the directions as they are
 template <class T>
-constexpr std::optional<plane<T>> implicit_plane_of(const parametric_plane<T>& p) noexcept {
+[[nodiscard]] constexpr std::optional<plane<T>> implicit_plane_of(const parametric_plane<T>& p) noexcept {
   return detail::plane_of_values<T>(values_of<3>(
       [](const auto& a, const auto& b, const auto& origin) {
         const auto n = cross(a, b);
@@ -109,7 +109,7 @@ constexpr std::optional<plane<T>> implicit_plane_of(const parametric_plane<T>& p
 /// gives   nothing when the normal is zero, or a coefficient is NaN or infinite
 template <Plane P>
   requires Real<plane_scalar<P>>
-constexpr std::optional<parametric_plane<plane_scalar<P>>> parametric_plane_of(const P& p) noexcept {
+[[nodiscard]] constexpr std::optional<parametric_plane<plane_scalar<P>>> parametric_plane_of(const P& p) noexcept {
   using T = plane_scalar<P>;
   const vec<T, 3> n = normal_of(p);
   const auto size = [&](int i) { return n[i] < T(0) ? -n[i] : n[i]; };
@@ -132,7 +132,8 @@ constexpr std::optional<parametric_plane<plane_scalar<P>>> parametric_plane_of(c
 /// exact   both within 0.501 ulp, for the directions as they are
 template <Real T, Point P>
   requires(size_of<P> == 3 && std::same_as<scalar_of<P>, T>)
-constexpr std::optional<plane_parameters<T>> parameters_of(const parametric_plane<T>& p, const P& q) noexcept {
+[[nodiscard]] constexpr std::optional<plane_parameters<T>> parameters_of(const parametric_plane<T>& p,
+                                                                         const P& q) noexcept {
   const auto v = values_of<4>(
       [](const auto& a, const auto& b, const auto& origin, const auto& at) {
         const auto n = cross(a, b), w = at - origin;
@@ -147,7 +148,7 @@ constexpr std::optional<plane_parameters<T>> parameters_of(const parametric_plan
 /// negative and their sum is at most 1, decided exactly.
 /// gives   false when one is NaN
 template <Real T>
-constexpr bool in_triangle(const plane_parameters<T>& s) noexcept {
+[[nodiscard]] constexpr bool in_triangle(const plane_parameters<T>& s) noexcept {
   if (!(s.s1 == s.s1 && s.s2 == s.s2) || s.s1 < T(0) || s.s2 < T(0) || T(1) < s.s1 || T(1) < s.s2) return false;
   if constexpr (Floating<T>) {
     const auto sum = two_sum(s.s1, s.s2);

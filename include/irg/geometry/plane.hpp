@@ -6,6 +6,7 @@
 
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/core/side.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 
@@ -17,9 +18,6 @@ struct plane {
   T a{}, b{}, c{}, d{};
   constexpr bool operator==(const plane&) const = default;
 };
-
-/// Where a point lies: on the side the normal points to (above), on the plane, or on the other side.
-enum class plane_side { below = -1, on = 0, above = 1 };
 
 namespace detail {
 inline namespace IRG_ABI {
@@ -50,13 +48,13 @@ inline namespace IRG_ABI {
 
 /// The plane as polynomials of sign_of and values_of take it.
 template <class N, class T, class F>
-IRG_INLINE constexpr plane<N> in_numbers(const plane<T>& p, const F& number) noexcept {
+[[nodiscard]] IRG_INLINE constexpr plane<N> in_numbers(const plane<T>& p, const F& number) noexcept {
   return {number(p.a), number(p.b), number(p.c), number(p.d)};
 }
 
 /// The vector (a, b, c), at right angles to the plane.
 template <Plane P>
-IRG_INLINE constexpr vec<typename plane_traits<P>::scalar, 3> normal_of(const P& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<typename plane_traits<P>::scalar, 3> normal_of(const P& p) noexcept {
   return {plane_traits<P>::coefficient(p, 0), plane_traits<P>::coefficient(p, 1), plane_traits<P>::coefficient(p, 2)};
 }
 
@@ -69,7 +67,8 @@ IRG_INLINE constexpr vec<typename plane_traits<P>::scalar, 3> normal_of(const P&
 /// source  Mihajlovic 2016, formula 4.1
 template <Point P>
   requires(size_of<P> == 3)
-constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2, const P& p3) noexcept {
+[[nodiscard]] constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2,
+                                                                         const P& p3) noexcept {
   using T = scalar_of<P>;
   return detail::plane_with_normal(cross(detail::displacement<T>(p1, p2), detail::displacement<T>(p1, p3)), p1);
 }
@@ -82,8 +81,8 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P&
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's method)
 template <PolygonRing R>
   requires Point<typename ring_traits<R>::point> && (size_of<typename ring_traits<R>::point> == 3)
-constexpr std::optional<plane<scalar_of<typename ring_traits<R>::point>>> newell_plane(const R& ring) noexcept {
-  using T = scalar_of<typename ring_traits<R>::point>;
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> newell_plane(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   if (n < 3) return std::nullopt;
   const auto origin = ring_vertex(ring, 0);
@@ -103,7 +102,7 @@ constexpr std::optional<plane<scalar_of<typename ring_traits<R>::point>>> newell
 ///         the absolute values of the four terms, so that its sign may be wrong for points nearer than that
 template <Plane P, Point Q>
   requires(size_of<Q> == 3 && std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
-IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
   const auto term = [&](int i) { return product(plane_traits<P>::coefficient(p, i), coordinate(q, i)); };
   return term(0) + term(1) + term(2) + plane_traits<P>::coefficient(p, 3);
 }
@@ -112,7 +111,7 @@ IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
 /// exact   as for a point
 template <Plane P, HomogeneousPoint Q>
   requires(size_of<Q> == 4 && std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
-IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
   const auto term = [&](int i) { return product(plane_traits<P>::coefficient(p, i), coordinate(q, i)); };
   return term(0) + term(1) + term(2) + term(3);
 }
@@ -126,17 +125,17 @@ IRG_INLINE constexpr scalar_of<Q> plane_value(const P& p, const Q& q) noexcept {
 template <Plane P, Coordinates Q>
   requires(((size_of<Q> == 3 && Point<Q>) || (size_of<Q> == 4 && HomogeneousPoint<Q>)) &&
            std::same_as<typename plane_traits<P>::scalar, scalar_of<Q>>)
-constexpr plane_side side_of(const P& p, const Q& q) noexcept {
+[[nodiscard]] constexpr side side_of(const P& p, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const plane<T> form = detail::as_plane(p);
   if constexpr (size_of<Q> == 3) {
-    return static_cast<plane_side>(
+    return static_cast<side>(
         sign_of<2>([](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d; }, form, q));
   } else {
     const auto at = generate_coordinates<hpoint<T, 3>>([&](int i) { return coordinate(q, i); });
     const int sign = sign_of<2>(
         [](const auto& l, const auto& x) { return l.a * x.x + l.b * x.y + l.c * x.z + l.d * x.w; }, form, at);
-    return static_cast<plane_side>(at.w < T(0) ? -sign : sign);
+    return static_cast<side>(at.w < T(0) ? -sign : sign);
   }
 }
 
@@ -146,9 +145,9 @@ constexpr plane_side side_of(const P& p, const Q& q) noexcept {
 /// exact   in rationals; in floats the normal as newell_plane's
 /// source  Mihajlovic 2016, formula 4.2
 template <PolygonRing R>
-  requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Real<scalar_of<ring_point<R>>>
-constexpr std::optional<plane<scalar_of<ring_point<R>>>> newell_plane_through_centroid(const R& ring) noexcept {
-  using T = scalar_of<ring_point<R>>;
+  requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3) && Real<ring_scalar<R>>
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> newell_plane_through_centroid(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   auto p = newell_plane(ring);
   if (!p) return p;
   const auto origin = ring_vertex(ring, 0);

@@ -24,7 +24,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 4.7
 template <PolygonRing R>
   requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3)
-constexpr std::optional<plane<scalar_of<ring_point<R>>>> plane_at_corner(const R& ring) noexcept {
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> plane_at_corner(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
   if (n < 3) return std::nullopt;
   std::size_t corner = 0;

@@ -3,6 +3,7 @@
 // side is (0 0 0 D). It needs a plane that avoids the origin; plane_through for homogeneous points needs not.
 #pragma once
 
+#include <irg/core/checked.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 
@@ -10,35 +11,28 @@ namespace irg {
 
 /// What the inversion finds: a plane; that the matrix is singular since the plane passes through the origin, or since
 /// the points span no plane; or that a number is NaN or infinite, or D zero.
-enum class inversion_outcome { plane, through_origin, collinear, invalid };
-
-/// The plane by inversion, and why there is none.
-template <Scalar T>
-struct inverted_plane {
-  inversion_outcome outcome = inversion_outcome::invalid;
-  plane<T> value{};
-};
+enum class [[nodiscard]] inversion_outcome { plane, through_origin, collinear, invalid };
 
 inline namespace IRG_ABI {
 
 /// The plane (a, b, c, d) with last coefficient d through three homogeneous points: the solution of the equations with
 /// rows p1, p2, p3 and (0 0 0 1) and right side (0 0 0 d). The choice of d decides which side is the upper one.
-/// shape   value has a meaning only where the outcome is `plane`
+/// shape   value has a meaning only where the status is `plane`
 /// exact   the outcome for all finite points; each coefficient within 0.501 ulp, d itself. Infinity where a coefficient
 ///         is beyond the range
 /// source  Mihajlovic 2016, formula 4.3 in its consistent form
 template <HomogeneousPoint P>
   requires(size_of<P> == 4 && Real<scalar_of<P>>)
-constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& p2, const P& p3,
-                                                          scalar_of<P> d = scalar_of<P>(1)) noexcept {
+[[nodiscard]] constexpr checked<plane<scalar_of<P>>, inversion_outcome> plane_by_inversion(
+    const P& p1, const P& p2, const P& p3, scalar_of<P> d = scalar_of<P>(1)) noexcept {
   using T = scalar_of<P>;
-  if (d == T(0) || !is_finite(d)) return {};
+  if (d == T(0) || !is_finite(d)) return {{}, inversion_outcome::invalid};
   const auto minors = detail::homogeneous_plane(p1, p2, p3);
-  if (!minors) return {};
+  if (!minors) return {{}, inversion_outcome::invalid};
   const auto& m = *minors;
   if (sign_of(m[3]) == 0)
-    return {detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_outcome::collinear : inversion_outcome::through_origin,
-            {}};
+    return {{},
+            detail::is_zero(vec{m[0], m[1], m[2]}) ? inversion_outcome::collinear : inversion_outcome::through_origin};
   const auto factor = [&] {
     if constexpr (Floating<T>) {
       const auto [significand, exponent] = detail::decompose(widened(d));  // subnormals are no known numbers
@@ -48,7 +42,7 @@ constexpr inverted_plane<scalar_of<P>> plane_by_inversion(const P& p1, const P& 
     }
   }();
   const auto coefficient = [&](std::size_t i) { return rounded_to<T>(m[i] * factor / m[3]); };
-  return {inversion_outcome::plane, {coefficient(0), coefficient(1), coefficient(2), d}};
+  return {{coefficient(0), coefficient(1), coefficient(2), d}, inversion_outcome::plane};
 }
 
 }  // namespace IRG_ABI

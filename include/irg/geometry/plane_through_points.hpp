@@ -55,7 +55,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formulas 4.1 and 4.4
 template <Point P>
   requires(size_of<P> == 3)
-constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1, const P& p2, const P& p3) noexcept {
+[[nodiscard]] constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1, const P& p2,
+                                                                                  const P& p3) noexcept {
   using T = scalar_of<P>;
   return detail::plane_of_values<T>(values_of<3>(
       [](const auto& p, const auto& q, const auto& r) {
@@ -73,7 +74,8 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through_accurate(const P& p1,
 /// source  Mihajlovic 2016, the general case of formula 4.3, planes through the origin included
 template <HomogeneousPoint P>
   requires(size_of<P> == 4)
-constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2, const P& p3) noexcept {
+[[nodiscard]] constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P& p2,
+                                                                         const P& p3) noexcept {
   return detail::plane_of_values<scalar_of<P>>(detail::homogeneous_plane(p1, p2, p3));
 }
 
@@ -82,7 +84,7 @@ constexpr std::optional<plane<scalar_of<P>>> plane_through(const P& p1, const P&
 /// exact   d within 0.501 ulp
 template <Point P, Vector V>
   requires(size_of<P> == 3 && size_of<V> == 3 && std::same_as<scalar_of<P>, scalar_of<V>>)
-constexpr std::optional<plane<scalar_of<P>>> plane_at(const P& p, const V& normal) noexcept {
+[[nodiscard]] constexpr std::optional<plane<scalar_of<P>>> plane_at(const P& p, const V& normal) noexcept {
   using T = scalar_of<P>;
   const vec<T, 3> n{coordinate(normal, 0), coordinate(normal, 1), coordinate(normal, 2)};
   if (detail::is_zero(n)) return std::nullopt;

@@ -19,17 +19,17 @@ inline namespace IRG_ABI {
 /// cost    up to one turn for each edge; ends at the first two edges that see p on different sides
 /// source  Mihajlovic 2016, rules 3.3 and 3.4
 template <PlaneRing R>
-constexpr point_location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
-  if (!is_finite(p)) return point_location::outside;
+[[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
+  if (!is_finite(p)) return location::outside;
   int side = 0;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const auto a = ring_vertex(ring, i), b = ring_vertex(ring, i + 1);
     const int turn = orient2d(a, b, p);
-    if (turn == 0 && detail::is_between(a, b, p)) return point_location::boundary;
-    if (turn != 0 && turn == -side) return point_location::outside;
+    if (turn == 0 && detail::is_between(a, b, p)) return location::boundary;
+    if (turn != 0 && turn == -side) return location::outside;
     if (turn != 0) side = turn;
   }
-  return side == 0 ? point_location::outside : point_location::inside;
+  return side == 0 ? location::outside : location::inside;
 }
 
 }  // namespace IRG_ABI
@@ -46,22 +46,22 @@ public:
     while (last_ > first_ && same_place(vertex(0), vertex(last_))) --last_;
   }
 
-  constexpr point_location locate(const ring_point<R>& p) const noexcept {
-    if (same_place(vertex(0), p)) return point_location::boundary;
-    if (first_ > last_) return point_location::outside;
+  constexpr location locate(const ring_point<R>& p) const noexcept {
+    if (same_place(vertex(0), p)) return location::boundary;
+    if (first_ > last_) return location::outside;
     const int side = direction();
     if (side == 0) return point_in_convex_polygon(ring_, p);
     const int at_first = side * from_start(first_, p), at_last = side * from_start(last_, p);
-    if (at_first < 0 || at_last > 0) return point_location::outside;
+    if (at_first < 0 || at_last > 0) return location::outside;
     if (at_first == 0 && same_way(first_, p)) return on_first_side(side, p);
     if (at_last == 0 && same_way(last_, p)) return on_last_side(side, p);
-    if (at_first == 0 || at_last == 0) return point_location::outside;
+    if (at_first == 0 || at_last == 0) return location::outside;
     std::size_t low = first_, high = last_;
     while (high - low > 1) {
       const std::size_t middle = low + (high - low) / 2;
       (side * from_start(middle, p) >= 0 ? low : high) = middle;
     }
-    return static_cast<point_location>(side * orient2d(vertex(low), vertex(high), p));
+    return static_cast<location>(side * orient2d(vertex(low), vertex(high), p));
   }
 
 private:
@@ -91,23 +91,23 @@ private:
   }
 
   // p is on the ray from vertex 0 along its first side: is it before the end of that side?
-  constexpr point_location on_first_side(int side, const ring_point<R>& p) const noexcept {
+  constexpr location on_first_side(int side, const ring_point<R>& p) const noexcept {
     std::size_t low = first_, high = last_ + 1;
     while (high - low > 1) {
       const std::size_t middle = low + (high - low) / 2;
       const bool straight = side * from_start(first_, vertex(middle)) == 0 && same_way(first_, vertex(middle));
       (straight ? low : high) = middle;
     }
-    return is_between(vertex(0), vertex(low), p) ? point_location::boundary : point_location::outside;
+    return is_between(vertex(0), vertex(low), p) ? location::boundary : location::outside;
   }
-  constexpr point_location on_last_side(int side, const ring_point<R>& p) const noexcept {
+  constexpr location on_last_side(int side, const ring_point<R>& p) const noexcept {
     std::size_t low = first_ - 1, high = last_;
     while (high - low > 1) {
       const std::size_t middle = low + (high - low) / 2;
       const bool straight = side * from_start(last_, vertex(middle)) == 0 && same_way(last_, vertex(middle));
       (straight ? high : low) = middle;
     }
-    return is_between(vertex(0), vertex(high), p) ? point_location::boundary : point_location::outside;
+    return is_between(vertex(0), vertex(high), p) ? location::boundary : location::outside;
   }
 };
 
@@ -123,8 +123,8 @@ inline namespace IRG_ABI {
 ///         without area is looked at edge by edge
 /// source  Preparata and Shamos 1985
 template <PlaneRing R>
-constexpr point_location point_in_convex_polygon_log(const R& ring, const ring_point<R>& p) noexcept {
-  if (ring_size(ring) == 0 || !is_finite(p)) return point_location::outside;
+[[nodiscard]] constexpr location point_in_convex_polygon_log(const R& ring, const ring_point<R>& p) noexcept {
+  if (ring_size(ring) == 0 || !is_finite(p)) return location::outside;
   return detail::convex_fan<R>(ring).locate(p);
 }
 

@@ -6,14 +6,12 @@
 #include <cstddef>
 #include <optional>
 
+#include <irg/core/location.hpp>
 #include <irg/geometry/detail/point_in_polygon_steps.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 
 namespace irg {
-
-/// Where a point lies against a polygon.
-enum class point_location { outside = -1, boundary = 0, inside = 1 };
 
 inline namespace IRG_ABI {
 
@@ -23,7 +21,7 @@ inline namespace IRG_ABI {
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    one pass; nothing allocates
 template <PlanePolygon P>
-constexpr std::optional<int> winding_number(const P& polygon, const polygon_point<P>& p) noexcept {
+[[nodiscard]] constexpr std::optional<int> winding_number(const P& polygon, const polygon_point<P>& p) noexcept {
   int winding = 0;
   if (detail::count_crossings_of(polygon, p, winding) != detail::crossing_count::counted) return std::nullopt;
   return winding;
@@ -37,21 +35,21 @@ constexpr std::optional<int> winding_number(const P& polygon, const polygon_poin
 /// cost    as winding_number
 /// source  Hormann and Agathos 2001 (the crossings rule)
 template <PlanePolygon P>
-constexpr point_location point_in_polygon(const P& polygon, const polygon_point<P>& p,
-                                          fill_rule rule = fill_rule::non_zero) noexcept {
+[[nodiscard]] constexpr location point_in_polygon(const P& polygon, const polygon_point<P>& p,
+                                                  fill_rule rule = fill_rule::non_zero) noexcept {
   int winding = 0;
   switch (detail::count_crossings_of(polygon, p, winding)) {
-    case detail::crossing_count::on_edge: return point_location::boundary;
-    case detail::crossing_count::not_finite: return point_location::outside;
+    case detail::crossing_count::on_edge: return location::boundary;
+    case detail::crossing_count::not_finite: return location::outside;
     default: break;
   }
   const bool inside = rule == fill_rule::even_odd ? winding % 2 != 0 : winding != 0;
-  return inside ? point_location::inside : point_location::outside;
+  return inside ? location::inside : location::outside;
 }
 
 /// point_in_polygon of one ring by the non-zero rule.
 template <PlaneRing R>
-constexpr point_location locate_point(const R& ring, const ring_point<R>& p) noexcept {
+[[nodiscard]] constexpr location locate_point(const R& ring, const ring_point<R>& p) noexcept {
   return point_in_polygon(ring, p);
 }
 

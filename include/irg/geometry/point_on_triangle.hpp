@@ -31,7 +31,7 @@ inline namespace IRG_ABI {
 /// exact   for every float, double and integer, as orient2d
 template <Point P>
   requires(size_of<P> == 3)
-constexpr bool are_collinear(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] constexpr bool are_collinear(const P& a, const P& b, const P& c) noexcept {
   for (int axis = 0; axis < 3; ++axis)
     if (detail::orientation_along(a, b, c, axis) != 0) return false;
   return true;
@@ -42,7 +42,7 @@ constexpr bool are_collinear(const P& a, const P& b, const P& c) noexcept {
 /// exact   as are_collinear
 template <Point P>
   requires(size_of<P> == 3)
-constexpr bool is_on_segment(const P& a, const P& b, const P& p) noexcept {
+[[nodiscard]] constexpr bool is_on_segment(const P& a, const P& b, const P& p) noexcept {
   for (int i = 0; i < 3; ++i) {
     const auto from = coordinate(a, i), to = coordinate(b, i), at = coordinate(p, i);
     if ((at < from && at < to) || (from < at && to < at)) return false;
@@ -57,7 +57,7 @@ constexpr bool is_on_segment(const P& a, const P& b, const P& p) noexcept {
 /// cost    four calls of orient2d where the triangle has an area along the first axis
 template <Point P>
   requires(size_of<P> == 3)
-constexpr bool is_on_triangle(const P& a, const P& b, const P& c, const P& p) noexcept {
+[[nodiscard]] constexpr bool is_on_triangle(const P& a, const P& b, const P& c, const P& p) noexcept {
   for (int axis = 0; axis < 3; ++axis)
     if (const int turn = detail::orientation_along(a, b, c, axis); turn != 0)
       return detail::orientation_along(a, b, p, axis) * turn >= 0 &&

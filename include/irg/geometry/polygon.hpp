@@ -13,18 +13,9 @@
 
 namespace irg {
 
-/// A ring of points of the plane.
+/// Any number of rings of the plane.
 template <class R>
-concept PlaneRing = PolygonRing<R> && Point<ring_point<R>> && (size_of<ring_point<R>> == 2);
-
-/// Any number of rings of the plane, in a container with size() and [] or a plain array.
-template <class R>
-concept PlaneRings = requires(const R& rings, std::size_t i) {
-  requires PlaneRing<std::remove_cvref_t<decltype(rings[i])>>;
-  requires std::is_array_v<R> || requires {
-    { rings.size() } -> std::convertible_to<std::size_t>;
-  };
-};
+concept PlaneRings = RingSequence<R> && PlaneRing<ring_in<R>>;
 
 /// One ring, or any number of them.
 template <class P>
@@ -40,7 +31,7 @@ struct polygon_point_of<R> {
 template <PlaneRings R>
   requires(!PlaneRing<R>)
 struct polygon_point_of<R> {
-  using type = ring_point<std::remove_cvref_t<decltype(std::declval<const R&>()[0])>>;
+  using type = ring_point<ring_in<R>>;
 };
 }  // namespace detail
 
@@ -116,7 +107,7 @@ inline namespace IRG_ABI {
 /// Whether no coordinate of any ring is NaN or infinite.
 template <PlanePolygon P>
   requires(!PlaneRing<P>)
-constexpr bool is_finite(const P& polygon) noexcept {
+[[nodiscard]] constexpr bool is_finite(const P& polygon) noexcept {
   return detail::each_ring(polygon, [](const auto& ring) { return is_finite(ring); });
 }
 

@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 /// exact   in integers (for fewer than 2^60 vertices) and rationals
 template <PlanePolygon P>
   requires(!Floating<scalar_of<polygon_point<P>>>)
-constexpr auto twice_polygon_area(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto twice_polygon_area(const P& polygon) noexcept {
   return detail::shoelace(polygon);
 }
 
@@ -32,7 +32,7 @@ constexpr auto twice_polygon_area(const P& polygon) noexcept {
 /// cost    some 20 ns for a vertex; nothing allocates. polygon_area gives the same in a quarter of the time but for
 ///         outlines that run there and back so close together that nearly all cancels; for those this is the faster one
 template <PlanePolygon P>
-constexpr auto polygon_area_exact(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto polygon_area_exact(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   if constexpr (Floating<T>) {
     if (!irg::is_finite(polygon)) return detail::not_a_number<T>;
@@ -105,7 +105,7 @@ inline namespace IRG_ABI {
 /// exact   float and double: within 0.51 ulp for all finite coordinates; the rest as polygon_area_exact
 /// cost    some 10 ns for a vertex; where the sum cancels too much to be sure of, polygon_area_exact
 template <PlanePolygon P>
-constexpr auto polygon_area(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto polygon_area(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   if constexpr (Floating<T>) {
     detail::bounded_area area;
@@ -132,7 +132,7 @@ constexpr auto polygon_area(const P& polygon) noexcept {
 /// cost    about 2 ns for a vertex
 template <PlanePolygon P>
   requires Floating<scalar_of<polygon_point<P>>>
-constexpr auto polygon_area_fast(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto polygon_area_fast(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   T twice(0);
   detail::each_ring(polygon, [&](const auto& ring) {

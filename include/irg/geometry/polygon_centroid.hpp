@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 /// source  irg's own: the moments of the triangles from the origin to each edge
 template <PlanePolygon P>
   requires(!std::integral<scalar_of<polygon_point<P>>> || sizeof(scalar_of<polygon_point<P>>) <= 4)
-constexpr auto polygon_centroid(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto polygon_centroid(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   if constexpr (Floating<T> || std::integral<T>) {
     using result_type = std::conditional_t<Floating<T>, T, double>;
@@ -81,9 +81,9 @@ constexpr auto polygon_centroid(const P& polygon) noexcept {
 ///         origin adds half an ulp
 /// cost    about 3 ns for a vertex
 template <PlaneRing R>
-  requires Floating<scalar_of<ring_point<R>>>
-constexpr std::optional<point<scalar_of<ring_point<R>>, 2>> polygon_centroid_fast(const R& ring) noexcept {
-  using T = scalar_of<ring_point<R>>;
+  requires Floating<ring_scalar<R>>
+[[nodiscard]] constexpr std::optional<point<ring_scalar<R>, 2>> polygon_centroid_fast(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   if (n < 3) return std::nullopt;
   const auto origin = ring_vertex(ring, 0), first = ring_vertex(ring, 1);
@@ -109,7 +109,7 @@ constexpr std::optional<point<scalar_of<ring_point<R>>, 2>> polygon_centroid_fas
 /// cost    a square root and a division for each edge
 template <PlanePolygon P>
   requires Floating<scalar_of<polygon_point<P>>>
-constexpr auto polygon_perimeter(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto polygon_perimeter(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   const auto length = [&](const auto& scaled) {
     T sum(0), error(0);

@@ -16,7 +16,7 @@ inline namespace IRG_ABI {
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    one pass; nothing allocates
 template <PlaneRing R>
-constexpr bool is_convex(const R& ring) noexcept {
+[[nodiscard]] constexpr bool is_convex(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
   if (!is_finite(ring)) return false;
   std::size_t start = 1;  // an edge that has a length ends there

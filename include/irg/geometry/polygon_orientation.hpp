@@ -6,21 +6,19 @@
 #include <type_traits>
 #include <utility>
 
+#include <irg/core/orientation.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 
 namespace irg {
 
-/// Which way round a polygon runs, as the sign of its area says: `degenerate` when that is zero.
-enum class polygon_orientation { clockwise = -1, degenerate = 0, counter_clockwise = 1 };
-
 /// A ring read in its own direction or the other way round; vertex 0 stays the first. It refers to the ring.
 template <PlaneRing R>
 class directed_ring {
 public:
   IRG_INLINE constexpr directed_ring(const R& ring, bool reversed) noexcept : ring_(&ring), reversed_(reversed) {}
-  IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return ring_size(*ring_); }
   /// needs   i < size()
   IRG_INLINE constexpr ring_point<R> operator[](std::size_t i) const noexcept {
     return ring_vertex(*ring_, reversed_ ? size() - i : i);
@@ -39,31 +37,31 @@ inline namespace IRG_ABI {
 /// exact   for all finite floats and all integers; other scalars: as exact as their own + - * are
 /// cost    one pass; nothing allocates
 template <PlaneRing R>
-constexpr polygon_orientation orientation_of(const R& ring) noexcept {
-  if (ring_size(ring) < 3 || !is_finite(ring)) return polygon_orientation::degenerate;
-  return static_cast<polygon_orientation>(detail::shoelace_sign(ring));
+[[nodiscard]] constexpr orientation orientation_of(const R& ring) noexcept {
+  if (ring_size(ring) < 3 || !is_finite(ring)) return orientation::degenerate;
+  return static_cast<orientation>(detail::shoelace_sign(ring));
 }
 
 /// The ring, read the other way round.
 /// cost    constant; nothing is copied
 template <PlaneRing R>
-constexpr directed_ring<R> reversed_ring(const R& ring) noexcept {
+[[nodiscard]] constexpr directed_ring<R> reversed_ring(const R& ring) noexcept {
   return {ring, true};
 }
 /// needs   a ring that outlives the view
 template <PlaneRing R>
-constexpr directed_ring<R> reversed_ring(const R&& ring) = delete;
+[[nodiscard]] constexpr directed_ring<R> reversed_ring(const R&& ring) = delete;
 
 /// The ring, read counter-clockwise.
 /// gives   the ring in its own direction when its orientation is `degenerate`
 /// cost    as orientation_of; nothing is copied
 template <PlaneRing R>
-constexpr directed_ring<R> counter_clockwise_ring(const R& ring) noexcept {
-  return {ring, orientation_of(ring) == polygon_orientation::clockwise};
+[[nodiscard]] constexpr directed_ring<R> counter_clockwise_ring(const R& ring) noexcept {
+  return {ring, orientation_of(ring) == orientation::clockwise};
 }
 /// needs   a ring that outlives the view
 template <PlaneRing R>
-constexpr directed_ring<R> counter_clockwise_ring(const R&& ring) = delete;
+[[nodiscard]] constexpr directed_ring<R> counter_clockwise_ring(const R&& ring) = delete;
 
 /// Turns the ring round in place: the same vertices in the other order, the first stays first.
 template <PlaneRing R>
@@ -79,9 +77,9 @@ constexpr void reverse_ring(R& ring) noexcept {
 /// source  Mihajlovic 2016, 3.2, the repair of the orientation
 template <PlaneRing R>
   requires requires(R& r, std::size_t i) { std::swap(r[i], r[i]); }
-constexpr polygon_orientation make_counter_clockwise(R& ring) noexcept {
-  const polygon_orientation before = orientation_of(ring);
-  if (before == polygon_orientation::clockwise) reverse_ring(ring);
+constexpr orientation make_counter_clockwise(R& ring) noexcept {
+  const orientation before = orientation_of(ring);
+  if (before == orientation::clockwise) reverse_ring(ring);
   return before;
 }
 

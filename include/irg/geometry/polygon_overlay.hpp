@@ -26,17 +26,13 @@
 
 namespace irg {
 
-/// Which places belong to a polygon of several rings: those that its rings go round an odd number of times, so that
-/// holes are holes whatever their direction, or any number but 0.
-enum class ring_rule { even_odd, non_zero };
-
 /// The coordinates of which polygon_overlay keeps every bit.
 template <class T>
 concept OverlayScalar = Floating<T> || (std::integral<T> && sizeof(T) <= 4);
 
 /// How polygon_overlay ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
 /// made new crossings again and again (never seen).
-enum class polygon_clip_status { done, not_finite, unresolved };
+enum class [[nodiscard]] polygon_clip_status { done, not_finite, unresolved };
 
 /// The rings of a polygon: outer ones counter-clockwise, holes clockwise (y up).
 template <Floating T>
@@ -204,8 +200,8 @@ constexpr void winding_beside(const std::vector<boundary_piece<T>>& pieces, std:
   }
 }
 
-constexpr bool is_within_result(const int (&winding)[2], boolean_operation operation, ring_rule rule) noexcept {
-  const auto inside = [&](int w) { return rule == ring_rule::even_odd ? w % 2 != 0 : w != 0; };
+constexpr bool is_within_result(const int (&winding)[2], boolean_operation operation, fill_rule rule) noexcept {
+  const auto inside = [&](int w) { return rule == fill_rule::even_odd ? w % 2 != 0 : w != 0; };
   const bool a = inside(winding[0]), b = inside(winding[1]);
   switch (operation) {
     case boolean_operation::intersection: return a && b;
@@ -277,7 +273,7 @@ constexpr bool add_ring(std::vector<boundary_piece<T>>& pieces, const R& ring, i
 
 template <class T>
 constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces, boolean_operation operation,
-                                          ring_rule rule) {
+                                          fill_rule rule) {
   merge_pieces(pieces);
   // As a rule one round of cuts and one that finds none. Where edges lie within an ulp of each other over a long way,
   // bent edges cross anew; from the fourth round on they bend to what is an ulp of the largest coordinate away.
@@ -322,8 +318,9 @@ inline namespace IRG_ABI {
 template <PlanePolygon A, PlanePolygon B>
   requires OverlayScalar<scalar_of<polygon_point<A>>> &&
            std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
-constexpr auto polygon_overlay(const A& a, const B& b, boolean_operation operation = boolean_operation::intersection,
-                               ring_rule rule = ring_rule::even_odd) {
+[[nodiscard]] constexpr auto polygon_overlay(const A& a, const B& b,
+                                             boolean_operation operation = boolean_operation::intersection,
+                                             fill_rule rule = fill_rule::even_odd) {
   using S = scalar_of<polygon_point<A>>;
   using T = std::conditional_t<Floating<S>, S, double>;
   std::vector<detail::boundary_piece<T>> pieces;

@@ -161,7 +161,7 @@ inline namespace IRG_ABI {
 /// source  irg's own, by the separating axis theorem: disjoint convex polygons are separated by the line of an edge
 template <PlaneRing A, PlaneRing B>
   requires std::same_as<ring_point<A>, ring_point<B>>
-constexpr polygon_overlap convex_polygons_overlap(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr polygon_overlap convex_polygons_overlap(const A& a, const B& b) noexcept {
   if (ring_size(a) == 0 || ring_size(b) == 0) return polygon_overlap::separate;
   const polygon_overlap by_a = detail::separated_by(a, b);
   if (by_a != polygon_overlap::overlapping) return by_a;
@@ -184,10 +184,10 @@ constexpr polygon_overlap convex_polygons_overlap(const A& a, const B& b) noexce
 /// source  irg's own: edge crossings and containment; at common points the angles of both polygons are compared
 template <PlaneRing A, PlaneRing B>
   requires std::same_as<ring_point<A>, ring_point<B>>
-constexpr polygon_overlap polygons_overlap(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr polygon_overlap polygons_overlap(const A& a, const B& b) noexcept {
   const auto ring_a = counter_clockwise_ring(a);
   const auto ring_b = counter_clockwise_ring(b);
-  if (orientation_of(a) == polygon_orientation::degenerate || orientation_of(b) == polygon_orientation::degenerate)
+  if (orientation_of(a) == orientation::degenerate || orientation_of(b) == orientation::degenerate)
     return polygon_overlap::separate;
   const auto apart = [](const auto& p, const auto& q, const auto& r, const auto& s, int k) {
     const auto low = [&](const auto& u, const auto& v) { return lesser(coordinate(u, k), coordinate(v, k)); };
@@ -207,8 +207,8 @@ constexpr polygon_overlap polygons_overlap(const A& a, const B& b) noexcept {
   // No edge enters the other polygon: one lies inside the other as a whole, or in no part.
   const auto holds_vertex_of = [](const auto& outer, const auto& inner) {
     for (std::size_t i = 0; i < inner.size(); ++i) {
-      const point_location where = locate_point(outer, inner[i]);
-      if (where != point_location::boundary) return where == point_location::inside;
+      const location where = locate_point(outer, inner[i]);
+      if (where != location::boundary) return where == location::inside;
     }
     return false;
   };

@@ -27,21 +27,21 @@ inline namespace IRG_ABI {
 /// The ray from a to b: b is at t = 1, where it ends.
 /// exact   the direction b - a is rounded once
 template <Floating T, int N>
-constexpr ray<T, N> ray_between(const point<T, N>& a, const point<T, N>& b) noexcept {
+[[nodiscard]] constexpr ray<T, N> ray_between(const point<T, N>& a, const point<T, N>& b) noexcept {
   return {a, b - a, T(0), T(1)};
 }
 
 /// The point at t.
 /// exact   product and sum rounded once each
 template <Floating T, int N>
-constexpr point<T, N> point_at(const ray<T, N>& r, std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr point<T, N> point_at(const ray<T, N>& r, std::type_identity_t<T> t) noexcept {
   return r.origin + r.direction * t;
 }
 
 /// Whether the ray has points.
 // Told from the bits of all numbers at once: comparisons with branches would cost more than a ray's way through a tree.
 template <Floating T, int N>
-IRG_INLINE constexpr bool is_empty(const ray<T, N>& r) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_empty(const ray<T, N>& r) noexcept {
   using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
   constexpr bits exponent = std::bit_cast<bits>(std::numeric_limits<T>::infinity());
   constexpr bits one = exponent & ~(exponent << 1), sign = ~(~bits{0} >> 1);

@@ -19,20 +19,20 @@ inline namespace IRG_ABI {
 /// The point at t: a at 0, b at 1.
 /// exact   as point_between
 template <Real T, int N>
-constexpr point<T, N> point_at(const segment<T, N>& s, std::type_identity_t<T> t) noexcept {
+[[nodiscard]] constexpr point<T, N> point_at(const segment<T, N>& s, std::type_identity_t<T> t) noexcept {
   return point_between(s.a, s.b, t);
 }
 
 /// The smallest box around the segment.
 /// exact   no arithmetic
 template <class T, int N>
-constexpr box<T, N> enclosing_box(const segment<T, N>& s) noexcept {
+[[nodiscard]] constexpr box<T, N> enclosing_box(const segment<T, N>& s) noexcept {
   return enclosing_box(enclosing_box(box<T, N>{}, s.a), s.b);
 }
 
 /// The segment from b to a.
 template <class T, int N>
-constexpr segment<T, N> reversed(const segment<T, N>& s) noexcept {
+[[nodiscard]] constexpr segment<T, N> reversed(const segment<T, N>& s) noexcept {
   return {s.b, s.a};
 }
 

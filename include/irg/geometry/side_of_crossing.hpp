@@ -24,8 +24,8 @@ inline namespace IRG_ABI {
 ///         exact numbers where that does not suffice
 template <Scalar T>
   requires(Floating<T> || !std::is_arithmetic_v<T>)
-constexpr std::optional<int> side_of_crossing(const segment<T, 2>& first, const segment<T, 2>& second,
-                                              const segment<T, 2>& of) noexcept(Floating<T>) {
+[[nodiscard]] constexpr std::optional<int> side_of_crossing(const segment<T, 2>& first, const segment<T, 2>& second,
+                                                            const segment<T, 2>& of) noexcept(Floating<T>) {
   // With f and g twice the areas that `second` spans with a and b, the crossing is (g*a - f*b)/(g - f): its side of a
   // line is the same mean of the sides of a and b.
   const auto [apart, side] = sign_of<4>(

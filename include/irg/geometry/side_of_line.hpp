@@ -44,7 +44,7 @@ inline namespace IRG_ABI {
 /// cost    about 3 ns, where roundings do not tell some 100 ns
 template <detail::line_coefficients L, Coordinates Q>
   requires((size_of<Q> == 2 && Point<Q>) || (size_of<Q> == 3 && HomogeneousPoint<Q>))
-constexpr int side_of_line(const L& l, const Q& q) noexcept {
+[[nodiscard]] constexpr int side_of_line(const L& l, const Q& q) noexcept {
   using T = scalar_of<Q>;
   static_assert(std::same_as<T, decltype(detail::line_coefficient(l, 0))>);
   const vec<T, 3> line{detail::line_coefficient(l, 0), detail::line_coefficient(l, 1), detail::line_coefficient(l, 2)};

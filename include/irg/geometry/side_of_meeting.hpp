@@ -22,7 +22,7 @@ inline namespace IRG_ABI {
 
 /// The plane's points as polynomials of sign_of take them.
 template <class N, class T, class F>
-IRG_INLINE constexpr auto in_numbers(const plane_points<T>& p, const F& number) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto in_numbers(const plane_points<T>& p, const F& number) noexcept {
   using detail::in_numbers;
   using input = std::remove_cvref_t<decltype(number(p.a.x))>;
   return plane_points<input>{in_numbers<N>(p.a, number), in_numbers<N>(p.b, number), in_numbers<N>(p.c, number)};
@@ -34,8 +34,9 @@ IRG_INLINE constexpr auto in_numbers(const plane_points<T>& p, const F& number) 
 /// exact   for every finite float and double, of any magnitudes
 /// cost    some 0.3 us; where the point is nearly on the plane, a polynomial of degree 9 in exact numbers
 template <Floating T>
-constexpr std::optional<int> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
-                                             const plane_points<T>& third, const plane_points<T>& of) noexcept {
+[[nodiscard]] constexpr std::optional<int> side_of_meeting(const plane_points<T>& first, const plane_points<T>& second,
+                                                           const plane_points<T>& third,
+                                                           const plane_points<T>& of) noexcept {
   // In shares of the corners of the first plane, which sum up to 1, every other plane is a linear equation whose
   // coefficients are the corners' distances from it; so the point is the cross product of two of these.
   const auto [apart, side] = sign_of<9>(

@@ -29,11 +29,11 @@ inline namespace IRG_ABI {
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's normal)
 template <PolygonRing R, HomogeneousPoint Q>
   requires(size_of<ring_point<R>> == 3 && size_of<Q> == 4 && Floating<scalar_of<Q>> &&
-           std::same_as<scalar_of<ring_point<R>>, scalar_of<Q>>)
-constexpr plane_side side_of_polygon(const R& polygon, const Q& q) noexcept {
+           std::same_as<ring_scalar<R>, scalar_of<Q>>)
+[[nodiscard]] constexpr side side_of_polygon(const R& polygon, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const auto position = [&](std::size_t k) { return detail::as_point<T>(ring_vertex(polygon, k)); };
-  return static_cast<plane_side>(
+  return static_cast<side>(
       detail::face_volume_sign(ring_size(polygon), position,
                                hpoint<T, 3>{coordinate(q, 0), coordinate(q, 1), coordinate(q, 2), coordinate(q, 3)}));
 }

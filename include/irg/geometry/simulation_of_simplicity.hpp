@@ -208,7 +208,7 @@ inline namespace IRG_ABI {
 /// source  Edelsbrunner and Muecke 1990, with the lexicographic order for their indices
 template <Point P>
   requires(size_of<P> == 2)
-constexpr int orient2d_sos(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] constexpr int orient2d_sos(const P& a, const P& b, const P& c) noexcept {
   const int sign = orient2d(a, b, c);
   return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c);
 }
@@ -218,8 +218,8 @@ constexpr int orient2d_sos(const P& a, const P& b, const P& c) noexcept {
 /// source  Edelsbrunner and Muecke 1990
 template <Point P>
   requires(size_of<P> == 2)
-constexpr int orient2d_sos(const numbered_point<P>& a, const numbered_point<P>& b,
-                           const numbered_point<P>& c) noexcept {
+[[nodiscard]] constexpr int orient2d_sos(const numbered_point<P>& a, const numbered_point<P>& b,
+                                         const numbered_point<P>& c) noexcept {
   const int sign = orient2d(a.point, b.point, c.point);
   return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c);
 }
@@ -232,7 +232,7 @@ constexpr int orient2d_sos(const numbered_point<P>& a, const numbered_point<P>& 
 /// source  Edelsbrunner and Muecke 1990, with the lexicographic order for their indices
 template <Point P>
   requires(size_of<P> == 3)
-constexpr int orient3d_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
+[[nodiscard]] constexpr int orient3d_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
   const int sign = orient3d(a, b, c, d);
   return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d);
 }
@@ -241,8 +241,8 @@ constexpr int orient3d_sos(const P& a, const P& b, const P& c, const P& d) noexc
 /// needs   finite coordinates and four different numbers
 template <Point P>
   requires(size_of<P> == 3)
-constexpr int orient3d_sos(const numbered_point<P>& a, const numbered_point<P>& b, const numbered_point<P>& c,
-                           const numbered_point<P>& d) noexcept {
+[[nodiscard]] constexpr int orient3d_sos(const numbered_point<P>& a, const numbered_point<P>& b,
+                                         const numbered_point<P>& c, const numbered_point<P>& d) noexcept {
   const int sign = orient3d(a.point, b.point, c.point, d.point);
   return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d);
 }
@@ -256,7 +256,7 @@ constexpr int orient3d_sos(const numbered_point<P>& a, const numbered_point<P>& 
 /// source  Edelsbrunner and Muecke 1990; Devillers and Teillaud 2011 (moved heights, lexicographic order)
 template <Point P>
   requires(size_of<P> == 2)
-constexpr int in_circle_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
+[[nodiscard]] constexpr int in_circle_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
   const int sign = in_circle(a, b, c, d);
   return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c, d);
 }
@@ -265,8 +265,8 @@ constexpr int in_circle_sos(const P& a, const P& b, const P& c, const P& d) noex
 /// needs   finite coordinates and four different numbers
 template <Point P>
   requires(size_of<P> == 2)
-constexpr int in_circle_sos(const numbered_point<P>& a, const numbered_point<P>& b, const numbered_point<P>& c,
-                            const numbered_point<P>& d) noexcept {
+[[nodiscard]] constexpr int in_circle_sos(const numbered_point<P>& a, const numbered_point<P>& b,
+                                          const numbered_point<P>& c, const numbered_point<P>& d) noexcept {
   const int sign = in_circle(a.point, b.point, c.point, d.point);
   return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c, d);
 }
@@ -279,7 +279,7 @@ constexpr int in_circle_sos(const numbered_point<P>& a, const numbered_point<P>&
 /// source  as in_circle_sos
 template <Point P>
   requires(size_of<P> == 3)
-constexpr int in_sphere_sos(const P& a, const P& b, const P& c, const P& d, const P& e) noexcept {
+[[nodiscard]] constexpr int in_sphere_sos(const P& a, const P& b, const P& c, const P& d, const P& e) noexcept {
   const int sign = in_sphere(a, b, c, d, e);
   return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d, e);
 }
@@ -288,8 +288,9 @@ constexpr int in_sphere_sos(const P& a, const P& b, const P& c, const P& d, cons
 /// needs   finite coordinates and five different numbers
 template <Point P>
   requires(size_of<P> == 3)
-constexpr int in_sphere_sos(const numbered_point<P>& a, const numbered_point<P>& b, const numbered_point<P>& c,
-                            const numbered_point<P>& d, const numbered_point<P>& e) noexcept {
+[[nodiscard]] constexpr int in_sphere_sos(const numbered_point<P>& a, const numbered_point<P>& b,
+                                          const numbered_point<P>& c, const numbered_point<P>& d,
+                                          const numbered_point<P>& e) noexcept {
   const int sign = in_sphere(a.point, b.point, c.point, d.point, e.point);
   return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d, e);
 }

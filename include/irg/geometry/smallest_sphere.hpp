@@ -22,9 +22,9 @@ inline namespace IRG_ABI {
 /// source  Welzl 1991, for the few points that matter; these are found by taking in the farthest point each time, after
 ///         Gaertner 1999
 template <PolygonRing R>
-  requires(Point<ring_point<R>> && Floating<scalar_of<ring_point<R>>> &&
+  requires(Point<ring_point<R>> && Floating<ring_scalar<R>> &&
            (size_of<ring_point<R>> == 2 || size_of<ring_point<R>> == 3))
-constexpr std::optional<bounding_sphere<scalar_of<ring_point<R>>, size_of<ring_point<R>>>> smallest_sphere(
+[[nodiscard]] constexpr std::optional<bounding_sphere<ring_scalar<R>, size_of<ring_point<R>>>> smallest_sphere(
     const R& points) noexcept {
   using P = ring_point<R>;
   if (ring_size(points) == 0) return std::nullopt;

@@ -24,7 +24,8 @@ inline namespace IRG_ABI {
 ///         value is beyond the range
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a, const P& b) noexcept {
+[[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a,
+                                                                                                const P& b) noexcept {
   return detail::sphere_of(a, b);
 }
 
@@ -34,8 +35,8 @@ constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_throug
 /// cost    some 300 ns; about 10 us near a degenerate case or for coordinates beyond 2^+-80
 template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a, const P& b,
-                                                                                  const P& c) noexcept {
+[[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_through(const P& a, const P& b,
+                                                                                                const P& c) noexcept {
   return detail::sphere_of(a, b, c);
 }
 
@@ -44,8 +45,9 @@ constexpr std::optional<bounding_sphere<scalar_of<P>, size_of<P>>> sphere_throug
 /// exact   as for two points
 template <Point P>
   requires(Floating<scalar_of<P>> && size_of<P> == 3)
-constexpr std::optional<bounding_sphere<scalar_of<P>, 3>> sphere_through(const P& a, const P& b, const P& c,
-                                                                         const P& d) noexcept {
+[[nodiscard]] constexpr std::optional<bounding_sphere<scalar_of<P>, 3>> sphere_through(const P& a, const P& b,
+                                                                                       const P& c,
+                                                                                       const P& d) noexcept {
   return detail::sphere_of(a, b, c, d);
 }
 
@@ -53,7 +55,7 @@ constexpr std::optional<bounding_sphere<scalar_of<P>, 3>> sphere_through(const P
 /// gives   false when the radius is negative, or a number is NaN or infinite
 /// exact   for all finite numbers
 template <Floating T, int N>
-constexpr bool contains(const bounding_sphere<T, N>& s, const point<T, N>& p) noexcept {
+[[nodiscard]] constexpr bool contains(const bounding_sphere<T, N>& s, const point<T, N>& p) noexcept {
   return s.radius >= T(0) && detail::lies_within(s.centre, p, box_boundary::closed, s.radius);
 }
 
@@ -61,8 +63,8 @@ constexpr bool contains(const bounding_sphere<T, N>& s, const point<T, N>& p) no
 /// gives   false when a radius is negative, or a number is NaN or infinite
 /// exact   for all finite numbers
 template <Floating T, int N>
-constexpr bool overlap(const bounding_sphere<T, N>& a, const bounding_sphere<T, N>& b,
-                       box_boundary boundary = box_boundary::closed) noexcept {
+[[nodiscard]] constexpr bool overlap(const bounding_sphere<T, N>& a, const bounding_sphere<T, N>& b,
+                                     box_boundary boundary = box_boundary::closed) noexcept {
   return a.radius >= T(0) && b.radius >= T(0) && detail::lies_within(a.centre, b.centre, boundary, a.radius, b.radius);
 }
 
@@ -70,8 +72,8 @@ constexpr bool overlap(const bounding_sphere<T, N>& a, const bounding_sphere<T, 
 /// gives   false when the radius is negative, the box empty, or a number is NaN or infinite
 /// exact   for all finite numbers
 template <Floating T, int N>
-constexpr bool overlap(const bounding_sphere<T, N>& s, const box<T, N>& b,
-                       box_boundary boundary = box_boundary::closed) noexcept {
+[[nodiscard]] constexpr bool overlap(const bounding_sphere<T, N>& s, const box<T, N>& b,
+                                     box_boundary boundary = box_boundary::closed) noexcept {
   if (!(s.radius >= T(0)) || is_empty(b)) return false;
   const auto nearest = generate_coordinates<point<T, N>>([&](int i) {
     return s.centre[i] < b.low[i] ? b.low[i] : b.high[i] < s.centre[i] ? b.high[i] : s.centre[i];
@@ -84,8 +86,8 @@ constexpr bool overlap(const bounding_sphere<T, N>& s, const box<T, N>& b,
 /// exact   for all finite numbers
 template <Plane L, Floating T>
   requires std::same_as<plane_scalar<L>, T>
-constexpr plane_side side_of(const L& plane, const bounding_sphere<T, 3>& s) noexcept {
-  if (!(s.radius >= T(0)) || detail::is_zero(normal_of(plane))) return plane_side::on;
+[[nodiscard]] constexpr side side_of(const L& plane, const bounding_sphere<T, 3>& s) noexcept {
+  if (!(s.radius >= T(0)) || detail::is_zero(normal_of(plane))) return side::on;
   const auto [height, beyond] = sign_of<4>(
       [](const auto& l, const auto& at, const auto& radius) {
         const auto n = normal_of(l);
@@ -93,7 +95,7 @@ constexpr plane_side side_of(const L& plane, const bounding_sphere<T, 3>& s) noe
         return std::array{h, h * h - radius * radius * dot(n, n)};
       },
       detail::as_plane(plane), s.centre, s.radius);
-  return beyond > 0 ? static_cast<plane_side>(height) : plane_side::on;
+  return beyond > 0 ? static_cast<side>(height) : side::on;
 }
 
 }  // namespace IRG_ABI

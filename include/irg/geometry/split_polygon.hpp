@@ -109,7 +109,8 @@ inline namespace IRG_ABI {
 template <VertexRing R, Plane P, class F = lerp_vertex>
   requires(size_of<vertex_position<ring_vertex_type<R>>> == 3 && Real<vertex_scalar<ring_vertex_type<R>>> &&
            std::same_as<plane_scalar<P>, vertex_scalar<ring_vertex_type<R>>>)
-constexpr split_parts<ring_vertex_type<R>> split_polygon(const R& ring, const P& plane, const F& interpolate = {}) {
+[[nodiscard]] constexpr split_parts<ring_vertex_type<R>> split_polygon(const R& ring, const P& plane,
+                                                                       const F& interpolate = {}) {
   return detail::split<3>(ring,
                           {{plane_coefficient(plane, 0), plane_coefficient(plane, 1), plane_coefficient(plane, 2),
                             plane_coefficient(plane, 3)}},
@@ -121,10 +122,10 @@ constexpr split_parts<ring_vertex_type<R>> split_polygon(const R& ring, const P&
 /// gives   side `on` when the two points coincide
 template <VertexRing R, class F = lerp_vertex>
   requires(size_of<vertex_position<ring_vertex_type<R>>> == 2 && Real<vertex_scalar<ring_vertex_type<R>>>)
-constexpr split_parts<ring_vertex_type<R>> split_polygon(const R& ring,
-                                                         const vertex_position<ring_vertex_type<R>>& from,
-                                                         const vertex_position<ring_vertex_type<R>>& over,
-                                                         const F& interpolate = {}) {
+[[nodiscard]] constexpr split_parts<ring_vertex_type<R>> split_polygon(const R& ring,
+                                                                       const vertex_position<ring_vertex_type<R>>& from,
+                                                                       const vertex_position<ring_vertex_type<R>>& over,
+                                                                       const F& interpolate = {}) {
   return detail::split<2>(ring, {{coordinate(from, 0), coordinate(from, 1), coordinate(over, 0), coordinate(over, 1)}},
                           interpolate);
 }

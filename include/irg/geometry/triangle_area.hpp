@@ -26,7 +26,7 @@ inline namespace IRG_ABI {
 /// source  Shewchuk 1997
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
-constexpr scalar_of<P> signed_triangle_area(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] constexpr scalar_of<P> signed_triangle_area(const P& a, const P& b, const P& c) noexcept {
   return detail::narrow<scalar_of<P>>(detail::signed_area_in_plane(a, b, c, 0, 1));
 }
 
@@ -37,7 +37,7 @@ constexpr scalar_of<P> signed_triangle_area(const P& a, const P& b, const P& c) 
 /// cost    in space three times that in the plane, and a hypot
 template <Point P>
   requires((size_of<P> == 2 || size_of<P> == 3) && Floating<scalar_of<P>>)
-constexpr scalar_of<P> triangle_area(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] constexpr scalar_of<P> triangle_area(const P& a, const P& b, const P& c) noexcept {
   const double z = detail::signed_area_in_plane(a, b, c, 0, 1);
   if constexpr (size_of<P> == 2) {
     return detail::narrow<scalar_of<P>>(detail::magnitude(z));
@@ -53,7 +53,7 @@ constexpr scalar_of<P> triangle_area(const P& a, const P& b, const P& c) noexcep
 /// needs   coordinates below 2^510 (float: 2^62)
 template <Point P>
   requires(size_of<P> == 2)
-IRG_INLINE constexpr scalar_of<P> signed_triangle_area_fast(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<P> signed_triangle_area_fast(const P& a, const P& b, const P& c) noexcept {
   using T = scalar_of<P>;
   const auto from_a = [&](const P& p, int i) { return coordinate(p, i) - coordinate(a, i); };
   return (product<T>(from_a(b, 0), from_a(c, 1)) - product<T>(from_a(b, 1), from_a(c, 0))) / T(2);
@@ -65,7 +65,7 @@ IRG_INLINE constexpr scalar_of<P> signed_triangle_area_fast(const P& a, const P&
 /// exact   within 6 ulp, for needles too, over the whole range
 /// source  Kahan 1986a
 template <Floating T>
-constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
+[[nodiscard]] constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
   double x = widened(greater(a, greater(b, c))), z = widened(lesser(a, lesser(b, c)));
   double y = widened(greater(lesser(a, b), lesser(greater(a, b), c)));
   if (!(a >= 0 && b >= 0 && c >= 0) || !detail::is_finite(x)) return std::nullopt;

@@ -31,8 +31,7 @@ inline namespace IRG_ABI {
 /// cost    linear for strictly convex rings, else O(n log n) and up to tests_per_vertex * n tests
 /// source  Meisters 1975
 template <PlaneRing R, class Emit>
-constexpr bool triangulate_ear_clipping(const R& ring, const Emit& emit,
-                                        ear_clipping_memory<scalar_of<ring_point<R>>>& memory,
+constexpr bool triangulate_ear_clipping(const R& ring, const Emit& emit, ear_clipping_memory<ring_scalar<R>>& memory,
                                         ear_clipping_options options = {}) {
   const std::size_t n = ring_size(ring);
   memory.points.clear();
@@ -41,20 +40,20 @@ constexpr bool triangulate_ear_clipping(const R& ring, const Emit& emit,
     const auto p = ring_vertex(ring, i);
     memory.points.push_back({coordinate(p, 0), coordinate(p, 1)});
   }
-  return detail::ear_clipper<scalar_of<ring_point<R>>>(memory, options.tests_per_vertex)(emit);
+  return detail::ear_clipper<ring_scalar<R>>(memory, options.tests_per_vertex)(emit);
 }
 
 /// The triangles of a ring, as above.
 /// gives   n - 2 triangles without area, a fan, for a ring without area; none when a coordinate is NaN or infinite
 template <PlaneRing R>
-constexpr std::vector<std::array<std::uint32_t, 3>> triangulate_ear_clipping(const R& ring,
-                                                                             ear_clipping_options options = {}) {
+[[nodiscard]] constexpr std::vector<std::array<std::uint32_t, 3>> triangulate_ear_clipping(
+    const R& ring, ear_clipping_options options = {}) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const auto n = static_cast<std::uint32_t>(ring_size(ring));
   if (n < 3 || !is_finite(ring)) return triangles;
   triangles.reserve(n - 2);
   const auto emit = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) { triangles.push_back({i, j, k}); };
-  ear_clipping_memory<scalar_of<ring_point<R>>> memory;
+  ear_clipping_memory<ring_scalar<R>> memory;
   if (!triangulate_ear_clipping(ring, emit, memory, options))
     for (std::uint32_t i = 2; i < n; ++i) emit(0, i - 1, i);
   return triangles;

@@ -46,7 +46,7 @@ inline namespace IRG_ABI {
 /// source  Lee and Preparata 1977; Garey, Johnson, Preparata and Tarjan 1978; de Berg et al. 2008, chapter 3. Here both
 ///         passes are one, and ties are broken by the rings themselves
 template <PlanePolygon P>
-constexpr triangulation triangulate_monotone(const P& polygon) {
+[[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
   triangulation result;
   if (!irg::is_finite(polygon)) {
     result.state = triangulation_state::not_finite;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/facing.hpp>
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>
@@ -19,17 +20,11 @@
 
 namespace irg {
 
-/// Which side of a face an eye sees: the outer one (front), the inner one (back), or its edge.
-enum class face_side { back = -1, edge_on = 0, front = 1 };
-
 /// What becomes of faces seen from their edge. They cover no area, but their outlines can be drawn.
 enum class edge_on_faces { hidden, drawn };
 
 /// Which way the normals of a body point.
 enum class normals_point { outward, inward };
-
-/// The order of a face's vertices as seen from outside, with y up.
-enum class vertex_order { counter_clockwise, clockwise };
 
 namespace detail {
 
@@ -50,8 +45,8 @@ struct mesh_face_ring {
 inline namespace IRG_ABI {
 
 /// Whether a face of which the eye sees this side is left out.
-IRG_INLINE constexpr bool is_hidden(face_side side, edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
-  return side == face_side::back || (side == face_side::edge_on && edge_on == edge_on_faces::hidden);
+[[nodiscard]] IRG_INLINE constexpr bool is_hidden(facing side, edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
+  return side == facing::back || (side == facing::edge_on && edge_on == edge_on_faces::hidden);
 }
 
 /// The side of a face that an eye sees, by the value of its plane at the eye: positive in front. No angle is needed.
@@ -60,8 +55,8 @@ IRG_INLINE constexpr bool is_hidden(face_side side, edge_on_faces edge_on = edge
 /// exact   for every finite float, double and integer, as side_of
 /// source  Mihajlovic 2016, 7.1; the same as the angle's form
 template <Plane P, Coordinates Q>
-constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
-  return static_cast<face_side>(static_cast<int>(side_of(face, eye)));
+[[nodiscard]] constexpr facing side_by_plane(const P& face, const Q& eye) noexcept {
+  return static_cast<facing>(static_cast<int>(side_of(face, eye)));
 }
 
 /// The side of a face that an eye sees, by the angle between the normal and the direction from the face's centre to the
@@ -70,11 +65,11 @@ constexpr face_side side_by_plane(const P& face, const Q& eye) noexcept {
 /// exact   the sign of the cosine, for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.1, whose text says that normals point inward; what it describes holds for outward ones
 template <Scalar T>
-constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
-                                  normals_point direction = normals_point::outward) noexcept {
+[[nodiscard]] constexpr facing side_by_angle(const vec<T, 3>& normal, const point<T, 3>& centre, const point<T, 3>& eye,
+                                             normals_point direction = normals_point::outward) noexcept {
   const point<T, 3> tip{normal.x, normal.y, normal.z};
   const int sign = order_along_line(point<T, 3>{}, tip, eye, centre);
-  return static_cast<face_side>(direction == normals_point::outward ? sign : -sign);
+  return static_cast<facing>(direction == normals_point::outward ? sign : -sign);
 }
 
 /// The side of a face that an eye sees, by the order of its vertices in the picture plane, y up: the sign of the
@@ -83,9 +78,9 @@ constexpr face_side side_by_angle(const vec<T, 3>& normal, const point<T, 3>& ce
 /// exact   as orientation_of: for every finite float, double and integer
 /// source  Mihajlovic 2016, 7.3, with the area in place of its edges
 template <PlaneRing R>
-constexpr face_side side_by_order(const R& projected, vertex_order order = vertex_order::counter_clockwise) noexcept {
-  const int turn = static_cast<int>(orientation_of(projected));
-  return static_cast<face_side>(order == vertex_order::counter_clockwise ? turn : -turn);
+[[nodiscard]] constexpr facing side_by_order(const R& projected,
+                                             orientation order = orientation::counter_clockwise) noexcept {
+  return static_cast<facing>(static_cast<int>(order) * static_cast<int>(orientation_of(projected)));
 }
 
 /// The side of face f of a mesh that an eye sees.
@@ -95,16 +90,18 @@ constexpr face_side side_by_order(const R& projected, vertex_order order = verte
 /// exact   for every finite float and double, by Newell's normal, as side_of_polygon
 /// cost    as side_of_polygon
 template <detail::mesh_in_space M>
-constexpr face_side side_of_face(const M& m, std::size_t f, const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
-  return static_cast<face_side>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
+[[nodiscard]] constexpr facing side_of_face(const M& m, std::size_t f,
+                                            const hpoint<scalar_of<mesh_point<M>>, 3>& eye) noexcept {
+  return static_cast<facing>(static_cast<int>(side_of_polygon(detail::mesh_face_ring<M>{&m, f}, eye)));
 }
 
 /// The faces of a mesh that are left when back faces are removed, in their order.
 /// shape   as side_of_face
 /// cost    linear; allocates the result
 template <detail::mesh_in_space M>
-constexpr std::vector<std::uint32_t> front_faces(const M& m, const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
-                                                 edge_on_faces edge_on = edge_on_faces::hidden) {
+[[nodiscard]] constexpr std::vector<std::uint32_t> front_faces(const M& m,
+                                                               const hpoint<scalar_of<mesh_point<M>>, 3>& eye,
+                                                               edge_on_faces edge_on = edge_on_faces::hidden) {
   std::vector<std::uint32_t> left;
   for (std::size_t f = 0; f < mesh_face_count(m); ++f)
     if (!is_hidden(side_of_face(m, f, eye), edge_on)) left.push_back(static_cast<std::uint32_t>(f));

@@ -133,7 +133,7 @@ inline namespace IRG_ABI {
 /// cost    n log n where planes split little: 8 planes are tried on 24 parts for each node; allocates. No recursion
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater, class Faces>
-constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
+[[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
   bsp_of_faces tree;
   tree.faces = detail::copied_faces(faces, window);
   tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
@@ -194,19 +194,19 @@ inline namespace IRG_ABI {
 
 // Faces by their places.
 struct pointed_faces {
-  const std::vector<const screen_face*>& list;
+  const std::vector<window_face>& list;
   constexpr std::size_t size() const noexcept { return list.size(); }
-  constexpr const screen_face& operator[](std::size_t i) const noexcept { return *list[i]; }
+  constexpr const screen_face& operator[](std::size_t i) const noexcept { return *list[i].face; }
 };
 
 inline constexpr std::size_t bsp_crowd = 16;  // faces: windows with more are cut into four, each with a tree of its own
 
 template <DepthOrder Order>
-constexpr void draw_by_trees(const std::vector<const screen_face*>& list, const cell_window& w,
-                             image<std::uint32_t>& ids, draw_counts& counts) {
+constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_window& w, image<std::uint32_t>& ids,
+                             draw_counts& counts) {
   if (w.empty()) return;
   std::int64_t hidden = 0;
-  const std::vector<const screen_face*> faces = faces_of_window<Order>(list, w, hidden);
+  const std::vector<window_face> faces = faces_of_window<Order>(list, w, hidden);
   if (is_one_pixel(w)) {
     if (const screen_face* seen = seen_in_pixel<Order>(faces, w)) ids(w.x_first, w.y_first) = seen->number;
   } else if (faces.size() > bsp_crowd) {
@@ -230,13 +230,16 @@ constexpr void draw_by_trees(const std::vector<const screen_face*>& list, const 
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater>
 struct bsp_painter {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {
     const std::vector<screen_face> list = detail::copied_faces(faces, window);
-    std::vector<const screen_face*> all;
+    std::vector<detail::window_face> all;
     all.reserve(list.size());
-    for (const screen_face& f : list) all.push_back(&f);
+    for (const screen_face& f : list) all.push_back(detail::window_face_of<Order>(f));
     detail::draw_by_trees<Order>(all, window, ids, counts);
   }
 };

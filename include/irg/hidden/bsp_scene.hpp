@@ -182,7 +182,7 @@ private:
   }
   // Where the ray through a pixel meets the plane of a face, no farther than its corners: it may pass beside them by as
   // much as they were snapped.
-  constexpr double depth_of(const screen_face& f, double x, double y) const noexcept {
+  [[nodiscard]] constexpr double depth_of(const screen_face& f, double x, double y) const noexcept {
     const detail::plane_on_screen& p = of_triangle_[f.number];
     const double z = -p.at(x, y) / p.depth, low = widened(f.depth_low), high = widened(f.depth_high);
     return !(low < z) ? low : high < z ? high : z;

@@ -99,7 +99,8 @@ constexpr void faces_around(const point<T, 3>& eye, const mesh<T>& m, const cube
 /// The direction in which a place of a side, in pixels, is seen; its largest coordinate is 1 or -1.
 /// needs   side < 6, 1 <= size
 /// exact   within an ulp of 1 in each coordinate
-constexpr vec<double, 3> direction_of(int size, std::size_t side, const point<double, 2>& place) noexcept {
+[[nodiscard]] constexpr vec<double, 3> direction_of(int size, std::size_t side,
+                                                    const point<double, 2>& place) noexcept {
   const detail::cube_side& s = detail::cube_sides[side];
   vec<double, 3> out{};
   out[s.right] = s.right_sign * (2 * place.x / size - 1);
@@ -110,7 +111,8 @@ constexpr vec<double, 3> direction_of(int size, std::size_t side, const point<do
 
 /// The side of the cube that a direction meets, and where, in pixels; of several the first.
 /// needs   a finite direction, not 0
-constexpr std::pair<std::size_t, point<double, 2>> place_of(int size, const vec<double, 3>& direction) noexcept {
+[[nodiscard]] constexpr std::pair<std::size_t, point<double, 2>> place_of(int size,
+                                                                          const vec<double, 3>& direction) noexcept {
   std::size_t best = 0;
   for (std::size_t i = 1; i < 6; ++i) {
     const detail::cube_side &s = detail::cube_sides[i], &b = detail::cube_sides[best];

@@ -51,7 +51,7 @@ public:
   constexpr explicit floating_horizon(int columns)
       : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), Column{}) {}
 
-  constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
+  [[nodiscard]] constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
   /// needs   0 <= x < columns()
   constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
 

@@ -37,7 +37,7 @@ inline namespace IRG_ABI {
 /// needs   rising places
 /// gives   0 up to the first place, places.size() beyond the last
 template <class Places>
-constexpr int grid_interval(const Places& places, double v) noexcept {
+[[nodiscard]] constexpr int grid_interval(const Places& places, double v) noexcept {
   int low = 0, high = static_cast<int>(places.size());
   while (low < high) {
     const int half = low + (high - low) / 2;
@@ -54,7 +54,7 @@ constexpr int grid_interval(const Places& places, double v) noexcept {
 /// cost    O(log n + log m)
 /// source  Special-cases chapter, 3 (covering order)
 template <class Places>
-constexpr grid_covering covering_loops(const Places& xs, const Places& zs, double x, double z) noexcept {
+[[nodiscard]] constexpr grid_covering covering_loops(const Places& xs, const Places& zs, double x, double z) noexcept {
   grid_covering c;
   c.n = static_cast<int>(xs.size()) - 1, c.m = static_cast<int>(zs.size()) - 1;
   c.k = grid_interval(xs, x), c.l = grid_interval(zs, z);
@@ -82,7 +82,8 @@ constexpr void visit_in_covering_order(const Covering& c, Visit&& visit) {
 /// How a surface over these places is seen from (x, y, z).
 /// exact   comparisons alone
 template <class Places>
-constexpr grid_view grid_view_from(const Places& xs, const Places& zs, double x, double y, double z) noexcept {
+[[nodiscard]] constexpr grid_view grid_view_from(const Places& xs, const Places& zs, double x, double y,
+                                                 double z) noexcept {
   const bool within_x = xs.front() <= x && x <= xs.back(), within_z = zs.front() <= z && z <= zs.back();
   if (within_x && within_z) return grid_view::front;
   if (y == 0) return grid_view::horizontal;

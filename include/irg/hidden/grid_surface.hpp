@@ -34,7 +34,7 @@ struct grid_edge_part {
 
 /// What a surface and an eye amount to. `not_a_grid`: fewer than two places each way, places that do not rise, numbers
 /// that are not finite, another number of heights, or more than 2^30 of them.
-enum class grid_surface_status { drawn, not_a_grid, eye_on_surface };
+enum class [[nodiscard]] grid_surface_status { drawn, not_a_grid, eye_on_surface };
 
 /// What was done.
 struct grid_surface_counts {

@@ -17,7 +17,7 @@ namespace irg {
 struct height_grid {
   std::vector<double> x{}, z{}, heights{};
 
-  constexpr grid_surface surface() const noexcept { return {x, z, heights}; }
+  [[nodiscard]] constexpr grid_surface surface() const noexcept { return {x, z, heights}; }
 };
 
 /// Where samples are taken: `count` even steps from `from` to `to`, both included.
@@ -32,7 +32,7 @@ inline namespace IRG_ABI {
 /// gives   none for a count below 1, `from` alone for 1
 /// exact   the ends; between them from * (1 - t) + to * t with t = k / (count - 1), each operation rounded
 template <class Range>
-constexpr std::vector<double> places_of(const Range& r) {
+[[nodiscard]] constexpr std::vector<double> places_of(const Range& r) {
   std::vector<double> places;
   for (int k = 0; k < r.count; ++k) {
     const double t = r.count > 1 ? static_cast<double>(k) / (r.count - 1) : 0;
@@ -44,7 +44,7 @@ constexpr std::vector<double> places_of(const Range& r) {
 /// The heights of a function of x and z at even steps.
 /// cost    a call for each sample
 template <class Height, class Range = sample_range>
-constexpr height_grid sample_heights(const Height& height, const Range& x, const Range& z) {
+[[nodiscard]] constexpr height_grid sample_heights(const Height& height, const Range& x, const Range& z) {
   height_grid g{places_of(x), places_of(z), {}};
   g.heights.reserve(g.x.size() * g.z.size());
   for (const double u : g.x)
@@ -55,7 +55,7 @@ constexpr height_grid sample_heights(const Height& height, const Range& x, const
 /// The heights of an array, its rows one after another: row k stands at z = k, column i at x = i.
 /// needs   columns of 1 or more that divide the array's size
 template <class Numbers>
-constexpr height_grid heights_of_rows(const Numbers& rows, int columns) {
+[[nodiscard]] constexpr height_grid heights_of_rows(const Numbers& rows, int columns) {
   const auto width = static_cast<std::size_t>(columns);
   const int count = static_cast<int>(rows.size() / width);
   height_grid g{places_of(sample_range{0, static_cast<double>(columns - 1), columns}),
@@ -70,7 +70,7 @@ constexpr height_grid heights_of_rows(const Numbers& rows, int columns) {
 /// The heights of an image, height_at(pixel) each: column i stands at x = i; the lowest row of the image is the
 /// nearest, at z = 0.
 template <ReadableRaster R, class HeightAt>
-constexpr height_grid heights_of_image(const R& image, const HeightAt& height_at) {
+[[nodiscard]] constexpr height_grid heights_of_image(const R& image, const HeightAt& height_at) {
   const int width = width_of(image), height = height_of(image);
   height_grid g{places_of(sample_range{0, static_cast<double>(width - 1), width}),
                 places_of(sample_range{0, static_cast<double>(height - 1), height}),

@@ -54,7 +54,7 @@ inline namespace IRG_ABI {
 /// exact   each operation rounded once
 /// cost    a call of height for each sample; memory for all of them
 template <class Height>
-constexpr horizon_curve_points horizon_curves_of(const Height& height, const horizon_view& view) {
+[[nodiscard]] constexpr horizon_curve_points horizon_curves_of(const Height& height, const horizon_view& view) {
   const detail::turned_view t = detail::turn_view(view);
   return detail::curve_points(height, t, detail::eye_at_infinity,
                               [&](double x, double y, double z) { return detail::turned_place(t, x, y, z); });
@@ -70,8 +70,8 @@ constexpr horizon_curve_points horizon_curves_of(const Height& height, const hor
 /// cost    a call of height for each sample; memory for all of them
 /// source  irg's own: near to far as the perimeter method's covering order, about the eye
 template <class Height>
-constexpr horizon_curve_points horizon_curves_from(const Height& height, const horizon_view& view,
-                                                   const point<double, 3>& eye) {
+[[nodiscard]] constexpr horizon_curve_points horizon_curves_from(const Height& height, const horizon_view& view,
+                                                                 const point<double, 3>& eye) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto over = [](double v) { return v > 0 && v < 1; };
   if (!(detail::is_finite(eye.x) && detail::is_finite(eye.y) && detail::is_finite(eye.z))) return {};

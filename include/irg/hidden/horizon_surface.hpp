@@ -12,7 +12,7 @@ inline namespace IRG_ABI {
 
 /// How many columns the horizon of a view needs.
 template <class View>
-constexpr int horizon_width(const View& view) noexcept {
+[[nodiscard]] constexpr int horizon_width(const View& view) noexcept {
   const detail::turned_view t = detail::turn_view(view);
   return static_cast<int>(product(t.view.width, t.cos_yaw) + 0.5) + t.offset + 1;
 }

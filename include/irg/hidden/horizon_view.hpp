@@ -138,7 +138,7 @@ inline namespace IRG_ABI {
 /// exact   trunc((round(width*share) - 0.5)/n)*n + n, for n = curves - 1
 /// source  Special-cases chapter, 2.2
 template <class View>
-constexpr int sample_steps(const View& view, double share) noexcept {
+[[nodiscard]] constexpr int sample_steps(const View& view, double share) noexcept {
   return detail::horizon_steps(detail::limited_view(view), share);
 }
 

@@ -21,7 +21,8 @@ inline namespace IRG_ABI {
 ///         and where it is 0 the lower number is the nearer one, as at a pixel
 /// cost    two to four is_nearer
 template <DepthOrder Order = nearer_is_greater>
-constexpr window_order order_in_window(const screen_face& a, const screen_face& b, const cell_window& w) noexcept {
+[[nodiscard]] constexpr window_order order_in_window(const screen_face& a, const screen_face& b,
+                                                     const cell_window& w) noexcept {
   const int x[] = {w.x_first, w.x_last - 1}, y[] = {w.y_first, w.y_last - 1};
   const bool first = is_nearer<Order>(a, b, x[0], y[0]);
   for (const int corner : {3, 1, 2})

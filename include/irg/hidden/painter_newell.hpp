@@ -10,11 +10,11 @@
 // overlaps in depth is cut into four first, and what a face hides in all of a window is left out there.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include <irg/hidden/detail/depth_sort.hpp>
 #include <irg/hidden/detail/painted_list.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
@@ -36,15 +36,8 @@ template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no
 constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                             Observer&& observer = {}) {
   const std::vector<screen_face> list = detail::copied_faces(faces, window);
-  std::vector<const screen_face*> sorted;
-  sorted.reserve(list.size());
-  for (const screen_face& f : list) sorted.push_back(&f);
-  std::sort(sorted.begin(), sorted.end(), [](const screen_face* a, const screen_face* b) {
-    const float da = detail::farthest_depth<Order>(*a), db = detail::farthest_depth<Order>(*b);
-    return da != db ? Order::nearer(da, db) : a->number < b->number;
-  });
   detail::newell_painter<Order, std::remove_reference_t<Observer>> painter(ids, observer);
-  painter.paint(sorted, window);
+  painter.paint(detail::sorted_by_depth<Order>(list), window);
   return painter.counts();
 }
 
@@ -54,6 +47,9 @@ constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_windo
 /// gives   what draw_painter_newell gives; counts.tested counts the faces and parts drawn
 template <DepthOrder Order = nearer_is_greater>
 struct painter_newell {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

@@ -18,8 +18,12 @@ template <Real T>
 struct picture_grid {
   T x = T(1) / T(2), y = T(1) / T(2), per_column = T(1), per_row = T(1);
 
-  IRG_INLINE constexpr T x_of(int column) const noexcept { return x + product(static_cast<T>(column), per_column); }
-  IRG_INLINE constexpr T y_of(int row) const noexcept { return y + product(static_cast<T>(row), per_row); }
+  [[nodiscard]] IRG_INLINE constexpr T x_of(int column) const noexcept {
+    return x + product(static_cast<T>(column), per_column);
+  }
+  [[nodiscard]] IRG_INLINE constexpr T y_of(int row) const noexcept {
+    return y + product(static_cast<T>(row), per_row);
+  }
 };
 
 /// A quantity that is linear on the picture: its value at pixel (0, 0), and how much it grows from each column to the
@@ -38,8 +42,8 @@ inline namespace IRG_ABI {
 /// source  Hidden-surface slides, the z-buffer algorithm
 template <Plane P>
   requires Real<plane_scalar<P>>
-constexpr std::optional<plane_scalar<P>> plane_depth(const P& p, const plane_scalar<P>& x,
-                                                     const plane_scalar<P>& y) noexcept {
+[[nodiscard]] constexpr std::optional<plane_scalar<P>> plane_depth(const P& p, const plane_scalar<P>& x,
+                                                                   const plane_scalar<P>& y) noexcept {
   using T = plane_scalar<P>;
   const T c = plane_coefficient(p, 2);
   if (!(c < T(0) || T(0) < c)) return std::nullopt;
@@ -55,9 +59,9 @@ constexpr std::optional<plane_scalar<P>> plane_depth(const P& p, const plane_sca
 /// source  Hidden-surface slides; not linear in x'
 template <Plane P>
   requires Real<plane_scalar<P>>
-constexpr std::optional<plane_scalar<P>> plane_depth_perspective(const P& p, const plane_scalar<P>& d,
-                                                                 const plane_scalar<P>& x,
-                                                                 const plane_scalar<P>& y) noexcept {
+[[nodiscard]] constexpr std::optional<plane_scalar<P>> plane_depth_perspective(const P& p, const plane_scalar<P>& d,
+                                                                               const plane_scalar<P>& x,
+                                                                               const plane_scalar<P>& y) noexcept {
   using T = plane_scalar<P>;
   const T sum = product(plane_coefficient(p, 0), x) + product(plane_coefficient(p, 1), y);
   const T below = sum - product(plane_coefficient(p, 2), d);
@@ -72,7 +76,7 @@ constexpr std::optional<plane_scalar<P>> plane_depth_perspective(const P& p, con
 /// source  Hidden-surface slides: A/C is computed once for the whole polygon
 template <Plane P>
   requires Real<plane_scalar<P>>
-constexpr std::optional<depth_steps<plane_scalar<P>>> plane_depth_steps(
+[[nodiscard]] constexpr std::optional<depth_steps<plane_scalar<P>>> plane_depth_steps(
     const P& p, const picture_grid<plane_scalar<P>>& grid = {}) noexcept {
   using T = plane_scalar<P>;
   const std::optional<T> origin = plane_depth(p, grid.x, grid.y);
@@ -88,7 +92,7 @@ constexpr std::optional<depth_steps<plane_scalar<P>>> plane_depth_steps(
 /// source  Hidden-surface slides, the perspective depth, rearranged
 template <Plane P>
   requires Real<plane_scalar<P>>
-constexpr std::optional<depth_steps<plane_scalar<P>>> inverse_depth_steps(
+[[nodiscard]] constexpr std::optional<depth_steps<plane_scalar<P>>> inverse_depth_steps(
     const P& p, const plane_scalar<P>& d, const picture_grid<plane_scalar<P>>& grid = {}) noexcept {
   using T = plane_scalar<P>;
   const T a = plane_coefficient(p, 0), b = plane_coefficient(p, 1), cd = product(plane_coefficient(p, 2), d);
@@ -121,7 +125,7 @@ public:
     row_ = row;
     under_way_ = true;
   }
-  IRG_INLINE constexpr const T& value() const noexcept { return value_; }
+  [[nodiscard]] IRG_INLINE constexpr const T& value() const noexcept { return value_; }
   IRG_INLINE constexpr void next() noexcept { value_ = value_ + steps_.per_column; }
 
 private:
@@ -148,7 +152,7 @@ public:
     column_ = column;
     row_ = row;
   }
-  IRG_INLINE constexpr T value() const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr T value() const noexcept {
     const T x = grid_.x_of(column_), y = grid_.y_of(row_);
     return (perspective_ ? plane_depth_perspective(plane_, d_, x, y) : plane_depth(plane_, x, y)).value_or(otherwise_);
   }

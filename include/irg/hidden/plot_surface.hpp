@@ -19,7 +19,8 @@ inline namespace IRG_ABI {
 /// cost    that of the method: visible_grid_edges, visible_curves, or a list of all facets
 /// source  Special-cases chapter, 3 for the view
 template <class Options = surface_plot_options, class Plot = surface_plot>
-constexpr checked<Plot, grid_surface_status> plot_surface(const grid_surface& surface, const Options& options = {}) {
+[[nodiscard]] constexpr checked<Plot, grid_surface_status> plot_surface(const grid_surface& surface,
+                                                                        const Options& options = {}) {
   checked<Plot, grid_surface_status> plot{{}, grid_surface_status::not_a_grid};
   const auto is_positive = [](double v) { return v > 0x1p-20 && v < 0x1p20; };
   const bool usable = options.width > 0 && options.height > 0 && is_positive(options.distance) &&

@@ -69,7 +69,7 @@ inline namespace IRG_ABI {
 ///         two digits of theirs; none for NaN and infinities. Texts are the shortest that read as the values
 /// exact   values: the doubles nearest to the decimals
 template <class Tick = axis_tick>
-constexpr std::vector<Tick> axis_ticks(double low, double high, int most) {
+[[nodiscard]] constexpr std::vector<Tick> axis_ticks(double low, double high, int most) {
   std::vector<Tick> ticks;
   const double span = high - low, size = greater(magnitude(low), magnitude(high));
   if (!(low <= high) || !(size <= 0x1.fffffffffffffp1023)) return ticks;

@@ -57,6 +57,7 @@ template <class Faces>
 constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_window& window) {
   constexpr std::size_t many = 10000;
   std::vector<screen_face> list;
+  list.reserve(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const screen_face f = faces[i];
     if (f.coverage.double_area != 0 && !intersect(f.coverage.bounds, window).empty()) list.push_back(f);
@@ -77,6 +78,9 @@ constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_w
 /// source  Appel 1968
 template <DepthOrder Order = nearer_is_greater>
 struct ray_casting {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

@@ -35,7 +35,7 @@ struct surface_camera {
   }
 
 private:
-  static constexpr double along(const vec<double, 3>& a, const vec<double, 3>& b) noexcept {
+  [[nodiscard]] static constexpr double along(const vec<double, 3>& a, const vec<double, 3>& b) noexcept {
     return product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z);
   }
 };
@@ -46,7 +46,7 @@ inline namespace IRG_ABI {
 /// gives   heights that are not finite are left out; 0 to 0 in a coordinate that has no numbers
 /// exact   the extremes
 template <class Surface>
-constexpr surface_box box_of_surface(const Surface& s) noexcept {
+[[nodiscard]] constexpr surface_box box_of_surface(const Surface& s) noexcept {
   const auto extremes = [](const auto& numbers, double& low, double& high) {
     bool any = false;
     for (const double v : numbers) {
@@ -67,7 +67,7 @@ constexpr surface_box box_of_surface(const Surface& s) noexcept {
 /// exact   each operation rounded once; directions are scaled before they are squared
 /// source  Special-cases chapter, 3 (view set-up)
 template <class Box>
-constexpr surface_camera camera_on(const Box& box, const point<double, 3>& eye) noexcept {
+[[nodiscard]] constexpr surface_camera camera_on(const Box& box, const point<double, 3>& eye) noexcept {
   const auto unit = [](const vec<double, 3>& v) {
     const double size = greater(greater(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
     if (!(size > 0)) return vec<double, 3>{0, 0, 0};

@@ -69,7 +69,7 @@ inline namespace IRG_ABI {
 
 /// The colour of a height, from 0 to 1: blue, sand, red.
 template <class T>
-constexpr rgba8 height_colour(T share) noexcept {
+[[nodiscard]] constexpr rgba8 height_colour(T share) noexcept {
   constexpr rgba8 stops[] = {
       {38, 66, 128, 255}, {62, 130, 180, 255}, {196, 178, 128, 255}, {206, 116, 58, 255}, {140, 36, 52, 255}};
   const T place = clamp(share, T(0), T(1)) * 4;

@@ -85,7 +85,7 @@ inline namespace IRG_ABI {
 /// cost    about n log n cells for faces of like sizes, each allocated; grows with the visible crossings of sides
 template <DepthOrder Order = nearer_is_greater, class Faces>
   requires(detail::depth_sense<Order> != 0)
-constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window) {
+[[nodiscard]] constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window) {
   visible_polygon_map map;
   if (window.empty()) return map;
   std::vector<detail::hiding_face> hiding;

@@ -8,11 +8,13 @@
 // off the list, so that work follows what is seen.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <irg/hidden/detail/crowded_window.hpp>
+#include <irg/hidden/detail/face_sets.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
@@ -39,48 +41,11 @@ struct no_window_observer {
 
 namespace detail {
 
-// A face on a window's list. `covered` has, in blocks, a bit for each pixel of the block that the face covers, and all
-// bits where it surrounds the window.
+// A face on a window's list.
 struct warnock_face {
   const screen_face* face;
-  std::uint64_t covered;
   cell_window bounds;  // of the face's pixels
-
-  static constexpr std::uint64_t all = ~std::uint64_t{0};
-  IRG_INLINE constexpr bool surrounds() const noexcept { return covered == all; }
-};
-
-// A window of at most 8 x 8 pixels, whose parts hold faces against windows by their bits.
-struct warnock_block {
-  static constexpr int side = 8;
-  int x = 0, y = 0;
-
-  static constexpr bool holds(const cell_window& w) noexcept {
-    return w.x_last - w.x_first <= side && w.y_last - w.y_first <= side;
-  }
-  constexpr std::uint64_t bit(int px, int py) const noexcept {
-    return std::uint64_t{1} << ((py - y) * side + (px - x));
-  }
-  constexpr std::uint64_t bits_of(const cell_window& w) const noexcept {
-    const std::uint64_t row = ((std::uint64_t{1} << (w.x_last - w.x_first)) - 1) << (w.x_first - x);
-    std::uint64_t bits = 0;
-    for (int py = w.y_first; py < w.y_last; ++py) bits |= row << ((py - y) * side);
-    return bits;
-  }
-  constexpr std::uint64_t covered_by(const triangle_coverage& t, const cell_window& w) const noexcept {
-    std::uint64_t bits = 0;
-    const cell_window both = intersect(t.bounds, w);
-    if (t.double_area == 0) return 0;
-    for (int py = both.y_first; py < both.y_last; ++py) {
-      std::int64_t e[3];
-      for (int i = 0; i < 3; ++i) e[i] = t.edge[i](both.x_first, py);
-      for (int px = both.x_first; px < both.x_last; ++px) {
-        if ((e[0] | e[1] | e[2]) >= 0) bits |= bit(px, py);
-        for (int i = 0; i < 3; ++i) e[i] += t.edge[i].right;
-      }
-    }
-    return bits;
-  }
+  bool surrounds;
 };
 
 template <DepthOrder Order, class Observer>
@@ -89,86 +54,46 @@ public:
   constexpr warnock_division(image<std::uint32_t>& ids, Observer& observer) : ids_(ids), observer_(observer) {}
 
   constexpr warnock_counts operator()(const std::vector<screen_face>& faces, const cell_window& window) {
-    for (const screen_face& f : faces) lists_.push_back({&f, 0, f.coverage.bounds});
-    look_at(window, 0, lists_.size(), false);
+    for (const screen_face& f : faces) lists_.push_back({&f, f.coverage.bounds, false});
+    look_at(window, 0, lists_.size());
     return counts_;
   }
 
 private:
   // Draws a window, whose parent's list is [first, last). Its own list goes behind all others, and away at the end.
-  constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last, bool in_block) {
+  constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last) {
     const std::size_t own = lists_.size();
-    if (warnock_block::holds(w))
-      take_in_block(w, first, last, in_block);
-    else
-      take(w, first, last);
+    take(w, first, last);
+    if (const std::size_t n = lists_.size() - own; n > 1 && n <= face_sets::most && face_sets::holds(w)) {
+      look_into(w, own);
+      lists_.resize(own, warnock_face{});
+      return;
+    }
     leave_out_hidden(w, own);
     const warnock_case ending = draw_if_easy(w, own);
-    ++counts_.windows[static_cast<int>(ending)];
-    observer_(w, ending);
+    note(w, ending);
     if (ending == warnock_case::divided) {
       const std::size_t end = lists_.size();
-      const bool to_pixels = w.x_last - w.x_first <= 2 && w.y_last - w.y_first <= 2;
       for (const cell_window& part : quarters(w))
-        if (part.empty())
-          continue;
-        else if (to_pixels)
-          look_at_pixel(part, own);
-        else
-          look_at(part, own, end, warnock_block::holds(w));
+        if (!part.empty()) look_at(part, own, end);
     }
     lists_.resize(own, warnock_face{});
   }
-  // The same for a pixel, whose parent's list is the last one: all that cover it but the nearest are hidden.
-  constexpr void look_at_pixel(const cell_window& w, std::size_t own) {
-    const std::uint64_t bit = block_.bit(w.x_first, w.y_first);
-    const screen_face* seen = nullptr;
-    for (std::size_t i = own; i < lists_.size(); ++i) {
-      const warnock_face& f = lists_[i];
-      counts_.classified += f.surrounds() ? 0 : 1;
-      if ((f.covered & bit) == 0) continue;
-      counts_.hidden += seen != nullptr ? 1 : 0;
-      if (seen == nullptr || is_nearer<Order>(*f.face, *seen, w.x_first, w.y_first)) seen = f.face;
-    }
-    if (seen != nullptr) ids_(w.x_first, w.y_first) = seen->number;
-    const warnock_case ending = seen != nullptr ? warnock_case::single_pixel : warnock_case::empty;
+  constexpr void note(const cell_window& w, warnock_case ending) {
     ++counts_.windows[static_cast<int>(ending)];
     observer_(w, ending);
   }
+
   constexpr void take(const cell_window& w, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      bool surrounds = lists_[i].surrounds();
+      bool surrounds = lists_[i].surrounds;
       if (!surrounds) {
         ++counts_.classified;
-        const cell_window& b = lists_[i].bounds;
-        if (b.x_last <= w.x_first || w.x_last <= b.x_first || b.y_last <= w.y_first || w.y_last <= b.y_first) continue;
-        const bool within =
-            w.x_first < b.x_first && b.x_last < w.x_last && w.y_first < b.y_first && b.y_last < w.y_last;
-        if (!within) {
-          const containment where = classify(lists_[i].face->coverage, w);
-          if (where == containment::outside) continue;
-          surrounds = where == containment::inside;
-        }
+        const containment where = classify_face(*lists_[i].face, lists_[i].bounds, w);
+        if (where == containment::outside) continue;
+        surrounds = where == containment::inside;
       }
-      lists_.push_back({lists_[i].face, surrounds ? warnock_face::all : 0, lists_[i].bounds});
-    }
-  }
-  constexpr void take_in_block(const cell_window& w, std::size_t first, std::size_t last, bool in_block) {
-    if (!in_block) block_ = {w.x_first, w.y_first};
-    const std::uint64_t all = block_.bits_of(w);
-    for (std::size_t i = first; i < last; ++i) {
-      const warnock_face& f = lists_[i];
-      std::uint64_t covered = warnock_face::all;
-      if (!f.surrounds()) {
-        ++counts_.classified;
-        if (in_block)
-          covered = f.covered;
-        else
-          covered = intersect(f.bounds, w).empty() ? 0 : block_.covered_by(f.face->coverage, w);
-        if ((covered & all) == 0) continue;
-        if ((covered & all) == all) covered = warnock_face::all;
-      }
-      lists_.push_back({f.face, covered, f.bounds});
+      lists_.push_back({lists_[i].face, lists_[i].bounds, surrounds});
     }
   }
 
@@ -178,7 +103,7 @@ private:
     const screen_face* front = nullptr;
     for (std::size_t i = own; i < lists_.size(); ++i)
       if (const warnock_face& f = lists_[i];
-          f.surrounds() && (front == nullptr || is_nearer<Order>(*f.face, *front, w.x_first, w.y_first)))
+          f.surrounds && (front == nullptr || is_nearer<Order>(*f.face, *front, w.x_first, w.y_first)))
         front = f.face;
     if (front == nullptr) return;
     std::size_t kept = own;
@@ -199,22 +124,82 @@ private:
     const warnock_face* seen = &lists_[own];  // the only one, or the nearest in a pixel, which all cover
     for (std::size_t i = own + 1; i < lists_.size(); ++i)
       if (is_nearer<Order>(*lists_[i].face, *seen->face, w.x_first, w.y_first)) seen = &lists_[i];
-    if (warnock_block::holds(w)) {
+    covered_spans(seen->face->coverage, w, [&](const span_of_cells& s) {
+      for (int x = s.x_first; x < s.x_last; ++x) ids_(x, s.y) = seen->face->number;
+    });
+    return single ? warnock_case::single_pixel : seen->surrounds ? warnock_case::surrounded : warnock_case::one_face;
+  }
+
+  // A small window with few faces: from here on lists are sets, in which face i of the list has bit i.
+  constexpr void look_into(const cell_window& w, std::size_t own) {
+    small_first_ = own;
+    sets_.start(w);
+    std::uint64_t listed = 0;
+    for (std::size_t i = own; i < lists_.size(); ++i) {
+      const std::uint64_t bit = std::uint64_t{1} << (i - own);
+      sets_.add(lists_[i].face->coverage, bit);
+      listed |= bit;
+    }
+    look_at_set(w, listed, 0);
+  }
+  constexpr const screen_face& first_of(std::uint64_t set) const noexcept {
+    return *lists_[small_first_ + static_cast<std::size_t>(std::countr_zero(set))].face;
+  }
+  static constexpr bool are_several(std::uint64_t set) noexcept { return (set & (set - 1)) != 0; }
+
+  // The same as look_at: `listed` is the parent's list, of which `surrounding` surround the parent.
+  constexpr void look_at_set(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
+    counts_.classified += std::popcount(listed & ~surrounding);
+    const face_sets::touching_window of = sets_.touching(w);
+    const std::uint64_t inside = of.everywhere & listed;
+    std::uint64_t touching = of.somewhere & listed;
+    if (touching == 0) return note(w, warnock_case::empty);
+    if (inside != 0 && are_several(touching)) touching = without_hidden(w, touching, inside);
+    if (!are_several(touching)) {
       for (int y = w.y_first; y < w.y_last; ++y)
         for (int x = w.x_first; x < w.x_last; ++x)
-          if ((seen->covered & block_.bit(x, y)) != 0) ids_(x, y) = seen->face->number;
-    } else {
-      covered_spans(seen->face->coverage, w, [&](const span_of_cells& s) {
-        for (int x = s.x_first; x < s.x_last; ++x) ids_(x, s.y) = seen->face->number;
-      });
+          if ((sets_(x, y) & touching) != 0) ids_(x, y) = first_of(touching).number;
+      return note(w, (touching & inside) != 0 ? warnock_case::surrounded : warnock_case::one_face);
     }
-    return single ? warnock_case::single_pixel : seen->surrounds() ? warnock_case::surrounded : warnock_case::one_face;
+    note(w, warnock_case::divided);
+    for (const cell_window& part : quarters(w))
+      if (is_one_pixel(part))
+        look_at_pixel(part, touching, touching & inside);
+      else if (!part.empty())
+        look_at_set(part, touching, touching & inside);
+  }
+  // The same for a pixel: all that cover it but the nearest are hidden.
+  constexpr void look_at_pixel(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
+    counts_.classified += std::popcount(listed & ~surrounding);
+    const int x = w.x_first, y = w.y_first;
+    std::uint64_t covering = sets_(x, y) & listed;
+    if (covering == 0) return note(w, warnock_case::empty);
+    const screen_face* seen = &first_of(covering);
+    while ((covering &= covering - 1) != 0) {
+      ++counts_.hidden;
+      if (is_nearer<Order>(first_of(covering), *seen, x, y)) seen = &first_of(covering);
+    }
+    ids_(x, y) = seen->number;
+    note(w, warnock_case::single_pixel);
+  }
+  constexpr std::uint64_t without_hidden(const cell_window& w, std::uint64_t touching, std::uint64_t inside) {
+    const auto lowest_bit = [](std::uint64_t set) { return set & (~set + 1); };
+    std::uint64_t front = lowest_bit(inside);
+    for (std::uint64_t rest = inside ^ front; rest != 0; rest &= rest - 1)
+      if (is_nearer<Order>(first_of(rest), first_of(front), w.x_first, w.y_first)) front = lowest_bit(rest);
+    for (std::uint64_t rest = touching ^ front; rest != 0; rest &= rest - 1)
+      if (hides_in_window<Order>(first_of(front), first_of(rest), w)) {
+        touching ^= lowest_bit(rest);
+        ++counts_.hidden;
+      }
+    return touching;
   }
 
   image<std::uint32_t>& ids_;
   Observer& observer_;
   std::vector<warnock_face> lists_{};
-  warnock_block block_{};  // of the window that is looked at
+  face_sets sets_{};  // of the small window that is looked into
+  std::size_t small_first_ = 0;  // and where its list begins
   warnock_counts counts_{};
 };
 
@@ -242,7 +227,7 @@ constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& win
 /// rows and columns, each pixel's share of every face is the share of its k*k parts.
 /// needs   k > 0, positions that stay within snap_limit
 /// exact   nothing is rounded
-constexpr screen_face subdivided_face(const screen_face& f, int k) noexcept {
+[[nodiscard]] constexpr screen_face subdivided_face(const screen_face& f, int k) noexcept {
   const auto corner = [&](int i) {
     return screen_vertex{{f.v[i].position.x * k, f.v[i].position.y * k}, f.v[i].depth, f.v[i].inverse_w};
   };
@@ -255,6 +240,9 @@ constexpr screen_face subdivided_face(const screen_face& f, int k) noexcept {
 /// gives   what draw_warnock gives; counts.tested counts the faces held against windows
 template <DepthOrder Order = nearer_is_greater>
 struct warnock {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

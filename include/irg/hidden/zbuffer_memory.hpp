@@ -32,7 +32,7 @@ struct zbuffer_memory_table {
 inline namespace IRG_ABI {
 
 /// The bits it takes to tell n values apart: log2 n, rounded up; 0 for n <= 1.
-IRG_INLINE constexpr int bits_for_levels(std::uint64_t n) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int bits_for_levels(std::uint64_t n) noexcept {
   return n <= 1 ? 0 : static_cast<int>(std::bit_width(n - 1));
 }
 
@@ -41,7 +41,8 @@ IRG_INLINE constexpr int bits_for_levels(std::uint64_t n) noexcept {
 /// gives   2^64 - 1 bytes where it is that or more
 /// exact   in integers; a last byte that is used in part counts as one
 /// source  Hidden-surface slides: 2048 x 1024 pixels, 256 depths, 2^24 colours: 2 MiB and 6 MiB
-constexpr zbuffer_memory_table zbuffer_memory(int width, int height, const zbuffer_levels& levels) noexcept {
+[[nodiscard]] constexpr zbuffer_memory_table zbuffer_memory(int width, int height,
+                                                            const zbuffer_levels& levels) noexcept {
   IRG_EXPECTS(width >= 0 && height >= 0);
   constexpr std::uint64_t most = (std::numeric_limits<std::uint64_t>::max)();
   const auto plus = [](std::uint64_t a, std::uint64_t b) { return b > most - a ? most : a + b; };

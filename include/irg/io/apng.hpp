@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  constexpr std::optional<encode_error> refuse(int width, int height) const noexcept {
+  [[nodiscard]] constexpr std::optional<encode_error> refuse(int width, int height) const noexcept {
     if (pictures_ < 1) return encode_error{"animation needs at least one picture"};
     if (added_ == pictures_) return encode_error{"animation has all its pictures"};
     if (options_.milliseconds < 0 || options_.milliseconds > 65535)
@@ -99,8 +99,8 @@ private:
 /// gives   an error as png_animation::add
 /// exact   the same file from every compiler, flag set and constant evaluation
 template <EncodableRaster R>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_animation(std::span<const R> pictures,
-                                                                           const animation_options& options = {}) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_animation(
+    std::span<const R> pictures, const animation_options& options = {}) {
   constexpr std::size_t most = 0x7fffffff;
   png_animation<R> animation(static_cast<int>(pictures.size() < most ? pictures.size() : most), options);
   if (pictures.empty()) return encode_error{"animation needs at least one picture"};

@@ -15,7 +15,7 @@
 #include <irg/io/detail/body_xml_reader.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/mesh_options.hpp>
-#include <irg/io/stored_body.hpp>
+#include <irg/scene/stored_body.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -29,7 +29,7 @@ inline namespace IRG_ABI {
 /// cost    linear; no recursion; memory at most 64 times the text and 1 MiB
 /// source  XML 1.0; Hank n.d., 3.1 (what is stored; it prints no schema, this one is irg's own)
 template <Floating T = double>
-constexpr result<std::vector<stored_body<T>>> read_body_xml(std::string_view text) {
+[[nodiscard]] constexpr result<std::vector<stored_body<T>>> read_body_xml(std::string_view text) {
   if (const auto too_long = detail::refuse_long_file(text)) return *too_long;
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return parse_error{0, 0, "text is UTF-16, but bodies are read as UTF-8"};
@@ -44,7 +44,7 @@ constexpr result<std::vector<stored_body<T>>> read_body_xml(std::string_view tex
 /// One mesh of several bodies; each is a part, whose object is the body's name.
 /// needs   fewer than 2^32 points and corners in all
 template <Floating T>
-constexpr mesh<T> mesh_of_bodies(const std::vector<stored_body<T>>& bodies) {
+[[nodiscard]] constexpr mesh<T> mesh_of_bodies(const std::vector<stored_body<T>>& bodies) {
   mesh<T> all;
   for (const stored_body<T>& b : bodies) {
     const auto points = static_cast<std::uint32_t>(all.positions.size());
@@ -178,7 +178,8 @@ inline namespace IRG_ABI {
 /// cost    linear
 /// source  XML 1.0
 template <Floating T>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(std::span<const stored_body<T>> bodies) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
+    std::span<const stored_body<T>> bodies) {
   for (const stored_body<T>& b : bodies)
     if (const auto refused = detail::refuse_body(b)) return *refused;
   std::vector<std::uint8_t> out;
@@ -188,7 +189,8 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(std::s
   return out;
 }
 template <Floating T>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(const std::vector<stored_body<T>>& bodies) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_body_xml(
+    const std::vector<stored_body<T>>& bodies) {
   return encode_body_xml(std::span<const stored_body<T>>(bodies));
 }
 

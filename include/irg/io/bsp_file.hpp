@@ -37,7 +37,7 @@ inline namespace IRG_ABI {
 /// The bytes of a tree's data.
 /// cost    linear
 template <Floating T>
-constexpr std::vector<std::uint8_t> encode_bsp(const bsp_data_3d<T>& d) {
+[[nodiscard]] constexpr std::vector<std::uint8_t> encode_bsp(const bsp_data_3d<T>& d) {
   constexpr auto little = detail::byte_order::little;
   std::vector<std::uint8_t> out;
   for (const char c : detail::bsp_mark) out.push_back(static_cast<std::uint8_t>(c));
@@ -61,7 +61,7 @@ constexpr std::vector<std::uint8_t> encode_bsp(const bsp_data_3d<T>& d) {
 /// exact   every number as it was written
 /// cost    linear; memory twice the bytes at most
 template <Floating T>
-constexpr result<bsp_data_3d<T>> read_bsp(std::string_view bytes) {
+[[nodiscard]] constexpr result<bsp_data_3d<T>> read_bsp(std::string_view bytes) {
   const auto wrong = [](std::size_t byte, const char* why) { return parse_error{0, byte + 1, why}; };
   if (bytes.substr(0, detail::bsp_mark.size()) != detail::bsp_mark) return wrong(0, "this is no BSP tree");
   if (bytes.size() < detail::bsp_header) return wrong(bytes.size(), "the bytes end within the lengths");

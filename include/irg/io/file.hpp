@@ -21,7 +21,7 @@ inline namespace IRG_ABI {
 /// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read, is empty or
 ///         holds more than 4 GiB; line and column are 0
 /// cost    twice the file's size in memory while it is read
-inline result<std::string> read_file(const std::string& path) {
+[[nodiscard]] inline result<std::string> read_file(const std::string& path) {
   if (detail::kind_of_file(path.c_str()) == detail::file_kind::directory)
     return parse_error{0, 0, "path is a directory, not a file"};
   errno = 0;

@@ -34,14 +34,14 @@ inline namespace IRG_ABI {
 ///         says, other letters in them, units outside of the map or in a full cell, unknown walls
 /// cost    memory bounded by the text's size
 template <class Map = grid_text>
-constexpr result<Map> read_grid(std::string_view text, const wall_rules& rules = {}) {
+[[nodiscard]] constexpr result<Map> read_grid(std::string_view text, const wall_rules& rules = {}) {
   return detail::grid_reader<Map>(text, rules).read();
 }
 
 /// The text of a map and its units, which read_grid reads back.
 /// needs   a map with cells
 template <class Text = std::string>
-constexpr Text write_grid(const walled_grid& grid, const std::vector<cell3>& units = {}) {
+[[nodiscard]] constexpr Text write_grid(const walled_grid& grid, const std::vector<cell3>& units = {}) {
   const grid_extent e = grid.extent();
   Text out;
   detail::append_cell(out, {e.width, e.height, e.depth});

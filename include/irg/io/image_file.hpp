@@ -26,7 +26,7 @@ inline constexpr const char* picture_endings = ".png, .ppm or .svg";
 inline namespace IRG_ABI {
 
 /// The format that a file's name asks for by its ending, in either case; absent when it is none of picture_endings.
-constexpr std::optional<picture_format> picture_format_of(std::string_view path) noexcept {
+[[nodiscard]] constexpr std::optional<picture_format> picture_format_of(std::string_view path) noexcept {
   if (detail::has_ending(path, ".png")) return picture_format::png;
   if (detail::has_ending(path, ".ppm")) return picture_format::ppm;
   if (detail::has_ending(path, ".svg")) return picture_format::svg;

@@ -33,7 +33,7 @@ inline namespace IRG_ABI {
 /// solid or by the length that binary STL states in its bytes; everything else is OBJ, which has no mark of its own.
 /// gives   a format for all bytes: whether they are such a file, its reader says
 /// cost    constant, but for blanks and comments before the first word
-constexpr mesh_format mesh_format_of(std::string_view bytes) noexcept {
+[[nodiscard]] constexpr mesh_format mesh_format_of(std::string_view bytes) noexcept {
   if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
   bytes = detail::without_byte_order_mark(bytes);
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return mesh_format::ply;
@@ -49,7 +49,7 @@ constexpr mesh_format mesh_format_of(std::string_view bytes) noexcept {
 /// gives   the error of the format's reader, with its place
 /// exact   as read_obj, read_stl, read_ply, read_off and read_body_xml with their defaults
 template <Floating T = double>
-constexpr result<mesh<T>> read_mesh(std::string_view bytes) {
+[[nodiscard]] constexpr result<mesh<T>> read_mesh(std::string_view bytes) {
   switch (mesh_format_of(bytes)) {
     case mesh_format::stl: return read_stl<T>(bytes);
     case mesh_format::ply: return read_ply<T>(bytes);
@@ -87,7 +87,7 @@ result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
 }
 
 /// The format that a file's name asks for by its ending, in either case; absent when it is none of mesh_endings.
-constexpr std::optional<mesh_format> mesh_format_of_name(std::string_view path) noexcept {
+[[nodiscard]] constexpr std::optional<mesh_format> mesh_format_of_name(std::string_view path) noexcept {
   if (detail::has_ending(path, ".obj")) return mesh_format::obj;
   if (detail::has_ending(path, ".stl")) return mesh_format::stl;
   if (detail::has_ending(path, ".ply")) return mesh_format::ply;
@@ -99,8 +99,8 @@ constexpr std::optional<mesh_format> mesh_format_of_name(std::string_view path) 
 /// The bytes of a file that describes the mesh in the given format.
 /// gives   the error of the format's writer, and one for an encoding that it does not have: OBJ, OFF and XML are text
 template <Floating T>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_mesh(const mesh<T>& m, mesh_format format,
-                                                                      mesh_encoding encoding = mesh_encoding::text) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_mesh(
+    const mesh<T>& m, mesh_format format, mesh_encoding encoding = mesh_encoding::text) {
   if (format == mesh_format::stl) return encode_stl(m, encoding);
   if (format == mesh_format::ply) return encode_ply(m, encoding);
   if (encoding != mesh_encoding::text) return encode_error{"format has no binary form that is written"};

@@ -112,7 +112,7 @@ inline namespace IRG_ABI {
 /// cost    linear; memory at most 64 times the text and 1 MiB
 /// source  Wavefront
 template <Floating T = double>
-constexpr result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
+[[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
   if (const auto too_long = detail::refuse_long_file(text)) return *too_long;
   text = detail::without_byte_order_mark(text);
   detail::mtl_reader<T> reader(text);
@@ -124,7 +124,7 @@ constexpr result<std::vector<mtl_material<T>>> read_mtl(std::string_view text) {
 /// shape   in the order of the text, which the names are parts of
 /// cost    one pass over the text
 template <class Text = std::string_view>
-constexpr std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
+[[nodiscard]] constexpr std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
   std::vector<Text> names;
   detail::text_cursor text(obj, '#');
   for (; text.skip_space(); text.skip_to_line_end())
@@ -135,7 +135,7 @@ constexpr std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
 
 /// Whether a name can only be a file in the folder of the file that names it: no slash, no backslash, no colon, no dots
 /// that lead upwards, no byte 0.
-constexpr bool is_plain_file_name(std::string_view name) noexcept {
+[[nodiscard]] constexpr bool is_plain_file_name(std::string_view name) noexcept {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string_view("/\\:\0", 4)) == std::string_view::npos;
 }
@@ -146,7 +146,7 @@ constexpr bool is_plain_file_name(std::string_view name) noexcept {
 ///         is_plain_file_name
 /// cost    that of open and read_mtl
 template <Floating T = double, class Open>
-constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
+[[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
   std::vector<mtl_material<T>> all;
   for (const std::string_view name : material_libraries(obj)) {
     if (!is_plain_file_name(name)) return parse_error{0, 0, "library of materials is not beside the model"};

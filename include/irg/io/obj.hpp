@@ -30,7 +30,7 @@ inline namespace IRG_ABI {
 /// exact   numbers are correctly rounded to T
 /// cost    linear in the text; memory at most 64 times the text and 1 MiB
 template <Floating T = double>
-constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {
+[[nodiscard]] constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {
   if (static_cast<std::uint64_t>(text.size()) >> 32 != 0) return parse_error{0, 0, "text is longer than 4 GiB"};
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return parse_error{0, 0, "text is UTF-16, but OBJ must be ASCII or UTF-8"};

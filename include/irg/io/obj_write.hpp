@@ -24,7 +24,7 @@ inline namespace IRG_ABI {
 /// cost    linear
 /// source  Wavefront
 template <Floating T>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   std::vector<std::uint8_t> out;
   detail::write_obj_vectors<3>(out, "v", m.positions);

@@ -28,7 +28,7 @@ inline namespace IRG_ABI {
 /// cost    linear; memory at most 64 times the file and 1 MiB, whatever its counts claim
 /// source  Geomview
 template <Floating T = double>
-constexpr result<mesh<T>> read_off(std::string_view bytes) {
+[[nodiscard]] constexpr result<mesh<T>> read_off(std::string_view bytes) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   const std::string_view text = detail::without_byte_order_mark(bytes);
   detail::off_reader<T> reader(text);
@@ -46,7 +46,7 @@ constexpr result<mesh<T>> read_off(std::string_view bytes) {
 /// cost    linear; O(n log n) where there are normals or texture coordinates
 /// source  Geomview
 template <Floating T>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_off(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   const auto v = detail::vertices_to_write(m);
   std::vector<std::uint8_t> out;

@@ -26,9 +26,9 @@ inline namespace IRG_ABI {
 /// exact   numbers are correctly rounded to T
 /// cost    linear, and validate(); memory at most 64 times the text
 template <Floating T = double>
-constexpr result<named_plan<T>> read_plan(std::string_view text) {
+[[nodiscard]] constexpr result<named_plan<T>> read_plan(std::string_view text) {
   detail::plan_reader<T> reader(text);
-  if (reader.read()) return std::move(reader.out);
+  if (reader.read()) return named_plan<T>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);
 }
 
@@ -36,7 +36,7 @@ constexpr result<named_plan<T>> read_plan(std::string_view text) {
 /// needs   a name for each cell, all different, of letters without blanks and #; a plan without defects
 /// exact   every number with the fewest digits that lead back to it
 template <Floating T>
-constexpr std::vector<std::uint8_t> encode_plan(const named_plan<T>& named) {
+[[nodiscard]] constexpr std::vector<std::uint8_t> encode_plan(const named_plan<T>& named) {
   std::vector<std::uint8_t> out;
   const cell_plan<T>& plan = named.plan;
   for (std::size_t c = 0; c < plan.cells.size(); ++c) {
@@ -63,7 +63,7 @@ constexpr std::vector<std::uint8_t> encode_plan(const named_plan<T>& named) {
 /// The bytes of visible sets, eight cells in each, the first cell in the lowest bit; a row begins with a byte.
 /// cost    linear
 template <class Bytes = std::vector<std::uint8_t>>
-constexpr Bytes encode_visible_sets(const visible_sets& sets) {
+[[nodiscard]] constexpr Bytes encode_visible_sets(const visible_sets& sets) {
   Bytes out;
   const int cells = sets.seen.extent().width;
   detail::append_text(out, "visible cells ");
@@ -82,7 +82,7 @@ constexpr Bytes encode_visible_sets(const visible_sets& sets) {
 ///         bits past the last cell
 /// cost    linear; memory at most 16 times the bytes
 template <class Sets = visible_sets>
-constexpr result<Sets> read_visible_sets(std::string_view bytes) {
+[[nodiscard]] constexpr result<Sets> read_visible_sets(std::string_view bytes) {
   const std::size_t end = bytes.find('\n');
   detail::text_cursor cursor(bytes.substr(0, end == bytes.npos ? bytes.size() : end), '\0');
   std::int64_t cells = 0, unfinished = 0;

@@ -31,7 +31,7 @@ inline namespace IRG_ABI {
 /// cost    linear; memory at most 64 times the file and 1 MiB, whatever the header claims
 /// source  Turk 1994
 template <Floating T = double>
-constexpr result<mesh<T>> read_ply(std::string_view bytes) {
+[[nodiscard]] constexpr result<mesh<T>> read_ply(std::string_view bytes) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   const std::string_view text = detail::without_byte_order_mark(bytes);
   using element = detail::ply_element<>;
@@ -112,8 +112,8 @@ inline namespace IRG_ABI {
 /// cost    linear; O(n log n) where there are normals or texture coordinates
 /// source  Turk 1994
 template <Floating T>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_ply(const mesh<T>& m,
-                                                                     mesh_encoding encoding = mesh_encoding::text) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_ply(
+    const mesh<T>& m, mesh_encoding encoding = mesh_encoding::text) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   const auto v = detail::vertices_to_write(m);
   std::vector<std::uint8_t> out;

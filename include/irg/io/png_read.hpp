@@ -190,12 +190,12 @@ inline namespace IRG_ABI {
 ///         for the picture that its head promises
 /// source  PNG; RFC 1950; RFC 1951
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
-constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {}) {
+[[nodiscard]] constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {}) {
   return detail::png_reader<std::vector<std::uint8_t>>(bytes, options).read();
 }
 /// The same from bytes as read_file gives them, which are copied.
 template <std::convertible_to<std::string_view> Bytes>
-constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {}) {
+[[nodiscard]] constexpr result<image<rgba8>> read_png(const Bytes& bytes, const png_read_options& options = {}) {
   const std::string_view text = bytes;
   const std::vector<std::uint8_t> copy(text.begin(), text.end());
   return detail::png_reader<std::vector<std::uint8_t>>(copy, options).read();

@@ -47,12 +47,12 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_pgm(const R& ra
 /// cost    nothing is allocated before the size was checked against the file's length
 /// source  Netpbm, ppm(5) and pgm(5)
 template <std::convertible_to<std::span<const std::uint8_t>> Bytes>
-constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
+[[nodiscard]] constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
   return detail::netpbm_reader<std::uint8_t>(bytes).read();
 }
 /// The same from bytes as read_file gives them.
 template <std::convertible_to<std::string_view> Bytes>
-constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
+[[nodiscard]] constexpr result<image<rgb8>> read_ppm(const Bytes& bytes) {
   return detail::netpbm_reader<char>(std::string_view(bytes)).read();
 }
 

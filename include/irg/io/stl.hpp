@@ -43,7 +43,7 @@ inline namespace IRG_ABI {
 /// cost    linear; O(n log n) with shared positions; memory at most 16 times the file and 1 MiB
 /// source  StereoLithography
 template <Floating T = double>
-constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options = {}) {
+[[nodiscard]] constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options = {}) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
   if (!detail::has_length_of_binary_stl(bytes)) bytes = detail::without_byte_order_mark(bytes);
   mesh<T> read;
@@ -141,8 +141,8 @@ inline namespace IRG_ABI {
 /// cost    linear, after triangulate
 /// source  StereoLithography
 template <Floating T>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_stl(const mesh<T>& m,
-                                                                     mesh_encoding encoding = mesh_encoding::text) {
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_stl(
+    const mesh<T>& m, mesh_encoding encoding = mesh_encoding::text) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   if (encoding == mesh_encoding::big_endian) return encode_error{"binary STL is little endian, not big endian"};
   if (m.corners.size() - 2 * m.face_count() > 0xffffffffu / 3) return encode_error{"mesh has too many triangles"};

@@ -48,7 +48,7 @@ inline namespace IRG_ABI {
 template <Vector A, Vector B>
   requires((size_of<A> == 2 || size_of<A> == 3) && size_of<A> == size_of<B> &&
            std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr scalar_of<A> angle_between(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr scalar_of<A> angle_between(const A& a, const B& b) noexcept {
   using T = scalar_of<A>;
   double c[static_cast<std::size_t>(size_of<A>)]{}, d[static_cast<std::size_t>(size_of<A>)]{};
   for (int i = 0; i < size_of<A>; ++i) {

@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 /// cost    8 operations a number; where one is beyond 2^960, an exact sum in integers
 /// source  Ogita, Rump and Oishi 2005
 template <Floating T>
-constexpr T sum_accurate(std::span<const T> numbers) noexcept {
+[[nodiscard]] constexpr T sum_accurate(std::span<const T> numbers) noexcept {
   const auto x = detail::doubles_of(numbers);
   if (!detail::can_be_summed(numbers.size(), x)) return detail::far_sum<T>(numbers.size(), x);
   const detail::compensated_sum sum = detail::bounded_sum(numbers.size(), x);
@@ -37,7 +37,7 @@ constexpr T sum_accurate(std::span<const T> numbers) noexcept {
 /// exact   correctly rounded for all finite numbers, in any order, up to 2^31 of them
 /// cost    as sum_accurate, and an exact sum in integers where that leaves the rounding open
 template <Floating T>
-constexpr T sum_exact(std::span<const T> numbers) noexcept {
+[[nodiscard]] constexpr T sum_exact(std::span<const T> numbers) noexcept {
   const auto x = detail::doubles_of(numbers);
   T rounded{};
   if (detail::can_be_summed(numbers.size(), x) && detail::round_safely(detail::bounded_sum(numbers.size(), x), rounded))
@@ -53,7 +53,7 @@ constexpr T sum_exact(std::span<const T> numbers) noexcept {
 /// source  Ogita, Rump and Oishi 2005
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr scalar_of<A> dot_accurate(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr scalar_of<A> dot_accurate(const A& a, const B& b) noexcept {
   return detail::accurate_dot<scalar_of<A>>(size_of<A>, detail::doubles_of(a), detail::doubles_of(b));
 }
 
@@ -63,7 +63,7 @@ constexpr scalar_of<A> dot_accurate(const A& a, const B& b) noexcept {
 /// cost    as dot_accurate, and an exact sum in integers where that leaves the rounding open
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr scalar_of<A> dot_exact(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr scalar_of<A> dot_exact(const A& a, const B& b) noexcept {
   return detail::nearest_dot<scalar_of<A>>(size_of<A>, detail::doubles_of(a), detail::doubles_of(b));
 }
 
@@ -73,7 +73,7 @@ constexpr scalar_of<A> dot_exact(const A& a, const B& b) noexcept {
 /// cost    three difference_of_products; with a coordinate that is not 0 beyond 2^480 or below 2^-480, three exact sums
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr A cross_accurate(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr A cross_accurate(const A& a, const B& b) noexcept {
   using T = scalar_of<A>;
   if (std::is_same_v<T, double> &&
       detail::dot_range_of(3, detail::doubles_of(a), detail::doubles_of(b)) == detail::dot_range::finite)

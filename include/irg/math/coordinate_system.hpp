@@ -33,8 +33,6 @@ inline constexpr coordinate_system world_z_up{axis_direction::right, axis_direct
 /// Hank's camera, Direct3D's: x right, y up, z into the picture. Left-handed.
 inline constexpr coordinate_system camera_left_handed{axis_direction::right, axis_direction::up,
                                                       axis_direction::away_from_viewer};
-/// This library's camera: x right, y up, the view along -z. Right-handed.
-inline constexpr coordinate_system camera_right_handed = world_y_up;
 /// The plane of projection: x right, y up, z the depth behind it. Left-handed, as Hank's camera.
 inline constexpr coordinate_system projection_plane = camera_left_handed;
 /// Pixels and most image files: x right, y down, z the depth. Right-handed.
@@ -57,7 +55,7 @@ IRG_INLINE constexpr axis_direction axis_of(const coordinate_system& s, int i) n
 inline namespace IRG_ABI {
 
 /// Whether the axes lie on three different lines.
-constexpr bool is_valid(const coordinate_system& s) noexcept {
+[[nodiscard]] constexpr bool is_valid(const coordinate_system& s) noexcept {
   const int x = detail::axis_line(s.x), y = detail::axis_line(s.y), z = detail::axis_line(s.z);
   return x != y && y != z && x != z;
 }
@@ -68,7 +66,7 @@ constexpr bool is_valid(const coordinate_system& s) noexcept {
 /// exact   entries 0, 1 and -1; it is orthogonal, and its determinant is -1 when the handedness changes
 template <Scalar T, int N = 3>
   requires(N == 3 || N == 4)
-constexpr mat<T, N, N> conversion(const coordinate_system& from, const coordinate_system& to) noexcept {
+[[nodiscard]] constexpr mat<T, N, N> conversion(const coordinate_system& from, const coordinate_system& to) noexcept {
   IRG_EXPECTS(is_valid(from) && is_valid(to));
   return detail::filled_mat<T, N, N>([&](int r, int c) {
     if (r == 3 || c == 3) return r == c ? T(1) : T(0);
@@ -80,7 +78,7 @@ constexpr mat<T, N, N> conversion(const coordinate_system& from, const coordinat
 
 /// Whether x, y, z make a right hand or a left one.
 /// needs   is_valid(s)
-constexpr handedness handedness_of(const coordinate_system& s) noexcept {
+[[nodiscard]] constexpr handedness handedness_of(const coordinate_system& s) noexcept {
   return determinant(conversion<int>(s, world_y_up)) > 0 ? handedness::right : handedness::left;
 }
 
@@ -89,7 +87,7 @@ constexpr handedness handedness_of(const coordinate_system& s) noexcept {
 /// exact   coordinates change places and signs, nothing is rounded
 template <Coordinates V>
   requires(size_of<V> == 3)
-constexpr V convert(const V& v, const coordinate_system& from, const coordinate_system& to) noexcept {
+[[nodiscard]] constexpr V convert(const V& v, const coordinate_system& from, const coordinate_system& to) noexcept {
   IRG_EXPECTS(is_valid(from) && is_valid(to));
   return generate_coordinates<V>([&](int r) {
     const axis_direction a = detail::axis_of(to, r);

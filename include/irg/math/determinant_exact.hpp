@@ -15,7 +15,7 @@ inline namespace IRG_ABI {
 /// cost    N! exact products
 template <Floating T, int N>
   requires(N <= 4)
-constexpr T determinant_exact(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr T determinant_exact(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return determinant(a);
   return detail::rounded_once<T>(detail::exact_determinant<N>([&](int r, int c) { return widened(a(r, c)); }));
 }
@@ -26,7 +26,7 @@ constexpr T determinant_exact(const mat<T, N, N>& a) noexcept {
 /// cost    N! exact products
 template <Floating T, int N>
   requires(N <= 4)
-constexpr int determinant_sign(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr int determinant_sign(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return 0;
   return detail::exact_determinant<N>([&](int r, int c) { return widened(a(r, c)); }).sign();
 }

@@ -180,7 +180,7 @@ inline namespace IRG_ABI {
 /// exact   relative error at most 25/8 u^2
 /// source  Lefevre et al. 2023 (SQRTDWtoDW)
 template <Floating T>
-constexpr double_word<T> sqrt(const double_word<T>& x) noexcept {
+[[nodiscard]] constexpr double_word<T> sqrt(const double_word<T>& x) noexcept {
   const T root = sqrt(x.high);
   if (!(root > 0) || !detail::is_finite(root)) return root;
   if (x.high < detail::least_of_exact_words<T>) {
@@ -195,7 +195,7 @@ constexpr double_word<T> sqrt(const double_word<T>& x) noexcept {
 
 /// |x|.
 template <Floating T>
-constexpr double_word<T> abs(const double_word<T>& x) noexcept {
+[[nodiscard]] constexpr double_word<T> abs(const double_word<T>& x) noexcept {
   return x.high < 0 ? -x : x;
 }
 

@@ -37,7 +37,7 @@ inline namespace IRG_ABI {
 /// cost    6 operations
 /// source  Moller 1965; Knuth 1969 (TwoSum)
 template <Floating T>
-IRG_INLINE constexpr exact_sum<T> two_sum(T a, T b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr exact_sum<T> two_sum(T a, T b) noexcept {
   const T sum = a + b;
   const T b_part = sum - a;
   const T a_part = sum - b_part;
@@ -50,7 +50,7 @@ IRG_INLINE constexpr exact_sum<T> two_sum(T a, T b) noexcept {
 /// cost    3 operations
 /// source  Dekker 1971 (FastTwoSum)
 template <Floating T>
-IRG_INLINE constexpr exact_sum<T> fast_two_sum(T large, T lesser_one) noexcept {
+[[nodiscard]] IRG_INLINE constexpr exact_sum<T> fast_two_sum(T large, T lesser_one) noexcept {
   const T sum = large + lesser_one;
   return {sum, lesser_one - (sum - large)};
 }
@@ -60,7 +60,7 @@ IRG_INLINE constexpr exact_sum<T> fast_two_sum(T large, T lesser_one) noexcept {
 /// exact   high + low == x
 /// source  Veltkamp 1968; Dekker 1971
 template <Floating T>
-IRG_INLINE constexpr split_number<T> split(T x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr split_number<T> split(T x) noexcept {
   constexpr T factor = std::is_same_v<T, double> ? T(134217729) : T(4097);  // 2^27 + 1, 2^12 + 1
   const T scaled = product(factor, x);
   const T high = scaled - (scaled - x);
@@ -74,7 +74,7 @@ IRG_INLINE constexpr split_number<T> split(T x) noexcept {
 /// cost    2 operations with a fused multiply-add, 17 without
 /// source  Dekker 1971
 template <Floating T>
-IRG_INLINE constexpr exact_sum<T> fast_two_product(T a, T b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr exact_sum<T> fast_two_product(T a, T b) noexcept {
   if constexpr (std::is_same_v<T, float>) {
     const double exact = widened(a) * widened(b);
     const float value = converted<float>(exact);
@@ -129,7 +129,7 @@ inline namespace IRG_ABI {
 /// cost    as fast_two_product and one predictable branch
 /// source  Dekker 1971
 template <Floating T>
-IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
   if constexpr (std::is_same_v<T, float>) {
     const exact_sum<float> p = fast_two_product(a, b);
     return {p.value, detail::is_finite(p.value) ? p.error : 0.0f};
@@ -150,7 +150,7 @@ IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
 /// source  Jeannerod, Louvet and Muller 2013 (Kahan's algorithm). Here both errors are kept, which needs no fused
 ///         multiply-add.
 template <Floating T>
-IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
   if constexpr (std::is_same_v<T, float>) {
     return converted<float>(widened(a) * widened(b) - widened(c) * widened(d));
   } else {
@@ -167,7 +167,7 @@ IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
 /// a*b + c*d without cancellation.
 /// exact   as difference_of_products
 template <Floating T>
-IRG_INLINE constexpr T sum_of_products(T a, T b, T c, T d) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T sum_of_products(T a, T b, T c, T d) noexcept {
   return difference_of_products(a, b, -c, d);
 }
 

@@ -63,7 +63,7 @@ inline namespace IRG_ABI {
 
 /// The number x.
 template <Floating T>
-constexpr expansion<T, 1> expansion_of(T x) noexcept {
+[[nodiscard]] constexpr expansion<T, 1> expansion_of(T x) noexcept {
   expansion<T, 1> e;
   detail::append(e, x);
   return e;
@@ -71,7 +71,7 @@ constexpr expansion<T, 1> expansion_of(T x) noexcept {
 
 /// a + b, exactly.
 template <Floating T>
-constexpr expansion<T, 2> exact_sum_of(T a, T b) noexcept {
+[[nodiscard]] constexpr expansion<T, 2> exact_sum_of(T a, T b) noexcept {
   const auto [value, error] = two_sum(a, b);
   expansion<T, 2> e;
   detail::append(e, error);
@@ -81,13 +81,13 @@ constexpr expansion<T, 2> exact_sum_of(T a, T b) noexcept {
 
 /// a - b, exactly.
 template <Floating T>
-constexpr expansion<T, 2> exact_difference_of(T a, T b) noexcept {
+[[nodiscard]] constexpr expansion<T, 2> exact_difference_of(T a, T b) noexcept {
   return exact_sum_of(a, -b);
 }
 
 /// a*b, exactly.
 template <Floating T>
-constexpr expansion<T, 2> exact_product_of(T a, T b) noexcept {
+[[nodiscard]] constexpr expansion<T, 2> exact_product_of(T a, T b) noexcept {
   const auto [value, error] = two_product(a, b);
   expansion<T, 2> e;
   detail::append(e, error);
@@ -98,27 +98,27 @@ constexpr expansion<T, 2> exact_product_of(T a, T b) noexcept {
 /// e + f, exactly.
 /// source  Shewchuk 1997 (Fast-Expansion-Sum with zero elimination)
 template <Floating T, int N, int M>
-constexpr expansion<T, N + M> operator+(const expansion<T, N>& e, const expansion<T, M>& f) noexcept {
+[[nodiscard]] constexpr expansion<T, N + M> operator+(const expansion<T, N>& e, const expansion<T, M>& f) noexcept {
   return detail::sum_of_expansions(e, f, T(1));
 }
 
 /// e + b, exactly.
 /// source  Shewchuk 1997, as the sum of two expansions: Grow-Expansion leaves parts that the next sum could not take
 template <Floating T, int N>
-constexpr expansion<T, N + 1> operator+(const expansion<T, N>& e, T b) noexcept {
+[[nodiscard]] constexpr expansion<T, N + 1> operator+(const expansion<T, N>& e, T b) noexcept {
   return e + expansion_of(b);
 }
 
 /// e - f, exactly.
 template <Floating T, int N, int M>
-constexpr expansion<T, N + M> operator-(const expansion<T, N>& e, const expansion<T, M>& f) noexcept {
+[[nodiscard]] constexpr expansion<T, N + M> operator-(const expansion<T, N>& e, const expansion<T, M>& f) noexcept {
   return detail::sum_of_expansions(e, f, T(-1));
 }
 
 /// e*b, exactly.
 /// source  Shewchuk 1997 (Scale-Expansion with zero elimination)
 template <Floating T, int N>
-constexpr expansion<T, 2 * N> operator*(const expansion<T, N>& e, T b) noexcept {
+[[nodiscard]] constexpr expansion<T, 2 * N> operator*(const expansion<T, N>& e, T b) noexcept {
   expansion<T, 2 * N> result;
   T head = 0;
   for (int i = 0; i < e.size; ++i) {
@@ -136,7 +136,7 @@ constexpr expansion<T, 2 * N> operator*(const expansion<T, N>& e, T b) noexcept 
 /// e*f, exactly.
 /// cost    a scaling and a sum for each part of f
 template <Floating T, int N, int M>
-constexpr expansion<T, 2 * N * M> operator*(const expansion<T, N>& e, const expansion<T, M>& f) noexcept {
+[[nodiscard]] constexpr expansion<T, 2 * N * M> operator*(const expansion<T, N>& e, const expansion<T, M>& f) noexcept {
   expansion<T, 2 * N * M> result;
   for (int k = 0; k < f.size; ++k) {
     const auto sum = result + e * f.parts[k];
@@ -148,21 +148,21 @@ constexpr expansion<T, 2 * N * M> operator*(const expansion<T, N>& e, const expa
 
 /// -e.
 template <Floating T, int N>
-constexpr expansion<T, N> operator-(expansion<T, N> e) noexcept {
+[[nodiscard]] constexpr expansion<T, N> operator-(expansion<T, N> e) noexcept {
   for (int i = 0; i < e.size; ++i) e.parts[i] = -e.parts[i];
   return e;
 }
 
 /// -1, 0 or 1, as the number is negative, zero or positive.
 template <Floating T, int N>
-constexpr int sign(const expansion<T, N>& e) noexcept {
+[[nodiscard]] constexpr int sign(const expansion<T, N>& e) noexcept {
   return e.size == 0 ? 0 : e.parts[e.size - 1] < 0 ? -1 : 1;
 }
 
 /// The number, nearly.
 /// exact   within 1 ulp
 template <Floating T, int N>
-constexpr T estimate(const expansion<T, N>& e) noexcept {
+[[nodiscard]] constexpr T estimate(const expansion<T, N>& e) noexcept {
   T sum = 0;
   for (int i = 0; i < e.size; ++i) sum = sum + e.parts[i];
   return sum;
@@ -171,7 +171,7 @@ constexpr T estimate(const expansion<T, N>& e) noexcept {
 /// The same number in as few parts as they can be made; the last part is within 1 ulp of it.
 /// source  Shewchuk 1997 (Compress)
 template <Floating T, int N>
-constexpr expansion<T, N> compress(const expansion<T, N>& e) noexcept {
+[[nodiscard]] constexpr expansion<T, N> compress(const expansion<T, N>& e) noexcept {
   if (e.size == 0) return e;
   expansion<T, N> downwards = e, result;
   int bottom = e.size - 1;

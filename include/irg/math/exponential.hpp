@@ -16,7 +16,7 @@ inline namespace IRG_ABI {
 /// cost    a table lookup and about 25 operations
 /// source  Tang 1989 (table and short polynomial); coefficients by scripts/generate
 template <Floating T>
-constexpr T exp(T x) noexcept {
+[[nodiscard]] constexpr T exp(T x) noexcept {
   return detail::narrow<T>(detail::exp_of({widened(x), 0.0}));
 }
 
@@ -25,7 +25,7 @@ constexpr T exp(T x) noexcept {
 /// exact   as exp
 /// cost    as exp
 template <Floating T>
-constexpr T exp2(T x) noexcept {
+[[nodiscard]] constexpr T exp2(T x) noexcept {
   return detail::nearest_result<detail::symmetry::none>(x, detail::exp2_of(widened(x)), detail::hard_powers_of_two);
 }
 
@@ -35,9 +35,13 @@ constexpr T exp2(T x) noexcept {
 /// cost    a table lookup and about 50 operations
 /// source  Tang 1990 (table and short polynomial); coefficients by scripts/generate
 template <Floating T>
-constexpr T log(T x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T log(T x) noexcept {
   if (!(x > T(0))) return x == T(0) ? -detail::infinity<T> : detail::not_a_number<T>;
-  return x < detail::infinity<T> ? detail::round_to<T>(detail::log_of(widened(x))) : x;
+  if (!(x < detail::infinity<T>)) return x;
+  if constexpr (std::is_same_v<T, float>)
+    return detail::nearest_log_of(x, detail::natural);
+  else
+    return detail::round_to<T>(detail::log_of(x));
 }
 
 /// The logarithm of x to base 2.
@@ -45,10 +49,12 @@ constexpr T log(T x) noexcept {
 /// exact   as log
 /// cost    log and an exact product
 template <Floating T>
-constexpr T log2(T x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T log2(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::round_to<T>(
-      detail::multiply(detail::log_of(widened(x)), {detail::inverse_log_two_high, detail::inverse_log_two_low}));
+  if constexpr (std::is_same_v<T, float>)
+    return detail::nearest_log_of(x, detail::binary);
+  else
+    return detail::round_to<T>(detail::multiply(detail::log_of(x), {detail::binary.high, detail::binary.low}));
 }
 
 /// The logarithm of x to base 10.
@@ -56,10 +62,12 @@ constexpr T log2(T x) noexcept {
 /// exact   as log
 /// cost    log and an exact product
 template <Floating T>
-constexpr T log10(T x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T log10(T x) noexcept {
   if (!(x > T(0) && x < detail::infinity<T>)) return log(x);
-  return detail::round_to<T>(
-      detail::multiply(detail::log_of(widened(x)), {detail::inverse_log_ten_high, detail::inverse_log_ten_low}));
+  if constexpr (std::is_same_v<T, float>)
+    return detail::nearest_log_of(x, detail::decimal);
+  else
+    return detail::round_to<T>(detail::multiply(detail::log_of(x), {detail::decimal.high, detail::decimal.low}));
 }
 
 /// x to the power y.
@@ -69,7 +77,11 @@ constexpr T log10(T x) noexcept {
 /// cost    log, an exact product and exp
 /// source  irg's own: the logarithm carries 14 bits beyond double
 template <Floating T>
-constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
+[[nodiscard]] constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
+  if constexpr (std::is_same_v<T, float>)
+    if (const double power = detail::quick_pow_of(widened(x), widened(y));
+        power == power && detail::rounds_to_one_float<(1 << 19)>(power))
+      return converted<T>(power);
   return detail::narrow<T>(detail::pow_of(widened(x), widened(y)));
 }
 
@@ -79,7 +91,7 @@ constexpr T pow(T x, std::type_identity_t<T> y) noexcept {
 /// cost    two divisions, an exact product
 /// source  Halley 1694; the last step compares the exact cube of a 26-bit root
 template <Floating T>
-constexpr T cbrt(T x) noexcept {
+[[nodiscard]] constexpr T cbrt(T x) noexcept {
   const double size = detail::magnitude(widened(x));
   if (!(size > 0 && size < detail::infinity<double>)) return x;
   return detail::narrow<T>(detail::with_sign(detail::cbrt_of(size), widened(x)));

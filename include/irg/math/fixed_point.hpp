@@ -58,7 +58,7 @@ struct fixed_point {
   }
 
   /// The number of those units.
-  static constexpr fixed_point made_of(const wide_int<N>& units) noexcept {
+  [[nodiscard]] static constexpr fixed_point made_of(const wide_int<N>& units) noexcept {
     fixed_point p;
     p.units = units;
     return p;
@@ -71,7 +71,7 @@ inline namespace IRG_ABI {
 /// gives   nothing for any other text, and for an integer part of 2^31 and more
 /// exact   an error below 2 units of the last place
 template <int N>
-constexpr std::optional<fixed_point<N>> parse_fixed_point(std::string_view text) noexcept {
+[[nodiscard]] constexpr std::optional<fixed_point<N>> parse_fixed_point(std::string_view text) noexcept {
   const bool negative = !text.empty() && text.front() == '-';
   if (negative || (!text.empty() && text.front() == '+')) text.remove_prefix(1);
   const std::size_t point = text.find('.');

@@ -23,7 +23,7 @@ inline namespace IRG_ABI {
 
 /// What the coordinates stand for.
 template <class T, int N>
-constexpr homogeneous_kind homogeneous_kind_of(const hpoint<T, N>& p) noexcept {
+[[nodiscard]] constexpr homogeneous_kind homogeneous_kind_of(const hpoint<T, N>& p) noexcept {
   bool all_zero = true;
   for (int i = 0; i <= N; ++i) {
     if constexpr (Floating<T>)
@@ -39,7 +39,7 @@ constexpr homogeneous_kind homogeneous_kind_of(const hpoint<T, N>& p) noexcept {
 /// gives   false when one is nothing (all zero, NaN, infinite)
 /// exact   for all finite floats, all integers and rationals: the products across are compared exactly
 template <class T, int N>
-constexpr bool same_position(const hpoint<T, N>& p, const hpoint<T, N>& q) noexcept {
+[[nodiscard]] constexpr bool same_position(const hpoint<T, N>& p, const hpoint<T, N>& q) noexcept {
   if (homogeneous_kind_of(p) == homogeneous_kind::nothing || homogeneous_kind_of(q) == homogeneous_kind::nothing)
     return false;
   int k = N;
@@ -54,15 +54,15 @@ constexpr bool same_position(const hpoint<T, N>& p, const hpoint<T, N>& q) noexc
 /// needs   h != 0
 /// exact   each product rounded once; exact for powers of two
 template <class T, int N>
-IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p, std::type_identity_t<T> h) noexcept {
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p,
+                                                               std::type_identity_t<T> h) noexcept {
   IRG_EXPECTS(h != T(0));
   return generate_coordinates<hpoint<T, N>>([&](int i) { return i < N ? product(p[i], h) : h; });
 }
 
 /// The direction of v as a point at infinity, of weight 0.
 template <class T, int N>
-  requires(N == 2 || N == 3)
-IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const vec<T, N>& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const vec<T, N>& v) noexcept {
   return generate_coordinates<hpoint<T, N>>([&](int i) { return i < N ? v[i] : T(0); });
 }
 
@@ -70,7 +70,7 @@ IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const vec<T, N>& v) noexcept {
 /// gives   nothing for a direction, for all zero, for NaN and infinity, and when a coordinate is too large for T
 /// exact   each quotient rounded once
 template <Real T, int N>
-constexpr std::optional<point<T, N>> try_to_cartesian(const hpoint<T, N>& p) noexcept {
+[[nodiscard]] constexpr std::optional<point<T, N>> try_to_cartesian(const hpoint<T, N>& p) noexcept {
   if (homogeneous_kind_of(p) != homogeneous_kind::position) return std::nullopt;
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i) {  // compared before it is divided: constants may not overflow

@@ -19,7 +19,7 @@ inline namespace IRG_ABI {
 /// cost    a square root, a division, three exact products; float: a square root
 /// source  Borges 2019 (the correction of the root)
 template <Floating T>
-constexpr T hypot(T x, T y, T z) noexcept {
+[[nodiscard]] constexpr T hypot(T x, T y, T z) noexcept {
   return detail::hypot_of(x, y, z);
 }
 
@@ -28,19 +28,19 @@ constexpr T hypot(T x, T y, T z) noexcept {
 /// exact   as hypot of three
 /// cost    a square root, a division, two exact products; float: a square root
 template <Floating T>
-constexpr T hypot(T x, T y) noexcept {
+[[nodiscard]] constexpr T hypot(T x, T y) noexcept {
   return detail::hypot_of(x, y);
 }
 
 /// The same for numbers of different types, and integers.
 template <class X, class Y>
   requires MixedArguments<X, Y>
-constexpr double hypot(X x, Y y) noexcept {
+[[nodiscard]] constexpr double hypot(X x, Y y) noexcept {
   return hypot(static_cast<double>(x), static_cast<double>(y));
 }
 template <class X, class Y, class Z>
   requires MixedArguments<X, Y, Z>
-constexpr double hypot(X x, Y y, Z z) noexcept {
+[[nodiscard]] constexpr double hypot(X x, Y y, Z z) noexcept {
   return hypot(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
 }
 

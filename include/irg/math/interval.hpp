@@ -105,9 +105,9 @@ public:
     return none;
   }
 
-  IRG_INLINE constexpr T lower() const noexcept { return lower_; }
-  IRG_INLINE constexpr T upper() const noexcept { return upper_; }
-  IRG_INLINE constexpr bool is_empty() const noexcept { return upper_ < lower_; }
+  [[nodiscard]] IRG_INLINE constexpr T lower() const noexcept { return lower_; }
+  [[nodiscard]] IRG_INLINE constexpr T upper() const noexcept { return upper_; }
+  [[nodiscard]] IRG_INLINE constexpr bool is_empty() const noexcept { return upper_ < lower_; }
 
   IRG_INLINE constexpr interval operator-() const noexcept { return is_empty() ? *this : interval(-upper_, -lower_); }
   IRG_INLINE friend constexpr interval operator+(const interval& a, const interval& b) noexcept {
@@ -142,26 +142,26 @@ inline namespace IRG_ABI {
 
 /// Whether some number of a is less than some number of b.
 template <Floating T>
-constexpr bool possibly_less(const interval<T>& a, const interval<T>& b) noexcept {
+[[nodiscard]] constexpr bool possibly_less(const interval<T>& a, const interval<T>& b) noexcept {
   return !a.is_empty() && !b.is_empty() && a.lower() < b.upper();
 }
 
 /// Whether a and b have a number in common.
 template <Floating T>
-constexpr bool possibly_equal(const interval<T>& a, const interval<T>& b) noexcept {
+[[nodiscard]] constexpr bool possibly_equal(const interval<T>& a, const interval<T>& b) noexcept {
   return !a.is_empty() && !b.is_empty() && !(a < b) && !(b < a);
 }
 
 /// Whether a and b are the same single number.
 template <Floating T>
-constexpr bool certainly_equal(const interval<T>& a, const interval<T>& b) noexcept {
+[[nodiscard]] constexpr bool certainly_equal(const interval<T>& a, const interval<T>& b) noexcept {
   return a == b && a.lower() == a.upper();
 }
 
 /// -1, 0 or 1, as all numbers of a are negative, zero or positive.
 /// gives   nothing where they differ, or there are none
 template <Floating T>
-constexpr std::optional<int> certain_sign(const interval<T>& a) noexcept {
+[[nodiscard]] constexpr std::optional<int> certain_sign(const interval<T>& a) noexcept {
   if (a > interval<T>()) return 1;
   if (a < interval<T>()) return -1;
   return certainly_equal(a, interval<T>()) ? std::optional<int>(0) : std::nullopt;
@@ -169,20 +169,20 @@ constexpr std::optional<int> certain_sign(const interval<T>& a) noexcept {
 
 /// Whether x is one of the numbers.
 template <Floating T>
-constexpr bool contains(const interval<T>& a, std::type_identity_t<T> x) noexcept {
+[[nodiscard]] constexpr bool contains(const interval<T>& a, std::type_identity_t<T> x) noexcept {
   return a.lower() <= x && x <= a.upper() && detail::is_finite(x);
 }
 
 /// Whether every number of b is in a.
 template <Floating T>
-constexpr bool contains(const interval<T>& a, const interval<T>& b) noexcept {
+[[nodiscard]] constexpr bool contains(const interval<T>& a, const interval<T>& b) noexcept {
   return b.is_empty() || (a.lower() <= b.lower() && b.upper() <= a.upper());
 }
 
 /// upper() - lower(), rounded up.
 /// gives   0 for the empty interval
 template <Floating T>
-constexpr T width(const interval<T>& a) noexcept {
+[[nodiscard]] constexpr T width(const interval<T>& a) noexcept {
   return a.is_empty() ? T(0) : -detail::sum_down(a.lower(), -a.upper());
 }
 
@@ -190,7 +190,7 @@ constexpr T width(const interval<T>& a) noexcept {
 /// needs   a is not empty
 /// gives   0 for the whole line, the largest number for half a line
 template <Floating T>
-constexpr T middle(const interval<T>& a) noexcept {
+[[nodiscard]] constexpr T middle(const interval<T>& a) noexcept {
   const bool left = detail::is_finite(a.lower()), right = detail::is_finite(a.upper());
   if (!left || !right) return left ? detail::largest_number<T> : right ? -detail::largest_number<T> : T(0);
   const T sum = T(0.5) * a.lower() + T(0.5) * a.upper();
@@ -199,34 +199,34 @@ constexpr T middle(const interval<T>& a) noexcept {
 
 /// The numbers that are in both.
 template <Floating T>
-constexpr interval<T> intersect(const interval<T>& a, const interval<T>& b) noexcept {
+[[nodiscard]] constexpr interval<T> intersect(const interval<T>& a, const interval<T>& b) noexcept {
   return {greater(a.lower(), b.lower()), lesser(a.upper(), b.upper())};
 }
 
 /// The smallest interval that contains both.
 template <Floating T>
-constexpr interval<T> hull(const interval<T>& a, const interval<T>& b) noexcept {
+[[nodiscard]] constexpr interval<T> hull(const interval<T>& a, const interval<T>& b) noexcept {
   if (a.is_empty()) return b;
   return b.is_empty() ? a : interval<T>(lesser(a.lower(), b.lower()), greater(a.upper(), b.upper()));
 }
 
 /// The squares; narrower than a*a, and never negative.
 template <Floating T>
-constexpr interval<T> square(const interval<T>& a) noexcept {
+[[nodiscard]] constexpr interval<T> square(const interval<T>& a) noexcept {
   return detail::interval_square(a);
 }
 
 /// The square roots of the numbers that have one.
 /// gives   the empty interval when all are negative
 template <Floating T>
-constexpr interval<T> sqrt(const interval<T>& a) noexcept {
+[[nodiscard]] constexpr interval<T> sqrt(const interval<T>& a) noexcept {
   if (a.is_empty() || a.upper() < 0) return interval<T>::empty();
   return {a.lower() <= 0 ? T(0) : detail::sqrt_directed(a.lower(), false), detail::sqrt_directed(a.upper(), true)};
 }
 
 /// The magnitudes.
 template <Floating T>
-constexpr interval<T> abs(const interval<T>& a) noexcept {
+[[nodiscard]] constexpr interval<T> abs(const interval<T>& a) noexcept {
   if (a.is_empty() || a.lower() >= 0) return a;
   return a.upper() <= 0 ? -a : interval<T>(T(0), greater(-a.lower(), a.upper()));
 }

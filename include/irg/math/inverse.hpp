@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include <irg/core/conversion.hpp>
 #include <irg/math/detail/elimination.hpp>
@@ -26,12 +27,34 @@ inline namespace IRG_ABI {
 /// cost    one division
 template <Floating T, int N>
   requires(N == 2 || N == 3 || N == 4)
-constexpr mat<T, N, N> inverse_fast(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr mat<T, N, N> inverse_fast(const mat<T, N, N>& a) noexcept {
   return detail::inverse_by_cofactors(a, T(0));
 }
 
 template <Floating T, int N>
-constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept;
+[[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept;
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// `inverse` where cofactors will not do.
+template <Real T, int N>
+IRG_NOINLINE constexpr std::optional<mat<T, N, N>> inverse_by_elimination(const mat<T, N, N>& a) noexcept {
+  if (!entries_finite<T>(a, N, N)) return std::nullopt;
+  mat<T, N, N> left = a, right = identity<T, N>();
+  if (gauss_jordan<T>(left, right, N) && entries_finite<T>(right, N, N) && inverse_has_digits<T>(a, right, N))
+    return right;
+  if constexpr (Floating<T>)
+    if (has_mixed_sizes(a)) return inverse_accurate(a);
+  return std::nullopt;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
 
 /// The matrix that undoes `a`.
 /// gives   nothing for a singular matrix. In floats also nothing when the result would have no correct digit (see
@@ -45,17 +68,12 @@ constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) no
 ///         where that fails and entries differ by more than 2^16, inverse_accurate
 /// source  Higham 2002, ch. 14; Bauer 1963 for the condition
 template <Real T, int N>
-constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
-  if constexpr (Floating<T> && N >= 2 && N <= 4)
-    if (mat<T, N, N> x{}; detail::inverse_is_easy(a, x)) return x;
-  if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
-  mat<T, N, N> left = a, right = identity<T, N>();
-  if (detail::gauss_jordan<T>(left, right, N) && detail::entries_finite<T>(right, N, N) &&
-      detail::inverse_has_digits<T>(a, right, N))
-    return right;
-  if constexpr (Floating<T>)
-    if (detail::has_mixed_sizes(a)) return inverse_accurate(a);
-  return std::nullopt;
+[[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
+  if constexpr (Floating<T> && N >= 2 && N <= 4) {
+    std::optional<mat<T, N, N>> result(std::in_place);
+    if (detail::inverse_is_easy(a, *result)) return result;
+  }
+  return detail::inverse_by_elimination(a);
 }
 
 /// The matrix that undoes `a`, right to the last place however close to singular `a` is, up to a limit.
@@ -70,7 +88,7 @@ constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
 ///         twice the precision; floats are inverted in double
 /// source  Higham 2002, ch. 12; Demmel et al. 2006
 template <Floating T, int N>
-constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept {
   const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);

@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 ///         sooner: this is for worse matrices and for singular ones
 template <Floating T, int N>
   requires(N >= 2 && N <= 4)
-constexpr std::optional<mat<T, N, N>> inverse_exact(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_exact(const mat<T, N, N>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
   const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const detail::exact_system<N, decltype(entry)> system(entry);

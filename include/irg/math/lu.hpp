@@ -22,7 +22,7 @@ inline namespace IRG_ABI {
 /// cost    2/3 N^3 operations
 /// source  Higham 2002, ch. 9
 template <Real T, int N>
-constexpr std::optional<lu_factors<T, N>> lu_factor(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr std::optional<lu_factors<T, N>> lu_factor(const mat<T, N, N>& a) noexcept {
   lu_factors<T, N> f{a, {}};
   for (int i = 0; i < N; ++i) f.order[i] = i;
   for (int k = 0; k < N; ++k) {
@@ -47,7 +47,7 @@ constexpr std::optional<lu_factors<T, N>> lu_factor(const mat<T, N, N>& a) noexc
 ///         component. May overflow to infinity or NaN where the solution is too large
 /// cost    2 N^2 operations
 template <Real T, int N>
-constexpr vec<T, N> lu_solve(const lu_factors<T, N>& f, const vec<T, N>& b) noexcept {
+[[nodiscard]] constexpr vec<T, N> lu_solve(const lu_factors<T, N>& f, const vec<T, N>& b) noexcept {
   vec<T, N> x{};
   for (int i = 0; i < N; ++i) {
     x[i] = b[f.order[i]];
@@ -83,7 +83,7 @@ inline namespace IRG_ABI {
 
 /// The largest sum of the sizes of the entries of a column: the norm that belongs to sums of absolute values.
 template <class T, int R, int C>
-IRG_INLINE constexpr T norm_1(const mat<T, R, C>& a) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T norm_1(const mat<T, R, C>& a) noexcept {
   T sum[static_cast<std::size_t>(C)]{};
   for (int r = 0; r < R; ++r)
     for (int c = 0; c < C; ++c) sum[c] = sum[c] + detail::entry_size(a(r, c));
@@ -99,7 +99,7 @@ IRG_INLINE constexpr T norm_1(const mat<T, R, C>& a) noexcept {
 ///         noise below 4 N u. 0 where it underflows
 /// cost    2 N^3 operations: the inverse's norm is found column by column, not estimated
 template <Real T, int N>
-constexpr T reciprocal_condition(const mat<T, N, N>& a, const lu_factors<T, N>& f) noexcept {
+[[nodiscard]] constexpr T reciprocal_condition(const mat<T, N, N>& a, const lu_factors<T, N>& f) noexcept {
   T largest = T(0);
   for (int c = 0; c < N; ++c) {
     const T sum =
@@ -114,7 +114,7 @@ constexpr T reciprocal_condition(const mat<T, N, N>& a, const lu_factors<T, N>& 
 /// gives   0 for a matrix that is singular as computed, or has an entry that is NaN or infinite
 /// exact   as from its factors
 template <Real T, int N>
-constexpr T reciprocal_condition(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr T reciprocal_condition(const mat<T, N, N>& a) noexcept {
   const std::optional<lu_factors<T, N>> f = lu_factor(a);
   return f ? reciprocal_condition(a, *f) : T(0);
 }
@@ -234,7 +234,7 @@ inline namespace IRG_ABI {
 /// cost    about 3 corrections, each N^2 exact products; floats are solved in double
 /// source  Higham 2002, ch. 12; Demmel et al. 2006
 template <Floating T, int N>
-constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
+[[nodiscard]] constexpr std::optional<vec<T, N>> lu_solve_refined(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
   const auto wide = detail::filled_mat<double, N, N>([&](int r, int c) { return widened(a(r, c)); });
   const auto right = generate_coordinates<vec<double, N>>([&](int i) { return widened(b[i]); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;

@@ -9,11 +9,41 @@
 
 namespace irg {
 
-/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{{1, 2}, {3, 4}}}` has the rows (1, 2) and (3, 4).
+/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{1, 2}, {3, 4}}` has the rows (1, 2) and (3, 4).
+/// shape   more than four rows, and rows that are an array, in one more pair of braces; what is not given is 0
 template <Scalar T, int R, int C>
   requires(R >= 1 && C >= 1)
 struct mat {
+  using entries = const T[static_cast<std::size_t>(C)];
+
   T m[static_cast<std::size_t>(R)][static_cast<std::size_t>(C)]{};
+
+  constexpr mat() = default;
+  IRG_INLINE constexpr mat(entries (&rows)[static_cast<std::size_t>(R)]) noexcept {
+    for (int r = 0; r < R; ++r)
+      for (int c = 0; c < C; ++c) m[r][c] = rows[r][c];
+  }
+  IRG_INLINE constexpr mat(entries& a) noexcept
+    requires(R == 1 && C > 1)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c];
+  }
+  IRG_INLINE constexpr mat(entries& a, entries& b) noexcept
+    requires(R == 2)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c], m[1][c] = b[c];
+  }
+  IRG_INLINE constexpr mat(entries& a, entries& b, entries& d) noexcept
+    requires(R == 3)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c], m[1][c] = b[c], m[2][c] = d[c];
+  }
+  IRG_INLINE constexpr mat(entries& a, entries& b, entries& d, entries& e) noexcept
+    requires(R == 4)
+  {
+    for (int c = 0; c < C; ++c) m[0][c] = a[c], m[1][c] = b[c], m[2][c] = d[c], m[3][c] = e[c];
+  }
+
   IRG_INLINE constexpr const T& operator()(int row, int column) const noexcept { return m[row][column]; }
   IRG_INLINE constexpr T& operator()(int row, int column) noexcept { return m[row][column]; }
   constexpr bool operator==(const mat&) const = default;
@@ -38,47 +68,47 @@ inline namespace IRG_ABI {
 
 /// The matrix that leaves everything where it is.
 template <Scalar T, int N>
-constexpr mat<T, N, N> identity() noexcept {
+[[nodiscard]] constexpr mat<T, N, N> identity() noexcept {
   return detail::filled_mat<T, N, N>([](int r, int c) { return r == c ? T(1) : T(0); });
 }
 
 /// Whether no entry is NaN or infinite.
 template <class T, int R, int C>
-constexpr bool is_finite(const mat<T, R, C>& a) noexcept {
+[[nodiscard]] constexpr bool is_finite(const mat<T, R, C>& a) noexcept {
   return detail::entries_finite<T>(a, R, C);
 }
 
 /// The matrix with rows and columns exchanged.
 template <class T, int R, int C>
-constexpr mat<T, C, R> transpose(const mat<T, R, C>& a) noexcept {
+[[nodiscard]] constexpr mat<T, C, R> transpose(const mat<T, R, C>& a) noexcept {
   return detail::filled_mat<T, C, R>([&](int r, int c) { return a(c, r); });
 }
 
 template <class T, int R, int C>
-constexpr mat<T, R, C> operator+(const mat<T, R, C>& a, const mat<T, R, C>& b) noexcept {
+[[nodiscard]] constexpr mat<T, R, C> operator+(const mat<T, R, C>& a, const mat<T, R, C>& b) noexcept {
   return detail::filled_mat<T, R, C>([&](int r, int c) { return a(r, c) + b(r, c); });
 }
 template <class T, int R, int C>
-constexpr mat<T, R, C> operator-(const mat<T, R, C>& a, const mat<T, R, C>& b) noexcept {
+[[nodiscard]] constexpr mat<T, R, C> operator-(const mat<T, R, C>& a, const mat<T, R, C>& b) noexcept {
   return detail::filled_mat<T, R, C>([&](int r, int c) { return a(r, c) - b(r, c); });
 }
 template <class T, int R, int C>
-constexpr mat<T, R, C> operator-(const mat<T, R, C>& a) noexcept {
+[[nodiscard]] constexpr mat<T, R, C> operator-(const mat<T, R, C>& a) noexcept {
   return detail::filled_mat<T, R, C>([&](int r, int c) { return -a(r, c); });
 }
 template <class T, int R, int C>
-constexpr mat<T, R, C> operator*(const mat<T, R, C>& a, std::type_identity_t<T> s) noexcept {
+[[nodiscard]] constexpr mat<T, R, C> operator*(const mat<T, R, C>& a, std::type_identity_t<T> s) noexcept {
   return detail::filled_mat<T, R, C>([&](int r, int c) { return product(a(r, c), s); });
 }
 template <class T, int R, int C>
-constexpr mat<T, R, C> operator*(std::type_identity_t<T> s, const mat<T, R, C>& a) noexcept {
+[[nodiscard]] constexpr mat<T, R, C> operator*(std::type_identity_t<T> s, const mat<T, R, C>& a) noexcept {
   return a * s;
 }
 
 /// The matrix that applies b first, then a.
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T, int R, int K, int C>
-IRG_INLINE constexpr mat<T, R, C> operator*(const mat<T, R, K>& a, const mat<T, K, C>& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr mat<T, R, C> operator*(const mat<T, R, K>& a, const mat<T, K, C>& b) noexcept {
   mat<T, R, C> entries{};
   detail::multiply(a.m, b.m, entries.m);
   return entries;
@@ -87,28 +117,28 @@ IRG_INLINE constexpr mat<T, R, C> operator*(const mat<T, R, K>& a, const mat<T, 
 /// The image of a vector.
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T, int R, int C>
-IRG_INLINE constexpr vec<T, R> operator*(const mat<T, R, C>& a, const vec<T, C>& v) noexcept {
-  return detail::image_of_column<vec<T, R>, C>(a.m, [&](int k) { return v[k]; });
+[[nodiscard]] IRG_INLINE constexpr vec<T, R> operator*(const mat<T, R, C>& a, const vec<T, C>& v) noexcept {
+  return detail::image_of_row<vec<T, R>>(a.m, v);
 }
 
 /// The image of a homogeneous point; the matrix has one row and column more than the space has dimensions.
 template <class T, int M, int N>
   requires(M == N + 1)
-IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const hpoint<T, N>& p) noexcept {
-  return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) { return p[k]; });
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const hpoint<T, N>& p) noexcept {
+  return detail::image_of_row<hpoint<T, N>>(a.m, p);
 }
 
 /// The image of a point, a homogeneous point since the matrix may be projective. transform_point gives a point.
 template <class T, int M, int N>
   requires(M == N + 1)
-IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const point<T, N>& p) noexcept {
-  return a * to_homogeneous(p);
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const point<T, N>& p) noexcept {
+  return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) IRG_INLINE_LAMBDA { return k < N ? p[k] : T(1); });
 }
 
 /// The image of a row vector, v * A * B being A first, then B: the form of the course.
 /// exact   bit for bit the column form of the transposed matrix, transpose(a) * v
 template <class T, int R, int C>
-IRG_INLINE constexpr vec<T, C> operator*(const vec<T, R>& v, const mat<T, R, C>& a) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<T, C> operator*(const vec<T, R>& v, const mat<T, R, C>& a) noexcept {
   return transpose(a) * v;
 }
 
@@ -116,7 +146,7 @@ IRG_INLINE constexpr vec<T, C> operator*(const vec<T, R>& v, const mat<T, R, C>&
 /// exact   bit for bit the column form of the transposed matrix
 template <class T, int M, int N>
   requires(M == N + 1)
-IRG_INLINE constexpr hpoint<T, N> operator*(const hpoint<T, N>& p, const mat<T, M, M>& a) noexcept {
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, N> operator*(const hpoint<T, N>& p, const mat<T, M, M>& a) noexcept {
   return transpose(a) * p;
 }
 
@@ -124,7 +154,7 @@ IRG_INLINE constexpr hpoint<T, N> operator*(const hpoint<T, N>& p, const mat<T, 
 /// exact   bit for bit the column form of the transposed matrix
 template <class T, int M, int N>
   requires(M == N + 1)
-IRG_INLINE constexpr hpoint<T, N> operator*(const point<T, N>& p, const mat<T, M, M>& a) noexcept {
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, N> operator*(const point<T, N>& p, const mat<T, M, M>& a) noexcept {
   return transpose(a) * p;
 }
 
@@ -132,22 +162,22 @@ IRG_INLINE constexpr hpoint<T, N> operator*(const point<T, N>& p, const mat<T, M
 /// shape   P is irg's point or any foreign Point with one coordinate less than the matrix has rows
 template <class T, int M, Point P>
   requires(size_of<P> == M - 1 && std::same_as<scalar_of<P>, T>)
-IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexcept {
-  return detail::image_of_position<P, M - 1>(a.m, [&](int k) { return coordinate(p, k); });
+[[nodiscard]] IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexcept {
+  return detail::affine_image<P, M - 1, true>(a, [&](int k) IRG_INLINE_LAMBDA { return coordinate(p, k); });
 }
 
 /// The image of a displacement under an affine matrix: translations leave it alone. Surface normals take
 /// transform_normal (view/affine.hpp) instead.
 template <class T, int M, Vector V>
   requires(size_of<V> == M - 1 && std::same_as<scalar_of<V>, T>)
-IRG_INLINE constexpr V transform_vector(const mat<T, M, M>& a, const V& v) noexcept {
-  return detail::image_of_column<V, M - 1>(a.m, [&](int k) { return coordinate(v, k); });
+[[nodiscard]] IRG_INLINE constexpr V transform_vector(const mat<T, M, M>& a, const V& v) noexcept {
+  return detail::affine_image<V, M - 1, false>(a, [&](int k) IRG_INLINE_LAMBDA { return coordinate(v, k); });
 }
 
 /// The matrix without one row and one column.
 template <class T, int N>
   requires(N >= 2)
-constexpr mat<T, N - 1, N - 1> submatrix(const mat<T, N, N>& a, int row, int column) noexcept {
+[[nodiscard]] constexpr mat<T, N - 1, N - 1> submatrix(const mat<T, N, N>& a, int row, int column) noexcept {
   return detail::filled_mat<T, N - 1, N - 1>(
       [&](int r, int c) { return a(r < row ? r : r + 1, c < column ? c : c + 1); });
 }
@@ -158,7 +188,7 @@ constexpr mat<T, N - 1, N - 1> submatrix(const mat<T, N, N>& a, int row, int col
 /// cost    up to size 4 no division; above it, elimination with partial pivoting
 template <class T, int N>
   requires(N <= 4 || Real<T>)
-constexpr T determinant(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr T determinant(const mat<T, N, N>& a) noexcept {
   const auto minor = [&](int r, int c0, int c1) {
     return product(a(r, c0), a(r + 1, c1)) - product(a(r, c1), a(r + 1, c0));
   };
@@ -182,7 +212,7 @@ constexpr T determinant(const mat<T, N, N>& a) noexcept {
 /// matrices too, and is what surface normals are transformed by.
 template <class T, int N>
   requires(N == 2 || N == 3 || N == 4)
-constexpr mat<T, N, N> cofactor_matrix(const mat<T, N, N>& a) noexcept {
+[[nodiscard]] constexpr mat<T, N, N> cofactor_matrix(const mat<T, N, N>& a) noexcept {
   if constexpr (N == 3) {  // counting rows and columns round and round gives the signs without a negation
     constexpr int next[] = {1, 2, 0}, last[] = {2, 0, 1};
     return detail::filled_mat<T, 3, 3>([&](int r, int c) {

@@ -15,7 +15,7 @@
 namespace irg {
 
 /// Why an operation on matrices has no result.
-enum class matrix_error {
+enum class [[nodiscard]] matrix_error {
   size_mismatch,  // the operands' numbers of rows and columns do not fit
   not_square,
   singular,  // there is no inverse
@@ -42,19 +42,19 @@ public:
       for (int c = 0; c < C; ++c) (*this)(r, c) = a(r, c);
   }
 
-  IRG_INLINE constexpr int rows() const noexcept { return rows_; }
-  IRG_INLINE constexpr int columns() const noexcept { return columns_; }
+  [[nodiscard]] IRG_INLINE constexpr int rows() const noexcept { return rows_; }
+  [[nodiscard]] IRG_INLINE constexpr int columns() const noexcept { return columns_; }
   /// needs   0 <= row < rows(), 0 <= column < columns()
   IRG_INLINE constexpr const T& operator()(int row, int column) const noexcept { return entries_[index(row, column)]; }
   IRG_INLINE constexpr T& operator()(int row, int column) noexcept { return entries_[index(row, column)]; }
   constexpr bool operator==(const matrix&) const = default;
 
 private:
-  static constexpr std::size_t size_of_entries(int rows, int columns) {
+  [[nodiscard]] static constexpr std::size_t size_of_entries(int rows, int columns) {
     IRG_EXPECTS(rows >= 0 && columns >= 0);
     return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
   }
-  IRG_INLINE constexpr std::size_t index(int row, int column) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::size_t index(int row, int column) const noexcept {
     IRG_EXPECTS(row >= 0 && row < rows_ && column >= 0 && column < columns_);
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
@@ -104,14 +104,14 @@ inline namespace IRG_ABI {
 /// The n x n matrix that leaves everything where it is.
 /// needs   n >= 0
 template <Scalar T>
-constexpr matrix<T> identity(int n) {
+[[nodiscard]] constexpr matrix<T> identity(int n) {
   return detail::filled_matrix<T>(n, n, [](int r, int c) { return r == c ? T(1) : T(0); });
 }
 
 /// a + b.
 /// gives   size_mismatch when a and b differ in size
 template <class T>
-constexpr matrix_result<T> add(const matrix<T>& a, const matrix<T>& b) {
+[[nodiscard]] constexpr matrix_result<T> add(const matrix<T>& a, const matrix<T>& b) {
   if (a.rows() != b.rows() || a.columns() != b.columns()) return matrix_error::size_mismatch;
   return detail::filled_matrix<T>(a.rows(), a.columns(), [&](int r, int c) { return a(r, c) + b(r, c); });
 }
@@ -119,7 +119,7 @@ constexpr matrix_result<T> add(const matrix<T>& a, const matrix<T>& b) {
 /// a - b.
 /// gives   size_mismatch when a and b differ in size
 template <class T>
-constexpr matrix_result<T> subtract(const matrix<T>& a, const matrix<T>& b) {
+[[nodiscard]] constexpr matrix_result<T> subtract(const matrix<T>& a, const matrix<T>& b) {
   if (a.rows() != b.rows() || a.columns() != b.columns()) return matrix_error::size_mismatch;
   return detail::filled_matrix<T>(a.rows(), a.columns(), [&](int r, int c) { return a(r, c) - b(r, c); });
 }
@@ -128,7 +128,7 @@ constexpr matrix_result<T> subtract(const matrix<T>& a, const matrix<T>& b) {
 /// gives   size_mismatch when a has not as many columns as b has rows
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T>
-constexpr matrix_result<T> multiply(const matrix<T>& a, const matrix<T>& b) {
+[[nodiscard]] constexpr matrix_result<T> multiply(const matrix<T>& a, const matrix<T>& b) {
   if (a.columns() != b.rows()) return matrix_error::size_mismatch;
   return detail::filled_matrix<T>(a.rows(), b.columns(), [&](int r, int c) {
     if (a.columns() == 0) return T(0);
@@ -141,26 +141,26 @@ constexpr matrix_result<T> multiply(const matrix<T>& a, const matrix<T>& b) {
 /// other * a: the product with the other factor in front.
 /// gives   size_mismatch when `other` has not as many columns as a has rows
 template <class T>
-constexpr matrix_result<T> pre_multiply(const matrix<T>& a, const matrix<T>& other) {
+[[nodiscard]] constexpr matrix_result<T> pre_multiply(const matrix<T>& a, const matrix<T>& other) {
   return multiply(other, a);
 }
 
 /// Every entry times s.
 template <class T>
-constexpr matrix<T> multiply(const matrix<T>& a, const std::type_identity_t<T>& s) {
+[[nodiscard]] constexpr matrix<T> multiply(const matrix<T>& a, const std::type_identity_t<T>& s) {
   return detail::filled_matrix<T>(a.rows(), a.columns(), [&](int r, int c) { return product(a(r, c), s); });
 }
 
 /// Every entry times a whole number.
 template <class T>
   requires(!std::same_as<T, int>)
-constexpr matrix<T> multiply(const matrix<T>& a, std::same_as<int> auto s) {
+[[nodiscard]] constexpr matrix<T> multiply(const matrix<T>& a, std::same_as<int> auto s) {
   return multiply(a, static_cast<T>(s));
 }
 
 /// The matrix with rows and columns exchanged.
 template <class T>
-constexpr matrix<T> transpose(const matrix<T>& a) {
+[[nodiscard]] constexpr matrix<T> transpose(const matrix<T>& a) {
   return detail::filled_matrix<T>(a.columns(), a.rows(), [&](int r, int c) { return a(c, r); });
 }
 
@@ -170,7 +170,7 @@ constexpr matrix<T> transpose(const matrix<T>& a) {
 ///         pivoting, backward stable, and may overflow or underflow where the product of the pivots does
 /// cost    n^3/3 multiplications
 template <class T>
-constexpr result<T, matrix_error> determinant(const matrix<T>& a) {
+[[nodiscard]] constexpr result<T, matrix_error> determinant(const matrix<T>& a) {
   if (a.rows() != a.columns()) return matrix_error::not_square;
   matrix<T> rest = a;
   if constexpr (std::integral<T>)
@@ -185,7 +185,7 @@ constexpr result<T, matrix_error> determinant(const matrix<T>& a) {
 /// exact   as `inverse` of mat
 /// cost    2 n^3 operations
 template <Real T>
-constexpr matrix_result<T> inverse(const matrix<T>& a) {
+[[nodiscard]] constexpr matrix_result<T> inverse(const matrix<T>& a) {
   const int n = a.rows();
   if (n != a.columns()) return matrix_error::not_square;
   if (!detail::entries_finite<T>(a, n, n)) return matrix_error::not_finite;
@@ -228,7 +228,7 @@ inline namespace IRG_ABI {
 ///         as solve_gauss
 /// exact   as solve_gauss
 template <Real T>
-constexpr matrix_result<T> solve(const matrix<T>& a, const matrix<T>& b) {
+[[nodiscard]] constexpr matrix_result<T> solve(const matrix<T>& a, const matrix<T>& b) {
   const int n = a.rows();
   if (n != a.columns()) return matrix_error::not_square;
   if (b.columns() != 1 || b.rows() != n) return matrix_error::size_mismatch;

@@ -39,7 +39,8 @@ inline namespace IRG_ABI {
 /// cost    a multiplication and an addition a degree
 /// source  Horner 1819
 template <PolynomialCoefficients C>
-constexpr coefficient_of<C> evaluate_polynomial(const C& c, std::type_identity_t<coefficient_of<C>> x) noexcept {
+[[nodiscard]] constexpr coefficient_of<C> evaluate_polynomial(const C& c,
+                                                              std::type_identity_t<coefficient_of<C>> x) noexcept {
   using T = coefficient_of<C>;
   T value = T(0);
   for (std::size_t i = std::size(c); i-- > 0;) value = product(value, x) + c[i];
@@ -49,7 +50,7 @@ constexpr coefficient_of<C> evaluate_polynomial(const C& c, std::type_identity_t
 /// The polynomial's value and its derivative's at x.
 /// exact   as evaluate_polynomial
 template <PolynomialCoefficients C>
-constexpr value_and_derivative<coefficient_of<C>> evaluate_polynomial_with_derivative(
+[[nodiscard]] constexpr value_and_derivative<coefficient_of<C>> evaluate_polynomial_with_derivative(
     const C& c, std::type_identity_t<coefficient_of<C>> x) noexcept {
   using T = coefficient_of<C>;
   value_and_derivative<T> at{T(0), T(0)};
@@ -69,8 +70,8 @@ constexpr value_and_derivative<coefficient_of<C>> evaluate_polynomial_with_deriv
 /// source  Graillat, Langlois and Louvet 2005
 template <PolynomialCoefficients C>
   requires Floating<coefficient_of<C>>
-constexpr coefficient_of<C> evaluate_polynomial_accurate(const C& c,
-                                                         std::type_identity_t<coefficient_of<C>> x) noexcept {
+[[nodiscard]] constexpr coefficient_of<C> evaluate_polynomial_accurate(
+    const C& c, std::type_identity_t<coefficient_of<C>> x) noexcept {
   using T = coefficient_of<C>;
   const std::size_t n = std::size(c);
   IRG_EXPECTS(n < 500);
@@ -93,7 +94,7 @@ constexpr coefficient_of<C> evaluate_polynomial_accurate(const C& c,
 ///         there it leaves the rounding open, and an exact sum in integers decides
 template <Floating T, std::size_t N>
   requires(N >= 1 && N <= 7)
-constexpr T evaluate_polynomial_exact(const std::array<T, N>& c, std::type_identity_t<T> x) noexcept {
+[[nodiscard]] constexpr T evaluate_polynomial_exact(const std::array<T, N>& c, std::type_identity_t<T> x) noexcept {
   const std::array<double, N> wide = detail::all_widened(c);
   const auto at = [&](std::size_t i) { return wide[i]; };
   T rounded{};
@@ -109,7 +110,7 @@ constexpr T evaluate_polynomial_exact(const std::array<T, N>& c, std::type_ident
 /// cost    as evaluate_polynomial_accurate, and an exact sum in integers where that leaves the sign open
 template <Floating T, std::size_t N>
   requires(N >= 1 && N <= 7)
-constexpr int polynomial_sign(const std::array<T, N>& c, std::type_identity_t<T> x) noexcept {
+[[nodiscard]] constexpr int polynomial_sign(const std::array<T, N>& c, std::type_identity_t<T> x) noexcept {
   const std::array<double, N> wide = detail::all_widened(c);
   const auto at = [&](std::size_t i) { return wide[i]; };
   if (detail::can_be_bounded(N, at, widened(x))) {
@@ -124,7 +125,7 @@ constexpr int polynomial_sign(const std::array<T, N>& c, std::type_identity_t<T>
 /// The coefficients of the derivative; 0 for a constant.
 template <Scalar T, std::size_t N>
   requires(N >= 1)
-constexpr std::array<T, (N > 1 ? N - 1 : 1)> polynomial_derivative(const std::array<T, N>& c) noexcept {
+[[nodiscard]] constexpr std::array<T, (N > 1 ? N - 1 : 1)> polynomial_derivative(const std::array<T, N>& c) noexcept {
   std::array<T, (N > 1 ? N - 1 : 1)> derivative{};
   for (std::size_t i = 1; i < N; ++i) derivative[i - 1] = static_cast<T>(static_cast<int>(i)) * c[i];
   return derivative;

@@ -21,9 +21,9 @@ struct real_roots {
   int count = 0;
   T root[static_cast<std::size_t>(N)]{};
   int multiplicity[static_cast<std::size_t>(N)]{};
-  constexpr const T* begin() const noexcept { return root; }
-  constexpr const T* end() const noexcept { return root + count; }
-  constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
+  [[nodiscard]] constexpr const T* begin() const noexcept { return root; }
+  [[nodiscard]] constexpr const T* end() const noexcept { return root + count; }
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
   friend constexpr bool operator==(const real_roots&, const real_roots&) = default;
 };
 
@@ -154,7 +154,7 @@ inline namespace IRG_ABI {
 /// cost    a square root, three divisions and some 60 operations; coefficients beyond 2^-240 to 2^240 some more
 /// source  Kahan 2004 (the discriminant in twice the precision), here with the root, sum and quotients in it, too
 template <Floating T>
-constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
+[[nodiscard]] constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
   if (!detail::is_finite(a) || !detail::is_finite(b) || !detail::is_finite(c))
     return detail::no_equation<T, 2>(roots_kind::undefined);
   return detail::roots_of_quadratic<T, 2>(widened(a), widened(b), widened(c));
@@ -163,7 +163,7 @@ constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
 /// The same for coefficients of different types, and integers.
 template <class A, class B, class C>
   requires MixedArguments<A, B, C>
-constexpr real_roots<double, 2> quadratic_roots(A a, B b, C c) noexcept {
+[[nodiscard]] constexpr real_roots<double, 2> quadratic_roots(A a, B b, C c) noexcept {
   return quadratic_roots(static_cast<double>(a), static_cast<double>(b), static_cast<double>(c));
 }
 
@@ -173,7 +173,7 @@ constexpr real_roots<double, 2> quadratic_roots(A a, B b, C c) noexcept {
 /// cost    a square root, two divisions and a difference_of_products
 /// source  Kahan 2004 (the discriminant); the root of larger size first, the other from the product of both
 template <Floating T>
-constexpr real_roots<T, 2> quadratic_roots_fast(T a, T b, T c) noexcept {
+[[nodiscard]] constexpr real_roots<T, 2> quadratic_roots_fast(T a, T b, T c) noexcept {
   real_roots<T, 2> roots;
   // The products of floats are exact in double and within its range.
   const double p = widened(a), q = widened(b), r = widened(c);
@@ -193,7 +193,7 @@ constexpr real_roots<T, 2> quadratic_roots_fast(T a, T b, T c) noexcept {
 /// cost    some 0.2 us for one root, 0.7 us for three; coefficients beyond 2^-60 to 2^60 some 20 us
 /// source  Kahan 1986b and Blinn 2006 (starting places); the enclosure by exact signs is irg's own
 template <Floating T>
-constexpr real_roots<T, 3> cubic_roots(T a, T b, T c, T d) noexcept {
+[[nodiscard]] constexpr real_roots<T, 3> cubic_roots(T a, T b, T c, T d) noexcept {
   const detail::cubic_coefficients p{widened(d), widened(c), widened(b), widened(a)};
   if (!detail::all_finite(4, [&](std::size_t i) { return p[i]; }))
     return detail::no_equation<T, 3>(roots_kind::undefined);
@@ -204,7 +204,7 @@ constexpr real_roots<T, 3> cubic_roots(T a, T b, T c, T d) noexcept {
 /// The same for coefficients of different types, and integers.
 template <class A, class B, class C, class D>
   requires MixedArguments<A, B, C, D>
-constexpr real_roots<double, 3> cubic_roots(A a, B b, C c, D d) noexcept {
+[[nodiscard]] constexpr real_roots<double, 3> cubic_roots(A a, B b, C c, D d) noexcept {
   return cubic_roots(static_cast<double>(a), static_cast<double>(b), static_cast<double>(c), static_cast<double>(d));
 }
 

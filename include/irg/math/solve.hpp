@@ -223,7 +223,7 @@ inline namespace IRG_ABI {
 /// source  Wilkinson 1961 (Gauss's elimination with full pivoting)
 template <Real T, int N, int M>
   requires(M == N + 1)
-constexpr system_solution<T, N> solve_gauss(const mat<T, N, M>& a) noexcept {
+[[nodiscard]] constexpr system_solution<T, N> solve_gauss(const mat<T, N, M>& a) noexcept {
   using W = std::conditional_t<std::same_as<T, float>, double, T>;
   system_solution<T, N> s{};
   if constexpr (Floating<T> && N <= 4) {
@@ -248,7 +248,7 @@ constexpr system_solution<T, N> solve_gauss(const mat<T, N, M>& a) noexcept {
 /// The solution of a * x = b.
 /// gives, exact, cost   as for the rows of a with b behind them
 template <Real T, int N>
-constexpr system_solution<T, N> solve_gauss(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
+[[nodiscard]] constexpr system_solution<T, N> solve_gauss(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
   return solve_gauss(detail::filled_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
 }
 
@@ -258,7 +258,7 @@ constexpr system_solution<T, N> solve_gauss(const mat<T, N, N>& a, const vec<T, 
 /// source  Hank n.d., 1.3.3, corrected; as printed it is textbook::back_substitution (math/textbook/solve_gauss.hpp)
 template <Real T, int N, int M>
   requires(M == N + 1)
-constexpr vec<T, N> back_substitution(const mat<T, N, M>& a) noexcept {
+[[nodiscard]] constexpr vec<T, N> back_substitution(const mat<T, N, M>& a) noexcept {
   vec<T, N> x{};
   for (int i = N - 1; i >= 0; --i) x[i] = detail::substituted<T>(a, i, N, [&](int j) { return x[j]; });
   return x;

@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 /// source  Cramer 1750, in exact sums
 template <Floating T, int N, int M>
   requires(M == N + 1 && N <= 4)
-constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
+[[nodiscard]] constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
   if (!detail::entries_finite<T>(a, N, M)) return {};
   const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const detail::exact_system<N, decltype(entry)> system(entry);
@@ -37,7 +37,7 @@ constexpr system_solution<T, N> solve_exact(const mat<T, N, M>& a) noexcept {
 /// gives, exact, cost   as for the rows of a with b behind them
 template <Floating T, int N>
   requires(N <= 4)
-constexpr system_solution<T, N> solve_exact(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
+[[nodiscard]] constexpr system_solution<T, N> solve_exact(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
   return solve_exact(detail::filled_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
 }
 

@@ -45,7 +45,7 @@ inline namespace IRG_ABI {
 /// cost    one instruction
 /// source  IEEE 754; Heron, Metrica, in constant evaluation
 template <Floating T>
-IRG_INLINE constexpr T sqrt(T x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T sqrt(T x) noexcept {
   if (!std::is_constant_evaluated()) return square_root_instruction(x);
   if (!(x > T(0))) return x == T(0) ? x : detail::not_a_number<T>;
   // A float's root taken in double rounds to the right float: 53 >= 2 * 24 + 2 bits.

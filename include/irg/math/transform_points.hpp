@@ -18,7 +18,7 @@ namespace irg {
 template <class T>
 struct point_streams {
   std::span<T> x, y, z;
-  IRG_INLINE constexpr std::size_t size() const noexcept { return x.size(); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return x.size(); }
 };
 
 inline namespace IRG_ABI {

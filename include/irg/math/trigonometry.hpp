@@ -43,7 +43,7 @@ inline namespace IRG_ABI {
 /// exact   double within 0.55 ulp for every x up to the largest; float the nearest one
 /// cost    about one and a half sines
 template <Floating T>
-constexpr sine_and_cosine<T> sin_cos(T x) noexcept {
+[[nodiscard]] constexpr sine_and_cosine<T> sin_cos(T x) noexcept {
   if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
   const auto angle = detail::reduce_radians(x);
   return {detail::is_tiny_angle(x) ? x : detail::nearest_sine(x, angle), detail::nearest_cosine(x, angle)};
@@ -56,7 +56,7 @@ constexpr sine_and_cosine<T> sin_cos(T x) noexcept {
 /// cost    a table lookup and about 40 operations, 60 more from 2^20 on; float: about 20
 /// source  Payne and Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
-constexpr T sin(T x) noexcept {
+[[nodiscard]] constexpr T sin(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;
   if (!detail::is_finite(x)) return detail::not_a_number<T>;
   return detail::nearest_sine(x, detail::reduce_radians(x));
@@ -69,7 +69,7 @@ constexpr T sin(T x) noexcept {
 /// cost    as sin
 /// source  as sin
 template <Floating T>
-constexpr T cos(T x) noexcept {
+[[nodiscard]] constexpr T cos(T x) noexcept {
   if (!detail::is_finite(x)) return detail::not_a_number<T>;
   return detail::nearest_cosine(x, detail::reduce_radians(x));
 }
@@ -81,7 +81,7 @@ constexpr T cos(T x) noexcept {
 /// cost    that of sin, and a division for every other quadrant; float: a division and two sines
 /// source  Payne and Hanek 1983 (huge arguments); Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
-constexpr T tan(T x) noexcept {
+[[nodiscard]] constexpr T tan(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;
   if (!detail::is_finite(x)) return detail::not_a_number<T>;
   return detail::narrow<T>(detail::rounded_tangent(detail::reduce_radians(x)));
@@ -90,14 +90,14 @@ constexpr T tan(T x) noexcept {
 /// The angle of x degrees in radians.
 /// exact   double within 0.51 ulp, subnormal results too; float the nearest one
 template <Floating T>
-constexpr T radians(T x) noexcept {
+[[nodiscard]] constexpr T radians(T x) noexcept {
   return detail::narrow<T>(detail::multiply_by_constant(widened(x), detail::degree_high, detail::degree_low));
 }
 
 /// The angle of x radians in degrees.
 /// exact   double within 0.51 ulp, float the nearest one
 template <Floating T>
-constexpr T degrees(T x) noexcept {
+[[nodiscard]] constexpr T degrees(T x) noexcept {
   return detail::narrow<T>(detail::multiply_by_constant(widened(x), detail::radian_high, detail::radian_low));
 }
 
@@ -108,7 +108,7 @@ constexpr T degrees(T x) noexcept {
 /// exact   double within 0.55 ulp for every x up to the largest; float the nearest one
 /// cost    as sin_cos, and an exact product
 template <Floating T>
-constexpr sine_and_cosine<T> sin_cos_degrees(T x) noexcept {
+[[nodiscard]] constexpr sine_and_cosine<T> sin_cos_degrees(T x) noexcept {
   if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
   if (detail::is_tiny_angle(x)) return {radians(x), T(1)};
   const detail::quadrant_angle angle = detail::reduce_degrees(widened(x));
@@ -122,7 +122,7 @@ constexpr sine_and_cosine<T> sin_cos_degrees(T x) noexcept {
 /// gives   as sin_cos_degrees
 /// exact   as sin_cos_degrees
 template <Floating T>
-constexpr T sin_degrees(T x) noexcept {
+[[nodiscard]] constexpr T sin_degrees(T x) noexcept {
   return sin_cos_degrees(x).sine;
 }
 
@@ -131,7 +131,7 @@ constexpr T sin_degrees(T x) noexcept {
 /// gives   as sin_cos_degrees
 /// exact   as sin_cos_degrees
 template <Floating T>
-constexpr T cos_degrees(T x) noexcept {
+[[nodiscard]] constexpr T cos_degrees(T x) noexcept {
   return sin_cos_degrees(x).cosine;
 }
 
@@ -143,7 +143,7 @@ constexpr T cos_degrees(T x) noexcept {
 /// cost    a division, an exact product, a table lookup and about 30 operations; float: two divisions
 /// source  Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
-constexpr T atan2(T y, T x) noexcept {
+[[nodiscard]] constexpr T atan2(T y, T x) noexcept {
   if (detail::is_nan(x) || detail::is_nan(y)) return detail::not_a_number<T>;
   return detail::narrow<T>(detail::angle_of(y, x));
 }
@@ -151,7 +151,7 @@ constexpr T atan2(T y, T x) noexcept {
 /// The same for numbers of different types, and integers.
 template <class Y, class X>
   requires MixedArguments<Y, X>
-constexpr double atan2(Y y, X x) noexcept {
+[[nodiscard]] constexpr double atan2(Y y, X x) noexcept {
   return atan2(static_cast<double>(y), static_cast<double>(x));
 }
 
@@ -162,7 +162,7 @@ constexpr double atan2(Y y, X x) noexcept {
 /// cost    a table lookup and about 20 operations, and beyond 1 a division and an exact product; float: as atan2
 /// source  as atan2
 template <Floating T>
-constexpr T atan(T x) noexcept {
+[[nodiscard]] constexpr T atan(T x) noexcept {
   using enum detail::symmetry;
   if (detail::is_nan(x)) return detail::not_a_number<T>;
   if constexpr (std::is_same_v<T, float>)
@@ -179,7 +179,7 @@ constexpr T atan(T x) noexcept {
 ///         atan2 and a root
 /// source  as atan2; beyond 1/2 by the half angle, asin(x) = pi/2 - 2 asin(sqrt((1 - x) / 2))
 template <Floating T>
-constexpr T asin(T x) noexcept {
+[[nodiscard]] constexpr T asin(T x) noexcept {
   if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
   return detail::is_tiny_angle(x) ? x : detail::narrow<T>(detail::angle_of_sine(x));
 }
@@ -191,7 +191,7 @@ constexpr T asin(T x) noexcept {
 /// cost    as asin
 /// source  as asin
 template <Floating T>
-constexpr T acos(T x) noexcept {
+[[nodiscard]] constexpr T acos(T x) noexcept {
   if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
   return detail::nearest_result<detail::symmetry::none>(x, detail::angle_of_cosine(x), detail::hard_arccosines);
 }

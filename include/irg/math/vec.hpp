@@ -25,13 +25,16 @@ namespace irg {
   IRG_INLINE constexpr const T& operator[](int i) const noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; } \
   IRG_INLINE constexpr T& operator[](int i) noexcept { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
 
+#define IRG_COORDINATES_ANY(size)                                                        \
+  T elements[static_cast<std::size_t>(size)]{};                                          \
+  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return elements[i]; } \
+  IRG_INLINE constexpr T& operator[](int i) noexcept { return elements[i]; }
+
 /// A displacement with N coordinates.
 template <Number T, int N>
 struct vec {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
-  T elements[static_cast<std::size_t>(N)]{};
-  IRG_INLINE constexpr const T& operator[](int i) const noexcept { return elements[i]; }
-  IRG_INLINE constexpr T& operator[](int i) noexcept { return elements[i]; }
+  IRG_COORDINATES_ANY(N)
   constexpr bool operator==(const vec&) const = default;
 };
 template <Number T>
@@ -53,9 +56,13 @@ struct vec<T, 4> {
   constexpr bool operator==(const vec&) const = default;
 };
 
-/// A position in N-dimensional space, N = 2 or 3.
+/// A position in N-dimensional space.
 template <Number T, int N>
-struct point;
+struct point {
+  static constexpr coordinate_kind kind = coordinate_kind::point;
+  IRG_COORDINATES_ANY(N)
+  constexpr bool operator==(const point&) const = default;
+};
 template <Number T>
 struct point<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
@@ -69,10 +76,15 @@ struct point<T, 3> {
   constexpr bool operator==(const point&) const = default;
 };
 
-/// A position of N-dimensional projective space, N = 2 (x, y, w as x, y, z) or 3 (x, y, z, w). Weight 0 is a direction;
-/// all coordinates 0 is no position. == compares coordinates; positions are equal when they are proportional.
+/// A position of N-dimensional projective space, the weight last: x, y, w as x, y, z in the plane, x, y, z, w in space.
+/// Weight 0 is a direction; all coordinates 0 is no position. == compares coordinates; proportional ones are the same
+/// position.
 template <Number T, int N>
-struct hpoint;
+struct hpoint {
+  static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
+  IRG_COORDINATES_ANY(N + 1)
+  constexpr bool operator==(const hpoint&) const = default;
+};
 template <Number T>
 struct hpoint<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
@@ -86,22 +98,34 @@ struct hpoint<T, 3> {
   constexpr bool operator==(const hpoint&) const = default;
 };
 
+#undef IRG_COORDINATES_ANY
 #undef IRG_COORDINATES_2
 #undef IRG_COORDINATES_3
 #undef IRG_COORDINATES_4
 
-template <class T, int N>
-  requires(N != 2 && N != 3 && N != 4)
-struct coordinate_traits<vec<T, N>> {
+namespace detail {
+template <class V, class T, int Size>
+struct element_traits {
   using scalar = T;
-  static constexpr int size = N;
-  static constexpr coordinate_kind kind = coordinate_kind::vector;
-  IRG_INLINE static constexpr T get(const vec<T, N>& v, int i) noexcept { return v.elements[i]; }
+  static constexpr int size = Size;
+  static constexpr coordinate_kind kind = V::kind;
+  IRG_INLINE static constexpr T get(const V& v, int i) noexcept { return v.elements[i]; }
   template <class... S>
-  IRG_INLINE static constexpr vec<T, N> make(S... c) noexcept {
+  IRG_INLINE static constexpr V make(S... c) noexcept {
     return {{converted<T>(c)...}};
   }
 };
+}  // namespace detail
+
+template <class T, int N>
+  requires(N != 2 && N != 3 && N != 4)
+struct coordinate_traits<vec<T, N>> : detail::element_traits<vec<T, N>, T, N> {};
+template <class T, int N>
+  requires(N != 2 && N != 3)
+struct coordinate_traits<point<T, N>> : detail::element_traits<point<T, N>, T, N> {};
+template <class T, int N>
+  requires(N != 2 && N != 3)
+struct coordinate_traits<hpoint<T, N>> : detail::element_traits<hpoint<T, N>, T, N + 1> {};
 
 template <class T, std::same_as<T>... More>
 vec(T, More...) -> vec<T, 1 + static_cast<int>(sizeof...(More))>;
@@ -121,30 +145,32 @@ inline constexpr bool is_own<hpoint<T, N>> = true;
 inline namespace IRG_ABI {
 
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator+(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> operator+(const vec<T, N>& a,
+                                                       const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] + b[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a, const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a,
+                                                       const vec<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> operator-(const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return -a[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a,
-                                         std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> operator*(const vec<T, N>& a,
+                                                       std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return product(a[i], s); });
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s,
-                                         const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> operator*(std::type_identity_t<T> s,
+                                                       const vec<T, N>& a) noexcept(std::is_arithmetic_v<T>) {
   return a * s;
 }
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a,
-                                         std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> operator/(const vec<T, N>& a,
+                                                       std::type_identity_t<T> s) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] / s; });
 }
 template <class T, int N>
@@ -161,15 +187,18 @@ IRG_INLINE constexpr vec<T, N>& operator*=(vec<T, N>& a, std::type_identity_t<T>
 }
 
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> operator-(const point<T, N>& a, const point<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> operator-(const point<T, N>& a,
+                                                       const point<T, N>& b) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr point<T, N> operator+(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr point<T, N> operator+(const point<T, N>& a,
+                                                         const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] + v[i]; });
 }
 template <class T, int N>
-IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
+[[nodiscard]] IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a,
+                                                         const vec<T, N>& v) noexcept(std::is_arithmetic_v<T>) {
   return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - v[i]; });
 }
 
@@ -179,7 +208,8 @@ IRG_INLINE constexpr point<T, N> operator-(const point<T, N>& a, const vec<T, N>
 ///         everywhere, which is what dot_fast and other libraries' products give up for their nanosecond
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>>)
-IRG_INLINE constexpr scalar_of<A> dot(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<A> dot(const A& a,
+                                                    const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
   scalar_of<A> sum = product(coordinate(a, 0), coordinate(b, 0));
   for (int i = 1; i < size_of<A>; ++i) sum = sum + product(coordinate(a, i), coordinate(b, i));
   return sum;
@@ -192,7 +222,7 @@ IRG_INLINE constexpr scalar_of<A> dot(const A& a, const B& b) noexcept(std::is_a
 ///         underflows
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-IRG_INLINE constexpr scalar_of<A> dot_fast(const A& a, const B& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<A> dot_fast(const A& a, const B& b) noexcept {
   scalar_of<A> sum = coordinate(a, 0) * coordinate(b, 0);
   for (int i = 1; i < size_of<A>; ++i) sum = sum + coordinate(a, i) * coordinate(b, i);
   return sum;
@@ -204,7 +234,7 @@ IRG_INLINE constexpr scalar_of<A> dot_fast(const A& a, const B& b) noexcept {
 ///         overflow, that is for coordinates below 2^64 (float) or 2^512 (double)
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>>)
-IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
+[[nodiscard]] IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
   const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
     return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
   };
@@ -215,7 +245,8 @@ IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic
 /// exact   each product and the difference rounded once
 template <Vector A, Vector B>
   requires(size_of<A> == 2 && size_of<B> == 2 && std::same_as<scalar_of<A>, scalar_of<B>>)
-IRG_INLINE constexpr scalar_of<A> cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<A> cross(const A& a,
+                                                      const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
   return product(coordinate(a, 0), coordinate(b, 1)) - product(coordinate(a, 1), coordinate(b, 0));
 }
 
@@ -227,7 +258,7 @@ IRG_INLINE constexpr scalar_of<A> cross(const A& a, const B& b) noexcept(std::is
 ///         2^-24), unless something underflows
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
   const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
     return coordinate(a, i) * coordinate(b, j) - coordinate(a, j) * coordinate(b, i);
   };
@@ -236,26 +267,26 @@ IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
 
 /// The displacement from the origin to p.
 template <class T, int N>
-IRG_INLINE constexpr vec<T, N> to_vec(const point<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<T, N> to_vec(const point<T, N>& p) noexcept {
   return generate_coordinates<vec<T, N>>([&](int i) IRG_INLINE_LAMBDA { return p[i]; });
 }
 
 /// The position that v leads to from the origin.
 template <class T, int N>
-IRG_INLINE constexpr point<T, N> to_point(const vec<T, N>& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr point<T, N> to_point(const vec<T, N>& v) noexcept {
   return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return v[i]; });
 }
 
 /// The homogeneous form of p, of weight 1.
 template <class T, int N>
-IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p) noexcept {
   return generate_coordinates<hpoint<T, N>>([&](int i) IRG_INLINE_LAMBDA { return i < N ? p[i] : T(1); });
 }
 
 /// The position that p stands for: its coordinates over its weight.
 /// needs   a weight that is not 0
 template <class T, int N>
-IRG_INLINE constexpr point<T, N> to_cartesian(const hpoint<T, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr point<T, N> to_cartesian(const hpoint<T, N>& p) noexcept {
   return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return p[i] / p[N]; });
 }
 

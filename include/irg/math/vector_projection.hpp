@@ -45,7 +45,7 @@ inline namespace IRG_ABI {
 /// exact   within 1.01 ulp, or 2^-100 |a| where a and b are nearly at right angles
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr std::optional<scalar_of<A>> scalar_projection(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<A>> scalar_projection(const A& a, const B& b) noexcept {
   const auto s = detail::scaled(a);
   const auto t = detail::scaled(b);
   if (!detail::can_project(s, t)) return std::nullopt;
@@ -60,7 +60,7 @@ constexpr std::optional<scalar_of<A>> scalar_projection(const A& a, const B& b) 
 ///         nearly at right angles
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Real<scalar_of<A>>)
-constexpr std::optional<B> vector_projection(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr std::optional<B> vector_projection(const A& a, const B& b) noexcept {
   using T = scalar_of<A>;
   if constexpr (Floating<T>) {
     const auto s = detail::scaled(a);
@@ -84,7 +84,7 @@ constexpr std::optional<B> vector_projection(const A& a, const B& b) noexcept {
 ///         for the angle itself: near 0 and pi its cosine says little
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr std::optional<scalar_of<A>> cosine_between(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<A>> cosine_between(const A& a, const B& b) noexcept {
   const auto s = detail::scaled(a);
   const auto t = detail::scaled(b);
   if (!detail::can_project(s, t) || s.scale == 0) return std::nullopt;
@@ -98,7 +98,7 @@ constexpr std::optional<scalar_of<A>> cosine_between(const A& a, const B& b) noe
 /// exact   for all finite coordinates
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
-constexpr int dot_sign(const A& a, const B& b) noexcept {
+[[nodiscard]] constexpr int dot_sign(const A& a, const B& b) noexcept {
   exact_accumulator<2> sum;
   for (int i = 0; i < size_of<A>; ++i) sum.add(widened(coordinate(a, i)), widened(coordinate(b, i)));
   return sum.sign();

@@ -78,12 +78,12 @@ struct wide_int {
   }
 
   /// -1, 0 or 1.
-  IRG_INLINE constexpr int sign() const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr int sign() const noexcept {
     std::uint64_t any = 0;
     for (int i = 0; i < N; ++i) any |= word[i];
     return static_cast<int>(static_cast<std::int64_t>(word[N - 1]) >> 63) | static_cast<int>(any != 0);  // no branch
   }
-  IRG_INLINE constexpr bool is_negative() const noexcept { return word[N - 1] >> 63 != 0; }
+  [[nodiscard]] IRG_INLINE constexpr bool is_negative() const noexcept { return word[N - 1] >> 63 != 0; }
 
   IRG_INLINE constexpr wide_int& operator+=(const wide_int& v) noexcept {
     detail::add_words<N>(word, v.word, 0, 0);
@@ -144,7 +144,7 @@ inline namespace IRG_ABI {
 /// a * b, in full.
 /// exact   for all values
 template <int N, int M>
-IRG_INLINE constexpr wide_int<N + M> operator*(const wide_int<N>& a, const wide_int<M>& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr wide_int<N + M> operator*(const wide_int<N>& a, const wide_int<M>& b) noexcept {
   if constexpr (N == 1 && M == 1) {
     return int128{static_cast<std::int64_t>(a.word[0])} * static_cast<std::int64_t>(b.word[0]);
   } else if constexpr (N < M) {

@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 /// exact   no arithmetic
 /// cost    sorts the sides; allocates them
 template <Mesh M>
-constexpr bool is_closed(const M& m) {
+[[nodiscard]] constexpr bool is_closed(const M& m) {
   return detail::are_paired(detail::sorted_sides(m));
 }
 
@@ -39,7 +39,7 @@ constexpr bool is_closed(const M& m) {
 /// cost    sorts the sides, then some eight signs of orient3d for each triangle; allocates sides and corners
 /// source  Mehlhorn et al. 1999 (convexity by edges and one ray)
 template <detail::mesh_in_space M>
-constexpr bool is_convex_body(const M& m) {
+[[nodiscard]] constexpr bool is_convex_body(const M& m) {
   return detail::convexity_check<M>(m)();
 }
 

@@ -15,7 +15,7 @@
 namespace irg {
 
 /// What the extents of a body allow.
-enum class fit_status {
+enum class [[nodiscard]] fit_status {
   fitted,          // the longest edge becomes 2
   empty,           // no positions: nothing to do
   all_sizes_zero,  // all positions coincide, or are so close that the scale would overflow: moved, not scaled
@@ -46,7 +46,7 @@ inline namespace IRG_ABI {
 /// exact   centre and scale rounded once each (two to three times for boxes wider than half the range)
 /// source  Mihajlovic 2016, 7.2: centre (max + min)/2, scale 2/max(size)
 template <Floating T>
-constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
+[[nodiscard]] constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
   if (is_empty(extents)) return {};
   T half_size = 0;
   for (int i = 0; i < 3; ++i) {
@@ -65,7 +65,7 @@ constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
 /// cost    two passes over the positions
 template <Mesh M>
   requires(size_of<typename mesh_traits<M>::point> == 3 && Floating<scalar_of<typename mesh_traits<M>::point>>)
-constexpr auto fit_of(const M& m) noexcept -> fit<scalar_of<typename mesh_traits<M>::point>> {
+[[nodiscard]] constexpr auto fit_of(const M& m) noexcept -> fit<scalar_of<typename mesh_traits<M>::point>> {
   for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v)
     for (int i = 0; i < 3; ++i)
       if (!detail::is_finite(coordinate(mesh_traits<M>::position(m, v), i))) return {{}, 1, fit_status::not_finite};
@@ -76,14 +76,14 @@ constexpr auto fit_of(const M& m) noexcept -> fit<scalar_of<typename mesh_traits
 /// exact   difference and product rounded once each: points of the fitted box come within 4u of [-1, 1], u = 2^-53 or
 ///         2^-24 (two bits worse where the box is wider than half the largest number: the scale is subnormal there)
 template <Floating T>
-constexpr point<T, 3> fitted(const point<T, 3>& p, const fit<T>& f) noexcept {
+[[nodiscard]] constexpr point<T, 3> fitted(const point<T, 3>& p, const fit<T>& f) noexcept {
   return to_point((p - f.centre) * f.scale);
 }
 
 /// Where a placement takes a point.
 /// exact   product and sum rounded once each
 template <Floating T>
-constexpr point<T, 3> placed(const point<T, 3>& p, const placement<T>& where) noexcept {
+[[nodiscard]] constexpr point<T, 3> placed(const point<T, 3>& p, const placement<T>& where) noexcept {
   return where.position + to_vec(p) * where.scale;
 }
 

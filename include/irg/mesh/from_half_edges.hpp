@@ -40,7 +40,7 @@ inline namespace IRG_ABI {
 /// exact   positions and attributes are copied; rings are cut as triangulate_monotone does
 /// cost    linear
 template <Floating T>
-constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
+[[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
   mesh<T> m;
   m.normals = b.normals, m.texcoords = b.texcoords;
   std::vector<std::uint32_t> number(b.positions.size(), half_edge::none);
@@ -74,7 +74,7 @@ constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
 /// shape   numbered from 0 by their lowest face
 /// cost    linear
 template <Scalar T>
-constexpr half_edge_shells shells_of(const half_edge_mesh<T>& b) {
+[[nodiscard]] constexpr half_edge_shells shells_of(const half_edge_mesh<T>& b) {
   half_edge_shells out{std::vector<std::uint32_t>(b.faces.size(), half_edge::none), 0};
   std::vector<std::uint32_t> open;
   for (std::uint32_t f = 0; f < b.faces.size(); ++f) {
@@ -103,7 +103,7 @@ constexpr half_edge_shells shells_of(const half_edge_mesh<T>& b) {
 /// cost    linear
 /// source  Mantyla 1988
 template <Scalar T>
-constexpr half_edge_counts counts_of(const half_edge_mesh<T>& b) {
+[[nodiscard]] constexpr half_edge_counts counts_of(const half_edge_mesh<T>& b) {
   half_edge_counts n;
   std::vector<unsigned char> seen(b.half_edges.size(), 0);
   for (std::size_t v = 0; v < b.positions.size(); ++v)

@@ -59,16 +59,22 @@ struct half_edge_mesh {
   std::vector<std::uint32_t> face_parts;  // for each face its entry of parts, where there are any
 
   IRG_INLINE static constexpr std::uint32_t twin(std::uint32_t h) noexcept { return h ^ 1u; }
-  IRG_INLINE constexpr std::uint32_t next(std::uint32_t h) const noexcept { return half_edges[h].next; }
-  IRG_INLINE constexpr std::uint32_t previous(std::uint32_t h) const noexcept { return half_edges[h].previous; }
-  IRG_INLINE constexpr std::uint32_t origin(std::uint32_t h) const noexcept { return half_edges[h].origin; }
-  IRG_INLINE constexpr std::uint32_t target(std::uint32_t h) const noexcept { return half_edges[twin(h)].origin; }
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t next(std::uint32_t h) const noexcept { return half_edges[h].next; }
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t previous(std::uint32_t h) const noexcept {
+    return half_edges[h].previous;
+  }
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t origin(std::uint32_t h) const noexcept {
+    return half_edges[h].origin;
+  }
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t target(std::uint32_t h) const noexcept {
+    return half_edges[twin(h)].origin;
+  }
   /// The face to the left of h, seen from outside; none beside a border.
-  IRG_INLINE constexpr std::uint32_t face(std::uint32_t h) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t face(std::uint32_t h) const noexcept {
     return half_edges[h].loop == none ? none : loops[half_edges[h].loop].face;
   }
   /// The next half-edge that leaves the same vertex, counter-clockwise seen from outside.
-  IRG_INLINE constexpr std::uint32_t next_around(std::uint32_t h) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t next_around(std::uint32_t h) const noexcept {
     return twin(half_edges[h].previous);
   }
 };

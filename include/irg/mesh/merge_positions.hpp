@@ -21,7 +21,7 @@ inline namespace IRG_ABI {
 /// exact   always; no two positions of the result are equal
 /// cost    O(n log n) for n positions, whatever they are; 16 (float) or 32 bytes for each
 template <Floating T>
-constexpr mesh<T> merge_positions(mesh<T> m) {
+[[nodiscard]] constexpr mesh<T> merge_positions(mesh<T> m) {
   std::vector<std::uint32_t> to = detail::first_equal_vectors<T, 3>(m.positions);
   std::uint32_t kept = 0;
   for (std::uint32_t v = 0; v < to.size(); ++v) {

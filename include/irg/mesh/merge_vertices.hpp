@@ -34,7 +34,7 @@ inline namespace IRG_ABI {
 /// exact   always; no two vertices of the result are equal
 /// cost    O(n log n), whatever the mesh
 template <Floating T>
-constexpr merged_vertices merge_vertices(const mesh<T>& m) {
+[[nodiscard]] constexpr merged_vertices merge_vertices(const mesh<T>& m) {
   const mesh<T> triangles = triangulate(m);
   const auto positions = detail::first_equal_vectors<T, 3>(m.positions),
              normals = detail::first_equal_vectors<T, 3>(m.normals),
@@ -75,7 +75,7 @@ constexpr merged_vertices merge_vertices(const mesh<T>& m) {
 /// exact   as triangulate
 /// cost    as triangulate
 template <Scalar T>
-constexpr std::vector<triangle_indices> list_triangles(const mesh<T>& m) {
+[[nodiscard]] constexpr std::vector<triangle_indices> list_triangles(const mesh<T>& m) {
   const mesh<T> triangles = triangulate(m);
   std::vector<triangle_indices> list;
   list.reserve(triangles.face_count());

@@ -41,13 +41,13 @@ struct mesh {
   std::vector<std::uint32_t> face_starts = {0};
   std::vector<mesh_part> parts;
 
-  IRG_INLINE constexpr std::size_t face_count() const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::size_t face_count() const noexcept {
     return face_starts.empty() ? 0 : face_starts.size() - 1;
   }
-  IRG_INLINE constexpr std::size_t face_size(std::size_t f) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::size_t face_size(std::size_t f) const noexcept {
     return face_starts[f + 1] - face_starts[f];
   }
-  IRG_INLINE constexpr const mesh_corner& corner(std::size_t f, std::size_t k) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr const mesh_corner& corner(std::size_t f, std::size_t k) const noexcept {
     return corners[face_starts[f] + k];
   }
 

@@ -37,8 +37,8 @@ struct mesh_fault {
 /// A sentence without a full stop.
 class fault_sentence {
 public:
-  constexpr const char* data() const noexcept { return characters_; }
-  constexpr std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] constexpr const char* data() const noexcept { return characters_; }
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
   constexpr void append(const char* text) noexcept {
     while (*text != '\0' && size_ < sizeof(characters_)) characters_[size_++] = *text++;
   }
@@ -65,7 +65,7 @@ private:
 inline namespace IRG_ABI {
 
 /// A fault in words, with the numbers of its faces and positions, counted from 0.
-constexpr fault_sentence sentence_of(const mesh_fault& f) noexcept {
+[[nodiscard]] constexpr fault_sentence sentence_of(const mesh_fault& f) noexcept {
   fault_sentence s;
   const auto say = [&s](const auto&... parts) { (s.append(parts), ...); };
   switch (f.kind) {
@@ -182,7 +182,7 @@ inline namespace IRG_ABI {
 /// exact   always
 /// cost    O(n log n)
 template <Floating T>
-constexpr std::vector<mesh_fault> list_faults(const mesh<T>& m) {
+[[nodiscard]] constexpr std::vector<mesh_fault> list_faults(const mesh<T>& m) {
   std::vector<mesh_fault> found;
   detail::fault_finder<T>(m, found).find();
   return found;

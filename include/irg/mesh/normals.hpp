@@ -81,8 +81,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 7.3 (average; its division by the count is left out as it keeps the direction); Thuermer
 ///         and Wuethrich 1998 (angle); area: the length of Newell's vector
 template <detail::mesh_in_space M>
-constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m,
-                                                             normal_weight weight = normal_weight::average) {
+[[nodiscard]] constexpr std::vector<detail::mesh_normal<M>> vertex_normals(
+    const M& m, normal_weight weight = normal_weight::average) {
   using V = detail::mesh_normal<M>;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});
   detail::for_weighted_corners(m, weight, [&](std::size_t f, std::size_t k, const vec<double, 3>& unit, double share) {

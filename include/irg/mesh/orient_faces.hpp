@@ -13,7 +13,7 @@
 namespace irg {
 
 /// What orient_faces made of a mesh.
-enum class orient_status {
+enum class [[nodiscard]] orient_status {
   done,
   one_sided,  ///< a piece of the surface has one side only, as a Moebius strip: its faces are as they were
 };

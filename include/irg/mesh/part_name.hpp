@@ -29,9 +29,9 @@ public:
     }
   IRG_INLINE constexpr part_name(const String& s) : characters_(s.data(), s.data() + s.size()) {}
 
-  IRG_INLINE constexpr const char* data() const noexcept { return characters_.data(); }
-  IRG_INLINE constexpr std::size_t size() const noexcept { return characters_.size(); }
-  IRG_INLINE constexpr bool empty() const noexcept { return characters_.empty(); }
+  [[nodiscard]] IRG_INLINE constexpr const char* data() const noexcept { return characters_.data(); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return characters_.size(); }
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept { return characters_.empty(); }
   IRG_INLINE constexpr void push_back(char c) { characters_.push_back(c); }
 
   /// std::string_view, std::string, or what else is made of a pointer and a size.

@@ -56,7 +56,7 @@ inline namespace IRG_ABI {
 /// exact   yes
 /// source  Mihajlovic 2016, 4.6, its f list (its P list runs the other way round)
 template <Scalar T>
-constexpr mesh<T> shape_cube() {
+[[nodiscard]] constexpr mesh<T> shape_cube() {
   constexpr T o(0), i(1);
   mesh<T> m;
   m.positions = {{o, o, o}, {o, o, i}, {i, o, o}, {i, o, i}, {i, i, o}, {i, i, i}, {o, i, o}, {o, i, i}};
@@ -70,7 +70,7 @@ constexpr mesh<T> shape_cube() {
 /// shape   4 vertices, 4 triangles, counter-clockwise from outside, 4 normals
 /// exact   vertices within 2u of the sphere
 template <Floating T>
-constexpr mesh<T> shape_tetrahedron() {
+[[nodiscard]] constexpr mesh<T> shape_tetrahedron() {
   const T i = 1 / sqrt_3<T>;
   mesh<T> m;
   m.positions = {{i, i, i}, {i, -i, -i}, {-i, i, -i}, {-i, -i, i}};
@@ -83,7 +83,7 @@ constexpr mesh<T> shape_tetrahedron() {
 /// shape   6 vertices, 8 triangles, counter-clockwise from outside, 8 normals: of whole numbers (1, 1, 1) and the like
 /// exact   vertices; normals of floats within an ulp
 template <Scalar T>
-constexpr mesh<T> shape_octahedron() {
+[[nodiscard]] constexpr mesh<T> shape_octahedron() {
   constexpr T o(0), i(1), j(-1);
   mesh<T> m;
   m.positions = {{i, o, o}, {j, o, o}, {o, i, o}, {o, j, o}, {o, o, i}, {o, o, j}};
@@ -96,7 +96,7 @@ constexpr mesh<T> shape_octahedron() {
 /// shape   12 vertices, 20 triangles, counter-clockwise from outside, 20 normals
 /// exact   vertices within 3u of the sphere
 template <Floating T>
-constexpr mesh<T> shape_icosahedron() {
+[[nodiscard]] constexpr mesh<T> shape_icosahedron() {
   const double golden = golden_ratio<double>, length = sqrt(1 + product(golden, golden));
   const T o = 0, i = converted<T>(1 / length), g = converted<T>(golden / length);
   mesh<T> m;
@@ -111,7 +111,7 @@ constexpr mesh<T> shape_icosahedron() {
 /// shape   (columns + 1)*(rows + 1) vertices along x, then z; 2*columns*rows triangles; one normal, (0, 1, 0)
 /// exact   coordinates rounded once; mirror images in the coordinate planes are exact
 template <Floating T>
-constexpr mesh<T> shape_grid(const grid_options& options = {}) {
+[[nodiscard]] constexpr mesh<T> shape_grid(const grid_options& options = {}) {
   const auto limited = [](int n) { return n < 1 ? 1 : n > 4096 ? 4096 : n; };
   const int columns = limited(options.columns), rows = limited(options.rows);
   const auto place = [](int k, int n) { return static_cast<T>(2 * k - n) / static_cast<T>(n); };

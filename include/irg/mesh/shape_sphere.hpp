@@ -29,7 +29,7 @@ inline namespace IRG_ABI {
 /// exact   vertices lie within 3u of the sphere (u = 2^-53, float 2^-24); mirror images in the coordinate planes are
 ///         exact where slices is even (x, z by 4) and stacks any number
 template <Floating T>
-constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
+[[nodiscard]] constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
   const int slices = detail::clamped(options.slices, 3, 4096), stacks = detail::clamped(options.stacks, 2, 4096);
   mesh<T> m;
   detail::add_rings(m, slices, stacks, detail::ring_end::pole, detail::ring_end::pole, [&](int i, int j) {
@@ -46,7 +46,7 @@ constexpr mesh<T> shape_sphere(const sphere_options& options = {}) {
 /// needs   minor_radius > 0; above major_radius the surface passes through itself
 /// exact   positions within 4u*(major_radius + minor_radius), normals within 3u of length 1
 template <Floating T>
-constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
+[[nodiscard]] constexpr mesh<T> shape_torus(const torus_options<T>& options = {}) {
   const int major = detail::clamped(options.major_segments, 3, 4096);
   const int minor = detail::clamped(options.minor_segments, 3, 4096);
   const double ring_radius = widened(options.major_radius), tube_radius = widened(options.minor_radius);

@@ -56,7 +56,7 @@ inline namespace IRG_ABI {
 /// gives   a closed surface, counter-clockwise from outside; slices are taken as 3 if less, as 4096 if more
 /// exact   positions within 3u of the radius; lids are plane, sides nearly
 template <Floating T>
-constexpr mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32) {
+[[nodiscard]] constexpr mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int slices = 32) {
   slices = detail::clamped(slices, 3, 4096);
   mesh<T> m;
   std::vector<std::uint32_t> lower, upper;
@@ -80,7 +80,7 @@ constexpr mesh<T> shape_revolution(const std::vector<point<T, 2>>& profile, int 
 /// exact   yes: corners are the polygon's
 template <PolygonRing R>
   requires Floating<scalar_of<ring_point<R>>>
-constexpr auto shape_extrusion(const R& polygon, std::type_identity_t<scalar_of<ring_point<R>>> height) {
+[[nodiscard]] constexpr auto shape_extrusion(const R& polygon, std::type_identity_t<scalar_of<ring_point<R>>> height) {
   using T = scalar_of<ring_point<R>>;
   mesh<T> m;
   const auto n = static_cast<std::uint32_t>(ring_size(polygon));
@@ -103,13 +103,13 @@ constexpr auto shape_extrusion(const R& polygon, std::type_identity_t<scalar_of<
 
 /// The cylinder of radius 1 about the y axis, from y = -1 to y = 1; of few slices the prism.
 template <Floating T>
-constexpr mesh<T> shape_cylinder(int slices = 32) {
+[[nodiscard]] constexpr mesh<T> shape_cylinder(int slices = 32) {
   return shape_revolution<T>({{T(1), T(-1)}, {T(1), T(1)}}, slices);
 }
 
 /// The cone of radius 1 about the y axis, from y = -1 to its tip at y = 1; of few slices the pyramid.
 template <Floating T>
-constexpr mesh<T> shape_cone(int slices = 32) {
+[[nodiscard]] constexpr mesh<T> shape_cone(int slices = 32) {
   return shape_revolution<T>({{T(1), T(-1)}, {T(0), T(1)}}, slices);
 }
 
@@ -117,7 +117,7 @@ constexpr mesh<T> shape_cone(int slices = 32) {
 /// shape   20 vertices, 12 faces of five corners, closed, counter-clockwise from outside
 /// exact   vertices within 4u of the sphere; faces are plane but for that
 template <Floating T>
-constexpr mesh<T> shape_dodecahedron() {
+[[nodiscard]] constexpr mesh<T> shape_dodecahedron() {
   const mesh<T> dual = shape_icosahedron<T>();
   const half_edge_mesh<T> edges = to_half_edges(dual).value;
   mesh<T> m;

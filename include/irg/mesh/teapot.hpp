@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 /// source  Newell 1975, with Blinn's flattened height; bottom: Crow 1987. The point at the top of the knob is taken
 ///         four times, as is usual; Newell's own list has neighbours of it that are 0.002 away
 template <Real T>
-constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept {
+[[nodiscard]] constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept {
   std::array<bezier_patch<point<T, 3>>, 32> patches{};
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -62,7 +62,7 @@ constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept {
 /// cost    a patch sample per vertex
 /// source  Newell 1975; see teapot_patches
 template <Floating T>
-constexpr mesh<T> shape_teapot(const teapot_options& options = {}) {
+[[nodiscard]] constexpr mesh<T> shape_teapot(const teapot_options& options = {}) {
   using detail::ring_end;
   const int n = detail::clamped(options.subdivisions, 1, 1024);
   mesh<T> m;

@@ -14,7 +14,7 @@
 namespace irg {
 
 /// How a mesh became half-edges.
-enum class half_edge_status {
+enum class [[nodiscard]] half_edge_status {
   done,
   corner_repeated,  ///< a face names one vertex twice in a row
   edge_of_many_faces,  ///< three or more faces have an edge in common, or a face runs along an edge twice
@@ -156,7 +156,7 @@ inline namespace IRG_ABI {
 /// cost    linear for surfaces of bounded genus, O(n^1.5) for any mesh; 16 bytes for each half-edge and for each face
 /// source  Weiler 1985; Mantyla 1988; Chiba and Nishizeki 1985 (the vertex with fewer edges)
 template <Scalar T>
-constexpr checked<half_edge_mesh<T>, half_edge_status> to_half_edges(const mesh<T>& m) {
+[[nodiscard]] constexpr checked<half_edge_mesh<T>, half_edge_status> to_half_edges(const mesh<T>& m) {
   detail::half_edge_builder<T> builder(m);
   if (builder.status != half_edge_status::done) return {{}, builder.status};
   half_edge_mesh<T>& b = builder.made;

@@ -17,7 +17,7 @@ inline namespace IRG_ABI {
 /// exact   coordinates rounded once where T is narrower
 /// cost    linear; allocates the result
 template <Floating T, Mesh M>
-constexpr mesh<T> to_mesh(const M& m) {
+[[nodiscard]] constexpr mesh<T> to_mesh(const M& m) {
   mesh<T> out;
   const std::size_t vertices = mesh_vertex_count(m), faces = mesh_face_count(m);
   IRG_EXPECTS(vertices < mesh_corner::none);
@@ -39,7 +39,7 @@ constexpr mesh<T> to_mesh(const M& m) {
 /// A mesh<U> as a mesh<T>, with its normals, texture coordinates and parts.
 /// exact   each number rounded once where T is narrower; normals are not made unit vectors again
 template <Floating T, Floating U>
-constexpr mesh<T> to_mesh(const mesh<U>& m) {
+[[nodiscard]] constexpr mesh<T> to_mesh(const mesh<U>& m) {
   mesh<T> out{{}, {}, {}, m.corners, m.face_starts, m.parts};
   const auto as = [](const U& x) { return converted<T>(x); };
   out.positions.reserve(m.positions.size());

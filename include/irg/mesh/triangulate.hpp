@@ -33,7 +33,7 @@ inline namespace IRG_ABI {
 /// cost    linear for strictly convex faces, else O(n log n) and up to tests_per_corner * n tests
 /// source  Meisters 1975
 template <Scalar T>
-constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {}) {
+[[nodiscard]] constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options = {}) {
   const std::size_t triangles = m.corners.size() - 2 * m.face_count();
   IRG_EXPECTS(triangles <= 0xffffffffu / 3);
   if (triangles == m.face_count()) return m;

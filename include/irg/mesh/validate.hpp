@@ -77,7 +77,7 @@ inline namespace IRG_ABI {
 /// exact   always
 /// cost    linear
 template <Scalar T>
-constexpr mesh_finding validate(const mesh<T>& m) noexcept {
+[[nodiscard]] constexpr mesh_finding validate(const mesh<T>& m) noexcept {
   if (const mesh_finding found = detail::find_face_defect(m); found.defect != mesh_defect::none) return found;
   if (const std::size_t i = detail::first_not_finite<3>(m.positions); i < m.positions.size())
     return {mesh_defect::position_not_finite, i};

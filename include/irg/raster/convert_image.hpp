@@ -29,7 +29,7 @@ constexpr void convert_pixels(const From& source, To&& target) {
 /// cost    each pixel is read once
 template <DecodablePixel P, ReadableRaster From>
   requires ConvertiblePixel<pixel_of<From>>
-constexpr image<P> convert_image(const From& source) {
+[[nodiscard]] constexpr image<P> convert_image(const From& source) {
   image<P> converted(width_of(source), height_of(source));
   convert_pixels(source, converted);
   return converted;

@@ -129,13 +129,13 @@ inline namespace IRG_ABI {
 
 /// Whether a kept depth is nearer than another.
 template <DepthFormat F>
-IRG_INLINE constexpr bool is_nearer(typename F::stored a, typename F::stored b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_nearer(typename F::stored a, typename F::stored b) noexcept {
   return F::order::nearer(F::level_of(a), F::level_of(b));
 }
 
 /// The vertex with the depth that is to be kept: 1/w for depth_inverse_w, else as it comes.
 template <class How>
-IRG_INLINE constexpr screen_vertex vertex_for(screen_vertex v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr screen_vertex vertex_for(screen_vertex v) noexcept {
   if constexpr (std::derived_from<How, depth_inverse_w>) v.depth = v.inverse_w;
   return v;
 }
@@ -150,7 +150,7 @@ IRG_INLINE constexpr screen_vertex vertex_for(screen_vertex v) noexcept {
 ///         pipeline computes them carry their own rounding beside (docs/raster/depth_format.md)
 /// source  Akeley and Su 2006
 template <DepthFormat F>
-constexpr double depth_resolution(F, double z_near, double z_far, double distance) noexcept {
+[[nodiscard]] constexpr double depth_resolution(F, double z_near, double z_far, double distance) noexcept {
   const bool usable =
       0.0 < z_near && z_near < z_far && 0.0 < distance && distance <= z_far && !detail::is_endless(distance);
   IRG_EXPECTS(usable);

@@ -44,7 +44,7 @@ inline namespace IRG_ABI {
 /// gives   false where the depth is NaN; against a stored NaN only `always` passes
 /// exact   comparisons only
 template <depth_test Test, DepthOrder Order, class F>
-IRG_INLINE constexpr typename lanes<F>::mask passes(const F& depth, const F& stored) noexcept {
+[[nodiscard]] IRG_INLINE constexpr typename lanes<F>::mask passes(const F& depth, const F& stored) noexcept {
   using mask = typename lanes<F>::mask;
   if constexpr (Test == depth_test::nearer)
     return Order::nearer(depth, stored);

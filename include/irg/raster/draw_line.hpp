@@ -22,10 +22,10 @@ inline namespace IRG_ABI {
 
 /// The cell that a point of ints names.
 template <CellPosition P>
-IRG_INLINE constexpr cell as_cell(const P& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr cell as_cell(const P& p) noexcept {
   return {coordinate(p, 0), coordinate(p, 1)};
 }
-IRG_INLINE constexpr cell as_cell(cell c) noexcept { return c; }
+[[nodiscard]] IRG_INLINE constexpr cell as_cell(cell c) noexcept { return c; }
 
 /// Paints the pixels of the line from a to b, in the order from a to b.
 /// gives   nothing when the line misses the raster's window; a function paint is called once per pixel

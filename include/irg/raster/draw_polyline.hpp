@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/raster/draw_line.hpp>
+#include <irg/raster/stroke_style.hpp>
 
 namespace irg {
 
@@ -11,12 +12,6 @@ template <class T>
 concept CellSequence = requires(const T& cells, std::size_t i) {
   { cells.size() } -> std::convertible_to<std::size_t>;
   { as_cell(cells[i]) } -> std::same_as<cell>;
-};
-
-/// Whether a polyline has ends.
-enum class polyline_shape {
-  open,  // from the first vertex to the last
-  closed,  // and from the last back to the first
 };
 
 inline namespace IRG_ABI {

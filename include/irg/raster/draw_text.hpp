@@ -22,7 +22,7 @@ inline namespace IRG_ABI {
 /// units   those of the size
 /// gives   no width for no text; 0 everywhere for a size that is not in (0, 2^20]
 /// exact   multiples of the size over 20, each rounded once
-constexpr text_extent measure_text(std::string_view text, double size) noexcept {
+[[nodiscard]] constexpr text_extent measure_text(std::string_view text, double size) noexcept {
   if (!detail::is_text_size(size)) return {};
   std::int64_t units = 0;
   for (std::size_t at = 0; at < text.size();)

@@ -53,7 +53,7 @@ inline namespace IRG_ABI {
 /// The rows whose centre line the edge crosses; none for a level one.
 /// needs   upper.y <= lower.y
 template <class V>
-IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noexcept {
+[[nodiscard]] IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noexcept {
   return {detail::row_from(upper.y), detail::row_from(lower.y)};
 }
 
@@ -61,8 +61,8 @@ IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noex
 /// needs   a row of rows_of_edge(upper, lower); coordinates within snap_limit pixels of the origin
 /// exact   every column
 /// cost    one division
-IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, const subpixel& lower,
-                                                       std::int64_t row) noexcept {
+[[nodiscard]] IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, const subpixel& lower,
+                                                                     std::int64_t row) noexcept {
   const std::int64_t dx = std::int64_t{lower.x} - upper.x, dy = std::int64_t{lower.y} - upper.y;
   const std::int64_t below = row * one_pixel + half_pixel - upper.y;
   // ceil(n / (256 * dy)) = floor(floor((n - 1) / 256) / dy) + 1
@@ -78,8 +78,8 @@ IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, co
 /// The same for an edge that may reach far.
 /// needs   a row of rows_of_edge(upper, lower); coordinates within far_limit pixels of the origin
 /// cost    two divisions of 128 bits
-constexpr edge_walk<std::int64_t> walk_edge(const far_subpixel& upper, const far_subpixel& lower,
-                                            std::int64_t row) noexcept {
+[[nodiscard]] constexpr edge_walk<std::int64_t> walk_edge(const far_subpixel& upper, const far_subpixel& lower,
+                                                          std::int64_t row) noexcept {
   const std::int64_t dx = lower.x - upper.x, dy = lower.y - upper.y;
   const std::int64_t below = row * one_pixel + half_pixel - upper.y;
   const int128 n = (int128{upper.x - half_pixel} * dy + int128{below} * dx - 1) >> subpixel_bits;

@@ -40,7 +40,7 @@ inline namespace IRG_ABI {
 /// exact   as is_nearer: where face and plane are equally deep, the lower number is the nearer
 /// cost    one is_nearer for each limit, until one fails
 template <DepthOrder Order = nearer_is_greater>
-constexpr bool covers(const face_fragment& fragment, int x, int y) noexcept {
+[[nodiscard]] constexpr bool covers(const face_fragment& fragment, int x, int y) noexcept {
   if (!covers(*fragment.face, x, y)) return false;
   for (const face_limit& l : fragment.limits)
     if (is_nearer<Order>(*fragment.face, *l.plane, x, y) != (l.part == face_part::nearer)) return false;
@@ -52,7 +52,7 @@ constexpr bool covers(const face_fragment& fragment, int x, int y) noexcept {
 /// gives   a part without pixels where the plane does not cut the fragment
 /// cost    allocates: copies the limits
 template <std::same_as<face_fragment> Fragment = face_fragment>
-constexpr fragment_parts split_fragment(const Fragment& fragment, const screen_face& plane) {
+[[nodiscard]] constexpr fragment_parts split_fragment(const Fragment& fragment, const screen_face& plane) {
   fragment_parts parts{fragment, fragment};
   parts.nearer.limits.push_back({&plane, face_part::nearer});
   parts.farther.limits.push_back({&plane, face_part::farther});

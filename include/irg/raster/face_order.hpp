@@ -89,7 +89,8 @@ inline namespace IRG_ABI {
 /// cost    about 40 operations on doubles where the planes are not nearly as deep as each other, else integers of 192
 ///         bits, and of 448 where depths differ by more than 2^37
 template <DepthOrder Order = nearer_is_greater>
-IRG_INLINE constexpr int compare_depths(const screen_face& a, const screen_face& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int compare_depths(const screen_face& a, const screen_face& b, int x,
+                                                      int y) noexcept {
   return detail::compare_planes<Order>(a, b, x, y);
 }
 
@@ -98,7 +99,8 @@ IRG_INLINE constexpr int compare_depths(const screen_face& a, const screen_face&
 /// exact   as above
 /// cost    five comparisons of floats where depths are not negative and differ by more than 2^-20 of the greater one
 template <DepthOrder Order = nearer_is_greater>
-IRG_INLINE constexpr int compare_depths(const face_sample& a, const face_sample& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int compare_depths(const face_sample& a, const face_sample& b, int x,
+                                                      int y) noexcept {
   if (!detail::rounded_depths_decide(a, b)) return detail::compare_close_planes<Order>(a.face, b.face, x, y);
   return detail::depth_sense<Order> * (b.depth < a.depth ? 1 : -1);
 }
@@ -107,11 +109,11 @@ IRG_INLINE constexpr int compare_depths(const face_sample& a, const face_sample&
 /// number. For drawing_order: it is drawn later, its number being higher.
 /// shape   as compare_depths, whose cost and exactness it has; one of two faces with different numbers is always first
 template <DepthOrder Order = nearer_is_greater>
-IRG_INLINE constexpr bool is_nearer(const screen_face& a, const screen_face& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_nearer(const screen_face& a, const screen_face& b, int x, int y) noexcept {
   return detail::comes_first<Order>(compare_depths<Order>(a, b, x, y), a, b);
 }
 template <DepthOrder Order = nearer_is_greater>
-IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, int x, int y) noexcept {
   if (detail::depth_sense<Order> == 0 || !detail::rounded_depths_decide(a, b))
     return detail::comes_first<Order>(detail::compare_close_planes<Order>(a.face, b.face, x, y), a.face, b.face);
   return Order::nearer(a.depth, b.depth);
@@ -122,7 +124,7 @@ IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, 
 /// gives   0 for a face without area, and for drawing_order
 /// exact   as compare_depths; it is the sign of orient3d of the corners (x, y, depth)
 template <DepthOrder Order = nearer_is_greater>
-IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
   if (plane.coverage.double_area == 0) return 0;
   const detail::plane_depth_at here{{1, 0, 0}, 1, {corner.depth, 0.0f, 0.0f}};
   return detail::depth_sense<Order> * detail::compare_depths_at(here, detail::plane_at(plane, corner.position));
@@ -133,7 +135,7 @@ IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_ver
 /// exact   this is the definition of the picture that every hidden-surface method draws
 /// cost    every face is asked: for tests of methods that ask fewer
 template <DepthOrder Order = nearer_is_greater>
-constexpr std::uint32_t picture_face_at(std::span<const screen_face> faces, int x, int y) noexcept {
+[[nodiscard]] constexpr std::uint32_t picture_face_at(std::span<const screen_face> faces, int x, int y) noexcept {
   const screen_face* first = nullptr;
   for (const screen_face& f : faces)
     if (covers(f, x, y) && (first == nullptr || is_nearer<Order>(f, *first, x, y))) first = &f;

@@ -36,13 +36,13 @@ public:
     return {first_, width_, height_, stride_};
   }
 
-  IRG_INLINE constexpr int width() const noexcept { return width_; }
-  IRG_INLINE constexpr int height() const noexcept { return height_; }
-  IRG_INLINE constexpr std::ptrdiff_t stride() const noexcept { return stride_; }
+  [[nodiscard]] IRG_INLINE constexpr int width() const noexcept { return width_; }
+  [[nodiscard]] IRG_INLINE constexpr int height() const noexcept { return height_; }
+  [[nodiscard]] IRG_INLINE constexpr std::ptrdiff_t stride() const noexcept { return stride_; }
 
   /// The pixels of row y.
   /// needs   0 <= y < height()
-  IRG_INLINE constexpr P* row(int y) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr P* row(int y) const noexcept {
     IRG_EXPECTS(0 <= y && y < height_);
     const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(sizeof(P));
     if (stride_ % size == 0) return first_ + stride_ / size * y;
@@ -55,7 +55,7 @@ public:
 
 private:
   // Rows padded by a number of bytes that is no multiple of the pixel: possible at run time only.
-  IRG_INLINE P* byte_offset(std::ptrdiff_t bytes) const noexcept {
+  [[nodiscard]] IRG_INLINE P* byte_offset(std::ptrdiff_t bytes) const noexcept {
     if constexpr (std::is_const_v<P>)
       return reinterpret_cast<P*>(reinterpret_cast<const char*>(first_) + bytes);
     else
@@ -80,29 +80,31 @@ public:
       : width_((IRG_EXPECTS(width >= 0 && height >= 0), width)), height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
 
-  IRG_INLINE constexpr int width() const noexcept { return width_; }
-  IRG_INLINE constexpr int height() const noexcept { return height_; }
-  IRG_INLINE constexpr std::ptrdiff_t bytes_per_row() const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr int width() const noexcept { return width_; }
+  [[nodiscard]] IRG_INLINE constexpr int height() const noexcept { return height_; }
+  [[nodiscard]] IRG_INLINE constexpr std::ptrdiff_t bytes_per_row() const noexcept {
     return static_cast<std::ptrdiff_t>(width_) * static_cast<std::ptrdiff_t>(sizeof(P));
   }
   IRG_INLINE constexpr P* row(int y) noexcept { return pixels_.data() + offset(y); }
-  IRG_INLINE constexpr const P* row(int y) const noexcept { return pixels_.data() + offset(y); }
+  [[nodiscard]] IRG_INLINE constexpr const P* row(int y) const noexcept { return pixels_.data() + offset(y); }
   IRG_INLINE constexpr P& operator()(int x, int y) noexcept { return row(y)[(IRG_EXPECTS(0 <= x && x < width_), x)]; }
   IRG_INLINE constexpr const P& operator()(int x, int y) const noexcept {
     return row(y)[(IRG_EXPECTS(0 <= x && x < width_), x)];
   }
   IRG_INLINE constexpr P* data() noexcept { return pixels_.data(); }
-  IRG_INLINE constexpr const P* data() const noexcept { return pixels_.data(); }
+  [[nodiscard]] IRG_INLINE constexpr const P* data() const noexcept { return pixels_.data(); }
 
   IRG_INLINE constexpr image_view<P> view() noexcept { return {pixels_.data(), width_, height_}; }
-  IRG_INLINE constexpr image_view<const P> view() const noexcept { return {pixels_.data(), width_, height_}; }
+  [[nodiscard]] IRG_INLINE constexpr image_view<const P> view() const noexcept {
+    return {pixels_.data(), width_, height_};
+  }
 
   bool operator==(const image&) const
     requires std::equality_comparable<P>
   = default;
 
 private:
-  IRG_INLINE constexpr std::size_t offset(int y) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::size_t offset(int y) const noexcept {
     IRG_EXPECTS(0 <= y && y < height_);
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
   }

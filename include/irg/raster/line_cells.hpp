@@ -99,12 +99,12 @@ public:
     if (steps_.last < steps_.first) steps_ = {0, 0};
   }
 
-  IRG_INLINE constexpr iterator begin() const noexcept { return {line_, steps_.first}; }
-  IRG_INLINE constexpr iterator end() const noexcept { return {line_, steps_.last}; }
-  IRG_INLINE constexpr bool empty() const noexcept { return steps_.first == steps_.last; }
+  [[nodiscard]] IRG_INLINE constexpr iterator begin() const noexcept { return {line_, steps_.first}; }
+  [[nodiscard]] IRG_INLINE constexpr iterator end() const noexcept { return {line_, steps_.last}; }
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept { return steps_.first == steps_.last; }
 
   /// How many cells there are: up to 2^32.
-  IRG_INLINE constexpr std::int64_t size() const noexcept { return steps_.last - steps_.first; }
+  [[nodiscard]] IRG_INLINE constexpr std::int64_t size() const noexcept { return steps_.last - steps_.first; }
 
   /// Cell i, without walking to it.
   /// needs   0 <= i < size()
@@ -114,8 +114,8 @@ public:
   }
 
   /// needs   !empty()
-  IRG_INLINE constexpr cell front() const noexcept { return (*this)[0]; }
-  IRG_INLINE constexpr cell back() const noexcept { return (*this)[size() - 1]; }
+  [[nodiscard]] IRG_INLINE constexpr cell front() const noexcept { return (*this)[0]; }
+  [[nodiscard]] IRG_INLINE constexpr cell back() const noexcept { return (*this)[size() - 1]; }
 
 private:
   detail::bresenham_frame line_;

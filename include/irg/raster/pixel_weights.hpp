@@ -16,7 +16,7 @@ struct pixel_weights {
   F weight1, weight2, depth;
 
   /// The value at the pixel of a quantity given at the three vertices.
-  IRG_INLINE constexpr F interpolate(float at0, float at1, float at2) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr F interpolate(float at0, float at1, float at2) const noexcept {
     using f = lanes<F>;
     return f::broadcast(at0) + (product(weight1, f::broadcast(at1 - at0)) + product(weight2, f::broadcast(at2 - at0)));
   }
@@ -54,11 +54,11 @@ struct vertex_colour_shader {
   Encode encode_light;
 
   template <class F>
-  IRG_INLINE constexpr rgb<F> light(const pixel_weights<F>& at) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr rgb<F> light(const pixel_weights<F>& at) const noexcept {
     return {at.interpolate(at0.r, at1.r, at2.r), at.interpolate(at0.g, at1.g, at2.g),
             at.interpolate(at0.b, at1.b, at2.b)};
   }
-  IRG_INLINE constexpr P encode(const rgb<float>& c) const { return encode_light(c); }
+  [[nodiscard]] IRG_INLINE constexpr P encode(const rgb<float>& c) const { return encode_light(c); }
   IRG_INLINE constexpr P operator()(const pixel_weights<float>& at) const { return encode(light(at)); }
 };
 

@@ -29,7 +29,7 @@ inline namespace IRG_ABI {
 
 /// Vertex i in clip space.
 template <Floating T>
-constexpr hpoint<T, 3> clip_position(const projected_vertices<T>& v, std::size_t i) noexcept {
+[[nodiscard]] constexpr hpoint<T, 3> clip_position(const projected_vertices<T>& v, std::size_t i) noexcept {
   return v.to_clip * v.positions[i];
 }
 
@@ -58,8 +58,10 @@ constexpr void project_vertices(projected_vertices<T>& out, std::span<const poin
 
 /// All positions, projected.
 template <Floating T, Executor E = sequential>
-constexpr projected_vertices<T> project_vertices(std::span<const point<T, 3>> positions, const mat<T, 4, 4>& to_clip,
-                                                 const screen_mapping<T>& mapping, const E& executor = {}) {
+[[nodiscard]] constexpr projected_vertices<T> project_vertices(std::span<const point<T, 3>> positions,
+                                                               const mat<T, 4, 4>& to_clip,
+                                                               const screen_mapping<T>& mapping,
+                                                               const E& executor = {}) {
   projected_vertices<T> v;
   project_vertices(v, positions, to_clip, mapping, executor);
   return v;

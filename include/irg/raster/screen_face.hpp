@@ -31,8 +31,8 @@ inline namespace IRG_ABI {
 /// needs   positions within snap_limit pixels of the origin, finite depths
 /// gives   a face that covers nothing where the corners lie on a line: seen edge on, it is hidden
 /// exact   nothing is rounded
-constexpr screen_face make_screen_face(const screen_vertex& v0, const screen_vertex& v1, const screen_vertex& v2,
-                                       std::uint32_t number) noexcept {
+[[nodiscard]] constexpr screen_face make_screen_face(const screen_vertex& v0, const screen_vertex& v1,
+                                                     const screen_vertex& v2, std::uint32_t number) noexcept {
   screen_face f{{v0, v1, v2}, cover_triangle(v0.position, v1.position, v2.position), v0.depth, v0.depth, number};
   for (const screen_vertex& v : f.v) {
     constexpr std::int32_t limit = snap_limit * one_pixel;
@@ -46,18 +46,20 @@ constexpr screen_face make_screen_face(const screen_vertex& v0, const screen_ver
 
 /// Whether the face covers pixel (x, y).
 /// exact   as covers of its coverage: centres on a top or left edge belong to it
-IRG_INLINE constexpr bool covers(const screen_face& f, int x, int y) noexcept { return covers(f.coverage, x, y); }
+[[nodiscard]] IRG_INLINE constexpr bool covers(const screen_face& f, int x, int y) noexcept {
+  return covers(f.coverage, x, y);
+}
 
 /// What the face's pixels share: from it depth_at and weights_at give what draw_triangle has at a pixel.
 /// gives   zeros for a face without area
-IRG_INLINE constexpr triangle_setup set_up_face(const screen_face& f) noexcept {
+[[nodiscard]] IRG_INLINE constexpr triangle_setup set_up_face(const screen_face& f) noexcept {
   if (f.coverage.double_area == 0) return {};
   return set_up_triangle(f.coverage, f.v[0], f.v[1], f.v[2]);
 }
 
 /// Which way the face shows itself: front where its corners run counter-clockwise as one sees them, y being up.
 /// gives   back for a face without area
-IRG_INLINE constexpr facing facing_of(const screen_face& f) noexcept {
+[[nodiscard]] IRG_INLINE constexpr facing facing_of(const screen_face& f) noexcept {
   return f.coverage.flipped ? facing::front : facing::back;
 }
 

@@ -25,25 +25,27 @@ struct screen_mapping {
 struct clip_code_pair {
   std::uint8_t outside = 0, cut = 0;
 
-  IRG_INLINE constexpr clip_planes outside_planes() const noexcept { return static_cast<clip_planes>(outside); }
-  IRG_INLINE constexpr clip_planes cut_planes() const noexcept { return static_cast<clip_planes>(cut); }
+  [[nodiscard]] IRG_INLINE constexpr clip_planes outside_planes() const noexcept {
+    return static_cast<clip_planes>(outside);
+  }
+  [[nodiscard]] IRG_INLINE constexpr clip_planes cut_planes() const noexcept { return static_cast<clip_planes>(cut); }
   constexpr bool operator==(const clip_code_pair&) const = default;
 };
 
 inline namespace IRG_ABI {
 
 /// The planes that one of two vertices is beyond; the planes that both are.
-IRG_INLINE constexpr clip_code_pair operator|(clip_code_pair a, clip_code_pair b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_code_pair operator|(clip_code_pair a, clip_code_pair b) noexcept {
   return {static_cast<std::uint8_t>(a.outside | b.outside), static_cast<std::uint8_t>(a.cut | b.cut)};
 }
-IRG_INLINE constexpr clip_code_pair operator&(clip_code_pair a, clip_code_pair b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_code_pair operator&(clip_code_pair a, clip_code_pair b) noexcept {
   return {static_cast<std::uint8_t>(a.outside & b.outside), static_cast<std::uint8_t>(a.cut & b.cut)};
 }
 
 /// The mapping of clip space onto a picture of width x height pixels whose first pixel is (0, 0).
 /// needs   1 <= width, height <= 65536
 template <Floating T>
-constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
+[[nodiscard]] constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
   // Up to 2^15 pixels from the picture's centre: coverage of small triangles then fits in 32 bits, and all in 64.
   const T half_width = static_cast<T>(width) / T(2), half_height = static_cast<T>(height) / T(2), reach = T(1 << 15);
   return {half_width,  half_height, half_width,
@@ -55,7 +57,7 @@ constexpr screen_mapping<T> map_to_screen(int width, int height) noexcept {
 /// gives   at most 2^126 for 1/w
 /// exact   each product, sum and quotient rounded once in T, then snapped; depth and 1/w rounded to float
 template <Floating T>
-IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
+[[nodiscard]] IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
   // 1/w overflows for most subnormal w; a power of two brings all coordinates out of there.
   const T up = p.w < (std::numeric_limits<T>::min)() ? T(std::int64_t{1} << 60) : T(1);
   const T inverse = T(1) / (p.w * up);
@@ -68,7 +70,7 @@ IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen
 
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.
 template <Floating T>
-IRG_INLINE constexpr clip_code_pair classify(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
+[[nodiscard]] IRG_INLINE constexpr clip_code_pair classify(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
   const clip_planes eye = T(0) < p.w ? clip_planes::none : clip_planes::z_near;
   return {static_cast<std::uint8_t>(clip_code(p, m.picture)), static_cast<std::uint8_t>(clip_code(p, m.guard) | eye)};
 }

@@ -36,10 +36,10 @@ struct screen_pieces {
   std::int64_t double_area = 0;
   bool outside = false;  // nothing is left: not even a part without area
 
-  IRG_INLINE constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
   IRG_INLINE constexpr const screen_piece& operator[](std::size_t i) const noexcept { return piece[i]; }
-  IRG_INLINE constexpr const screen_piece* begin() const noexcept { return piece; }
-  IRG_INLINE constexpr const screen_piece* end() const noexcept { return piece + count; }
+  [[nodiscard]] IRG_INLINE constexpr const screen_piece* begin() const noexcept { return piece; }
+  [[nodiscard]] IRG_INLINE constexpr const screen_piece* end() const noexcept { return piece + count; }
 };
 
 inline namespace IRG_ABI {
@@ -53,8 +53,8 @@ inline namespace IRG_ABI {
 ///         Triangles that share an edge get the same corners on it
 /// cost    that of clip_homogeneous, and a division for each corner left
 template <Floating T>
-constexpr screen_pieces clip_to_screen(const hpoint<T, 3> (&corner)[3], const screen_mapping<T>& mapping,
-                                       std::uint32_t number) noexcept {
+[[nodiscard]] constexpr screen_pieces clip_to_screen(const hpoint<T, 3> (&corner)[3], const screen_mapping<T>& mapping,
+                                                     std::uint32_t number) noexcept {
   screen_pieces pieces;
   const clip_vertex<T, 2> polygon[3] = {
       {corner[0], {T(0), T(0)}}, {corner[1], {T(1), T(0)}}, {corner[2], {T(0), T(1)}}};

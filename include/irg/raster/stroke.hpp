@@ -32,7 +32,7 @@ constexpr bool stroke_outline(std::span<const point<double, 2>> points, const st
   if (!detail::can_stroke(points, style)) return false;
   if (!(style.width > 0) || points.empty()) return true;
   detail::stroke_pieces<std::remove_reference_t<Sink>> pieces{style, 0.5 * style.width, sink, {}};
-  const std::vector<point<double, 2>> path = detail::without_repeats(points, style.ends);
+  const std::vector<point<double, 2>> path = detail::without_repeats(points, style.shape);
   if (path.size() == 1)
     pieces.dot_at(path[0]);
   else

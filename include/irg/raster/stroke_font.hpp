@@ -133,7 +133,7 @@ inline namespace IRG_ABI {
 
 /// The glyph of a code point; an upright box where the font has none.
 /// cost    a table
-constexpr stroke_glyph stroke_glyph_of(char32_t c) noexcept {
+[[nodiscard]] constexpr stroke_glyph stroke_glyph_of(char32_t c) noexcept {
   if (c >= 32 && c < 127) return detail::ascii_glyphs[static_cast<std::size_t>(c - 32)];
   switch (c) {
     case 0xb0: return {4, "2,14 ~4,14 4,12 ~4,10 2,10 ~0,10 0,12 ~0,14 2,14"};

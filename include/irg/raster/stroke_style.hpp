@@ -13,10 +13,10 @@ enum class stroke_joins {
   bevel,  // a straight cut
 };
 
-/// Whether a path returns to its first point.
-enum class stroke_ends {
-  open,  // two caps
-  closed,  // a segment from the last point to the first, a join at each, no caps
+/// Whether a path has ends or returns to its first point.
+enum class polyline_shape {
+  open,  // from the first vertex to the last; a thick line has two caps
+  closed,  // and from the last back to the first; a thick line has a join at each vertex and no caps
 };
 
 /// The choices together.
@@ -26,7 +26,7 @@ struct stroke_style {
   stroke_joins joins = stroke_joins::round;
   line_caps caps = line_caps::butt;
   double mitre_limit = 4;
-  stroke_ends ends = stroke_ends::open;
+  polyline_shape shape = polyline_shape::open;
   constexpr bool operator==(const stroke_style&) const = default;
 };
 

@@ -29,7 +29,7 @@ inline namespace IRG_ABI {
 
 /// Whether v, in pixels, can be snapped: |v| <= snap_limit. False for NaN.
 template <Floating T>
-IRG_INLINE constexpr bool can_snap(T v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool can_snap(T v) noexcept {
   return v >= T(-snap_limit) && v <= T(snap_limit);
 }
 
@@ -38,7 +38,7 @@ IRG_INLINE constexpr bool can_snap(T v) noexcept {
 /// needs   can_snap(v)
 /// exact   for every float and double
 template <Floating T>
-IRG_INLINE constexpr std::int32_t snap(T v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::int32_t snap(T v) noexcept {
   IRG_EXPECTS(can_snap(v));
   // Scaling by a power of two is exact, and so is the fraction; adding 1/2 before rounding down might not be.
   const T scaled = v * T(one_pixel);
@@ -49,28 +49,28 @@ IRG_INLINE constexpr std::int32_t snap(T v) noexcept {
 
 /// Whether a position can be snapped: whether it, of a cell its centre, lies within snap_limit pixels of the origin on
 /// both axes.
-IRG_INLINE constexpr bool can_snap(const subpixel& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool can_snap(const subpixel& p) noexcept {
   constexpr std::int32_t limit = snap_limit * one_pixel;
   return p.x >= -limit && p.x <= limit && p.y >= -limit && p.y <= limit;
 }
-IRG_INLINE constexpr bool can_snap(const cell& c) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool can_snap(const cell& c) noexcept {
   return c.x >= -snap_limit && c.x < snap_limit && c.y >= -snap_limit && c.y < snap_limit;
 }
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
-IRG_INLINE constexpr bool can_snap(const P& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool can_snap(const P& p) noexcept {
   return can_snap(coordinate(p, 0)) && can_snap(coordinate(p, 1));
 }
 
 /// The snapped position of a point given in pixels; of a cell its centre; a snapped position as it is.
 /// needs   can_snap(p)
-IRG_INLINE constexpr subpixel snap(const subpixel& p) noexcept { return p; }
-IRG_INLINE constexpr subpixel snap(const cell& c) noexcept {
+[[nodiscard]] IRG_INLINE constexpr subpixel snap(const subpixel& p) noexcept { return p; }
+[[nodiscard]] IRG_INLINE constexpr subpixel snap(const cell& c) noexcept {
   return {c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel};
 }
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
-IRG_INLINE constexpr subpixel snap(const P& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr subpixel snap(const P& p) noexcept {
   return {snap(coordinate(p, 0)), snap(coordinate(p, 1))};
 }
 

@@ -24,7 +24,7 @@ inline namespace IRG_ABI {
 
 /// Whether the vertices that a triangle names are there.
 template <class T>
-IRG_INLINE constexpr bool has_vertices(const triangle_batch<T>& batch, std::uint32_t triangle) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool has_vertices(const triangle_batch<T>& batch, std::uint32_t triangle) noexcept {
   const auto [a, b, c] = batch.triangles[triangle].v;
   return greater(greater(a, b), c) < batch.vertices->screen.size();
 }

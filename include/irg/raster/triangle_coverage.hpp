@@ -10,6 +10,7 @@
 
 #include <cstdint>
 
+#include <irg/core/orientation.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/subpixel.hpp>
@@ -29,9 +30,6 @@ struct triangle_edge {
   }
 };
 
-/// How a triangle runs on the screen, as seen with y down.
-enum class winding { clockwise, counter_clockwise, degenerate };
-
 /// A triangle ready to be walked over.
 /// shape   edge[i] is opposite to vertex i; vertices 1 and 2 are exchanged when `flipped`, so that all edges have
 ///         their inner side on the right
@@ -46,14 +44,16 @@ inline namespace IRG_ABI {
 
 /// Twice the area of a triangle in (1/256 pixel)^2: positive when a, b, c run clockwise on the screen (y down).
 /// exact   for coordinates within snap_limit
-IRG_INLINE constexpr std::int64_t signed_double_area(const subpixel& a, const subpixel& b, const subpixel& c) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::int64_t signed_double_area(const subpixel& a, const subpixel& b,
+                                                                   const subpixel& c) noexcept {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
 }
 
-/// The winding of a triangle on the screen (y down).
-IRG_INLINE constexpr winding winding_of(const subpixel& a, const subpixel& b, const subpixel& c) noexcept {
+/// Which way round a triangle runs as it is seen on the screen (y down).
+[[nodiscard]] IRG_INLINE constexpr orientation orientation_of(const subpixel& a, const subpixel& b,
+                                                              const subpixel& c) noexcept {
   const std::int64_t area = signed_double_area(a, b, c);
-  return area > 0 ? winding::clockwise : area < 0 ? winding::counter_clockwise : winding::degenerate;
+  return area > 0 ? orientation::clockwise : area < 0 ? orientation::counter_clockwise : orientation::degenerate;
 }
 
 }  // namespace IRG_ABI
@@ -99,7 +99,7 @@ inline namespace IRG_ABI {
 /// gives   double_area 0 and empty bounds when the corners are collinear or coincide
 /// exact   coverage is decided without rounding
 /// source  Pineda 1988; Giesen 2013 for dropping the common low bits
-IRG_INLINE constexpr triangle_coverage cover_triangle(subpixel a, subpixel b, subpixel c) noexcept {
+[[nodiscard]] IRG_INLINE constexpr triangle_coverage cover_triangle(subpixel a, subpixel b, subpixel c) noexcept {
   triangle_coverage t;
   t.double_area = signed_double_area(a, b, c);
   if (t.double_area == 0) return t;
@@ -118,32 +118,37 @@ IRG_INLINE constexpr triangle_coverage cover_triangle(subpixel a, subpixel b, su
 }
 
 /// Whether the triangle covers pixel (x, y).
-IRG_INLINE constexpr bool covers(const triangle_coverage& t, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool covers(const triangle_coverage& t, int x, int y) noexcept {
   return t.double_area != 0 && t.edge[0](x, y) >= 0 && t.edge[1](x, y) >= 0 && t.edge[2](x, y) >= 0;
 }
 
 /// The covered pixels of row y, cut to the columns [x_first, x_last).
 /// gives   an empty span when there are none, as in an empty range
-/// cost    one division per edge
-constexpr span_of_cells covered_span(const triangle_coverage& t, int y, int x_first, int x_last) noexcept {
-  const std::int64_t none = lesser(x_first, x_last);
-  std::int64_t first = x_first, last = t.double_area == 0 ? none : x_last;
+/// cost    one division per edge that ends the span
+[[nodiscard]] constexpr span_of_cells covered_span(const triangle_coverage& t, int y, int x_first,
+                                                   int x_last) noexcept {
+  // first and last stay within [x_first, x_last], as does what is computed there.
+  const std::int64_t left = lesser(x_first, x_last), right = x_last;
+  std::int64_t first = x_first, last = t.double_area == 0 ? left : right;
   for (const triangle_edge& e : t.edge) {
     const std::int64_t f = e(0, y);
-    if (e.right > 0)
-      first = greater(first, -detail::floor_div(f, std::int64_t{e.right}));  // smallest x with f + right * x >= 0
-    else if (e.right < 0)
-      last = lesser(last, detail::floor_div(f, -std::int64_t{e.right}) + 1);  // one past the greatest such x
-    else if (f < 0)
-      last = none;
+    if (e.right > 0) {
+      if (f + e.right * first < 0)  // the smallest x with f + right * x >= 0
+        first = lesser(-detail::floor_div(f, std::int64_t{e.right}), right);
+    } else if (e.right < 0) {
+      if (f + e.right * (last - 1) < 0)  // one past the greatest such x
+        last = greater(detail::floor_div(f, -std::int64_t{e.right}) + 1, left);
+    } else if (f < 0) {
+      last = left;
+    }
   }
-  first = lesser(first, std::int64_t{x_last});  // an empty span, too, stays within [x_first, x_last]
+  first = lesser(first, right);
   return {y, static_cast<int>(first), static_cast<int>(greater(first, last))};
 }
 
 /// Calls emit(span) for every row of covered pixels in the window, from top to bottom.
 /// gives   no call for a degenerate triangle or one outside the window
-/// cost    three divisions per row
+/// cost    two divisions per row, sometimes three
 template <SpanSink Sink>
 constexpr void covered_spans(const triangle_coverage& t, const cell_window& window, Sink&& emit) {
   const cell_window w = intersect(t.bounds, window);

@@ -39,7 +39,7 @@ struct triangle_setup {
   float depth_low, depth_high;
 
   template <class F, class I>
-  IRG_INLINE constexpr F weight(int i, const I& f) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr F weight(int i, const I& f) const noexcept {
     return product(to_float(f), lanes<F>::broadcast(scale)) + lanes<F>::broadcast(rest[i]);
   }
 };
@@ -48,16 +48,17 @@ struct triangle_setup {
 /// might leave. Turning a triangle round exchanges its second and third vertex, and changes no bit.
 /// exact   within 4 ulp for depths of one sign and below 2^118; where they are tiny underflow adds up to 2^-72
 template <class F, class I>
-IRG_INLINE constexpr F depth_at(const I& f0, const I& f1, const I& f2, const F& gain0, const F& gain1, const F& gain2,
-                                const F& rest, const F& low, const F& high) noexcept {
+[[nodiscard]] IRG_INLINE constexpr F depth_at(const I& f0, const I& f1, const I& f2, const F& gain0, const F& gain1,
+                                              const F& gain2, const F& rest, const F& low, const F& high) noexcept {
   const F depth = (product(to_float(f0), gain0) + rest) + (product(to_float(f1), gain1) + product(to_float(f2), gain2));
   return low_of(high, high_of(low, depth));
 }
 
 /// The set-up of a triangle: its edges in the order of its vertices, whichever way round it is given.
 /// needs   a coverage with an area, of the positions of the three vertices
-IRG_INLINE constexpr triangle_setup set_up_triangle(const triangle_coverage& t, const screen_vertex& v0,
-                                                    const screen_vertex& v1, const screen_vertex& v2) noexcept {
+[[nodiscard]] IRG_INLINE constexpr triangle_setup set_up_triangle(const triangle_coverage& t, const screen_vertex& v0,
+                                                                  const screen_vertex& v1,
+                                                                  const screen_vertex& v2) noexcept {
   const triangle_edge& edge1 = t.edge[t.flipped ? 2 : 1];
   const triangle_edge& edge2 = t.edge[t.flipped ? 1 : 2];
   triangle_setup s{{t.edge[0], edge1, edge2},
@@ -81,8 +82,9 @@ IRG_INLINE constexpr triangle_setup set_up_triangle(const triangle_coverage& t, 
 /// exact   within 4e-7
 /// source  Heckbert and Moreton 1991
 template <class F>
-IRG_INLINE constexpr pixel_weights<F> perspective_weights(const triangle_setup& s, const F& b0, const F& b1,
-                                                          const F& b2, const F& depth) noexcept {
+[[nodiscard]] IRG_INLINE constexpr pixel_weights<F> perspective_weights(const triangle_setup& s, const F& b0,
+                                                                        const F& b1, const F& b2,
+                                                                        const F& depth) noexcept {
   using f = lanes<F>;
   const screen_weights<F> weights{b0, b1, b2};
   const F inverse = f::broadcast(1.0f) / weights(s.inverse_w[0], s.inverse_w[1], s.inverse_w[2]);
@@ -98,14 +100,15 @@ struct covered_triangle {
 
 /// The triangle of three vertices, in either winding.
 /// needs   positions within snap_limit
-IRG_INLINE constexpr covered_triangle cover_and_set_up(const screen_vertex& v0, const screen_vertex& v1,
-                                                       const screen_vertex& v2) noexcept {
+[[nodiscard]] IRG_INLINE constexpr covered_triangle cover_and_set_up(const screen_vertex& v0, const screen_vertex& v1,
+                                                                     const screen_vertex& v2) noexcept {
   const triangle_coverage t = cover_triangle(v0.position, v1.position, v2.position);
   return {t, t.double_area == 0 ? triangle_setup{} : set_up_triangle(t, v0, v1, v2)};
 }
 
 /// Whether F, at every pixel of the window widened by `margin` columns, fits in 32 bits with a bit to spare.
-IRG_INLINE constexpr bool fits_32_bits(const triangle_coverage& t, const cell_window& w, int margin) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool fits_32_bits(const triangle_coverage& t, const cell_window& w,
+                                                     int margin) noexcept {
   const std::int64_t limit = std::int64_t{1} << 30;
   for (const triangle_edge& e : t.edge) {
     const std::int64_t corner = e(w.x_first - margin, w.y_first);
@@ -119,13 +122,13 @@ IRG_INLINE constexpr bool fits_32_bits(const triangle_coverage& t, const cell_wi
 }
 
 /// The depth of the triangle at pixel (x, y), one by one.
-IRG_INLINE constexpr float depth_at(const triangle_setup& s, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr float depth_at(const triangle_setup& s, int x, int y) noexcept {
   return depth_at<float>(s.edge[0](x, y), s.edge[1](x, y), s.edge[2](x, y), s.depth_gain[0], s.depth_gain[1],
                          s.depth_gain[2], s.depth_rest, s.depth_low, s.depth_high);
 }
 
 /// The depth and the perspective-correct weights of the triangle at pixel (x, y), one by one.
-IRG_INLINE constexpr pixel_weights<float> weights_at(const triangle_setup& s, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr pixel_weights<float> weights_at(const triangle_setup& s, int x, int y) noexcept {
   const auto weight = [&](int i) { return s.weight<float>(i, s.edge[i](x, y)); };
   return perspective_weights<float>(s, weight(0), weight(1), weight(2), depth_at(s, x, y));
 }

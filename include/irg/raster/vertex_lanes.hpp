@@ -21,7 +21,7 @@ struct vertex_lanes {
 
 /// The vertices screen[index(i)], i the lane.
 template <int N, class Index>
-IRG_INLINE vertex_lanes<N> load_vertices(const screen_vertex* screen, const Index& index) noexcept {
+[[nodiscard]] IRG_INLINE vertex_lanes<N> load_vertices(const screen_vertex* screen, const Index& index) noexcept {
   const auto [x, y, z, w] = load_quadruples<N>([&](int i) { return screen + index(i); });
   return {bits_as<std::int32_t>(x), bits_as<std::int32_t>(y), z, w};
 }

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
-// cell_window: the rectangle of pixels that drawing may touch. within(raster, window): a raster with such a rectangle,
-// for every function that draws.
+// within(raster, window): a raster of which drawing touches a rectangle of pixels only, for every function that draws.
 #pragma once
 
 #include <irg/core/raster_concept.hpp>
+#include <irg/core/sinks.hpp>
 
 namespace irg {
-
-/// The pixels with x_first <= x < x_last and y_first <= y < y_last; none when either range is empty.
-struct cell_window {
-  int x_first = 0, y_first = 0, x_last = 0, y_last = 0;
-
-  IRG_INLINE constexpr bool empty() const noexcept { return x_first >= x_last || y_first >= y_last; }
-  constexpr bool operator==(const cell_window&) const = default;
-};
 
 /// A raster of which drawing touches a window only. Its size and its pixels are those of the raster it refers to; it is
 /// one itself, and like a pointer writes even when it is const.
@@ -53,18 +45,18 @@ struct raster_traits<raster_within<R>> : raster_traits<const raster_within<R>> {
 inline namespace IRG_ABI {
 
 /// The pixels that both windows hold.
-IRG_INLINE constexpr cell_window intersect(const cell_window& a, const cell_window& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr cell_window intersect(const cell_window& a, const cell_window& b) noexcept {
   return {greater(a.x_first, b.x_first), greater(a.y_first, b.y_first), lesser(a.x_last, b.x_last),
           lesser(a.y_last, b.y_last)};
 }
 
 /// The pixels of a raster that drawing may touch: all, or those that within() leaves.
 template <ReadableRaster R>
-IRG_INLINE constexpr cell_window window_of(const R& r) {
+[[nodiscard]] IRG_INLINE constexpr cell_window window_of(const R& r) {
   return {0, 0, width_of(r), height_of(r)};
 }
 template <class R>
-IRG_INLINE constexpr cell_window window_of(const raster_within<R>& r) {
+[[nodiscard]] IRG_INLINE constexpr cell_window window_of(const raster_within<R>& r) {
   return r.window;
 }
 
@@ -76,7 +68,7 @@ IRG_INLINE constexpr const raster_within<R> within(R& r, const cell_window& wind
   return {r, intersect(window, window_of(r))};
 }
 template <class R>
-IRG_INLINE constexpr const raster_within<R> within(const raster_within<R>& r, const cell_window& window) {
+[[nodiscard]] IRG_INLINE constexpr const raster_within<R> within(const raster_within<R>& r, const cell_window& window) {
   return {r.raster, intersect(window, r.window)};
 }
 

@@ -18,7 +18,7 @@ inline namespace IRG_ABI {
 /// exact   decided in integers; neither outside nor inside is missed in the sense above
 /// cost    some 30 integer operations; windows outside of the bounds four comparisons
 /// source  Pineda 1988; the separating axis theorem
-constexpr containment classify(const triangle_coverage& t, const cell_window& w) noexcept {
+[[nodiscard]] constexpr containment classify(const triangle_coverage& t, const cell_window& w) noexcept {
   // Edge functions are linear, so that the least and the greatest value in a window are those of two of its corners.
   // Two convex shapes that do not meet are parted along a side of one of them: of the rectangle (the bounds) or of the
   // triangle (an edge function that is negative in all corners).

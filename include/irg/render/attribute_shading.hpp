@@ -35,9 +35,8 @@ inline namespace IRG_ABI {
 
 /// The attributes at a pixel of a triangle whose vertices have a, b and c.
 template <int K, class F>
-IRG_INLINE constexpr std::array<F, static_cast<std::size_t>(K)> interpolate_attributes(const pixel_weights<F>& at,
-                                                                                       const float* a, const float* b,
-                                                                                       const float* c) noexcept {
+[[nodiscard]] IRG_INLINE constexpr std::array<F, static_cast<std::size_t>(K)> interpolate_attributes(
+    const pixel_weights<F>& at, const float* a, const float* b, const float* c) noexcept {
   std::array<F, static_cast<std::size_t>(K)> v{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(K); ++i) v[i] = at.interpolate(a[i], b[i], c[i]);
   return v;

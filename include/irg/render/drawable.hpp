@@ -59,7 +59,7 @@ inline namespace IRG_ABI {
 /// needs   a valid mesh (mesh/validate.hpp)
 /// cost    linear; allocates the result
 template <Floating T>
-constexpr drawable<T> make_drawable(mesh<T> m) {
+[[nodiscard]] constexpr drawable<T> make_drawable(mesh<T> m) {
   bool has_normals = !m.normals.empty();
   for (const mesh_corner& c : m.corners) has_normals = has_normals && c.normal != mesh_corner::none;
   if (!has_normals) assign_vertex_normals(m, normal_weight::average);

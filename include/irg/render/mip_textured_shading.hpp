@@ -74,7 +74,8 @@ struct mip_textured_shader {
 
   /// What a pixel is made of.
   template <class F>
-  IRG_INLINE constexpr detail::mip_textured_pixels::values<F> values(const pixel_weights<F>& at) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr detail::mip_textured_pixels::values<F> values(
+      const pixel_weights<F>& at) const noexcept {
     const auto v = interpolate_attributes<textured_shading::attribute_count>(at, a, b, c);
     const weight_changes<F> change = derivatives(at);
     return {v[0],
@@ -89,8 +90,8 @@ struct mip_textured_shader {
             change.down(a[1], b[1], c[1])};
   }
   /// The level at a pixel for a texture of width x height texels: mip_level of how u and v change there.
-  IRG_INLINE constexpr float level(const std::same_as<pixel_weights<float>> auto& at, int width,
-                                   int height) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr float level(const std::same_as<pixel_weights<float>> auto& at, int width,
+                                                 int height) const noexcept {
     return mip_level(shading.changes(values(at)), width, height);
   }
   IRG_INLINE constexpr rgba8 operator()(const std::same_as<pixel_weights<float>> auto& at) const {

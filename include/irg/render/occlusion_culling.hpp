@@ -48,7 +48,8 @@ public:
   /// gives   none among fewer than two objects; together at most a sixteenth of all triangles, though always up to 64,
   ///         and boxes of four times the picture's size, though always one
   /// cost    the boxes of objects of few triangles, and sorting those that qualify
-  IRG_INLINE constexpr std::vector<std::uint32_t> choose_occluders(std::span<const object_extent<T>> objects) const {
+  [[nodiscard]] IRG_INLINE constexpr std::vector<std::uint32_t> choose_occluders(
+      std::span<const object_extent<T>> objects) const {
     return detail::choose_occluders(view_, objects.size(), [&](std::size_t i) -> auto& { return objects[i]; });
   }
 
@@ -66,10 +67,14 @@ public:
   /// gives   false for a box that is empty, has a coordinate that is not a number, or reaches before the near plane, to
   ///         the far plane, or beyond the guard band
   /// cost    eight corners, and the blocks of its rectangle until one shows
-  IRG_INLINE constexpr bool hides(const box<T, 3>& bounds) const noexcept { return detail::hides_box(view_, bounds); }
+  [[nodiscard]] IRG_INLINE constexpr bool hides(const box<T, 3>& bounds) const noexcept {
+    return detail::hides_box(view_, bounds);
+  }
 
   /// Whether everything in a box lies beyond a plane of the frustum.
-  IRG_INLINE constexpr bool is_beyond(const box<T, 3>& bounds) const noexcept { return view_.frustum.unseen(bounds); }
+  [[nodiscard]] IRG_INLINE constexpr bool is_beyond(const box<T, 3>& bounds) const noexcept {
+    return view_.frustum.unseen(bounds);
+  }
 
   /// The numbers of the objects that may be seen, in their order: not beyond the frustum, and not hidden by the
   /// occluders that are chosen among them, or were added before.

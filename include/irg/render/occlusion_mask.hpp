@@ -200,8 +200,8 @@ public:
     memory_.touched.resize(memory_.grid.count(), 0);
   }
 
-  IRG_INLINE constexpr int width() const noexcept { return memory_.grid.width; }
-  IRG_INLINE constexpr int height() const noexcept { return memory_.grid.height; }
+  [[nodiscard]] IRG_INLINE constexpr int width() const noexcept { return memory_.grid.width; }
+  [[nodiscard]] IRG_INLINE constexpr int height() const noexcept { return memory_.grid.height; }
 
   /// Forgets all occluders.
   /// cost    one byte for each tile: pixels are cleared when a tile is first drawn to
@@ -271,7 +271,7 @@ public:
 
   /// Whether something could be seen: not occluded, and not outside.
   template <class... Arguments>
-  IRG_INLINE constexpr bool is_visible(const Arguments&... arguments) const
+  [[nodiscard]] IRG_INLINE constexpr bool is_visible(const Arguments&... arguments) const
     requires requires(const occlusion_mask m) { m.test(arguments...); }
   {
     return test(arguments...) == occlusion::visible;
@@ -279,10 +279,12 @@ public:
 
   /// The mask's depth at a pixel: what draw_batches leaves there.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float depth(int x, int y) const noexcept { return detail::depth_of<Order>(memory_, x, y); }
+  [[nodiscard]] IRG_INLINE constexpr float depth(int x, int y) const noexcept {
+    return detail::depth_of<Order>(memory_, x, y);
+  }
   /// The farthest depth in the block of 8 x 8 pixels that holds a pixel.
   /// needs   0 <= x < width(), 0 <= y < height()
-  IRG_INLINE constexpr float block_depth(int x, int y) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr float block_depth(int x, int y) const noexcept {
     const std::size_t i = memory_.tile_of(x, y);
     if (memory_.touched[i] == 0) return Order::farthest;
     return memory_.farthest[i].block[detail::block_of(x, y)] * detail::key_sign<Order> + 0.0f;

@@ -72,8 +72,8 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, cell siz
 /// The same of a scene as it is, for one click.
 /// cost    as prepare_scene, too
 template <Floating T>
-constexpr std::optional<picked_point<T>> pick(const scene<T>& world, cell size, cell pixel,
-                                              face_culling culling = face_culling::back) {
+[[nodiscard]] constexpr std::optional<picked_point<T>> pick(const scene<T>& world, cell size, cell pixel,
+                                                            face_culling culling = face_culling::back) {
   prepared_scene<T> ready = prepare_scene(world);
   return pick(ready, size, pixel, culling);
 }

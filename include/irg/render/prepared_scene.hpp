@@ -71,7 +71,7 @@ inline namespace IRG_ABI {
 /// A box around an object in the world, and the number of its triangles.
 /// cost    one pass over the positions
 template <Floating T>
-constexpr object_extent<T> extent_of(const object<T>& o) noexcept {
+[[nodiscard]] constexpr object_extent<T> extent_of(const object<T>& o) noexcept {
   object_extent<T> e{{}, o.shape.corners.size() - 2 * o.shape.face_count()};
   for (const point<T, 3>& p : o.shape.positions) e.bounds = enclosing_box(e.bounds, transform_point(o.placement, p));
   return e;
@@ -81,7 +81,7 @@ constexpr object_extent<T> extent_of(const object<T>& o) noexcept {
 /// needs   a mesh whose faces have no defect that validate (mesh/validate.hpp) knows
 /// cost    linear, and ear clipping for faces of more than three corners; allocates the result
 template <Floating T>
-constexpr prepared_object<T> prepare_object(const object<T>& o) {
+[[nodiscard]] constexpr prepared_object<T> prepare_object(const object<T>& o) {
   mesh<T> shape = transform_mesh(o.shape, o.placement);
   drawable<T> body = make_drawable(shape);
   return {std::move(shape), std::move(body), extent_of(o), o.surface, {}};
@@ -90,7 +90,7 @@ constexpr prepared_object<T> prepare_object(const object<T>& o) {
 /// A scene made ready, all of its objects prepared.
 /// needs   as prepare_object
 template <Floating T>
-constexpr prepared_scene<T> prepare_scene(const scene<T>& world) {
+[[nodiscard]] constexpr prepared_scene<T> prepare_scene(const scene<T>& world) {
   prepared_scene<T> ready{{}, world.view, world.lights, world.ambient, world.distance, world.k, {}};
   ready.objects.reserve(world.objects.size());
   for (const object<T>& o : world.objects) ready.objects.push_back(prepare_object(o));

@@ -36,8 +36,8 @@ inline namespace IRG_ABI {
 /// cost    the portals that are seen, each projected once; a room is looked at again where its rectangle grows
 /// source  Luebke and Georges 1995
 template <Floating T>
-constexpr std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
-                                                 const camera<T>& view, int width, int height) {
+[[nodiscard]] constexpr std::vector<cell_window> visible_rooms(const cell_plan<T>& plan, const portal_graph<T>& doors,
+                                                               const camera<T>& view, int width, int height) {
   IRG_EXPECTS(width >= 1 && height >= 1);
   return detail::room_windows<T>(plan, view, {0, 0, width, height}).find(doors);
 }

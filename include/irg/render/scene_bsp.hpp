@@ -15,7 +15,7 @@ inline namespace IRG_ABI {
 /// needs   a scene as render needs it
 /// cost    as bsp_tree_3d
 template <Floating T>
-constexpr bsp_tree_3d<T> make_scene_bsp(const scene<T>& world, const bsp_choice& choice = {}) {
+[[nodiscard]] constexpr bsp_tree_3d<T> make_scene_bsp(const scene<T>& world, const bsp_choice& choice = {}) {
   std::vector<point<T, 3>> vertices;
   std::vector<triangle_indices> triangles;
   for (const object<T>& o : world.objects) {

@@ -27,8 +27,9 @@ using textured_vertex = std::array<float, 6>;
 inline namespace IRG_ABI {
 
 /// A vertex with texture coordinates and light.
-IRG_INLINE constexpr textured_vertex make_textured_vertex(float u, float v, const rgb<float>& light = {1, 1, 1},
-                                                          int texture = 0) noexcept {
+[[nodiscard]] IRG_INLINE constexpr textured_vertex make_textured_vertex(float u, float v,
+                                                                        const rgb<float>& light = {1, 1, 1},
+                                                                        int texture = 0) noexcept {
   return {u, v, light.r, light.g, light.b, static_cast<float>(texture)};
 }
 
@@ -64,13 +65,14 @@ struct textured_shading {
   std::span<const texture_image> textures;
 
   template <class Batch>
-  IRG_INLINE constexpr const float* attributes(const Batch& batch, std::uint32_t vertex, facing side) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr const float* attributes(const Batch& batch, std::uint32_t vertex,
+                                                             facing side) const noexcept {
     const textured_vertices& v = objects[batch.object];
     return (side == facing::back && !v.back.empty() ? v.back : v.front)[vertex].data();
   }
 
   template <class Vertex = textured_vertex>
-  IRG_INLINE constexpr rgba8 pixel(const Vertex& at) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr rgba8 pixel(const Vertex& at) const noexcept {
     const auto [u, v, r, g, b, number] = at;
     if (textures.empty()) return encode({r, g, b});
     const texture_image& t = textures[detail::texture_index(number, textures.size())];

@@ -101,9 +101,9 @@ inline namespace IRG_ABI {
 /// exact   the bits that draw_batches gives to pixel shaders
 /// cost    one triangle set up; clipped ones are clipped again, which allocates
 template <DepthOrder Order = nearer_is_greater, Floating T>
-constexpr std::optional<pixel_weights<float>> barycentrics_at(const triangle_batch<T>& batch,
-                                                              const screen_mapping<T>& mapping, std::uint32_t number,
-                                                              int x, int y) {
+[[nodiscard]] constexpr std::optional<pixel_weights<float>> barycentrics_at(const triangle_batch<T>& batch,
+                                                                            const screen_mapping<T>& mapping,
+                                                                            std::uint32_t number, int x, int y) {
   const std::uint32_t i = number - batch.first_number;
   if (number < batch.first_number || i >= batch.triangles.size()) return std::nullopt;
   if (!has_vertices(batch, i)) return std::nullopt;
@@ -124,7 +124,7 @@ constexpr std::optional<pixel_weights<float>> barycentrics_at(const triangle_bat
 
 /// The same for the triangle of this number among several batches.
 template <DepthOrder Order = nearer_is_greater, Floating T>
-constexpr std::optional<pixel_weights<float>> barycentrics_at(
+[[nodiscard]] constexpr std::optional<pixel_weights<float>> barycentrics_at(
     std::type_identity_t<std::span<const triangle_batch<T>>> batches, const screen_mapping<T>& mapping,
     std::uint32_t number, int x, int y) {
   if (batches.empty()) return std::nullopt;

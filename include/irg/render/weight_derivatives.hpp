@@ -23,11 +23,11 @@ struct weight_changes {
   F weight1_right{}, weight2_right{}, weight1_down{}, weight2_down{};
 
   /// How a quantity given at the three vertices changes to the right.
-  IRG_INLINE constexpr F right(float at0, float at1, float at2) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr F right(float at0, float at1, float at2) const noexcept {
     return sum(weight1_right, weight2_right, at1 - at0, at2 - at0);
   }
   /// How it changes downwards.
-  IRG_INLINE constexpr F down(float at0, float at1, float at2) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr F down(float at0, float at1, float at2) const noexcept {
     return sum(weight1_down, weight2_down, at1 - at0, at2 - at0);
   }
 
@@ -72,8 +72,9 @@ inline namespace IRG_ABI {
 /// exact   in doubles from clip space, then rounded to floats
 /// source  Olano and Greer 1997, for weights that are linear in homogeneous coordinates
 template <Floating T>
-constexpr weight_derivatives make_weight_derivatives(const triangle_batch<T>& batch, std::uint32_t triangle,
-                                                     const screen_mapping<T>& mapping) noexcept {
+[[nodiscard]] constexpr weight_derivatives make_weight_derivatives(const triangle_batch<T>& batch,
+                                                                   std::uint32_t triangle,
+                                                                   const screen_mapping<T>& mapping) noexcept {
   vec<double, 3> p[3];
   double largest = 0;
   for (int i = 0; i < 3; ++i) {

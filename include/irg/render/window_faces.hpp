@@ -22,7 +22,7 @@ public:
                                     std::span<const std::uint32_t> numbers) noexcept
       : find_(find), numbers_(numbers) {}
 
-  IRG_INLINE constexpr std::size_t size() const noexcept { return numbers_.size(); }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return numbers_.size(); }
 
   /// Face i.
   /// needs   i < size()

@@ -58,8 +58,8 @@ inline namespace IRG_ABI {
 /// exact   view_projection as from view_matrix(frame), the axes rounded anew: by about 8u, and by
 ///         u (|position| + distance) / distance. Far from the origin of the world choose a distance of its size
 template <Floating T>
-constexpr camera<T> camera_from(const camera_frame<T>& frame, std::type_identity_t<T> distance,
-                                camera<T> like = {}) noexcept {
+[[nodiscard]] constexpr camera<T> camera_from(const camera_frame<T>& frame, std::type_identity_t<T> distance,
+                                              camera<T> like = {}) noexcept {
   IRG_EXPECTS(T(0) < distance);
   like.eye = frame.position;
   like.target = frame.position + frame.forward * distance;
@@ -69,28 +69,43 @@ constexpr camera<T> camera_from(const camera_frame<T>& frame, std::type_identity
 
 /// The frame of a camera: where it stands and how it is turned. What camera_from is the inverse of.
 template <Floating T>
-constexpr camera_frame<T> frame_of(const camera<T>& c) noexcept {
+[[nodiscard]] constexpr camera_frame<T> frame_of(const camera<T>& c) noexcept {
   return look_at_frame(c.eye, c.target, c.up);
 }
 
-/// The matrix from the world to the camera's clip space (reversed depth), for a picture `aspect` times as wide as high.
+/// The matrix from the world to the camera's clip space (reversed depth), for a picture `aspect` times as wide as high,
+/// or why there is none.
 /// units   clip space is scaled by a power of two so that w, which is 1 in parallel projection, is 1 to 2 at the near
 ///         plane: however large or small the world, 1/w and depth are ordinary floats
-/// needs   a camera in its domain, aspect > 0
-/// gives   parallel projection with the eye at the target: what it shows from distance 1
+/// gives   what perspective_checked, orthographic_checked and oblique_checked refuse, with the identity. Parallel
+///         projection with the eye at the target: what it shows from distance 1
 template <Floating T>
-constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> view_projection_checked(
+    const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
   const mat<T, 4, 4> view = look_at(c.eye, c.target, c.up);
-  if (c.projection == projection_kind::perspective)
-    return perspective(c.vertical_angle, aspect, c.near_distance, c.far_distance) * view *
-           detail::scale_towards_one(c.near_distance);
+  if (c.projection == projection_kind::perspective) {
+    auto p = perspective_checked(c.vertical_angle, aspect, c.near_distance, c.far_distance);
+    if (p.is_ordinary()) p.value = p.value * view * detail::scale_towards_one(c.near_distance);
+    return p;
+  }
   const T away = length(c.target - c.eye), least = (std::numeric_limits<T>::min)();
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
   const T width = greater(height * aspect, least);
-  if (c.projection == projection_kind::oblique)
-    return oblique(c.receding, view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance, -away) *
-           view;
-  return orthographic(-width, width, -height, height, c.near_distance, c.far_distance) * view;
+  auto p = c.projection == projection_kind::oblique
+               ? oblique_checked(oblique_depth<T>{c.receding.angle, c.receding.factor, -away},
+                                 view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance)
+               : orthographic_checked(view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance);
+  if (p.is_ordinary()) p.value = p.value * view;
+  return p;
+}
+
+/// The matrix from the world to the camera's clip space; see view_projection_checked.
+/// needs   a camera in its domain, aspect > 0; where this is broken and not caught, the identity comes out
+template <Floating T>
+[[nodiscard]] constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
+  const auto p = view_projection_checked(c, aspect);
+  IRG_EXPECTS(p.is_ordinary());
+  return p.value;
 }
 
 /// Where the viewer is, as shading needs to know it: the eye. In parallel projection the viewer is infinitely far away;
@@ -98,7 +113,7 @@ constexpr mat<T, 4, 4> view_projection(const camera<T>& c, std::type_identity_t<
 /// needs   a camera in its domain
 /// gives   for a scene near the end of T's range the farthest position that T has room for
 template <Floating T>
-constexpr point<T, 3> viewpoint(const camera<T>& c) noexcept {
+[[nodiscard]] constexpr point<T, 3> viewpoint(const camera<T>& c) noexcept {
   if (c.projection == projection_kind::perspective) return c.eye;
   const mat<T, 4, 4> view = look_at(c.eye, c.target, c.up);
   const vec<T, 3> seen =
@@ -113,7 +128,8 @@ constexpr point<T, 3> viewpoint(const camera<T>& c) noexcept {
 /// The camera `c` with its depth range laid around a sphere, so that nothing of the sphere in front of the eye is cut
 /// off but what is nearer than a thousandth of the distance to its far side.
 template <Floating T>
-constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre, std::type_identity_t<T> radius) noexcept {
+[[nodiscard]] constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre,
+                                                   std::type_identity_t<T> radius) noexcept {
   const T away = length(centre - c.eye) + radius;
   if (c.projection == projection_kind::perspective) {
     c.near_distance = greater(away / T(1000), (std::numeric_limits<T>::min)());
@@ -130,8 +146,9 @@ constexpr camera<T> with_depth_range(camera<T> c, const point<T, 3>& centre, std
 /// gives   distance 1 for a sphere of radius 0
 /// needs   a camera in its domain, aspect > 0
 template <Floating T>
-constexpr camera<T> camera_around(camera<T> like, const point<T, 3>& centre, std::type_identity_t<T> radius,
-                                  const vec<T, 3>& direction, std::type_identity_t<T> aspect) noexcept {
+[[nodiscard]] constexpr camera<T> camera_around(camera<T> like, const point<T, 3>& centre,
+                                                std::type_identity_t<T> radius, const vec<T, 3>& direction,
+                                                std::type_identity_t<T> aspect) noexcept {
   const T half_height = like.vertical_angle / T(2);
   T distance = T(1);
   if (like.projection == projection_kind::oblique) {
@@ -155,9 +172,10 @@ constexpr camera<T> camera_around(camera<T> like, const point<T, 3>& centre, std
 /// gives   distance 1 for a sphere of radius 0
 /// needs   0 < angle < pi, aspect > 0
 template <Floating T>
-constexpr camera<T> camera_around(const point<T, 3>& centre, std::type_identity_t<T> radius, const vec<T, 3>& direction,
-                                  std::type_identity_t<T> vertical_angle, std::type_identity_t<T> aspect,
-                                  projection_kind projection = projection_kind::perspective) noexcept {
+[[nodiscard]] constexpr camera<T> camera_around(const point<T, 3>& centre, std::type_identity_t<T> radius,
+                                                const vec<T, 3>& direction, std::type_identity_t<T> vertical_angle,
+                                                std::type_identity_t<T> aspect,
+                                                projection_kind projection = projection_kind::perspective) noexcept {
   camera<T> c;
   c.projection = projection;
   c.vertical_angle = vertical_angle;

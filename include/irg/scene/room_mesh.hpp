@@ -27,7 +27,7 @@ inline namespace IRG_ABI {
 /// exact   coordinates are those of the plan
 /// cost    the corners times the portals of the cell; allocates the result
 template <Floating T>
-constexpr mesh<T> room_mesh(const cell_plan<T>& plan, const portal_graph<T>& graph, std::uint32_t cell) {
+[[nodiscard]] constexpr mesh<T> room_mesh(const cell_plan<T>& plan, const portal_graph<T>& graph, std::uint32_t cell) {
   return detail::room_builder<T>(plan, graph, cell).build();
 }
 

@@ -20,7 +20,7 @@ inline namespace IRG_ABI {
 /// An intensity within 0 to maximum, each channel by itself.
 /// gives   0 for NaN
 template <class I, Scalar T>
-IRG_INLINE constexpr I clamp_intensity(const I& intensity, const T& maximum) noexcept {
+[[nodiscard]] IRG_INLINE constexpr I clamp_intensity(const I& intensity, const T& maximum) noexcept {
   return detail::per_channel([&](const T& i) { return clamp(i, T(0), maximum); }, intensity);
 }
 

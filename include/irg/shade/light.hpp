@@ -38,7 +38,8 @@ inline namespace IRG_ABI {
 /// that stands in p itself.
 /// exact   for weight 1 and weight 0 each coordinate is rounded once at most
 template <class T, class I>
-IRG_INLINE constexpr vec<T, 3> direction_to_light(const light<T, I>& source, const point<T, 3>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<T, 3> direction_to_light(const light<T, I>& source,
+                                                                const point<T, 3>& p) noexcept {
   const hpoint<T, 3>& s = source.position;
   const vec<T, 3> d{s.x - product(s.w, p.x), s.y - product(s.w, p.y), s.z - product(s.w, p.z)};
   return s.w < T(0) ? -d : d;

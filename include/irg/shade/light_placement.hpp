@@ -15,13 +15,13 @@ inline namespace IRG_ABI {
 
 /// A lamp at a position.
 template <Scalar T, class I>
-constexpr light<T, I> light_at(const point<T, 3>& position, const I& intensity) {
+[[nodiscard]] constexpr light<T, I> light_at(const point<T, 3>& position, const I& intensity) {
   return {to_homogeneous(position), intensity};
 }
 
 /// A lamp at infinity, in a direction.
 template <Scalar T, class I>
-constexpr light<T, I> light_from(const vec<T, 3>& direction, const I& intensity) {
+[[nodiscard]] constexpr light<T, I> light_from(const vec<T, 3>& direction, const I& intensity) {
   return {{direction.x, direction.y, direction.z, T(0)}, intensity};
 }
 

@@ -82,7 +82,7 @@ inline namespace IRG_ABI {
 /// cost    4/3 of the texture's texels; allocates them
 /// source  Williams 1983
 template <TextureRaster R>
-constexpr mip_pyramid<texel_value_of<R>> make_mip_pyramid(const R& texture) {
+[[nodiscard]] constexpr mip_pyramid<texel_value_of<R>> make_mip_pyramid(const R& texture) {
   mip_pyramid<texel_value_of<R>> pyramid;
   const int width = width_of(texture), height = height_of(texture);
   if (width <= 0 || height <= 0) return pyramid;
@@ -103,7 +103,7 @@ constexpr mip_pyramid<texel_value_of<R>> make_mip_pyramid(const R& texture) {
 /// gives   0 where texels are larger than pixels, and for NaN; at most 32
 /// exact   within 2 ulp of 1/2 log2 of the longer side's square
 /// source  Williams 1983
-constexpr float mip_level(const texture_derivatives& d, int width, int height) noexcept {
+[[nodiscard]] constexpr float mip_level(const texture_derivatives& d, int width, int height) noexcept {
   return 0.5f * log2(detail::squared_side(d, width, height));
 }
 
@@ -113,8 +113,8 @@ constexpr float mip_level(const texture_derivatives& d, int width, int height) n
 /// exact   at a whole level, what sample_texture gives on it; between, one rounding more of the sum and product
 /// cost    two samples between levels, one at a whole one
 template <class Value>
-constexpr Value sample_mip_pyramid(const mip_pyramid<Value>& pyramid, float u, float v, float level,
-                                   const texture_sampler& sampler = {}, const Value& border = {}) {
+[[nodiscard]] constexpr Value sample_mip_pyramid(const mip_pyramid<Value>& pyramid, float u, float v, float level,
+                                                 const texture_sampler& sampler = {}, const Value& border = {}) {
   if (pyramid.levels.empty()) return border;
   const auto last = static_cast<float>(pyramid.levels.size() - 1);
   const float limited = clamp(level, 0.0f, last);

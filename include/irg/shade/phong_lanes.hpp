@@ -120,7 +120,7 @@ private:
 
   // As specular_factor's: squared again and again for whole numbers.
   template <class F>
-  IRG_INLINE F power_of(F x) const {
+  [[nodiscard]] IRG_INLINE F power_of(F x) const {
     using f = lanes<F>;
     if (exponent_ < 0) return f::generate([&](int i) { return 0 < x[i] ? pow(x[i], shader_.surface.shininess) : 0.0; });
     F power = f::broadcast(1);

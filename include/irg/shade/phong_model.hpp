@@ -45,7 +45,7 @@ inline namespace IRG_ABI {
 ///         2^-24), unless the result is subnormal
 /// cost    at most 2 log2(n) + 1 products
 template <Scalar T>
-constexpr T integer_power(T x, int n) noexcept {
+[[nodiscard]] constexpr T integer_power(T x, int n) noexcept {
   IRG_EXPECTS(n >= 0);
   T power = T(1);
   for (; n > 0; n /= 2) {
@@ -59,14 +59,15 @@ constexpr T integer_power(T x, int n) noexcept {
 /// needs   N of length 1; R is as long as L
 /// source  Phong 1975; the textbook's R, which it does not define
 template <Scalar T>
-IRG_INLINE constexpr vec<T, 3> reflected_direction(const vec<T, 3>& to_light, const vec<T, 3>& normal) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<T, 3> reflected_direction(const vec<T, 3>& to_light,
+                                                                 const vec<T, 3>& normal) noexcept {
   const T ln = dot(to_light, normal);
   return normal * (ln + ln) - to_light;
 }
 
 /// Ia ka: the light that comes from everywhere (7.5).
 template <class I>
-IRG_INLINE constexpr I ambient_term(const I& light, const I& ambient) noexcept {
+[[nodiscard]] IRG_INLINE constexpr I ambient_term(const I& light, const I& ambient) noexcept {
   return detail::per_channel([](auto ia, auto ka) { return product(ia, ka); }, light, ambient);
 }
 
@@ -75,8 +76,8 @@ IRG_INLINE constexpr I ambient_term(const I& light, const I& ambient) noexcept {
 /// gives   0 where L.N <= 0, the light being behind the surface or grazing it
 /// source  Lambert 1760
 template <class I, Scalar T>
-IRG_INLINE constexpr I diffuse_term(const I& light, const I& diffuse, const vec<T, 3>& to_light,
-                                    const vec<T, 3>& normal) noexcept {
+[[nodiscard]] IRG_INLINE constexpr I diffuse_term(const I& light, const I& diffuse, const vec<T, 3>& to_light,
+                                                  const vec<T, 3>& normal) noexcept {
   const T ln = dot(to_light, normal), cosine = T(0) < ln ? ln : T(0);
   return detail::per_channel([&](auto ii, auto kd) { return product(product(ii, kd), cosine); }, light, diffuse);
 }
@@ -86,8 +87,8 @@ IRG_INLINE constexpr I diffuse_term(const I& light, const I& diffuse, const vec<
 /// needs   a shininess n > 0; an integer up to 1024 if T is neither float nor double
 /// exact   integers n up to 1024 by integer_power, others by pow
 template <Scalar T>
-constexpr T specular_factor(const vec<T, 3>& to_light, const vec<T, 3>& normal, const vec<T, 3>& to_viewer,
-                            const T& shininess) noexcept {
+[[nodiscard]] constexpr T specular_factor(const vec<T, 3>& to_light, const vec<T, 3>& normal,
+                                          const vec<T, 3>& to_viewer, const T& shininess) noexcept {
   if (!(T(0) < dot(to_light, normal))) return T(0);
   const T rv = dot(reflected_direction(to_light, normal), to_viewer);
   if (!(T(0) < rv)) return T(0);
@@ -104,8 +105,9 @@ constexpr T specular_factor(const vec<T, 3>& to_light, const vec<T, 3>& normal, 
 /// gives   0 where R.V <= 0 or L.N <= 0
 /// needs   as specular_factor
 template <class I, Scalar T>
-IRG_INLINE constexpr I specular_term(const I& light, const I& specular, const vec<T, 3>& to_light,
-                                     const vec<T, 3>& normal, const vec<T, 3>& to_viewer, const T& shininess) noexcept {
+[[nodiscard]] IRG_INLINE constexpr I specular_term(const I& light, const I& specular, const vec<T, 3>& to_light,
+                                                   const vec<T, 3>& normal, const vec<T, 3>& to_viewer,
+                                                   const T& shininess) noexcept {
   const T factor = specular_factor(to_light, normal, to_viewer, shininess);
   return detail::per_channel([&](auto ii, auto ks) { return product(product(ii, ks), factor); }, light, specular);
 }
@@ -113,8 +115,9 @@ IRG_INLINE constexpr I specular_term(const I& light, const I& specular, const ve
 /// What one source of intensity Ii adds: Ii (kd (L.N) + ks (R.V)^n), the bracket of (7.9).
 /// needs   L, N and V of length 1, or 0 where there is none: no L no light, no V no highlight
 template <class T, class I>
-IRG_INLINE constexpr I reflected_light(const material<T, I>& surface, const I& light, const vec<T, 3>& to_light,
-                                       const vec<T, 3>& normal, const vec<T, 3>& to_viewer) noexcept {
+[[nodiscard]] IRG_INLINE constexpr I reflected_light(const material<T, I>& surface, const I& light,
+                                                     const vec<T, 3>& to_light, const vec<T, 3>& normal,
+                                                     const vec<T, 3>& to_viewer) noexcept {
   return diffuse_term(light, surface.diffuse, to_light, normal) +
          specular_term(light, surface.specular, to_light, normal, to_viewer, surface.shininess);
 }
@@ -122,7 +125,7 @@ IRG_INLINE constexpr I reflected_light(const material<T, I>& surface, const I& l
 /// Ii / (r + k): a source's intensity, weakened by the distance r (7.10).
 /// needs   r + k > 0
 template <class I, Scalar T>
-IRG_INLINE constexpr I weakened_by_distance(const I& light, const T& r, const T& k) noexcept {
+[[nodiscard]] IRG_INLINE constexpr I weakened_by_distance(const I& light, const T& r, const T& k) noexcept {
   return detail::per_channel([&](auto ii) { return ii / (r + k); }, light);
 }
 
@@ -135,8 +138,9 @@ IRG_INLINE constexpr I weakened_by_distance(const I& light, const T& r, const T&
 /// exact   written from + - * / sqrt and pow in one order: the same bits everywhere
 /// source  Phong 1975
 template <Floating T, class I, class Arriving>
-constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light, const point<T, 3>& eye,
-                        const point<T, 3>& p, const vec<T, 3>& normal, const Arriving& arriving) {
+[[nodiscard]] constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light,
+                                      const point<T, 3>& eye, const point<T, 3>& p, const vec<T, 3>& normal,
+                                      const Arriving& arriving) {
   const bool weakened = light.distance == distance_term::viewer;
   const vec<T, 3> to_viewer = normalized(eye - p);
   const T r = weakened ? length(eye - p) : T(0);
@@ -152,8 +156,8 @@ constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& lig
 
 /// The same with nothing between the lights and p.
 template <Floating T, class I>
-constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light, const point<T, 3>& eye,
-                        const point<T, 3>& p, const vec<T, 3>& normal) noexcept {
+[[nodiscard]] constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light,
+                                      const point<T, 3>& eye, const point<T, 3>& p, const vec<T, 3>& normal) noexcept {
   return phong_model(surface, light, eye, p, normal, [](std::size_t, const I& emitted) { return emitted; });
 }
 

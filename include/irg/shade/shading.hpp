@@ -22,7 +22,7 @@ inline namespace IRG_ABI {
 /// needs   a ring that is not empty
 /// exact   the sum in the order of the vertices, then one division; each rounded once
 template <PolygonRing R>
-constexpr typename ring_traits<R>::point vertex_mean(const R& ring) noexcept {
+[[nodiscard]] constexpr typename ring_traits<R>::point vertex_mean(const R& ring) noexcept {
   using point_type = typename ring_traits<R>::point;
   using T = scalar_of<point_type>;
   const std::size_t n = ring_size(ring);

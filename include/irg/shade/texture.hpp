@@ -35,12 +35,12 @@ inline namespace IRG_ABI {
 
 /// What a texel stands for: the light of an encoded pixel (its opacity left aside); numbers stand for themselves.
 template <EncodablePixel P>
-IRG_INLINE constexpr rgb<float> texel_value(const P& texel) noexcept {
+[[nodiscard]] IRG_INLINE constexpr rgb<float> texel_value(const P& texel) noexcept {
   return decode(to_rgba8(texel));
 }
-IRG_INLINE constexpr rgb<float> texel_value(const rgb<float>& texel) noexcept { return texel; }
+[[nodiscard]] IRG_INLINE constexpr rgb<float> texel_value(const rgb<float>& texel) noexcept { return texel; }
 template <std::same_as<float> P>
-IRG_INLINE constexpr float texel_value(P texel) noexcept {
+[[nodiscard]] IRG_INLINE constexpr float texel_value(P texel) noexcept {
   return texel;
 }
 
@@ -149,8 +149,9 @@ inline namespace IRG_ABI {
 /// cost    1 or 4 texels
 /// source  Williams 1983 for textures filtered in two directions
 template <TextureRaster R>
-constexpr texel_value_of<R> sample_texture(const R& texture, float u, float v, const texture_sampler& sampler = {},
-                                           const texel_value_of<R>& border = {}) {
+[[nodiscard]] constexpr texel_value_of<R> sample_texture(const R& texture, float u, float v,
+                                                         const texture_sampler& sampler = {},
+                                                         const texel_value_of<R>& border = {}) {
   const int width = width_of(texture), height = height_of(texture);
   if (width <= 0 || height <= 0) return border;
   const auto value = [&](int x, int y) -> texel_value_of<R> {

@@ -50,7 +50,8 @@ rgb<pack<float, N>> sample_texture(const image_view<const rgba8>& texture, const
 /// The levels of N pixels.
 /// exact   mip_level's own
 template <int N>
-IRG_INLINE pack<float, N> mip_level(const texture_derivatives_of<pack<float, N>>& d, int width, int height) noexcept {
+[[nodiscard]] IRG_INLINE pack<float, N> mip_level(const texture_derivatives_of<pack<float, N>>& d, int width,
+                                                  int height) noexcept {
   return detail::log2_lanes(detail::squared_side(d, width, height)) * 0.5f;
 }
 

@@ -18,7 +18,7 @@
 namespace irg {
 
 /// How a combination of two bodies ended.
-enum class solid_boolean_status {
+enum class [[nodiscard]] solid_boolean_status {
   done,
   not_finite,  ///< a position is NaN or infinite
   open_edge,  ///< an edge has one face
@@ -175,8 +175,8 @@ inline namespace IRG_ABI {
 ///         body each
 /// source  Zhou et al. 2016 (cut everything, then ask about parts); Attene 2020 (points by what they are made of)
 template <Floating T>
-constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
-                                                boolean_operation operation) {
+[[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
+                                                              boolean_operation operation) {
   const detail::body_triangles b = detail::make_body_triangles(first, second);
   for (std::uint32_t body = 0; body < 2; ++body) switch (b.fault[body]) {
       case detail::surface_fault::none: break;

@@ -110,7 +110,7 @@ inline namespace IRG_ABI {
 /// The tree of an operation on two trees.
 /// cost    both are copied, or moved
 template <Floating T>
-constexpr csg_tree<T> combine(csg_tree<T> first, csg_tree<T> second, boolean_operation operation) {
+[[nodiscard]] constexpr csg_tree<T> combine(csg_tree<T> first, csg_tree<T> second, boolean_operation operation) {
   const auto bodies = static_cast<std::uint32_t>(first.bodies.size());
   const auto steps = static_cast<std::uint32_t>(first.steps.size());
   for (mesh<T>& body : second.bodies) first.bodies.push_back(std::move(body));
@@ -132,7 +132,7 @@ constexpr csg_tree<T> combine(csg_tree<T> first, csg_tree<T> second, boolean_ope
 /// exact   each step as solid_boolean, for the corners that the steps before it were rounded to
 /// cost    that of the steps; as deep as may be, nothing recurs
 template <Floating T>
-constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {
+[[nodiscard]] constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {
   std::vector<solid_boolean_result<T>> made(tree.steps.size(), solid_boolean_result<T>{});
   const mesh<T> nothing;
   for (std::size_t i = 0; i < tree.steps.size(); ++i) {
@@ -163,7 +163,7 @@ constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {
 /// cost    linear in the bodies' faces for each line; to look along another direction, turn the bodies
 /// source  Hoffmann 1989; Edelsbrunner and Muecke 1990 (the move)
 template <Floating T>
-constexpr std::vector<solid_span<T>> spans_upward(const csg_tree<T>& tree, T x, T y) {
+[[nodiscard]] constexpr std::vector<solid_span<T>> spans_upward(const csg_tree<T>& tree, T x, T y) {
   std::vector<std::vector<T>> ends(tree.steps.size(), std::vector<T>{});
   const std::vector<T> nothing;
   for (std::size_t i = 0; i < tree.steps.size(); ++i) {

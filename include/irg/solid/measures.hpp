@@ -49,7 +49,7 @@ inline namespace IRG_ABI {
 /// cost    six exact products a triangle, some 200 ns; allocates the triangles
 /// source  irg's own: the divergence theorem with exact sums
 template <detail::mesh_in_space M>
-constexpr scalar_of<mesh_point<M>> solid_volume(const M& body) {
+[[nodiscard]] constexpr scalar_of<mesh_point<M>> solid_volume(const M& body) {
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<3> six_volumes;
   detail::each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
@@ -66,7 +66,7 @@ constexpr scalar_of<mesh_point<M>> solid_volume(const M& body) {
 /// exact   the sum of the triangles' areas as triangle_area gives them, itself rounded nearly once
 /// cost    a triangle_area each; allocates the triangles
 template <detail::mesh_in_space M>
-constexpr scalar_of<mesh_point<M>> surface_area(const M& surface) {
+[[nodiscard]] constexpr scalar_of<mesh_point<M>> surface_area(const M& surface) {
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<1> sum;
   bool is_infinite = false;
@@ -85,7 +85,7 @@ constexpr scalar_of<mesh_point<M>> surface_area(const M& surface) {
 /// cost    twenty-four exact products a triangle; allocates the triangles
 /// source  irg's own: the divergence theorem with exact sums
 template <detail::mesh_in_space M>
-constexpr std::optional<point<scalar_of<mesh_point<M>>, 3>> centre_of_mass(const M& body) {
+[[nodiscard]] constexpr std::optional<point<scalar_of<mesh_point<M>>, 3>> centre_of_mass(const M& body) {
   using T = scalar_of<mesh_point<M>>;
   exact_accumulator<3> six_volumes;
   exact_accumulator<4> moments[3];  // twenty-four times the volume times the centre

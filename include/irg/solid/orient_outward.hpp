@@ -18,7 +18,7 @@
 namespace irg {
 
 /// What orient_outward made of a mesh.
-enum class outward_status {
+enum class [[nodiscard]] outward_status {
   done,
   no_surface,  ///< faces cannot be made to run alike, or do not make a surface: to_half_edges() tells why
   open,  ///< an edge has one face: there is no inside. Faces run alike
@@ -57,7 +57,7 @@ constexpr outward_status orient_outward(mesh<T>& m) {
     bool is_cavity = false;
     const point<T, 3> p = turned.positions[each[s].corners[0].position];
     for (std::uint32_t t = 0; t < shells.count; ++t)
-      if (t != s && point_in_solid(each[t], p) == point_location::inside) is_cavity = !is_cavity;
+      if (t != s && point_in_solid(each[t], p) == location::inside) is_cavity = !is_cavity;
     turn[s] = (solid_volume(each[s]) < 0) != is_cavity ? 1 : 0;
   }
   for (std::size_t f = 0; f < turned.face_count(); ++f)

@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 /// cost    linear; allocates the triangles. solid_locator keeps them for many points
 /// source  Hoffmann 1989 (the ray), Edelsbrunner and Muecke 1990 (the move)
 template <detail::mesh_in_space M>
-constexpr std::optional<int> winding_number(const M& body, const mesh_point<M>& p) {
+[[nodiscard]] constexpr std::optional<int> winding_number(const M& body, const mesh_point<M>& p) {
   const detail::upward_crossings count = detail::count_upward_crossings(body, p);
   if (count.on_surface) return std::nullopt;
   return count.winding;
@@ -47,7 +47,8 @@ constexpr std::optional<int> winding_number(const M& body, const mesh_point<M>& 
 /// needs, gives, exact, cost   as winding_number
 /// source  Mihajlovic 2016, 4.8 (the parity of a ray's faces); Hoffmann 1989
 template <detail::mesh_in_space M>
-constexpr point_location point_in_solid(const M& body, const mesh_point<M>& p, fill_rule rule = fill_rule::non_zero) {
+[[nodiscard]] constexpr location point_in_solid(const M& body, const mesh_point<M>& p,
+                                                fill_rule rule = fill_rule::non_zero) {
   return detail::location_by_winding(detail::count_upward_crossings(body, p), rule);
 }
 
@@ -59,10 +60,10 @@ constexpr point_location point_in_solid(const M& body, const mesh_point<M>& p, f
 /// cost    one orient3d for each face, up to the first that p is in front of; nothing allocated
 /// source  Mihajlovic 2016, formulas 4.12 and 4.13
 template <detail::mesh_in_space M>
-constexpr point_location point_in_convex_solid(const M& body, const mesh_point<M>& p) {
+[[nodiscard]] constexpr location point_in_convex_solid(const M& body, const mesh_point<M>& p) {
   const std::size_t faces = mesh_face_count(body);
-  if (faces == 0 || !is_finite(p)) return point_location::outside;
-  point_location where = point_location::inside;
+  if (faces == 0 || !is_finite(p)) return location::outside;
+  location where = location::inside;
   for (std::size_t f = 0; f < faces; ++f) {
     const std::size_t n = mesh_face_size(body, f);
     const auto corner = [&](std::size_t k) { return mesh_position(body, mesh_face_vertex(body, f, k)); };
@@ -70,8 +71,8 @@ constexpr point_location point_in_convex_solid(const M& body, const mesh_point<M
     std::size_t k = 2;
     while (k < n && are_collinear(first, corner(k - 1), corner(k))) ++k;
     const int side = k < n ? orient3d(first, corner(k - 1), corner(k), p) : -1;
-    if (side > 0) return point_location::outside;
-    if (side == 0) where = point_location::boundary;
+    if (side > 0) return location::outside;
+    if (side == 0) where = location::boundary;
   }
   return where;
 }

@@ -47,7 +47,7 @@ inline namespace IRG_ABI {
 /// exact   always, for the triangles that triangulate() makes of the faces
 /// cost    O(n log n) and the pairs of triangles whose boxes meet, some dozen for each triangle
 template <Floating T>
-constexpr std::vector<face_pair> self_intersections(const mesh<T>& m) {
+[[nodiscard]] constexpr std::vector<face_pair> self_intersections(const mesh<T>& m) {
   detail::body_triangles b;
   detail::append_body(b, m, b.fault[0]);
   std::vector<face_pair> found;

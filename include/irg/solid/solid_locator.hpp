@@ -46,8 +46,8 @@ public:
   /// point_in_solid of the body.
   /// gives, exact   as point_in_solid
   /// cost    as winding_number
-  constexpr point_location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
-                                      solid_locator_counts* counts = nullptr) const {
+  constexpr location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
+                                solid_locator_counts* counts = nullptr) const {
     return detail::location_by_winding(cross(p, counts), rule);
   }
 
@@ -62,12 +62,12 @@ private:
     std::uint32_t next, first, count;  // triangles, where it has no parts
   };
 
-  static constexpr T centre(const triangle& t, int axis) noexcept {
+  [[nodiscard]] static constexpr T centre(const triangle& t, int axis) noexcept {
     const T a = t[0][axis] * T(0.25), b = t[1][axis] * T(0.25), c = t[2][axis] * T(0.25);
     return lesser(lesser(a, b), c) + greater(greater(a, b), c);
   }
 
-  constexpr node box_of(std::uint32_t first, std::uint32_t last) const {
+  [[nodiscard]] constexpr node box_of(std::uint32_t first, std::uint32_t last) const {
     const point<T, 3>& p = triangles_[first][0];
     node n{{p.x, p.y}, {p.x, p.y}, p.z, 0, first, last - first};
     for (std::uint32_t i = first; i < last; ++i)

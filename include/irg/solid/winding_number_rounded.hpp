@@ -48,7 +48,7 @@ inline namespace IRG_ABI {
 /// cost    three roots, nine divisions and an arc tangent a triangle; allocates the triangles
 /// source  Van Oosterom and Strackee 1983 (the angle); Jacobson et al. 2013 (the number for open surfaces)
 template <detail::mesh_in_space M>
-constexpr double winding_number_rounded(const M& surface, const mesh_point<M>& p) {
+[[nodiscard]] constexpr double winding_number_rounded(const M& surface, const mesh_point<M>& p) {
   using T = scalar_of<mesh_point<M>>;
   if (!is_finite(p)) return 0;
   const point<T, 3> from{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};

@@ -122,7 +122,7 @@ inline namespace IRG_ABI {
 /// every visit ends. That the pieces lie where their nodes say is not looked into.
 /// cost    linear; allocates a byte a node
 template <Floating T>
-constexpr bsp_fault find_bsp_fault(const bsp_data_3d<T>& d) {
+[[nodiscard]] constexpr bsp_fault find_bsp_fault(const bsp_data_3d<T>& d) {
   for (std::size_t i = 0; i < d.triangles.size(); ++i)
     for (const std::uint32_t v : d.triangles[i].v)
       if (v >= d.vertices.size()) return {bsp_defect::index, bsp_part::triangle, i};

@@ -54,16 +54,16 @@ public:
   }
 
   /// The first one is the root; a node stands before those below it.
-  constexpr std::span<const bsp_node_2d> nodes() const noexcept { return nodes_; }
-  constexpr std::span<const bsp_piece_2d> pieces() const noexcept { return pieces_; }
+  [[nodiscard]] constexpr std::span<const bsp_node_2d> nodes() const noexcept { return nodes_; }
+  [[nodiscard]] constexpr std::span<const bsp_piece_2d> pieces() const noexcept { return pieces_; }
   /// How often a line cut a segment in two.
-  constexpr std::size_t splits() const noexcept { return splits_; }
+  [[nodiscard]] constexpr std::size_t splits() const noexcept { return splits_; }
   /// Segments without length, or with NaN or infinity.
-  constexpr std::size_t left_out() const noexcept { return left_out_; }
+  [[nodiscard]] constexpr std::size_t left_out() const noexcept { return left_out_; }
 
   /// A piece with its ends as points, to draw it.
   /// exact   ends of segments are given points; cuts are within 0.501 ulp of where the lines cross
-  constexpr segment<T, 2> rounded(const bsp_piece_2d& p) const noexcept {
+  [[nodiscard]] constexpr segment<T, 2> rounded(const bsp_piece_2d& p) const noexcept {
     const segment<T, 2>& s = segments_[p.segment];
     const auto end = [&](std::uint32_t cut, const point<T, 2>& given) {
       return cut == bsp_none ? given : intersect_lines(s.a, s.b, segments_[cut].a, segments_[cut].b).at;
@@ -103,7 +103,7 @@ public:
 
   /// The cell that holds a point, or the first node whose line does.
   /// needs   a finite point
-  constexpr bsp_place locate(const point<T, 2>& p) const noexcept {
+  [[nodiscard]] constexpr bsp_place locate(const point<T, 2>& p) const noexcept {
     bsp_place place;
     for (std::uint32_t i = nodes_.empty() ? bsp_none : 0; i != bsp_none;) {
       place = {i, side(nodes_[i], p)};
@@ -120,10 +120,10 @@ private:
     int side;
   };
 
-  constexpr int side(const bsp_node_2d& n, const point<T, 2>& p) const noexcept {
+  [[nodiscard]] constexpr int side(const bsp_node_2d& n, const point<T, 2>& p) const noexcept {
     return orient2d(segments_[n.segment].a, segments_[n.segment].b, p);
   }
-  constexpr int end_side(std::uint32_t line, const bsp_piece_2d& p, bool at_a) const noexcept {
+  [[nodiscard]] constexpr int end_side(std::uint32_t line, const bsp_piece_2d& p, bool at_a) const noexcept {
     const segment<T, 2>&s = segments_[p.segment], &l = segments_[line];
     const std::uint32_t cut = at_a ? p.from : p.to;
     if (cut == line) return 0;
@@ -143,7 +143,8 @@ private:
     }
     return all;
   }
-  constexpr std::uint32_t dividing_line(const std::vector<bsp_piece_2d>& pieces, const bsp_choice& choice) const {
+  [[nodiscard]] constexpr std::uint32_t dividing_line(const std::vector<bsp_piece_2d>& pieces,
+                                                      const bsp_choice& choice) const {
     const std::size_t n = pieces.size(), candidates = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
     std::uint32_t best = pieces.front().segment;
     std::size_t least = ~std::size_t{0};

@@ -47,17 +47,17 @@ public:
   }
 
   /// What the tree consists of. Node 0 is the root.
-  constexpr const bsp_data_3d<T>& data() const noexcept { return data_; }
+  [[nodiscard]] constexpr const bsp_data_3d<T>& data() const noexcept { return data_; }
   /// How often a plane cut a triangle, or a piece of one, in two.
-  constexpr std::size_t splits() const noexcept { return splits_; }
+  [[nodiscard]] constexpr std::size_t splits() const noexcept { return splits_; }
   /// Triangles without area, or with NaN or infinity.
-  constexpr std::size_t left_out() const noexcept { return left_out_; }
+  [[nodiscard]] constexpr std::size_t left_out() const noexcept { return left_out_; }
 
   /// The corners of a piece as points, to draw it or hand it on: counter-clockwise as those of its triangle.
   /// exact   the triangle's corners are given points; others are rounded, by about as much as the planes are steep to
   ///         each other. Fewer than three where rounding leaves no area
   /// cost    the corners times the limits; allocates
-  constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
+  [[nodiscard]] constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
     std::vector<point<T, 3>> ring, kept;
     for (const std::uint32_t v : data_.triangles[p.triangle].v) ring.push_back(data_.vertices[v]);
     for (std::uint32_t l = p.limits; l != bsp_none && !ring.empty(); l = data_.limits[l].next, std::swap(ring, kept)) {
@@ -125,7 +125,7 @@ public:
 
   /// The cell that holds a point, or the first node whose plane does.
   /// needs   a finite point
-  constexpr bsp_place locate(const point<T, 3>& p) const noexcept {
+  [[nodiscard]] constexpr bsp_place locate(const point<T, 3>& p) const noexcept {
     const double at[3] = {widened(p[0]), widened(p[1]), widened(p[2])};
     bsp_place place;
     for (std::uint32_t i = data_.nodes.empty() ? bsp_none : 0; i != bsp_none;) {
@@ -152,7 +152,7 @@ private:
     std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0;
   };
 
-  constexpr size_of_tree sizes() const noexcept {
+  [[nodiscard]] constexpr size_of_tree sizes() const noexcept {
     return {data_.vertices.size(),
             data_.triangles.size(),
             data_.nodes.size(),
@@ -235,7 +235,7 @@ private:
   };
   static constexpr std::uint32_t several = bsp_none - 1;
 
-  constexpr walk_step step_at(std::uint32_t i) const {
+  [[nodiscard]] constexpr walk_step step_at(std::uint32_t i) const {
     const bsp_node_3d& n = data_.nodes[i];
     const bool has_one = n.beside == bsp_none && n.last - n.first <= 1;
     return {detail::walked_plane(planes_[i]),

@@ -36,7 +36,8 @@ inline namespace IRG_ABI {
 /// cost    O(n log n); allocates some 200 bytes a box, of which 100 stay. With threads, but for the first splits
 /// source  Wald 2007 (bins); Wald, Benthin and Boulos 2008 (wide nodes); Lauterbach et al. 2009 (Morton order)
 template <Floating T, Executor E = sequential>
-constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_config& config = {}, const E& executor = {}) {
+[[nodiscard]] constexpr bvh build_bvh(std::span<const box<T, 3>> boxes, const bvh_config& config = {},
+                                      const E& executor = {}) {
   bvh tree;
   std::vector<detail::bvh_item> items = detail::make_items(boxes, tree, executor);
   if (items.empty()) return tree;

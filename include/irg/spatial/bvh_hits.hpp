@@ -56,7 +56,8 @@ inline namespace IRG_ABI {
 /// exact   no primitive is missed whose box the ray meets; the rest is the test's. It may find what is 2^-20 of t
 ///         farther than what is nearest, but no more, before what is nearer
 template <Floating T, RayTest<T> Test>
-constexpr std::optional<primitive_hit<T>> closest_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
+[[nodiscard]] constexpr std::optional<primitive_hit<T>> closest_hit(const bvh& tree, const ray<T, 3>& r,
+                                                                    const Test& test) {
   if (is_empty(r)) return std::nullopt;
   ray<T, 3> rest = detail::from_zero(r);
   detail::box_ray b{};
@@ -78,7 +79,7 @@ constexpr std::optional<primitive_hit<T>> closest_hit(const bvh& tree, const ray
 /// Whether the ray meets a primitive.
 /// exact   no primitive is missed whose box the ray meets
 template <Floating T, RayTest<T> Test>
-constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
+[[nodiscard]] constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
   if (is_empty(r)) return false;
   const ray<T, 3> whole = detail::from_zero(r);
   detail::box_ray b{};

@@ -24,8 +24,10 @@ struct alignas(32) bvh_node {
 
   IRG_INLINE constexpr float& low(int axis, int k) noexcept { return bounds[axis * width + k]; }
   IRG_INLINE constexpr float& high(int axis, int k) noexcept { return bounds[(3 + axis) * width + k]; }
-  IRG_INLINE constexpr float low(int axis, int k) const noexcept { return bounds[axis * width + k]; }
-  IRG_INLINE constexpr float high(int axis, int k) const noexcept { return bounds[(3 + axis) * width + k]; }
+  [[nodiscard]] IRG_INLINE constexpr float low(int axis, int k) const noexcept { return bounds[axis * width + k]; }
+  [[nodiscard]] IRG_INLINE constexpr float high(int axis, int k) const noexcept {
+    return bounds[(3 + axis) * width + k];
+  }
 
   // A child is the index of a node; or the number of a leaf's first block and its count of primitives - 1.
   IRG_INLINE static constexpr bool is_leaf(std::uint32_t child) noexcept { return (child & leaf) != 0; }

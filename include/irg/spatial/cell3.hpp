@@ -24,8 +24,8 @@ struct cell3 {
 struct grid_extent {
   int width = 0, height = 0, depth = 1;
 
-  IRG_INLINE constexpr bool empty() const noexcept { return width <= 0 || height <= 0 || depth <= 0; }
-  IRG_INLINE constexpr bool holds(const cell3& c) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr bool empty() const noexcept { return width <= 0 || height <= 0 || depth <= 0; }
+  [[nodiscard]] IRG_INLINE constexpr bool holds(const cell3& c) const noexcept {
     return c.x >= 0 && c.x < width && c.y >= 0 && c.y < height && c.z >= 0 && c.z < depth;
   }
   constexpr bool operator==(const grid_extent&) const = default;

@@ -26,10 +26,10 @@ public:
         words_per_row_((std::int64_t{extent_.width} + 63) / 64),
         words_(countable(extent_, words_per_row_), std::uint64_t{0}) {}
 
-  IRG_INLINE constexpr grid_extent extent() const noexcept { return extent_; }
+  [[nodiscard]] IRG_INLINE constexpr grid_extent extent() const noexcept { return extent_; }
 
   /// needs   a cell of the extent, here and below
-  IRG_INLINE constexpr bool is_full(const cell3& c) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr bool is_full(const cell3& c) const noexcept {
     IRG_EXPECTS(extent_.holds(c));
     return (row(c.y, c.z)[c.x >> 6] >> (c.x & 63) & 1) != 0;
   }
@@ -61,7 +61,7 @@ public:
   }
 
   /// How many cells are full.
-  IRG_INLINE constexpr std::int64_t count() const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::int64_t count() const noexcept {
     std::int64_t n = 0;
     for (const std::uint64_t word : words_) n += std::popcount(word);
     return n;
@@ -91,12 +91,14 @@ public:
   }
 
   /// The words of a row: bit x % 64 of word x / 64 is the cell x.
-  IRG_INLINE constexpr const std::uint64_t* row(int y, int z) const noexcept { return words_.data() + offset(y, z); }
+  [[nodiscard]] IRG_INLINE constexpr const std::uint64_t* row(int y, int z) const noexcept {
+    return words_.data() + offset(y, z);
+  }
   IRG_INLINE constexpr std::uint64_t* row(int y, int z) noexcept { return words_.data() + offset(y, z); }
-  IRG_INLINE constexpr int words_per_row() const noexcept { return static_cast<int>(words_per_row_); }
+  [[nodiscard]] IRG_INLINE constexpr int words_per_row() const noexcept { return static_cast<int>(words_per_row_); }
 
 private:
-  IRG_INLINE constexpr std::int64_t offset(int y, int z) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::int64_t offset(int y, int z) const noexcept {
     return (std::int64_t{z} * extent_.height + y) * words_per_row_;
   }
   // More words than can be counted become as many as no vector holds, so that it refuses them.
@@ -115,7 +117,7 @@ inline namespace IRG_ABI {
 
 /// The full cells of any grid, as bits.
 template <CellGrid G>
-constexpr cell_grid packed(const G& g) {
+[[nodiscard]] constexpr cell_grid packed(const G& g) {
   cell_grid out(extent_of(g));
   const grid_extent e = out.extent();
   for (int z = 0; z < e.depth; ++z)

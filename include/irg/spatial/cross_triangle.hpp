@@ -248,8 +248,9 @@ inline namespace IRG_ABI {
 ///         numbers are beyond 2^250
 /// source  Woop, Benthin and Wald 2013 (the shear); Edelsbrunner and Muecke 1990 (the moved origin)
 template <Floating T>
-constexpr std::optional<ray_crossing> cross_triangle(const ray<T, 3>& r, const point<T, 3>& a, const point<T, 3>& b,
-                                                     const point<T, 3>& c) noexcept {
+[[nodiscard]] constexpr std::optional<ray_crossing> cross_triangle(const ray<T, 3>& r, const point<T, 3>& a,
+                                                                   const point<T, 3>& b,
+                                                                   const point<T, 3>& c) noexcept {
   if (is_empty(r)) return std::nullopt;
   detail::triangle_ray q;
   detail::set_triangle_ray(q, r);

@@ -51,22 +51,22 @@ inline namespace IRG_ABI {
 
 /// The cells that g has.
 template <CellGrid G>
-IRG_INLINE constexpr grid_extent extent_of(const G& g) {
+[[nodiscard]] IRG_INLINE constexpr grid_extent extent_of(const G& g) {
   return grid_traits<G>::extent(g);
 }
 
 /// Whether a cell is full.
 /// needs   a cell of the grid
 template <CellGrid G>
-IRG_INLINE constexpr bool is_full(const G& g, const cell3& c) {
+[[nodiscard]] IRG_INLINE constexpr bool is_full(const G& g, const cell3& c) {
   return grid_traits<G>::is_full(g, c);
 }
 
 /// Whether a wall that blocks stands between c and the next cell along the axis; never in grids without walls.
 /// needs   a cell of the grid, and an axis from 0 to 2
 template <CellGrid G>
-IRG_INLINE constexpr bool has_wall([[maybe_unused]] const G& g, [[maybe_unused]] const cell3& c,
-                                   [[maybe_unused]] int axis) {
+[[nodiscard]] IRG_INLINE constexpr bool has_wall([[maybe_unused]] const G& g, [[maybe_unused]] const cell3& c,
+                                                 [[maybe_unused]] int axis) {
   if constexpr (WalledCellGrid<G>)
     return grid_traits<G>::has_wall(g, c, axis);
   else

@@ -60,8 +60,10 @@ public:
     fill_blocks(at, sequential{});
   }
 
-  IRG_INLINE constexpr const bvh& tree() const noexcept { return tree_; }
-  IRG_INLINE constexpr std::span<const detail::triangle_block<T>> blocks() const noexcept { return blocks_; }
+  [[nodiscard]] IRG_INLINE constexpr const bvh& tree() const noexcept { return tree_; }
+  [[nodiscard]] IRG_INLINE constexpr std::span<const detail::triangle_block<T>> blocks() const noexcept {
+    return blocks_;
+  }
 
 private:
   static constexpr std::size_t portion = 16384;
@@ -75,7 +77,7 @@ private:
   }
 
   template <class At, class E>
-  static constexpr std::vector<box<T, 3>> boxes_of(std::size_t count, const At& at, const E& executor) {
+  [[nodiscard]] static constexpr std::vector<box<T, 3>> boxes_of(std::size_t count, const At& at, const E& executor) {
     std::vector<box<T, 3>> boxes(count, box<T, 3>{});
     in_portions(count, executor, [&](std::size_t i) {
       const triangle& t = at(i);
@@ -116,7 +118,8 @@ inline namespace IRG_ABI {
 ///         weights as there. The same for every tree over these triangles
 /// cost    some log n boxes and triangles; nothing allocated
 template <Floating T, Floating U>
-constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r) noexcept {
+[[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles,
+                                                                const ray<U, 3>& r) noexcept {
   std::optional<triangle_hit> hit;
   detail::find_first_crossing(triangles.tree(), triangles.blocks(), r,
                               [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
@@ -155,11 +158,11 @@ constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ra
 /// Whether the ray crosses a triangle; with `counts`, one of those for which counts(number) holds.
 /// exact, cost   as closest_hit, and as a rule less
 template <Floating T, Floating U, class Counts>
-constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Counts& counts) {
+[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Counts& counts) {
   return detail::crosses_any(triangles.tree(), triangles.blocks(), r, counts);
 }
 template <Floating T, Floating U>
-constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r) noexcept {
+[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r) noexcept {
   return any_hit(triangles, r, [](std::uint32_t) { return true; });
 }
 

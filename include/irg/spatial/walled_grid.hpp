@@ -36,22 +36,22 @@ public:
   IRG_INLINE constexpr explicit walled_grid(cell_grid cells, const wall_rules& rules = {})
       : cells_(std::move(cells)), rules_(rules) {}
 
-  IRG_INLINE constexpr grid_extent extent() const noexcept { return cells_.extent(); }
-  IRG_INLINE constexpr const cell_grid& cells() const noexcept { return cells_; }
+  [[nodiscard]] IRG_INLINE constexpr grid_extent extent() const noexcept { return cells_.extent(); }
+  [[nodiscard]] IRG_INLINE constexpr const cell_grid& cells() const noexcept { return cells_; }
   /// Whether any wall was ever set.
-  IRG_INLINE constexpr bool walled() const noexcept { return !kinds_.empty(); }
+  [[nodiscard]] IRG_INLINE constexpr bool walled() const noexcept { return !kinds_.empty(); }
   /// The walls across an axis that block, as bits.
   /// needs   walled()
-  IRG_INLINE constexpr const cell_grid& blocking(int axis) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr const cell_grid& blocking(int axis) const noexcept {
     return axis == 0 ? across_x_ : axis == 1 ? across_y_ : across_z_;
   }
 
   /// needs   a cell of the extent and an axis from 0 to 2, here and below
-  IRG_INLINE constexpr bool is_full(const cell3& c) const noexcept { return cells_.is_full(c); }
-  IRG_INLINE constexpr bool has_wall(const cell3& c, int axis) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr bool is_full(const cell3& c) const noexcept { return cells_.is_full(c); }
+  [[nodiscard]] IRG_INLINE constexpr bool has_wall(const cell3& c, int axis) const noexcept {
     return walled() && blocking(axis).is_full(c);
   }
-  IRG_INLINE constexpr wall_kind wall(const cell3& c, int axis) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr wall_kind wall(const cell3& c, int axis) const noexcept {
     return walled() ? kinds_[index(c, axis)] : wall_kind::none;
   }
 
@@ -75,7 +75,7 @@ public:
   constexpr bool operator==(const walled_grid&) const = default;
 
 private:
-  IRG_INLINE constexpr std::size_t index(const cell3& c, int axis) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr std::size_t index(const cell3& c, int axis) const noexcept {
     const grid_extent e = extent();
     const std::int64_t i = (std::int64_t{c.z} * e.height + c.y) * e.width + c.x;
     return 3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(axis);
@@ -91,7 +91,7 @@ inline namespace IRG_ABI {
 
 /// The cells and the blocking walls of any grid, as bits.
 template <CellGrid G>
-constexpr walled_grid with_walls(const G& g) {
+[[nodiscard]] constexpr walled_grid with_walls(const G& g) {
   walled_grid out(packed(g));
   const grid_extent e = out.extent();
   for (int z = 0; z < e.depth && WalledCellGrid<G>; ++z)

@@ -44,7 +44,7 @@ inline namespace IRG_ABI {
 /// exact   which are crossed, as cross_triangle; the order is that of the rounded times
 /// cost    as all_hits, and sorting; allocates the result
 template <Floating T, Floating U>
-constexpr std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r) {
+[[nodiscard]] constexpr std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r) {
   std::vector<triangle_hit> hits;
   all_hits(triangles, r, [&](const triangle_hit& h) { hits.push_back(h); });
   std::sort(hits.begin(), hits.end(), [](const triangle_hit& a, const triangle_hit& b) {
@@ -59,8 +59,8 @@ constexpr std::vector<triangle_hit> sorted_hits(const triangle_bvh<T>& triangles
 /// exact   for the direction q - p as it is rounded; what holds p or q by orient3d
 /// cost    as any_hit
 template <Floating T, class Corners>
-constexpr bool is_visible(const triangle_bvh<T>& triangles, const Corners& corners, const point<T, 3>& p,
-                          const point<T, 3>& q) {
+[[nodiscard]] constexpr bool is_visible(const triangle_bvh<T>& triangles, const Corners& corners, const point<T, 3>& p,
+                                        const point<T, 3>& q) {
   if (p == q) return true;
   const ray<T, 3> way = ray_between(p, q);
   if (is_empty(way)) return false;
@@ -76,7 +76,8 @@ constexpr bool is_visible(const triangle_bvh<T>& triangles, const Corners& corne
 /// exact   of the rounded time of the first crossing
 /// cost    as closest_hit
 template <Floating T, Floating U>
-constexpr std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) noexcept {
+[[nodiscard]] constexpr std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                   double step) noexcept {
   if (is_empty(r)) return 0;
   const double low = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
   const auto hit = closest_hit(triangles, r);
@@ -91,7 +92,7 @@ constexpr std::int64_t visible_steps(const triangle_bvh<T>& triangles, const ray
 /// cost    as sorted_hits
 /// source  irg's own: the task is that of Fabris 2012
 template <Floating T, Floating U>
-constexpr free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) {
+[[nodiscard]] constexpr free_run longest_free_run(const triangle_bvh<T>& triangles, const ray<U, 3>& r, double step) {
   if (is_empty(r)) return {};
   double from = r.low < U(0) ? 0.0 : static_cast<double>(r.low);
   free_run best{from, from, 0};

@@ -49,7 +49,7 @@ struct ray_tracing {
           if (nearest == nullptr || is_nearer<Order>(f, *nearest, x, y)) nearest = &f;
           return std::nullopt;
         };
-        any_hit(tree, ray<double, 3>{{x + 0.5, y + 0.5, -1}, {0, 0, 1}, 1, 1}, meet);
+        static_cast<void>(any_hit(tree, ray<double, 3>{{x + 0.5, y + 0.5, -1}, {0, 0, 1}, 1, 1}, meet));
         if (nearest != nullptr) ids(x, y) = nearest->number;
       }
   }

@@ -75,24 +75,28 @@ public:
         count, [this](std::size_t i) { return corners(static_cast<std::uint32_t>(i)); }, bvh_config{}, executor);
   }
 
-  IRG_INLINE constexpr const lighting<T>& light() const noexcept { return light_; }
-  IRG_INLINE constexpr const rgb<T>& background() const noexcept { return background_; }
-  IRG_INLINE constexpr const triangle_bvh<T>& triangles() const noexcept { return tree_; }
-  IRG_INLINE constexpr const traced_body<T>& body(std::uint32_t i) const noexcept { return bodies_[i]; }
-  IRG_INLINE constexpr std::uint32_t body_count() const noexcept { return static_cast<std::uint32_t>(bodies_.size()); }
+  [[nodiscard]] IRG_INLINE constexpr const lighting<T>& light() const noexcept { return light_; }
+  [[nodiscard]] IRG_INLINE constexpr const rgb<T>& background() const noexcept { return background_; }
+  [[nodiscard]] IRG_INLINE constexpr const triangle_bvh<T>& triangles() const noexcept { return tree_; }
+  [[nodiscard]] IRG_INLINE constexpr const traced_body<T>& body(std::uint32_t i) const noexcept { return bodies_[i]; }
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t body_count() const noexcept {
+    return static_cast<std::uint32_t>(bodies_.size());
+  }
   /// Whether any body lets light through.
-  IRG_INLINE constexpr bool is_transparent() const noexcept { return transparent_; }
+  [[nodiscard]] IRG_INLINE constexpr bool is_transparent() const noexcept { return transparent_; }
 
   /// The number of the first triangle of a body: triangles count through all of them.
-  IRG_INLINE constexpr std::uint32_t first_triangle(std::uint32_t body) const noexcept { return first_[body]; }
+  [[nodiscard]] IRG_INLINE constexpr std::uint32_t first_triangle(std::uint32_t body) const noexcept {
+    return first_[body];
+  }
 
   /// The body of a triangle.
-  constexpr std::uint32_t body_of(std::uint32_t triangle) const noexcept {
+  [[nodiscard]] constexpr std::uint32_t body_of(std::uint32_t triangle) const noexcept {
     const auto after = std::upper_bound(first_.begin(), first_.end(), triangle);
     return static_cast<std::uint32_t>(after - first_.begin()) - 1;
   }
 
-  constexpr std::array<point<T, 3>, 3> corners(std::uint32_t triangle) const noexcept {
+  [[nodiscard]] constexpr std::array<point<T, 3>, 3> corners(std::uint32_t triangle) const noexcept {
     const std::uint32_t b = body_of(triangle);
     const auto [i, j, k] = bodies_[b].triangles[triangle - first_[b]].v;
     const auto& p = bodies_[b].positions;
@@ -100,7 +104,8 @@ public:
   }
 
   /// The point of a triangle with the weights of its second and third corner, seen from the side that is given.
-  constexpr surface_point<T> point_of(std::uint32_t triangle, T weight1, T weight2, facing side) const noexcept {
+  [[nodiscard]] constexpr surface_point<T> point_of(std::uint32_t triangle, T weight1, T weight2,
+                                                    facing side) const noexcept {
     surface_point<T> s;
     s.body = body_of(triangle);
     s.side = side;
@@ -125,7 +130,7 @@ public:
   }
 
   /// What a ray meets first.
-  constexpr std::optional<surface_point<T>> meet(const ray<T, 3>& r) const noexcept {
+  [[nodiscard]] constexpr std::optional<surface_point<T>> meet(const ray<T, 3>& r) const noexcept {
     const auto hit = closest_hit(tree_, r);
     if (!hit) return std::nullopt;
     return point_of(hit->triangle, static_cast<T>(hit->at.weight_b), static_cast<T>(hit->at.weight_c), hit->at.side);

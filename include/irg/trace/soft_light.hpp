@@ -83,8 +83,8 @@ inline namespace IRG_ABI {
 /// cost    the triangles whose boxes meet the box of p, a and b; allocates the parts that they hide
 /// source  irg's own: what triangles hide of the rod, part by part
 template <Floating T>
-constexpr T lit_share_of_rod(const ray_world<T>& world, const point<T, 3>& p, const point<T, 3>& a,
-                             const point<T, 3>& b) {
+[[nodiscard]] constexpr T lit_share_of_rod(const ray_world<T>& world, const point<T, 3>& p, const point<T, 3>& a,
+                                           const point<T, 3>& b) {
   const vec<T, 3> to_a = a - p, to_b = b - p, n = cross(to_a, to_b);
   if (!(T(0) < dot(n, n))) return T(1);
   std::vector<std::pair<T, T>> hidden;
@@ -107,8 +107,9 @@ constexpr T lit_share_of_rod(const ray_world<T>& world, const point<T, 3>& p, co
 /// exact   each place as a lamp there: what is between is decided as any_hit. The same bits everywhere
 /// cost    samples^2 rays for each panel, a box for each rod
 template <Floating T>
-constexpr rgb<T> soft_light_of_surface(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
-                                       std::span<const area_light<T>> lights, int samples) {
+[[nodiscard]] constexpr rgb<T> soft_light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
+                                                     const point<T, 3>& eye, std::span<const area_light<T>> lights,
+                                                     int samples) {
   const int n = clamp(samples, 1, 64);
   const material<T>& surface = world.body(s.body).surface;
   const point<T, 3> from = detail::beside(s, s.face);

@@ -55,8 +55,8 @@ inline namespace IRG_ABI {
 ///         lamps that are infinitely far away
 /// exact   what is between, as any_hit
 template <Floating T>
-constexpr rgb<T> light_through(const ray_world<T>& world, const point<T, 3>& from, const vec<T, 3>& to_light,
-                               T share) noexcept {
+[[nodiscard]] constexpr rgb<T> light_through(const ray_world<T>& world, const point<T, 3>& from,
+                                             const vec<T, 3>& to_light, T share) noexcept {
   const ray<T, 3> r{from, to_light, T(0), share};
   rgb<T> through{T(1), T(1), T(1)};
   if (!world.is_transparent()) return any_hit(world.triangles(), r) ? rgb<T>{} : through;
@@ -69,8 +69,9 @@ constexpr rgb<T> light_through(const ray_world<T>& world, const point<T, 3>& fro
 /// The light of a surface's own: Phong's model with the lamps that reach it, as an eye sees it.
 /// gives   what phong_model gives, bit by bit, where shadows are off. A lamp behind the triangle does not reach it
 template <Floating T>
-constexpr rgb<T> light_of_surface(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
-                                  shadow_rays shadows = shadow_rays::on) noexcept {
+[[nodiscard]] constexpr rgb<T> light_of_surface(const ray_world<T>& world, const surface_point<T>& s,
+                                                const point<T, 3>& eye,
+                                                shadow_rays shadows = shadow_rays::on) noexcept {
   const material<T>& surface = world.body(s.body).surface;
   if (shadows == shadow_rays::off) return phong_model(surface, world.light(), eye, s.at, s.normal);
   const point<T, 3> from = detail::beside(s, s.face);
@@ -89,7 +90,8 @@ constexpr rgb<T> light_of_surface(const ray_world<T>& world, const surface_point
 /// gives   nothing where it is reflected whole
 /// source  Whitted 1980
 template <Floating T>
-constexpr std::optional<vec<T, 3>> refracted_direction(const vec<T, 3>& d, const vec<T, 3>& normal, T ratio) noexcept {
+[[nodiscard]] constexpr std::optional<vec<T, 3>> refracted_direction(const vec<T, 3>& d, const vec<T, 3>& normal,
+                                                                     T ratio) noexcept {
   const T c = -dot(d, normal), under = T(1) - product(product(ratio, ratio), T(1) - product(c, c));
   if (!(T(0) <= under)) return std::nullopt;
   return normalized(d * ratio + normal * (product(ratio, c) - sqrt(under)));
@@ -163,8 +165,8 @@ inline namespace IRG_ABI {
 /// The light that comes from a surface's point to an eye: its own, and what it mirrors and lets through.
 /// shape   as trace_ray, for a point that is known
 template <Floating T>
-constexpr rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
-                            const trace_limits<T>& limits = {}) noexcept {
+[[nodiscard]] constexpr rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s, const point<T, 3>& eye,
+                                          const trace_limits<T>& limits = {}) noexcept {
   rgb<T> sum = light_of_surface(world, s, eye, limits.shadows);
   const int bounces = limits.bounces < detail::most_bounces ? limits.bounces : detail::most_bounces;
   if (bounces <= 0) return sum;
@@ -184,7 +186,8 @@ constexpr rgb<T> trace_from(const ray_world<T>& world, const surface_point<T>& s
 /// cost    at most 2^(bounces + 1) rays, and for each one to every lamp; nothing allocated
 /// source  Whitted 1980
 template <Floating T>
-constexpr rgb<T> trace_ray(const ray_world<T>& world, const ray<T, 3>& r, const trace_limits<T>& limits = {}) noexcept {
+[[nodiscard]] constexpr rgb<T> trace_ray(const ray_world<T>& world, const ray<T, 3>& r,
+                                         const trace_limits<T>& limits = {}) noexcept {
   const auto s = world.meet(r);
   return s ? trace_from(world, *s, r.origin, limits) : world.background();
 }

@@ -18,7 +18,7 @@ inline namespace IRG_ABI {
 /// Moves everything by v.
 template <Vector V>
   requires(size_of<V> == 3)
-constexpr mat<scalar_of<V>, 4, 4> translation(const V& v) noexcept {
+[[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> translation(const V& v) noexcept {
   auto m = identity<scalar_of<V>, 4>();
   for (int i = 0; i < 3; ++i) m(i, 3) = coordinate(v, i);
   return m;
@@ -27,7 +27,7 @@ constexpr mat<scalar_of<V>, 4, 4> translation(const V& v) noexcept {
 /// Stretches x, y and z by factors of their own; negative ones mirror, 0 flattens.
 template <Vector V>
   requires(size_of<V> == 3)
-constexpr mat<scalar_of<V>, 4, 4> scaling(const V& factors) noexcept {
+[[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> scaling(const V& factors) noexcept {
   auto m = identity<scalar_of<V>, 4>();
   for (int i = 0; i < 3; ++i) m(i, i) = coordinate(factors, i);
   return m;
@@ -35,7 +35,7 @@ constexpr mat<scalar_of<V>, 4, 4> scaling(const V& factors) noexcept {
 
 /// Stretches everything by one factor about the origin.
 template <Real T>
-constexpr mat<T, 4, 4> scaling(const T& factor) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> scaling(const T& factor) noexcept {
   return scaling(vec<T, 3>{factor, factor, factor});
 }
 
@@ -43,7 +43,7 @@ constexpr mat<T, 4, 4> scaling(const T& factor) noexcept {
 /// units   radians
 /// exact   entries are sin(angle) and cos(angle) as rounded by irg
 template <Floating T>
-constexpr mat<T, 4, 4> rotation_x(T angle) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> rotation_x(T angle) noexcept {
   const T c = cos(angle), s = sin(angle);
   return {{{1, 0, 0, 0}, {0, c, -s, 0}, {0, s, c, 0}, {0, 0, 0, 1}}};
 }
@@ -52,7 +52,7 @@ constexpr mat<T, 4, 4> rotation_x(T angle) noexcept {
 /// units   radians
 /// exact   as rotation_x
 template <Floating T>
-constexpr mat<T, 4, 4> rotation_y(T angle) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> rotation_y(T angle) noexcept {
   const T c = cos(angle), s = sin(angle);
   return {{{c, 0, s, 0}, {0, 1, 0, 0}, {-s, 0, c, 0}, {0, 0, 0, 1}}};
 }
@@ -61,7 +61,7 @@ constexpr mat<T, 4, 4> rotation_y(T angle) noexcept {
 /// units   radians
 /// exact   as rotation_x
 template <Floating T>
-constexpr mat<T, 4, 4> rotation_z(T angle) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> rotation_z(T angle) noexcept {
   const T c = cos(angle), s = sin(angle);
   return {{{c, -s, 0, 0}, {s, c, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 }
@@ -73,7 +73,7 @@ constexpr mat<T, 4, 4> rotation_z(T angle) noexcept {
 /// source  Rodrigues 1840
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
-constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) noexcept {
+[[nodiscard]] constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) noexcept {
   using T = scalar_of<V>;
   const auto unit = try_normalize(axis);
   if (!unit) return identity<T, 4>();
@@ -89,7 +89,7 @@ constexpr mat<scalar_of<V>, 4, 4> rotation(const V& axis, scalar_of<V> angle) no
 
 /// The upper left 3x3 block of a 4x4 matrix: what an affine map does to displacements.
 template <class T>
-constexpr mat<T, 3, 3> linear_part(const mat<T, 4, 4>& m) noexcept {
+[[nodiscard]] constexpr mat<T, 3, 3> linear_part(const mat<T, 4, 4>& m) noexcept {
   return submatrix(m, 3, 3);
 }
 
@@ -122,7 +122,7 @@ inline namespace IRG_ABI {
 /// exact   in rationals; in floats right where the determinant is larger than 5u times the sum of the absolute values
 ///         of its six products, which any composition of rotations and scalings by moderate factors is
 template <class T>
-constexpr map_orientation orientation_of(const mat<T, 4, 4>& m) noexcept {
+[[nodiscard]] constexpr map_orientation orientation_of(const mat<T, 4, 4>& m) noexcept {
   const T d = determinant(detail::scaled_linear_part(m));
   return T(0) < d ? map_orientation::preserving : d < T(0) ? map_orientation::reversing : map_orientation::singular;
 }
@@ -134,7 +134,7 @@ constexpr map_orientation orientation_of(const mat<T, 4, 4>& m) noexcept {
 /// source  irg's own: the cofactor matrix times the sign of the determinant; no division, so singular maps need no
 ///         exception
 template <class T>
-constexpr mat<T, 3, 3> normal_matrix(const mat<T, 4, 4>& m) noexcept {
+[[nodiscard]] constexpr mat<T, 3, 3> normal_matrix(const mat<T, 4, 4>& m) noexcept {
   const mat<T, 3, 3> a = detail::scaled_linear_part(m);
   const mat<T, 3, 3> cofactors = cofactor_matrix(a);
   return determinant(a) < T(0) ? -cofactors : cofactors;
@@ -143,7 +143,7 @@ constexpr mat<T, 3, 3> normal_matrix(const mat<T, 4, 4>& m) noexcept {
 /// The direction of a surface normal after an affine map, not of length 1. For many normals, keep normal_matrix(m).
 /// exact   as normal_matrix
 template <class T>
-constexpr vec<T, 3> transform_normal(const mat<T, 4, 4>& m, const vec<T, 3>& normal) noexcept {
+[[nodiscard]] constexpr vec<T, 3> transform_normal(const mat<T, 4, 4>& m, const vec<T, 3>& normal) noexcept {
   return normal_matrix(m) * normal;
 }
 
@@ -152,7 +152,7 @@ constexpr vec<T, 3> transform_normal(const mat<T, 4, 4>& m, const vec<T, 3>& nor
 /// needs   an affine m; its last row is not read
 /// gives   normals 0, 0, 0 where none is left (a zero normal, a flattened body)
 template <Floating T>
-constexpr mesh<T> transform_mesh(mesh<T> body, const mat<T, 4, 4>& m) {
+[[nodiscard]] constexpr mesh<T> transform_mesh(mesh<T> body, const mat<T, 4, 4>& m) {
   for (auto& p : body.positions) p = transform_point(m, p);
   const mat<T, 3, 3> normals = normal_matrix(m);
   for (auto& n : body.normals) n = normalized(normals * n);

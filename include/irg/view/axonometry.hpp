@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 /// units   radians
 /// gives   a unit vector; for angles that are NaN or infinite, NaN
 template <Floating T>
-constexpr vec<T, 3> axonometric_direction(T turn, std::type_identity_t<T> tilt) noexcept {
+[[nodiscard]] constexpr vec<T, 3> axonometric_direction(T turn, std::type_identity_t<T> tilt) noexcept {
   const T level = cos(tilt);
   return {product(sin(turn), level), sin(tilt), product(cos(turn), level)};
 }
@@ -48,7 +48,8 @@ constexpr vec<T, 3> axonometric_direction(T turn, std::type_identity_t<T> tilt) 
 /// source  irg's own: a direction (a, b, c) of length 1 shortens x by sqrt(1 - a^2), so that the squares of the three
 ///         factors add up to 2
 template <Floating T>
-constexpr axonometry<T> axonometry_by_ratios(T x, std::type_identity_t<T> y, std::type_identity_t<T> z) noexcept {
+[[nodiscard]] constexpr axonometry<T> axonometry_by_ratios(T x, std::type_identity_t<T> y,
+                                                           std::type_identity_t<T> z) noexcept {
   const auto usable = [](T r) { return T(0) <= r && r <= (std::numeric_limits<T>::max)(); };
   const T largest = greater(greater(x, y), z);
   if (!usable(x) || !usable(y) || !usable(z) || !(T(0) < largest)) return {};
@@ -66,15 +67,15 @@ constexpr axonometry<T> axonometry_by_ratios(T x, std::type_identity_t<T> y, std
 /// The axonometries of technical drawing: isometric and dimetric as in ISO 5456-3; the trimetric one, for which there
 /// is no standard, in the proportions of handbooks, 0.9 : 1 : 0.5.
 template <Floating T>
-constexpr axonometry<T> isometric() noexcept {
+[[nodiscard]] constexpr axonometry<T> isometric() noexcept {
   return axonometry_by_ratios(T(1), T(1), T(1));
 }
 template <Floating T>
-constexpr axonometry<T> dimetric() noexcept {
+[[nodiscard]] constexpr axonometry<T> dimetric() noexcept {
   return axonometry_by_ratios(T(1), T(1), T(0.5));
 }
 template <Floating T>
-constexpr axonometry<T> trimetric() noexcept {
+[[nodiscard]] constexpr axonometry<T> trimetric() noexcept {
   return axonometry_by_ratios(T(0.9), T(1), T(0.5));
 }
 
@@ -83,7 +84,7 @@ constexpr axonometry<T> trimetric() noexcept {
 /// gives   zeros for a direction that is zero, NaN or infinite
 /// exact   within 4u
 template <Floating T>
-constexpr vec<T, 3> foreshortening(const vec<T, 3>& to_viewer) noexcept {
+[[nodiscard]] constexpr vec<T, 3> foreshortening(const vec<T, 3>& to_viewer) noexcept {
   const auto d = try_normalize(to_viewer);
   if (!d) return {};
   const auto beside = [](T a, T b) { return length(vec<T, 2>{a, b}); };
@@ -95,7 +96,7 @@ constexpr vec<T, 3> foreshortening(const vec<T, 3>& to_viewer) noexcept {
 /// gives   a rotation always: seen along y as look_at has it, and without a turn for a direction that is no direction
 /// exact   as look_at
 template <Floating T>
-constexpr mat<T, 4, 4> axonometric_view(const vec<T, 3>& to_viewer) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> axonometric_view(const vec<T, 3>& to_viewer) noexcept {
   const point<T, 3> origin{};
   auto m = look_at(to_point(normalized(to_viewer)), origin, vec<T, 3>{T(0), T(1), T(0)});
   for (int r = 0; r < 3; ++r) m(r, 3) = T(0);
@@ -107,7 +108,7 @@ constexpr mat<T, 4, 4> axonometric_view(const vec<T, 3>& to_viewer) noexcept {
 /// axis nearest to it, so that in a world with z up x still runs to the right.
 /// gives   the direction itself for an `up` that is zero, NaN or infinite
 template <Floating T>
-constexpr vec<T, 3> with_axis_up(const vec<T, 3>& direction, const vec<T, 3>& up) noexcept {
+[[nodiscard]] constexpr vec<T, 3> with_axis_up(const vec<T, 3>& direction, const vec<T, 3>& up) noexcept {
   const auto y = try_normalize(up);
   if (!y) return direction;
   const bool z_up =

@@ -25,7 +25,7 @@ struct camera_frame {
 };
 
 /// What orthonormalized made of a frame.
-enum class camera_frame_status {
+enum class [[nodiscard]] camera_frame_status {
   ordinary,
   up_replaced,  // up was zero, NaN, infinite or parallel to forward: right, or else an axis of the world stands in
   forward_replaced  // forward was zero, NaN or infinite: the direction behind right and up, or else -z, stands in
@@ -47,14 +47,15 @@ constexpr camera_frame<T> look_at_frame(const point<T, 3>& eye, const point<T, 3
 
 /// R: turns the frame's axes into the coordinate axes. Its rows are right, up, and -forward or, left-handed, forward.
 template <class T>
-constexpr mat<T, 4, 4> view_rotation(const camera_frame<T>& f, handedness sense = handedness::right) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_rotation(const camera_frame<T>& f,
+                                                   handedness sense = handedness::right) noexcept {
   const vec<T, 3>&x = f.right, &y = f.up, z = sense == handedness::right ? -f.forward : f.forward;
   return {{{x.x, x.y, x.z, 0}, {y.x, y.y, y.z, 0}, {z.x, z.y, z.z, 0}, {0, 0, 0, 1}}};
 }
 
 /// T: moves the frame's position into the origin.
 template <class T>
-constexpr mat<T, 4, 4> view_translation(const camera_frame<T>& f) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_translation(const camera_frame<T>& f) noexcept {
   auto m = identity<T, 4>();
   for (int i = 0; i < 3; ++i) m(i, 3) = T(0) - f.position[i];
   return m;
@@ -65,14 +66,16 @@ constexpr mat<T, 4, 4> view_translation(const camera_frame<T>& f) noexcept {
 /// exact   equal to look_at for the same camera; for a general frame the product's own roundings only
 /// source  Hank n.d., 4.1.4
 template <class T>
-constexpr mat<T, 4, 4> view_matrix(const camera_frame<T>& f, handedness sense = handedness::right) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_matrix(const camera_frame<T>& f,
+                                                 handedness sense = handedness::right) noexcept {
   return view_rotation(f, sense) * view_translation(f);
 }
 
 /// From the frame's camera space into world space: the inverse of view_matrix.
 /// exact   the entries are the frame's own numbers
 template <class T>
-constexpr mat<T, 4, 4> camera_to_world(const camera_frame<T>& f, handedness sense = handedness::right) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> camera_to_world(const camera_frame<T>& f,
+                                                     handedness sense = handedness::right) noexcept {
   const vec<T, 3>&x = f.right, &y = f.up, z = sense == handedness::right ? -f.forward : f.forward;
   const point<T, 3>& p = f.position;
   return {{{x.x, y.x, z.x, p.x}, {x.y, y.y, z.y, p.y}, {x.z, y.z, z.z, p.z}, {0, 0, 0, 1}}};
@@ -82,7 +85,8 @@ constexpr mat<T, 4, 4> camera_to_world(const camera_frame<T>& f, handedness sens
 /// needs   a rigid map, of the handedness given; its last row is not read
 /// exact   the axes are the matrix's own numbers; the position is rounded as three products and two sums are
 template <Floating T>
-constexpr camera_frame<T> frame_of_view(const mat<T, 4, 4>& m, handedness sense = handedness::right) noexcept {
+[[nodiscard]] constexpr camera_frame<T> frame_of_view(const mat<T, 4, 4>& m,
+                                                      handedness sense = handedness::right) noexcept {
   const auto row = [&](int r) { return vec<T, 3>{m(r, 0), m(r, 1), m(r, 2)}; };
   camera_frame<T> f{{}, row(0), row(1), sense == handedness::right ? -row(2) : row(2)};
   f.position = generate_coordinates<point<T, 3>>([&](int c) {
@@ -93,11 +97,11 @@ constexpr camera_frame<T> frame_of_view(const mat<T, 4, 4>& m, handedness sense 
 
 /// Right-handed camera coordinates from left-handed ones, and the other way: z turns round.
 template <class T>
-IRG_INLINE constexpr point<T, 3> change_handedness(const point<T, 3>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr point<T, 3> change_handedness(const point<T, 3>& p) noexcept {
   return {p.x, p.y, -p.z};
 }
 template <class T>
-IRG_INLINE constexpr vec<T, 3> change_handedness(const vec<T, 3>& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<T, 3> change_handedness(const vec<T, 3>& v) noexcept {
   return {v.x, v.y, -v.z};
 }
 
@@ -105,7 +109,7 @@ IRG_INLINE constexpr vec<T, 3> change_handedness(const vec<T, 3>& v) noexcept {
 /// of rotation changes with it: what was counter-clockwise about an axis is clockwise.
 /// exact   no number is rounded; twice is the matrix itself
 template <class T>
-constexpr mat<T, 4, 4> change_handedness(const mat<T, 4, 4>& view) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> change_handedness(const mat<T, 4, 4>& view) noexcept {
   mat<T, 4, 4> m = view;
   for (T& entry : m.m[2]) entry = T(0) - entry;
   return m;
@@ -116,7 +120,8 @@ constexpr mat<T, 4, 4> change_handedness(const mat<T, 4, 4>& view) noexcept {
 /// gives   for broken axes what camera_frame_status says; an orthonormal frame always. The position is not touched
 /// exact   of length 1 and at right angles within 8u (u = 2^-53, float 2^-24)
 template <Floating T>
-constexpr checked<camera_frame<T>, camera_frame_status> orthonormalized_checked(const camera_frame<T>& f) noexcept {
+[[nodiscard]] constexpr checked<camera_frame<T>, camera_frame_status> orthonormalized_checked(
+    const camera_frame<T>& f) noexcept {
   constexpr T parallel = 4 * std::numeric_limits<T>::epsilon();
   const vec<T, 3> right = normalized(f.right), up = normalized(f.up);
   checked<camera_frame<T>, camera_frame_status> r{f, camera_frame_status::ordinary};
@@ -142,7 +147,7 @@ constexpr checked<camera_frame<T>, camera_frame_status> orthonormalized_checked(
 
 /// The frame with axes of length 1 and at right angles again; see orthonormalized_checked.
 template <Floating T>
-constexpr camera_frame<T> orthonormalized(const camera_frame<T>& f) noexcept {
+[[nodiscard]] constexpr camera_frame<T> orthonormalized(const camera_frame<T>& f) noexcept {
   return orthonormalized_checked(f).value;
 }
 

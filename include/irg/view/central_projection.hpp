@@ -41,8 +41,9 @@ inline namespace IRG_ABI {
 /// exact   in rationals; in floats (x * d) / depth with each operation rounded once
 /// source  Hidden-surface slides; Hank n.d., 4.1.6.2
 template <Real T>
-constexpr std::optional<point<T, 2>> project_central(const point<T, 3>& p, const std::type_identity_t<T>& distance,
-                                                     projection_origin origin) noexcept {
+[[nodiscard]] constexpr std::optional<point<T, 2>> project_central(const point<T, 3>& p,
+                                                                   const std::type_identity_t<T>& distance,
+                                                                   projection_origin origin) noexcept {
   const T depth = origin == projection_origin::eye ? p.z : distance - p.z;
   if (!(T(0) < distance && T(0) < depth)) return std::nullopt;
   return point<T, 2>{product(p.x, distance) / depth, product(p.y, distance) / depth};
@@ -52,7 +53,7 @@ constexpr std::optional<point<T, 2>> project_central(const point<T, 3>& p, const
 /// exact   no arithmetic
 /// source  Mihajlovic 2016, 5.2; Hank n.d., 4.1.6.1
 template <Scalar T>
-constexpr point<T, 2> project_parallel(const point<T, 3>& p) noexcept {
+[[nodiscard]] constexpr point<T, 2> project_parallel(const point<T, 3>& p) noexcept {
   return {p.x, p.y};
 }
 
@@ -63,8 +64,8 @@ constexpr point<T, 2> project_parallel(const point<T, 3>& p) noexcept {
 /// gives   bad_distance
 /// exact   nothing is rounded
 template <Real T>
-constexpr checked<mat<T, 4, 4>, projection_status> central_projection_checked(const T& distance,
-                                                                              projection_origin origin) noexcept {
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> central_projection_checked(
+    const T& distance, projection_origin origin) noexcept {
   if (!detail::is_distance(distance)) return detail::refused<T>(projection_status::bad_distance);
   const T d = distance, o = T(0), one = T(1);
   if (origin == projection_origin::eye)
@@ -75,7 +76,7 @@ constexpr checked<mat<T, 4, 4>, projection_status> central_projection_checked(co
 /// The matrix of project_central; see central_projection_checked.
 /// needs   a positive, finite distance; where this is broken and not caught, the identity comes out
 template <Real T>
-constexpr mat<T, 4, 4> central_projection(const T& distance, projection_origin origin) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> central_projection(const T& distance, projection_origin origin) noexcept {
   const auto p = central_projection_checked(distance, origin);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.value;

@@ -64,7 +64,8 @@ inline namespace IRG_ABI {
 ///         absolute values it is made of
 /// source  Gribb and Hartmann 2001
 template <Real T>
-constexpr frustum<T> frustum_of(const mat<T, 4, 4>& to_clip, depth_range depth = depth_range::reversed) noexcept {
+[[nodiscard]] constexpr frustum<T> frustum_of(const mat<T, 4, 4>& to_clip,
+                                              depth_range depth = depth_range::reversed) noexcept {
   const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
   frustum<T> f{};
   const auto set = [&](frustum_plane which, int row, bool with_w, bool minus) {
@@ -96,7 +97,7 @@ constexpr frustum<T> frustum_of(const mat<T, 4, 4>& to_clip, depth_range depth =
 ///         the far plane at infinity the far corners are the directions of the edges
 /// exact   in rationals; in floats within about 100u times the condition of the three planes
 template <Real T>
-constexpr std::optional<frustum_corner_points<T>> frustum_corners(const frustum<T>& f) noexcept {
+[[nodiscard]] constexpr std::optional<frustum_corner_points<T>> frustum_corners(const frustum<T>& f) noexcept {
   using enum frustum_plane;
   frustum_corner_points<T> corners{};
   for (int k = 0; k < 8; ++k) {
@@ -128,7 +129,7 @@ constexpr std::optional<frustum_corner_points<T>> frustum_corners(const frustum<
 /// cost    per plane two scalar products
 /// source  Assarsson and Moller 2000: the corner nearest to the plane and the one farthest from it
 template <Real T>
-constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
+[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
   if (is_empty(b)) return containment::outside;
   const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
   const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return greater(size(b.low[i]), size(b.high[i])); });
@@ -154,7 +155,7 @@ constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept 
 /// exact   as for a box
 /// cost    per plane one scalar product
 template <Floating T>
-constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
+[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
   if (ball.radius < T(0)) return containment::outside;
   const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return detail::magnitude(ball.centre[i]); });
   bool inside = true;
@@ -174,7 +175,7 @@ constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& 
 /// gives   in rationals inside for the boundary too; crossing for NaN
 /// exact   as for a box
 template <Real T>
-constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
+[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
   const box<T, 3> b{p, p};
   return is_empty(b) ? containment::crossing : side_of(f, b);
 }
@@ -182,7 +183,7 @@ constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcep
 /// The frustum with normals of length 1.
 /// exact   each coefficient within 2u
 template <Floating T>
-constexpr frustum<T> with_unit_normals(frustum<T> f) noexcept {
+[[nodiscard]] constexpr frustum<T> with_unit_normals(frustum<T> f) noexcept {
   for (int k = 0; k < 6; ++k) detail::normalise_frustum_plane(f.planes[k], f.weights[k]);
   return f;
 }

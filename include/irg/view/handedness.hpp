@@ -13,14 +13,14 @@ inline namespace IRG_ABI {
 /// The same homogeneous position in coordinates of the other handedness.
 /// exact   z changes sign, nothing is rounded
 template <class T>
-IRG_INLINE constexpr hpoint<T, 3> change_handedness(const hpoint<T, 3>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, 3> change_handedness(const hpoint<T, 3>& p) noexcept {
   return {p.x, p.y, T(0) - p.z, p.w};
 }
 
 /// The same plane, with the same upper side, in coordinates of the other handedness.
 /// exact   one coefficient changes sign, nothing is rounded
 template <class T>
-IRG_INLINE constexpr plane<T> change_handedness(const plane<T>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr plane<T> change_handedness(const plane<T>& p) noexcept {
   return {p.a, p.b, T(0) - p.c, p.d};
 }
 
@@ -29,7 +29,7 @@ IRG_INLINE constexpr plane<T> change_handedness(const plane<T>& p) noexcept {
 /// Clip space stays what it is.
 /// exact   the third column changes sign, nothing is rounded
 template <class T>
-constexpr mat<T, 4, 4> from_other_handedness(const mat<T, 4, 4>& projection) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> from_other_handedness(const mat<T, 4, 4>& projection) noexcept {
   return detail::filled_mat<T, 4, 4>(
       [&](int r, int c) { return c == 2 ? T(T(0) - projection(r, c)) : projection(r, c); });
 }
@@ -37,7 +37,7 @@ constexpr mat<T, 4, 4> from_other_handedness(const mat<T, 4, 4>& projection) noe
 /// The same map of a space into itself, in coordinates of the other handedness. Rotations stay rotations.
 /// exact   entries change sign, nothing is rounded
 template <class T>
-constexpr mat<T, 4, 4> in_other_handedness(const mat<T, 4, 4>& m) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> in_other_handedness(const mat<T, 4, 4>& m) noexcept {
   return detail::filled_mat<T, 4, 4>([&](int r, int c) { return (r == 2) != (c == 2) ? T(T(0) - m(r, c)) : m(r, c); });
 }
 

@@ -10,7 +10,7 @@
 namespace irg {
 
 /// What the three arguments of look_at amount to.
-enum class look_at_status {
+enum class [[nodiscard]] look_at_status {
   ordinary,
   up_parallel,    // up is zero or parallel to the view: an axis of the world took its place
   eye_at_target,  // there is no direction: the camera looks along the world's -z

@@ -15,7 +15,7 @@
 namespace irg {
 
 /// What eye and plane amount to.
-enum class plane_projection_status {
+enum class [[nodiscard]] plane_projection_status {
   ordinary,
   no_plane,  // the normal is zero
   no_eye,  // the eye's coordinates are all zero: neither a position nor a direction
@@ -81,8 +81,8 @@ inline namespace IRG_ABI {
 ///         the plane, differ by less than a factor of 2^900. The rounding does not depend on scale
 /// source  Blinn 1988
 template <Plane P>
-constexpr checked<mat<typename plane_traits<P>::scalar, 4, 4>, plane_projection_status> projection_onto_plane_checked(
-    const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& eye) noexcept
+[[nodiscard]] constexpr checked<mat<typename plane_traits<P>::scalar, 4, 4>, plane_projection_status>
+projection_onto_plane_checked(const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& eye) noexcept
   requires Real<typename plane_traits<P>::scalar>
 {
   using T = typename plane_traits<P>::scalar;
@@ -123,16 +123,16 @@ constexpr checked<mat<typename plane_traits<P>::scalar, 4, 4>, plane_projection_
 /// The central projection onto a plane: from an eye.
 /// gives   as projection_onto_plane_checked
 template <Plane P>
-constexpr auto central_projection_onto_checked(const P& onto,
-                                               const point<typename plane_traits<P>::scalar, 3>& eye) noexcept {
+[[nodiscard]] constexpr auto central_projection_onto_checked(
+    const P& onto, const point<typename plane_traits<P>::scalar, 3>& eye) noexcept {
   return projection_onto_plane_checked(onto, to_homogeneous(eye));
 }
 
 /// The parallel projection onto a plane: along a direction, either way. The matrix is affine.
 /// gives   as projection_onto_plane_checked; no_eye for the zero vector
 template <Plane P>
-constexpr auto parallel_projection_onto_checked(const P& onto,
-                                                const vec<typename plane_traits<P>::scalar, 3>& direction) noexcept {
+[[nodiscard]] constexpr auto parallel_projection_onto_checked(
+    const P& onto, const vec<typename plane_traits<P>::scalar, 3>& direction) noexcept {
   using T = typename plane_traits<P>::scalar;
   return projection_onto_plane_checked(onto, hpoint<T, 3>{direction.x, direction.y, direction.z, T(0)});
 }
@@ -142,8 +142,8 @@ constexpr auto parallel_projection_onto_checked(const P& onto,
 /// nothing is thrown there; at the light's height and above it w <= 0, and there is no shadow either. For a light at
 /// infinity w is 1 everywhere: cut away yourself what lies beyond the plane.
 template <Plane P>
-constexpr auto shadow_matrix_checked(const P& onto,
-                                     const hpoint<typename plane_traits<P>::scalar, 3>& light_position) noexcept {
+[[nodiscard]] constexpr auto shadow_matrix_checked(
+    const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& light_position) noexcept {
   return projection_onto_plane_checked(onto, light_position);
 }
 

@@ -80,7 +80,8 @@ inline namespace IRG_ABI {
 /// gives   coordinates that are NaN or infinite where the angles or the distance are
 /// exact   each coordinate within 4.5 ulp
 template <Floating T>
-constexpr vec<T, 3> polar_to_cartesian(const polar_coordinates<T>& p, polar_axis axis = polar_axis::y_up) noexcept {
+[[nodiscard]] constexpr vec<T, 3> polar_to_cartesian(const polar_coordinates<T>& p,
+                                                     polar_axis axis = polar_axis::y_up) noexcept {
   return detail::from_y_up(detail::polar_direction(sin_cos(p.azimuth), sin_cos(p.elevation)) * p.distance, axis);
 }
 
@@ -89,7 +90,8 @@ constexpr vec<T, 3> polar_to_cartesian(const polar_coordinates<T>& p, polar_axis
 /// gives   azimuth 0 on the pole's axis, 0 for all of the zero vector
 /// exact   distance within 0.501 ulp, angles within 2 ulp (elevation where the coordinates are not subnormal)
 template <Floating T>
-constexpr polar_coordinates<T> cartesian_to_polar(const vec<T, 3>& v, polar_axis axis = polar_axis::y_up) noexcept {
+[[nodiscard]] constexpr polar_coordinates<T> cartesian_to_polar(const vec<T, 3>& v,
+                                                                polar_axis axis = polar_axis::y_up) noexcept {
   const vec<T, 3> d = detail::to_y_up(v, axis);
   return {hypot(d.x, d.y, d.z), detail::angle_or_zero(d.x, d.z), detail::angle_or_zero(d.y, hypot(d.x, d.z))};
 }
@@ -119,8 +121,8 @@ constexpr camera_frame<T> polar_frame(const point<T, 3>& target, std::type_ident
 /// exact   as polar_frame
 /// source  Hank n.d., 4.1.3.1
 template <Floating T>
-constexpr std::optional<camera_frame<T>> try_frame_of(const polar_camera<T>& c,
-                                                      polar_axis axis = polar_axis::y_up) noexcept {
+[[nodiscard]] constexpr std::optional<camera_frame<T>> try_frame_of(const polar_camera<T>& c,
+                                                                    polar_axis axis = polar_axis::y_up) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)();
   if (!detail::within(c.target, most / 4) || !(detail::magnitude(c.distance) <= most / 4) ||
       !detail::within(vec<T, 3>{c.azimuth, c.elevation, c.roll}, most))
@@ -130,7 +132,8 @@ constexpr std::optional<camera_frame<T>> try_frame_of(const polar_camera<T>& c,
 
 /// The frame of a polar camera; the default frame where try_frame_of gives nothing.
 template <Floating T>
-constexpr camera_frame<T> frame_of(const polar_camera<T>& c, polar_axis axis = polar_axis::y_up) noexcept {
+[[nodiscard]] constexpr camera_frame<T> frame_of(const polar_camera<T>& c,
+                                                 polar_axis axis = polar_axis::y_up) noexcept {
   return try_frame_of(c, axis).value_or(camera_frame<T>{});
 }
 
@@ -142,8 +145,8 @@ constexpr camera_frame<T> frame_of(const polar_camera<T>& c, polar_axis axis = p
 ///         poles, too; a frame that looks along the pole's axis has no roll
 /// exact   frame_of of the result has the same axes within 16u
 template <Floating T>
-constexpr polar_camera<T> polar_of(const camera_frame<T>& f, std::type_identity_t<T> distance,
-                                   polar_axis axis = polar_axis::y_up) noexcept {
+[[nodiscard]] constexpr polar_camera<T> polar_of(const camera_frame<T>& f, std::type_identity_t<T> distance,
+                                                 polar_axis axis = polar_axis::y_up) noexcept {
   const vec<T, 3> x = detail::to_y_up(f.right, axis), y = detail::to_y_up(f.up, axis);
   const vec<T, 3> back = -detail::to_y_up(f.forward, axis);
   polar_camera<T> c{f.position + f.forward * distance, distance};
@@ -165,8 +168,9 @@ constexpr polar_camera<T> polar_of(const camera_frame<T>& f, std::type_identity_
 /// needs   a camera whose angles are within a quarter of the largest number
 /// gives   an elevation within the limits; a step that is NaN or beyond a quarter of the largest number is no step
 template <Floating T>
-constexpr polar_camera<T> orbited(polar_camera<T> c, std::type_identity_t<T> by_azimuth,
-                                  std::type_identity_t<T> by_elevation, const orbit_limits<T>& limits = {}) noexcept {
+[[nodiscard]] constexpr polar_camera<T> orbited(polar_camera<T> c, std::type_identity_t<T> by_azimuth,
+                                                std::type_identity_t<T> by_elevation,
+                                                const orbit_limits<T>& limits = {}) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)() / 4;
   if (detail::magnitude(by_azimuth) <= most) c.azimuth = c.azimuth + by_azimuth;
   if (pi<T> < detail::magnitude(c.azimuth)) {

@@ -22,7 +22,7 @@ enum class depth_range {
 };
 
 /// What the arguments of a projection amount to.
-enum class projection_status {
+enum class [[nodiscard]] projection_status {
   ordinary,
   bad_angle,  // not between 0 and pi; oblique: not finite
   bad_aspect,  // not positive and finite
@@ -91,7 +91,7 @@ inline namespace IRG_ABI {
 /// gives   bad_angle, bad_aspect, bad_depth (z_near <= 0, z_near >= z_far, NaN), not_representable
 /// exact   entries within 4 ulp of the true ones
 template <Floating T>
-constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
     T vertical_angle, std::type_identity_t<T> aspect, std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
     depth_range depth = depth_range::reversed) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)();
@@ -110,8 +110,9 @@ constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
 /// needs   0 < vertical_angle < pi, 0 < aspect < infinity, 0 < z_near < z_far (which may be infinity); where this is
 ///         broken and not caught, the identity comes out
 template <Floating T>
-constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> aspect, std::type_identity_t<T> z_near,
-                                   std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> aspect,
+                                                 std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                                                 depth_range depth = depth_range::reversed) noexcept {
   const auto p = perspective_checked(vertical_angle, aspect, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.value;
@@ -127,7 +128,7 @@ constexpr mat<T, 4, 4> perspective(T vertical_angle, std::type_identity_t<T> asp
 /// exact   entries within 2 ulp of the true ones; those of a window off centre within u times
 ///         (|left| + |right|) / |right - left| more
 template <Floating T>
-constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
     const view_window<T>& window, std::type_identity_t<T> distance, std::type_identity_t<T> z_near,
     std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
   constexpr T largest = (std::numeric_limits<T>::max)();
@@ -148,24 +149,25 @@ constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
 /// The central projection of a window; see perspective_checked.
 /// needs   what makes that one ordinary; where this is broken and not caught, the identity comes out
 template <Floating T>
-constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_identity_t<T> distance,
-                                   std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
-                                   depth_range depth = depth_range::reversed) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_window<T>& window, std::type_identity_t<T> distance,
+                                                 std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+                                                 depth_range depth = depth_range::reversed) noexcept {
   const auto p = perspective_checked(window, distance, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.value;
 }
 
 /// The parallel projection of a box, or why there is none.
-/// shape   camera space to clip space with w = 1; the box reaches from left to right, from bottom to top, and from
-///         z_near to z_far in front of the eye, which may be negative: behind it. Exchanged sides mirror the picture
+/// shape   camera space to clip space with w = 1; the box has the window's sides and reaches from z_near to z_far
+///         in front of the eye, which may be negative: behind it. Exchanged sides mirror the picture
 /// gives   bad_window (left == right, bottom == top, not finite), bad_depth (z_near >= z_far, not finite),
 ///         not_representable
 /// exact   entries within 2 ulp of the true ones; the offsets within u times (|left| + |right|) / |right - left| more
 template <Floating T>
-constexpr checked<mat<T, 4, 4>, projection_status> orthographic_checked(
-    T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom, std::type_identity_t<T> top,
-    std::type_identity_t<T> z_near, std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> orthographic_checked(
+    const view_window<T>& window, std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+    depth_range depth = depth_range::reversed) noexcept {
+  const auto& [left, right, bottom, top] = window;
   if (!detail::make_extent(left, right) || !detail::make_extent(bottom, top))
     return detail::refused<T>(projection_status::bad_window);
   if (!detail::make_extent(z_near, z_far) || !(z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
@@ -183,10 +185,10 @@ constexpr checked<mat<T, 4, 4>, projection_status> orthographic_checked(
 /// needs   finite numbers, left != right, bottom != top, z_near < z_far; where this is broken and not caught, the
 ///         identity comes out
 template <Floating T>
-constexpr mat<T, 4, 4> orthographic(T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom,
-                                    std::type_identity_t<T> top, std::type_identity_t<T> z_near,
-                                    std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
-  const auto p = orthographic_checked(left, right, bottom, top, z_near, z_far, depth);
+[[nodiscard]] constexpr mat<T, 4, 4> orthographic(const view_window<T>& window, std::type_identity_t<T> z_near,
+                                                  std::type_identity_t<T> z_far,
+                                                  depth_range depth = depth_range::reversed) noexcept {
+  const auto p = orthographic_checked(window, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.value;
 }

@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 /// The central projection whose view volume is the pyramid, or why there is none; see perspective_checked for windows.
 /// gives   also bad_window for a width or height that is not positive
 template <Floating T>
-constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
+[[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
     const view_pyramid<T>& p, depth_range depth = depth_range::reversed) noexcept {
   if (!(T(0) < p.width && T(0) < p.height)) return detail::refused<T>(projection_status::bad_window);
   return perspective_checked(centred_window(p.width, p.height), p.distance, p.near_distance, p.far_distance, depth);
@@ -35,7 +35,8 @@ constexpr checked<mat<T, 4, 4>, projection_status> perspective_checked(
 /// needs   a pyramid in its domain; far_distance may be infinity. Where this is broken and not caught, the identity
 ///         comes out
 template <Floating T>
-constexpr mat<T, 4, 4> perspective(const view_pyramid<T>& p, depth_range depth = depth_range::reversed) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> perspective(const view_pyramid<T>& p,
+                                                 depth_range depth = depth_range::reversed) noexcept {
   const auto result = perspective_checked(p, depth);
   IRG_EXPECTS(result.status == projection_status::ordinary);
   return result.value;
@@ -44,7 +45,7 @@ constexpr mat<T, 4, 4> perspective(const view_pyramid<T>& p, depth_range depth =
 /// The angle between the lower and the upper border of the screen, which `perspective` takes by angle.
 /// units   radians
 template <Floating T>
-constexpr T vertical_angle_of(const view_pyramid<T>& p) noexcept {
+[[nodiscard]] constexpr T vertical_angle_of(const view_pyramid<T>& p) noexcept {
   return T(2) * atan2(p.height / T(2), p.distance);
 }
 
@@ -53,7 +54,7 @@ constexpr T vertical_angle_of(const view_pyramid<T>& p) noexcept {
 /// units   radians
 /// needs   0 < vertical_angle < pi
 template <Floating T>
-constexpr T distance_for_angle(T vertical_angle, std::type_identity_t<T> height) noexcept {
+[[nodiscard]] constexpr T distance_for_angle(T vertical_angle, std::type_identity_t<T> height) noexcept {
   return (height / T(2)) / tan(vertical_angle / T(2));
 }
 
@@ -88,8 +89,8 @@ inline namespace IRG_ABI {
 /// exact   in rationals; in floats each coordinate is rounded twice
 /// source  Hank n.d., 4.1.5.2, the factor of the far corners corrected
 template <Real T>
-constexpr pyramid_corner_points<T> pyramid_corners(const view_pyramid<T>& p,
-                                                   handedness hand = handedness::right) noexcept {
+[[nodiscard]] constexpr pyramid_corner_points<T> pyramid_corners(const view_pyramid<T>& p,
+                                                                 handedness hand = handedness::right) noexcept {
   return detail::corners_by_factors(p, T(p.near_distance / p.distance), T(p.far_distance / p.distance), hand);
 }
 
@@ -98,7 +99,8 @@ constexpr pyramid_corner_points<T> pyramid_corners(const view_pyramid<T>& p,
 /// exact   in integers and rationals
 /// source  Hank n.d., 4.1.5.2: a plane from three points each
 template <Scalar T>
-constexpr frustum<T> pyramid_planes(const view_pyramid<T>& p, handedness hand = handedness::right) noexcept {
+[[nodiscard]] constexpr frustum<T> pyramid_planes(const view_pyramid<T>& p,
+                                                  handedness hand = handedness::right) noexcept {
   const T x = p.width / T(2), y = p.height / T(2), forward = hand == handedness::left ? T(1) : T(-1);
   const auto through_eye = [&](const vec<T, 3>& a, const vec<T, 3>& b) {
     const vec<T, 3> n = cross(a, b);

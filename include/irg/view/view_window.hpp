@@ -18,7 +18,7 @@ inline namespace IRG_ABI {
 /// The window of that size with the origin at its centre.
 /// exact   each side is halved and rounded once
 template <Real T>
-constexpr view_window<T> centred_window(const T& width, const std::type_identity_t<T>& height) noexcept {
+[[nodiscard]] constexpr view_window<T> centred_window(const T& width, const std::type_identity_t<T>& height) noexcept {
   const T x = width / T(2), y = height / T(2);
   return {T(0) - x, x, T(0) - y, y};
 }

@@ -21,7 +21,7 @@ enum class window_fit {
 };
 
 /// What window and viewport amount to.
-enum class window_status {
+enum class [[nodiscard]] window_status {
   ordinary,
   bad_window,  // without width or height, or not finite
   bad_viewport,  // width or height not positive, or not finite
@@ -71,9 +71,8 @@ inline namespace IRG_ABI {
 /// exact   in rationals; in floats scales within 2u, `onto` within 4u of the viewport's borders
 /// source  Hank n.d., 4.2.2
 template <Real T>
-constexpr checked<window_mapping<T>, window_status> window_to_viewport(const view_window<T>& window,
-                                                                       const viewport<T>& view,
-                                                                       window_fit fit = window_fit::stretch) noexcept {
+[[nodiscard]] constexpr checked<window_mapping<T>, window_status> window_to_viewport(
+    const view_window<T>& window, const viewport<T>& view, window_fit fit = window_fit::stretch) noexcept {
   const auto refused = [](window_status why) { return checked<window_mapping<T>, window_status>{{}, why}; };
   if (!detail::all_at_most_half({window.left, window.right, window.bottom, window.top}) ||
       window.left == window.right || window.bottom == window.top)
@@ -108,14 +107,14 @@ constexpr checked<window_mapping<T>, window_status> window_to_viewport(const vie
 /// Where a position of the picture plane lies in the image.
 /// exact   in rationals; in floats each operation is rounded once
 template <class T>
-IRG_INLINE constexpr point<T, 2> to_pixels(const window_mapping<T>& m, const point<T, 2>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr point<T, 2> to_pixels(const window_mapping<T>& m, const point<T, 2>& p) noexcept {
   return {m.onto.x + product(p.x - m.corner.x, m.scale.x), m.onto.y + product(m.corner.y - p.y, m.scale.y)};
 }
 
 /// The position of the picture plane that is seen at a place of the image: the inverse of to_pixels.
 /// exact   in rationals; in floats each operation is rounded once
 template <class T>
-IRG_INLINE constexpr point<T, 2> from_pixels(const window_mapping<T>& m, const point<T, 2>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr point<T, 2> from_pixels(const window_mapping<T>& m, const point<T, 2>& p) noexcept {
   return {m.corner.x + (p.x - m.onto.x) / m.scale.x, m.corner.y - (p.y - m.onto.y) / m.scale.y};
 }
 
@@ -124,8 +123,8 @@ IRG_INLINE constexpr point<T, 2> from_pixels(const window_mapping<T>& m, const p
 /// gives   the viewport itself for an aspect that is not positive, and with `stretch`
 /// exact   in rationals; in floats within 3u of the viewport's borders
 template <Real T>
-constexpr viewport<T> fitted_viewport(const viewport<T>& view, const std::type_identity_t<T>& aspect,
-                                      window_fit fit) noexcept {
+[[nodiscard]] constexpr viewport<T> fitted_viewport(const viewport<T>& view, const std::type_identity_t<T>& aspect,
+                                                    window_fit fit) noexcept {
   if (!(T(0) < aspect) || fit == window_fit::stretch) return view;
   const T width = product(view.height, aspect), height = view.width / aspect;
   if ((width < view.width) == (fit == window_fit::whole))

@@ -120,8 +120,7 @@ constexpr plan_defect defect_of_cell(const plan_cell<T>& c) noexcept {
   for (const point<T, 2>& p : c.corners)
     if (!is_convex(std::span(&p, 1))) return plan_defect::corner_not_finite;
   if (!is_convex(c.corners)) return plan_defect::cell_not_convex;
-  if (orientation_of(c.corners) != polygon_orientation::counter_clockwise)
-    return plan_defect::cell_not_counter_clockwise;
+  if (orientation_of(c.corners) != orientation::counter_clockwise) return plan_defect::cell_not_counter_clockwise;
   const point<T, 2> heights{c.floor, c.ceiling};
   return c.floor < c.ceiling && is_convex(std::span(&heights, 1)) ? plan_defect::none
                                                                   : plan_defect::heights_not_in_order;
@@ -175,9 +174,9 @@ public:
       doors_[next[p.second]++] = {p.first, number, left, right};
     }
   }
-  constexpr std::size_t cell_count() const noexcept { return first_.size() - 1; }
+  [[nodiscard]] constexpr std::size_t cell_count() const noexcept { return first_.size() - 1; }
   /// needs   a cell of the plan
-  constexpr std::span<const doorway<T>> doors(std::uint32_t cell) const noexcept {
+  [[nodiscard]] constexpr std::span<const doorway<T>> doors(std::uint32_t cell) const noexcept {
     return {doors_.data() + first_[cell], first_[cell + 1] - first_[cell]};
   }
 
@@ -191,7 +190,7 @@ private:
 /// cost    the corners of both cells for each portal, and for each cell the square of its portals; allocates for their
 ///         lists
 template <Floating T>
-constexpr plan_finding validate(const cell_plan<T>& plan) {
+[[nodiscard]] constexpr plan_finding validate(const cell_plan<T>& plan) {
   if (plan.cells.size() > 0x7fffffff) return {plan_defect::too_many_cells, 0x7fffffff, 0};
   for (std::size_t c = 0; c < plan.cells.size(); ++c)
     if (const plan_defect d = detail::defect_of_cell(plan.cells[c]); d != plan_defect::none)

@@ -34,9 +34,9 @@ inline namespace IRG_ABI {
 /// cost    the sides of each leaf for each node above it; allocates the result
 /// source  Airey 1990; Teller and Sequin 1991
 template <Floating T>
-constexpr bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
-                                      std::span<const std::type_identity_t<segment<T, 2>>> walls,
-                                      const box<T, 2>& window) {
+[[nodiscard]] constexpr bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
+                                                    std::span<const std::type_identity_t<segment<T, 2>>> walls,
+                                                    const box<T, 2>& window) {
   IRG_EXPECTS(window.low.x < window.high.x && window.low.y < window.high.y);
   bsp_cells<T> out;
   out.plan = detail::bsp_cell_builder<T>(tree, walls, window).run(out.cut, out.left_out);
@@ -45,7 +45,7 @@ constexpr bsp_cells<T> cells_from_bsp(const bsp_tree_2d<T>& tree,
 
 /// The same for walls whose tree is not wanted otherwise.
 template <Floating T>
-constexpr bsp_cells<T> cells_from_bsp(std::span<const segment<T, 2>> walls, const box<T, 2>& window) {
+[[nodiscard]] constexpr bsp_cells<T> cells_from_bsp(std::span<const segment<T, 2>> walls, const box<T, 2>& window) {
   return cells_from_bsp(bsp_tree_2d<T>(walls), walls, window);
 }
 

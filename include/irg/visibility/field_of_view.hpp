@@ -135,7 +135,8 @@ constexpr void add_field_of_view(const Map& map, const cell3& viewer, cell_grid&
 /// The cells that any of the viewers sees.
 /// shape   map: any grid; one of another type than walled_grid is packed into bits first
 template <CellGrid G>
-constexpr cell_grid field_of_view(const G& map, std::span<const cell3> viewers, const view_options& o = {}) {
+[[nodiscard]] constexpr cell_grid field_of_view(const G& map, std::span<const cell3> viewers,
+                                                const view_options& o = {}) {
   if constexpr (std::is_same_v<G, walled_grid>) {
     cell_grid seen(map.extent());
     view_memory memory;
@@ -148,7 +149,7 @@ constexpr cell_grid field_of_view(const G& map, std::span<const cell3> viewers, 
 
 /// The cells that are seen from one.
 template <CellGrid G>
-constexpr cell_grid field_of_view(const G& map, const cell3& viewer, const view_options& o = {}) {
+[[nodiscard]] constexpr cell_grid field_of_view(const G& map, const cell3& viewer, const view_options& o = {}) {
   return field_of_view(map, std::span<const cell3>(&viewer, 1), o);
 }
 

@@ -26,7 +26,7 @@ inline namespace IRG_ABI {
 ///         plans of some dozens of corners
 /// source  Ghosh 1987 (greedy over the parts that corners see)
 template <Floating T>
-constexpr guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings) {
+[[nodiscard]] constexpr guard_cover<T> cover_by_guards(std::span<const std::vector<point<T, 2>>> rings) {
   return detail::guard_chooser<T>().run(rings);
 }
 

@@ -11,7 +11,7 @@ namespace irg {
 
 /// Whether guards could be chosen: not where rings cross or run along each other or themselves, or something is NaN or
 /// infinite.
-enum class guard_status { done, rings_cross, not_finite };
+enum class [[nodiscard]] guard_status { done, rings_cross, not_finite };
 
 /// A part of a plan, counter-clockwise, and a guard who sees all of it: a corner's number.
 /// shape   a part with holes is listed once for its outer ring, and once for each hole, clockwise

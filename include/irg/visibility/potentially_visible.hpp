@@ -20,6 +20,7 @@ namespace irg {
 /// How long to search.
 struct visible_set_options {
   std::uint64_t most_doors = std::uint64_t{1} << 24;  ///< looked at from one cell; then all that it connects to is seen
+  std::uint32_t most_parts = 256;  ///< of pairs of places, to find a line in space; then a way is held to be open
 };
 
 /// Which cells may be seen from which.
@@ -27,6 +28,8 @@ struct visible_set_options {
 struct visible_sets {
   cell_grid seen;
   std::int64_t unfinished = 0;  ///< cells whose search was too long: their rows hold all that is connected
+  std::int64_t undecided =
+      0;  ///< ways in space on which no line was found, and none ruled out: they are held to be open
   constexpr bool operator==(const visible_sets&) const = default;
 };
 
@@ -41,7 +44,7 @@ public:
   /// gives   false for a portal without length
   /// exact   for all finite coordinates
   /// cost    two turns
-  constexpr bool passes(const doorway<T>& d) const noexcept {
+  [[nodiscard]] constexpr bool passes(const doorway<T>& d) const noexcept {
     if (d.right == d.left) return false;
     if (steps_.empty()) return true;
     const extremes& e = steps_.back().reach;
@@ -64,7 +67,7 @@ public:
   /// Goes back before the last doorway.
   /// needs   size() > 0
   constexpr void leave() noexcept { steps_.pop_back(); }
-  constexpr std::size_t size() const noexcept { return steps_.size(); }
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return steps_.size(); }
 
 private:
   struct extremes {
@@ -78,8 +81,8 @@ private:
 
   // Whether an end lies on that side of an extreme line, or where it comes in: a wall that begins at the last portal's
   // end, or goes on in line with it, hides nothing from the lines of the bundle.
-  static constexpr bool lets_by(const point<T, 2>& from, const point<T, 2>& to, const point<T, 2>& end,
-                                int side) noexcept {
+  [[nodiscard]] static constexpr bool lets_by(const point<T, 2>& from, const point<T, 2>& to, const point<T, 2>& end,
+                                              int side) noexcept {
     const int turn = orient2d(from, to, end);
     if (turn != 0) return turn == side;
     return compare_lexicographic(from, to) * compare_lexicographic(from, end) <= 0;
@@ -184,7 +187,8 @@ inline namespace IRG_ABI {
 ///         the sequence; allocates the result, a bit for each pair of cells
 /// source  Airey 1990; Teller and Sequin 1991
 template <Floating T>
-constexpr visible_sets potentially_visible(const portal_graph<T>& graph, const visible_set_options& options = {}) {
+[[nodiscard]] constexpr visible_sets potentially_visible(const portal_graph<T>& graph,
+                                                         const visible_set_options& options = {}) {
   const auto cells = static_cast<int>(graph.cell_count());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
   detail::visible_set_search<T> search(graph, options.most_doors);
@@ -198,7 +202,8 @@ constexpr visible_sets potentially_visible(const portal_graph<T>& graph, const v
 
 /// The same for a plan.
 template <Floating T>
-constexpr visible_sets potentially_visible(const cell_plan<T>& plan, const visible_set_options& options = {}) {
+[[nodiscard]] constexpr visible_sets potentially_visible(const cell_plan<T>& plan,
+                                                         const visible_set_options& options = {}) {
   return potentially_visible(portal_graph<T>(plan), options);
 }
 
@@ -207,7 +212,7 @@ constexpr visible_sets potentially_visible(const cell_plan<T>& plan, const visib
 /// shape   as potentially_visible
 /// cost    a pass over the portals for each cell
 template <Floating T>
-constexpr visible_sets connected_cells(const portal_graph<T>& graph, std::uint32_t most_portals) {
+[[nodiscard]] constexpr visible_sets connected_cells(const portal_graph<T>& graph, std::uint32_t most_portals) {
   const auto cells = static_cast<int>(graph.cell_count());
   visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
   for (int row = 0; row < cells; ++row) {

@@ -87,7 +87,7 @@ inline namespace IRG_ABI {
 /// cost    a few additions and one look at the grid per cell on the way; no memory
 /// source  Amanatides and Woo 1987 for the steps; Fabris 2012 for the definition
 template <CellGrid G>
-constexpr bool see(const G& g, const cell3& a, const cell3& b, const sight_rules& rules = {}) {
+[[nodiscard]] constexpr bool see(const G& g, const cell3& a, const cell3& b, const sight_rules& rules = {}) {
   const grid_extent e = extent_of(g);
   if (!e.holds(a) || !e.holds(b)) return false;
   if (rules.ends == end_cells::tested && (is_full(g, a) || is_full(g, b))) return false;

@@ -46,7 +46,7 @@ inline namespace IRG_ABI {
 
 /// A box as a region.
 template <Floating T>
-constexpr space_region<T> region_of(const box<T, 3>& b) {
+[[nodiscard]] constexpr space_region<T> region_of(const box<T, 3>& b) {
   space_region<T> out{{}, region_shape::box};
   for (unsigned i = 0; i < 8; ++i)
     out.corners.push_back(
@@ -62,7 +62,7 @@ constexpr space_region<T> region_of(const box<T, 3>& b) {
 /// exact   for all finite floats and doubles
 /// cost    a pass over the faces; some 20 ns for each on one side of whose plane both lie
 template <Floating T>
-constexpr bool see(const point<T, 3>& p, const point<T, 3>& q, const mesh<T>& blockers) noexcept {
+[[nodiscard]] constexpr bool see(const point<T, 3>& p, const point<T, 3>& q, const mesh<T>& blockers) noexcept {
   for (std::size_t f = 0; f < blockers.face_count(); ++f)
     for (std::size_t k = 2; k < blockers.face_size(f); ++k)
       if (detail::stops_sight(p, q, detail::fan_triangle(blockers, f, k))) return false;
@@ -82,8 +82,8 @@ constexpr bool see(const point<T, 3>& p, const point<T, 3>& q, const mesh<T>& bl
 /// cost    for each face near the regions the planes through three of their corners; a see() for each line
 /// source  irg's own, by planes that part convex hulls
 template <Floating T>
-constexpr std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
-                                               const mesh<T>& blockers) {
+[[nodiscard]] constexpr std::optional<seen_share> sure_sight(const space_region<T>& a, const space_region<T>& b,
+                                                             const mesh<T>& blockers) {
   IRG_EXPECTS(!a.corners.empty() && !b.corners.empty());
   const detail::space_blockers<T> between(a.corners, b.corners, blockers);
   if (between.frees_all()) return seen_share::all;
@@ -106,8 +106,8 @@ constexpr std::optional<seen_share> sure_sight(const space_region<T>& a, const s
 /// cost    a see() for each line, past the faces near the regions
 /// source  Wilson 1927
 template <Floating T>
-constexpr sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b, const mesh<T>& blockers,
-                                     const sight_sampling& how = {}) {
+[[nodiscard]] constexpr sampled_sight sample_sight(const space_region<T>& a, const space_region<T>& b,
+                                                   const mesh<T>& blockers, const sight_sampling& how = {}) {
   IRG_EXPECTS(!a.corners.empty() && !b.corners.empty() && how.lines >= 1 && how.deviations >= 0);
   const detail::space_blockers<T> between(a.corners, b.corners, blockers);
   detail::place_chooser chooser{how.seed};
@@ -130,7 +130,8 @@ constexpr sampled_sight sample_sight(const space_region<T>& a, const space_regio
 /// shape   as sure_sight, a value for each face, which counts as seen from both sides
 /// cost    sure_sight for each face
 template <Floating T>
-constexpr std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from, const mesh<T>& m) {
+[[nodiscard]] constexpr std::vector<std::optional<seen_share>> sure_sight_of_faces(const space_region<T>& from,
+                                                                                   const mesh<T>& m) {
   std::vector<std::optional<seen_share>> out;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     space_region<T> face;

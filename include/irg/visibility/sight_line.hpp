@@ -83,10 +83,9 @@ inline namespace IRG_ABI {
 /// exact   for all finite floats and doubles
 /// cost    one pass; some 10 ns for each obstacle that lies on one side
 template <Floating T>
-constexpr std::optional<std::size_t> first_obstacle(const point<T, 2>& p, const point<T, 2>& q,
-                                                    std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                                    obstacle_ends ends = obstacle_ends::closed,
-                                                    sight_reach reach = sight_reach::up_to) noexcept {
+[[nodiscard]] constexpr std::optional<std::size_t> first_obstacle(
+    const point<T, 2>& p, const point<T, 2>& q, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    obstacle_ends ends = obstacle_ends::closed, sight_reach reach = sight_reach::up_to) noexcept {
   const segment<T, 2> way{p, q};
   std::optional<std::size_t> first;
   detail::sight_hit<T> best;
@@ -106,9 +105,9 @@ constexpr std::optional<std::size_t> first_obstacle(const point<T, 2>& p, const 
 /// exact   for all finite floats and doubles
 /// cost    as first_obstacle; ends at an obstacle in the way
 template <Floating T>
-constexpr bool see(const point<T, 2>& p, const point<T, 2>& q,
-                   std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                   obstacle_ends ends = obstacle_ends::closed) noexcept {
+[[nodiscard]] constexpr bool see(const point<T, 2>& p, const point<T, 2>& q,
+                                 std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+                                 obstacle_ends ends = obstacle_ends::closed) noexcept {
   if (p == q) return true;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     if (detail::hit_between(segment<T, 2>{p, q}, obstacles[i], ends, sight_reach::up_to)) return false;

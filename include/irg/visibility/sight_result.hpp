@@ -25,7 +25,7 @@ struct sight_options {
 };
 
 /// How a region came about: `source_on_obstacle` and `source_on_boundary` are answered, what follows them is not.
-enum class visibility_status {
+enum class [[nodiscard]] visibility_status {
   done,
   source_on_obstacle,
   source_on_boundary,

@@ -46,13 +46,13 @@ public:
   IRG_INLINE constexpr explicit sight_tracker(Map map, const view_options& options = {})
       : map_(std::move(map)), options_(options) {}
 
-  IRG_INLINE constexpr const Map& map() const noexcept { return map_; }
-  IRG_INLINE constexpr std::size_t size() const noexcept { return units_.size(); }
+  [[nodiscard]] IRG_INLINE constexpr const Map& map() const noexcept { return map_; }
+  [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return units_.size(); }
   /// needs   a unit's number, here and below
-  IRG_INLINE constexpr const cell3& unit(std::size_t i) const noexcept { return units_[i].at; }
-  IRG_INLINE constexpr const cell_grid& seen_by(std::size_t i) const noexcept { return units_[i].seen; }
+  [[nodiscard]] IRG_INLINE constexpr const cell3& unit(std::size_t i) const noexcept { return units_[i].at; }
+  [[nodiscard]] IRG_INLINE constexpr const cell_grid& seen_by(std::size_t i) const noexcept { return units_[i].seen; }
   /// The cells that any unit sees.
-  IRG_INLINE constexpr cell_grid seen() const {
+  [[nodiscard]] IRG_INLINE constexpr cell_grid seen() const {
     cell_grid all(map_.extent());
     for (const state& u : units_) all |= u.seen;
     return all;
@@ -105,7 +105,7 @@ private:
       }
   }
   // In space every unit whose radius reaches the cell looks again.
-  IRG_INLINE constexpr bool matters(const state& u, const cell3& c) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr bool matters(const state& u, const cell3& c) const noexcept {
     for (int y = c.y - 1; y <= c.y + 1; ++y)
       for (int x = c.x - 1; x <= c.x + 1; ++x)
         if (map_.extent().holds({x, y, 0}) && u.touched.is_full({x, y, 0})) return true;

@@ -24,7 +24,8 @@ inline namespace IRG_ABI {
 /// exact   always
 /// cost    see() for each pair
 template <CellGrid G>
-constexpr cell_grid who_sees_whom(const G& map, std::span<const cell3> units, const sight_rules& rules = {}) {
+[[nodiscard]] constexpr cell_grid who_sees_whom(const G& map, std::span<const cell3> units,
+                                                const sight_rules& rules = {}) {
   const int n = static_cast<int>(units.size());
   cell_grid out(grid_extent{n, n, 1});
   for (int i = 0; i < n; ++i)
@@ -40,8 +41,8 @@ constexpr cell_grid who_sees_whom(const G& map, std::span<const cell3> units, co
 /// exact   always
 /// cost    see() for each pair
 template <CellGrid G>
-constexpr region_sight see_regions(const G& map, std::span<const cell3> a, std::span<const cell3> b,
-                                   const sight_rules& rules = {}) {
+[[nodiscard]] constexpr region_sight see_regions(const G& map, std::span<const cell3> a, std::span<const cell3> b,
+                                                 const sight_rules& rules = {}) {
   region_sight out{static_cast<std::int64_t>(a.size()) * static_cast<std::int64_t>(b.size()), 0};
   for (const cell3& p : a)
     for (const cell3& q : b) out.seen += see(map, p, q, rules) ? 1 : 0;

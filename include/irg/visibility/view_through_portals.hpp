@@ -44,7 +44,7 @@ inline namespace IRG_ABI {
 /// exact   for all finite coordinates; the limits are points that were given
 /// cost    up to ten turns
 template <Floating T>
-constexpr std::optional<view_wedge<T>> narrowed(const view_wedge<T>& view, const doorway<T>& d) noexcept {
+[[nodiscard]] constexpr std::optional<view_wedge<T>> narrowed(const view_wedge<T>& view, const doorway<T>& d) noexcept {
   const auto turn = [&](const point<T, 2>& p, const point<T, 2>& q) { return orient2d(view.eye, p, q); };
   if (turn(d.right, d.left) <= 0) return std::nullopt;
   view_wedge<T> out{view.eye, view_reach::between, d.right, d.left};
@@ -149,7 +149,7 @@ constexpr void view_through_portals(const portal_graph<T>& graph, std::uint32_t 
 /// cost    a determinant for each pair of an edge and a vertex
 template <PolygonRing P, PolygonRing Q, Point Eye>
   requires(size_of<Eye> == 3)
-constexpr bool seen_through_both(const Eye& eye, const P& first, const Q& second) noexcept {
+[[nodiscard]] constexpr bool seen_through_both(const Eye& eye, const P& first, const Q& second) noexcept {
   const auto parts = [&](const auto& p, const auto& q) {
     for (std::size_t i = 0; i < ring_size(p); ++i) {
       bool outside = true;
@@ -166,7 +166,7 @@ constexpr bool seen_through_both(const Eye& eye, const P& first, const Q& second
 /// to the lower of their ceilings.
 /// gives   equal heights where the cells share none
 template <Floating T>
-constexpr std::array<point<T, 3>, 4> opening_of(const cell_plan<T>& plan, const doorway<T>& d) noexcept {
+[[nodiscard]] constexpr std::array<point<T, 3>, 4> opening_of(const cell_plan<T>& plan, const doorway<T>& d) noexcept {
   const plan_portal<T>& p = plan.portals[d.portal];
   const plan_cell<T>&a = plan.cells[p.first], &b = plan.cells[p.second];
   const T low = a.floor < b.floor ? b.floor : a.floor, lid = a.ceiling < b.ceiling ? a.ceiling : b.ceiling;

@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 /// cost    two products of 64 bits per cell on the way
 template <ReadableRaster R>
   requires std::integral<pixel_of<R>>
-constexpr bool see_over(const R& heights, cell a, cell b, const sight_heights& above = {}) {
+[[nodiscard]] constexpr bool see_over(const R& heights, cell a, cell b, const sight_heights& above = {}) {
   const grid_extent e{width_of(heights), height_of(heights), 1};
   if (!e.holds(a) || !e.holds(b)) return false;
   const auto height = [&](const cell3& c) { return static_cast<std::int64_t>(get_pixel(heights, c.x, c.y)); };
@@ -71,7 +71,7 @@ constexpr bool see_over(const R& heights, cell a, cell b, const sight_heights& a
 /// cost    see_over() for each cell
 template <ReadableRaster R>
   requires std::integral<pixel_of<R>>
-constexpr cell_grid viewshed(const R& heights, cell eye, const sight_heights& above = {}) {
+[[nodiscard]] constexpr cell_grid viewshed(const R& heights, cell eye, const sight_heights& above = {}) {
   const grid_extent e{width_of(heights), height_of(heights), 1};
   cell_grid out(e);
   for (int y = 0; y < e.height; ++y)

@@ -38,9 +38,9 @@ inline namespace IRG_ABI {
 /// source  Hershberger 1989 (what is nearest, by merging); Suri and O'Rourke 1986 (the polygon)
 template <Floating T, PlanePolygon Domain>
   requires std::same_as<scalar_of<polygon_point<Domain>>, T>
-constexpr visible_region<T> visibility_polygon(const point<T, 2>& source, const Domain& domain,
-                                               std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {},
-                                               const sight_options& options = {}) {
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const Domain& domain,
+    std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {}, const sight_options& options = {}) {
   detail::visible_ring_builder<T> sweep(source, options);
   sweep.expect_obstacles(obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i) sweep.add_obstacle(obstacles[i], i);
@@ -53,9 +53,9 @@ constexpr visible_region<T> visibility_polygon(const point<T, 2>& source, const 
 
 /// The same in a box.
 template <Floating T>
-constexpr visible_region<T> visibility_polygon(const point<T, 2>& source, const box<T, 2>& domain,
-                                               std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {},
-                                               const sight_options& options = {}) {
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const box<T, 2>& domain,
+    std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {}, const sight_options& options = {}) {
   const point<T, 2>&low = domain.low, &high = domain.high;
   if (is_empty(domain)) return {visibility_status::source_outside, {}};
   const point<T, 2> ring[] = {low, {high.x, low.y}, high, {low.x, high.y}};

@@ -69,7 +69,7 @@ inline namespace IRG_ABI {
 /// cost    as field_of_view, and an arc tangent per cell and gap
 /// source  Fabris 2012, 6, which asks for it
 template <CellGrid G>
-constexpr std::vector<double> visible_percentages(const G& map, cell viewer) {
+[[nodiscard]] constexpr std::vector<double> visible_percentages(const G& map, cell viewer) {
   const grid_extent e = extent_of(map);
   std::vector<double> out;
   if (!e.holds(viewer) || e.depth != 1) return out;
@@ -125,13 +125,13 @@ inline namespace IRG_ABI {
 
 /// The cells of a flat map that are seen at all, be it a sliver. Not symmetric.
 template <CellGrid G>
-constexpr cell_grid field_of_view_permissive(const G& map, cell viewer) {
+[[nodiscard]] constexpr cell_grid field_of_view_permissive(const G& map, cell viewer) {
   return detail::cells_by_percentage(map, viewer, [](double p) { return p > 0; });
 }
 
 /// The cells of a flat map that are seen whole: every direction to them is free. Not symmetric.
 template <CellGrid G>
-constexpr cell_grid field_of_view_restrictive(const G& map, cell viewer) {
+[[nodiscard]] constexpr cell_grid field_of_view_restrictive(const G& map, cell viewer) {
   return detail::cells_by_percentage(map, viewer, [](double p) { return p == 100; });
 }
 

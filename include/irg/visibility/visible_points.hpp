@@ -30,7 +30,8 @@ inline namespace IRG_ABI {
 /// exact   comparisons alone
 /// cost    log n
 template <Scalar T>
-constexpr line_neighbours see_on_line(std::span<const T> sorted, std::type_identity_t<T> viewer) noexcept {
+[[nodiscard]] constexpr line_neighbours see_on_line(std::span<const T> sorted,
+                                                    std::type_identity_t<T> viewer) noexcept {
   line_neighbours seen;
   if (!(viewer == viewer)) return seen;
   const auto first = std::lower_bound(sorted.begin(), sorted.end(), viewer),
@@ -49,7 +50,8 @@ constexpr line_neighbours see_on_line(std::span<const T> sorted, std::type_ident
 /// cost    n log n; allocates the order of the directions
 /// source  irg's own: the plane as a bundle of lines
 template <Floating T>
-constexpr std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points, const point<T, 2>& viewer) {
+[[nodiscard]] constexpr std::vector<std::uint8_t> visible_points(std::span<const point<T, 2>> points,
+                                                                 const point<T, 2>& viewer) {
   constexpr T most = (std::numeric_limits<T>::max)();
   const auto is_place = [](const point<T, 2>& p) { return -most <= p.x && p.x <= most && -most <= p.y && p.y <= most; };
   std::vector<std::uint8_t> seen(points.size(), std::uint8_t{0});

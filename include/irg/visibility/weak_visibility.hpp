@@ -32,27 +32,28 @@ inline namespace IRG_ABI {
 ///         m^2 places, each of which costs n log n. Made for plans of some dozens of walls
 /// source  irg's own, by the critical lines of Suri and O'Rourke 1986
 template <Floating T>
-constexpr source_regions<T> weak_visibility(std::span<const point<T, 2>> source,
-                                            std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                            const box<T, 2>& window) {
+[[nodiscard]] constexpr source_regions<T> weak_visibility(
+    std::span<const point<T, 2>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const box<T, 2>& window) {
   return detail::source_regions_builder<T>(window).run(source, obstacles, detail::line_choice::needed);
 }
 
 /// The same for the segment from source.a to source.b.
 template <Floating T>
-constexpr source_regions<T> weak_visibility(const segment<T, 2>& source,
-                                            std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                            const box<T, 2>& window) {
+[[nodiscard]] constexpr source_regions<T> weak_visibility(
+    const segment<T, 2>& source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const box<T, 2>& window) {
   const point<T, 2> ends[] = {source.a, source.b};
   return weak_visibility(std::span<const point<T, 2>>(ends), obstacles, window);
 }
 
-/// The same for an area with holes, or several of them as one source: what is inside of an odd number of rings.
+/// The same for an area with holes, or several of them as one source: what is inside of an odd number of rings; or for
+/// several segments, lists of two points each, which may touch and cross.
 /// needs   rings that meet neither each other nor themselves, else the status says so
 template <Floating T>
-constexpr source_regions<T> weak_visibility(std::span<const std::vector<point<T, 2>>> source,
-                                            std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-                                            const box<T, 2>& window) {
+[[nodiscard]] constexpr source_regions<T> weak_visibility(
+    std::span<const std::vector<point<T, 2>>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const box<T, 2>& window) {
   return detail::source_regions_builder<T>(window).run(source, obstacles, detail::line_choice::needed);
 }
 
@@ -63,7 +64,7 @@ constexpr source_regions<T> weak_visibility(std::span<const std::vector<point<T,
 /// exact   for all finite floats and doubles
 /// cost    as weak_visibility
 template <Floating T>
-constexpr checked<seen_share, visibility_status> sight_between(
+[[nodiscard]] constexpr checked<seen_share, visibility_status> sight_between(
     std::span<const point<T, 2>> source, std::span<const std::type_identity_t<point<T, 2>>> region,
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles) {
   return detail::source_regions_builder<T>(region).run_whole(source, obstacles);

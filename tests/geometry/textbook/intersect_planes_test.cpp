@@ -6,15 +6,15 @@
 #include "support/check_both.hpp"
 #include "support/rational.hpp"
 
-using irg::planes_relation;
+using irg::flat_relation;
 using irg::point;
 using test::rational;
 
 namespace {
 
 using Q = point<rational, 3>;
-constexpr auto crossing = planes_relation::crossing, parallel = planes_relation::parallel,
-               coincident = planes_relation::coincident;
+constexpr auto crossing = flat_relation::crossing, parallel = flat_relation::parallel,
+               coincident = flat_relation::coincident;
 using held = irg::textbook::planes_meeting<rational>::parameter;
 constexpr auto ground = *irg::textbook::parametric_plane_at_middle(Q{1, 0, 0}, Q{0, 0, 0}, Q{0, 1, 0});
 constexpr bool held_at(const Q& a, const Q& b, const Q& c, held which, const Q& at_zero, const Q& at_one,
@@ -22,7 +22,7 @@ constexpr bool held_at(const Q& a, const Q& b, const Q& c, held which, const Q& 
   const auto m = irg::textbook::intersect_planes(ground, *irg::textbook::parametric_plane_at_middle(a, b, c), order);
   return m.relation == crossing && m.held == which && m.at_zero == at_zero && m.at_one == at_one;
 }
-constexpr planes_relation held_at(const Q& a, const Q& b, const Q& c) {
+constexpr flat_relation held_at(const Q& a, const Q& b, const Q& c) {
   return irg::textbook::intersect_planes(ground, *irg::textbook::parametric_plane_at_middle(a, b, c)).relation;
 }
 
@@ -40,5 +40,5 @@ TEST_CASE("textbook::intersect_planes: Hank's values") {
                      irg::textbook::held_parameter::s3_then_s4));
   CHECK_BOTH(irg::textbook::intersect_planes(irg::parametric_plane<double>{{1, 1, 1}, {2, 2, 2}, {0, 0, 0}},
                                              irg::parametric_plane<double>{{1, 1, 1}, {2, 2, 0}, {0, 0, 0}})
-                 .relation == planes_relation::none);
+                 .relation == flat_relation::none);
 }

@@ -9,8 +9,8 @@
 #include "support/check_both.hpp"
 #include "support/rational.hpp"
 
-using irg::point_location;
-using irg::polygon_orientation;
+using irg::location;
+using irg::orientation;
 
 namespace {
 
@@ -36,24 +36,21 @@ TEST_CASE("textbook::orientation_of: three vertices at a time") {
   using V = std::vector<I>;
   // A pentagram turns one way at every vertex, whichever way round its corners lie.
   CHECK_BOTH(irg::textbook::orientation_of(V{{10, 0}, {-8, 6}, {3, -10}, {3, 10}, {-8, -6}}) ==
-             polygon_orientation::counter_clockwise);
-  CHECK_BOTH(irg::textbook::orientation_of(V{{-8, -6}, {3, 10}, {3, -10}, {-8, 6}, {10, 0}}) ==
-             polygon_orientation::clockwise);
-  CHECK_BOTH(irg::textbook::orientation_of(V{{0, 0}, {4, 0}, {2, 1}, {4, 4}, {0, 4}}) ==
-             polygon_orientation::degenerate);
-  CHECK_BOTH(irg::textbook::orientation_of(V{{0, 0}, {2, 0}, {4, 0}, {4, 4}}) == polygon_orientation::degenerate);
+             orientation::counter_clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(V{{-8, -6}, {3, 10}, {3, -10}, {-8, 6}, {10, 0}}) == orientation::clockwise);
+  CHECK_BOTH(irg::textbook::orientation_of(V{{0, 0}, {4, 0}, {2, 1}, {4, 4}, {0, 4}}) == orientation::degenerate);
+  CHECK_BOTH(irg::textbook::orientation_of(V{{0, 0}, {2, 0}, {4, 0}, {4, 4}}) == orientation::degenerate);
 }
 
 TEST_CASE("textbook::point_in_convex_polygon: the course's values, and what its rules do not ask for") {
   const struct {
     P p;
-    point_location where;
-  } cases[] = {{{150, 200}, point_location::inside},    {{100, 275}, point_location::boundary},
-               {{50, 200}, point_location::boundary},   {{300, 350}, point_location::outside},
-               {{200, 100}, point_location::boundary},  {{0, 0}, point_location::outside},
-               {{200.5, 100}, point_location::outside}, {{199.5, 100}, point_location::inside}};
+    location where;
+  } cases[] = {{{150, 200}, location::inside},    {{100, 275}, location::boundary}, {{50, 200}, location::boundary},
+               {{300, 350}, location::outside},   {{200, 100}, location::boundary}, {{0, 0}, location::outside},
+               {{200.5, 100}, location::outside}, {{199.5, 100}, location::inside}};
   for (const auto& [p, where] : cases) CHECK(irg::textbook::point_in_convex_polygon(course, p) == where);
-  CHECK_BOTH(irg::textbook::point_in_convex_polygon(course, {100, 275}) == point_location::boundary);
+  CHECK_BOTH(irg::textbook::point_in_convex_polygon(course, {100, 275}) == location::boundary);
   constexpr std::array<P, 5> repeated{P{50, 200}, P{150, 350}, P{150, 350}, P{300, 150}, P{100, 50}};
-  CHECK_BOTH(irg::textbook::point_in_convex_polygon(repeated, {150, 200}) == point_location::boundary);
+  CHECK_BOTH(irg::textbook::point_in_convex_polygon(repeated, {150, 200}) == location::boundary);
 }

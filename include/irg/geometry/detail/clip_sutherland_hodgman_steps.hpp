@@ -54,7 +54,7 @@ concept convex_ring_for = PolygonRing<Region> && requires {
   requires Real<vertex_scalar<V>>;
   requires size_of<vertex_position<V>> == 2;
   requires size_of<ring_point<Region>> == 2;
-  requires std::same_as<scalar_of<ring_point<Region>>, vertex_scalar<V>>;
+  requires std::same_as<ring_scalar<Region>, vertex_scalar<V>>;
 };
 template <class Region, class V>
 concept planes_for = requires {

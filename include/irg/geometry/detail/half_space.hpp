@@ -112,7 +112,7 @@ constexpr int turn_of_convex(const R& ring) noexcept {
   return 0;
 }
 template <PolygonRing R>
-constexpr half_space<scalar_of<ring_point<R>>, 2> half_space_at(const R& ring, std::size_t i, int turn) noexcept {
+constexpr half_space<ring_scalar<R>, 2> half_space_at(const R& ring, std::size_t i, int turn) noexcept {
   const auto p = ring_vertex(ring, turn > 0 ? i : i + 1), q = ring_vertex(ring, turn > 0 ? i + 1 : i);
   return {{coordinate(p, 0), coordinate(p, 1), coordinate(q, 0), coordinate(q, 1)}};
 }

@@ -21,8 +21,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formula 1.3
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_direct(const P& a, const P& b, const P& c,
-                                                                 const P& t) noexcept {
+[[nodiscard]] constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_direct(const P& a, const P& b, const P& c,
+                                                                               const P& t) noexcept {
   using T = scalar_of<P>;
   const P columns[] = {a, b, c, t};
   mat<T, 3, 4> equations;
@@ -45,8 +45,8 @@ constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_direct(const P& a, con
 /// source  Mihajlovic 2016, 1.3, the rule for singular cases
 template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
-constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_replaced(const P& a, const P& b, const P& c, const P& t,
-                                                                   int axis) noexcept {
+[[nodiscard]] constexpr std::optional<vec<scalar_of<P>, 3>> barycentric_replaced(const P& a, const P& b, const P& c,
+                                                                                 const P& t, int axis) noexcept {
   return detail::barycentric_in(detail::axes_across(axis), a, b, c, t);
 }
 

@@ -38,7 +38,7 @@ inline namespace IRG_ABI {
 /// source  Hank n.d., 4.1.5.3
 template <PolygonRing R, class Boundary>
   requires requires(const R& ring, const Boundary& b) { detail::boundary_value(b, ring_vertex(ring, 0)); }
-constexpr std::vector<ring_point<R>> clip_stage(const R& ring, const Boundary& boundary) {
+[[nodiscard]] constexpr std::vector<ring_point<R>> clip_stage(const R& ring, const Boundary& boundary) {
   using P = ring_point<R>;
   using T = scalar_of<P>;
   std::vector<P> kept;
@@ -65,7 +65,8 @@ constexpr std::vector<ring_point<R>> clip_stage(const R& ring, const Boundary& b
 /// source  Hank n.d., 4.1.5.3
 template <PolygonRing R, class Boundaries>
   requires requires(const R& ring, const Boundaries& b) { clip_stage(ring, *std::begin(b)); }
-constexpr std::vector<ring_point<R>> clip_sutherland_hodgman(const R& ring, const Boundaries& boundaries) {
+[[nodiscard]] constexpr std::vector<ring_point<R>> clip_sutherland_hodgman(const R& ring,
+                                                                           const Boundaries& boundaries) {
   std::vector<ring_point<R>> kept;
   for (std::size_t i = 0; i < ring_size(ring); ++i) kept.push_back(ring_vertex(ring, i));
   for (const auto& boundary : boundaries) kept = clip_stage(kept, boundary);

@@ -19,7 +19,7 @@ namespace irg::textbook {
 /// How Weiler and Atherton's clipping ended. `touching`: a vertex lies on the other polygon's boundary, or
 /// entering and leaving points do not take turns: two crossings are too near to each other to be told apart, or rings
 /// are not as they should be.
-enum class weiler_atherton_status { done, touching, not_finite };
+enum class [[nodiscard]] weiler_atherton_status { done, touching, not_finite };
 
 /// The common part of two polygons, and the two lists of the method.
 /// shape   rings directed as the polygons'; entering and leaving have a meaning where the status is `done`
@@ -176,7 +176,7 @@ inline namespace IRG_ABI {
 template <PlanePolygon A, PlanePolygon B>
   requires Floating<scalar_of<polygon_point<A>>> &&
            std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
-constexpr auto clip_weiler_atherton(const A& subject, const B& clip) {
+[[nodiscard]] constexpr auto clip_weiler_atherton(const A& subject, const B& clip) {
   using T = scalar_of<polygon_point<A>>;
   weiler_atherton_clip<T> result;
   const auto ended = [&](weiler_atherton_status status) { return result.status = status, result; };
@@ -194,7 +194,7 @@ constexpr auto clip_weiler_atherton(const A& subject, const B& clip) {
   const auto keep_uncrossed = [&](int which, const auto& other) {
     for (std::size_t r = 0; r + 1 < lists.first_edge[which].size(); ++r)
       if (const auto ring = lists.uncrossed_ring(which, r);
-          !ring.empty() && point_in_polygon(other, ring[0]) == point_location::inside)
+          !ring.empty() && point_in_polygon(other, ring[0]) == location::inside)
         result.rings.push_back(ring);
   };
   keep_uncrossed(0, clip), keep_uncrossed(1, subject);

@@ -23,7 +23,7 @@ constexpr std::optional<lines_meeting<P>> cross_in_two(const P& a, const P& b, c
   if (!(zero < n || n < -zero)) return std::nullopt;
   const T t = minor(a, c, c, d) / n, s = minor(a, c, a, b) / n;
   const auto at = [&](int k) { return coordinate(a, k) + product(t, way(a, b, k)); };
-  return lines_meeting<P>{line_relation::crossing, generate_coordinates<P>(at), t, s};
+  return lines_meeting<P>{flat_relation::crossing, generate_coordinates<P>(at), t, s};
 }
 
 template <Point P>
@@ -52,8 +52,8 @@ inline namespace IRG_ABI {
 /// source  Hank n.d., 1.3.4, corrected: the first pair alone misses (0,0,0)-(0,1,1) and (0,0,1)-(0,1,0)
 template <Point P>
   requires(Real<scalar_of<P>> && size_of<P> == 3)
-constexpr std::optional<lines_meeting<P>> intersect_lines(const P& a, const P& b, const P& c, const P& d,
-                                                          scalar_of<P> tolerance = scalar_of<P>(0)) noexcept {
+[[nodiscard]] constexpr std::optional<lines_meeting<P>> intersect_lines(
+    const P& a, const P& b, const P& c, const P& d, scalar_of<P> tolerance = scalar_of<P>(0)) noexcept {
   for (int third = 2; third >= 0; --third) {
     const auto m = detail::cross_in_two(a, b, c, d, third == 0 ? 1 : 0, third == 2 ? 1 : 2, scalar_of<P>(0));
     if (!m) continue;
@@ -69,7 +69,7 @@ constexpr std::optional<lines_meeting<P>> intersect_lines(const P& a, const P& b
 /// source  Hank n.d., 1.3.4 as printed
 template <Point P>
   requires(Real<scalar_of<P>> && size_of<P> == 3)
-constexpr std::optional<lines_meeting<P>> intersect_lines_by_x_and_y(
+[[nodiscard]] constexpr std::optional<lines_meeting<P>> intersect_lines_by_x_and_y(
     const P& a, const P& b, const P& c, const P& d, scalar_of<P> zero = printed_zero<scalar_of<P>>) noexcept {
   const auto m = detail::cross_in_two(a, b, c, d, 0, 1, zero);
   if (!m || !detail::fits_third(*m, c, d, 2, zero)) return std::nullopt;

@@ -19,7 +19,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 4.5
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
-constexpr std::optional<scalar_of<P>> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
+[[nodiscard]] constexpr std::optional<scalar_of<P>> intersect_plane_line(const L& plane, const P& a,
+                                                                         const P& b) noexcept {
   using T = scalar_of<P>;
   const T divisor = dot(normal_of(plane), detail::displacement<T>(a, b));
   if (!(divisor < T(0) || T(0) < divisor)) return std::nullopt;
@@ -32,7 +33,7 @@ constexpr std::optional<scalar_of<P>> intersect_plane_line(const L& plane, const
 /// exact   no bound: the pivot is whatever stands on the diagonal
 /// source  Hank n.d., 1.3.5: s1*first + s2*second - t*direction = line's origin - plane's origin
 template <Real T>
-constexpr std::optional<parametric_meeting<T>> intersect_plane_line_by_gauss(
+[[nodiscard]] constexpr std::optional<parametric_meeting<T>> intersect_plane_line_by_gauss(
     const parametric_plane<T>& plane, const parametric_line<T, 3>& line,
     std::type_identity_t<T> zero = printed_zero<T>) noexcept {
   mat<T, 3, 4> equations;
@@ -42,7 +43,7 @@ constexpr std::optional<parametric_meeting<T>> intersect_plane_line_by_gauss(
   }
   const auto x = textbook::solve_gauss(equations, zero);
   if (!x) return std::nullopt;
-  return parametric_meeting<T>{plane_line_relation::crossing, point_at(line, x->z), x->x, x->y, x->z};
+  return parametric_meeting<T>{flat_relation::crossing, point_at(line, x->z), x->x, x->y, x->z};
 }
 
 }  // namespace IRG_ABI

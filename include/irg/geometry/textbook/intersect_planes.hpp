@@ -12,7 +12,7 @@ namespace irg::textbook {
 /// shape   points and parameter have a meaning only where the planes cross
 template <Scalar T>
 struct planes_meeting {
-  planes_relation relation = planes_relation::none;
+  flat_relation relation = flat_relation::none;
   point<T, 3> at_zero{}, at_one{};
   enum class parameter { s3, s4 } held = parameter::s4;
 };
@@ -29,8 +29,9 @@ inline namespace IRG_ABI {
 ///         they are
 /// source  Hank n.d., 1.3.6: the program holds s4 first, the text s3
 template <Real T>
-constexpr planes_meeting<T> intersect_planes(const parametric_plane<T>& first, const parametric_plane<T>& second,
-                                             held_parameter order = held_parameter::s4_then_s3) noexcept {
+[[nodiscard]] constexpr planes_meeting<T> intersect_planes(const parametric_plane<T>& first,
+                                                           const parametric_plane<T>& second,
+                                                           held_parameter order = held_parameter::s4_then_s3) noexcept {
   using result = planes_meeting<T>;
   const auto n1 = detail::directions_normal(first), n2 = detail::directions_normal(second);
   if (!n1 || !n2 || detail::is_zero(*n1) || detail::is_zero(*n2)) return {};
@@ -47,11 +48,11 @@ constexpr planes_meeting<T> intersect_planes(const parametric_plane<T>& first, c
     if (!v) return {};
     const auto& [divisor, height, at_zero] = std::get<0>(*v);
     if (!detail::is_zero(divisor))
-      return {planes_relation::crossing, rounded_coordinates<point<T, 3>>(at_zero / divisor),
+      return {flat_relation::crossing, rounded_coordinates<point<T, 3>>(at_zero / divisor),
               rounded_coordinates<point<T, 3>>(std::get<2>(std::get<1>(*v)) / divisor),
               hold_s4 ? result::parameter::s4 : result::parameter::s3};
     if (attempt == 1)
-      return {detail::is_zero(height) ? planes_relation::coincident : planes_relation::parallel, {}, {}, {}};
+      return {detail::is_zero(height) ? flat_relation::coincident : flat_relation::parallel, {}, {}, {}};
   }
   return {};
 }

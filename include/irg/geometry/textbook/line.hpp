@@ -16,7 +16,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formula 2.6 as printed
 template <Point P>
   requires(size_of<P> == 2 && Real<scalar_of<P>>)
-constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
+[[nodiscard]] constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
   using T = scalar_of<P>;
   const T width = coordinate(q, 0) - coordinate(p, 0), height = coordinate(q, 1) - coordinate(p, 1);
   if (width == T(0) || height == T(0)) return std::nullopt;

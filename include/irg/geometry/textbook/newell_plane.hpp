@@ -17,8 +17,8 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, formula 4.2, with j = i + 1 for i != n - 1 where i != n is printed
 template <PolygonRing R>
   requires Point<ring_point<R>> && (size_of<ring_point<R>> == 3)
-constexpr std::optional<plane<scalar_of<ring_point<R>>>> newell_plane(const R& ring) noexcept {
-  using T = scalar_of<ring_point<R>>;
+[[nodiscard]] constexpr std::optional<plane<ring_scalar<R>>> newell_plane(const R& ring) noexcept {
+  using T = ring_scalar<R>;
   const std::size_t n = ring_size(ring);
   if (n < 3) return std::nullopt;
   vec<T, 3> normal{T(0), T(0), T(0)};

@@ -16,8 +16,8 @@ inline namespace IRG_ABI {
 /// source  Hank n.d., 1.3.2, which refuses coincident points only
 template <Point P>
   requires(size_of<P> == 3)
-constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_at_middle(const P& a, const P& b,
-                                                                                   const P& c) noexcept {
+[[nodiscard]] constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_at_middle(const P& a, const P& b,
+                                                                                                 const P& c) noexcept {
   return parametric_plane_through(b, a, c);
 }
 
@@ -26,8 +26,9 @@ constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_at_midd
 /// source  Hank n.d., 1.3.2 as printed
 template <Point P>
   requires(size_of<P> == 3)
-constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_as_printed(const P& a, const P& b,
-                                                                                    const P& c) noexcept {
+[[nodiscard]] constexpr std::optional<parametric_plane<scalar_of<P>>> parametric_plane_as_printed(const P& a,
+                                                                                                  const P& b,
+                                                                                                  const P& c) noexcept {
   using T = scalar_of<P>;
   if (detail::are_equal(a, b) || detail::are_equal(b, c) || detail::are_equal(a, c)) return std::nullopt;
   return parametric_plane<T>{detail::displacement<T>(b, a), detail::displacement<T>(b, c), detail::as_point<T>(b)};

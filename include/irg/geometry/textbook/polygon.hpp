@@ -16,7 +16,7 @@ inline namespace IRG_ABI {
 /// source  Meister 1769 (the shoelace formula)
 template <PlanePolygon P>
   requires Real<scalar_of<polygon_point<P>>>
-constexpr auto polygon_area(const P& polygon) noexcept {
+[[nodiscard]] constexpr auto polygon_area(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   T twice(0);
   detail::each_edge(polygon, [&](const auto& p, const auto& q) {
@@ -31,16 +31,16 @@ constexpr auto polygon_area(const P& polygon) noexcept {
 /// exact   as orientation_of
 /// source  Mihajlovic 2016, criterion 3.2
 template <PlaneRing R>
-constexpr polygon_orientation orientation_of(const R& ring) noexcept {
+[[nodiscard]] constexpr orientation orientation_of(const R& ring) noexcept {
   const std::size_t n = ring_size(ring);
-  if (n < 3 || !is_finite(ring)) return polygon_orientation::degenerate;
+  if (n < 3 || !is_finite(ring)) return orientation::degenerate;
   const auto turn = [&](std::size_t i) {
     return orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), ring_vertex(ring, i + 2));
   };
   const int first = turn(0);
   for (std::size_t i = 1; i < n; ++i)
-    if (turn(i) != first) return polygon_orientation::degenerate;
-  return static_cast<polygon_orientation>(first);
+    if (turn(i) != first) return orientation::degenerate;
+  return static_cast<orientation>(first);
 }
 
 /// Rules 3.3 and 3.4 of the course as they stand, for a clockwise ring: outside when p lies on the left of some edge (a
@@ -50,14 +50,14 @@ constexpr polygon_orientation orientation_of(const R& ring) noexcept {
 /// exact   as point_in_convex_polygon
 /// source  Mihajlovic 2016, rules 3.3 and 3.4. Its exercise prints the boundary as inside
 template <PlaneRing R>
-constexpr point_location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
+[[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
   bool all_negative = true;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const int value = orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), p);
-    if (value > 0) return point_location::outside;
+    if (value > 0) return location::outside;
     all_negative = all_negative && value < 0;
   }
-  return all_negative ? point_location::inside : point_location::boundary;
+  return all_negative ? location::inside : location::boundary;
 }
 
 }  // namespace IRG_ABI

@@ -13,7 +13,7 @@ inline namespace IRG_ABI {
 /// exact   needles lose all digits
 /// source  Heron, Metrica
 template <Floating T>
-constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
+[[nodiscard]] constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
   const T s = (a + b + c) / 2;
   const T square = product(product(s, s - a), product(s - b, s - c));
   return square >= 0 ? std::optional<T>(sqrt(square)) : std::nullopt;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/memory_access.hpp>
 #include <irg/hidden/detail/crowded_window.hpp>
 #include <irg/hidden/detail/part_box.hpp>
 #include <irg/hidden/order_in_window.hpp>
@@ -116,19 +117,65 @@ public:
 
   // Paints faces that are sorted from near to far. A face that covers a whole window hides what is behind it there; a
   // list in which most overlap in depth is cut with its window.
-  constexpr void paint(const std::vector<const screen_face*>& sorted, const cell_window& w) {
+  constexpr void paint(const std::vector<window_face>& sorted, const cell_window& w) {
     if (w.empty()) return;
-    const std::vector<const screen_face*> faces = faces_of_window<Order>(sorted, w, counts_.hidden);
+    const std::vector<window_face> faces = faces_of_window<Order>(sorted, w, counts_.hidden);
     if (is_one_pixel(w)) {
-      if (const screen_face* seen = seen_in_pixel<Order>(faces, w)) draw({{seen, {}}, w});
+      if (const screen_face* seen = seen_in_pixel<Order>(faces, w)) draw(*seen, w);
       return;
     }
     if (overlaps_much(faces)) {
       for (const cell_window& part : quarters(w)) paint(faces, part);
       return;
     }
+    for (std::size_t end = faces.size(); end != 0;) {
+      if (end >= faces_ahead) ask_for(*faces[end - faces_ahead].face);
+      const std::size_t first = first_overlapping(faces, end);
+      if (end - first == 1)
+        draw(*faces[first].face, intersect(faces[first].bounds, w));
+      else
+        paint_overlapping(faces, {first, end}, w);
+      end = first;
+    }
+  }
+
+private:
+  // Sorted faces lie anywhere in memory: some are asked for before they are drawn.
+  static constexpr std::size_t faces_ahead = 16;
+  static constexpr void ask_for(const screen_face& f) noexcept {
+    constexpr std::ptrdiff_t line = 64;
+    for (std::ptrdiff_t at = 0; at < static_cast<std::ptrdiff_t>(sizeof f); at += line) prefetch(&f, at);
+  }
+
+  // Whether there are more than four tests for each face.
+  static constexpr bool overlaps_much(const std::vector<window_face>& faces) noexcept {
+    constexpr std::ptrdiff_t few = 4;
+    std::ptrdiff_t pairs = 0;
+    for (auto i = faces.begin(); i != faces.end(); ++i) {
+      const auto is_apart = [&](const window_face& f) { return Order::nearer(f.farthest, i->nearest); };
+      if (i != faces.begin() && !is_apart(i[-1])) pairs += i - std::partition_point(faces.begin(), i, is_apart);
+    }
+    return pairs > few * static_cast<std::ptrdiff_t>(faces.size());
+  }
+
+  // Where the last faces before `end` begin that no depth parts: all before lie in front of all of them.
+  static constexpr std::size_t first_overlapping(const std::vector<window_face>& faces, std::size_t end) noexcept {
+    std::size_t first = end - 1;
+    for (float nearest = faces[first].nearest; first != 0 && !Order::nearer(faces[first - 1].farthest, nearest);) {
+      --first;
+      if (Order::nearer(faces[first].nearest, nearest)) nearest = faces[first].nearest;
+    }
+    return first;
+  }
+
+  struct list_range {
+    std::size_t first, end;
+  };
+  constexpr void paint_overlapping(const std::vector<window_face>& faces, const list_range& range,
+                                   const cell_window& w) {
     list_.clear();
-    for (const screen_face* f : faces) list_.push_back({{f, {}}, intersect(f->coverage.bounds, w)});
+    for (std::size_t i = range.first; i < range.end; ++i)
+      list_.push_back({{faces[i].face, {}}, intersect(faces[i].bounds, w)});
     sorted_ = list_.size();
     while (!list_.empty()) {
       if (!may_be_drawn()) continue;
@@ -138,21 +185,9 @@ public:
     }
   }
 
-private:
-  // Whether there are more than four tests for each face.
-  static constexpr bool overlaps_much(const std::vector<const screen_face*>& faces) noexcept {
-    constexpr std::ptrdiff_t few = 4;
-    std::ptrdiff_t pairs = 0;
-    for (auto i = faces.begin(); i != faces.end(); ++i)
-      pairs += i - std::partition_point(faces.begin(), i, [&](const screen_face* f) {
-                 return Order::nearer(farthest_depth<Order>(*f), nearest_depth<Order>(**i));
-               });
-    return pairs > few * static_cast<std::ptrdiff_t>(faces.size());
-  }
-
-  constexpr void note(newell_step step, const painted_part& p, const painted_part& q) {
+  constexpr void note(newell_step step, const screen_face& p, const screen_face& q) {
     ++counts_.steps[static_cast<int>(step)];
-    observer_(step, p.part.face->number, q.part.face->number);
+    observer_(step, p.number, q.number);
   }
 
   // Whether the last of the list hides none of the others; if not, the list is changed.
@@ -170,7 +205,7 @@ private:
   }
 
   constexpr bool does_not_hide(const painted_part& p, const painted_part& q) {
-    const auto told = [&](newell_step step) { return note(step, p, q), true; };
+    const auto told = [&](newell_step step) { return note(step, *p.part.face, *q.part.face), true; };
     const screen_face &fp = *p.part.face, &fq = *q.part.face;
     if (&fp == &fq) return true;  // parts of a face have no pixel in common
     const cell_window both = intersect(p.box, q.box);
@@ -204,15 +239,15 @@ private:
       sorted_ += was_sorted ? 1 : 0;
     };
     if (ordered && (!q.moved || is_one_pixel(q.box))) {
-      note(newell_step::moved, p, q);
+      note(newell_step::moved, *p.part.face, *q.part.face);
       put_last(q.part, q.box, true);
     } else if (!ordered) {
-      note(newell_step::split_by_plane, p, q);
+      note(newell_step::split_by_plane, *p.part.face, *q.part.face);
       const fragment_parts parts = split_fragment(q.part, *p.part.face);
       put_back(parts.nearer, trimmed_box<Order>(parts.nearer, q.box));
       put_last(parts.farther, trimmed_box<Order>(parts.farther, q.box));
     } else {
-      note(newell_step::split_by_extent, p, q);
+      note(newell_step::split_by_extent, *p.part.face, *q.part.face);
       const cell_window inside = both == q.box ? halved(both) : both;
       for (const cell_window& rest : around(inside, q.box)) put_back(q.part, rest);
       put_last(q.part, inside);
@@ -223,11 +258,20 @@ private:
     if (!has_no_pixel<Order>(part, box)) list_.push_back({part, box, moved});
   }
 
+  constexpr void draw(const screen_face& f, const cell_window& w) {
+    note(newell_step::drawn, f, f);
+    covered_spans(f.coverage, w, [&ids = ids_, number = f.number](const span_of_cells& s) {
+      std::uint32_t* row = ids.row(s.y);
+      for (int x = s.x_first; x < s.x_last; ++x) row[x] = number;
+    });
+  }
   constexpr void draw(const painted_part& p) {
-    note(newell_step::drawn, p, p);
-    covered_spans(p.part.face->coverage, p.box, [&](const span_of_cells& s) {
+    const screen_face& f = *p.part.face;
+    if (p.part.limits.empty()) return draw(f, p.box);
+    note(newell_step::drawn, f, f);
+    covered_spans(f.coverage, p.box, [&](const span_of_cells& s) {
       for (int x = s.x_first; x < s.x_last; ++x)
-        if (p.part.limits.empty() || covers<Order>(p.part, x, s.y)) ids_(x, s.y) = p.part.face->number;
+        if (covers<Order>(p.part, x, s.y)) ids_(x, s.y) = f.number;
     });
   }
 

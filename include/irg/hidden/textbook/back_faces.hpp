@@ -16,14 +16,14 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 7.3, for clockwise vertices; for counter-clockwise ones, as the same course lists them
 ///         elsewhere, with the inequality reversed
 template <PlaneRing R>
-constexpr bool is_back_by_edges(const R& projected, vertex_order order = vertex_order::clockwise) noexcept {
+[[nodiscard]] constexpr bool is_back_by_edges(const R& projected, orientation order = orientation::clockwise) noexcept {
   const std::size_t n = ring_size(projected);
   for (std::size_t i = 0; i < n; ++i) {
     const auto p = ring_vertex(projected, i), q = ring_vertex(projected, i + 1 < n ? i + 1 : 0);
     bool outside = true;
     for (std::size_t j = 0; j < n && outside; ++j) {
       const int side = orient2d(p, q, ring_vertex(projected, j));
-      outside = order == vertex_order::clockwise ? side >= 0 : side <= 0;
+      outside = order == orientation::clockwise ? side >= 0 : side <= 0;
     }
     if (outside) return true;
   }
@@ -35,8 +35,8 @@ constexpr bool is_back_by_edges(const R& projected, vertex_order order = vertex_
 /// exact   in integers and rationals
 /// source  Hidden-surface slides
 template <Scalar T>
-IRG_INLINE constexpr vec<T, 3> face_normal(const point<T, 3>& p1, const point<T, 3>& p2,
-                                           const point<T, 3>& p3) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<T, 3> face_normal(const point<T, 3>& p1, const point<T, 3>& p2,
+                                                         const point<T, 3>& p3) noexcept {
   return cross(p3 - p2, p1 - p2);
 }
 
@@ -45,7 +45,8 @@ IRG_INLINE constexpr vec<T, 3> face_normal(const point<T, 3>& p1, const point<T,
 /// exact   in integers and rationals, in the order of terms of the source
 /// source  Hidden-surface slides
 template <Scalar T>
-constexpr T mixed_product(const point<T, 3>& p1, const point<T, 3>& p2, const point<T, 3>& p3, const T& d) noexcept {
+[[nodiscard]] constexpr T mixed_product(const point<T, 3>& p1, const point<T, 3>& p2, const point<T, 3>& p3,
+                                        const T& d) noexcept {
   const vec<T, 3> v = p3 - p2, u = p1 - p2, w = point<T, 3>{T(0), T(0), d} - p2;
   return product(w.x, product(v.y, u.z) - product(u.y, v.z)) - product(w.y, product(v.x, u.z) - product(u.x, v.z)) +
          product(w.z, product(v.x, u.y) - product(u.x, v.y));
@@ -58,14 +59,14 @@ constexpr T mixed_product(const point<T, 3>& p1, const point<T, 3>& p2, const po
 /// source  Hidden-surface slides, procedure HiddenPoly
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 3)
-constexpr bool is_hidden_polygon(const R& polygon, const scalar_of<typename ring_traits<R>::point>& d,
-                                 edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
+[[nodiscard]] constexpr bool is_hidden_polygon(const R& polygon, const ring_scalar<R>& d,
+                                               edge_on_faces edge_on = edge_on_faces::hidden) noexcept {
   IRG_EXPECTS(ring_size(polygon) >= 3);
-  using T = scalar_of<typename ring_traits<R>::point>;
+  using T = ring_scalar<R>;
   const auto p = [&](std::size_t i) {
     return generate_coordinates<point<T, 3>>([&](int k) { return coordinate(ring_vertex(polygon, i), k); });
   };
-  return is_hidden(static_cast<face_side>(orient3d(p(0), p(1), p(2), point<T, 3>{T(0), T(0), d})), edge_on);
+  return is_hidden(static_cast<facing>(orient3d(p(0), p(1), p(2), point<T, 3>{T(0), T(0), d})), edge_on);
 }
 
 /// Whether a face is a back face by the camera's z axis alone: z . normal > 0.
@@ -75,7 +76,7 @@ constexpr bool is_hidden_polygon(const R& polygon, const scalar_of<typename ring
 /// exact   for every finite float, double and integer
 /// source  Hank n.d., 4.1.5.1
 template <Scalar T>
-constexpr bool is_back_by_axis(const vec<T, 3>& camera_z, const vec<T, 3>& normal) noexcept {
+[[nodiscard]] constexpr bool is_back_by_axis(const vec<T, 3>& camera_z, const vec<T, 3>& normal) noexcept {
   const point<T, 3> origin{};
   return order_along_line(origin, point<T, 3>{camera_z.x, camera_z.y, camera_z.z},
                           point<T, 3>{normal.x, normal.y, normal.z}, origin) > 0;

@@ -25,7 +25,7 @@ public:
   constexpr explicit floating_horizon(int columns, horizon_rule rule = horizon_rule::improved_step)
       : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), Column{}), rule_(rule) {}
 
-  constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
+  [[nodiscard]] constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
   constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
   constexpr void begin_curve() noexcept { drawing_ = false; }
 

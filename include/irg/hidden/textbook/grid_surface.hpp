@@ -34,7 +34,7 @@ inline namespace IRG_ABI {
 /// gives   NaN for (0, 0)
 /// source  Special-cases chapter, 3 (pseudo-angles)
 template <Floating T>
-constexpr T pseudo_angle(T x, T y) noexcept {
+[[nodiscard]] constexpr T pseudo_angle(T x, T y) noexcept {
   const T wide = x < 0 ? -x : x, tall = y < 0 ? -y : y;
   if (wide >= tall) return x > 0 ? y / x : 4 + y / x;
   return y > 0 ? 2 - x / y : 6 - x / y;
@@ -44,7 +44,7 @@ constexpr T pseudo_angle(T x, T y) noexcept {
 /// exact   0 < (b - a mod 8) < 4, where the source's own test holds both ways round for 0 and 6
 /// source  Special-cases chapter, 3 (pseudo-angles)
 template <Floating T>
-constexpr bool angle_precedes(T a, T b) noexcept {
+[[nodiscard]] constexpr bool angle_precedes(T a, T b) noexcept {
   const T apart = b - a, turned = apart < 0 ? apart + 8 : apart;
   return 0 < turned && turned < 4;
 }
@@ -55,7 +55,7 @@ constexpr bool angle_precedes(T a, T b) noexcept {
 /// gives   the corners counter-clockwise from (0, 0) for the facet (k, l) itself
 /// source  Special-cases chapter, 3 (figure 3.37), and the four positions that its code leaves out
 template <class Int>
-constexpr std::array<facet_corner, 4> facet_corner_order(Int i, Int j, Int k, Int l) noexcept {
+[[nodiscard]] constexpr std::array<facet_corner, 4> facet_corner_order(Int i, Int j, Int k, Int l) noexcept {
   if (i != k && j != l) {
     const int near_i = i > k ? 0 : 1, near_j = j > l ? 0 : 1;
     const facet_corner nearest{near_i, near_j}, farthest{1 - near_i, 1 - near_j};
@@ -78,7 +78,7 @@ constexpr std::array<facet_corner, 4> facet_corner_order(Int i, Int j, Int k, In
 /// (b - a) x (c - a): positive where a, b, c turn left.
 template <Point P>
   requires(size_of<P> == 2)
-constexpr auto turn_rounded(const P& a, const P& b, const P& c) noexcept {
+[[nodiscard]] constexpr auto turn_rounded(const P& a, const P& b, const P& c) noexcept {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -86,7 +86,7 @@ constexpr auto turn_rounded(const P& a, const P& b, const P& c) noexcept {
 /// a perimeter.
 /// source  Special-cases chapter, 3 (tables I and II)
 template <Point P>
-constexpr leaving_corners leaving_side_corners(const std::array<P, 4>& f) noexcept {
+[[nodiscard]] constexpr leaving_corners leaving_side_corners(const std::array<P, 4>& f) noexcept {
   const bool second = turn_rounded(f[0], f[3], f[1]) > 0, third = turn_rounded(f[0], f[3], f[2]) > 0;
   if (second == third) return second ? leaving_corners{0, 1234} : leaving_corners{1234, 0};
   return second ? leaving_corners{234, 123} : leaving_corners{123, 234};
@@ -95,7 +95,7 @@ constexpr leaving_corners leaving_side_corners(const std::array<P, 4>& f) noexce
 /// Of a facet beside the eye in both coordinates, F2 its near corner, F3 its far one, F1F2 and F2F4 drawn: likewise.
 /// source  Special-cases chapter, 3 (tables III and IV; ten arrangements, eight of which the signs tell apart)
 template <Point P>
-constexpr leaving_corners leaving_corner_corners(const std::array<P, 4>& f) noexcept {
+[[nodiscard]] constexpr leaving_corners leaving_corner_corners(const std::array<P, 4>& f) noexcept {
   const bool second = turn_rounded(f[0], f[3], f[1]) > 0, third = turn_rounded(f[0], f[1], f[2]) > 0;
   const bool fourth = turn_rounded(f[1], f[3], f[2]) > 0;
   if (third && fourth) return {0, 134};
@@ -108,7 +108,8 @@ constexpr leaving_corners leaving_corner_corners(const std::array<P, 4>& f) noex
 /// a vertex counts once.
 /// source  Special-cases chapter, 3 (the four cross products; its two labels are exchanged)
 template <Point P>
-constexpr perimeter_crossing crossing_of_perimeter(const P& p1, const P& p2, const P& f1, const P& f2) noexcept {
+[[nodiscard]] constexpr perimeter_crossing crossing_of_perimeter(const P& p1, const P& p2, const P& f1,
+                                                                 const P& f2) noexcept {
   const bool c1 = turn_rounded(p1, p2, f1) <= 0, c2 = turn_rounded(p1, p2, f2) <= 0;
   const bool c3 = turn_rounded(f1, f2, p1) >= 0, c4 = turn_rounded(f1, f2, p2) >= 0;
   if (c1 && !c2 && c3 && !c4) return perimeter_crossing::inwards;
@@ -120,7 +121,7 @@ constexpr perimeter_crossing crossing_of_perimeter(const P& p1, const P& p2, con
 /// needs   edges that cross
 /// source  Special-cases chapter, 3 (procedure intersect)
 template <Point P>
-constexpr P meeting_with_perimeter(const P& p1, const P& p2, const P& f1, const P& f2) noexcept {
+[[nodiscard]] constexpr P meeting_with_perimeter(const P& p1, const P& p2, const P& f1, const P& f2) noexcept {
   const auto px = p2.x - p1.x, py = p2.y - p1.y, fx = f2.x - f1.x, fy = f2.y - f1.y;
   const auto s = (-(p1.x - f1.x) * py + (p1.y - f1.y) * px) / (-fx * py + fy * px);
   return {f1.x + s * fx, f1.y + s * fy};
@@ -130,7 +131,7 @@ constexpr P meeting_with_perimeter(const P& p1, const P& p2, const P& f1, const 
 /// before the facet's; at equal angles the facet goes on.
 /// source  Special-cases chapter, 3 (simultaneous traversal)
 template <Floating T>
-constexpr bool advances_perimeter(T next_on_perimeter, T next_on_facet) noexcept {
+[[nodiscard]] constexpr bool advances_perimeter(T next_on_perimeter, T next_on_facet) noexcept {
   return angle_precedes(next_on_perimeter, next_on_facet);
 }
 

@@ -108,7 +108,7 @@ public:
       : screen_(&screen), depth_(&depth), references_(&references) {}
 
   /// The pixels that all buffers have, and may be drawn.
-  IRG_INLINE constexpr cell_window window() const {
+  [[nodiscard]] IRG_INLINE constexpr cell_window window() const {
     const cell_window both = intersect(limit_, intersect(window_of(*screen_), window_of(*depth_)));
     if constexpr (has_references)
       return intersect(both, window_of(*references_));
@@ -117,7 +117,7 @@ public:
   }
 
   /// The same buffers, of which nothing outside of a window is drawn.
-  IRG_INLINE constexpr zbuffer within(const cell_window& window) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr zbuffer within(const cell_window& window) const noexcept {
     zbuffer part = *this;
     part.limit_ = intersect(limit_, window);
     return part;
@@ -184,10 +184,6 @@ concept ZBuffer = requires(const B& buffers, const typename B::depth_type& z, co
   { buffers.set_pixel_within(0, 0, z, v) } -> std::same_as<bool>;
 };
 
-/// A polygon in space of floats or doubles.
-template <class R>
-concept FloatingSpaceRing = SpaceRing<R> && Floating<scalar_of<ring_point<R>>>;
-
 /// How the depths of polygons are got, and where pixels take them.
 template <Real T>
 struct depth_sampling {
@@ -234,10 +230,11 @@ constexpr void zbuffer_face(const B& buffers, const screen_face& face, const V& 
 ///         through the corners, and never outside the range of the corners' depths
 /// cost    one division and some products per pixel, or one addition (`steps`)
 /// source  Hidden-surface slides; Fabris 2012, 2.2
-template <ZBuffer B, FloatingSpaceRing R, class V = typename B::value_type>
+template <ZBuffer B, SpaceRing R, class V = typename B::value_type>
+  requires Floating<ring_scalar<R>>
 constexpr bool zbuffer_polygon(const B& buffers, const R& ring, const V& value,
-                               const depth_sampling<scalar_of<ring_point<R>>>& sampling = {}) {
-  using T = scalar_of<ring_point<R>>;
+                               const depth_sampling<ring_scalar<R>>& sampling = {}) {
+  using T = ring_scalar<R>;
   const auto& [how, grid] = sampling;
   if (!detail::corners_within_reach(ring)) return false;
   const auto p = detail::polygon_plane(ring);
@@ -259,11 +256,11 @@ constexpr bool zbuffer_polygon(const B& buffers, const R& ring, const V& value,
 /// gives   false, and nothing drawn, when a coordinate or d is NaN, infinite or beyond 2^30, d is 0, or a corner is not
 ///         in front of the eye: clip first; true and nothing drawn as zbuffer_polygon, and when the plane holds the eye
 /// exact   coverage: corners are projected in T, then as fill_convex; depths as there
-template <ZBuffer B, FloatingSpaceRing R, class V = typename B::value_type>
-constexpr bool zbuffer_polygon_perspective(const B& buffers, const R& ring, const scalar_of<ring_point<R>>& d,
-                                           const V& value,
-                                           const depth_sampling<scalar_of<ring_point<R>>>& sampling = {}) {
-  using T = scalar_of<ring_point<R>>;
+template <ZBuffer B, SpaceRing R, class V = typename B::value_type>
+  requires Floating<ring_scalar<R>>
+constexpr bool zbuffer_polygon_perspective(const B& buffers, const R& ring, const ring_scalar<R>& d, const V& value,
+                                           const depth_sampling<ring_scalar<R>>& sampling = {}) {
+  using T = ring_scalar<R>;
   const auto& [how, grid] = sampling;
   constexpr T reach = static_cast<T>(detail::textbook_reach);
   if (!(T(0) < d ? d <= reach : d < T(0) && -reach <= d) || !detail::corners_within_reach(ring)) return false;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <irg/io/detail/xml_reader.hpp>
-#include <irg/io/stored_body.hpp>
+#include <irg/scene/stored_body.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {

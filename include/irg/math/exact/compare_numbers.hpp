@@ -17,7 +17,7 @@ inline namespace IRG_ABI {
 /// needs   no NaN
 /// exact   -0 and 0 are equal
 template <class T>
-IRG_INLINE constexpr int compare_numbers(const T& a, const T& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int compare_numbers(const T& a, const T& b) noexcept {
   if constexpr (Floating<T>) {
     using bits = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
     const auto place = [](const T& x) {  // -0 and 0 have the same

@@ -53,12 +53,12 @@ public:
     for (int i = 0; i < size; ++i) word_[i] = words[i];
     size_ = size, place_ = place, negative_ = negative;
   }
-  IRG_INLINE constexpr const std::uint64_t* words() const noexcept { return word_; }
-  IRG_INLINE constexpr int size() const noexcept { return size_; }
-  IRG_INLINE constexpr int place() const noexcept { return place_; }
+  [[nodiscard]] IRG_INLINE constexpr const std::uint64_t* words() const noexcept { return word_; }
+  [[nodiscard]] IRG_INLINE constexpr int size() const noexcept { return size_; }
+  [[nodiscard]] IRG_INLINE constexpr int place() const noexcept { return place_; }
   friend constexpr bool operator==(const dyadic& a, const dyadic& b) noexcept { return (a - b).sign() == 0; }
 
-  IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
+  [[nodiscard]] IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
 
   friend constexpr dyadic operator+(const dyadic& a, const dyadic& b) noexcept {
     if (a.size_ == 0) return b;
@@ -109,7 +109,7 @@ public:
 
   /// The number to 106 bits or more.
   /// exact   relative error at most 2^-105
-  constexpr known_number rounded() const noexcept {
+  [[nodiscard]] constexpr known_number rounded() const noexcept {
     if (size_ == 0) return {};
     const int top = end() - 1, zeros = std::countl_zero(at(top));
     const auto window = [&](int place) {  // 64 bits from the highest one down, then the 64 below
@@ -124,8 +124,8 @@ public:
   }
 
 private:
-  IRG_INLINE constexpr int end() const noexcept { return place_ + size_; }
-  IRG_INLINE constexpr std::uint64_t at(int place) const noexcept {
+  [[nodiscard]] IRG_INLINE constexpr int end() const noexcept { return place_ + size_; }
+  [[nodiscard]] IRG_INLINE constexpr std::uint64_t at(int place) const noexcept {
     return place < place_ || place >= end() ? 0 : word_[place - place_];
   }
   IRG_INLINE constexpr void put(std::uint64_t word) noexcept {
@@ -144,7 +144,7 @@ private:
     size_ -= zeros;
     place_ += zeros;
   }
-  static constexpr bool is_smaller(const dyadic& a, const dyadic& b) noexcept {  // in magnitude
+  [[nodiscard]] static constexpr bool is_smaller(const dyadic& a, const dyadic& b) noexcept {  // in magnitude
     if (a.end() != b.end()) return a.end() < b.end();
     const int last = lesser(a.place_, b.place_);
     for (int place = a.end() - 1; place >= last; --place)
@@ -167,7 +167,7 @@ inline namespace IRG_ABI {
 /// needs   finite x
 template <class N, class T>
   requires(Floating<T> || std::is_integral_v<T>)
-IRG_INLINE constexpr N exactly(const T& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr N exactly(const T& x) noexcept {
   if constexpr (Floating<T>) {
     return N(detail::exactly_widened(x));
   } else if constexpr (sizeof(T) <= 4) {

@@ -54,12 +54,12 @@ struct filtered_input {
 inline namespace IRG_ABI {
 
 template <int N>
-IRG_INLINE constexpr vec<filtered_number, N> operator-(const point<filtered_input, N>& a,
-                                                       const point<filtered_input, N>& b) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<filtered_number, N> operator-(const point<filtered_input, N>& a,
+                                                                     const point<filtered_input, N>& b) noexcept {
   return generate_coordinates<vec<filtered_number, N>>([&](int i) IRG_INLINE_LAMBDA { return a[i] - b[i]; });
 }
 template <int N>
-IRG_INLINE constexpr vec<filtered_number, N> to_vec(const point<filtered_input, N>& p) noexcept {
+[[nodiscard]] IRG_INLINE constexpr vec<filtered_number, N> to_vec(const point<filtered_input, N>& p) noexcept {
   return generate_coordinates<vec<filtered_number, N>>([&](int i) IRG_INLINE_LAMBDA { return filtered_number(p[i]); });
 }
 
@@ -97,7 +97,8 @@ inline namespace IRG_ABI {
 /// gives   nothing for numbers so large or small that something could over- or underflow, NaN and infinity among them
 template <int Degree, class Polynomial, class... A>
   requires Floating<detail::argument_scalar<A...>>
-IRG_INLINE constexpr auto filtered_value_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+[[nodiscard]] IRG_INLINE constexpr auto filtered_value_of(const Polynomial& polynomial,
+                                                          const A&... arguments) noexcept {
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   bool suits = true;

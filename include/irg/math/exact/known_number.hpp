@@ -51,17 +51,17 @@ IRG_INLINE constexpr known_number tamed_number(const known_number& x) noexcept {
 
 inline namespace IRG_ABI {
 
-constexpr known_number operator-(const known_number& a) noexcept { return {-a.high, -a.low, a.exponent}; }
+[[nodiscard]] constexpr known_number operator-(const known_number& a) noexcept { return {-a.high, -a.low, a.exponent}; }
 
 /// a * b to some 100 bits.
-constexpr known_number operator*(const known_number& a, const known_number& b) noexcept {
+[[nodiscard]] constexpr known_number operator*(const known_number& a, const known_number& b) noexcept {
   const known_number x = detail::tamed_number(a), y = detail::tamed_number(b);
   const detail::twofold p = detail::twofold(x.high, x.low, 0) * detail::twofold(y.high, y.low, 0);
   return {p.high, p.low, x.exponent + y.exponent};
 }
 
 /// a - b, to some 100 bits unless they cancel.
-constexpr known_number operator-(const known_number& a, const known_number& b) noexcept {
+[[nodiscard]] constexpr known_number operator-(const known_number& a, const known_number& b) noexcept {
   const known_number x = detail::normalized_number(a), y = detail::normalized_number(b);
   if (y.high == 0) return x;
   if (x.high == 0) return -y;
@@ -74,13 +74,15 @@ constexpr known_number operator-(const known_number& a, const known_number& b) n
 }
 
 /// a + b, to some 100 bits unless they cancel.
-constexpr known_number operator+(const known_number& a, const known_number& b) noexcept { return a - -b; }
+[[nodiscard]] constexpr known_number operator+(const known_number& a, const known_number& b) noexcept { return a - -b; }
 
-constexpr bool operator<(const known_number& a, const known_number& b) noexcept { return (a - b).high < 0; }
+[[nodiscard]] constexpr bool operator<(const known_number& a, const known_number& b) noexcept {
+  return (a - b).high < 0;
+}
 
 /// a/b to some 100 bits.
 /// needs   b is not zero
-constexpr known_number operator/(const known_number& a, const known_number& b) noexcept {
+[[nodiscard]] constexpr known_number operator/(const known_number& a, const known_number& b) noexcept {
   const known_number x = detail::tamed_number(a), y = detail::tamed_number(b);
   const double q = x.high / y.high;
   const auto back = fast_two_product(q, y.high);
@@ -91,7 +93,7 @@ constexpr known_number operator/(const known_number& a, const known_number& b) n
 
 /// -1, 0 or 1, as x is negative, zero or positive.
 template <Scalar T>
-IRG_INLINE constexpr int sign_of(const T& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int sign_of(const T& x) noexcept {
   if constexpr (std::is_same_v<T, known_number>)
     return x.high < 0 ? -1 : x.high > 0 ? 1 : 0;
   else
@@ -100,7 +102,7 @@ IRG_INLINE constexpr int sign_of(const T& x) noexcept {
 
 /// The square root to some 100 bits.
 /// needs   x is not negative
-constexpr known_number sqrt(const known_number& a) noexcept {
+[[nodiscard]] constexpr known_number sqrt(const known_number& a) noexcept {
   known_number x = detail::tamed_number(a);
   if (x.high <= 0) return {};
   const int odd = x.exponent & 1;
@@ -114,7 +116,7 @@ constexpr known_number sqrt(const known_number& a) noexcept {
 /// The number as T; infinity beyond the range.
 /// exact   within 0.501 ulp, where the result is subnormal, too
 template <Floating T>
-constexpr T rounded_to(const known_number& x) noexcept {
+[[nodiscard]] constexpr T rounded_to(const known_number& x) noexcept {
   if (x.exponent == 0 && magnitude(x.high) > 0x1p-1000) return converted<T>(x.high);
   const known_number y = detail::normalized_number(x);
   if (y.high == 0) return T(0);
@@ -131,21 +133,21 @@ constexpr T rounded_to(const known_number& x) noexcept {
 }
 template <Scalar T>
   requires(!Floating<T>)
-IRG_INLINE constexpr T rounded_to(const T& x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr T rounded_to(const T& x) noexcept {
   return x;
 }
 
 /// The T nearest to each coordinate.
 template <Coordinates P, Coordinates V>
   requires(size_of<P> == size_of<V>)
-constexpr P rounded_coordinates(const V& v) noexcept {
+[[nodiscard]] constexpr P rounded_coordinates(const V& v) noexcept {
   return generate_coordinates<P>([&](int i) { return rounded_to<scalar_of<P>>(coordinate(v, i)); });
 }
 
 /// All v as T, multiplied by one power of two where one of them is beyond the range, or the largest of the first
 /// `Leading` so small that its last digits are.
 template <Floating T, std::size_t Leading, std::size_t Size>
-constexpr std::array<T, Size> rounded_together(std::array<known_number, Size> v) noexcept {
+[[nodiscard]] constexpr std::array<T, Size> rounded_together(std::array<known_number, Size> v) noexcept {
   constexpr int highest = std::numeric_limits<T>::max_exponent - 3;
   constexpr int lowest = std::numeric_limits<T>::min_exponent + std::numeric_limits<T>::digits;
   int largest = -1000000, leading = -1000000;
@@ -169,7 +171,7 @@ constexpr std::array<T, Size> rounded_together(std::array<known_number, Size> v)
 }
 template <Scalar T, std::size_t Leading, std::size_t Size>
   requires(!Floating<T>)
-constexpr std::array<T, Size> rounded_together(const std::array<T, Size>& v) noexcept {
+[[nodiscard]] constexpr std::array<T, Size> rounded_together(const std::array<T, Size>& v) noexcept {
   return v;
 }
 

@@ -19,7 +19,7 @@ inline namespace IRG_ABI {
 
 /// The number of x among the floating-point numbers in order: zero (either) is 0, its neighbours are 1 and -1.
 template <Floating T>
-constexpr float_ordinal<T> ordinal_of(T x) noexcept {
+[[nodiscard]] constexpr float_ordinal<T> ordinal_of(T x) noexcept {
   using I = float_ordinal<T>;
   const auto bits = std::bit_cast<I>(x);
   return bits < 0 ? (std::numeric_limits<I>::min)() - bits : bits;
@@ -27,7 +27,7 @@ constexpr float_ordinal<T> ordinal_of(T x) noexcept {
 
 /// The floating-point number with this number.
 template <Floating T>
-constexpr T float_at(float_ordinal<T> k) noexcept {
+[[nodiscard]] constexpr T float_at(float_ordinal<T> k) noexcept {
   return std::bit_cast<T>(k < 0 ? (std::numeric_limits<float_ordinal<T>>::min)() - k : k);
 }
 
@@ -35,7 +35,7 @@ constexpr T float_at(float_ordinal<T> k) noexcept {
 /// shape   side(p, q) is the sign of 2*y - (p + q); the search begins at `guess`
 /// needs   low <= y <= high
 template <Floating T, class Side>
-constexpr T nearest_by_sign(T low, T high, T guess, const Side& side) noexcept {
+[[nodiscard]] constexpr T nearest_by_sign(T low, T high, T guess, const Side& side) noexcept {
   using I = float_ordinal<T>;
   I floor = ordinal_of(low), ceiling = ordinal_of(high);  // floor's number <= y <= ceiling's
   I at = low <= guess && guess <= high ? ordinal_of(guess) : floor + (ceiling / 2 - floor / 2);

@@ -26,7 +26,7 @@ inline namespace IRG_ABI {
 /// gives   nothing when the divisor is zero; the largest number for what is beyond the range; no zero has a sign
 /// exact   correctly rounded, ties to even
 template <int Degree, class Polynomials, class... A>
-constexpr auto quotients_of(const Polynomials& polynomials, const A&... arguments) noexcept {
+[[nodiscard]] constexpr auto quotients_of(const Polynomials& polynomials, const A&... arguments) noexcept {
   static_assert(Degree >= 1 && Degree <= 5);
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
@@ -60,7 +60,7 @@ constexpr auto quotients_of(const Polynomials& polynomials, const A&... argument
 
 /// The number nearest to a/b for {b, a} = polynomials(arguments...), as quotients_of gives it.
 template <int Degree, class Polynomials, class... A>
-constexpr auto quotient_of(const Polynomials& polynomials, const A&... arguments) noexcept {
+[[nodiscard]] constexpr auto quotient_of(const Polynomials& polynomials, const A&... arguments) noexcept {
   using T = detail::argument_scalar<A...>;
   const auto nearest = quotients_of<Degree>(polynomials, arguments...);
   return nearest ? std::optional<T>((*nearest)[0]) : std::nullopt;

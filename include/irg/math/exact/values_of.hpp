@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 /// exact   in floats and doubles each value within 2^-60 of its size, zeros and signs exactly
 /// cost    some 10 ns for each product; where numbers nearly cancel or are beyond 2^+-80, some microseconds
 template <int Degree, class Polynomial, class... A>
-constexpr auto values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+[[nodiscard]] constexpr auto values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   if constexpr (Floating<T>) {

@@ -12,7 +12,7 @@ inline namespace IRG_ABI {
 /// exact   near-double roots lose up to half the digits, and their number can be wrong; the smaller root has no right
 ///         digit when the roots are 10^8 apart (float: 10^4)
 template <Floating T>
-constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
+[[nodiscard]] constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
   real_roots<T, 2> roots;
   const T discriminant = product(b, b) - product(4 * a, c);
   if (!(discriminant >= 0)) return roots;

@@ -17,8 +17,9 @@ inline namespace IRG_ABI {
 /// source  Hank n.d., 1.3.3: numbers below 1e-6 are zero, pivot rows are divided by the pivot
 template <Real T, int N, int M>
   requires(M == N + 1)
-constexpr std::optional<vec<T, N>> solve_gauss(mat<T, N, M> a,
-                                               std::type_identity_t<T> threshold = T(1) / T(1000000)) noexcept {
+[[nodiscard]] constexpr std::optional<vec<T, N>> solve_gauss(mat<T, N, M> a,
+                                                             std::type_identity_t<T> threshold = T(1) /
+                                                                                                 T(1000000)) noexcept {
   const auto is_zero = [&](const T& x) { return detail::entry_size(x) < threshold; };
   const auto divide_row = [&](int r) {
     const T divisor = a(r, r);
@@ -48,7 +49,7 @@ constexpr std::optional<vec<T, N>> solve_gauss(mat<T, N, M> a,
 /// source  Hank n.d., 1.3.3
 template <Real T, int N, int M>
   requires(M == N + 1)
-constexpr vec<T, N> back_substitution(const mat<T, N, M>& a) noexcept {
+[[nodiscard]] constexpr vec<T, N> back_substitution(const mat<T, N, M>& a) noexcept {
   vec<T, N> x{};
   for (int i = N - 1; i >= 0; --i) {
     T rest = a(i, N);

@@ -23,11 +23,11 @@ constexpr bool can_stroke(std::span<const point<double, 2>> points, const stroke
 
 // The points, equal neighbours once; of a closed path the last one differs from the first.
 template <class Point>
-constexpr std::vector<Point> without_repeats(std::span<const Point> points, stroke_ends ends) {
+constexpr std::vector<Point> without_repeats(std::span<const Point> points, polyline_shape shape) {
   std::vector<Point> path;
   for (const auto& p : points)
     if (path.empty() || !(p == path.back())) path.push_back(p);
-  while (ends == stroke_ends::closed && path.size() > 1 && path.back() == path.front()) path.pop_back();
+  while (shape == polyline_shape::closed && path.size() > 1 && path.back() == path.front()) path.pop_back();
   return path;
 }
 
@@ -98,7 +98,7 @@ struct stroke_pieces {
 
   // Two or more points, no two neighbours equal.
   constexpr void whole(const std::vector<position>& path) {
-    const bool closed = style.ends == stroke_ends::closed;
+    const bool closed = style.shape == polyline_shape::closed;
     const std::size_t n = path.size(), segments = closed ? n : n - 1;
     const auto towards = [&](std::size_t i) { return normalized(path[(i + 1) % n] - path[i]); };
     direction before = towards(closed ? n - 1 : 0);

@@ -86,10 +86,10 @@ constexpr upward_crossings count_upward_crossings(const M& body, const mesh_poin
   return count;
 }
 
-constexpr point_location location_by_winding(const upward_crossings& count, fill_rule rule) noexcept {
-  if (count.on_surface) return point_location::boundary;
+constexpr location location_by_winding(const upward_crossings& count, fill_rule rule) noexcept {
+  if (count.on_surface) return location::boundary;
   const bool inside = rule == fill_rule::even_odd ? count.winding % 2 != 0 : count.winding != 0;
-  return inside ? point_location::inside : point_location::outside;
+  return inside ? location::inside : location::outside;
 }
 
 }  // namespace IRG_ABI

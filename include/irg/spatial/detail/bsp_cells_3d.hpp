@@ -13,7 +13,7 @@
 
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/side_of_meeting.hpp>
-#include <irg/geometry/sign_of.hpp>
+#include <irg/math/exact/sign_of.hpp>
 #include <irg/spatial/bsp_data_3d.hpp>
 #include <irg/spatial/detail/rounded_plane.hpp>
 

@@ -14,8 +14,8 @@ inline namespace IRG_ABI {
 /// needs   finite arguments
 /// exact   axes within 4u of irg::polar_frame's for angles up to pi; the added right angles round larger ones
 template <Floating T>
-constexpr camera_frame<T> polar_frame(T distance, std::type_identity_t<T> azimuth,
-                                      std::type_identity_t<T> elevation) noexcept {
+[[nodiscard]] constexpr camera_frame<T> polar_frame(T distance, std::type_identity_t<T> azimuth,
+                                                    std::type_identity_t<T> elevation) noexcept {
   const vec<T, 3> y = polar_to_cartesian(polar_coordinates<T>{T(1), azimuth, elevation + pi<T> / T(2)});
   const vec<T, 3> z = polar_to_cartesian(polar_coordinates<T>{T(1), azimuth, elevation + pi<T>});
   return {to_point(polar_to_cartesian(polar_coordinates<T>{distance, azimuth, elevation})), cross(z, y), y, z};
@@ -25,7 +25,7 @@ constexpr camera_frame<T> polar_frame(T distance, std::type_identity_t<T> azimut
 /// towards the viewer. It is the polar camera of both angles 0; the slides keep the scene's own depth, so that z is d
 /// minus the distance along the view.
 template <Floating T>
-constexpr camera_frame<T> viewer_frame(T d) noexcept {
+[[nodiscard]] constexpr camera_frame<T> viewer_frame(T d) noexcept {
   return {{T(0), T(0), d}, {T(1), T(0), T(0)}, {T(0), T(1), T(0)}, {T(0), T(0), T(-1)}};
 }
 

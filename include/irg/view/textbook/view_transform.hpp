@@ -18,7 +18,7 @@
 namespace irg::textbook {
 
 /// What an eye and a view point amount to.
-enum class view_status {
+enum class [[nodiscard]] view_status {
   ordinary,
   view_vertical,  // along the scene's z axis, where the course divides 0 by 0: sin 0, cos 1 took its place in T2
   eye_at_view_point,  // there is no direction: T2 and T3 are identities, the view goes along the scene's z, H = 0
@@ -40,7 +40,7 @@ inline namespace IRG_ABI {
 /// The position [x y z 1] * m.
 /// needs   an affine m: its last column is not read
 template <class T>
-IRG_INLINE constexpr point<T, 3> transform_row(const point<T, 3>& p, const mat<T, 4, 4>& m) noexcept {
+[[nodiscard]] IRG_INLINE constexpr point<T, 3> transform_row(const point<T, 3>& p, const mat<T, 4, 4>& m) noexcept {
   return generate_coordinates<point<T, 3>>([&](int c) {
     return detail::sum_of_products<3>([&](int k) { return p[k]; }, [&](int k) { return m(k, c); }) + m(3, c);
   });
@@ -48,14 +48,14 @@ IRG_INLINE constexpr point<T, 3> transform_row(const point<T, 3>& p, const mat<T
 
 /// The homogeneous position [x y z w] * m.
 template <class T>
-IRG_INLINE constexpr hpoint<T, 3> transform_row(const hpoint<T, 3>& p, const mat<T, 4, 4>& m) noexcept {
+[[nodiscard]] IRG_INLINE constexpr hpoint<T, 3> transform_row(const hpoint<T, 3>& p, const mat<T, 4, 4>& m) noexcept {
   return generate_coordinates<hpoint<T, 3>>(
       [&](int c) { return detail::sum_of_products<4>([&](int k) { return p[k]; }, [&](int k) { return m(k, c); }); });
 }
 
 /// T1 (5.2): moves the eye into the origin.
 template <Floating T>
-constexpr mat<T, 4, 4> view_translation(const point<T, 3>& eye) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_translation(const point<T, 3>& eye) noexcept {
   auto m = identity<T, 4>();
   for (int i = 0; i < 3; ++i) m(3, i) = T(0) - eye[i];
   return m;
@@ -65,7 +65,7 @@ constexpr mat<T, 4, 4> view_translation(const point<T, 3>& eye) noexcept {
 /// gives   the identity when x and y are both 0, or one is NaN or infinite
 /// exact   sine and cosine within 1.02 ulp
 template <Floating T>
-constexpr mat<T, 4, 4> view_rotation_z(const point<T, 3>& g1) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_rotation_z(const point<T, 3>& g1) noexcept {
   const auto d = try_normalize(vec<T, 2>{g1.x, g1.y});
   if (!d) return identity<T, 4>();
   return {{{d->x, T(0) - d->y, 0, 0}, {d->y, d->x, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
@@ -76,7 +76,7 @@ constexpr mat<T, 4, 4> view_rotation_z(const point<T, 3>& g1) noexcept {
 /// gives   the identity when x and z are both 0, or one is NaN or infinite
 /// exact   sine and cosine within 1.02 ulp
 template <Floating T>
-constexpr mat<T, 4, 4> view_rotation_y(const point<T, 3>& g2) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_rotation_y(const point<T, 3>& g2) noexcept {
   const auto d = try_normalize(vec<T, 2>{g2.z, g2.x});  // cosine, sine
   if (!d) return identity<T, 4>();
   return {{{d->x, 0, d->y, 0}, {0, 1, 0, 0}, {T(0) - d->y, 0, d->x, 0}, {0, 0, 0, 1}}};
@@ -84,13 +84,13 @@ constexpr mat<T, 4, 4> view_rotation_y(const point<T, 3>& g2) noexcept {
 
 /// T4 (5.5): a quarter turn about z, (x, y) to (y, -x).
 template <Floating T>
-constexpr mat<T, 4, 4> view_quarter_turn() noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_quarter_turn() noexcept {
   return {{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 }
 
 /// T5 (5.5): x to -x, the step from the right-handed scene to the left-handed eye.
 template <Floating T>
-constexpr mat<T, 4, 4> view_mirror() noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_mirror() noexcept {
   return {{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 }
 
@@ -99,7 +99,8 @@ constexpr mat<T, 4, 4> view_mirror() noexcept {
 /// exact   h within 0.501 ulp of the length of the rounded difference; T2 and T3 orthonormal within 4u, however near or
 ///         far the view point (u = 2^-53, float 2^-24)
 template <Floating T>
-constexpr view_steps<T> view_transform_steps(const point<T, 3>& eye, const point<T, 3>& view_point) noexcept {
+[[nodiscard]] constexpr view_steps<T> view_transform_steps(const point<T, 3>& eye,
+                                                           const point<T, 3>& view_point) noexcept {
   using limits = std::numeric_limits<T>;
   view_steps<T> s;
   if (!detail::within(eye, (limits::max)() / 4) || !detail::within(view_point, (limits::max)() / 4)) return s;
@@ -130,7 +131,7 @@ constexpr view_steps<T> view_transform_steps(const point<T, 3>& eye, const point
 ///         to the origin exactly
 /// source  Mihajlovic 2016, 5.1 to 5.6
 template <Floating T>
-constexpr mat<T, 4, 4> view_transform(const point<T, 3>& eye, const point<T, 3>& view_point) noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> view_transform(const point<T, 3>& eye, const point<T, 3>& view_point) noexcept {
   const view_steps<T> s = view_transform_steps(eye, view_point);
   return s.t1 * (s.t2 * (s.t3 * (s.t4 * s.t5)));
 }
@@ -185,7 +186,7 @@ inline namespace IRG_ABI {
 /// [x y 0 z/h], and the division by z/h leads to (5.9).
 /// gives   nothing when h is not positive or not finite, or so small that 1/h is infinite
 template <Floating T>
-constexpr std::optional<mat<T, 4, 4>> perspective_matrix(T h) noexcept {
+[[nodiscard]] constexpr std::optional<mat<T, 4, 4>> perspective_matrix(T h) noexcept {
   using limits = std::numeric_limits<T>;
   if (!(T(1) / (limits::max)() < h) || !(h <= (limits::max)())) return std::nullopt;
   return mat<T, 4, 4>{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, T(1) / h}, {0, 0, 0, 0}}};
@@ -197,7 +198,8 @@ constexpr std::optional<mat<T, 4, 4>> perspective_matrix(T h) noexcept {
 /// exact   within 0.51 ulp over the whole range (1 ulp where the result is subnormal), so that a position in the plane
 ///         itself, z = h, is seen where it is
 template <Floating T>
-constexpr std::optional<point<T, 2>> project_perspective(const point<T, 3>& p, std::type_identity_t<T> h) noexcept {
+[[nodiscard]] constexpr std::optional<point<T, 2>> project_perspective(const point<T, 3>& p,
+                                                                       std::type_identity_t<T> h) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)();
   if (!(T(0) < p.z) || !(T(0) < h) || !(h <= most) || !detail::within(p, most)) return std::nullopt;
   const auto x = detail::textbook_proportion(p.x, h, p.z), y = detail::textbook_proportion(p.y, h, p.z);
@@ -207,13 +209,13 @@ constexpr std::optional<point<T, 2>> project_perspective(const point<T, 3>& p, s
 
 /// The parallel projection that the course names beside P: drops z.
 template <Floating T>
-constexpr mat<T, 4, 4> parallel_matrix() noexcept {
+[[nodiscard]] constexpr mat<T, 4, 4> parallel_matrix() noexcept {
   return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}}};
 }
 
 /// Where a position of the eye's system is seen in parallel projection: (x, y), at any depth, behind the eye too.
 template <class T>
-constexpr point<T, 2> project_parallel(const point<T, 3>& p) noexcept {
+[[nodiscard]] constexpr point<T, 2> project_parallel(const point<T, 3>& p) noexcept {
   return {p.x, p.y};
 }
 

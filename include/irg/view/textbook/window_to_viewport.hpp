@@ -20,7 +20,8 @@ inline namespace IRG_ABI {
 /// exact   in rationals; in floats each operation is rounded once
 /// source  Hank n.d., 4.2.2
 template <Real T>
-constexpr point<T, 2> to_pixels(const edged_window<T>& window, const viewport<T>& view, const point<T, 2>& p) noexcept {
+[[nodiscard]] constexpr point<T, 2> to_pixels(const edged_window<T>& window, const viewport<T>& view,
+                                              const point<T, 2>& p) noexcept {
   return {product(p.x - window.left, view.width / window.width) + view.x,
           product(-p.y - window.top, view.height / window.height) + view.y};
 }

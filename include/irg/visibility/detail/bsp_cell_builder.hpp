@@ -214,7 +214,7 @@ private:
   }
 
   constexpr bool add_triangles(leaf& l, const std::vector<point<T, 2>>& ring) {
-    if (ring.size() < 3 || orientation_of(ring) != polygon_orientation::counter_clockwise) return false;
+    if (ring.size() < 3 || orientation_of(ring) != orientation::counter_clockwise) return false;
     const auto triangles = triangulate_ear_clipping(ring);
     std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 3>>> made;
     for (const auto& t : triangles) {

@@ -88,9 +88,9 @@ private:
     while (ring.size() > 1 && ring.back().at == ring[0].at) ring.pop_back();
     const std::size_t n = ring.size();
     if (n < 3) return n < 2;  // a point is no part of a plan
-    const polygon_orientation way = orientation_of(rings[index]);
-    if (way == polygon_orientation::degenerate) return false;
-    const bool inside_left = (way == polygon_orientation::counter_clockwise) == (depth_of(rings, index) % 2 == 0);
+    const orientation way = orientation_of(rings[index]);
+    if (way == orientation::degenerate) return false;
+    const bool inside_left = (way == orientation::counter_clockwise) == (depth_of(rings, index) % 2 == 0);
     for (std::size_t i = 0; i < n; ++i) {
       ring[i].before = ring[inside_left ? (i + n - 1) % n : (i + 1) % n].at;
       ring[i].after = ring[inside_left ? (i + 1) % n : (i + n - 1) % n].at;
@@ -107,9 +107,9 @@ private:
     for (std::size_t k = 0; k < rings.size(); ++k) {
       if (k == index) continue;
       for (const auto& p : rings[index]) {
-        const point_location where = point_in_polygon(rings[k], p, fill_rule::even_odd);
-        if (where == point_location::boundary) continue;
-        depth += where == point_location::inside ? 1 : 0;
+        const location where = point_in_polygon(rings[k], p, fill_rule::even_odd);
+        if (where == location::boundary) continue;
+        depth += where == location::inside ? 1 : 0;
         break;
       }
     }

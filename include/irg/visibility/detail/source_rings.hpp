@@ -67,9 +67,9 @@ constexpr void turn_outwards(std::vector<plane_ring<T>>& rings) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     bool is_hole = false;
     for (std::size_t k = 0; k < rings.size(); ++k)
-      if (k != i && point_in_polygon(rings[k], rings[i][0], fill_rule::even_odd) == point_location::inside)
+      if (k != i && point_in_polygon(rings[k], rings[i][0], fill_rule::even_odd) == location::inside)
         is_hole = !is_hole;
-    const bool runs_left = orientation_of(rings[i]) == polygon_orientation::counter_clockwise;
+    const bool runs_left = orientation_of(rings[i]) == orientation::counter_clockwise;
     if (runs_left == is_hole) reverse_ring(rings[i]);
   }
 }

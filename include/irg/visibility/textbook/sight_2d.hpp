@@ -98,7 +98,7 @@ inline namespace IRG_ABI {
 /// exact   always; the same from b to a
 /// source  Fabris 2012, 4.3.3 and 4.3.4, with its walls between cells taken as their cells
 template <CellGrid G>
-constexpr sight sight_2d(const G& g, cell a, cell b, corner_case corners = corner_case::both) {
+[[nodiscard]] constexpr sight sight_2d(const G& g, cell a, cell b, corner_case corners = corner_case::both) {
   const grid_extent e = extent_of(g);
   if (!e.holds(a) || !e.holds(b)) return sight::blocked;
   const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;

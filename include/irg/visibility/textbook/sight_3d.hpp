@@ -57,7 +57,7 @@ constexpr void sight_cells_one_pass(const cell3& a, const cell3& b, Sink&& emit)
 /// shape   as sight_cells_one_pass, and the same cells unless |dz| is the greatest: then p' is rounded twice
 /// source  Fabris 2012, 5
 template <std::same_as<cell3> Cell = cell3>
-constexpr std::vector<Cell> sight_cells_nested(const Cell& a, const Cell& b) {
+[[nodiscard]] constexpr std::vector<Cell> sight_cells_nested(const Cell& a, const Cell& b) {
   std::vector<cell3> projected;
   sight_cells_one_pass({a.x, a.y, 0}, {b.x, b.y, 0}, [&](const cell3& c) { projected.push_back(c); });
   const bool flat = (a.x < b.x ? std::int64_t{b.x} - a.x : std::int64_t{a.x} - b.x) >
@@ -105,7 +105,7 @@ constexpr void sight_heights_as_printed(const cell3& a, const cell3& b, Emit&& e
 /// Whether a step along three axes is blocked: bit s of `blocked` says that of the cell ahead along the axes of s (bits
 /// 1, 2 and 4 for x, y and z).
 /// source  Fabris 2012, 5.1.1; the other three sets by enumeration
-constexpr bool three_axis_blocked(unsigned blocked, three_axis_rule rule) noexcept {
+[[nodiscard]] constexpr bool three_axis_blocked(unsigned blocked, three_axis_rule rule) noexcept {
   constexpr auto set = [](unsigned p, unsigned q, unsigned r, unsigned s) {
     return 1u << p | 1u << q | 1u << r | 1u << s;
   };
@@ -120,7 +120,8 @@ constexpr bool three_axis_blocked(unsigned blocked, three_axis_rule rule) noexce
 /// exact   always; the same from b to a
 /// source  Fabris 2012, 5.1 and 5.3; walls as in 5.1.2 at z = 0 only
 template <CellGrid G>
-constexpr bool sight_3d(const G& g, const cell3& a, const cell3& b, three_axis_rule rule = three_axis_rule::thesis) {
+[[nodiscard]] constexpr bool sight_3d(const G& g, const cell3& a, const cell3& b,
+                                      three_axis_rule rule = three_axis_rule::thesis) {
   const grid_extent e = extent_of(g);
   if (!e.holds(a) || !e.holds(b)) return false;
   if (a.z == 0 && b.z == 0) return sight_2d(g, {a.x, a.y}, {b.x, b.y}) != sight::blocked;

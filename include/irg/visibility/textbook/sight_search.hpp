@@ -30,7 +30,7 @@ inline namespace IRG_ABI {
 /// cost    one line per cell and unit at most
 /// source  Fabris 2012, 4.4 and 4.4.1
 template <CellGrid G>
-constexpr sight_search_result sight_search(const G& g, std::span<const cell> units, sight_saving saving) {
+[[nodiscard]] constexpr sight_search_result sight_search(const G& g, std::span<const cell> units, sight_saving saving) {
   const grid_extent e = extent_of(g);
   sight_search_result out{cell_grid(grid_extent{e.width, e.height, 1}), 0};
   for (const cell u : units) {

@@ -172,7 +172,7 @@ struct object_shading {
     if (style != picture_style::gouraud) return;
     for (const facing side : {facing::front, facing::back}) {
       if (side == facing::back && culling == face_culling::back) continue;
-      auto& colours = frame.vertex_colours[static_cast<int>(side)];
+      auto& colours = frame.vertex_colours[side == facing::back ? 1 : 0];
       colours.resize(made.body.positions.size(), std::array<float, 3>{});
       const lit_vertices<T> to{made.body, side == facing::front ? T(1) : T(-1), colours};
       for_portions(executor, colours.size(), [&](std::size_t first, std::size_t last) {
@@ -212,7 +212,7 @@ struct gouraud_pixels {
 
   IRG_INLINE constexpr const float* attributes(const triangle_batch<T>& batch, std::uint32_t vertex,
                                                facing side) const noexcept {
-    return objects[batch.object].made.frame.vertex_colours[static_cast<int>(side)][vertex].data();
+    return objects[batch.object].made.frame.vertex_colours[side == facing::back ? 1 : 0][vertex].data();
   }
   IRG_INLINE constexpr auto pixel(const std::array<float, 3>& light) const noexcept {
     return Output{}({light[0], light[1], light[2]});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/io/stored_body.hpp>
+#include <irg/scene/stored_body.hpp>
 
 #include <set>
 #include <utility>

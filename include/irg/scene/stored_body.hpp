@@ -50,7 +50,8 @@ inline namespace IRG_ABI {
 /// needs   a mesh in which validate() finds no defect
 /// cost    O(n log n)
 template <Floating T>
-constexpr stored_body<T> store_body(part_name name, const mesh<T>& m, const stored_surface<T>& surface = {}) {
+[[nodiscard]] constexpr stored_body<T> store_body(part_name name, const mesh<T>& m,
+                                                  const stored_surface<T>& surface = {}) {
   stored_body<T> b{std::move(name), {}, {}, {surface}, {}};
   b.shape.positions = m.positions;
   b.shape.face_starts = m.face_starts;

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: MIT
+// The studio as one function from a state and events to a picture: the main view on the left, on the right what an
+// outer camera sees of the bodies and of the main camera with its pyramid.
+//
+// Faces are drawn by the renderer, bodies of opacity 1 first; transparent ones are blended over them; edges, points and
+// helpers come last, seen where no opaque face is nearer.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <irg/render/detail/shade/object_shading.hpp>
+#include <irg/render/detail/studio/studio_bodies.hpp>
+#include <irg/render/detail/studio/studio_lines.hpp>
+#include <irg/render/draw_transparent.hpp>
+#include <irg/render/wireframe.hpp>
+#include <irg/scene/studio_events.hpp>
+
+namespace irg {
+
+/// What the pictures of a studio keep from one to the next. Any studio's pictures may use it; it changes none.
+template <Floating T>
+struct studio_memory {
+  struct view_memory {
+    std::vector<detail::placed_body<T>> bodies;
+    image<float> depth;
+    draw_workspace workspace;
+  };
+  std::array<view_memory, 2> views;
+};
+
+/// The colours of what is no body.
+struct studio_colours {
+  rgba8 background{250, 249, 246, 255}, beside{222, 221, 216, 255};
+  rgba8 edge{32, 44, 66, 255}, dot{176, 58, 46, 255}, camera{110, 60, 140, 255}, pyramid{180, 140, 40, 255};
+  std::array<rgba8, 3> axis{rgba8{200, 40, 40, 255}, rgba8{30, 140, 50, 255}, rgba8{40, 80, 210, 255}};
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Encodes light with an opacity.
+struct glass_encoding {
+  std::uint8_t opacity;
+  IRG_INLINE constexpr rgba8 operator()(const rgb<float>& light) const noexcept { return encode(light, opacity); }
+};
+
+// A part of a body in a picture: how it is lit, and how it is drawn.
+template <class T>
+struct studio_object {
+  object_shading<T> shading;
+  studio_shading how;
+  face_culling culling;
+  std::uint8_t opacity;
+};
+
+// The pixel shaders of transparent objects: one colour for a face, or colours between the vertices. Backs that are not
+// to be seen have no opacity.
+template <class T>
+struct glass_pixels {
+  std::span<const studio_object<T>> objects;
+
+  constexpr auto operator()(const triangle_batch<T>& batch, std::uint32_t triangle, facing side) const noexcept {
+    const studio_object<T>& o = objects[batch.object];
+    const bool unseen = side == facing::back && o.culling == face_culling::back;
+    const auto& frame = o.shading.made.frame;
+    const auto& body = o.shading.made.body;
+    rgb<float> at[3] = {};
+    if (o.how == studio_shading::none || o.how == studio_shading::flat) {
+      const std::uint32_t f = body.face_of[triangle];
+      at[0] = at[1] = at[2] = side == facing::front ? frame.face_colours[f] : o.shading.face_colour(f, side);
+    } else if (!unseen) {
+      for (int k = 0; k < 3; ++k) {
+        const auto& light = frame.vertex_colours[side == facing::back ? 1 : 0][body.triangles[triangle].v[k]];
+        at[k] = {light[0], light[1], light[2]};
+      }
+    }
+    const auto opacity = unseen ? std::uint8_t{0} : o.opacity;
+    return vertex_colour_shader<rgba8, glass_encoding>{at[0], at[1], at[2], {opacity}};
+  }
+};
+
+// A view of the studio while it is drawn.
+template <class T>
+struct studio_drawing {
+  const studio<T>& s;
+  studio_view view;
+  image_view<rgba8> picture;
+  typename studio_memory<T>::view_memory& memory;
+  const studio_colours& colours;
+  camera<T> seen_from;
+  checked<mat<T, 4, 4>, projection_status> projection;
+  mat<T, 4, 4> to_clip;
+  screen_mapping<T> mapping;
+  std::vector<studio_object<T>> objects;
+  std::array<light<T>, 1> lamp;
+
+  constexpr studio_drawing(const studio<T>& of, studio_view v, image_view<rgba8> to,
+                           typename studio_memory<T>::view_memory& m, const studio_colours& c)
+      : s(of), view(v), picture(to), memory(m), colours(c), seen_from(camera_of(of.of(v))),
+        projection(view_projection_checked(seen_from, static_cast<T>(to.width()) / static_cast<T>(to.height()))),
+        to_clip(projection.value), mapping(map_to_screen<T>(to.width(), to.height())) {
+    const T left = T(1) - s.ambient;
+    lamp[0] = {s.lamp, {left, left, left}};
+    if (memory.depth.width() != to.width() || memory.depth.height() != to.height())
+      memory.depth = image<float>(to.width(), to.height());
+  }
+
+  constexpr void draw() {
+    clear(picture, colours.background);
+    if (!projection.is_ordinary()) return;  // of a screen that is hardly a pixel wide, say
+    clear(memory.depth, nearer_is_greater::farthest);
+    prepare();
+    opaque();
+    transparent();
+    studio_canvas<T> canvas{picture, memory.depth, to_clip, mapping};
+    for (std::size_t i = 0; i < s.bodies.size(); ++i)
+      if (memory.bodies[i].can_be_seen) edges_and_points(canvas, s.bodies[i], memory.bodies[i].shape);
+    helpers(canvas);
+  }
+
+  // The bodies where they stand, and the shading of those whose faces are shown.
+  constexpr void prepare() {
+    memory.bodies.resize(s.bodies.size());
+    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
+      const studio_body<T>& b = s.bodies[i];
+      placed_body<T>& placed = memory.bodies[i];
+      place_body(placed, b.body, placement_of(s, b));
+      if (!b.shows(studio_part::faces)) continue;
+      for (std::size_t k = 0; k < placed.parts.size(); ++k) {
+        prepared_object<T>& part = placed.parts[k];
+        const std::uint32_t surface = placed.surface_of_part[k];
+        part.surface = studio_material(b.body, surface, b.shading);
+        add_object(part, b, surface < b.body.surfaces.size() ? b.body.surfaces[surface].colour.a : std::uint8_t{255});
+      }
+    }
+  }
+  constexpr void add_object(prepared_object<T>& part, const studio_body<T>& b, std::uint8_t opacity) {
+    const bool unlit = b.shading == studio_shading::none;
+    const T around = unlit ? T(1) : s.ambient;
+    const lighting<T> light{{around, around, around},
+                            unlit ? std::span<const light_of>() : std::span<const light_of>(lamp)};
+    const face_culling culling = b.shows(studio_part::backs) ? face_culling::none : face_culling::back;
+    objects.push_back({object_shading<T>(part, light, viewpoint(seen_from)), b.shading, culling,
+                       static_cast<std::uint8_t>(b.opacity * static_cast<T>(opacity) + T(0.5))});
+    const studio_object<T>& o = objects.back();
+    const bool flat = unlit || b.shading == studio_shading::flat;
+    const bool phong = b.shading == studio_shading::phong && o.opacity == 255;
+    objects.back().shading.prepare(flat    ? picture_style::flat
+                                   : phong ? picture_style::phong
+                                           : picture_style::gouraud,
+                                   culling, sequential{});
+    project_vertices<T>(part.frame.vertices, part.body.positions, to_clip, mapping);
+  }
+
+  constexpr void opaque() {
+    for (const studio_object<T>& o : objects) {
+      if (o.opacity != 255) continue;
+      const prepared_object<T>& made = o.shading.made;
+      const triangle_batch<T> batch[1] = {{&made.frame.vertices, made.body.triangles, 0, 0}};
+      const std::span<const object_shading<T>> one(&o.shading, 1);
+      const auto draw = [&](const auto& pixels) {
+        draw_batches<nearer_is_greater, T>(picture, memory.depth, batch, mapping, pixels,
+                                           draw_settings<rgba8>{.culling = o.culling}, memory.workspace);
+      };
+      if (o.how == studio_shading::gouraud)
+        draw(gouraud_pixels<encoded_light, T>{one});
+      else if (o.how == studio_shading::phong)
+        draw(phong_pixels<encoded_light, T>{one});
+      else
+        draw(flat_pixels<encoded_light, T>{one});
+    }
+  }
+
+  constexpr void transparent() {
+    std::vector<triangle_batch<T>> batches;
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i].opacity == 255 || objects[i].opacity == 0) continue;
+      const prepared_object<T>& made = objects[i].shading.made;
+      batches.push_back({&made.frame.vertices, made.body.triangles, number, static_cast<std::uint32_t>(i)});
+      number += static_cast<std::uint32_t>(made.body.triangles.size());
+    }
+    if (!batches.empty())
+      draw_transparent<nearer_is_greater, depth_test::nearer, T>(picture, memory.depth, batches, mapping,
+                                                                 glass_pixels<T>{objects});
+  }
+
+  // Edges of faces that all face away are left out where backs are, or the faces hide them anyway.
+  constexpr void edges_and_points(studio_canvas<T>& canvas, const studio_body<T>& b, const mesh<T>& shape) {
+    if (b.shows(studio_part::edges)) {
+      std::vector<std::uint64_t> front, all;
+      const bool choose = !b.shows(studio_part::backs);
+      if (choose) {
+        const auto vertices = project_vertices<T>(shape.positions, to_clip, mapping);
+        for (std::size_t f = 0; f < shape.face_count(); ++f)
+          for (std::size_t k = 0, n = shape.face_size(f), back = shows_back(vertices, shape, f); k < n; ++k) {
+            const std::uint64_t e = edge_of(shape.corner(f, k).position, shape.corner(f, (k + 1) % n).position);
+            all.push_back(e);
+            if (back == 0) front.push_back(e);
+          }
+        std::sort(all.begin(), all.end());
+        std::sort(front.begin(), front.end());
+      }
+      for (const stored_edge& e : b.body.edges) {
+        const std::uint64_t key = edge_of(e.from, e.to);
+        if (choose && !std::binary_search(front.begin(), front.end(), key) &&
+            std::binary_search(all.begin(), all.end(), key))
+          continue;
+        canvas.line_rounded(shape.positions[lesser(e.from, e.to)], shape.positions[greater(e.from, e.to)],
+                            colours.edge);
+      }
+    }
+    if (b.shows(studio_part::points))
+      for (const point<T, 3>& p : shape.positions) canvas.dot_rounded(p, colours.dot);
+  }
+
+  constexpr void axes(studio_canvas<T>& canvas, const point<T, 3>& origin, const std::array<vec<T, 3>, 3>& along) {
+    constexpr std::string_view names = "xyz";
+    for (std::size_t i = 0; i < 3; ++i) {
+      canvas.line_rounded(origin, origin + along[i], colours.axis[i]);
+      canvas.label(names.substr(i, 1), origin + along[i], colours.axis[i]);
+    }
+  }
+
+  constexpr void helpers(studio_canvas<T>& canvas) {
+    const studio_camera<T>&here = s.of(view), &c = s.of(studio_view::main);
+    const view_pyramid<T>& p = c.pyramid;
+    const camera_frame<T> f = look_at_frame(c.eye, c.target, c.up);
+    const T half = length(c.target - c.eye) / T(2);
+    if (here.shows(studio_helper::world_axes))
+      axes(canvas, {}, {vec<T, 3>{half, T(0), T(0)}, vec<T, 3>{T(0), half, T(0)}, vec<T, 3>{T(0), T(0), half}});
+    if (here.shows(studio_helper::camera_axes))
+      axes(canvas, f.position, {f.right * p.distance, f.up * p.distance, -f.forward * p.distance});
+    if (here.shows(studio_helper::camera)) {
+      const point<T, 3> middle = f.position + f.forward * p.distance;
+      const vec<T, 3> x = f.right * (p.width / T(2)), y = f.up * (p.height / T(2));
+      const point<T, 3> corner[4] = {middle - x - y, middle + x - y, middle + x + y, middle - x + y};
+      for (int k = 0; k < 4; ++k) {
+        canvas.line_rounded(f.position, corner[k], colours.camera);
+        canvas.line_rounded(corner[k], corner[(k + 1) % 4], colours.camera);
+      }
+    }
+    if (!here.shows(studio_helper::pyramid)) return;
+    const auto corners = frustum_corners(frustum_of(view_projection_checked(camera_of(c), p.width / p.height).value));
+    if (!corners) return;
+    for (int i = 0; i < 8; ++i)
+      for (const int bit : {1, 2, 4})
+        if ((i & bit) == 0) canvas.line_rounded(corners->at[i], corners->at[i | bit], colours.pyramid);
+  }
+
+private:
+  using light_of = light<T>;
+};
+
+// The largest part of a picture that has the proportions of a screen, in its middle.
+template <class T>
+constexpr image_view<rgba8> screen_within(image_view<rgba8> all, const view_pyramid<T>& p) noexcept {
+  const T wide = static_cast<T>(all.width()), high = static_cast<T>(all.height()), ratio = p.width / p.height;
+  const bool limited = wide < high * ratio;  // by the width
+  const int width = limited ? all.width() : static_cast<int>(clamp(high * ratio + T(0.5), T(1), wide));
+  const int height = limited ? static_cast<int>(clamp(wide / ratio + T(0.5), T(1), high)) : all.height();
+  return {all.row((all.height() - height) / 2) + (all.width() - width) / 2, width, height, all.stride()};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// Draws one view of a studio into a picture, as large as its screen's proportions allow.
+/// needs   a studio that apply_event() has made
+/// gives   bodies that a projection takes to infinity or behind its eye are not drawn
+/// exact   the same bytes for every memory, compiler and instruction set. Which of the bodies' pixels are seen is as in
+///         render(); of lines and points it is rounded: they count as seen unless all pixels around are nearer
+/// cost    bodies are made ready when they have changed; then their vertices and triangles, and the pixels
+template <Floating T>
+constexpr void draw_studio_view(image_view<rgba8> picture, const studio<T>& s, studio_view view,
+                                studio_memory<T>& memory, const studio_colours& colours = {}) {
+  if (picture.width() <= 0 || picture.height() <= 0) return;
+  clear(picture, colours.beside);
+  detail::studio_drawing<T>(s, view, detail::screen_within(picture, s.of(view).pyramid),
+                            memory.views[static_cast<std::size_t>(view)], colours)
+      .draw();
+}
+
+/// Draws both views side by side, and a sentence below where there is one.
+/// needs   a studio that apply_event() has made
+/// exact   as draw_studio_view
+template <Floating T>
+constexpr void draw_studio(image_view<rgba8> picture, const studio<T>& s, studio_memory<T>& memory,
+                           std::string_view sentence = {}, const studio_colours& colours = {}) {
+  const int width = picture.width(), height = picture.height(), half = width / 2;
+  if (width <= 0 || height <= 0) return;
+  draw_studio_view({picture.row(0), half, height, picture.stride()}, s, studio_view::main, memory, colours);
+  draw_studio_view({picture.row(0) + half, width - half, height, picture.stride()}, s, studio_view::outer, memory,
+                   colours);
+  for (int y = 0; y < height; ++y) picture(half, y) = colours.edge;
+  draw_text(picture, sentence, {6.0, static_cast<double>(height - 8)}, {.size = 14}, colours.dot);
+}
+
+/// The studio as one function: events happen one after another, and a picture is taken.
+/// gives   the status of the last event that could not be, whose sentence the picture shows; else done
+/// exact   as draw_studio_view
+template <Floating T>
+constexpr studio_status run_studio(studio<T>& s, std::type_identity_t<std::span<const studio_event<T>>> events,
+                                   image_view<rgba8> picture, studio_memory<T>& memory) {
+  studio_status last = studio_status::done;
+  for (const studio_event<T>& e : events)
+    if (const studio_status now = apply_event(s, e); now != studio_status::done) last = now;
+  draw_studio(picture, s, memory, last == studio_status::done ? std::string_view() : sentence_of(last));
+  return last;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include <irg/io/studio_file.hpp>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <irg/mesh/shapes.hpp>
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using studio = irg::studio<double>;
+using irg::apply_event;
+
+std::string text_of(const studio& s) {
+  const auto bytes = irg::encode_studio(s);
+  REQUIRE(bytes.has_value());
+  return {bytes->begin(), bytes->end()};
+}
+std::string error_of(std::string_view text) {
+  const auto r = irg::read_studio<double>(text);
+  if (r) return "none";
+  return std::to_string(r.error().line) + ":" + std::to_string(r.error().column) + " " + r.error().message;
+}
+
+// Whatever events come, possible ones or not.
+irg::studio_event<double> any_event(std::mt19937_64& random) {
+  const auto upto = [&](int n) { return std::uniform_int_distribution<int>(0, n)(random); };
+  const auto number = [&]() -> double {
+    switch (upto(9)) {
+      case 0: return 0;
+      case 1: return std::uniform_real_distribution<double>(-1e300, 1e300)(random);
+      case 2: return 5e-324;
+      case 3: return 1.0 / 0.0 - (upto(1) == 0 ? 1.0 / 0.0 : 0.0);
+      default: return std::uniform_real_distribution<double>(-10, 10)(random);
+    }
+  };
+  constexpr const char* names[] = {"", "kocka", "kocka(2)", "a & b", "<\"q\">", "nobody", "k\xC3\xBA"};
+  const irg::part_name name = names[upto(6)];
+  const auto view = static_cast<irg::studio_view>(upto(1));
+  const auto stage = static_cast<irg::studio_stage>(upto(1));
+  const auto how = static_cast<irg::display>(upto(1));
+  switch (upto(15)) {
+    case 0: {
+      auto b = irg::store_body(name, upto(1) == 0 ? irg::shape_cube<double>() : irg::shape_tetrahedron<double>());
+      b.shape.positions[0].x = number();
+      return irg::load_body<double>{b};
+    }
+    case 1: return upto(5) == 0 ? irg::drop_body{name} : irg::drop_body{"nobody"};
+    case 2: return irg::show_part{name, static_cast<irg::studio_part>(upto(3)), how};
+    case 3: return irg::shade_body{name, static_cast<irg::studio_shading>(upto(3))};
+    case 4: return irg::set_opacity<double>{name, upto(1) == 0 ? number() : 0.1 * upto(10)};
+    case 5: return irg::colour_body{name, {static_cast<std::uint8_t>(upto(255)), 7, 9, 255}};
+    case 6:
+    case 7: {
+      irg::studio_transformation<double> t{static_cast<irg::studio_map>(upto(10)), {}};
+      for (std::size_t i = 0; i < irg::studio_maps[static_cast<std::size_t>(t.kind)].numbers; ++i)
+        t.numbers[i] = number();
+      return irg::add_transformation<double>{name, stage, t};
+    }
+    case 8:
+      return irg::move_transformation{name, stage, static_cast<std::size_t>(upto(3)),
+                                      static_cast<std::size_t>(upto(3))};
+    case 9: return irg::remove_transformation{name, stage, static_cast<std::size_t>(upto(5))};
+    case 10:
+      return irg::aim_camera<double>{
+          view, {number(), number(), number()}, {number(), number(), number()}, {number(), number(), number()}};
+    case 11: return irg::orbit_camera<double>{view, number(), number(), number()};
+    case 12: return irg::set_projection<double>{view, static_cast<irg::projection_kind>(upto(2)), number(), number()};
+    case 13: return irg::see_along<double>{view, {number(), number(), number()}};
+    case 14: return irg::set_pyramid<double>{view, {number(), number(), number(), number(), number()}};
+    default:
+      if (upto(1) == 0) return irg::show_helper{view, static_cast<irg::studio_helper>(upto(3)), how};
+      return irg::set_light<double>{{number(), number(), number(), number()}, 0.1 * upto(12)};
+  }
+}
+
+}  // namespace
+
+TEST_CASE("studio file: after any events the state reads back the same, refused ones having changed nothing") {
+  int done = 0, refused = 0, bodies = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937_64 random(seed);
+    studio s;
+    for (int i = 0; i < 60; ++i) {
+      const studio before = s;
+      if (apply_event(s, any_event(random)) == irg::studio_status::done) {
+        ++done;
+      } else {
+        ++refused;
+        CHECK(s == before);
+      }
+    }
+    bodies += static_cast<int>(s.bodies.size());
+    const std::string text = text_of(s);
+    const auto back = irg::read_studio<double>(text);
+    CAPTURE(seed);
+    if (!back) {
+      CAPTURE(error_of(text));
+      FAIL_CHECK("not read");
+      continue;
+    }
+    CHECK(*back == s);
+    CHECK(text_of(*back) == text);
+  }
+  CHECK(done > 1000);
+  CHECK(refused > 500);
+  CHECK(bodies > 60);
+}
+
+TEST_CASE("studio file: it is a file of bodies, and a file of bodies is one") {
+  studio s;
+  CHECK(apply_event(s, irg::load_body<double>{irg::store_body("kocka", irg::shape_cube<double>())}) ==
+        irg::studio_status::done);
+  CHECK(apply_event(s, irg::set_opacity<double>{"kocka", 0.5}) == irg::studio_status::done);
+  const std::string text = text_of(s);
+  const auto bodies = irg::read_body_xml<double>(text);
+  REQUIRE(bodies.has_value());
+  CHECK(bodies->size() == 1);
+  CHECK((*bodies)[0] == s.bodies[0].body);
+  const auto bytes = irg::encode_body_xml(*bodies);
+  const auto fresh = irg::read_studio<double>(std::string(bytes->begin(), bytes->end()));
+  REQUIRE(fresh.has_value());
+  CHECK(fresh->bodies[0].body == s.bodies[0].body);
+  CHECK(fresh->bodies[0].opacity == 1);
+}
+
+TEST_CASE("studio file: no part of a broken state comes out") {
+  studio s;
+  CHECK(apply_event(s, irg::load_body<double>{irg::store_body("kocka", irg::shape_tetrahedron<double>())}) ==
+        irg::studio_status::done);
+  const std::string text = text_of(s);
+  for (std::size_t n = 0; n + 1 < text.size(); n += 7) CHECK(error_of(text.substr(0, n)) != "none");
+  const auto with = [&](std::string_view line) {
+    std::string changed = text;
+    const std::size_t at = changed.find("light ");
+    return changed.replace(at, changed.find('"', at) - at, line);
+  };
+  const std::string place = error_of(with("shw"));
+  CHECK(place.ends_with("line begins with a word that is not known"));
+  const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("light ")), '\n');
+  CHECK(place.starts_with(std::to_string(lines + 1) + ":25 "));
+  CHECK(error_of(with("drop nobody")).ends_with("no body has this name"));
+  CHECK(error_of(with("load /etc/passwd")).ends_with("line is not one event"));
+  CHECK(error_of(with("save x.xml")).ends_with("line is not one event"));
+  CHECK(error_of(with("")).ends_with("line is not one event"));
+  CHECK(error_of(with("&bomb;")) != "none");
+  CHECK(error_of("<!DOCTYPE bodies [<!ENTITY a \"b\">]><bodies/>") != "none");
+  CHECK(error_of("<bodies><studio:event/></bodies>") == "1:10 line is not one event");
+  CHECK(error_of("<bodies/>") == "none");
+}
