@@ -33,21 +33,21 @@ template <Vector V>
 /// cost    that of hypot
 template <Vector V>
   requires Floating<scalar_of<V>>
-[[nodiscard]] constexpr scalar_of<V> length(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<V> length(const V& v) noexcept {
   return detail::length_of<scalar_of<V>, size_of<V>>([&](int i) { return coordinate(v, i); });
 }
 
 /// The vector of length 1 in the direction of v.
 /// gives   nothing when v is zero or has a coordinate that is NaN or infinite
-/// exact   each coordinate within 1.51 ulp (float 0.51): the length is rounded, then the quotient. The result's length
-///         is 1 within 2u (u = 2^-53, float 2^-24), over the whole range
+/// exact   each coordinate within 1.51 ulp (float 0.51): the length is rounded, then the quotient; float: 1 over the
+///         length in double, then the product. The result's length is 1 within 2u (u = 2^-53, float 2^-24), over the
+///         whole range
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
-  const auto s = detail::scaled(v);
-  if (!(s.scale > 0)) return std::nullopt;
-  const double length = detail::scaled_length<scalar_of<V>>(s);
-  return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(s.c[i] / length); });
+  V unit = v;
+  if (!detail::put_direction(v, unit)) return std::nullopt;
+  return unit;
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -55,9 +55,11 @@ template <Vector V>
 /// exact   as try_normalize
 template <Vector V>
   requires Floating<scalar_of<V>>
-[[nodiscard]] constexpr V normalized(const V& v) noexcept {
-  const std::optional<V> unit = try_normalize(v);
-  return unit ? *unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
+[[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept {
+  V unit = v;
+  const bool has_direction = detail::put_direction(v, unit);
+  if constexpr (std::same_as<scalar_of<V>, float>) return unit;
+  return has_direction ? unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
 }
 
 /// The length of v without care for the ends of the exponents, for inner loops.

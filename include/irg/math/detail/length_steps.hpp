@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scaled lengths, for length and normalized.
+// Scaled lengths and directions, for length and normalized.
 #pragma once
 
 #include <limits>
@@ -9,6 +9,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/float_bits.hpp>
+#include <irg/math/detail/length_kernel.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/sqrt.hpp>
@@ -55,18 +56,48 @@ IRG_INLINE constexpr T length_of(const C& c) noexcept {
   if constexpr (N == 1)
     return magnitude(c(0));
   else
-    return [&]<int... I>(std::integer_sequence<int, I...>) {
-      return hypot_of<T>(c(I)...);
-    }(std::make_integer_sequence<int, N>{});
+    return [&]<int... I>(std::integer_sequence<int, I...>)
+               IRG_INLINE_LAMBDA { return hypot_of<T>(c(I)...); }(std::make_integer_sequence<int, N>{});
 }
 
-/// The length of scaled coordinates: float's in double, where their squares are exact.
+/// The length of scaled coordinates.
 template <class T, int N>
 constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
-  if constexpr (std::same_as<T, double>) return length_of<double, N>([&](int i) { return s.c[i]; });
-  double sum = 0;
-  for (const double c : s.c) sum = sum + product(c, c);
-  return sqrt(sum);
+  return length_of<double, N>([&](int i) { return s.c[i]; });
+}
+
+template <Vector V>
+IRG_NOINLINE constexpr bool put_direction_of_any_size(const V& v, V& unit) noexcept {
+  const auto s = scaled(v);
+  if (!(s.scale > 0)) return false;
+  const double length = scaled_length<double>(s);
+  unit = generate_coordinates<V>([&](int i) { return s.c[i] / length; });
+  return true;
+}
+
+/// Puts a vector's direction into `unit` and says whether there is one. A float's stands there as zero where there is
+/// none.
+template <Vector V>
+IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
+  requires std::same_as<scalar_of<V>, float>
+{
+  return put_float_direction(v, unit);
+}
+template <Vector V>
+IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
+  requires std::same_as<scalar_of<V>, double>
+{
+  double largest = 0;
+  bool is_number = true;
+  for (int i = 0; i < size_of<V>; ++i) {
+    const double size = magnitude(coordinate(v, i));
+    is_number = is_number && size <= 0x1p500;
+    largest = largest < size ? size : largest;
+  }
+  if (!is_number || !has_moderate_square(largest)) return put_direction_of_any_size(v, unit);
+  const double length = length_of<double, size_of<V>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i); });
+  unit = generate_coordinates<V>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i) / length; });
+  return true;
 }
 
 }  // namespace IRG_ABI
