@@ -3,6 +3,7 @@
 // what is nearer leaves open.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,7 +27,11 @@ public:
       : walls_(walls.begin(), walls.end()), domain_(domain) {
     for (const auto& w : walls_)
       is_finite_ = is_finite_ && detail::is_finite_sight_point(w.a) && detail::is_finite_sight_point(w.b);
-    if (is_finite_) tiles_ = detail::wall_tiles<T>(walls_, domain);
+    if (!is_finite_) return;
+    tiles_ = detail::wall_tiles<T>(walls_, domain);
+    numbers_ = tiles_.renumber(walls_.size());
+    tiled_.reserve(walls_.size());
+    for (const std::uint32_t w : numbers_) tiled_.push_back(walls_[w]);
   }
 
   /// What is seen from a point.
@@ -39,8 +44,10 @@ public:
     visible_region<T> seen = visibility_polygon(source, domain_);
     if (seen.ring.empty()) return seen;
     std::vector<std::uint32_t> near;
-    if (tiles_.count() == 1 || !detail::wall_horizon<T>(tiles_, walls_, source).find(64 + walls_.size() / 16, near))
+    if (tiles_.count() == 1 || !detail::wall_horizon<T>(tiles_, tiled_, source).find(64 + walls_.size() / 16, near))
       return visibility_polygon(source, domain_, walls_);
+    for (std::uint32_t& w : near) w = numbers_[w];
+    std::sort(near.begin(), near.end());
     std::vector<segment<T, 2>> walls;
     walls.reserve(near.size());
     for (const std::uint32_t w : near) walls.push_back(walls_[w]);
@@ -52,6 +59,8 @@ public:
 
 private:
   std::vector<segment<T, 2>> walls_;
+  std::vector<segment<T, 2>> tiled_{};    // the same in the order of tiles
+  std::vector<std::uint32_t> numbers_{};  // which they are of the walls
   box<T, 2> domain_;
   detail::wall_tiles<T> tiles_{};
   bool is_finite_ = true;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/segment.hpp>
 #include <irg/visibility/detail/wall_tiles.hpp>
@@ -34,7 +35,7 @@ public:
     open_.push_back({0, 8});
   }
 
-  // The numbers of the walls, rising; false when they are more than so many, or the source is too far away.
+  // The numbers of the walls; false when they are more than so many, or the source is too far away.
   constexpr bool find(std::size_t most, std::vector<std::uint32_t>& out) {
     if (!is_near_) return false;
     int ring = 0, last = 0;
@@ -48,7 +49,6 @@ public:
       if (found_.size() > most) return false;
       cover(ring);
     }
-    std::sort(found_.begin(), found_.end());
     out.swap(found_);
     return true;
   }
@@ -73,7 +73,8 @@ private:
   std::vector<std::uint8_t> state_;
   double within_[2]{};  // its tile
   int cell_[2]{};
-  bool is_near_ = true;
+  bool is_near_ = true, is_narrow_ = false;
+  place right_{}, left_{};  // limits of the directions that are looked in
   std::vector<arc> open_{}, covered_{}, left_open_{};
   std::vector<std::uint32_t> found_{}, pending_{};
 
@@ -111,9 +112,26 @@ private:
     return meets(0) || meets(-8) || meets(8);
   }
 
+  static constexpr place towards(double direction) noexcept {
+    if (direction <= 2) return {1, direction - 1};
+    if (direction <= 4) return {3 - direction, 1};
+    if (direction <= 6) return {-1, 5 - direction};
+    return {direction - 7, -1};
+  }
+  // Whether both ends are on the outer side of the line to one of the directions that are open, less than half a turn.
+  constexpr bool lies_beside(const place& a, const place& b) const noexcept {
+    if (!is_narrow_) return false;
+    const double most = rounding * (size_of(a) + size_of(b));
+    const auto side = [](const place& to, const place& p) { return product(to.u, p.v) - product(to.v, p.u); };
+    return (side(right_, a) < -most && side(right_, b) < -most) || (side(left_, a) > most && side(left_, b) > most);
+  }
+
   // Looks at the tiles of a ring in some directions. On each side of it a tile is as far from the middle as its
   // direction says; near corners tiles reach beyond the diagonals.
   constexpr void look_along(int ring, const arc& open) {
+    is_narrow_ = open.to - open.from < 3;
+    right_ = towards(open.from);
+    left_ = towards(open.to);
     if (ring == 0) return look_at(cell_[0], cell_[1], open);
     const double reach = 2.0 / ring;
     for (int side = 0; side < 4; ++side)
@@ -142,7 +160,7 @@ private:
   constexpr void look_at(int x, int y, const arc& open) {
     if (x < 0 || y < 0 || x >= tiles_.size(0) || y >= tiles_.size(1)) return;
     for (const std::uint32_t w : tiles_.walls_in(x, y)) {
-      if (state_[w] != unknown) continue;
+      if (state_[w] != unknown || lies_beside(place_of(walls_[w].a), place_of(walls_[w].b))) continue;
       arc a;
       const bool may_cover = has_arc(place_of(walls_[w].a), place_of(walls_[w].b), a);
       if (may_cover && !overlap(open, a)) continue;

@@ -55,6 +55,22 @@ public:
     return (widened(to) - widened(from)) / width_[axis] * size_[axis];
   }
 
+  // Numbers the walls anew, as tiles hold them first: what is near each other is so in memory, too. The numbers that they
+  // had.
+  constexpr std::vector<std::uint32_t> renumber(std::size_t walls) {
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> now(walls, none), before;
+    before.reserve(walls);
+    for (std::uint32_t& w : list_) {
+      if (now[w] == none) {
+        now[w] = static_cast<std::uint32_t>(before.size());
+        before.push_back(w);
+      }
+      w = now[w];
+    }
+    return before;
+  }
+
 private:
   double low_[2]{}, width_[2]{};
   int size_[2]{1, 1};
