@@ -21,16 +21,20 @@ public:
   constexpr wall_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
     box<T, 2> around{};
     for (const auto& w : walls) around = enclosing_box(enclosing_box(around, w.a), w.b);
-    double most = 0;
+    double most = 0, farthest = 0;
     for (int i = 0; i < 2; ++i) {
       low_[i] = widened(greater(around.low[i], domain.low[i]));
       const double high = widened(lesser(around.high[i], domain.high[i]));
       width_[i] = high - low_[i];
+      for (const double v : {widened(around.low[i]), widened(around.high[i])})
+        farthest = greater(farthest, v < 0 ? -v : v);
       most = greater(most, greater(low_[i] < 0 ? -low_[i] : low_[i], high < 0 ? -high : high));
     }
     // Else all walls are in one tile: where coordinates have few digits that tell tiles apart, or may overflow.
     const double least = lesser(width_[0], width_[1]);
-    if (walls.size() > 8 && most < 0x1p500 && least > 0x1p-500 && least > most * 0x1p-20) choose_size(walls);
+    if (walls.size() > 8 && farthest < 0x1p500 && most < 0x1p500 && least > 0x1p-500 && least > most * 0x1p-20)
+      choose_size(walls);
+    for (int i = 0; i < 2 && count() > 1; ++i) per_unit_[i] = size_[i] / width_[i];
     sort_in(walls);
   }
 
@@ -48,11 +52,9 @@ public:
   }
   // Coordinates counted in tiles, and how far two points are from one another.
   // needs   count() > 1
-  constexpr double place_in_tiles(int axis, T v) const noexcept {
-    return (widened(v) - low_[axis]) / width_[axis] * size_[axis];
-  }
+  constexpr double place_in_tiles(int axis, T v) const noexcept { return (widened(v) - low_[axis]) * per_unit_[axis]; }
   constexpr double distance_in_tiles(int axis, T from, T to) const noexcept {
-    return (widened(to) - widened(from)) / width_[axis] * size_[axis];
+    return (widened(to) - widened(from)) * per_unit_[axis];
   }
 
   // Numbers the walls anew, as tiles hold them first: what is near each other is so in memory, too. The numbers that they
@@ -72,7 +74,7 @@ public:
   }
 
 private:
-  double low_[2]{}, width_[2]{};
+  double low_[2]{}, width_[2]{}, per_unit_[2]{};
   int size_[2]{1, 1};
   std::vector<std::size_t> begin_{};
   std::vector<std::uint32_t> list_{};
