@@ -57,8 +57,8 @@ public:
     return (widened(to) - widened(from)) * per_unit_[axis];
   }
 
-  // Numbers the walls anew, as tiles hold them first: what is near each other is so in memory, too. The numbers that they
-  // had.
+  // Numbers the walls anew, as tiles hold them first: what is near each other is so in memory, too. Gives the numbers
+  // that they had.
   constexpr std::vector<std::uint32_t> renumber(std::size_t walls) {
     constexpr std::uint32_t none = 0xffffffffu;
     std::vector<std::uint32_t> now(walls, none), before;
@@ -118,8 +118,8 @@ private:
       });
   }
 
-  // Calls f(row, first, last) for the rows of tiles, and the tiles in each, that a wall may meet: it is cut at the rows'
-  // borders, a sixteenth of a tile further out, which is more than rounding moves it.
+  // Calls f(row, first, last) for the rows of tiles, and the tiles in each, that a wall may meet: it is cut at the
+  // rows' borders, a sixteenth of a tile further out, which is more than rounding moves it.
   template <class F>
   constexpr void for_rows(const segment<T, 2>& w, const F& f) const {
     const double x[2]{widened(w.a.x), widened(w.b.x)}, y[2]{widened(w.a.y), widened(w.b.y)};
