@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -24,7 +25,7 @@ template <Floating T>
 class solid_locator {
 public:
   /// needs   as point_in_solid
-  /// cost    sorts the triangles by place, O(n log n); allocates some 120 bytes a triangle of doubles
+  /// cost    sorts the triangles by place, O(n log n); allocates some 130 bytes a triangle of doubles
   template <detail::mesh_in_space M>
     requires std::same_as<scalar_of<mesh_point<M>>, T>
   constexpr explicit solid_locator(const M& body) {
@@ -53,12 +54,21 @@ public:
 
 private:
   using triangle = std::array<point<T, 3>, 3>;
-  static constexpr std::uint32_t leaf_size = 4;
+  static constexpr std::uint32_t leaf_size = 8;
 
-  // A box seen from above, and its top. Nodes stand in the order of a walk that takes each before its parts; `next` is
-  // the node after all of them.
-  struct node {
+  // A box seen from above, and its top.
+  struct flat_box {
     T low[2], high[2], top;
+
+    // Without branches: few points are beside a box for the reason for which the last one was.
+    [[nodiscard]] IRG_INLINE constexpr bool may_be_below(const point<T, 3>& p) const noexcept {
+      return ((low[0] <= p.x) & (p.x <= high[0]) & (low[1] <= p.y) & (p.y <= high[1]) & (p.z <= top)) != 0;
+    }
+  };
+
+  // Nodes stand in the order of a walk that takes each before its parts; `next` is the node after all of them.
+  struct node {
+    flat_box box;
     std::uint32_t next, first, count;  // triangles, where it has no parts
   };
 
@@ -67,9 +77,9 @@ private:
     return lesser(lesser(a, b), c) + greater(greater(a, b), c);
   }
 
-  [[nodiscard]] constexpr node box_of(std::uint32_t first, std::uint32_t last) const {
+  [[nodiscard]] constexpr flat_box box_of(std::uint32_t first, std::uint32_t last) const {
     const point<T, 3>& p = triangles_[first][0];
-    node n{{p.x, p.y}, {p.x, p.y}, p.z, 0, first, last - first};
+    flat_box n{{p.x, p.y}, {p.x, p.y}, p.z};
     for (std::uint32_t i = first; i < last; ++i)
       for (const point<T, 3>& q : triangles_[i]) {
         n.low[0] = lesser(n.low[0], q.x), n.high[0] = greater(n.high[0], q.x);
@@ -91,9 +101,11 @@ private:
     while (!open.empty()) {
       const run r = open.back();
       open.pop_back();
-      node n = box_of(r.first, r.last);
+      node n{box_of(r.first, r.last), 0, r.first, r.last - r.first};
+      const flat_box& around = n.box;
       if (r.last - r.first > leaf_size) {
-        const int axis = n.high[0] * T(0.5) - n.low[0] * T(0.5) < n.high[1] * T(0.5) - n.low[1] * T(0.5) ? 1 : 0;
+        const int axis =
+            around.high[0] * T(0.5) - around.low[0] * T(0.5) < around.high[1] * T(0.5) - around.low[1] * T(0.5) ? 1 : 0;
         const std::uint32_t middle = r.first + (r.last - r.first) / 2;
         const auto at = [&](std::uint32_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
         std::nth_element(at(r.first), at(middle), at(r.last),
@@ -115,6 +127,7 @@ private:
       waiting.push_back(i);
     }
     for (const std::uint32_t i : waiting) nodes_[i].next = static_cast<std::uint32_t>(nodes_.size());
+    for (std::uint32_t t = 0; t < count; ++t) boxes_.push_back(box_of(t, t + 1));
   }
 
   constexpr detail::upward_crossings cross(const point<T, 3>& p, solid_locator_counts* counts) const {
@@ -124,13 +137,17 @@ private:
       for (std::uint32_t i = 0; i < nodes_.size() && !out.on_surface;) {
         const node& n = nodes_[i];
         ++asked.boxes;
-        if (p.x < n.low[0] || n.high[0] < p.x || p.y < n.low[1] || n.high[1] < p.y || n.top < p.z) {
+        if (!n.box.may_be_below(p)) {
           i = n.next;
           continue;
         }
-        for (std::uint32_t t = n.first; t < n.first + n.count; ++t)
-          detail::count_upward_crossing(triangles_[t][0], triangles_[t][1], triangles_[t][2], p, out);
-        asked.triangles += n.count;
+        std::uint32_t asks = 0;  // a bit for each triangle whose box is over p
+        for (std::uint32_t k = 0; k < n.count; ++k) asks |= (boxes_[n.first + k].may_be_below(p) ? 1u : 0u) << k;
+        asked.triangles += static_cast<std::uint64_t>(std::popcount(asks));
+        for (; asks != 0; asks &= asks - 1) {
+          const triangle& t = triangles_[n.first + static_cast<std::uint32_t>(std::countr_zero(asks))];
+          detail::count_upward_crossing(t[0], t[1], t[2], p, out);
+        }
         ++i;
       }
     if (counts) {
@@ -142,6 +159,7 @@ private:
   }
 
   std::vector<triangle> triangles_;
+  std::vector<flat_box> boxes_;  // of the triangles
   std::vector<node> nodes_;
 };
 
