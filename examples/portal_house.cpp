@@ -9,10 +9,12 @@
 #include <irg/geometry/point_in_convex_polygon.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/plan_text.hpp>
+#include <irg/io/space_plan_text.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/render/render_rooms.hpp>
 #include <irg/scene/room_mesh.hpp>
 #include <irg/visibility/potentially_visible.hpp>
+#include <irg/visibility/space_portals.hpp>
 
 #include "support/command_line.hpp"
 #include "support/picture_options.hpp"
@@ -30,12 +32,18 @@ Reads a plan, a line for each cell, its heights and each portal:
   portal NAME NAME x y x y       an opening that lies in a side of both cells
 Prints for each cell the cells that can be seen from somewhere in it.
 
+Or a plan in space, of convex cells of any kind, whose first line is a point:
+  point x y z                    numbered from 1
+  cell NAME                      a convex cell, whose faces follow
+  face n n n ...                 its corners, counter-clockwise as seen from outside
+  portal NAME NAME n n n ...     an opening in a face of both cells
+
   --input FILE         read the plan from FILE
   --eye X,Y,Z          print what an eye there sees instead, and draw the picture from it
   --look X,Y,Z         what the eye looks at (one unit along x)
   --sets FILE          write the sets of cells, a bit for each pair
   --skip on|off        whether rooms that no portal shows are left out of the picture (on)
-  -o OUT               draw the picture from the eye: .png, .ppm or .svg
+  -o OUT               draw the picture from the eye: .png, .ppm or .svg (no plan in space)
   --size WxH           pixels of the picture (640x480)
 )";
 
@@ -71,21 +79,36 @@ settings read_settings(program::command_line& line) {
   return s;
 }
 
-irg::named_plan<double> read_house(const program::command_line& line, const std::string& input) {
-  const std::string text = program::read_text(line, input, "plan");
-  auto plan = irg::read_plan(text);
-  if (!plan) line.fail(program::with_place(plan.error(), input.empty() ? "stdin" : input));
+// The plan that read(text) finds.
+template <class Read>
+auto read_house(const program::command_line& line, std::string_view text, const settings& s, const Read& read) {
+  auto plan = read(text);
+  if (!plan) line.fail(program::with_place(plan.error(), s.input.empty() ? "stdin" : s.input));
   return *std::move(plan);
 }
 
 // The name of each cell and of those that sees(cell, other) says so of.
 template <class Sees>
-std::string names_of(const irg::named_plan<double>& house, std::uint32_t cell, const Sees& sees) {
-  std::string text(house.names[cell]);
+std::string names_of(const std::vector<irg::part_name>& names, std::uint32_t cell, const Sees& sees) {
+  std::string text(names[cell]);
   text += ':';
-  for (std::uint32_t other = 0; other < house.names.size(); ++other)
-    if (sees(other)) text += ' ' + std::string(house.names[other]);
+  for (std::uint32_t other = 0; other < names.size(); ++other)
+    if (sees(other)) text += ' ' + std::string(names[other]);
   return text + '\n';
+}
+std::string names_of(const std::vector<irg::part_name>& names, const irg::visible_sets& sets) {
+  std::string text;
+  for (std::uint32_t c = 0; c < names.size(); ++c)
+    text += names_of(names, c, [&](std::uint32_t other) {
+      return sets.seen.is_full({static_cast<int>(other), static_cast<int>(c), 0});
+    });
+  return text;
+}
+
+void write_sets(const program::command_line& line, const settings& s, const irg::visible_sets& sets) {
+  if (s.sets.empty()) return;
+  if (const auto error = irg::write_file_atomically(s.sets, irg::encode_visible_sets(sets)))
+    line.fail(std::string(error->message) + ": " + s.sets);
 }
 
 place place_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
@@ -102,7 +125,7 @@ std::string seen_by_eye(const program::command_line& line, const irg::named_plan
     std::vector<bool> seen(house.names.size(), false);
     irg::view_through_openings(house.plan, doors, c, {from, irg::view_reach::all_round, {}, {}}, eye.z,
                                [&](std::uint32_t other, const auto&) { seen[other] = true; });
-    return names_of(house, c, [&](std::uint32_t other) { return seen[other]; });
+    return names_of(house.names, c, [&](std::uint32_t other) { return seen[other]; });
   }
   line.fail("the eye is in no cell");
 }
@@ -144,24 +167,47 @@ irg::image<irg::rgba8> picture_of(irg::cell_plan<double> plan, const irg::camera
   return picture;
 }
 
+// Whether a place is in a cell or on its boundary.
+bool is_in_cell(const irg::space_plan<double>& plan, std::uint32_t cell, const place& p) {
+  const auto& corners = plan.cells[cell];
+  for (const irg::space_face& f : plan.faces[cell])
+    if (irg::orient3d(corners[f[0]], corners[f[1]], corners[f[2]], p) > 0) return false;
+  return true;
+}
+
+std::string seen_by_eye(const program::command_line& line, const irg::named_space_plan<double>& house,
+                        const place& eye) {
+  for (std::uint32_t c = 0; c < house.names.size(); ++c) {
+    if (!is_in_cell(house.plan, c, eye)) continue;
+    std::vector<bool> seen(house.names.size(), false);
+    irg::view_through_portals(house.plan, c, eye, [&](std::uint32_t other) { seen[other] = true; });
+    return names_of(house.names, c, [&](std::uint32_t other) { return seen[other]; });
+  }
+  line.fail("the eye is in no cell");
+}
+
+void run_in_space(program::command_line& line, const settings& s, std::string_view input) {
+  if (!s.out.empty()) line.fail("a plan in space has no picture: it has no heights to draw rooms from");
+  const auto house = read_house(line, input, s, irg::read_space_plan<double>);
+  irg::visible_sets sets;
+  if (s.eye.empty() || !s.sets.empty()) sets = irg::potentially_visible(house.plan);
+  const std::string text = s.eye.empty() ? names_of(house.names, sets) : seen_by_eye(line, house, place_of(s.eye));
+  write_sets(line, s, sets);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  program::finish_output(line, s.out);
+}
+
 void run(program::command_line& line) {
   const settings s = read_settings(line);
-  const irg::named_plan<double> house = read_house(line, s.input);
+  const std::string input = program::read_text(line, s.input, "plan");
+  if (irg::is_space_plan(input)) return run_in_space(line, s, input);
+  const auto house = read_house(line, input, s, irg::read_plan<double>);
   const irg::portal_graph<double> doors(house.plan);
-  std::string text;
   irg::visible_sets sets;
   if (s.eye.empty() || !s.sets.empty()) sets = irg::potentially_visible(doors);
-  if (s.eye.empty())
-    for (std::uint32_t c = 0; c < house.names.size(); ++c)
-      text += names_of(house, c, [&](std::uint32_t other) {
-        return sets.seen.is_full({static_cast<int>(other), static_cast<int>(c), 0});
-      });
-  else
-    text = seen_by_eye(line, house, doors, place_of(s.eye));
+  std::string text = s.eye.empty() ? names_of(house.names, sets) : seen_by_eye(line, house, doors, place_of(s.eye));
   if (!s.out.empty()) program::write_picture(line, s.out, picture_of(house.plan, camera_of(line, s), s, text));
-  if (!s.sets.empty())
-    if (const auto error = irg::write_file_atomically(s.sets, irg::encode_visible_sets(sets)))
-      line.fail(std::string(error->message) + ": " + s.sets);
+  write_sets(line, s, sets);
   std::fwrite(text.data(), 1, text.size(), stdout);
   program::finish_output(line, s.out);
 }

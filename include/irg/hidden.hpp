@@ -21,6 +21,7 @@
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/painter_newell.hpp>
+#include <irg/hidden/painter_once.hpp>
 #include <irg/hidden/plane_depth.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/hidden/surface_camera.hpp>

@@ -20,6 +20,7 @@
 #include <irg/io/png.hpp>
 #include <irg/io/png_read.hpp>
 #include <irg/io/ppm.hpp>
+#include <irg/io/space_plan_text.hpp>
 #include <irg/io/stl.hpp>
 #include <irg/io/svg.hpp>
 #include <irg/io/svg_drawing.hpp>

@@ -16,6 +16,7 @@
 #include <irg/visibility/sight_line.hpp>
 #include <irg/visibility/sight_result.hpp>
 #include <irg/visibility/sight_tracker.hpp>
+#include <irg/visibility/space_plan.hpp>
 #include <irg/visibility/space_portals.hpp>
 #include <irg/visibility/unit_sight.hpp>
 #include <irg/visibility/view_through_portals.hpp>

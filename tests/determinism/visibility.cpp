@@ -7,12 +7,14 @@
 #include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/prepared_walls.hpp>
 #include <irg/visibility/sight_in_space.hpp>
+#include <irg/visibility/space_portals.hpp>
 #include <irg/visibility/textbook/sight_3d.hpp>
 #include <irg/visibility/visible_part.hpp>
 #include <irg/visibility/weak_visibility.hpp>
 
 #include "hashes.hpp"
 #include "support/random.hpp"
+#include "support/space_house.hpp"
 
 namespace {
 
@@ -129,6 +131,13 @@ constexpr std::uint64_t visibility_space(int rounds) {
     h.add(static_cast<int>(irg::sample_sight(eye, floor, m, {rounds == 1 ? 3 : 100, 5}).seen));
     h.add(irg::sample_sight(floor, eye, m, {rounds == 1 ? 3 : 100, 6}).high);
     if (rounds == 1) continue;
+    if (i % 20 == 0) {
+      const auto house = test::space_house(r, 3, 3, 2).plan;
+      const auto sets = irg::potentially_visible(house);
+      for (int row = 0; row < sets.seen.extent().height; ++row)
+        for (int x = 0; x < sets.seen.extent().width; x += 64) h.add(sets.seen.row(row, 0)[x >> 6]);
+      h.add(sets.undecided);
+    }
     const auto sure = irg::sure_sight(eye, floor, m);
     h.add(sure ? static_cast<int>(*sure) : 3);
     const auto add_side = [&](std::size_t, const std::vector<irg::screen_face>& faces) {

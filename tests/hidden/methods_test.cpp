@@ -3,6 +3,7 @@
 // part of the release tier's scenes.
 #include <irg/hidden/bsp_faces.hpp>
 #include <irg/hidden/painter_newell.hpp>
+#include <irg/hidden/painter_once.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>
 #include <irg/hidden/warnock.hpp>
@@ -50,6 +51,7 @@ TEST_CASE("hidden-surface methods: the same picture, the exact one, on scenes of
     CHECK(test::differing(test::ids_of(irg::warnock<>{}, faces, size, size), exact) == 0);
     CHECK(test::differing(test::ids_of(irg::painter_newell<>{}, faces, size, size), exact) == 0);
     CHECK(test::differing(test::ids_of(irg::bsp_painter<>{}, faces, size, size), exact) == 0);
+    CHECK(test::differing(test::ids_of(irg::painter_once<>{}, faces, size, size), exact) == 0);
     if (s % 4 == 0) CHECK(test::differing(test::ids_of(irg::ray_casting<>{}, faces, size, size), exact) == 0);
     const test::id_image buffered = zbuffer_ids(faces, size);
     for (int y = 0; y < size; ++y)

@@ -72,7 +72,12 @@ mat<rational, N, N> exact(const mat<T, N, N>& a) {
 }  // namespace
 
 TEST_CASE("mat: type facts") {
-  static_assert(std::is_aggregate_v<mat4<float>> && std::is_trivially_copyable_v<mat4<float>>);
+  static_assert(std::is_standard_layout_v<mat4<float>> && std::is_trivially_copyable_v<mat4<float>>);
+  static_assert(mat<int, 2, 2>{{1, 2}, {3, 4}} == mat<int, 2, 2>{{{1, 2}, {3, 4}}});
+  static_assert(mat<int, 3, 3>{{1}, {0, 1}, {0, 0, 1}} == irg::identity<int, 3>());
+  static_assert(mat<int, 4, 1>{{1}, {2}, {3}, {4}} == mat<int, 4, 1>{{{1}, {2}, {3}, {4}}});
+  static_assert(mat<int, 1, 2>{{1, 2}}(0, 1) == 2 && mat<int, 1, 1>{{{5}}}(0, 0) == 5);
+  static_assert(mat<int, 5, 2>{{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}}}(4, 1) == 10);
   static_assert(sizeof(mat<float, 3, 4>) == 12 * sizeof(float));
   static_assert(!multipliable<mat<double, 2, 3>, mat<double, 2, 3>>);
   static_assert(multipliable<mat<double, 2, 3>, mat<double, 3, 5>>);

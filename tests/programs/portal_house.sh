@@ -47,4 +47,29 @@ refused "a picture without an eye" "needs an eye" "$rooms" -o p.ppm
 refused "an eye that looks down" "straight up or down" "$rooms" --eye 0.5,1.5,0.5 --look 0.5,1.5,0 -o p.ppm
 refused "no such file" "none.txt" "" --input none.txt
 
+# In space: a cube, a pyramid on it, and a tent beside the cube.
+hut="point 0 0 0\npoint 4 0 0\npoint 4 4 0\npoint 0 4 0\npoint 0 0 4\npoint 4 0 4\npoint 4 4 4\npoint 0 4 4\npoint 2 2 6\n"
+hut+="cell room\nface 4 3 2 1\nface 5 6 7 8\nface 1 2 6 5\nface 2 3 7 6\nface 3 4 8 7\nface 4 1 5 8\n"
+hut+="cell roof\nface 8 7 6 5\nface 5 6 9\nface 6 7 9\nface 7 8 9\nface 8 5 9\n"
+hut+="point 8 2 0\ncell tent\nface 2 6 7 3\nface 2 10 6\nface 3 7 10\nface 6 10 7\nface 2 3 10\n"
+hut+="point 1 1 4\npoint 3 1 4\npoint 3 3 4\npoint 4 1 1\npoint 4 3 1\npoint 4 2 2\n"
+doors="portal room roof 11 12 13\nportal room tent 14 15 16\n"
+answers "a plan in space" "room: room roof tent\nroof: room roof tent\ntent: room roof tent" "$hut$doors"
+answers "an eye in space" "roof: room roof" "$hut$doors" --eye 3.5,2,4.25
+run "$hut$doors" --sets sets.bin
+check "sets in space: their bits" is "$(tail -c 3 sets.bin | od -An -tu1 | tr -s ' ')" " 7 7 7"
+refused "a face that lacks a corner" "fewer than three corners, or the first three are on a line: stdin:11:1" \
+  "${hut/face 4 3 2 1/face 4 3}$doors"
+refused "a cell in space that is not convex" "not convex: a corner of it is before this face: stdin:18:1" \
+  "${hut/point 2 2 6/point 2 2 3}$doors"
+refused "a cell with a hole" "once each way: stdin:17:1" "${hut/face 7 8 9\\n/}$doors"
+refused "a point that lacks a coordinate" "stdin:1:10" "point 1 2\n"
+refused "a point that is nowhere" "not finite: stdin:1:11" "point 1 2 inf\n"
+refused "a portal without area" "no area" "${hut}portal room roof 11 12 11\n"
+refused "cells that do not share the portal" "both sides of it: stdin:36:1" "${hut}portal room roof 14 15 16\n"
+refused "a portal beyond the wall" "in a face of both of its cells" "${hut/point 4 3 1/point 4 9 1}portal room tent 14 15 16\n"
+refused "a mirror in space" "mirrors are not supported" "${hut}portal room room 14 15 16\n"
+refused "a picture of a plan in space" "no picture" "$hut$doors" --eye 2,2,2 -o p.ppm
+refused "an eye outside of all cells" "the eye is in no cell" "$hut$doors" --eye 9,9,9
+
 conclude

@@ -243,6 +243,12 @@ TEST_CASE("draw_line_wu: pixels, functions, other pixel types, guard bytes, NaN"
   CHECK(!irg::draw_line_wu(before, point{nan, 0}, point{3, 3}, red));
   CHECK(!irg::draw_line_wu(before, point{0, 0}, point{3, -infinity}, red));
   CHECK(before == drawn());
+  CHECK(irg::draw_line_wu(before, point{1e300, 1e300}, point{2e300, 1e299}, red));  // nowhere near
+  CHECK(before == drawn());
+  auto far = drawn(), within = drawn();
+  CHECK(irg::draw_line_wu(far, point{0.5, 0.5}, point{1e9, 5e8}, red));
+  CHECK(irg::draw_line_wu(within, point{0.5, 0.5}, point{1e6, 5e5}, red));
+  CHECK(far == within);
   CHECK(irg::draw_line_wu(before, point{0, 0.5}, point{3, 0.5}, red));
   CHECK(before(1, 0) == red);
 }

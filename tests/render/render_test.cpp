@@ -174,6 +174,29 @@ TEST_CASE("render: a back that is shown is lit as a front of the other direction
   }
 }
 
+TEST_CASE("render: a two-sided polygon is two with opposite normals") {
+  for (const auto style : {irg::picture_style::flat, irg::picture_style::gouraud, irg::picture_style::phong})
+    for (const double side : {1.0, -1.0}) {
+      auto sheet = scene_of({triangle_at(0)});
+      sheet.lights = {{{0.3, 0.4, side, 0}, {1, 1, 1}}};
+      sheet.view.eye = {0.2, 0.1, 4 * side};
+      auto two_faces = sheet;
+      two_faces.objects.push_back(sheet.objects[0]);
+      two_faces.objects[1].shape.corners = {{0}, {2}, {1}};
+      const auto one = test::render(sheet, 32, 32, {style, {}, irg::face_culling::none});
+      const auto two = test::render(two_faces, 32, 32, {style});
+      CHECK(one.stats.drawn > 20);
+      CHECK(two.stats.drawn == one.stats.drawn);
+      CHECK(two.stats.skipped.backface == 1);
+      for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) {
+          const irg::rgba8 p = one.picture.colour(x, y), q = two.picture.colour(x, y);
+          REQUIRE(std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b) <= 3);
+          CHECK((one.picture.depth(x, y) == 0) == (two.picture.depth(x, y) == 0));
+        }
+    }
+}
+
 TEST_CASE("render: flat faces have one colour, of the course's reflection model at their centre") {
   const auto s = scene_of({triangle_at(0)});
   const auto r = test::render(s, 33, 33, {irg::picture_style::flat});

@@ -2,6 +2,9 @@
 #include <irg/render/window_faces.hpp>
 
 #include <irg/core/threads.hpp>
+#include <irg/hidden/bsp_faces.hpp>
+#include <irg/hidden/painter_newell.hpp>
+#include <irg/hidden/warnock.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/render/render.hpp>
 
@@ -102,3 +105,67 @@ constexpr bool same_in_constant_evaluation() {
 TEST_CASE("hidden-surface methods: in a constant expression") { CHECK_BOTH(same_in_constant_evaluation()); }
 
 }  // namespace
+
+namespace {
+
+// Pictures by a method, of front faces alone, with the skip and without; how many faces the method was not asked about.
+template <class Method>
+std::int64_t faces_not_asked_about(const irg::scene<double>& world, const Method& method,
+                                   irg::face_culling culling = irg::face_culling::back) {
+  irg::render_options options;
+  options.style = irg::picture_style::flat;
+  options.culling = culling;
+  test::canvas skipped(150, 110), asked(150, 110);
+  const auto with = irg::render(method, world, skipped.colour, skipped.depth, options, irg::parallel{2});
+  options.skip.convex = irg::skipping::off;
+  const auto without = irg::render(method, world, asked.colour, asked.depth, options);
+  CHECK(skipped == asked);
+  CHECK(with.drawn == without.drawn);
+  CHECK(without.pixels.convex == 0);
+  return with.pixels.convex;
+}
+
+irg::scene<double> bodies_seen_from(const std::vector<irg::mesh<double>>& shapes, const irg::vec<double, 3>& apart,
+                                    const irg::point<double, 3>& eye) {
+  irg::scene<double> world;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    world.objects.push_back({shapes[i], irg::translation(apart * static_cast<double>(i))});
+  world.view.eye = eye;
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("hidden-surface methods: a convex body alone in a window needs none, and the bytes are the same") {
+  const irg::vec<double, 3> beside{0.7, 0.2, -0.4}, far_away{30, 0, 0};
+  const std::vector<irg::mesh<double>> convex{irg::shape_cube<double>(), irg::shape_tetrahedron<double>(),
+                                              irg::shape_octahedron<double>()};
+  const auto cube_from = [&](double x, double y, double z) { return bodies_seen_from({convex[0]}, beside, {x, y, z}); };
+  // Alone, from aside, from close by so that the near plane and the picture's borders cut it, and from within.
+  CHECK(faces_not_asked_about(cube_from(2, 3, 5), irg::warnock<>{}) > 0);
+  CHECK(faces_not_asked_about(cube_from(1.01, 0.3, 1.02), irg::painter_newell<>{}) > 0);
+  CHECK(faces_not_asked_about(cube_from(0.1, 0.2, 0.3), irg::bsp_painter<>{}) == 0);
+  // From far away many faces of a body lie in a pixel, and edge on.
+  for (const auto& shape : convex)
+    for (const double distance : {3.0, 20.0, 40.0})
+      CHECK(faces_not_asked_about(bodies_seen_from({shape}, beside, {distance, distance / 7, distance / 3}),
+                                  irg::warnock<>{}) > 0);
+  // Each method is asked where two bodies meet, and where their backs are shown; always about what is not convex, and by
+  // a caller who says nothing of nearest faces.
+  const auto all = bodies_seen_from(convex, beside, {2, 3, 5}), apart = bodies_seen_from(convex, far_away, {2, 3, 60});
+  CHECK(faces_not_asked_about(apart, irg::painter_newell<>{}) > 0);
+  CHECK(faces_not_asked_about(all, irg::painter_newell<>{}) >= 0);
+  CHECK(faces_not_asked_about(all, irg::warnock<>{}, irg::face_culling::none) == 0);
+  CHECK(faces_not_asked_about(bodies_seen_from({irg::shape_torus<double>()}, beside, {2, 3, 5}), irg::warnock<>{}) ==
+        0);
+  CHECK(faces_not_asked_about(all, nearest_of_all{}) == 0);
+  // At random: seen from everywhere, some within others.
+  test::random r(1616);
+  std::int64_t skipped = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto place = [&] { return 8 * r.unit() - 4; };
+    const double x = place(), y = place(), z = place(), by = 2 * r.unit();
+    skipped += faces_not_asked_about(bodies_seen_from(convex, {by, by / 2, -by}, {x, y, z}), irg::warnock<>{});
+  }
+  CHECK(skipped > 0);
+}

@@ -46,6 +46,36 @@ TEST_CASE("cut_source_rounded: a lamp with a wall through it is seen by half") {
   CHECK(area(parts.some) == 100);
 }
 
+// An edge that two walls cut, and one runs along: that one is bent with the edge.
+constexpr bool wall_along_a_cut_edge() {
+  const place lamp[] = {{0, 0}, {3, 1}, {0, 3}};
+  const wall walls[] = {{{-3, -1}, {6, 2}}, {{1, 0}, {1, 1}}, {{2, 0}, {2, 1}}};
+  const auto cut = irg::cut_source_rounded<double>(lamp, walls);
+  std::size_t along = 0;
+  for (std::size_t i = 0; i < cut.ring.size(); ++i)
+    for (const wall& w : cut.obstacles) along += w == wall{cut.ring[i], cut.ring[(i + 1) % cut.ring.size()]};
+  return cut.ring.size() == 5 && cut.obstacles.size() == 9 && along == 3;
+}
+TEST_CASE("cut_source_rounded: a wall along an edge that others cut") { CHECK_BOTH(wall_along_a_cut_edge()); }
+
+TEST_CASE("cut_segment_rounded: a segment with a wall through it is seen by half") {
+  const wall lamp{{-1, 3}, {1, 3}}, walls[] = {{{0, 2}, {0, 5}}};
+  const irg::box<double, 2> window{{-5, -5}, {5, 5}};
+  CHECK(irg::weak_visibility(lamp, walls, window).status == irg::visibility_status::source_crosses_obstacle);
+  const auto cut = irg::cut_segment_rounded(lamp, walls);
+  CHECK(cut.pieces.size() == 2);
+  const auto parts = irg::weak_visibility(std::span<const std::vector<place>>(cut.pieces), cut.obstacles, window);
+  CHECK(parts.status == irg::visibility_status::done);
+  const auto holds = [](const std::vector<std::vector<place>>& rings, const place& p) {
+    return irg::point_in_polygon(rings, p, irg::fill_rule::even_odd) == irg::location::inside;
+  };
+  CHECK(holds(parts.some, {1, 4}));
+  CHECK(holds(parts.some, {-1, 2.5}));
+  CHECK(parts.all.empty());
+  CHECK(parts.none.empty());
+  CHECK(irg::cut_segment_rounded<double>({{1, 1}, {1, 1}}, walls).pieces.size() == 1);
+}
+
 TEST_CASE("cut_source_rounded: nothing crosses any more, on grids and off them") {
   test::random r(61);
   int wrong = 0, cut_ones = 0;

@@ -49,13 +49,23 @@ constexpr bool nothing_there() {
   return nan.status == visibility_status::not_finite && none.status == visibility_status::source_outside &&
          beyond.status == visibility_status::source_outside && nan.ring.empty() && beyond.ring.empty();
 }
-static_assert(shadow_of_one_wall() && hostile() && nothing_there());
+// Walls cross in one direction twice, and only the nearer crossing, at (-40/17, 134/17), is seen.
+constexpr bool one_crossing_behind_another() {
+  const wall walls[] = {{{-2, 9}, {-4, 6}}, {{-2, 8}, {-8, 6}}, {{8, 7}, {5, 12}}, {{-2, 2}, {-3, 1}},
+                        {{0, 6}, {-5, 10}}, {{-2, 8}, {-9, 7}}, {{3, 9}, {4, 12}}, {{-4, 6}, {-5, 12}}};
+  bool is_seen = false;
+  for (const vertex& v : irg::visibility_polygon(place{0, 7}, window{{-8, -8}, {8, 8}}, walls).ring)
+    is_seen = is_seen || v.at == place{-40.0 / 17, 134.0 / 17};
+  return is_seen;
+}
+static_assert(shadow_of_one_wall() && hostile() && nothing_there() && one_crossing_behind_another());
 static_assert(vertices_past_a_joint(obstacle_ends::closed) == 6 && vertices_past_a_joint(obstacle_ends::open) == 8);
 
 TEST_CASE("visibility_polygon: constants as at run time") {
   CHECK(shadow_of_one_wall());
   CHECK(hostile());
   CHECK(nothing_there());
+  CHECK(one_crossing_behind_another());
   CHECK(vertices_past_a_joint(obstacle_ends::closed) == 6);
   CHECK(vertices_past_a_joint(obstacle_ends::open) == 8);
 }

@@ -312,15 +312,36 @@ TEST_CASE("weak_visibility: sources that walls cut, cut where they do") {
     scene s = random_scene(r, 2, 4);
     if (s.source.size() < 3 || !s.second.empty()) continue;
     if (parts_of(s).status != visibility_status::source_crosses_obstacle) continue;
-    bool runs_along = false;  // rounding bends the edge off such a wall
-    for (const wall& w : s.walls)
-      for (std::size_t k = 0; k < s.source.size(); ++k) {
-        const place &e = s.source[k], &f = s.source[(k + 1) % s.source.size()];
-        runs_along = runs_along || (irg::orient2d(e, f, w.a) == 0 && irg::orient2d(e, f, w.b) == 0);
-      }
-    if (runs_along) continue;
     const auto cut = irg::cut_source_rounded<double>(s.source, s.walls);
     const auto got = irg::weak_visibility(std::span<const place>(cut.ring), cut.obstacles, plan);
+    if (got.status != visibility_status::done) continue;
+    ++judged;
+    for (int k = 0; k < 12; ++k) {
+      const double x = 10 * r.unit() - 5;
+      const place p{x, 10 * r.unit() - 5};
+      const int want = share_seen(s, p);
+      const rings* parts[] = {&got.none, &got.some, &got.all};
+      for (int n = 0; n < 3; ++n)
+        wrong +=
+            (irg::point_in_polygon(*parts[n], p, irg::fill_rule::even_odd) == irg::location::inside) != (n == want);
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK(judged > 50 * times);
+}
+
+TEST_CASE("weak_visibility: segments that walls cut, cut where they do") {
+  test::random r(17);
+  const int times = std::getenv("IRG_RELEASE_TIER") != nullptr ? 20 : 1;
+  int wrong = 0, judged = 0;
+  for (int i = 0; i < 500 * times; ++i) {
+    scene s = random_scene(r, 2, 4);
+    s.source.resize(2, place{});
+    s.second.clear();
+    if (s.source[0] == s.source[1]) continue;
+    if (parts_of(s).status != visibility_status::source_crosses_obstacle) continue;
+    const auto cut = irg::cut_segment_rounded<double>({s.source[0], s.source[1]}, s.walls);
+    const auto got = irg::weak_visibility(std::span<const std::vector<place>>(cut.pieces), cut.obstacles, plan);
     if (got.status != visibility_status::done) continue;
     ++judged;
     for (int k = 0; k < 12; ++k) {

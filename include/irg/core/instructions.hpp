@@ -47,10 +47,11 @@ template <Floating T>
   else
     asm("vsqrtsd %1, %1, %0" : "=x"(root) : "x"(x));
 #else
+  root = x;  // in place: a register of its own would have to wait for what was in it
   if constexpr (std::is_same_v<T, float>)
-    asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
+    asm("sqrtss %0, %0" : "+x"(root));
   else
-    asm("sqrtsd %1, %0" : "=x"(root) : "x"(x));
+    asm("sqrtsd %0, %0" : "+x"(root));
 #endif
   return root;
 #elif defined(__GNUC__)

@@ -230,6 +230,9 @@ constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_wi
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater>
 struct bsp_painter {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

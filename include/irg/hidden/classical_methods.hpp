@@ -20,6 +20,11 @@ enum class classical_method { ray_casting, warnock, painter_newell, bsp, painter
 struct hidden_surfaces_by {
   classical_method method = classical_method::ray_casting;
 
+  /// Whether the picture is the exact one.
+  [[nodiscard]] constexpr bool finds_nearest() const noexcept {
+    return method != classical_method::painter_by_centroid;
+  }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

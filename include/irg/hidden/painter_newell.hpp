@@ -47,6 +47,9 @@ constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_windo
 /// gives   what draw_painter_newell gives; counts.tested counts the faces and parts drawn
 template <DepthOrder Order = nearer_is_greater>
 struct painter_newell {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

@@ -78,6 +78,9 @@ constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_w
 /// source  Appel 1968
 template <DepthOrder Order = nearer_is_greater>
 struct ray_casting {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

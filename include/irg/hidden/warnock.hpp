@@ -240,6 +240,9 @@ constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& win
 /// gives   what draw_warnock gives; counts.tested counts the faces held against windows
 template <DepthOrder Order = nearer_is_greater>
 struct warnock {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
   template <class Faces>
   constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                             draw_counts& counts) const {

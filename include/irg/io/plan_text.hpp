@@ -28,7 +28,7 @@ inline namespace IRG_ABI {
 template <Floating T = double>
 [[nodiscard]] constexpr result<named_plan<T>> read_plan(std::string_view text) {
   detail::plan_reader<T> reader(text);
-  if (reader.read()) return std::move(reader.out);
+  if (reader.read()) return named_plan<T>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);
 }
 

@@ -13,15 +13,7 @@ inline constexpr T two_pi = static_cast<T>(6.28318530717958647692528676655900577
 template <Real T>
 inline constexpr T half_pi = static_cast<T>(1.57079632679489661923132169163975144L);
 template <Real T>
-inline constexpr T inverse_pi = static_cast<T>(0.318309886183790671537767526745028724L);
-template <Real T>
 inline constexpr T e = static_cast<T>(2.71828182845904523536028747135266250L);
-template <Real T>
-inline constexpr T ln_2 = static_cast<T>(0.693147180559945309417232121458176568L);
-template <Real T>
-inline constexpr T ln_10 = static_cast<T>(2.30258509299404568401799145468436421L);
-template <Real T>
-inline constexpr T sqrt_2 = static_cast<T>(1.41421356237309504880168872420969808L);
 template <Real T>
 inline constexpr T sqrt_3 = static_cast<T>(1.73205080756887729352744634150587237L);
 template <Real T>

@@ -33,8 +33,6 @@ inline constexpr coordinate_system world_z_up{axis_direction::right, axis_direct
 /// Hank's camera, Direct3D's: x right, y up, z into the picture. Left-handed.
 inline constexpr coordinate_system camera_left_handed{axis_direction::right, axis_direction::up,
                                                       axis_direction::away_from_viewer};
-/// This library's camera: x right, y up, the view along -z. Right-handed.
-inline constexpr coordinate_system camera_right_handed = world_y_up;
 /// The plane of projection: x right, y up, z the depth behind it. Left-handed, as Hank's camera.
 inline constexpr coordinate_system projection_plane = camera_left_handed;
 /// Pixels and most image files: x right, y down, z the depth. Right-handed.

@@ -13,11 +13,13 @@ struct draw_counts {
   std::int64_t tested = 0;  // covered pixels, each a depth test
   std::int64_t shaded = 0;  // of these, nearer than what was there: written
   std::int64_t ties = 0;    // of these, exactly as far as what was there: kept as it was
+  std::int64_t convex = 0;  // faces that no method was asked about, a convex body being alone in a window
 
   IRG_INLINE constexpr draw_counts& operator+=(const draw_counts& o) noexcept {
     tested += o.tested;
     shaded += o.shaded;
     ties += o.ties;
+    convex += o.convex;
     return *this;
   }
   constexpr bool operator==(const draw_counts&) const = default;
@@ -32,11 +34,12 @@ struct skip_options {
   skipping tiny = skipping::on;      // triangles that hold no pixel centre
   skipping occluded = skipping::on;  // triangles, and parts of them, behind what is drawn already
   skipping rooms = skipping::on;     // rooms of a building that no portal shows
+  skipping convex = skipping::on;    // hidden-surface methods where a convex body is alone
   constexpr bool operator==(const skip_options&) const = default;
 };
 
 /// Nothing is skipped but what face culling leaves out.
-inline constexpr skip_options skip_nothing{skipping::off, skipping::off, skipping::off, skipping::off};
+inline constexpr skip_options skip_nothing{skipping::off, skipping::off, skipping::off, skipping::off, skipping::off};
 
 /// Triangles that were not rasterized, by reason.
 struct skip_counts {

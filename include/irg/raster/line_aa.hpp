@@ -8,6 +8,7 @@
 #include <irg/raster/detail/line_aa_shape.hpp>
 #include <irg/raster/detail/line_aa_steps.hpp>
 #include <irg/raster/detail/line_aa_writers.hpp>
+#include <irg/raster/detail/snapped_line.hpp>
 
 namespace irg {
 
@@ -38,17 +39,18 @@ constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& 
 }
 
 /// Mixes the paint into the pixels of the line from a to b, as far as each is covered.
-/// gives   false and nothing drawn when a position cannot be snapped or the width is out of range
-/// exact   the coverages of line_aa; pixels as by paint_pixel, those of coverage 0 keep their value
+/// gives   false and nothing drawn when a coordinate is NaN or infinite or the width is out of range
+/// exact   the coverages of line_aa; pixels as by paint_pixel, those of coverage 0 keep their value. A line that ends
+///         beyond snap_limit is cut there first, which moves it by at most 1/512 pixel on each axis
 template <WritableRaster R, ScreenPosition P, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_line_aa(R& raster, const P& a, const P& b, const Paint& paint,
                             const line_aa_options& options = {}) {
-  if (!can_snap(a) || !can_snap(b)) return false;
-  const subpixel from = snap(a), to = snap(b);
+  const auto [finite, in_reach, from, to] = detail::snap_line(a, b);
+  if (!finite || !detail::aa_can_draw(from, to, options.width)) return false;
+  if (!in_reach) return true;
   const cell_window w = window_of(raster);
   if constexpr (RowRaster<R> && detail::mixes_in_lanes<pixel_of<R>> && !CoverageBlendFunction<Paint, R>) {
     if (!std::is_constant_evaluated()) {
-      if (!detail::aa_can_draw(from, to, options.width)) return false;
       detail::aa_mix_line(raster, from, to, static_cast<pixel_of<R>>(paint), options, w);
       return true;
     }

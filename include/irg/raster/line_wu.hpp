@@ -11,6 +11,7 @@
 #include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/detail/line_wu_steps.hpp>
+#include <irg/raster/detail/snapped_line.hpp>
 #include <irg/raster/paint.hpp>
 #include <irg/raster/subpixel.hpp>
 
@@ -51,15 +52,17 @@ constexpr void line_wu(const subpixel& a, const subpixel& b, const cell_window& 
 }
 
 /// Mixes the paint into the cells of line_wu, each as far as it is covered.
-/// gives   false and nothing drawn when a point cannot be snapped
+/// gives   false and nothing drawn when a coordinate is NaN or infinite
+/// exact   a line that ends beyond snap_limit is cut there first, which moves it by at most 1/512 pixel on each axis
 template <WritableRaster R, ScreenPosition P, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_line_wu(R& raster, const P& a, const P& b, const Paint& paint, const line_options& options = {}) {
   const auto mix_in = [&](cell c, std::uint8_t coverage) { paint_pixel(raster, c.x, c.y, paint, coverage); };
   if constexpr (std::same_as<P, cell> || std::same_as<P, subpixel>) {
     line_wu(a, b, window_of(raster), mix_in, options);
   } else {
-    if (!can_snap(a) || !can_snap(b)) return false;
-    line_wu(snap(a), snap(b), window_of(raster), mix_in, options);
+    const auto [finite, in_reach, from, to] = detail::snap_line(a, b);
+    if (!finite) return false;
+    if (in_reach) line_wu(from, to, window_of(raster), mix_in, options);
   }
   return true;
 }

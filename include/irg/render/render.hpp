@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/validate.hpp>
 #include <irg/render/detail/visible/method_tiles.hpp>
 #include <irg/render/detail/project/object_selection.hpp>
@@ -104,6 +105,8 @@ constexpr render_stats draw_filled(const Method& method, const picture_frame<T>&
     run.observer(render_stage::shade);
     project_vertices<T>(o.frame.vertices, o.body.positions, f.to_clip, f.mapping, run.executor);
     batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(batches.size())});
+    if constexpr (requires { method.note_object(k, number, o.body.triangles.size()); })
+      method.note_object(k, number, o.body.triangles.size());
     number += static_cast<std::uint32_t>(o.body.triangles.size());
     run.observer(render_stage::project);
   }
@@ -158,7 +161,8 @@ constexpr render_stats render(const scene<T>& world, Colour& colour, Depth& dept
 
 /// As above, with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as ever.
 /// gives   what the method finds. Nothing is left out because something else hides it, `options.hidden` has no say, and
-///         edges are not faces: `wire` is drawn as `flat`
+///         edges are not faces: `wire` is drawn as `flat`. A method that says that it `finds_nearest()` is not asked
+///         about windows that show the front faces of one convex body alone: pixels.convex counts these faces
 /// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer
 template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
@@ -169,11 +173,17 @@ constexpr render_stats render(const Method& method, const scene<T>& world, Colou
   options.skip.occluded = skipping::off;
   if (options.style == picture_style::wire) options.style = picture_style::flat;
   image<std::uint32_t> ids(width, height, no_face);
+  detail::convex_bodies bodies;
+  bool fronts = false;
+  if constexpr (requires { method.finds_nearest(); })
+    fronts = method.finds_nearest() && options.culling == face_culling::back && options.skip.convex == skipping::on;
+  if (fronts)
+    for (const object<T>& o : world.objects) bodies.is_convex.push_back(is_convex_body(o.shape) ? 1 : 0);
   detail::objects_to_prepare<T> objects(world.objects);
   draw_workspace workspace;
   const picture_colours colours;
   no_observer observer;
-  return detail::draw_filled(detail::method_tiles<nearer_is_greater, Method>{method, ids},
+  return detail::draw_filled(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
                              detail::picture_frame<T>(world, width, height, options, colours), objects, workspace,
                              detail::picture_run{colour, depth, executor, observer});
 }

@@ -92,9 +92,9 @@ template <Floating T>
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
   const T width = greater(height * aspect, least);
   auto p = c.projection == projection_kind::oblique
-               ? oblique_checked(c.receding, view_window<T>{-width, width, -height, height}, c.near_distance,
-                                 c.far_distance, -away)
-               : orthographic_checked(-width, width, -height, height, c.near_distance, c.far_distance);
+               ? oblique_checked(oblique_depth<T>{c.receding.angle, c.receding.factor, -away},
+                                 view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance)
+               : orthographic_checked(view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance);
   if (p.is_ordinary()) p.value = p.value * view;
   return p;
 }

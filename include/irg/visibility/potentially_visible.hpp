@@ -20,6 +20,7 @@ namespace irg {
 /// How long to search.
 struct visible_set_options {
   std::uint64_t most_doors = std::uint64_t{1} << 24;  ///< looked at from one cell; then all that it connects to is seen
+  std::uint32_t most_parts = 256;  ///< of pairs of places, to find a line in space; then a way is held to be open
 };
 
 /// Which cells may be seen from which.
@@ -27,6 +28,8 @@ struct visible_set_options {
 struct visible_sets {
   cell_grid seen;
   std::int64_t unfinished = 0;  ///< cells whose search was too long: their rows hold all that is connected
+  std::int64_t undecided =
+      0;  ///< ways in space on which no line was found, and none ruled out: they are held to be open
   constexpr bool operator==(const visible_sets&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,23 +39,29 @@ public:
     if (!is_finite_) return {visibility_status::not_finite, {}};
     visible_region<T> seen = visibility_polygon(source, domain_);
     if (seen.ring.empty()) return seen;
-    std::vector<std::uint8_t> looked_at(tiles_.count(), std::uint8_t{0}), fetched(walls_.size(), std::uint8_t{0});
+    std::vector<std::uint8_t> fetched(walls_.size(), std::uint8_t{0});
     std::vector<std::uint32_t> kept;  // walls at hand, rising
     bool is_on_wall = false;
-    for (int reach = 2;; reach = reach < (1 << 28) ? 4 * reach : reach) {
+    auto looked_at = tiles_.around(source, -1);
+    for (int reach = 2;; reach = reach < (1 << 28) ? 3 * reach : reach) {
       std::vector<std::uint32_t> fresh;
       bool is_whole = true;  // nothing more is seen beyond the reach
-      const auto look = [&](std::size_t tile, bool is_near) {
-        if (looked_at[tile] != 0) return;
-        if (!is_near) return is_whole = false, void();
-        looked_at[tile] = 1;
-        for (const std::uint32_t w : tiles_.walls_in(tile)) {
-          if (fetched[w] == 0) fresh.push_back(w);
-          fetched[w] = 1;
-        }
-      };
-      for (std::size_t i = 0; i < seen.ring.size(); ++i)
-        tiles_.for_triangle({source, seen.ring[i].at, seen.ring[i + 1 < seen.ring.size() ? i + 1 : 0].at}, reach, look);
+      const auto near = tiles_.around(source, reach);
+      for (std::size_t i = 0; i < seen.ring.size(); ++i) {
+        if (seen.ring[i].stop == sight_stop::nothing) continue;  // along a sight line
+        const std::array<point<T, 2>, 3> part{source, seen.ring[i].at,
+                                              seen.ring[i + 1 < seen.ring.size() ? i + 1 : 0].at};
+        const auto look = [&](std::size_t tile) {
+          for (const std::uint32_t w : tiles_.walls_in(tile)) {
+            if (fetched[w] != 0 || !tiles_.may_meet(part, walls_[w])) continue;
+            fetched[w] = 1;
+            fresh.push_back(w);
+          }
+        };
+        is_whole = tiles_.for_triangle(part, near, looked_at, look) && is_whole;
+      }
+      looked_at = near;
+
       if (fresh.empty() && is_whole) break;
       if (fresh.empty()) continue;
       kept.insert(kept.end(), fresh.begin(), fresh.end());

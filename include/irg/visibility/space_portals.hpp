@@ -13,78 +13,14 @@
 #include <irg/geometry/orient3d.hpp>
 #include <irg/spatial/cell_grid.hpp>
 #include <irg/visibility/detail/space_blockers.hpp>
+#include <irg/visibility/detail/space_stabbing.hpp>
 #include <irg/visibility/potentially_visible.hpp>
+#include <irg/visibility/space_plan.hpp>
 #include <irg/visibility/view_through_portals.hpp>
 
 namespace irg {
-
-/// An opening between two cells, counter-clockwise as one sees it who passes from the first to the second.
-template <Floating T>
-struct space_portal {
-  std::uint32_t first = 0, second = 0;
-  std::vector<point<T, 3>> ring;
-};
-
-/// Convex cells, each the hull of its corners, and portals between them.
-template <Floating T>
-struct space_plan {
-  std::vector<std::vector<point<T, 3>>> cells;
-  std::vector<space_portal<T>> portals;
-};
-
-/// What is wrong with a plan in space.
-enum class space_plan_defect {
-  none,
-  portal_to_no_cell,  ///< it names a cell that the plan does not have
-  portal_to_itself,  ///< both of its cells are the same: mirrors are no portals
-  portal_without_area,  ///< fewer than three corners, or all of them on a line
-  portal_not_flat,  ///< its corners are not in one plane, or are not finite
-  portal_not_convex,  ///< a corner turns inwards, or the ring goes round more than once
-  cell_on_both_sides,  ///< the first cell is not before the portal's plane, or the second not behind it
-};
-
-/// The first defect of a plan: of the portal number `portal`.
-struct space_plan_finding {
-  space_plan_defect defect = space_plan_defect::none;
-  std::size_t portal = 0;
-  constexpr bool operator==(const space_plan_finding&) const = default;
-};
-
 namespace detail {
 inline namespace IRG_ABI {
-
-// Whether all points lie on one side of the plane of a ring, or in it; `side` is 1 for who sees it counter-clockwise.
-template <Floating T>
-constexpr bool are_beside(const std::vector<point<T, 3>>& ring, std::span<const point<T, 3>> points,
-                          int side) noexcept {
-  for (const auto& p : points)
-    if (orient3d(ring[0], ring[1], ring[2], p) == -side) return false;
-  return true;
-}
-
-template <Floating T>
-constexpr space_plan_defect defect_of_portal(const space_plan<T>& plan, const space_portal<T>& p) {
-  if (p.first >= plan.cells.size() || p.second >= plan.cells.size()) return space_plan_defect::portal_to_no_cell;
-  if (p.first == p.second) return space_plan_defect::portal_to_itself;
-  const std::size_t n = p.ring.size();
-  if (n < 3) return space_plan_defect::portal_without_area;
-  for (const auto& v : p.ring)
-    for (int i = 0; i < 3; ++i)
-      if (!is_finite(v[i])) return space_plan_defect::portal_not_flat;
-  for (const auto& v : p.ring)
-    if (orient3d(p.ring[0], p.ring[1], p.ring[2], v) != 0) return space_plan_defect::portal_not_flat;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<point<T, 2>> flat;
-    flat.reserve(n);
-    for (const auto& v : p.ring) flat.push_back({v[(axis + 1) % 3], v[(axis + 2) % 3]});
-    if (orient2d(flat[0], flat[1], flat[2]) == 0) continue;
-    if (!is_convex(flat)) return space_plan_defect::portal_not_convex;
-    return are_beside<T>(p.ring, plan.cells[p.first], 1) && are_beside<T>(p.ring, plan.cells[p.second], -1)
-               ? space_plan_defect::none
-               : space_plan_defect::cell_on_both_sides;
-  }
-  return space_plan_defect::portal_without_area;
-}
 
 // A portal as one passes it.
 template <Floating T>
@@ -129,11 +65,15 @@ public:
     return true;
   }
 
-  // Whether a line may pass a door after others: of each two it passes first one, then the other, and what lies between
-  // does not miss their hull.
-  static constexpr bool may_be_stabbed(const std::vector<const space_doorway<T>*>& passed, const space_doorway<T>& d) {
+  // Whether each two of some doors and one more may be passed by a line.
+  static constexpr bool face_each_other(const std::vector<const space_doorway<T>*>& passed,
+                                        const space_doorway<T>& d) noexcept {
     for (const auto* before : passed)
       if (are_beside<T>(before->ring, d.ring, 1) || are_beside<T>(d.ring, before->ring, -1)) return false;
+    return true;
+  }
+  // Whether no door misses the hull of one before it and one after them all.
+  static constexpr bool meet_hulls(const std::vector<const space_doorway<T>*>& passed, const space_doorway<T>& d) {
     for (std::size_t i = 0; i + 1 < passed.size(); ++i) {
       std::vector<point<T, 3>> both = passed[i]->ring;
       both.insert(both.end(), d.ring.begin(), d.ring.end());
@@ -154,39 +94,47 @@ private:
 
 inline namespace IRG_ABI {
 
-/// The first thing that is wrong with a plan in space.
-/// exact   for all coordinates of portals, infinities and NaN included; corners of cells must be finite
-/// cost    the corners of both cells for each portal
-template <Floating T>
-[[nodiscard]] constexpr space_plan_finding validate(const space_plan<T>& plan) {
-  for (std::size_t i = 0; i < plan.portals.size(); ++i)
-    if (const auto d = detail::defect_of_portal(plan, plan.portals[i]); d != space_plan_defect::none) return {d, i};
-  return {};
-}
-
 /// For each cell the cells of which something may be seen from somewhere in it, itself among them.
-/// shape   as potentially_visible of plans in the plane
+/// shape   as potentially_visible of plans in the plane; symmetric
 /// needs   a plan without defects, fewer than 2^31 cells
-/// gives   too much, never too little, of what lines see that pass portals within their edges: of each three portals on
-///         a way, the middle one meets the hull of the others. Where a search would look at more than
-///         options.most_doors portals, all cells, and such searches are counted
-/// exact   each of these tests, for all finite coordinates
+/// gives   exactly what lines see that pass portals within their edges, and too much, never too little, where it says
+///         so: ways on which it finds neither a line nor that there is none in options.most_parts parts, as where lines
+///         touch edges only, are held to be open and counted; where a search would look at more than options.most_doors
+///         portals it gives all cells that see this one, and such searches are counted
+/// exact   lines are found by signs, and none is ruled out but by signs and bounds of what rounding does. With
+///         coordinates above 2^300, or all below 2^-300, the middle one of each three portals on a way meets the hull
+///         of the others, and ways are counted as undecided
 /// cost    for each sequence of portals that is tried the pairs of portals before, each the planes through three of
-///         their corners
-/// source  Teller and Sequin 1991, with hulls for their stabbing lines
+///         their corners, and a part of the search for a line, seldom more than one. At most most_doors times
+///         most_parts of them for each cell
+/// source  Teller and Sequin 1991, with a search for their stabbing lines
 template <Floating T>
 [[nodiscard]] constexpr visible_sets potentially_visible(const space_plan<T>& plan,
                                                          const visible_set_options& options = {}) {
   const auto cells = static_cast<int>(plan.cells.size());
-  visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0};
+  visible_sets out{cell_grid(grid_extent{cells, cells, 1}), 0, 0};
   const detail::space_walk<T> walk(plan);
   for (int row = 0; row < cells; ++row) {
+    detail::space_stabbing<T> lines(options.most_parts);
+    const auto may_pass = [&](const auto& passed, const detail::space_doorway<T>& d) {
+      if (!walk.face_each_other(passed, d)) return false;
+      while (lines.size() > passed.size()) lines.leave();
+      lines.enter(d.ring);
+      if (lines.is_passed_as_before()) return true;
+      if (!walk.meet_hulls(passed, d)) return false;
+      const auto is_passed = lines.is_passed();
+      if (!is_passed) ++out.undecided;
+      return is_passed.value_or(true);
+    };
     const auto see = [&](std::uint32_t c) { out.seen.set({static_cast<int>(c), row, 0}); };
-    if (walk.from(static_cast<std::uint32_t>(row), options.most_doors, detail::space_walk<T>::may_be_stabbed, see))
-      continue;
+    if (walk.from(static_cast<std::uint32_t>(row), options.most_doors, may_pass, see)) continue;
     for (std::uint32_t c = 0; c < plan.cells.size(); ++c) see(c);
     ++out.unfinished;
   }
+  for (int row = 0; row < cells; ++row)  // what one way rules out is not seen the other way
+    for (int c = 0; c < row; ++c)
+      for (const cell3& at : {cell3{c, row, 0}, cell3{row, c, 0}})
+        if (!out.seen.is_full({at.y, at.x, 0})) out.seen.set(at, false);
   return out;
 }
 

@@ -47,7 +47,8 @@ template <Floating T>
   return weak_visibility(std::span<const point<T, 2>>(ends), obstacles, window);
 }
 
-/// The same for an area with holes, or several of them as one source: what is inside of an odd number of rings.
+/// The same for an area with holes, or several of them as one source: what is inside of an odd number of rings; or for
+/// several segments, lists of two points each, which may touch and cross.
 /// needs   rings that meet neither each other nor themselves, else the status says so
 template <Floating T>
 [[nodiscard]] constexpr source_regions<T> weak_visibility(

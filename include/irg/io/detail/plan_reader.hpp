@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reader of plans: line by line, names by a table of their hashes.
+// The reader of plans in the plane, line by line.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/io/detail/text_cursor.hpp>
+#include <irg/io/detail/plan_lines.hpp>
 #include <irg/mesh/part_name.hpp>
 #include <irg/visibility/cell_plan.hpp>
 
@@ -45,16 +45,15 @@ constexpr const char* message_of(plan_defect d) noexcept {
 }
 
 template <class T>
-struct plan_reader {
-  named_plan<T> out;
-  text_cursor cursor;
+struct plan_reader : plan_lines<> {
+  cell_plan<T> plan;
 
-  constexpr explicit plan_reader(std::string_view text) : cursor(without_byte_order_mark(text), '#') {}
+  using plan_lines<>::plan_lines;
 
   constexpr bool read() {
     while (cursor.skip_space())
       if (!line()) return false;
-    const plan_finding f = validate(out.plan);
+    const plan_finding f = validate(plan);
     if (f.defect == plan_defect::none) return true;
     const bool in_portal = f.defect >= plan_defect::portal_to_no_cell;
     const bool in_heights = f.defect == plan_defect::heights_not_in_order && heights_[f.index] != nullptr;
@@ -77,40 +76,17 @@ private:
       read = portal(start);
     else
       return cursor.fail(start, "a line begins with none of cell, heights and portal");
-    if (!read) return false;
-    return !cursor.skip_blanks() || cursor.fail(cursor.at, "nothing more is expected on this line");
+    return read && line_ends();
   }
-
-  constexpr bool number(T& into) {
-    if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a number is expected");
-    return cursor.number_here(into);
-  }
-  constexpr bool place(point<T, 2>& p) { return number(p[0]) && number(p[1]); }
 
   constexpr bool cell(const char* start) {
-    if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a cell's name is expected");
-    const char* const at = cursor.at;
-    const std::string_view name = cursor.word();
-    if (out.names.size() * 2 >= table_.size()) grow();
-    std::uint32_t& slot = slot_of(name);
-    if (slot != 0) return cursor.fail(at, "the cell's name is taken");
+    if (!new_cell()) return false;
     plan_cell<T> c;
     for (point<T, 2> p; cursor.skip_blanks(); c.corners.push_back(p))
-      if (!place(p)) return false;
-    out.names.push_back(part_name(name));
-    out.plan.cells.push_back(std::move(c));
+      if (!place(p, 2)) return false;
+    plan.cells.push_back(std::move(c));
     cells_.push_back(start);
     heights_.push_back(nullptr);
-    slot = static_cast<std::uint32_t>(out.names.size());
-    return true;
-  }
-  constexpr bool known_cell(std::uint32_t& cell) {
-    if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a cell's name is expected");
-    const char* const at = cursor.at;
-    const std::string_view name = cursor.word();
-    cell = table_.empty() ? 0 : slot_of(name);
-    if (cell == 0) return cursor.fail(at, "no cell of this name stands before");
-    --cell;
     return true;
   }
   constexpr bool heights(const char* start) {
@@ -118,32 +94,17 @@ private:
     if (!known_cell(c)) return false;
     if (heights_[c] != nullptr) return cursor.fail(start, "the cell's heights are given twice");
     heights_[c] = start;
-    return number(out.plan.cells[c].floor) && number(out.plan.cells[c].ceiling);
+    return number(plan.cells[c].floor) && number(plan.cells[c].ceiling);
   }
   constexpr bool portal(const char* start) {
     plan_portal<T> p;
-    if (!known_cell(p.first) || !known_cell(p.second) || !place(p.a) || !place(p.b)) return false;
-    out.plan.portals.push_back(p);
+    if (!known_cell(p.first) || !known_cell(p.second) || !place(p.a, 2) || !place(p.b, 2)) return false;
+    plan.portals.push_back(p);
     portals_.push_back(start);
     return true;
   }
 
-  // Where the number of a name stands, counted from 1, or would.
-  constexpr std::uint32_t& slot_of(std::string_view name) {
-    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-    for (const char c : name) hash = (hash ^ static_cast<std::uint8_t>(c)) * 1099511628211u;
-    std::size_t i = static_cast<std::size_t>(hash ^ hash >> 32) & (table_.size() - 1);
-    while (table_[i] != 0 && std::string_view(out.names[table_[i] - 1]) != name) i = (i + 1) & (table_.size() - 1);
-    return table_[i];
-  }
-  constexpr void grow() {
-    table_.assign(table_.empty() ? 16 : 2 * table_.size(), 0);
-    for (std::size_t i = 0; i < out.names.size(); ++i)
-      slot_of(std::string_view(out.names[i])) = static_cast<std::uint32_t>(i + 1);
-  }
-
   std::vector<const char*> cells_, heights_, portals_;  // where they stand
-  std::vector<std::uint32_t> table_;
 };
 
 template <class Cursor>

@@ -62,7 +62,7 @@ public:
   constexpr explicit convexity_check(const M& m) : m_(m) {}
 
   constexpr bool operator()() {
-    if (!is_finite_mesh()) return false;
+    if (!is_finite_mesh() || is_surely_bent()) return false;
     const std::vector<mesh_side> sides = sorted_sides(m_);
     if (sides.empty() || !are_paired(sides) || !find_spanning_corners()) return false;
     for (std::size_t f = 0; f < mesh_face_count(m_); ++f)
@@ -78,6 +78,22 @@ private:
       for (int i = 0; i < 3; ++i)
         if (!is_finite(coordinate(mesh_position(m_, v), i))) return false;
     return true;
+  }
+
+  // A look at a few faces and corners before anything is sorted: whether one of these lies in front of one of those.
+  constexpr bool is_surely_bent() const {
+    constexpr std::size_t few = 4, some = 32;
+    const std::size_t n = mesh_face_count(m_);
+    for (std::size_t i = 0; i < lesser(few, n); ++i) {
+      const std::size_t f = i * n / lesser(few, n);
+      for (std::size_t j = 0; j < lesser(some, n); ++j) {
+        const std::size_t g = j * n / lesser(some, n);
+        if (mesh_face_size(m_, f) >= 3 && mesh_face_size(m_, g) >= 1 &&
+            orient3d(at(f, 0), at(f, 1), at(f, 2), at(g, 0)) > 0)
+          return true;
+      }
+    }
+    return false;
   }
 
   constexpr P at(std::size_t f, std::size_t k) const { return mesh_position(m_, mesh_face_vertex(m_, f, k)); }

@@ -153,8 +153,11 @@ private:
   }
 
   constexpr visibility_status take_rings(std::vector<plane_ring<T>> rings) {
-    if (rings.empty() || !are_apart(rings)) return visibility_status::source_not_simple;
-    turn_outwards(rings);
+    if (rings.empty()) return visibility_status::source_not_simple;
+    bool are_segments = true;
+    for (const auto& ring : rings) are_segments = are_segments && ring.size() == 2;
+    if (!are_segments && !are_apart(rings)) return visibility_status::source_not_simple;
+    if (!are_segments) turn_outwards(rings);
     for (const auto& ring : rings) view_.add_source(ring);
     return crossing_status();
   }
@@ -166,19 +169,20 @@ private:
   constexpr void add_cuts(line_choice choice, source_regions<T>& out) {
     auto& cuts = parts_.cuts;
     parts_.sources = view_.source;
-    std::vector<point<T, 2>> ends = view_.source;
+    std::vector<point<T, 2>> ends;
     const auto add_end = [&](const point<T, 2>& p) {
       for (const auto& e : ends)
         if (e == p) return;
       ends.push_back(p);
     };
+    for (const auto& p : view_.source) add_end(p);
     for (const auto& o : view_.obstacles) {
       add_end(o.a);
       add_end(o.b);
       if (!(o.a == o.b)) cuts.push_back({o, false, choice == line_choice::needed});
     }
-    const std::size_t sides = view_.source.size() == 2 ? 1 : view_.outline.size();
-    for (std::size_t i = 0; i < sides; ++i) cuts.push_back({view_.outline[i], false, false});
+    const std::size_t step = view_.has_area ? 1 : 2;  // segments are there and back
+    for (std::size_t i = 0; i < view_.outline.size(); i += step) cuts.push_back({view_.outline[i], false, false});
     for (const auto& u : ends)
       for (const auto& v : ends) {
         if (u == v) continue;

@@ -36,14 +36,16 @@ constexpr bool holds_place(const std::vector<segment<T, 2>>& outline, const Side
 template <Floating T>
 class source_view {
 public:
-  std::vector<point<T, 2>> source{};  // one point, two, or the corners of rings
+  std::vector<point<T, 2>> source{};  // one point, the ends of segments, or the corners of rings
   std::vector<segment<T, 2>> outline{};  // its edges, each with the source to its left: a segment there and back
   std::vector<segment<T, 2>> obstacles{};
+  bool has_area = false;
 
   /// Adds a point, a segment, or a ring with the source to its left.
   template <class Points>
   constexpr void add_source(const Points& points) {
     const std::size_t n = points.size();
+    has_area = has_area || n > 2;
     for (std::size_t i = 0; i < n; ++i) {
       source.push_back(points[i]);
       if (n > 1) outline.push_back({points[i], points[(i + 1) % n]});
@@ -56,8 +58,8 @@ public:
     bool all = true, none = true;
     for (const auto& [p, q] : outline) {
       const bool is_far = side(p, q) > 0;  // the place sees the inner side of this edge through the source
-      const coverage hidden = is_far ? cover(side, p, q, along::beside)
-                                     : cover(side, q, p, outline.size() > 2 ? along::ahead : along::beside);
+      const coverage hidden =
+          is_far ? cover(side, p, q, along::beside) : cover(side, q, p, has_area ? along::ahead : along::beside);
       if (is_far)
         all = all && hidden == coverage::nothing;
       else

@@ -232,8 +232,9 @@ private:
       const auto& at = list[i].at;
       std::uint32_t there = at.slot % 2 == 0 ? list[i].edge : before, after = list[i].edge;
       if (at.a != no_sight_edge) {
-        const auto &e = envelope_.edges[at.a], &f = envelope_.edges[at.b];
-        push(*crossing_point(segment<T, 2>{e.a, e.b}, segment<T, 2>{f.a, f.b}), after);
+        // Other edges may cross in the same direction further on, and it is these that `at` may name.
+        const auto& e = envelope_.edges[before];
+        push(crossing_with({e.a, e.b}, after), after);
       } else {
         const auto& next = list[i + 1].at;
         if (at.slot % 2 == 0 && next.slot == at.slot + 1 && next.a == no_sight_edge) after = list[++i].edge;

@@ -2,14 +2,34 @@
 // From ids, whoever wrote them, to what a window shows.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
+#include <irg/hidden/painter_once.hpp>
 #include <irg/render/detail/visible/tile_driver.hpp>
 #include <irg/render/window_faces.hpp>
 
 namespace irg {
 namespace detail {
+
+// Which objects of a picture are convex bodies of which only front faces are drawn, and their triangles' numbers.
+struct convex_bodies {
+  struct range {
+    std::uint32_t first, end;
+  };
+  std::vector<std::uint8_t> is_convex;  // by object
+  std::vector<range> drawn;  // numbers rise
+
+  // Whether two triangles belong to one of them.
+  [[nodiscard]] constexpr bool is_one(std::uint32_t a, std::uint32_t b) const noexcept {
+    const auto after =
+        std::upper_bound(drawn.begin(), drawn.end(), a, [](std::uint32_t n, const range& r) { return n < r.first; });
+    return after != drawn.begin() && a < after[-1].end && after[-1].first <= b && b < after[-1].end;
+  }
+};
+
 inline namespace IRG_ABI {
 
 // The place in a tile's list of the triangle, or the piece of one, that has this number and covers a pixel; no_face
@@ -59,12 +79,20 @@ constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const 
     }
 }
 
-// Tiles whose ids another method finds. `ids` belongs to the picture, all no_face before.
+// Tiles whose ids another method finds. `ids` belongs to the picture, all no_face before. Where `bodies` are given, the
+// method is not asked about tiles that show one convex body alone.
 template <class Order, class Method>
 struct method_tiles {
   using order = Order;
   const Method& method;
   image<std::uint32_t>& ids;
+  convex_bodies* bodies = nullptr;
+
+  // Object k is drawn, as `count` triangles that are numbered from `first` on.
+  constexpr void note_object(std::uint32_t k, std::uint32_t first, std::size_t count) const {
+    if (bodies != nullptr && bodies->is_convex[k] != 0)
+      bodies->drawn.push_back({first, first + static_cast<std::uint32_t>(count)});
+  }
 
   template <class T, class Depth>
   constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i,
@@ -73,7 +101,15 @@ struct method_tiles {
     const std::span<const std::uint32_t> numbers = job.workspace.bins.list_of(i);
     const triangle_finder<T> find = job.finder();
     draw_counts counts;
-    method(window_faces<T>(find, numbers), w, ids, counts);
+    const window_faces<T> faces(find, numbers);
+    const bool alone = bodies != nullptr && !numbers.empty() &&
+                       bodies->is_one(find.source(numbers.front()), find.source(numbers.back()));
+    if (alone) {
+      painter_once<Order>{}(faces, w, ids, counts);
+      counts.convex = static_cast<std::int64_t>(faces.size());
+    } else {
+      method(faces, w, ids, counts);
+    }
     mark_all_seen(job, numbers);
     visible_pixels pixels(w);
     find_places(pixels, ids, numbers, find, w);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The front faces of a convex body hide none of each other, so that nothing need be decided: each is drawn, in any
+// order. On the screen, where corners were rounded, two of them may yet cover a pixel centre beside the outline; what
+// is drawn twice is decided there, and only there.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <irg/hidden/ray_casting.hpp>
+
+namespace irg {
+
+/// A hidden-surface method for faces that hardly hide each other, as the front faces of one convex body do not: each
+/// face is drawn once, and depths are compared in the pixels that are met again.
+/// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are;
+///         counts.tested counts the comparisons
+/// exact   as picture_face_at, in every pixel, whatever the faces are
+/// cost    each pixel as often as it is covered; memory for a copy of the faces, none for depths
+template <DepthOrder Order = nearer_is_greater>
+struct painter_once {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+
+  template <class Faces>
+  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                            draw_counts& counts) const {
+    std::vector<screen_face> list = detail::copied_faces(faces, window);
+    const auto by_number = [](const screen_face& a, const screen_face& b) { return a.number < b.number; };
+    if (!std::is_sorted(list.begin(), list.end(), by_number)) std::sort(list.begin(), list.end(), by_number);
+    for (const screen_face& f : list)
+      covered_spans(f.coverage, window, [&](const span_of_cells& s) {
+        for (int x = s.x_first; x < s.x_last; ++x) {
+          std::uint32_t& id = ids(x, s.y);
+          if (const screen_face* other = id == no_face ? nullptr : find(list, id, x, s.y)) {
+            ++counts.tested;
+            if (!is_nearer<Order>(f, *other, x, s.y)) continue;
+          }
+          id = f.number;
+        }
+      });
+  }
+
+private:
+  // The face of a list, sorted by numbers, that has this one and covers a pixel: parts of a face share its number.
+  [[nodiscard]] static constexpr const screen_face* find(const std::vector<screen_face>& list, std::uint32_t number,
+                                                         int x, int y) {
+    const auto is_before = [](const screen_face& f, std::uint32_t n) { return f.number < n; };
+    for (auto f = std::lower_bound(list.begin(), list.end(), number, is_before); f != list.end() && f->number == number;
+         ++f)
+      if (covers(*f, x, y)) return &*f;
+    return nullptr;
+  }
+};
+
+}  // namespace irg
