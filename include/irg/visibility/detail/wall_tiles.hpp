@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Walls sorted into the tiles that they may meet: too many of them, never too few. The tile of a point is a rounded number that never falls as a coordinate rises.
+// Walls sorted into the tiles that they may meet: too many of them, never too few. The tile of a point is a rounded
+// number that never falls as a coordinate rises.
 #pragma once
 
 #include <cstddef>
