@@ -31,8 +31,10 @@ irg::line_drawing make_drawing(int side, int fineness, irg::drawn_edges edges) {
                                 shape_torus<double>({.major_segments = 2 * fineness, .minor_segments = fineness}),
                                 shape_cube<double>()};
   const double reach = 1.1 * side;
-  const auto to_clip = orthographic(-reach, reach, -reach * height / width, reach * height / width, 1.0, 100.0) *
-                       look_at(point<double, 3>{20, 14, 18}, point<double, 3>{0, 0, 0}, vec<double, 3>{0, 1, 0});
+  const auto to_clip =
+      orthographic(irg::view_window<double>{-reach, reach, -reach * height / width, reach * height / width}, 1.0,
+                   100.0) *
+      look_at(point<double, 3>{20, 14, 18}, point<double, 3>{0, 0, 0}, vec<double, 3>{0, 1, 0});
   for (int i = 0; i < side * side; ++i) {
     const double x = 1.5 * (i % side - 0.5 * (side - 1)), z = 1.5 * (i / side - 0.5 * (side - 1));
     const auto place = translation(vec<double, 3>{x, 0, z}) * rotation_x(0.3 * i) * rotation_z(0.7 * i);
@@ -99,7 +101,7 @@ void enter_beside_occt(const std::string& name, int side, double deflection) {
     irg::line_drawing d;
     const double reach = 1.1 * used, high = reach * height / width;
     const auto to_clip =
-        irg::orthographic(-reach, reach, -high, high, 1.0, 100.0) *
+        irg::orthographic(irg::view_window<double>{-reach, reach, -high, high}, 1.0, 100.0) *
         irg::look_at(irg::point<double, 3>{30, 21, 27}, irg::point<double, 3>{0, 0, 0}, irg::vec<double, 3>{0, 1, 0});
     for (const irg::mesh<double>& m : occt_bodies(used, smoke() ? 0.02 : deflection))
       add_mesh(d, m, to_clip, irg::map_to_screen<double>(width, height), {.culling = culling});

@@ -101,7 +101,7 @@ std::shared_ptr<const line_vector<To>> converted(const From& from, Make make) {
 }
 
 /// Enters a library in all kernels. Lib<T> has the types v3, v4, m4; make3, make4, make16 (from arrays), get3, get4,
-/// get16; and dot, cross, normalize, multiply, apply (matrix and vector), inverse, transform (a position).
+/// get16; and dot, cross, length, normalize, multiply, apply (matrix and vector), inverse, transform (a position).
 template <class Lib, class T>
 void enter_library(vec_mat_entries& to, const vec_mat_input<T>& in, const std::string& name) {
   using v3 = typename Lib::v3;
@@ -115,6 +115,8 @@ void enter_library(vec_mat_entries& to, const vec_mat_input<T>& in, const std::s
       to, "dot3", name, items, 1, [=](std::size_t i) { return Lib::dot((*a)[i], (*b)[i]); },
       [](T x, int) { return x; });
   enter<v3>(to, "cross", name, items, 3, [=](std::size_t i) { return Lib::cross((*a)[i], (*b)[i]); }, Lib::get3);
+  enter<T>(
+      to, "length", name, items, 1, [=](std::size_t i) { return Lib::length((*a)[i]); }, [](T x, int) { return x; });
   enter<v3>(to, "normalize", name, items, 3, [=](std::size_t i) { return Lib::normalize((*a)[i]); }, Lib::get3);
   enter<v4, loop::one_at_a_time>(
       to, "mat4*vec4", name, items, 4, [=](std::size_t i) { return Lib::apply((*m)[i], (*v)[i]); }, Lib::get4);

@@ -45,6 +45,7 @@ struct plain_library {
   static v3 cross(const v3& a, const v3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
+  static T length(const v3& a) { return std::sqrt(dot(a, a)); }
   static v3 normalize(const v3& a) {
     const T f = T(1) / std::sqrt(dot(a, a));
     return {a.x * f, a.y * f, a.z * f};
@@ -105,6 +106,7 @@ struct irg_library {
   static T get16(const m4& m, int i) { return m(i / 4, i % 4); }
   static T dot(const v3& a, const v3& b) { return irg::dot(a, b); }
   static v3 cross(const v3& a, const v3& b) { return irg::cross(a, b); }
+  static T length(const v3& a) { return irg::length(a); }
   static v3 normalize(const v3& a) { return irg::normalized(a); }
   static v4 apply(const m4& m, const v4& v) { return m * v; }
   static m4 multiply(const m4& a, const m4& b) { return a * b; }
@@ -129,6 +131,7 @@ void enter_irg_variants(vec_mat_entries& to, const vec_mat_input<T>& in) {
       to, "cross", "irg:fast", items, 3, [=](std::size_t i) { return irg::cross_fast((*a)[i], (*b)[i]); }, lib::get3);
   enter_batch<T>(to, "dot3", "irg:batch", items, 1, [=](auto& out) { irg::dot_products(*a, *b, out); }, number);
   enter_batch<v3>(to, "cross", "irg:batch", items, 3, [=](auto& out) { irg::cross_products(*a, *b, out); }, lib::get3);
+  enter<T>(to, "length", "irg:fast", items, 1, [=](std::size_t i) { return irg::length_fast((*a)[i]); }, number);
   enter<v3>(
       to, "normalize", "irg:fast", items, 3, [=](std::size_t i) { return irg::normalized_fast((*a)[i]); }, lib::get3);
   enter_batch<v3>(
@@ -218,7 +221,9 @@ struct truth {
 };
 
 std::string unit_of(const std::string& kernel) {
-  return kernel == "normalize" ? "ulp" : kernel == "inverse4" ? "u x largest entry" : "u x sum of |terms|";
+  return kernel == "normalize" || kernel == "length" ? "ulp"
+         : kernel == "inverse4"                      ? "u x largest entry"
+                                                     : "u x sum of |terms|";
 }
 
 wide magnitude(wide x) { return x < 0 ? -x : x; }
@@ -296,10 +301,14 @@ truth true_results(const std::string& kernel, const vec_mat_input<T>& in) {
             t, 2, [&](std::size_t k) { return k == 0 ? a[d] : -a[e]; },
             [&](std::size_t k) { return k == 0 ? b[e] : b[d]; });
       }
-    } else if (kernel == "normalize") {
+    } else if (kernel == "normalize" || kernel == "length") {
       t.in_ulps = true;
       wide square = 0;
       for (const T x : a) square += static_cast<wide>(x) * static_cast<wide>(x);
+      if (kernel == "length") {
+        add(t, square_root(square), 1);
+        continue;
+      }
       for (const T x : a) add(t, static_cast<wide>(x) / square_root(square), magnitude(static_cast<wide>(x)));
     } else if (kernel == "mat4*vec4") {
       for (std::size_t r = 0; r < 4; ++r)
@@ -340,8 +349,8 @@ void enter_all() {
   if constexpr (sizeof(T) == 4) enter_glm_simd(all, in);
   enter_eigen(all, in);
   enter_library<plain_library<T>>(all, in, "plain struct");
-  for (const char* kernel :
-       {"dot3", "cross", "normalize", "mat4*vec4", "mat4*mat4", "inverse4", "transform 4096", "transform 1000000"}) {
+  for (const char* kernel : {"dot3", "cross", "length", "normalize", "mat4*vec4", "mat4*mat4", "inverse4",
+                             "transform 4096", "transform 1000000"}) {
     auto& exact = keep_lazy([kernel, &in] { return true_results(kernel, in); });
     const bool points = std::string(kernel).starts_with("transform");
     contest c{kernel,

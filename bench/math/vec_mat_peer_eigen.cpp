@@ -27,6 +27,7 @@ struct eigen_library {
   static T get16(const m4& m, int i) { return m(i / 4, i % 4); }
   static T dot(const v3& a, const v3& b) { return a.dot(b); }
   static v3 cross(const v3& a, const v3& b) { return a.cross(b); }
+  static T length(const v3& a) { return a.norm(); }
   static v3 normalize(const v3& a) { return a.normalized(); }
   static v4 apply(const m4& m, const v4& v) { return m * v; }
   static m4 multiply(const m4& a, const m4& b) { return a * b; }

@@ -25,6 +25,7 @@ struct glm_library {
   static T get16(const m4& m, int i) { return m[i % 4][i / 4]; }
   static T dot(const v3& a, const v3& b) { return glm::dot(a, b); }
   static v3 cross(const v3& a, const v3& b) { return glm::cross(a, b); }
+  static T length(const v3& a) { return glm::length(a); }
   static v3 normalize(const v3& a) { return glm::normalize(a); }
   static v4 apply(const m4& m, const v4& v) { return m * v; }
   static m4 multiply(const m4& a, const m4& b) { return a * b; }

@@ -74,7 +74,7 @@ double embree_ray_seconds(const std::vector<Triangle>& triangles, const std::vec
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   if (task == embree_task::packets) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  int valid[16];
+  alignas(64) int valid[16];
   for (int& v : valid) v = -1;
   const double start = now();
   if (task == embree_task::packets) {

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -125,6 +127,18 @@ void enter_model(const std::string& name, const irg::mesh<float>& body) {
     enter(first, timed("irg", [&made, &built, &met] {
             met = 0;
             for (const camera_ray& r : made->camera) met += irg::closest_hit(*built, ray_of(r)).has_value();
+          }));
+    enter(first, timed("irg:packet16", [&made, &built, &met] {
+            constexpr std::size_t portion = 256;
+            std::array<irg::ray<float, 3>, portion> rays;
+            std::array<std::optional<irg::triangle_hit>, portion> hits;
+            met = 0;
+            for (std::size_t i = 0; i < made->camera.size(); i += portion) {
+              const std::size_t n = made->camera.size() - i < portion ? made->camera.size() - i : portion;
+              for (std::size_t k = 0; k < n; ++k) rays[k] = ray_of(made->camera[i + k]);
+              irg::closest_hits(*built, std::span<const irg::ray<float, 3>>(rays.data(), n), std::span(hits.data(), n));
+              for (std::size_t k = 0; k < n; ++k) met += hits[k].has_value();
+            }
           }));
     for (const bool packets : {false, true})
       enter(first, {packets ? "embree:packet16" : "embree", {}, {}, "", true, [&made, by_place, packets] {

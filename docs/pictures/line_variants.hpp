@@ -79,12 +79,13 @@ inline picture styled() {
   int offset = 0;
   for (const auto& runs : {irg::dash_runs{dashes}, irg::dash_runs{dash_dot}, irg::dash_runs{dots}}) {
     std::uint64_t phase = 0;
+    const irg::line_options half_open{.ends = irg::line_ends::half_open};
     for (int i = 0; i < 4; ++i)
       phase = irg::draw_line_styled(small, {bends[i].x, bends[i].y + offset}, {bends[i + 1].x, bends[i + 1].y + offset},
-                                    runs, phase, offset == 5 ? red : ink, {.ends = irg::line_ends::half_open});
+                                    irg::line_dashes{runs, phase, half_open}, offset == 5 ? red : ink);
     offset += 5;
   }
-  irg::draw_line_styled(small, {3, 38}, {68, 38}, irg::dash_mask{0x6f6f}, 0, blue);
+  irg::draw_line_styled(small, {3, 38}, {68, 38}, irg::line_dashes{irg::dash_mask{0x6f6f}}, blue);
   return enlarged(small, 9);
 }
 

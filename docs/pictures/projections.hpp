@@ -89,11 +89,11 @@ inline picture every_projection() {
     return irg::look_at(irg::to_point(irg::normalized(direction) * away), point3{}, vec3{0, 1, 0});
   };
   const auto parallel = [&](const vec3& direction) {
-    return irg::orthographic(half.left, half.right, half.bottom, half.top, -10, 10) * irg::axonometric_view(direction);
+    return irg::orthographic(half, -10, 10) * irg::axonometric_view(direction);
   };
   const auto slanted = [&](double factor) {
-    return irg::oblique(irg::oblique_depth<double>{irg::radians(45.0), factor}, window{-1.9, 2.9, -1.9, 2.9}, -10, 10,
-                        1);
+    return irg::oblique(irg::oblique_depth<double>{irg::radians(45.0), factor, 1}, window{-1.9, 2.9, -1.9, 2.9}, -10,
+                        10);
   };
   // Seen from 4 to the right and 3 above, with the picture plane still parallel to the front.
   const auto one_point =

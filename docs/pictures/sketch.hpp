@@ -119,7 +119,7 @@ class oblique_view {
 public:
   oblique_view(const point2& where_origin_is, double size_of_one, double degrees = 40, double factor = 0.55)
       : how_{irg::radians(degrees), factor},
-        matrix_(irg::oblique(how_, irg::view_window<double>{-1, 1, -1, 1}, -100, 100, 0)), origin_(where_origin_is),
+        matrix_(irg::oblique(how_, irg::view_window<double>{-1, 1, -1, 1}, -100, 100)), origin_(where_origin_is),
         unit_(size_of_one) {}
   point2 at(const point3& p) const {
     const auto q = matrix_ * p;

@@ -97,8 +97,8 @@ constexpr std::uint64_t curve_fits(int rounds) {
     irg::fit_knots(std::span<const double>(places), 3, count, list);
     const auto knots = irg::make_bspline_knots(std::span<const double>(list), 3);
     if (!knots) continue;
-    h.add(irg::bspline_least_squares(*knots, places, std::span<const P>(points), irg::fit_ends::through, control)
-              .farthest);
+    h.add(
+        irg::bspline_least_squares(*knots, places, std::span<const P>(points), irg::fit_ends::through, control).value);
     for (const P& p : control) add_point(h, p);
   }
   return h.value();

@@ -153,7 +153,8 @@ constexpr std::uint64_t raster_line_variants(int rounds) {
     irg::line_subpixel(a, b, w, cell, {.rule = irg::line_rule::diamond_exit});
     irg::line_thick(a, b, {.width = number(0, 2000), .caps = irg::line_caps::round}, w, span);
     irg::line_thick(a, b, {.width = number(0, 2000), .caps = irg::line_caps::square}, w, span);
-    h.add(irg::line_styled({ax / 256, ay / 256}, {bx / 256, by / 256}, irg::dash_runs{runs}, r.next(), w, cell));
+    h.add(irg::line_styled({ax / 256, ay / 256}, {bx / 256, by / 256}, irg::line_dashes{irg::dash_runs{runs}, r.next()},
+                           w, cell));
   }
   return h.value();
 }

@@ -33,7 +33,7 @@ constexpr std::uint64_t projections(int rounds) {
     const irg::mat<T, 4, 4> view = irg::axonometric_view(seen.to_viewer);
     const irg::mat<T, 4, 4> m = irg::perspective(window, distance, near, far, depth) * view;
     add_matrix(h, m);
-    add_matrix(h, irg::oblique(how, window, near, far, plane_z, depth) * view);
+    add_matrix(h, irg::oblique(irg::oblique_depth<T>{how.angle, how.factor, plane_z}, window, near, far, depth) * view);
     add_matrix(h, irg::perspective(irg::view_pyramid<T>{unit() + T(0.1), unit() + T(1), unit() + T(1), near, far}));
     const irg::plane<T> onto{unit(), unit(), unit() + T(0.1), unit()};
     add_matrix(h, irg::central_projection_onto_checked(onto, irg::point<T, 3>{unit(), unit(), unit()}).value);

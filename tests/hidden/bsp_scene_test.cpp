@@ -97,8 +97,9 @@ constexpr irg::cell_window picture{0, 0, width, height};
 view_of_space seen(const P& eye, const P& target, bool parallel) {
   const irg::vec<double, 3> up{0.1, 0.2, 1};
   const double aspect = double{width} / height;
-  const matrix project = parallel ? irg::orthographic(-8.0, 8.0, -8.0 / aspect, 8.0 / aspect, -100.0, 100.0)
-                                  : irg::perspective(0.9, aspect, 0.05, 1e9);
+  const matrix project =
+      parallel ? irg::orthographic(irg::view_window<double>{-8, 8, -8.0 / aspect, 8.0 / aspect}, -100.0, 100.0)
+               : irg::perspective(0.9, aspect, 0.05, 1e9);
   return {project * irg::look_at(eye, target, up), irg::map_to_screen<double>(width, height)};
 }
 

@@ -28,6 +28,11 @@ TEST_CASE("lengths by hand") {
   CHECK_BOTH(irg::hypot(-7.0, 0.0) == 7);
 }
 
+TEST_CASE("a length just beyond the middle between two numbers") {
+  // By 2^-108 of its size: less than a sum in twice the precision may drop.
+  CHECK_BOTH(irg::hypot(0x1.1ffb15664fa6p+56, -0x1.7ffcb8eb4b067p+29, -0x1.7ffcb8eb4b067p+29) == 0x1.1ffb15664fa61p+56);
+}
+
 TEST_CASE("lengths near both ends of the range") {
   CHECK_BOTH(irg::hypot(3e300, 4e300) == 5e300);
   CHECK_BOTH(irg::hypot(3 * 0x1p-1074, 4 * 0x1p-1074) == 5 * 0x1p-1074);

@@ -26,7 +26,7 @@ template <class Pattern>
 constexpr std::vector<cell> cells(cell a, cell b, Pattern p, std::uint64_t phase = 0, cell_window w = everything,
                                   irg::line_options o = {}) {
   std::vector<cell> out;
-  irg::line_styled(a, b, p, phase, w, [&](cell c) { out.push_back(c); }, o);
+  irg::line_styled(a, b, irg::line_dashes{p, phase, o}, w, [&](cell c) { out.push_back(c); });
   return out;
 }
 
@@ -81,7 +81,7 @@ void check_against_oracle(const Pattern& p, test::random& r) {
       o);
   REQUIRE(cells(a, b, p, phase, w, o) == expected);
   const std::uint64_t steps = o.ends == irg::line_ends::closed ? n - 1 : n;
-  const std::uint64_t after = irg::line_styled(a, b, p, phase, w, [](cell) {}, o);
+  const std::uint64_t after = irg::line_styled(a, b, irg::line_dashes{p, phase, o}, w, [](cell) {});
   for (std::uint64_t i = 0; i < 40; ++i) REQUIRE(oracle(p, after + i) == oracle(p, first + steps + i));
 }
 
@@ -102,9 +102,10 @@ TEST_CASE("line_styled: the pattern carries on over a polyline") {
     std::vector<cell> pieces;
     const auto keep = [&](cell c) { pieces.push_back(c); };
     const irg::line_options half{.ends = irg::line_ends::half_open};
-    std::uint64_t phase = irg::line_styled({0, 0}, {from, 0}, dash_runs{holes}, 4, everything, keep, half);
-    phase = irg::line_styled({from, 0}, {25, 0}, dash_runs{holes}, phase, {3, -5, 99, 5}, keep, half);
-    irg::line_styled({25, 0}, {40, 0}, dash_runs{holes}, phase, everything, keep);
+    std::uint64_t phase =
+        irg::line_styled({0, 0}, {from, 0}, irg::line_dashes{dash_runs{holes}, 4, half}, everything, keep);
+    phase = irg::line_styled({from, 0}, {25, 0}, irg::line_dashes{dash_runs{holes}, phase, half}, {3, -5, 99, 5}, keep);
+    irg::line_styled({25, 0}, {40, 0}, irg::line_dashes{dash_runs{holes}, phase}, everything, keep);
     std::vector<cell> expected;
     for (const cell c : cells({0, 0}, {40, 0}, dash_runs{holes}, 4))
       if (c.x < from || c.x >= 3) expected.push_back(c);
@@ -120,7 +121,8 @@ TEST_CASE("line_styled: lines and runs as long as int allows") {
   CHECK_BOTH(cells({least, 5}, {most, 5}, dash_runs{long_runs}, 0, w).size() == 64);
   CHECK_BOTH(cells({least, 5}, {most, 5}, dash_runs{long_runs}, 4000000000u - (1u << 31) - 10u + 0u, w).size() == 10);
   CHECK_BOTH(cells({least, least}, {most, most}, dash_mask{0x5555, 4294967295u}, ~std::uint64_t{0}, w).size() <= 64);
-  CHECK_BOTH(irg::line_styled({least, 5}, {most, 5}, dash_runs{two_one}, 0, {}, [](cell) {}) == 4294967295u % 3);
+  CHECK_BOTH(irg::line_styled({least, 5}, {most, 5}, irg::line_dashes{dash_runs{two_one}}, {}, [](cell) {}) ==
+             4294967295u % 3);
   CHECK_BOTH(cells({0, 0}, {9, 9}, dash_runs{two_one}, 0, {5, 5, 5, 9}).empty());
   CHECK_BOTH(cells({0, 0}, {9, 9}, dash_runs{two_one}, 0, {5, 5, 1, 1}).empty());
 }
@@ -128,8 +130,8 @@ TEST_CASE("line_styled: lines and runs as long as int allows") {
 TEST_CASE("draw_line_styled: paints those pixels, by value or by function, and nothing else") {
   constexpr auto bits = [] {
     irg::image<int> image(8, 2);
-    const std::uint64_t phase = irg::draw_line_styled(image, {-3, 0}, {7, 0}, dash_runs{two_one}, 0, 1);
-    irg::draw_line_styled(irg::within(image, {-5, -5, 6, 9}), {0, 1}, {7, 1}, dash_mask{0x00f3}, 0,
+    const std::uint64_t phase = irg::draw_line_styled(image, {-3, 0}, {7, 0}, irg::line_dashes{dash_runs{two_one}}, 1);
+    irg::draw_line_styled(irg::within(image, {-5, -5, 6, 9}), {0, 1}, {7, 1}, irg::line_dashes{dash_mask{0x00f3}},
                           [](int there) { return there + 1; });
     int n = 0;
     for (int i = 0; i < 16; ++i) n |= image(i % 8, i / 8) << i;
@@ -138,9 +140,9 @@ TEST_CASE("draw_line_styled: paints those pixels, by value or by function, and n
   CHECK_BOTH(bits() == (0b11011011 | 0b00110011 << 8));
   test::framed_raster<std::uint16_t> framed;
   auto& view = framed.view;
-  irg::draw_line_styled(irg::within(view, {-100, -100, 100, 100}), {-99, -77}, {99, 88}, dash_runs{three}, 0,
-                        std::uint16_t{1});
-  irg::draw_line_styled(view, {-99, 3}, {99, 3}, dash_mask{0x7777}, 0, std::uint16_t{1});
+  irg::draw_line_styled(irg::within(view, {-100, -100, 100, 100}), {-99, -77}, {99, 88},
+                        irg::line_dashes{dash_runs{three}}, std::uint16_t{1});
+  irg::draw_line_styled(view, {-99, 3}, {99, 3}, irg::line_dashes{dash_mask{0x7777}}, std::uint16_t{1});
   CHECK(framed.frame_is_whole());
   CHECK(framed.painted() > 5);
 }

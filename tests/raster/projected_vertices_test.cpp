@@ -79,8 +79,8 @@ TEST_CASE("project_vertices: what is not finite is cut and outside") {
                         std::numeric_limits<double>::max()};
   for (int axis = 0; axis < 3; ++axis)
     for (const double value : odd)
-      for (const auto& m :
-           {eye_at_origin, irg::orthographic(-1.0, 1, -1, 1, -5, 5), irg::perspective(1.0, 1.0, 0.5, 9.0)}) {
+      for (const auto& m : {eye_at_origin, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, -5, 5),
+                            irg::perspective(1.0, 1.0, 0.5, 9.0)}) {
         point p{0.5, 0.25, -2};
         p[axis] = value;
         const auto v = projected(p, 64, 32, m);

@@ -201,7 +201,8 @@ constexpr rgba8 through(std::initializer_list<pane> panes, float wall_depth = 0.
   irg::image<rgba8> colour(1, 1, {0, 0, 0, 255});
   irg::image<float> depth(1, 1, wall_depth);
   const auto mapping = irg::map_to_screen<double>(1, 1);
-  const auto vertices = irg::project_vertices<double>(positions, irg::orthographic(-1.0, 1, -1, 1, 0, 8), mapping);
+  const auto vertices = irg::project_vertices<double>(
+      positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const batch one[1] = {{&vertices, triangles, 0}};
   irg::draw_transparent<Order, Test, double>(
       colour, depth, one, mapping,
@@ -276,7 +277,8 @@ TEST_CASE("draw_transparent: opacity of each vertex, in two batches") {
   const std::array<float, 4> values[] = {{1, 1, 1, 0}, {1, 1, 1, 1}, {1, 1, 1, 0}};
   const irg::triangle_indices triangles[] = {{{0, 1, 2}}};
   const auto mapping = irg::map_to_screen<double>(16, 16);
-  const auto vertices = irg::project_vertices<double>(positions, irg::orthographic(-1.0, 1, -1, 1, 0, 8), mapping);
+  const auto vertices = irg::project_vertices<double>(
+      positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   irg::image<rgba8> colour(16, 16, {0, 0, 0, 255});
   irg::image<float> depth(16, 16, 0.0f);
   const batch two[2] = {{&vertices, triangles, 0}, {&vertices, triangles, 1}};
@@ -298,7 +300,8 @@ TEST_CASE("draw_transparent: called with defaults for order, test and blending")
   const irg::point<double, 3> positions[] = {{-1, -1, -2}, {3, -1, -2}, {-1, 3, -2}};
   const irg::triangle_indices triangles[] = {{{0, 1, 2}}};
   const auto mapping = irg::map_to_screen<double>(2, 2);
-  const auto vertices = irg::project_vertices<double>(positions, irg::orthographic(-1.0, 1, -1, 1, 0, 8), mapping);
+  const auto vertices = irg::project_vertices<double>(
+      positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const std::vector<batch> panes{{&vertices, triangles}};
   irg::image<rgba8> colour(2, 2, {0, 0, 0, 255});
   irg::image<float> depth(2, 2, 0.0f);
@@ -314,7 +317,8 @@ TEST_CASE("draw_transparent: pictures of no size, batches of no triangles") {
   const auto mapping = irg::map_to_screen<double>(1, 1);
   CHECK(irg::draw_transparent<greater, depth_test::nearer, double>(colour, depth, {}, mapping, colours) ==
         irg::render_stats{});
-  const auto vertices = irg::project_vertices<double>({}, irg::orthographic(-1.0, 1, -1, 1, 0, 8), mapping);
+  const auto vertices =
+      irg::project_vertices<double>({}, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const batch none[1] = {{&vertices, {}, 0}};
   CHECK(irg::draw_transparent<greater, depth_test::nearer, double>(colour, depth, none, mapping, colours) ==
         irg::render_stats{});

@@ -619,7 +619,7 @@ TEST_CASE("draw_triangles: skipping beyond a border does not depend on how clipp
   test::random r(111);
   int rounded_into_sight = 0;
   for (int i = 0; i < 3000; ++i) {
-    soup s{{}, {{{0, 1, 2}}}, irg::orthographic(-1.0, 1, -1, 1, -2, 2), 32, 32};
+    soup s{{}, {{{0, 1, 2}}}, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, -2, 2), 32, 32};
     for (int k = 0; k < 3; ++k) {
       const bool far = r.integer(0, 2) == 0;
       const auto coordinate = [&] { return test::number_of_any_size(r, far ? 40 : 0, far ? 100 : 4); };

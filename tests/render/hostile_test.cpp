@@ -269,7 +269,7 @@ TEST_CASE("hostile: a corner exactly on each clip plane: every pixel once") {
         fan{"bottom", {0.125, -guard, -8}, 0, -8, 0, 32}, fan{"top", {0.125, guard, -8}, 0, -8, 0, 32}}) {
     CAPTURE(f.name);
     for (int trial = 0; trial < 20; ++trial) {
-      triangle_scene s{{f.hub}, {}, irg::orthographic(-1.0, 1, -1, 1, 0, 64), 32, 32};
+      triangle_scene s{{f.hub}, {}, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 64), 32, 32};
       const double far_out = f.rise == 0 ? 2 * guard : 16;
       std::vector<point> rim;  // round a square, from its lower left corner
       for (int side = 0; side < 4; ++side) {

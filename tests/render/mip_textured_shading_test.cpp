@@ -269,7 +269,8 @@ constexpr rgba8 square_at(int x, int y, int size, irg::texture_sampler sampler, 
   const auto levels = irg::make_mip_pyramid(texels);
   const irg::mip_pyramid<irg::rgb<float>> none;
   const auto mapping = irg::map_to_screen<double>(size, size);
-  const auto projected = irg::project_vertices<double>(positions, irg::orthographic(-1.0, 1, -1, 1, 0, 8), mapping);
+  const auto projected = irg::project_vertices<double>(
+      positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const irg::textured_vertices objects[1] = {{vertices}};
   const irg::texture_pyramid textures[3] = {{&levels, sampler}, {&none}, {}};
   irg::image<rgba8> colour(size, size);

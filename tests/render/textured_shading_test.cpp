@@ -48,7 +48,8 @@ constexpr rgba8 square_at(int x, int y, irg::texture_sampler sampler, irg::rgb<f
       irg::make_textured_vertex(0, 0, light), irg::make_textured_vertex(1, 0, light),
       irg::make_textured_vertex(0, 1, light), irg::make_textured_vertex(1, 1, light)};
   const auto mapping = irg::map_to_screen<double>(4, 4);
-  const auto projected = irg::project_vertices<double>(positions, irg::orthographic(-1.0, 1, -1, 1, 0, 8), mapping);
+  const auto projected = irg::project_vertices<double>(
+      positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const auto picture = chequers();
   const irg::textured_vertices objects[1] = {{vertices}};
   const irg::texture_image textures[1] = {{picture.view(), sampler}};

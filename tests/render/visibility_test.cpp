@@ -246,8 +246,9 @@ TEST_CASE("visible triangle: the same where the smaller depth is nearer") {
 // Depths between 0 and 1 in steps of 2^-20 have their distance from 1 exactly, and both orders the same ids.
 TEST_CASE("visible triangle: both orders see the same") {
   test::random r(204);
-  const irg::mat<double, 4, 4> reversed = irg::orthographic(-1.0, 1, -1, 1, 0, 1),
-                               standard = irg::orthographic(-1.0, 1, -1, 1, 0, 1, irg::depth_range::standard);
+  const irg::mat<double, 4, 4> reversed = irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 1),
+                               standard = irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 1,
+                                                            irg::depth_range::standard);
   long long different = 0, seen = 0;
   for (int i = 0; i < 200; ++i) {
     triangle_scene s{{}, {}, reversed, 32, 40};

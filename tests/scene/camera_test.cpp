@@ -185,7 +185,8 @@ TEST_CASE("camera_around: the sphere touches the border of the picture and is in
         for (const double radius : {1e-100, 0.001, 1.0, 700.0, 1e100}) {
           const point centre{radius * static_cast<double>(r.integer(-3, 3)), radius, radius * 2};
           const camera c =
-              irg::camera_around(centre, radius, vec{1, 0.8, 1.6}, irg::radians(degrees), aspect, projection);
+              irg::camera_around(irg::camera<double>{.projection = projection, .vertical_angle = irg::radians(degrees)},
+                                 centre, radius, vec{1, 0.8, 1.6}, aspect);
           const sphere_extent e = extent_of(c, aspect, centre, radius);
           CAPTURE(aspect);
           CAPTURE(degrees);
@@ -203,8 +204,9 @@ TEST_CASE("camera_around: by hand, 60 degrees see a sphere from twice its radius
   CHECK_BOTH((near(c.eye.z, 13) && c.eye.x == 1 && c.eye.y == 2));
   CHECK_BOTH(near(c.near_distance, 15.0 / 1000));
   CHECK_BOTH(c.far_distance == infinity);
-  constexpr camera p =
-      irg::camera_around(point{0, 0, 0}, 5, vec{0, 0, 1}, irg::pi<double> / 2, 1.5, irg::projection_kind::orthographic);
+  constexpr camera p = irg::camera_around(
+      irg::camera<double>{.projection = irg::projection_kind::orthographic, .vertical_angle = irg::pi<double> / 2},
+      point{0, 0, 0}, 5, vec{0, 0, 1}, 1.5);
   CHECK_BOTH(near(p.eye.z, 5));
   CHECK_BOTH((near(p.near_distance, -10) && near(p.far_distance, 10)));
   CHECK_BOTH(p.projection == irg::projection_kind::orthographic);

@@ -159,8 +159,10 @@ TEST_CASE("bvh: lanes and scalars go the same way") {
     if (irg::is_empty(ray)) continue;
     const auto way = [&]<class F>() {
       std::vector<std::uint32_t> leaves;
-      irg::detail::box_ray b = irg::detail::make_box_ray(ray, tree.scale);
-      irg::detail::walk_sorted<F>(tree.nodes.data(), b, [&](std::uint32_t leaf) { leaves.push_back(leaf); });
+      irg::detail::box_ray b{};
+      irg::detail::set_box_ray(b, ray, tree.scale);
+      irg::detail::walk_sorted<F, irg::detail::box_arithmetic::portable>(
+          tree.nodes.data(), b, [&](std::uint32_t leaf) { leaves.push_back(leaf); });
       return leaves;
     };
     const auto scalar = way.template operator()<float>();

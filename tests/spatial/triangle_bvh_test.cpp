@@ -173,6 +173,95 @@ TEST_CASE("triangle_bvh: nothing gets out of a closed body through its corners a
   CHECK(leaks<float>(irg::shape_cube<double>(), 1, {0.5, 0.5, 0.5}, rays, 44) == std::array{0, 0});
 }
 
+// While it lives, the processor takes subnormal numbers for zero, as Embree and others have it: where it can.
+struct subnormals_flushed {
+#if defined(__SSE2__) && defined(__GNUC__)
+  unsigned before = __builtin_ia32_stmxcsr();
+  subnormals_flushed() { __builtin_ia32_ldmxcsr(before | 0x8040u); }
+  ~subnormals_flushed() { __builtin_ia32_ldmxcsr(before); }
+#else
+  subnormals_flushed() {}
+#endif
+  subnormals_flushed(const subnormals_flushed&) = delete;
+  subnormals_flushed& operator=(const subnormals_flushed&) = delete;
+};
+
+TEST_CASE("triangle_bvh: nothing gets out where subnormal numbers are taken for zero") {
+  const auto sphere = irg::shape_sphere<double>({.slices = 24, .stacks = 12});
+  const auto torus = irg::shape_torus<double>({.major_segments = 24, .minor_segments = 12});
+  const int rays = trials(300, 100000);
+  const subnormals_flushed here;
+  for (const double s : {1.0, 1e-3, 1e-30, 1e30}) {
+    CHECK(leaks<double>(sphere, s, {0, 0, 0}, rays, 51) == std::array{0, 0});
+    CHECK(leaks<double>(torus, s, {1, 0, 0}, rays, 52) == std::array{0, 0});
+    CHECK(leaks<float>(sphere, s, {0, 0, 0}, rays, 53) == std::array{0, 0});
+    CHECK(leaks<float>(torus, s, {1, 0, 0}, rays, 54) == std::array{0, 0});
+  }
+}
+
+// Rays of a kind: 0 those of a camera's squares, 1 the same with parallel rays, 2 every way, 3 with numbers that no
+// packet takes. Every 16th or so of the last is empty.
+std::vector<irg::ray<float, 3>> packet_rays(test::random& r, int kind, std::size_t count, float s) {
+  std::vector<irg::ray<float, 3>> rays;
+  const auto c = [&r](double most) { return static_cast<float>((2 * r.unit() - 1) * most); };
+  const irg::point<float, 3> eye{2 + c(1), c(3), c(3)};
+  for (std::size_t i = 0; i < count; ++i) {
+    irg::ray<float, 3> ray{{eye.x * s, eye.y * s, eye.z * s}, {c(0.3) - eye.x, c(0.3) - eye.y, c(0.3) - eye.z}};
+    if (kind == 1) ray = irg::ray<float, 3>{{c(1) * s, c(1) * s, -3 * s}, {0, i % 32 < 16 ? 0.0f : -0.0f, 1}};
+    if (kind >= 2) ray = irg::ray<float, 3>{{c(1) * s, c(1) * s, c(1) * s}, {c(1), c(1), c(1)}};
+    if (kind == 3) {
+      const std::int64_t what = r.integer(0, 40);
+      if (what == 0) ray.direction = {0, 0, 0};
+      if (what == 1) ray.origin.x = std::numeric_limits<float>::quiet_NaN();
+      if (what == 2) ray.direction.y = 0x1p-140f;
+      if (what == 3) ray.direction.z = 0x1p100f;
+      if (what == 4) ray.origin = {0x1p120f, 0x1p120f, 0x1p120f};
+      if (what == 5) ray.low = std::numeric_limits<float>::quiet_NaN();
+      if (what == 6) ray.low = -1, ray.high = s;
+      if (what == 7) ray.low = ray.high = s;
+      if (what == 8) ray.high = -1;
+    }
+    if (i % 5 == 0) ray.low = 0.5f * s;
+    if (i % 7 == 0) ray.high = 2 * s;
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+TEST_CASE("closest_hits: what closest_hit gives of each ray, bit for bit") {
+  test::random r(29);
+  const auto body = irg::shape_torus<double>({.major_segments = 24, .minor_segments = 12});
+  for (const double s : {1.0, 1e-3, 1e-30, 1e30}) {
+    const auto tree = build(triangles<float>(body, s));
+    const auto wide = build(triangles<double>(body, s));
+    for (int kind = 0; kind < 4; ++kind) {
+      std::size_t met = 0;
+      for (int i = 0; i < trials(12, 2000); ++i) {
+        const auto rays = packet_rays(r, kind, 16 * 5 + static_cast<std::size_t>(i) % 16, static_cast<float>(s));
+        std::vector<std::optional<irg::triangle_hit>> hits(rays.size()), of_wide(rays.size());
+        irg::closest_hits(tree, std::span<const irg::ray<float, 3>>(rays), std::span(hits));
+        irg::closest_hits(wide, std::span<const irg::ray<float, 3>>(rays), std::span(of_wide));
+        std::size_t differ = 0;
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+          differ +=
+              hits[k] != irg::closest_hit(tree, rays[k]) || of_wide[k] != irg::closest_hit(wide, rays[k]) ? 1u : 0u;
+          met += hits[k].has_value() ? 1u : 0u;
+        }
+        CHECK(differ == 0);
+      }
+      CHECK(met > 100);
+    }
+  }
+  static_assert([] {
+    const triangles_of<double> one{{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}};
+    const irg::triangle_bvh<double> tree{std::span<const std::array<P, 3>>(one)};
+    const R rays[2] = {{{0.25, 0.25, 3}, {0, 0, -1}}, {{2, 2, 3}, {0, 0, -1}}};
+    std::optional<irg::triangle_hit> hits[2];
+    irg::closest_hits(tree, std::span<const R>(rays), std::span<std::optional<irg::triangle_hit>>(hits));
+    return hits[0] && hits[0]->at.t == 3 && !hits[1];
+  }());
+}
+
 TEST_CASE("triangle_bvh: executors, moved triangles, any_hit that passes some over") {
   const auto all = triangles<float>(irg::shape_sphere<double>({.slices = 200, .stacks = 100}));
   using span = std::span<const std::array<irg::point<float, 3>, 3>>;

@@ -71,8 +71,8 @@ mat<double, 4, 4> random_matrix(test::random& r, depth_range depth) {
   const irg::view_window<double> w{-r.unit() - 0.1, r.unit() + 0.1, -r.unit() - 0.1, r.unit() + 0.1};
   switch (r.integer(0, 2)) {
     case 0: return irg::perspective(w, 0.2 + r.unit(), n, f, depth) * view;
-    case 1: return irg::orthographic(w.left, w.right, w.bottom, w.top, n - 2, n + 3, depth) * view;
-    default: return irg::oblique(irg::oblique_depth<double>{6 * r.unit(), r.unit()}, w, n - 2, n + 3, -2, depth) * view;
+    case 1: return irg::orthographic(w, n - 2, n + 3, depth) * view;
+    default: return irg::oblique(irg::oblique_depth<double>{6 * r.unit(), r.unit(), -2}, w, n - 2, n + 3, depth) * view;
   }
 }
 

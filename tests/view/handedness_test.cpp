@@ -29,7 +29,7 @@ TEST_CASE("handedness: a projection for the other hand maps the same place to th
     };
     check(irg::perspective(1.0, 1.5, 0.1, 10));
     check(irg::perspective(irg::view_window<double>{-1, 2, -0.5, 3}, 2, 0.1, 10, irg::depth_range::standard));
-    check(irg::orthographic(-1.0, 2, -0.5, 3, 0.1, 10));
+    check(irg::orthographic(irg::view_window<double>{-1, 2, -0.5, 3}, 0.1, 10));
     check(irg::oblique(irg::oblique_depth<double>{0.6, 0.5}, {-1.0, 2, -0.5, 3}, 0.1, 10));
   }
   // By hand: the left-handed perspective of textbooks, the view along +z, w = z.

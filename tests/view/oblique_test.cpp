@@ -31,22 +31,22 @@ TEST_CASE("oblique: by hand, in every life") {
   CHECK_BOTH((m * P{-2, 3, -2}) == irg::hpoint<double, 3>{0, 1, 0.75, 1});
   CHECK_BOTH((m * P{-2, 3, -1}).z == 1);
   // The plane z = -3 stays, half the length for depth.
-  constexpr auto n = oblique({0.0, irg::cabinet_factor<double>}, window, 1, 5, -3, depth_range::standard);
+  constexpr auto n = oblique({0.0, irg::cabinet_factor<double>, -3}, window, 1, 5, depth_range::standard);
   CHECK_BOTH((n * P{1, 1.5, -3}) == irg::hpoint<double, 3>{0.25, 0.5, 0.5, 1});
   CHECK_BOTH((n * P{1, 1.5, -5}) == irg::hpoint<double, 3>{0.5, 0.5, 1, 1});
   CHECK_BOTH((n * P{1, 1.5, -1}) == irg::hpoint<double, 3>{0, 0.5, 0, 1});
   // Factor 0 is orthographic.
-  CHECK_BOTH(oblique({1.0, 0.0}, window, 1, 5) == irg::orthographic(-4.0, 4, -3, 3, 1, 5));
-  constexpr auto any = oblique(oblique_depth<float>{0.7f, 0.3f}, {-1.1f, 2.3f, -0.7f, 0.9f}, 0.1f, 10.0f, -2.0f);
+  CHECK_BOTH(oblique({1.0, 0.0}, window, 1, 5) == irg::orthographic(irg::view_window<double>{-4, 4, -3, 3}, 1, 5));
+  constexpr auto any = oblique(oblique_depth<float>{0.7f, 0.3f, -2.0f}, {-1.1f, 2.3f, -0.7f, 0.9f}, 0.1f, 10.0f);
   volatile float angle = 0.7f;
-  CHECK(oblique(oblique_depth<float>{angle, 0.3f}, {-1.1f, 2.3f, -0.7f, 0.9f}, 0.1f, 10.0f, -2.0f) == any);
+  CHECK(oblique(oblique_depth<float>{angle, 0.3f, -2.0f}, {-1.1f, 2.3f, -0.7f, 0.9f}, 0.1f, 10.0f) == any);
 }
 
 TEST_CASE("oblique: cavalier keeps lengths along z, cabinet halves them, whatever the angle; x and y keep theirs") {
   for (const double factor : {irg::cavalier_factor<double>, irg::cabinet_factor<double>, 0.8, -1.5, 3.0})
     for (int degrees = -180; degrees <= 360; degrees += 15) {
       const double a = irg::radians(static_cast<double>(degrees));
-      const auto m = oblique_shear_checked(oblique_depth<double>{a, factor}, -7).value;
+      const auto m = oblique_shear_checked(oblique_depth<double>{a, factor, -7}).value;
       const auto at = [&](P p) { return transform_point(m, p); };
       const P o = at({0, 0, -7}), x = at({1, 0, -7}), y = at({0, 1, -7}), back = at({0, 0, -8});
       CHECK(std::hypot(o.x, o.y) <= 4e-15 * std::abs(factor));
@@ -62,9 +62,9 @@ TEST_CASE("oblique: cavalier keeps lengths along z, cabinet halves them, whateve
 TEST_CASE("oblique: all points of a ray towards the viewer have one picture, the nearer the greater their depth") {
   test::random r(4);
   for (int i = 0; i < 2000; ++i) {
-    const oblique_depth<double> how{10 * (r.unit() - 0.5), 3 * (r.unit() - 0.5)};
-    const double plane_z = -5 * r.unit();
-    const auto m = oblique(how, window, -20, 20, plane_z);
+    const oblique_depth<double> how{10 * (r.unit() - 0.5), 3 * (r.unit() - 0.5), -5 * r.unit()};
+    const double plane_z = how.plane_z;
+    const auto m = oblique(how, window, -20, 20);
     const auto to_viewer = direction_to_viewer(how);
     CHECK(std::abs(length(to_viewer) - 1) <= 1e-15);
     const P p{8 * (r.unit() - 0.5), 6 * (r.unit() - 0.5), 8 * (r.unit() - 0.5)};
@@ -83,7 +83,8 @@ TEST_CASE("oblique: all points of a ray towards the viewer have one picture, the
 TEST_CASE("oblique: what is refused") {
   using enum projection_status;
   const auto status = [](oblique_depth<double> how, view_window<double> w, double n, double f, double z) {
-    const auto p = oblique_checked(how, w, n, f, z);
+    how.plane_z = z;
+    const auto p = oblique_checked(how, w, n, f);
     CHECK((p.status == ordinary || p.value == irg::identity<double, 4>()));
     return p.status;
   };
@@ -104,5 +105,5 @@ TEST_CASE("oblique: what is refused") {
   CHECK(status({0, 1e200}, {-1e-200, 1e-200, -3, 3}, 1, 5, 0) == not_representable);
   CHECK(status({0, 1e200}, window, 1, 5, 0) == ordinary);
   static_assert(oblique_checked(oblique_depth<double>{not_a_number, 1.0}, window, 1, 5).status == bad_angle);
-  static_assert(oblique_checked(oblique_depth<double>{0.0, 1e200}, window, 1, 5, 1e200).status == not_representable);
+  static_assert(oblique_checked(oblique_depth<double>{0.0, 1e200, 1e200}, window, 1, 5).status == not_representable);
 }

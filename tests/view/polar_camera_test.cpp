@@ -34,7 +34,7 @@ constexpr double pi = irg::pi<double>, not_a_number = std::numeric_limits<double
                  inf = std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::max();
 
 constexpr frame in_degrees(double azimuth, double elevation, double distance, polar_axis axis = polar_axis::y_up) {
-  return polar_frame(P{0, 0, 0}, distance, sin_cos_degrees(azimuth), sin_cos_degrees(elevation), {0.0, 1.0}, axis);
+  return polar_frame(P{0, 0, 0}, distance, {sin_cos_degrees(azimuth), sin_cos_degrees(elevation)}, axis);
 }
 
 template <class A>
@@ -112,7 +112,7 @@ TEST_CASE("polar_camera: right angles are exact in degrees, at the poles and bey
   CHECK_BOTH(in_degrees(0, 90, 5, polar_axis::z_up) == frame{{0, 0, 5}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -1}});
   // roll: up leans to the left
   constexpr frame rolled =
-      polar_frame(P{1, 2, 3}, 5.0, sin_cos_degrees(0.0), sin_cos_degrees(0.0), sin_cos_degrees(90.0));
+      polar_frame(P{1, 2, 3}, 5.0, {sin_cos_degrees(0.0), sin_cos_degrees(0.0), sin_cos_degrees(90.0)});
   CHECK_BOTH(rolled == frame{{1, 2, 8}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -1}});
   volatile double thirty = 30;
   constexpr frame at = in_degrees(30, 45, 10);

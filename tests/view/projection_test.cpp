@@ -100,17 +100,19 @@ TEST_CASE("perspective: by hand, in every life") {
 }
 
 TEST_CASE("orthographic: by hand, in every life") {
-  constexpr auto m = orthographic(-4.0, 4, -3, 3, 1, 5);
+  constexpr auto m = orthographic(irg::view_window<double>{-4, 4, -3, 3}, 1, 5);
   CHECK_BOTH(projected(m, P{-4, -3, -1}) == P{-1, -1, 1});
   CHECK_BOTH(projected(m, P{4, 3, -5}) == P{1, 1, 0});
   CHECK_BOTH(projected(m, P{0, 0, -3}) == P{0, 0, 0.5});
-  CHECK_BOTH(projected(orthographic(-4.0, 4, -3, 3, 1, 5, depth_range::standard), P{4, 3, -5}) == P{1, 1, 1});
-  CHECK_BOTH(projected(orthographic(0.0, 2, 1, 5, -1, 1), P{0, 5, 1}) ==
+  CHECK_BOTH(projected(orthographic(irg::view_window<double>{-4, 4, -3, 3}, 1, 5, depth_range::standard),
+                       P{4, 3, -5}) == P{1, 1, 1});
+  CHECK_BOTH(projected(orthographic(irg::view_window<double>{0, 2, 1, 5}, -1, 1), P{0, 5, 1}) ==
              P{-1, 1, 1});       // off centre, from behind the eye
-  CHECK_BOTH(projected(orthographic(2.0, 0, 1, 5, -1, 1), P{0, 5, 1}) == P{1, 1, 1});        // mirrored
-  constexpr auto any = orthographic(0.1f, 1.5f, -0.3f, 0.9f, 0.1f, 100.0f);
+  CHECK_BOTH(projected(orthographic(irg::view_window<double>{2, 0, 1, 5}, -1, 1), P{0, 5, 1}) ==
+             P{1, 1, 1});        // mirrored
+  constexpr auto any = orthographic(irg::view_window<float>{0.1f, 1.5f, -0.3f, 0.9f}, 0.1f, 100.0f);
   volatile float left = 0.1f;
-  CHECK(orthographic<float>(left, 1.5f, -0.3f, 0.9f, 0.1f, 100.0f) == any);
+  CHECK(orthographic(irg::view_window<float>{left, 1.5f, -0.3f, 0.9f}, 0.1f, 100.0f) == any);
 }
 
 TEST_CASE("perspective of a window: by hand, off centre, mirrored, in every life") {
@@ -202,7 +204,7 @@ TEST_CASE("projections: the eight corners of the view volume become those of the
     const double left = -r.unit(), right = r.unit() + 0.1, bottom = -r.unit(), top = r.unit() + 0.1;
     const depth_range depth = r.integer(0, 1) ? depth_range::reversed : depth_range::standard;
     const auto m = perspective(angle, aspect, n, f, depth);
-    const auto o = orthographic(left, right, bottom, top, n, f, depth);
+    const auto o = orthographic(irg::view_window<double>{left, right, bottom, top}, n, f, depth);
     for (int corner = 0; corner < 8; ++corner) {
       const double sx = corner & 1 ? 1 : -1, sy = corner & 2 ? 1 : -1, d = corner & 4 ? f : n;
       const double z = ((corner & 4) != 0) == (depth == depth_range::standard) ? 1 : 0;
@@ -273,7 +275,7 @@ TEST_CASE("projections: what is refused, and extreme ranges") {
   CHECK(near(projected(m, P{0, 0, -1e9}), P{0, 0, 0}, 1e-15));
 
   const auto box = [](double l, double r, double b, double t, double n, double f) {
-    const auto p = orthographic_checked(l, r, b, t, n, f);
+    const auto p = orthographic_checked(irg::view_window<double>{l, r, b, t}, n, f);
     CHECK((p.status == ordinary || p.value == identity<double, 4>()));
     return p.status;
   };

@@ -57,7 +57,7 @@ TEST_CASE("viewport: Hank's values") {
   CHECK_BOTH(window_to_viewport(0, 5, 2, 4, whole, 0, 5) == point<R, 3>{0, 0, 0});
   CHECK_BOTH(window_to_viewport(0, 5, 2, 4, whole, 2, 1) == point<R, 3>{800, 600, 0});
   // The same window by orthographic projection.
-  constexpr auto m = irg::orthographic(-4.0, 4, -3, 3, 0, 1);
+  constexpr auto m = irg::orthographic(irg::view_window<double>{-4, 4, -3, 3}, 0, 1);
   CHECK_BOTH(to_pixels(image, m * P{1, 2, 0}) == P{500, 100, 1});
 }
 

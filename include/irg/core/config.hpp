@@ -55,16 +55,20 @@
 #define IRG_INLINE inline
 #define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE [[gnu::noinline]]
+#define IRG_NOINLINE_LAMBDA __attribute__((noinline))
 #elif defined(__GNUC__)
 #define IRG_INLINE [[gnu::always_inline]] inline
 #define IRG_INLINE_LAMBDA __attribute__((always_inline))  // behind the parameters; C++20 has no place for [[ ]]
 #define IRG_NOINLINE [[gnu::noinline]]
+#define IRG_NOINLINE_LAMBDA __attribute__((noinline))
 #elif defined(_MSC_VER)
 #define IRG_INLINE __forceinline
 #define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE __declspec(noinline)
+#define IRG_NOINLINE_LAMBDA
 #else
 #define IRG_INLINE inline
 #define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE
+#define IRG_NOINLINE_LAMBDA
 #endif

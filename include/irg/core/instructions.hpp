@@ -47,10 +47,11 @@ template <Floating T>
   else
     asm("vsqrtsd %1, %1, %0" : "=x"(root) : "x"(x));
 #else
+  root = x;  // in place: a register of its own would have to wait for what was in it
   if constexpr (std::is_same_v<T, float>)
-    asm("sqrtss %1, %0" : "=x"(root) : "x"(x));
+    asm("sqrtss %0, %0" : "+x"(root));
   else
-    asm("sqrtsd %1, %0" : "=x"(root) : "x"(x));
+    asm("sqrtsd %0, %0" : "+x"(root));
 #endif
   return root;
 #elif defined(__GNUC__)
@@ -101,17 +102,31 @@ inline constexpr bool has_fused_multiply_add = false;
   return product(a, b) + c;
 #endif
 }
-template <int N>
-[[nodiscard]] IRG_INLINE pack<double, N> fused_multiply_add(const pack<double, N>& a, const pack<double, N>& b,
-                                                            const pack<double, N>& c) noexcept {
+[[nodiscard]] IRG_INLINE float fused_multiply_add(float a, float b, float c) noexcept {
+#if defined(__FMA__) || defined(__aarch64__)
+  return __builtin_fmaf(a, b, c);
+#else
+  return product(a, b) + c;
+#endif
+}
+template <std::floating_point T, int N>
+[[nodiscard]] IRG_INLINE pack<T, N> fused_multiply_add(const pack<T, N>& a, const pack<T, N>& b,
+                                                       const pack<T, N>& c) noexcept {
 #if defined(IRG_LANES_VECTOR) && defined(__FMA__)
-  if constexpr (N == 2) return {__builtin_ia32_vfmaddpd(a.v, b.v, c.v)};
+  [[maybe_unused]] constexpr bool is_float = std::is_same_v<T, float>;
+  if constexpr (is_float && N == 4) return {__builtin_ia32_vfmaddps(a.v, b.v, c.v)};
+  if constexpr (!is_float && N == 2) return {__builtin_ia32_vfmaddpd(a.v, b.v, c.v)};
 #ifdef __AVX__
-  if constexpr (N == 4) return {__builtin_ia32_vfmaddpd256(a.v, b.v, c.v)};
+  if constexpr (is_float && N == 8) return {__builtin_ia32_vfmaddps256(a.v, b.v, c.v)};
+  if constexpr (!is_float && N == 4) return {__builtin_ia32_vfmaddpd256(a.v, b.v, c.v)};
+#endif
+#if defined(__AVX512F__)  // 4: rounding as the environment says
+  if constexpr (is_float && N == 16)
+    return {__builtin_ia32_vfmaddps512_mask(a.v, b.v, c.v, static_cast<unsigned short>(-1), 4)};
 #endif
 #endif
   if constexpr (has_fused_multiply_add)
-    return lanes<pack<double, N>>::generate([&](int i) { return fused_multiply_add(a[i], b[i], c[i]); });
+    return lanes<pack<T, N>>::generate([&](int i) { return fused_multiply_add(a[i], b[i], c[i]); });
   else
     return a * b + c;
 }

@@ -82,6 +82,11 @@ namespace lanes_detail {
 
 template <class To, class T, int N>
 [[nodiscard]] IRG_INLINE pack<To, N> static_cast_lanes(const pack<T, N>& x) noexcept {
+#if defined(IRG_LANES_VECTOR) && defined(__AVX__) && !defined(__clang__)
+  // g++ 12 would convert halves and put them together.
+  if constexpr (std::is_same_v<T, float> && std::is_same_v<To, double> && N == 4)
+    return {__builtin_ia32_cvtps2pd256(x.v)};
+#endif
 #ifdef IRG_LANES_VECTOR
   return {__builtin_convertvector(x.v, typename pack<To, N>::storage)};
 #else

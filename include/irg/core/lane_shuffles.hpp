@@ -78,6 +78,8 @@ template <int M, class T, int N>
   // g++ 12 makes a wider register of a narrower one by way of memory.
   if constexpr (std::is_same_v<T, float> && N == 4 && M == 16)
     return {__builtin_ia32_broadcastf32x4_512(p.v, typename pack<T, M>::storage{}, static_cast<unsigned short>(-1))};
+  if constexpr (std::is_same_v<T, double> && N == 4 && M == 8)
+    return {__builtin_ia32_broadcastf64x4_512(p.v, typename pack<T, M>::storage{}, static_cast<unsigned char>(-1))};
 #endif
   return shuffled_by<M>(p, [](int i) { return i % N; });
 }

@@ -2,7 +2,10 @@
 // ray<T, N>: a part of a half-line.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include <irg/geometry/parametric_line.hpp>
 
@@ -36,17 +39,20 @@ template <Floating T, int N>
 }
 
 /// Whether the ray has points.
+// Told from the bits of all numbers at once: comparisons with branches would cost more than a ray's way through a tree.
 template <Floating T, int N>
-[[nodiscard]] constexpr bool is_empty(const ray<T, N>& r) noexcept {
-  constexpr T most = (std::numeric_limits<T>::max)();
-  const auto is_number = [](T x) { return (unsigned{-most <= x} & unsigned{x <= most}) != 0; };
-  // All is asked at once: branches would cost more.
-  unsigned finite = r.low <= most, moves = 0;
+[[nodiscard]] IRG_INLINE constexpr bool is_empty(const ray<T, N>& r) noexcept {
+  using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  constexpr bits exponent = std::bit_cast<bits>(std::numeric_limits<T>::infinity());
+  constexpr bits one = exponent & ~(exponent << 1), sign = ~(~bits{0} >> 1);
+  bits beyond = 0, moves = 0;
   for (int i = 0; i < N; ++i) {
-    finite &= unsigned{is_number(r.origin[i])} & unsigned{is_number(r.direction[i])};
-    moves |= unsigned{r.direction[i] < T(0)} | unsigned{T(0) < r.direction[i]};
+    const auto origin = std::bit_cast<bits>(r.origin[i]), direction = std::bit_cast<bits>(r.direction[i]);
+    beyond |= ((origin & exponent) + one) | ((direction & exponent) + one);
+    moves |= direction & ~sign;
   }
-  return (finite & moves & unsigned{greater(r.low, T(0)) <= r.high}) == 0;
+  const bool in_order = r.low <= (std::numeric_limits<T>::max)() && greater(r.low, T(0)) <= r.high;
+  return (beyond & sign) != 0 || moves == 0 || !in_order;
 }
 
 }  // namespace IRG_ABI

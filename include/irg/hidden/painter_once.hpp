@@ -44,7 +44,8 @@ struct painter_once {
 
 private:
   // The face of a list, sorted by numbers, that has this one and covers a pixel: parts of a face share its number.
-  static constexpr const screen_face* find(const std::vector<screen_face>& list, std::uint32_t number, int x, int y) {
+  [[nodiscard]] static constexpr const screen_face* find(const std::vector<screen_face>& list, std::uint32_t number,
+                                                         int x, int y) {
     const auto is_before = [](const screen_face& f, std::uint32_t n) { return f.number < n; };
     for (auto f = std::lower_bound(list.begin(), list.end(), number, is_before); f != list.end() && f->number == number;
          ++f)

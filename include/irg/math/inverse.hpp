@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include <irg/core/conversion.hpp>
 #include <irg/math/detail/elimination.hpp>
@@ -33,6 +34,28 @@ template <Floating T, int N>
 template <Floating T, int N>
 [[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse_accurate(const mat<T, N, N>& a) noexcept;
 
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// `inverse` where cofactors will not do.
+template <Real T, int N>
+IRG_NOINLINE constexpr std::optional<mat<T, N, N>> inverse_by_elimination(const mat<T, N, N>& a) noexcept {
+  if (!entries_finite<T>(a, N, N)) return std::nullopt;
+  mat<T, N, N> left = a, right = identity<T, N>();
+  if (gauss_jordan<T>(left, right, N) && entries_finite<T>(right, N, N) && inverse_has_digits<T>(a, right, N))
+    return right;
+  if constexpr (Floating<T>)
+    if (has_mixed_sizes(a)) return inverse_accurate(a);
+  return std::nullopt;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
 /// The matrix that undoes `a`.
 /// gives   nothing for a singular matrix. In floats also nothing when the result would have no correct digit (see
 ///         `exact`), when an entry is NaN or infinite, or when the inverse has an entry that is too large for T
@@ -46,16 +69,11 @@ template <Floating T, int N>
 /// source  Higham 2002, ch. 14; Bauer 1963 for the condition
 template <Real T, int N>
 [[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {
-  if constexpr (Floating<T> && N >= 2 && N <= 4)
-    if (mat<T, N, N> x{}; detail::inverse_is_easy(a, x)) return x;
-  if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
-  mat<T, N, N> left = a, right = identity<T, N>();
-  if (detail::gauss_jordan<T>(left, right, N) && detail::entries_finite<T>(right, N, N) &&
-      detail::inverse_has_digits<T>(a, right, N))
-    return right;
-  if constexpr (Floating<T>)
-    if (detail::has_mixed_sizes(a)) return inverse_accurate(a);
-  return std::nullopt;
+  if constexpr (Floating<T> && N >= 2 && N <= 4) {
+    std::optional<mat<T, N, N>> result(std::in_place);
+    if (detail::inverse_is_easy(a, *result)) return result;
+  }
+  return detail::inverse_by_elimination(a);
 }
 
 /// The matrix that undoes `a`, right to the last place however close to singular `a` is, up to a limit.

@@ -15,64 +15,7 @@
 #include <irg/math/hypot.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/vec.hpp>
-
-namespace irg::detail {
-
-/// The coordinates of a vector times `scale`, a power of two that brings the largest near 1.
-/// shape   scale is 0 for a vector of zeros, NaN when a coordinate is NaN or infinite
-template <int N>
-struct scaled_coordinates {
-  double c[static_cast<std::size_t>(N)]{};
-  double scale = 0;
-};
-
-inline namespace IRG_ABI {
-
-/// A power of two p with 1 <= x*p < 4, or p = 2^1023 for subnormal x.
-/// needs   0 < x < infinity
-IRG_INLINE constexpr double power_of_two_for(double x) noexcept {
-  const std::uint64_t exponent = bits_of(x) >> 52;
-  return from_bits((exponent < 2045 ? 2046 - exponent : std::uint64_t{1}) << 52);
-}
-
-template <Vector V>
-constexpr scaled_coordinates<size_of<V>> scaled(const V& v) noexcept {
-  scaled_coordinates<size_of<V>> s;
-  std::uint64_t largest = 0;  // sizes are ordered as their bits are, with infinity and NaN at the end
-  for (int i = 0; i < size_of<V>; ++i) {
-    s.c[i] = widened(coordinate(v, i));
-    const std::uint64_t size = bits_of(magnitude(s.c[i]));
-    largest = size > largest ? size : largest;
-  }
-  if (largest >= bits_of(infinity<double>)) s.scale = not_a_number<double>;
-  if (largest >= bits_of(infinity<double>) || largest == 0) return s;
-  s.scale = power_of_two_for(from_bits(largest));
-  for (double& c : s.c) c = c * s.scale;
-  return s;
-}
-
-/// The length of the vector of N coordinates c(i).
-template <class T, int N, class C>
-IRG_INLINE constexpr T length_of(const C& c) noexcept {
-  if constexpr (N == 1)
-    return magnitude(c(0));
-  else
-    return [&]<int... I>(std::integer_sequence<int, I...>) {
-      return hypot_of<T>(c(I)...);
-    }(std::make_integer_sequence<int, N>{});
-}
-
-/// The length of scaled coordinates: float's in double, where their squares are exact.
-template <class T, int N>
-constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
-  if constexpr (std::same_as<T, double>) return length_of<double, N>([&](int i) { return s.c[i]; });
-  double sum = 0;
-  for (const double c : s.c) sum = sum + product(c, c);
-  return sqrt(sum);
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+#include <irg/math/detail/length_steps.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {
@@ -90,21 +33,21 @@ template <Vector V>
 /// cost    that of hypot
 template <Vector V>
   requires Floating<scalar_of<V>>
-[[nodiscard]] constexpr scalar_of<V> length(const V& v) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scalar_of<V> length(const V& v) noexcept {
   return detail::length_of<scalar_of<V>, size_of<V>>([&](int i) { return coordinate(v, i); });
 }
 
 /// The vector of length 1 in the direction of v.
 /// gives   nothing when v is zero or has a coordinate that is NaN or infinite
-/// exact   each coordinate within 1.51 ulp (float 0.51): the length is rounded, then the quotient. The result's length
-///         is 1 within 2u (u = 2^-53, float 2^-24), over the whole range
+/// exact   each coordinate within 1.51 ulp (float 0.51): the length is rounded, then the quotient; float: 1 over the
+///         length in double, then the product. The result's length is 1 within 2u (u = 2^-53, float 2^-24), over the
+///         whole range
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
-  const auto s = detail::scaled(v);
-  if (!(s.scale > 0)) return std::nullopt;
-  const double length = detail::scaled_length<scalar_of<V>>(s);
-  return generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(s.c[i] / length); });
+  V unit = v;
+  if (!detail::put_direction(v, unit)) return std::nullopt;
+  return unit;
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -112,9 +55,11 @@ template <Vector V>
 /// exact   as try_normalize
 template <Vector V>
   requires Floating<scalar_of<V>>
-[[nodiscard]] constexpr V normalized(const V& v) noexcept {
-  const std::optional<V> unit = try_normalize(v);
-  return unit ? *unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
+[[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept {
+  V unit = v;
+  const bool has_direction = detail::put_direction(v, unit);
+  if constexpr (std::same_as<scalar_of<V>, float>) return unit;
+  return has_direction ? unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
 }
 
 /// The length of v without care for the ends of the exponents, for inner loops.

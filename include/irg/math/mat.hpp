@@ -9,8 +9,8 @@
 
 namespace irg {
 
-/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{1, 2}, {3, 4}}` has the rows (1, 2) and (3, 4). More than
-/// four rows, or rows that are an array, stand in one more pair of braces. Numbers that are not given are 0.
+/// R rows of C numbers, stored row by row; `mat<double, 2, 2>{{1, 2}, {3, 4}}` has the rows (1, 2) and (3, 4).
+/// shape   more than four rows, and rows that are an array, in one more pair of braces; what is not given is 0
 template <Scalar T, int R, int C>
   requires(R >= 1 && C >= 1)
 struct mat {
@@ -118,21 +118,21 @@ template <class T, int R, int K, int C>
 /// exact   each product and each sum rounded once, sums from left to right
 template <class T, int R, int C>
 [[nodiscard]] IRG_INLINE constexpr vec<T, R> operator*(const mat<T, R, C>& a, const vec<T, C>& v) noexcept {
-  return detail::image_of_column<vec<T, R>, C>(a.m, [&](int k) { return v[k]; });
+  return detail::image_of_row<vec<T, R>>(a.m, v);
 }
 
 /// The image of a homogeneous point; the matrix has one row and column more than the space has dimensions.
 template <class T, int M, int N>
   requires(M == N + 1)
 [[nodiscard]] IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const hpoint<T, N>& p) noexcept {
-  return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) { return p[k]; });
+  return detail::image_of_row<hpoint<T, N>>(a.m, p);
 }
 
 /// The image of a point, a homogeneous point since the matrix may be projective. transform_point gives a point.
 template <class T, int M, int N>
   requires(M == N + 1)
 [[nodiscard]] IRG_INLINE constexpr hpoint<T, N> operator*(const mat<T, M, M>& a, const point<T, N>& p) noexcept {
-  return a * to_homogeneous(p);
+  return detail::image_of_column<hpoint<T, N>, M>(a.m, [&](int k) IRG_INLINE_LAMBDA { return k < N ? p[k] : T(1); });
 }
 
 /// The image of a row vector, v * A * B being A first, then B: the form of the course.
@@ -163,7 +163,7 @@ template <class T, int M, int N>
 template <class T, int M, Point P>
   requires(size_of<P> == M - 1 && std::same_as<scalar_of<P>, T>)
 [[nodiscard]] IRG_INLINE constexpr P transform_point(const mat<T, M, M>& a, const P& p) noexcept {
-  return detail::image_of_position<P, M - 1>(a.m, [&](int k) { return coordinate(p, k); });
+  return detail::affine_image<P, M - 1, true>(a, [&](int k) IRG_INLINE_LAMBDA { return coordinate(p, k); });
 }
 
 /// The image of a displacement under an affine matrix: translations leave it alone. Surface normals take
@@ -171,7 +171,7 @@ template <class T, int M, Point P>
 template <class T, int M, Vector V>
   requires(size_of<V> == M - 1 && std::same_as<scalar_of<V>, T>)
 [[nodiscard]] IRG_INLINE constexpr V transform_vector(const mat<T, M, M>& a, const V& v) noexcept {
-  return detail::image_of_column<V, M - 1>(a.m, [&](int k) { return coordinate(v, k); });
+  return detail::affine_image<V, M - 1, false>(a, [&](int k) IRG_INLINE_LAMBDA { return coordinate(v, k); });
 }
 
 /// The matrix without one row and one column.

@@ -25,6 +25,17 @@ struct dash_mask {
   std::uint32_t repeat = 1;
 };
 
+/// How a line is dashed: by dash_runs or a dash_mask, from which position of it on, and with which ends and ties.
+template <class Pattern>
+  requires std::same_as<Pattern, dash_runs> || std::same_as<Pattern, dash_mask>
+struct line_dashes {
+  Pattern pattern{};
+  std::uint64_t phase = 0;
+  line_options options{};
+};
+template <class Pattern, class... More>
+line_dashes(Pattern, More...) -> line_dashes<Pattern>;
+
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -86,25 +97,8 @@ private:
   unsigned bit_ = 0;
 };
 
-template <class Walk, CellSink Sink>
-constexpr std::uint64_t dashed_line(Walk walk, cell a, cell b, std::uint64_t phase, const cell_window& window,
-                                    Sink&& emit, const line_options& options) {
-  phase = walk.reduced(phase);  // below 2^62 or so: adding a line's steps cannot overflow
-  const bresenham_frame f = frame_of(a, b, options.ties);
-  if (!window.empty()) {
-    const step_range steps = visible_steps(f, window, options.ends);
-    if (steps.first < steps.last) {
-      walk.go_to(phase + static_cast<std::uint64_t>(steps.first));
-      line_bresenham(
-          a, b, window,
-          [&](cell c) {
-            if (walk.next()) emit(c);
-          },
-          options);
-    }
-  }
-  return walk.reduced(phase + static_cast<std::uint64_t>(f.n));
-}
+constexpr dash_runs_walk walk_of(const dash_runs& pattern) noexcept { return dash_runs_walk(pattern); }
+constexpr dash_mask_walk walk_of(const dash_mask& pattern) noexcept { return dash_mask_walk(pattern); }
 
 }  // namespace IRG_ABI
 }  // namespace detail
@@ -117,28 +111,34 @@ inline namespace IRG_ABI {
 ///         vertex is drawn twice)
 /// exact   for all int coordinates; clipped cells are the unclipped line's; cells, ends and ties as line_bresenham
 /// cost    an addition and a subtraction per visible cell; the pattern's runs are added up once per line
-template <CellSink Sink>
-constexpr std::uint64_t line_styled(cell a, cell b, const dash_runs& pattern, std::uint64_t phase,
-                                    const cell_window& window, Sink&& emit, const line_options& options = {}) {
-  return detail::dashed_line(detail::dash_runs_walk(pattern), a, b, phase, window, emit, options);
-}
-
-/// The same with a mask.
-template <CellSink Sink>
-constexpr std::uint64_t line_styled(cell a, cell b, const dash_mask& pattern, std::uint64_t phase,
-                                    const cell_window& window, Sink&& emit, const line_options& options = {}) {
-  return detail::dashed_line(detail::dash_mask_walk(pattern), a, b, phase, window, emit, options);
+template <class Pattern, CellSink Sink>
+constexpr std::uint64_t line_styled(cell a, cell b, const line_dashes<Pattern>& dashes, const cell_window& window,
+                                    Sink&& emit) {
+  auto walk = detail::walk_of(dashes.pattern);
+  const std::uint64_t phase = walk.reduced(dashes.phase);  // below 2^62 or so: a line's steps cannot overflow
+  const detail::bresenham_frame f = detail::frame_of(a, b, dashes.options.ties);
+  if (!window.empty()) {
+    const detail::step_range steps = detail::visible_steps(f, window, dashes.options.ends);
+    if (steps.first < steps.last) {
+      walk.go_to(phase + static_cast<std::uint64_t>(steps.first));
+      line_bresenham(
+          a, b, window,
+          [&](cell c) {
+            if (walk.next()) emit(c);
+          },
+          dashes.options);
+    }
+  }
+  return walk.reduced(phase + static_cast<std::uint64_t>(f.n));
 }
 
 /// Paints the drawn pixels of the dashed line from a to b.
 /// gives   the phase at b
-/// exact   the cells of line_styled with the same options
+/// exact   the cells of line_styled
 template <class Pattern, WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
-  requires std::same_as<Pattern, dash_runs> || std::same_as<Pattern, dash_mask>
-constexpr std::uint64_t draw_line_styled(R& raster, cell a, cell b, const Pattern& pattern, std::uint64_t phase,
-                                         const Paint& paint, const line_options& options = {}) {
-  return line_styled(
-      a, b, pattern, phase, window_of(raster), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); }, options);
+constexpr std::uint64_t draw_line_styled(R& raster, cell a, cell b, const line_dashes<Pattern>& dashes,
+                                         const Paint& paint) {
+  return line_styled(a, b, dashes, window_of(raster), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); });
 }
 
 }  // namespace IRG_ABI

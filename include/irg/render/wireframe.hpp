@@ -13,61 +13,9 @@
 #include <irg/render/options.hpp>
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/triangle_coverage.hpp>
+#include <irg/render/detail/wireframe_steps.hpp>
 
 namespace irg {
-
-namespace detail {
-
-// Where the line of an edge runs on the screen, if any of it can be seen.
-struct line_on_screen {
-  bool seen = false;
-  cell from{}, to{};
-};
-
-inline namespace IRG_ABI {
-
-// The pixel that holds a snapped position.
-IRG_INLINE constexpr cell cell_of(const subpixel& p) noexcept { return {p.x >> subpixel_bits, p.y >> subpixel_bits}; }
-
-// Whether a face shows its back, by the sign of its area on the screen; faces that reach behind the eye or beyond the
-// guard band are taken to show their front, and so are those of which a vertex is not there.
-template <class T>
-constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std::size_t f) noexcept {
-  std::int64_t area = 0;
-  const std::size_t n = m.face_size(f);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::uint32_t corner = m.corner(f, k).position;
-    if (corner >= v.codes.size() || v.codes[corner].cut != 0) return false;
-  }
-  const subpixel origin = v.screen[m.corner(f, 0).position].position;
-  for (std::size_t k = 1; k + 1 < n; ++k)
-    area += signed_double_area(origin, v.screen[m.corner(f, k).position].position,
-                               v.screen[m.corner(f, k + 1).position].position);
-  return area >= 0;
-}
-
-// An edge between two vertices as one number, the smaller index first: the same for both faces that share it.
-IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
-  return std::uint64_t{lesser(p, q)} << 32 | greater(p, q);
-}
-
-// The line of an edge; not seen when it is out of sight, or a vertex is not there.
-template <class T>
-constexpr line_on_screen line_of(const projected_vertices<T>& v, std::uint64_t edge,
-                                 const screen_mapping<T>& mapping) noexcept {
-  const auto a = static_cast<std::size_t>(edge >> 32), b = static_cast<std::size_t>(edge & 0xffffffff);
-  if (b >= v.codes.size()) return {};
-  const clip_planes cut = (v.codes[a] | v.codes[b]).cut_planes();
-  if (cut == clip_planes::none) return {true, cell_of(v.screen[a].position), cell_of(v.screen[b].position)};
-  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{clip_position(v, a)},
-                                             clip_vertex<T, 0>{clip_position(v, b)}, mapping.guard);
-  if (!left) return {};
-  return {true, cell_of(to_screen(left->first.position, mapping).position),
-          cell_of(to_screen(left->second.position, mapping).position)};
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
 
 inline namespace IRG_ABI {
 

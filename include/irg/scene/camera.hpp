@@ -92,9 +92,9 @@ template <Floating T>
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
   const T width = greater(height * aspect, least);
   auto p = c.projection == projection_kind::oblique
-               ? oblique_checked(c.receding, view_window<T>{-width, width, -height, height}, c.near_distance,
-                                 c.far_distance, -away)
-               : orthographic_checked(-width, width, -height, height, c.near_distance, c.far_distance);
+               ? oblique_checked(oblique_depth<T>{c.receding.angle, c.receding.factor, -away},
+                                 view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance)
+               : orthographic_checked(view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance);
   if (p.is_ordinary()) p.value = p.value * view;
   return p;
 }
@@ -168,16 +168,15 @@ template <Floating T>
   return with_depth_range(like, centre, radius);
 }
 
-/// A camera that looks at the centre of a sphere from `direction`, so far away that the sphere touches the picture.
+/// A camera in perspective that looks at the centre of a sphere from `direction`, so far away that the sphere touches
+/// the picture.
 /// gives   distance 1 for a sphere of radius 0
 /// needs   0 < angle < pi, aspect > 0
 template <Floating T>
 [[nodiscard]] constexpr camera<T> camera_around(const point<T, 3>& centre, std::type_identity_t<T> radius,
                                                 const vec<T, 3>& direction, std::type_identity_t<T> vertical_angle,
-                                                std::type_identity_t<T> aspect,
-                                                projection_kind projection = projection_kind::perspective) noexcept {
+                                                std::type_identity_t<T> aspect) noexcept {
   camera<T> c;
-  c.projection = projection;
   c.vertical_angle = vertical_angle;
   return camera_around(c, centre, radius, direction, aspect);
 }

@@ -28,7 +28,7 @@ struct bvh_config {
 inline namespace IRG_ABI {
 
 /// The tree over boxes; primitive i is the one in boxes[i].
-/// needs   fewer than 2^29 boxes
+/// needs   fewer than 2^28 boxes
 /// gives   a tree without nodes where there is no box to hold. Boxes that are empty, and those with a coordinate that
 ///         is NaN or infinite, are left out: no ray meets them. Flat boxes count as any other. Where many centres are
 ///         one, their boxes are halved as they come, so that the depth is at most 3 log2(n) + 18 for every input

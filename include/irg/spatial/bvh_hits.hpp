@@ -60,7 +60,8 @@ template <Floating T, RayTest<T> Test>
                                                                     const Test& test) {
   if (is_empty(r)) return std::nullopt;
   ray<T, 3> rest = detail::from_zero(r);
-  detail::box_ray b = detail::make_box_ray(detail::exactly_widened(r), tree.scale);
+  detail::box_ray b{};
+  detail::set_box_ray(b, r, tree.scale);
   std::optional<primitive_hit<T>> best;
   detail::walk_near_to_far(tree, b, [&](std::uint32_t leaf) {
     detail::meet_leaf(tree, leaf, rest, test, [&](std::uint32_t number, T t) {
@@ -81,7 +82,8 @@ template <Floating T, RayTest<T> Test>
 [[nodiscard]] constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
   if (is_empty(r)) return false;
   const ray<T, 3> whole = detail::from_zero(r);
-  const detail::box_ray b = detail::make_box_ray(detail::exactly_widened(r), tree.scale);
+  detail::box_ray b{};
+  detail::set_box_ray(b, r, tree.scale);
   return detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
     return detail::meet_leaf(tree, leaf, whole, test, [](std::uint32_t, T) { return true; });
   });
@@ -93,7 +95,8 @@ template <Floating T, RayTest<T> Test, class Sink>
 constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, Sink&& sink) {
   if (is_empty(r)) return;
   const ray<T, 3> whole = detail::from_zero(r);
-  const detail::box_ray b = detail::make_box_ray(detail::exactly_widened(r), tree.scale);
+  detail::box_ray b{};
+  detail::set_box_ray(b, r, tree.scale);
   detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
     detail::meet_leaf(tree, leaf, whole, test, [&](std::uint32_t number, T t) {
       sink(primitive_hit<T>{number, t});

@@ -9,13 +9,13 @@
 
 namespace irg {
 
-/// Up to eight boxes, side by side, and what is in each: a node, or up to four primitives.
+/// Up to eight boxes, side by side, and what is in each: a node, or up to eight primitives.
 /// shape   bounds are in units of the tree: first all lows along x, then along y and z, then the highs; boxes that hold
 ///         nothing are empty
 struct alignas(32) bvh_node {
   static constexpr int width = 8;
   static constexpr std::uint32_t none = 0xffffffff, leaf = 0x80000000;
-  static constexpr std::uint32_t block = 4;  // places of the order for each leaf
+  static constexpr std::uint32_t block = 4, most = 8;  // leaves take places of the order by fours, eight at most
 
   float bounds[6 * width];
   std::uint32_t child[width];
@@ -29,20 +29,25 @@ struct alignas(32) bvh_node {
     return bounds[(3 + axis) * width + k];
   }
 
-  // A child is the index of a node; or a leaf's number and its count of primitives - 1.
+  // A child is the index of a node; or the number of a leaf's first block and its count of primitives - 1.
   IRG_INLINE static constexpr bool is_leaf(std::uint32_t child) noexcept { return (child & leaf) != 0; }
   IRG_INLINE static constexpr std::uint32_t leaf_of(std::uint32_t number, std::uint32_t count) noexcept {
-    return leaf | number << 2 | (count - 1);
+    return leaf | number << 3 | (count - 1);
   }
-  IRG_INLINE static constexpr std::uint32_t number_of(std::uint32_t child) noexcept { return (child & ~leaf) >> 2; }
-  IRG_INLINE static constexpr std::uint32_t count_of(std::uint32_t child) noexcept { return (child & 3) + 1; }
-  IRG_INLINE static constexpr std::uint32_t first_place(std::uint32_t child) noexcept { return child & ~leaf & ~3u; }
-  IRG_INLINE static constexpr std::uint32_t last_place(std::uint32_t child) noexcept { return child & ~leaf; }
+  IRG_INLINE static constexpr std::uint32_t number_of(std::uint32_t child) noexcept { return (child & ~leaf) >> 3; }
+  IRG_INLINE static constexpr std::uint32_t count_of(std::uint32_t child) noexcept { return (child & 7) + 1; }
+  IRG_INLINE static constexpr std::uint32_t first_place(std::uint32_t child) noexcept {
+    return block * number_of(child);
+  }
+  IRG_INLINE static constexpr std::uint32_t last_place(std::uint32_t child) noexcept {
+    return first_place(child) + (child & 7);
+  }
 };
 
 /// A tree of boxes, made by build_bvh.
-/// shape   nodes[0] is the root, and a node stands before those in it; the primitives of leaf k are order[4k] and on,
-///         bvh_node::none behind them. Boxes are in units of 1/scale, a power of two: no coordinate is larger than 1
+/// shape   nodes[0] is the root, and a node stands before those in it; the primitives of a leaf are those of the order
+///         from first_place on, bvh_node::none behind them up to a multiple of four. Boxes are in units of 1/scale, a
+///         power of two: no coordinate is larger than 1
 struct bvh {
   std::vector<bvh_node> nodes;
   std::vector<std::uint32_t> order;

@@ -44,9 +44,16 @@ struct triangle_ray {
 inline namespace IRG_ABI {
 
 /// needs   a ray that is not empty
-IRG_INLINE constexpr triangle_ray make_triangle_ray(const ray<double, 3>& r) noexcept {
-  const ray_shear s = shear_of(r);
-  return {r, s, magnitude(r.direction[s.z])};
+template <Floating T>
+IRG_INLINE constexpr void set_triangle_ray(triangle_ray& q, const ray<T, 3>& r) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    q.r.origin[i] = exactly_widened(r.origin[i]);
+    q.r.direction[i] = exactly_widened(r.direction[i]);
+  }
+  q.r.low = r.low < T(0) ? 0.0 : exactly_widened(r.low);
+  q.r.high = exactly_widened(r.high);
+  set_shear(q.shear, q.r);
+  q.reach = magnitude(q.r.direction[q.shear.z]);
 }
 
 IRG_INLINE constexpr std::array<double, 15> gathered_doubles(const ray<double, 3>& r, const space_point& a,
@@ -245,7 +252,8 @@ template <Floating T>
                                                                    const point<T, 3>& b,
                                                                    const point<T, 3>& c) noexcept {
   if (is_empty(r)) return std::nullopt;
-  const auto q = detail::make_triangle_ray(detail::exactly_widened(r));
+  detail::triangle_ray q;
+  detail::set_triangle_ray(q, r);
   const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};
   const double m = detail::largest_from(q.r.origin, p[0], p[1], p[2]);
   const auto sides = detail::sides_round(q, p[0], p[1], p[2]);

@@ -31,7 +31,7 @@ public:
   constexpr triangle_bvh() = default;
 
   /// The tree over triangles; triangle i is triangles[i].
-  /// needs   fewer than 2^29 triangles
+  /// needs   fewer than 2^28 triangles
   /// gives   a tree that rays pass by where there are none. Triangles with a corner that is NaN or infinite are left
   ///         out
   /// exact, cost   as build_bvh; 160 bytes a triangle of floats, 270 of doubles
@@ -121,18 +121,45 @@ template <Floating T, Floating U>
 [[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles,
                                                                 const ray<U, 3>& r) noexcept {
   std::optional<triangle_hit> hit;
-  detail::find_first_crossing(triangles.tree(), triangles.blocks(), detail::exactly_widened(r),
+  detail::find_first_crossing(triangles.tree(), triangles.blocks(), r,
                               [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
-                                hit = triangle_hit{x.number, detail::finished_crossing(q, x)};
+                                hit = triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)};
                               });
   return hit;
+}
+
+/// The triangles that rays cross first, hits[i] that of rays[i].
+/// shape   rays that follow each other should start near each other and go about the same way, as those of a square of
+///         4 by 4 pixels do: each 16 of them are taken through the tree as one where they can be
+/// needs   as many hits as rays
+/// exact   the same, bit for bit, as closest_hit of each ray
+/// cost    of 16 such rays some three times that of one; of others, that of each
+template <Floating T, Floating U>
+constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
+                            std::span<std::optional<triangle_hit>> hits) {
+  IRG_EXPECTS(rays.size() == hits.size());
+  std::size_t i = 0;
+  for (; i < rays.size(); ++i) {
+    if constexpr (std::is_same_v<U, float>)
+      while (detail::walks_in_packets() && rays.size() - i >= detail::ray_packet::size) {
+        const auto put = [&](unsigned k, const auto& q, const detail::first_crossing& x) {
+          hits[i + k] = triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)};
+        };
+        for (std::size_t k = 0; k < detail::ray_packet::size; ++k) hits[i + k] = std::nullopt;
+        if (!detail::find_packet_crossings(triangles.tree(), triangles.blocks(), rays.data() + i, put)) {
+          for (std::size_t k = 0; k < detail::ray_packet::size; ++k) hits[i + k] = closest_hit(triangles, rays[i + k]);
+        }
+        i += detail::ray_packet::size;
+      }
+    if (i < rays.size()) hits[i] = closest_hit(triangles, rays[i]);
+  }
 }
 
 /// Whether the ray crosses a triangle; with `counts`, one of those for which counts(number) holds.
 /// exact, cost   as closest_hit, and as a rule less
 template <Floating T, Floating U, class Counts>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Counts& counts) {
-  return detail::crosses_any(triangles.tree(), triangles.blocks(), detail::exactly_widened(r), counts);
+  return detail::crosses_any(triangles.tree(), triangles.blocks(), r, counts);
 }
 template <Floating T, Floating U>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r) noexcept {
@@ -144,9 +171,9 @@ template <Floating T, Floating U>
 /// exact, cost   as closest_hit; without limit to what is nearest
 template <Floating T, Floating U, class Sink>
 constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink) {
-  detail::each_crossing(triangles.tree(), triangles.blocks(), detail::exactly_widened(r),
+  detail::each_crossing(triangles.tree(), triangles.blocks(), r,
                         [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
-                          sink(triangle_hit{x.number, detail::finished_crossing(q, x)});
+                          sink(triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)});
                         });
 }
 

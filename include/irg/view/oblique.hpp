@@ -16,12 +16,13 @@ template <Floating T>
 inline constexpr T cabinet_factor = T(0.5);
 
 /// How depth is drawn: what lies deeper is moved by factor times its depth, at `angle` from the right,
-/// counter-clockwise.
+/// counter-clockwise; the plane z = plane_z of camera space stays where it is.
 /// units   radians
 template <Floating T>
 struct oblique_depth {
   T angle = T(45) * pi<T> / T(180);
   T factor = cabinet_factor<T>;
+  T plane_z = T(0);
   constexpr bool operator==(const oblique_depth&) const = default;
 };
 
@@ -29,12 +30,13 @@ inline namespace IRG_ABI {
 
 /// The affine matrix of camera space (right-handed, the view along -z) that moves everything sideways so that a
 /// projection along z then shows it obliquely; or why there is none. Depth z stays.
-/// shape   the plane z = plane_z stays where it is; factor 0 moves nothing, a negative one moves the other way
+/// shape   factor 0 moves nothing, a negative one moves the other way
 /// gives   bad_angle, bad_factor, bad_depth (plane_z) for numbers that are not finite, not_representable
 /// exact   entries within 2 ulp, the last column's within 3
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> oblique_shear_checked(
-    const oblique_depth<T>& how, std::type_identity_t<T> plane_z = T(0)) noexcept {
+    const oblique_depth<T>& how) noexcept {
+  const T plane_z = how.plane_z;
   constexpr T largest = (std::numeric_limits<T>::max)();
   if (!detail::is_finite(how.angle)) return detail::refused<T>(projection_status::bad_angle);
   if (!detail::is_finite(how.factor)) return detail::refused<T>(projection_status::bad_factor);
@@ -58,12 +60,10 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> oblique_checked(
     const oblique_depth<T>& how, const view_window<T>& window, std::type_identity_t<T> z_near,
-    std::type_identity_t<T> z_far, std::type_identity_t<T> plane_z = T(0),
-    depth_range depth = depth_range::reversed) noexcept {
-  const auto straight =
-      orthographic_checked(window.left, window.right, window.bottom, window.top, z_near, z_far, depth);
+    std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
+  const auto straight = orthographic_checked(window, z_near, z_far, depth);
   if (straight.status != projection_status::ordinary) return straight;
-  const auto shear = oblique_shear_checked(how, plane_z);
+  const auto shear = oblique_shear_checked(how);
   if (shear.status != projection_status::ordinary) return shear;
   mat<T, 4, 4> m = straight.value;
   constexpr T largest = (std::numeric_limits<T>::max)();
@@ -84,9 +84,8 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> oblique(const oblique_depth<T>& how, const view_window<T>& window,
                                              std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
-                                             std::type_identity_t<T> plane_z = T(0),
                                              depth_range depth = depth_range::reversed) noexcept {
-  const auto p = oblique_checked(how, window, z_near, z_far, plane_z, depth);
+  const auto p = oblique_checked(how, window, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.value;
 }

@@ -37,6 +37,12 @@ struct polar_camera {
   constexpr bool operator==(const polar_camera&) const = default;
 };
 
+/// The angles of a polar camera by their sines and cosines.
+template <Floating T>
+struct polar_turn {
+  sine_and_cosine<T> azimuth{T(0), T(1)}, elevation{T(0), T(1)}, roll{T(0), T(1)};
+};
+
 /// How far a camera may be lifted or lowered in an orbit. At the default limits, the poles, it looks straight down or
 /// up and its axes are as defined as anywhere.
 template <Floating T>
@@ -102,9 +108,8 @@ template <Floating T>
 /// exact   axes of length 1 and at right angles within 8u (u = 2^-53, float 2^-24)
 template <Floating T>
 constexpr camera_frame<T> polar_frame(const point<T, 3>& target, std::type_identity_t<T> distance,
-                                      const sine_and_cosine<T>& azimuth, const sine_and_cosine<T>& elevation,
-                                      const sine_and_cosine<T>& roll = {T(0), T(1)},
-                                      polar_axis axis = polar_axis::y_up) noexcept {
+                                      const polar_turn<T>& turn, polar_axis axis = polar_axis::y_up) noexcept {
+  const auto& [azimuth, elevation, roll] = turn;
   const vec<T, 3> back = detail::polar_direction(azimuth, elevation);
   const vec<T, 3> x{azimuth.cosine, T(0), T(0) - azimuth.sine};
   const vec<T, 3> y{T(0) - product(elevation.sine, azimuth.sine), elevation.cosine,
@@ -127,7 +132,8 @@ template <Floating T>
   if (!detail::within(c.target, most / 4) || !(detail::magnitude(c.distance) <= most / 4) ||
       !detail::within(vec<T, 3>{c.azimuth, c.elevation, c.roll}, most))
     return std::nullopt;
-  return polar_frame(c.target, c.distance, sin_cos(c.azimuth), sin_cos(c.elevation), sin_cos(c.roll), axis);
+  return polar_frame(c.target, c.distance, polar_turn<T>{sin_cos(c.azimuth), sin_cos(c.elevation), sin_cos(c.roll)},
+                     axis);
 }
 
 /// The frame of a polar camera; the default frame where try_frame_of gives nothing.
@@ -158,7 +164,8 @@ template <Floating T>
   const polar_coordinates<T> p = cartesian_to_polar(back);
   c.azimuth = p.azimuth;
   c.elevation = p.elevation;
-  const camera_frame<T> level = polar_frame(point<T, 3>{}, T(0), sin_cos(c.azimuth), sin_cos(c.elevation));
+  const camera_frame<T> level =
+      polar_frame(point<T, 3>{}, T(0), polar_turn<T>{sin_cos(c.azimuth), sin_cos(c.elevation)});
   c.roll = detail::angle_or_zero(dot(x, level.up), dot(x, level.right));
   return c;
 }

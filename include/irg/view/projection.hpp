@@ -158,15 +158,16 @@ template <Floating T>
 }
 
 /// The parallel projection of a box, or why there is none.
-/// shape   camera space to clip space with w = 1; the box reaches from left to right, from bottom to top, and from
-///         z_near to z_far in front of the eye, which may be negative: behind it. Exchanged sides mirror the picture
+/// shape   camera space to clip space with w = 1; the box has the window's sides and reaches from z_near to z_far
+///         in front of the eye, which may be negative: behind it. Exchanged sides mirror the picture
 /// gives   bad_window (left == right, bottom == top, not finite), bad_depth (z_near >= z_far, not finite),
 ///         not_representable
 /// exact   entries within 2 ulp of the true ones; the offsets within u times (|left| + |right|) / |right - left| more
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> orthographic_checked(
-    T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom, std::type_identity_t<T> top,
-    std::type_identity_t<T> z_near, std::type_identity_t<T> z_far, depth_range depth = depth_range::reversed) noexcept {
+    const view_window<T>& window, std::type_identity_t<T> z_near, std::type_identity_t<T> z_far,
+    depth_range depth = depth_range::reversed) noexcept {
+  const auto& [left, right, bottom, top] = window;
   if (!detail::make_extent(left, right) || !detail::make_extent(bottom, top))
     return detail::refused<T>(projection_status::bad_window);
   if (!detail::make_extent(z_near, z_far) || !(z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
@@ -184,11 +185,10 @@ template <Floating T>
 /// needs   finite numbers, left != right, bottom != top, z_near < z_far; where this is broken and not caught, the
 ///         identity comes out
 template <Floating T>
-[[nodiscard]] constexpr mat<T, 4, 4> orthographic(T left, std::type_identity_t<T> right, std::type_identity_t<T> bottom,
-                                                  std::type_identity_t<T> top, std::type_identity_t<T> z_near,
+[[nodiscard]] constexpr mat<T, 4, 4> orthographic(const view_window<T>& window, std::type_identity_t<T> z_near,
                                                   std::type_identity_t<T> z_far,
                                                   depth_range depth = depth_range::reversed) noexcept {
-  const auto p = orthographic_checked(left, right, bottom, top, z_near, z_far, depth);
+  const auto p = orthographic_checked(window, z_near, z_far, depth);
   IRG_EXPECTS(p.status == projection_status::ordinary);
   return p.value;
 }

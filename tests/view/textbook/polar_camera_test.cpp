@@ -14,7 +14,7 @@ constexpr auto seen_from = [](double d) { return view_matrix(irg::textbook::view
 
 TEST_CASE("textbook::viewer_frame: the polar camera of both angles 0, its depth d minus the distance along the view") {
   CHECK_BOTH(irg::textbook::viewer_frame(7.0) ==
-             polar_frame(P{0, 0, 0}, 7.0, irg::sin_cos_degrees(0.0), irg::sin_cos_degrees(0.0), {0.0, 1.0}));
+             polar_frame(P{0, 0, 0}, 7.0, {irg::sin_cos_degrees(0.0), irg::sin_cos_degrees(0.0)}));
   CHECK_BOTH(7 - transform_point(seen_from(7.0), P{1, 2, 3}).z == 3);
 }
 

@@ -72,6 +72,47 @@ IRG_INLINE constexpr unrounded log_of(double x) noexcept {
   return fast_two_sum(quadratic.value, low);
 }
 
+/// ln x within 2^-40 of its size, of a double that was a float: with so few digits r is exact. Nearly always that says
+/// which float is nearest.
+/// needs   0 < x < infinity
+IRG_INLINE constexpr double quick_log_of(double x) noexcept {
+  const std::uint64_t bits = bits_of(x), offset = bits - log_table_first;
+  const log_row& row = log_table[(offset >> 45) & 127];
+  const double power = static_cast<double>(static_cast<std::int32_t>(static_cast<std::int64_t>(offset) >> 52));
+  const double r = product(from_bits(bits - (offset & 0xfff0000000000000u)), row.inverse) - 1;
+  const double square = product(r, r);
+  const auto& c = log_coefficients;
+  const double tail = (product(r, c[0]) - 0.5) + product(square, c[1] + product(r, c[2]));
+  return (product(power, natural_log_of_two) + row.log) + ((r + row.log_low) + product(square, tail));
+}
+
+/// Whether every number within 2^-52 * Units of y's size rounds to the same float.
+/// needs   y is 0 or of a normal float's size
+template <int Units>
+IRG_INLINE constexpr bool rounds_to_one_float(double y) noexcept {
+  constexpr std::uint64_t half = 0x10000000, all = 0x1fffffff, units = Units;
+  return ((bits_of(y) - half + units) & all) > 2 * units;
+}
+
+/// Logarithms of a base whose natural logarithm is 1 over high + low, rounded to T.
+/// needs   0 < x < infinity
+struct logarithm_base {
+  double high, low;
+};
+inline constexpr logarithm_base natural{1, 0}, binary{inverse_log_two_high, inverse_log_two_low},
+    decimal{inverse_log_ten_high, inverse_log_ten_low};
+template <Floating T>
+IRG_NOINLINE constexpr T rounded_log_of(double x, const logarithm_base& base) noexcept {
+  const unrounded logarithm = log_of(x);
+  return round_to<T>(base.low == 0 ? logarithm : multiply(logarithm, {base.high, base.low}));
+}
+
+/// The same of what was a float, the quick way where it can tell the nearest float.
+IRG_INLINE constexpr float nearest_log_of(float x, const logarithm_base& base) noexcept {
+  const double wide = widened(x), quick = product(quick_log_of(wide), base.high);
+  return rounds_to_one_float<4096>(quick) ? converted<float>(quick) : rounded_log_of<float>(wide, base);
+}
+
 /// The cube root.
 /// needs   0 < x < infinity
 constexpr double cbrt_of(double x) noexcept {
@@ -133,6 +174,20 @@ constexpr double pow_of(double x, double y) noexcept {
   const unrounded logarithm = log_of(x_size);
   const exact_sum<double> head = fast_two_product(y, logarithm.value);
   return sign * exp_of({head.value, head.error + product(y, logarithm.error)});
+}
+
+/// x^y within 2^-33 of its size, or NaN where it might be no normal float, or x or y is none that the formula takes.
+/// needs   x and y were floats
+IRG_INLINE constexpr double quick_pow_of(double x, double y) noexcept {
+  if (!(x > 0 && x < infinity<double> && magnitude(y) < infinity<double>)) return not_a_number<double>;
+  const double exponent = product(quick_log_of(x), y);
+  if (!(magnitude(exponent) < 85)) return not_a_number<double>;
+  const double steps = (product(exponent, exp_steps_per_unit) + 0x1.8p52) - 0x1.8p52;
+  const double rest = exponent - product(steps, exp_step_high + exp_step_low);
+  const int whole = static_cast<int>(steps);
+  const exp_row& row = exp_table[whole & 127];
+  const double less_one = rest + product(product(rest, rest), exp_coefficients[0] + product(rest, exp_coefficients[1]));
+  return (row.power + product(row.power, less_one)) * power_of_two(whole >> 7);
 }
 
 }  // namespace IRG_ABI

@@ -36,11 +36,12 @@ template <int N>
 IRG_INLINE triple_lanes<float, N> normalize_lanes(const triple_lanes<float, N>& a) noexcept {
   using F = pack<double, N>;
   const F x = converted<double>(a.x), y = converted<double>(a.y), z = converted<double>(a.z);
-  const F square = (x * x + y * y) + z * z, length = square_root_instruction(square);
+  const F square = (x * x + y * y) + z * z, one = lanes<F>::broadcast(1);
   // A square of 0, infinity or NaN: no direction.
   const auto has_direction = both(square > 0, square < std::numeric_limits<double>::infinity());
+  const F factor = one / square_root_instruction(select(has_direction, square, one));
   const auto unit = [&](const F& c) {
-    return converted<float>(select(has_direction, c / length, lanes<F>::broadcast(0)));
+    return converted<float>(select(has_direction, c * factor, lanes<F>::broadcast(0)));
   };
   return {unit(x), unit(y), unit(z)};
 }

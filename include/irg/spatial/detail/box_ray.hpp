@@ -2,16 +2,17 @@
 // A ray made ready for the boxes of a bvh, in floats that stand on the safe side: a box that the ray meets is never
 // missed.
 //
-// The origin is taken as an interval of floats, the reciprocal of each coordinate of the direction as two floats; which
-// end serves is known from the direction's sign and from which face of the box is asked. So the time t at which a near
-// face is reached is a difference and a product away from one that is too early, and that of a far face from one that
-// is too late: two roundings each, 2^-24 of t. Far reciprocals are 2^-20 larger to make up for all four; near ones are
-// 2^-21 less, which makes up for the roundings of the reciprocal itself. Differences are multiples of 2^-101 or zero
-// and reciprocals at least 1/4: nothing is subnormal. Where a time is beyond floats it is infinite for near and far
-// faces alike; 0 times infinity, the face of a box on a ray that runs along it, is NaN, which limits nothing. Times
-// before 0 are never asked for.
+// A face at b is reached at (b - o) / d, computed as b * gain + offset, where gain is the float of 1/d and offset that
+// of -o/d, less a slack for near faces and more by it for far ones. With u = 2^-24: o is off by u|o| or, near 0, by
+// less than 2^-76, offset by two roundings, 2.1u|o gain|, the product, where it is rounded by itself, by u|b gain|, of
+// which |b| <= |b - o| + |o|, the gain by 2.1u and the sum by u of what they are. That is less than 4.5u|o gain|, of 8u
+// that the slack has, and 4.5u of the time itself. Far gains and offsets are 16u more than that, which costs them
+// 2u|o gain|. Bounds are at most 1, reciprocals at most 2^100 and at least 1/2, or 2^-20 in packets: nothing cancels
+// that has overflowed, and what is subnormal is less than the slack. Where a time is beyond floats it is infinite, for
+// near and far faces alike; infinity less infinity is NaN, which limits nothing. Times before 0 are never asked for.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,8 +25,7 @@
 namespace irg::detail {
 
 // Times count in 2^-unit.
-struct box_ray {
-  float near_origin[4], far_origin[4], near_gain[4], far_gain[4];
+struct box_ray : box_ray_numbers {
   std::ptrdiff_t near_at[3], far_at[3];  // where a node's bounds have the faces that are asked
   float low, high;
   int unit;
@@ -47,43 +47,91 @@ IRG_INLINE constexpr float earlier_time(const box_ray& b, double t) noexcept {
   return early < most ? float_below(early) : 0x1p100f;
 }
 
-// What floats take for zero need not be: then near faces are reached at some time.
-constexpr void turn_standing_axes(box_ray& b, const vec<double, 3>& d) noexcept {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
+// An axis along which the ray goes nowhere lets it through for all times or for none, which a large number tells as
+// well as an infinite one: times that are asked are below 2^42, and its slack is worth 2^46. Along one that floats take
+// for such, and for origins that are far off, it is not asked.
+constexpr void turn_standing_axes(box_ray& b, const double (&origin)[3], const double (&direction)[3]) noexcept {
+  constexpr float infinite = std::numeric_limits<float>::infinity(), large = 0x1p120f;
+  double most = 0;
+  for (const double o : origin) most = greater(most, magnitude(o));
   for (int i = 0; i < 3; ++i) {
-    if (magnitude(b.near_gain[i]) < infinite) continue;
-    const bool back = d[i] < 0;
-    const float low = lesser(b.near_origin[i], b.far_origin[i]), high = greater(b.near_origin[i], b.far_origin[i]);
-    b.near_origin[i] = back ? low : high;
-    b.far_origin[i] = back ? high : low;
-    b.near_gain[i] = back ? -0x1.fffffep127f : d[i] > 0 ? 0x1.fffffep127f : infinite;
-    b.far_gain[i] = back ? -infinite : infinite;
+    if (magnitude(direction[i]) >= widened(standing_direction)) continue;
+    const bool goes = (std::bit_cast<std::uint64_t>(direction[i]) << 1) != 0;
+    if (goes || most > 0x1p40) {
+      b.near_gain[i] = b.far_gain[i] = 0;
+      b.near_offset[i] = -infinite;
+      b.far_offset[i] = infinite;
+      continue;
+    }
+    const float o = converted<float>(origin[i]), to_origin = o * large, slack = step_of_origin(o) * large;
+    const float sign = b.near_at[i] < b.far_at[i] ? 1.0f : -1.0f;
+    b.near_gain[i] = b.far_gain[i] = sign * large;
+    b.near_offset[i] = 0.0f - sign * to_origin - slack;
+    b.far_offset[i] = slack - sign * to_origin;
   }
 }
 
-/// needs   a ray that is not empty, low not negative; `scale` of the tree
-IRG_INLINE constexpr box_ray make_box_ray(const ray<double, 3>& r, double scale) noexcept {
+template <Floating T>
+IRG_INLINE constexpr void set_faces(box_ray& b, const vec<T, 3>& d) noexcept {
+  using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+  for (int i = 0; i < 3; ++i) {
+    const auto back = static_cast<std::ptrdiff_t>(std::bit_cast<bits>(d[i]) >> (8 * sizeof(T) - 1));
+    b.near_at[i] = (i + 3 * back) * bvh_node::width;
+    b.far_at[i] = (i + 3 - 3 * back) * bvh_node::width;
+  }
+}
+
+IRG_NOINLINE constexpr void set_any_box_ray(box_ray& b, const std::same_as<ray<double, 3>> auto& r,
+                                            double scale) noexcept {
   const vec<double, 3>& d = r.direction;
   const double reach = greater(magnitude(d.x), greater(magnitude(d.y), magnitude(d.z)));
   int exponent = -exponent_of(reach);
   if (exponent > 1023) exponent = 1023;  // for directions of subnormal numbers
   const double size = power_of_two(exponent);
-  constexpr float infinite = std::numeric_limits<float>::infinity();
-  box_ray b{};
   const double origin[3] = {r.origin.x * scale, r.origin.y * scale, r.origin.z * scale};
   const double direction[3] = {d.x * size, d.y * size, d.z * size};
-  const bool stands = set_up_box_ray(origin, direction, b.near_origin, b.far_origin, b.near_gain, b.far_gain);
-  for (int i = 0; i < 3; ++i) {
-    const bool back = d[i] < 0;
-    const int low_at = i * bvh_node::width, high_at = (3 + i) * bvh_node::width;
-    b.near_at[i] = back ? high_at : low_at;
-    b.far_at[i] = back ? low_at : high_at;
-  }
-  if (stands) turn_standing_axes(b, d);
+  const bool stands = set_up_box_ray(origin, direction, b);
+  set_faces(b, d);
+  if (stands) turn_standing_axes(b, origin, direction);
   b.unit = exponent_of(scale) - exponent;
   b.low = r.low > 0 ? earlier_time(b, r.low) : 0.0f;
+  constexpr float infinite = std::numeric_limits<float>::infinity();
   b.high = r.high <= (std::numeric_limits<double>::max)() ? later_time(b, r.high) : infinite;
-  return b;
+}
+
+/// needs   a ray that is not empty; `scale` of the tree
+// Floats of middling sizes stay floats: products with powers of two are exact, or less than the slack.
+// It is made where it stays: a copy would wait for its numbers to reach memory.
+template <Floating T>
+IRG_INLINE constexpr void set_box_ray(box_ray& b, const ray<T, 3>& r, double scale) noexcept {
+  if constexpr (std::is_same_v<T, float>) {
+    const vec<float, 3>& d = r.direction;
+    constexpr std::uint32_t unsigned_part = 0x7fffffff;
+    std::uint32_t reach = 0;
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t size = std::bit_cast<std::uint32_t>(d[i]) & unsigned_part;
+      reach = size > reach ? size : reach;
+    }
+    const std::uint32_t biased = reach >> 23;
+    const auto scale_biased = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(scale) >> 52);
+    constexpr std::uint32_t middling = 50;
+    if (biased - (127 - middling) <= 2 * middling && scale_biased - (1023 - middling) <= 2 * middling) {
+      const auto power = [](std::uint32_t e) { return std::bit_cast<float>(e << 23); };
+      const float size = power(254 - biased), unit = power(scale_biased - 1023 + biased), s = static_cast<float>(scale);
+      const float origin[3] = {product(r.origin.x, s), product(r.origin.y, s), product(r.origin.z, s)};
+      const float direction[3] = {product(d.x, size), product(d.y, size), product(d.z, size)};
+      const bool stands = set_up_box_ray(origin, direction, b);
+      set_faces(b, d);
+      b.unit = static_cast<int>(scale_biased) - 1023 + static_cast<int>(biased) - 127;
+      if (!stands) {
+        const float early = r.low * (1 - 0x1p-20f) * unit, late = r.high * (1 + 0x1p-20f) * unit + 0x1p-74f;
+        b.low = clamp(early, 0.0f, 0x1p100f);
+        b.high = late < 0x1p100f ? late : std::numeric_limits<float>::infinity();
+        return;
+      }
+    }
+  }
+  set_any_box_ray(b, exactly_widened(r), scale);
 }
 
 }  // namespace IRG_ABI

@@ -11,54 +11,65 @@ namespace irg::detail {
 
 template <class F>
 struct box_ray_axes {
-  F near_origin, far_origin, near_gain, far_gain;
+  F near_gain, far_gain, near_offset, far_offset;
   bool stands;  // on some axis it has hardly a direction
 };
 
+struct box_ray_numbers {
+  float near_gain[4], far_gain[4], near_offset[4], far_offset[4];
+};
+
+// Where a direction is less, its largest coordinate being 1 or more, no reciprocal is taken.
+inline constexpr float standing_direction = 0x1p-100f;
+
 inline namespace IRG_ABI {
 
-// D holds doubles, as many as there are in F floats. Beyond the range of floats an origin is between its last number
-// and infinity; what is nearer to 0 than 2^-76, where floats would be finer than 2^-100, is between that and 0.
+// How far an origin's float may be off, and what products with the reciprocal lose: origins nearer to 0 than 2^-53,
+// where floats would be finer than 2^-76, count as that far.
+template <class F>
+IRG_INLINE constexpr F step_of_origin(const F& o) noexcept {
+  const auto all = [](float x) { return lanes<F>::broadcast(x); };
+  return high_of(magnitude(o) * all(0x1p-21f), all(0x1p-74f));
+}
+
+// D holds floats or doubles, as many as there are in F floats. Beyond the range of floats an origin is the last of
+// them.
 template <class F, class D>
 IRG_INLINE constexpr box_ray_axes<F> set_up_axes(const D& origin, const D& direction) noexcept {
+  using number = typename lanes<D>::scalar;
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
-  const auto limit = [](double x) { return lanes<D>::broadcast(x); };
-  const F o = converted<float>(low_of(high_of(origin, limit(-0x1.fffffep127)), limit(0x1.fffffep127)));
-  const F step = high_of(magnitude(o) * all(0x1p-23f), all(0x1p-76f));
-  const F low = o - step, high = o + step;
+  const auto limit = [](float x) { return lanes<D>::broadcast(static_cast<number>(x)); };
+  const F o = converted<float>(low_of(high_of(origin, limit(-0x1.fffffep127f)), limit(0x1.fffffep127f)));
   const F d = converted<float>(direction);
-  const auto backwards = d < all(0.0f);
-  const F along = magnitude(d);
-  const auto stands = along < all(0x1p-126f);
-  const F gain = all(1.0f) / select(stands, all(1.0f), along);
-  const F size = select(stands, all(std::numeric_limits<float>::infinity()), gain);
-  const F nearby = size * all(1 - 0x1p-21f), distant = size * all(1 + 0x1p-20f);
-  return {select(backwards, low, high), select(backwards, high, low), select(backwards, -nearby, nearby),
-          select(backwards, -distant, distant), any_lane(stands)};
+  const auto stands = magnitude(d) < all(standing_direction);
+  const F gain = all(1.0f) / select(stands, all(1.0f), d);
+  const F to_origin = o * gain, slack = step_of_origin(o) * magnitude(gain);
+  const F longer = all(1 + 0x1p-20f);
+  return {gain, gain * longer, (-to_origin) - slack, (slack - to_origin) * longer, any_lane(stands)};
 }
 
 // Gives whether the ray has hardly a direction along some axis.
-IRG_INLINE constexpr bool set_up_box_ray(const double (&origin)[3], const double (&direction)[3], float* near_origin,
-                                         float* far_origin, float* near_gain, float* far_gain) noexcept {
+template <class T>
+IRG_INLINE constexpr bool set_up_box_ray(const T (&origin)[3], const T (&direction)[3], box_ray_numbers& b) noexcept {
   if (std::is_constant_evaluated()) {
     bool stands = false;
     for (int i = 0; i < 3; ++i) {
       const box_ray_axes<float> axis = set_up_axes<float>(origin[i], direction[i]);
-      near_origin[i] = axis.near_origin;
-      far_origin[i] = axis.far_origin;
-      near_gain[i] = axis.near_gain;
-      far_gain[i] = axis.far_gain;
+      b.near_gain[i] = axis.near_gain;
+      b.far_gain[i] = axis.far_gain;
+      b.near_offset[i] = axis.near_offset;
+      b.far_offset[i] = axis.far_offset;
       stands = stands || axis.stands;
     }
     return stands;
   }
-  const auto axes = set_up_axes<pack<float, 4>>(pack_of(origin[0], origin[1], origin[2], 0.0),
-                                                pack_of(direction[0], direction[1], direction[2], 1.0));
+  const auto axes = set_up_axes<pack<float, 4>>(pack_of(origin[0], origin[1], origin[2], T(0)),
+                                                pack_of(direction[0], direction[1], direction[2], T(1)));
   using f = lanes<pack<float, 4>>;
-  f::store(near_origin, axes.near_origin);
-  f::store(far_origin, axes.far_origin);
-  f::store(near_gain, axes.near_gain);
-  f::store(far_gain, axes.far_gain);
+  f::store(b.near_gain, axes.near_gain);
+  f::store(b.far_gain, axes.far_gain);
+  f::store(b.near_offset, axes.near_offset);
+  f::store(b.far_offset, axes.far_offset);
   return axes.stands;
 }
 

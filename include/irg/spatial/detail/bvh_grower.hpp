@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From splits to nodes: what all ways to build a bvh share. A way to build is a source of ranges:
-//   split(range, second)    makes two of a range of more than four primitives
+//   split(range, second)    makes two of a range of more than eight primitives
 //   priority(range)         the range to split next is that of the highest
 //   item(range, i)          its i-th item
 #pragma once
@@ -72,31 +72,32 @@ private:
     for (const bvh_node& from : part.nodes) {
       nodes_.push_back(from);
       for (std::uint32_t& child : nodes_.back().child)
-        if (child != bvh_node::none) child += bvh_node::is_leaf(child) ? leaves : nodes;
+        if (child != bvh_node::none) child += bvh_node::is_leaf(child) ? 2 * leaves : nodes;
     }
   }
 
-  // The range split until there are eight, or all are leaves.
+  // The range split until there are eight, or all fit one block: first what is no leaf, then leaves of two blocks,
+  // which costs neither a node nor a block more.
   constexpr int split_range(const range& whole, range (&ranges)[bvh_node::width]) {
     int count = 1;
     ranges[0] = whole;
-    while (count < bvh_node::width) {
-      int best = -1;
-      for (int i = 0; i < count; ++i)
-        if (ranges[i].count > bvh_node::block &&
-            (best < 0 || source_.priority(ranges[best]) < source_.priority(ranges[i])))
-          best = i;
-      if (best < 0) break;
-      source_.split(ranges[best], ranges[count]);
-      ++count;
-    }
+    for (const std::uint32_t limit : {bvh_node::most, bvh_node::block})
+      while (count < bvh_node::width) {
+        int best = -1;
+        for (int i = 0; i < count; ++i)
+          if (ranges[i].count > limit && (best < 0 || source_.priority(ranges[best]) < source_.priority(ranges[i])))
+            best = i;
+        if (best < 0) break;
+        source_.split(ranges[best], ranges[count]);
+        ++count;
+      }
     return count;
   }
 
   constexpr bvh_item grow_leaf(const range& r, std::uint32_t node, int k) {
     const auto number = static_cast<std::uint32_t>(order_.size() / bvh_node::block);
     bvh_item around = empty_item();
-    for (std::uint32_t i = 0; i < bvh_node::block; ++i) {
+    for (std::uint32_t i = 0; i < r.count || i % bvh_node::block != 0; ++i) {
       if (i >= r.count) {
         order_.push_back(bvh_node::none);
         continue;
@@ -117,7 +118,7 @@ private:
     bvh_item around = empty_item();
     for (int k = 0; k < count; ++k) {
       const range& part = ranges[k];
-      if (part.count <= bvh_node::block) {
+      if (part.count <= bvh_node::most) {
         grow(around, grow_leaf(part, node, k));
       } else if (part.count <= grain_) {
         later_.push_back({part, node, k});

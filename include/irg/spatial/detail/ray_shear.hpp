@@ -46,27 +46,21 @@ IRG_INLINE constexpr double side_bound(double m) noexcept {
 }
 
 /// needs   a direction that is finite and not zero
-template <Floating T>
-IRG_INLINE constexpr ray_shear shear_of(const ray<T, 3>& r) noexcept {
-  const double d[3] = {exactly_widened(r.direction.x), exactly_widened(r.direction.y), exactly_widened(r.direction.z)};
-  ray_shear s;
-  if (magnitude(d[1]) > magnitude(d[0]))
-    s.z = 1;
-  else
-    s.z = 0;
-  if (magnitude(d[2]) > magnitude(d[s.z])) s.z = 2;
-  s.x = (s.z + 1) % 3;
-  s.y = (s.z + 2) % 3;
-  if (d[s.z] < 0) {
-    const int x = s.x;
-    s.x = s.y;
-    s.y = x;
-  }
-  const int axes[3] = {s.x, s.y, s.z};
-  for (int i = 0; i < 3; ++i) s.origin[i] = exactly_widened(r.origin[axes[i]]);
-  s.slope_x = d[s.x] / d[s.z];
-  s.slope_y = d[s.y] / d[s.z];
-  return s;
+// It is made where it stays: a copy would wait for its numbers to reach memory.
+IRG_INLINE constexpr void set_shear(ray_shear& s, const ray<double, 3>& r) noexcept {
+  const vec<double, 3>& d = r.direction;
+  int z = magnitude(d[1]) > magnitude(d[0]) ? 1 : 0;
+  if (magnitude(d[2]) > magnitude(d[z])) z = 2;
+  const bool back = d[z] < 0;
+  const int next = z == 2 ? 0 : z + 1, last = z == 0 ? 2 : z - 1;
+  s.x = back ? last : next;
+  s.y = back ? next : last;
+  s.z = z;
+  s.origin[0] = r.origin[s.x];
+  s.origin[1] = r.origin[s.y];
+  s.origin[2] = r.origin[z];
+  s.slope_x = d[s.x] / d[z];
+  s.slope_y = d[s.y] / d[z];
 }
 
 // How the sides of triangles turn round the ray: positive where counter-clockwise as seen along it. F is a number or a

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include <irg/spatial/detail/ray_packet_kernel.hpp>
 #include <irg/spatial/detail/triangle_block_kernel.hpp>
 #include <irg/spatial/detail/walk_bvh.hpp>
 
@@ -17,11 +18,12 @@ namespace irg::detail {
 // A crossing that weights are still to be found of.
 struct first_crossing {
   crossing_time time{};
-  std::uint32_t number = bvh_node::none;
+  std::uint32_t number = bvh_node::none, place = 0;  // of the triangle, and where it is among the blocks
   int turn = 0;
-  double largest = 0;  // the largest coordinate of a corner, seen from the origin
-  point<double, 3> corner[3]{};
-  sheared_sides<double> sides{};
+};
+
+struct space_triangle {
+  point<double, 3> a, b, c;
 };
 
 inline namespace IRG_ABI {
@@ -41,57 +43,71 @@ IRG_INLINE constexpr double bound_of(const bvh& tree, const space_point& origin)
 }
 
 // What triangles need of a ray, made when it comes to the first of them: most rays come to none.
+template <class U>
 class late_triangle_ray {
 public:
-  IRG_INLINE constexpr late_triangle_ray(const bvh& tree, const ray<double, 3>& r) noexcept : tree_(tree), given_(r) {}
+  IRG_INLINE constexpr late_triangle_ray(const bvh& tree, const ray<U, 3>& r) noexcept : tree_(tree), given_(r) {}
 
   IRG_INLINE constexpr void prepare() noexcept {
-    if (!ray_) make();
+    if (!made_) make();
   }
-  IRG_INLINE constexpr const triangle_ray& ray_for_triangles() const noexcept { return *ray_; }
+  IRG_INLINE constexpr const triangle_ray& ray_for_triangles() const noexcept { return ray_; }
   IRG_INLINE constexpr double bound() const noexcept { return bound_; }
 
 private:
   constexpr void make() noexcept {
-    ray_ = make_triangle_ray(given_);
-    bound_ = bound_of(tree_, given_.origin);
+    set_triangle_ray(ray_, given_);
+    bound_ = bound_of(tree_, ray_.r.origin);
+    made_ = true;
   }
 
   const bvh& tree_;
-  const ray<double, 3>& given_;
-  std::optional<triangle_ray> ray_{};
+  const ray<U, 3>& given_;
+  triangle_ray ray_{};
   double bound_ = 0;
+  bool made_ = false;
 };
 
+template <class T>
+IRG_INLINE constexpr space_triangle triangle_at(std::span<const triangle_block<T>> blocks,
+                                                std::uint32_t place) noexcept {
+  const auto& v = blocks[place / bvh_node::block].v;
+  const std::uint32_t k = place % bvh_node::block;
+  const auto corner = [&](int i) -> space_point {
+    return {exactly_widened(v[i][0][k]), exactly_widened(v[i][1][k]), exactly_widened(v[i][2][k])};
+  };
+  return {corner(0), corner(1), corner(2)};
+}
+
 // -1, 0 or 1, as a is crossed before b, with it, or after it.
-IRG_NOINLINE constexpr int exact_order(const std::same_as<triangle_ray> auto& q, const first_crossing& a,
+template <class T>
+IRG_NOINLINE constexpr int exact_order(const std::same_as<triangle_ray> auto& q,
+                                       std::span<const triangle_block<T>> blocks, const first_crossing& a,
                                        const first_crossing& b) noexcept {
-  bool same = true;
-  for (int i = 0; i < 3; ++i) same = same && a.corner[i] == b.corner[i];
-  if (same) return 0;
+  const space_triangle first = triangle_at(blocks, a.place), second = triangle_at(blocks, b.place);
+  if (first.a == second.a && first.b == second.b && first.c == second.c) return 0;
   std::array<double, 24> in{};
   const auto put = [&in](std::size_t at, const auto& p) { in[at] = p[0], in[at + 1] = p[1], in[at + 2] = p[2]; };
   put(9, q.r.origin);
   put(12, q.r.direction);
-  for (std::size_t i = 0; i < 3; ++i) {
-    put(3 * i, a.corner[i]);
-    put(15 + 3 * i, b.corner[i]);
-  }
+  put(0, first.a), put(3, first.b), put(6, first.c);
+  put(15, second.a), put(18, second.b), put(21, second.c);
   const int sign = irg::sign_of<6>(
       [](const auto& x) {
-        const std::array second = {x[15], x[16], x[17], x[18], x[19], x[20], x[21], x[22],
-                                   x[23], x[9],  x[10], x[11], x[12], x[13], x[14]};
-        return height_along(x) * advance_along(second) - height_along(second) * advance_along(x);
+        const std::array other = {x[15], x[16], x[17], x[18], x[19], x[20], x[21], x[22],
+                                  x[23], x[9],  x[10], x[11], x[12], x[13], x[14]};
+        return height_along(x) * advance_along(other) - height_along(other) * advance_along(x);
       },
       in);
   return sign * a.turn * b.turn;
 }
 
-IRG_INLINE constexpr bool is_before(const std::same_as<triangle_ray> auto& q, const first_crossing& a,
-                                    const first_crossing& b) noexcept {
+template <class T>
+IRG_INLINE constexpr bool is_before(const std::same_as<triangle_ray> auto& q, std::span<const triangle_block<T>> blocks,
+                                    const first_crossing& a, const first_crossing& b) noexcept {
   const double apart = a.time.t - b.time.t, error = a.time.error + b.time.error;
   if (apart > error) return false;
-  const int order = -apart > error ? -1 : exact_order(q, a, b);
+  const int order = -apart > error ? -1 : exact_order(q, blocks, a, b);
   return order != 0 ? order < 0 : a.number < b.number;
 }
 
@@ -99,46 +115,45 @@ IRG_INLINE constexpr bool is_before(const std::same_as<triangle_ray> auto& q, co
 template <class T, class Use>
 IRG_INLINE constexpr bool cross_leaf(const bvh& tree, std::span<const triangle_block<T>> blocks, std::uint32_t leaf,
                                      const triangle_ray& q, double bound, const Use& use) {
-  const std::uint32_t number = bvh_node::number_of(leaf);
-  const triangle_block<T>& block = blocks[number];
-  double sides[3][triangle_block<T>::width];
-  unsigned bits = triangles_met(block, q.shear, bound, sides) & ((1u << bvh_node::count_of(leaf)) - 1);
-  for (; bits != 0; bits &= bits - 1) {
-    const int k = std::countr_zero(bits);
-    first_crossing x;
-    for (int i = 0; i < 3; ++i)
-      x.corner[i] = {exactly_widened(block.v[i][0][k]), exactly_widened(block.v[i][1][k]),
-                     exactly_widened(block.v[i][2][k])};
-    x.sides = {sides[0][k], sides[1][k], sides[2][k]};
-    x.largest = largest_from(q.r.origin, x.corner[0], x.corner[1], x.corner[2]);
-    const timed_crossing found = cross_in_time(q, x.corner[0], x.corner[1], x.corner[2], x.sides, x.largest);
-    if (!found.hit) continue;
-    x.time = found.time;
-    x.turn = found.turn;
-    x.number = tree.order[number * bvh_node::block + static_cast<std::uint32_t>(k)];
-    if (use(x)) return true;
+  constexpr std::uint32_t width = bvh_node::block;
+  const std::uint32_t count = bvh_node::count_of(leaf), place = bvh_node::first_place(leaf);
+  double sides[bvh_node::most / width][3][width];
+  unsigned bits = 0;
+  for (std::uint32_t i = 0; i < count; i += width)
+    bits |= triangles_met(blocks[(place + i) / width], q.shear, bound, sides[i / width]) << i;
+  for (bits &= (1u << count) - 1; bits != 0; bits &= bits - 1) {
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(bits)), k = i % width;
+    const space_triangle t = triangle_at(blocks, place + i);
+    const auto& side = sides[i / width];
+    const timed_crossing found =
+        cross_in_time(q, t.a, t.b, t.c, {side[0][k], side[1][k], side[2][k]}, largest_from(q.r.origin, t.a, t.b, t.c));
+    if (found.hit && use(first_crossing{found.time, tree.order[place + i], place + i, found.turn})) return true;
   }
   return false;
 }
 
-constexpr ray_crossing finished_crossing(const std::same_as<triangle_ray> auto& q, const first_crossing& f) noexcept {
+template <class T>
+constexpr ray_crossing finished_crossing(const std::same_as<triangle_ray> auto& q,
+                                         std::span<const triangle_block<T>> blocks, const first_crossing& f) noexcept {
   ray_crossing x{f.turn < 0 ? facing::front : facing::back, f.time.t, 0, 0};
-  set_weights(x, q, f.corner[0], f.corner[1], f.corner[2], f.sides, f.largest);
+  const space_triangle t = triangle_at(blocks, f.place);
+  set_weights(x, q, t.a, t.b, t.c, sides_round(q, t.a, t.b, t.c), largest_from(q.r.origin, t.a, t.b, t.c));
   return x;
 }
 
 // The first crossing into use(triangle_ray, crossing), if there is one.
-template <class T, class Use>
+template <class T, class U, class Use>
 IRG_INLINE constexpr void find_first_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks,
-                                              const ray<double, 3>& r, const Use& use) {
+                                              const ray<U, 3>& r, const Use& use) {
   if (is_empty(r)) return;
-  late_triangle_ray q(tree, r);
+  late_triangle_ray<U> q(tree, r);
   std::optional<first_crossing> best;
-  box_ray b = make_box_ray(r, tree.scale);
-  walk_near_to_far(tree, b, [&](std::uint32_t leaf) IRG_INLINE_LAMBDA {
+  box_ray b{};
+  set_box_ray(b, r, tree.scale);
+  walk_near_to_far<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     q.prepare();
     cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(), [&](const first_crossing& x) {
-      if (!best || is_before(q.ray_for_triangles(), x, *best)) {
+      if (!best || is_before(q.ray_for_triangles(), blocks, x, *best)) {
         best = x;
         b.high = later_time(b, x.time.t + x.time.error);
       }
@@ -148,24 +163,76 @@ IRG_INLINE constexpr void find_first_crossing(const bvh& tree, std::span<const t
   if (best) use(q.ray_for_triangles(), *best);
 }
 
-template <class T, class Counts>
-constexpr bool crosses_any(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<double, 3>& r,
+// What the rays of a packet have met so far.
+struct packet_crossings {
+  triangle_ray rays[ray_packet::size];
+  first_crossing best[ray_packet::size];
+  double bound[ray_packet::size];
+  unsigned ready = 0, hit = 0;  // a bit for each ray
+
+  packet_crossings() noexcept {}  // zeroes nothing that is written before it is read
+};
+
+// The first crossings of 16 rays into use(k, triangle_ray, crossing); false where they do not go as one.
+template <class T, class Use>
+bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<float, 3>* rays,
+                           const Use& use) {
+  ray_packet p;
+  if (!set_up_packet(p, rays, tree.scale)) return false;
+  std::optional<packet_crossings> found;
+  walk_packet(tree.nodes.data(), p, [&](std::uint32_t leaf, unsigned bits) {
+    if (!found) found.emplace();
+    packet_crossings& f = *found;
+    bool nearer = false;
+    for (; bits != 0; bits &= bits - 1) {
+      const auto k = static_cast<unsigned>(std::countr_zero(bits));
+      if ((f.ready >> k & 1) == 0) {
+        set_triangle_ray(f.rays[k], rays[k]);
+        f.bound[k] = bound_of(tree, f.rays[k].r.origin);
+        f.ready |= 1u << k;
+      }
+      cross_leaf(tree, blocks, leaf, f.rays[k], f.bound[k], [&](const first_crossing& x) {
+        if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
+          f.best[k] = x;
+          f.hit |= 1u << k;
+          p.high[k] = lesser(p.high[k], later_time(p.whole, x.time.t + x.time.error));
+          nearer = true;
+        }
+        return false;
+      });
+    }
+    if (nearer) p.whole.high = latest_of(p);
+  });
+  if (found)
+    for (unsigned bits = found->hit; bits != 0; bits &= bits - 1) {
+      const auto k = static_cast<unsigned>(std::countr_zero(bits));
+      use(k, found->rays[k], found->best[k]);
+    }
+  return true;
+}
+
+template <class T, class U, class Counts>
+constexpr bool crosses_any(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r,
                            const Counts& counts) {
   if (is_empty(r)) return false;
-  late_triangle_ray q(tree, r);
-  return walk_anyhow(tree, make_box_ray(r, tree.scale), [&](std::uint32_t leaf) IRG_INLINE_LAMBDA {
+  late_triangle_ray<U> q(tree, r);
+  box_ray b{};
+  set_box_ray(b, r, tree.scale);
+  return walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     q.prepare();
     return cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(),
                       [&](const first_crossing& x) { return counts(x.number); });
   });
 }
 
-template <class T, class Use>
-constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<double, 3>& r,
+template <class T, class U, class Use>
+constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r,
                              const Use& use) {
   if (is_empty(r)) return;
-  late_triangle_ray q(tree, r);
-  walk_anyhow(tree, make_box_ray(r, tree.scale), [&](std::uint32_t leaf) IRG_INLINE_LAMBDA {
+  late_triangle_ray<U> q(tree, r);
+  box_ray b{};
+  set_box_ray(b, r, tree.scale);
+  walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     q.prepare();
     cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(),
                [&](const first_crossing& x) { return use(q.ray_for_triangles(), x), false; });

@@ -19,74 +19,117 @@ IRG_INLINE constexpr std::uint64_t waiting_child(std::uint32_t child, float time
   return std::uint64_t{std::bit_cast<std::uint32_t>(time)} << 32 | child;
 }
 
-template <class F, class Visit>
-IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, box_ray& r, const Visit& visit) {
-  const wide_box_ray<F> wide = widen_box_ray<F>(r);
-  std::uint64_t waiting[bvh_waiting];
-  std::uint64_t* top = waiting;
-  std::uint32_t at = 0;
-  for (;;) {
-    if (!bvh_node::is_leaf(at)) {
-      const bvh_node& node = nodes[at];
-      float times[bvh_node::width];
-      unsigned bits = meet_boxes<F>(node, wide, r.high, times);
-      if (bits != 0) {
-        unsigned k = static_cast<unsigned>(std::countr_zero(bits));
-        bits &= bits - 1;
-        if (bits == 0) {
-          at = node.child[k];
-          continue;
-        }
-        std::uint64_t nearest = waiting_child(node.child[k], times[k]);
-        std::uint64_t* const base = top;
-        do {  // the nearest is kept apart, the others stand with the latest lowest
-          k = static_cast<unsigned>(std::countr_zero(bits));
-          bits &= bits - 1;
-          std::uint64_t child = waiting_child(node.child[k], times[k]);
-          if (child < nearest) {
-            const std::uint64_t farther = nearest;
-            nearest = child;
-            child = farther;
-          }
-          std::uint64_t* place = top++;
-          for (; place != base && place[-1] < child; --place) *place = place[-1];
-          *place = child;
-        } while (bits != 0);
-        at = static_cast<std::uint32_t>(nearest);
-        continue;
-      }
-    } else if (at != bvh_node::none) {
-      visit(at);
-    }
+// Where a walk stands: what waits, the next on top.
+template <class Waiting>
+struct bvh_walk {
+  Waiting waiting[bvh_waiting];
+  Waiting* top;
+};
+
+// The next leaf in the order of times; none at the end, and for an empty box that a ray meets whose times are not
+// numbers. It stands apart from what is done with leaves, so that a ray's
+// numbers stay in registers from node to node.
+template <class F, box_arithmetic A>
+IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r,
+                                             bvh_walk<std::uint64_t>& walk) noexcept {
+  const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
+  const float high = r.high;
+  std::uint64_t* top = walk.top;
+  const auto pop = [&]() IRG_INLINE_LAMBDA {
     std::uint64_t next = 0;
     do {
-      if (top == waiting) return;
+      if (top == walk.waiting) return bvh_node::none;
       next = *--top;
-    } while (r.high < std::bit_cast<float>(static_cast<std::uint32_t>(next >> 32)));
-    at = static_cast<std::uint32_t>(next);
-  }
-}
-
-template <class F, class Visit>
-IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
-  const wide_box_ray<F> wide = widen_box_ray<F>(r);
-  std::uint32_t waiting[bvh_waiting];
-  std::uint32_t* top = waiting;
-  std::uint32_t at = 0;
-  for (;;) {
-    if (bvh_node::is_leaf(at)) {
-      if (at != bvh_node::none && visit(at)) return true;
-    } else {
-      const bvh_node& node = nodes[at];
-      float times[bvh_node::width];
-      for (unsigned bits = meet_boxes<F>(node, wide, r.high, times); bits != 0; bits &= bits - 1)
-        *top++ = node.child[static_cast<unsigned>(std::countr_zero(bits))];
+    } while (high < std::bit_cast<float>(static_cast<std::uint32_t>(next >> 32)));
+    return static_cast<std::uint32_t>(next);
+  };
+  std::uint32_t at = pop();
+  while (!bvh_node::is_leaf(at)) {
+    const bvh_node& node = nodes[at];
+    float times[bvh_node::width];
+    unsigned bits = meet_boxes(node, wide, high, times);
+    if (bits == 0) {
+      at = pop();
+      continue;
     }
-    if (top == waiting) return false;
+    unsigned k = static_cast<unsigned>(std::countr_zero(bits));
+    bits &= bits - 1;
+    if (bits == 0) {
+      at = node.child[k];
+      continue;
+    }
+    std::uint64_t nearest = waiting_child(node.child[k], times[k]);
+    std::uint64_t* const base = top;
+    do {  // the nearest is kept apart, the others stand with the latest lowest
+      k = static_cast<unsigned>(std::countr_zero(bits));
+      bits &= bits - 1;
+      std::uint64_t child = waiting_child(node.child[k], times[k]);
+      if (child < nearest) {
+        const std::uint64_t farther = nearest;
+        nearest = child;
+        child = farther;
+      }
+      std::uint64_t* place = top++;
+      for (; place != base && place[-1] < child; --place) *place = place[-1];
+      *place = child;
+    } while (bits != 0);
+    at = static_cast<std::uint32_t>(nearest);
+  }
+  walk.top = top;
+  return at;
+}
+
+// The next leaf in any order.
+template <class F, box_arithmetic A>
+IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r,
+                                             bvh_walk<std::uint32_t>& walk) noexcept {
+  const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
+  const float high = r.high;
+  std::uint32_t* top = walk.top;
+  std::uint32_t at = bvh_node::none;
+  while (top != walk.waiting) {
     at = *--top;
+    if (bvh_node::is_leaf(at)) break;
+    const bvh_node& node = nodes[at];
+    at = bvh_node::none;
+    float times[bvh_node::width];
+    unsigned bits = meet_boxes(node, wide, high, times);
+    for (; bits != 0; bits &= bits - 1) *top++ = node.child[static_cast<unsigned>(std::countr_zero(bits))];
+  }
+  walk.top = top;
+  return at;
+}
+
+template <class F, box_arithmetic A, class Visit>
+IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
+  bvh_walk<std::uint64_t> walk;
+  walk.top = walk.waiting;
+  *walk.top++ = 0;
+  for (;;) {
+    const std::uint32_t leaf = next_leaf<F, A>(nodes, r, walk);
+    if (leaf != bvh_node::none)
+      visit(leaf);
+    else if (walk.top == walk.waiting)
+      return;
   }
 }
 
+template <class F, box_arithmetic A, class Visit>
+IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
+  bvh_walk<std::uint32_t> walk;
+  walk.top = walk.waiting;
+  *walk.top++ = 0;
+  for (;;) {
+    const std::uint32_t leaf = next_leaf<F, A>(nodes, r, walk);
+    if (leaf != bvh_node::none) {
+      if (visit(leaf)) return true;
+    } else if (walk.top == walk.waiting) {
+      return false;
+    }
+  }
+}
+
+IRG_INLINE constexpr bool walks_in_packets() noexcept { return !std::is_constant_evaluated(); }
 IRG_INLINE constexpr bool walks_in_lanes() noexcept { return has_lanes && !std::is_constant_evaluated(); }
 
 }  // namespace IRG_ABI

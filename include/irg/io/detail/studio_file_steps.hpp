@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Parts of a studio file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <irg/io/body_xml.hpp>
+#include <irg/io/studio_script.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+/// Writes the lines of events, each as an element.
+template <Floating T>
+struct studio_writer {
+  using bytes = std::vector<std::uint8_t>;
+  bytes out{};
+
+  /// A line of words, names in quotes and numbers.
+  template <class... Words>
+  constexpr void line(const Words&... words) {
+    bytes one;
+    (word(one, words), ...);
+    append_text(out, "    <studio:event line=");
+    append_value(out, std::string_view(reinterpret_cast<const char*>(one.data()), one.size()));
+    append_text(out, "/>\n");
+  }
+  static constexpr void word(bytes& to, std::string_view w) {
+    if (!to.empty()) append_text(to, " ");
+    append_text(to, w);
+  }
+  static constexpr void word(bytes& to, const char* w) { word(to, std::string_view(w)); }
+  static constexpr void word(bytes& to, const part_name& name) {
+    append_text(to, " \"");
+    append_text(to, name);
+    append_text(to, "\"");
+  }
+  static constexpr void word(bytes& to, T x) { append_numbers(to, &x, 1); }
+  static constexpr void word(bytes& to, const point<T, 3>& p) { append_numbers(to, p, 3); }
+  static constexpr void word(bytes& to, const vec<T, 3>& v) { append_numbers(to, v, 3); }
+  static constexpr void word(bytes& to, const studio_transformation<T>& t) {
+    const studio_map_form& form = studio_maps[static_cast<std::size_t>(t.kind)];
+    word(to, form.name);
+    append_numbers(to, t.numbers.data(), static_cast<int>(form.numbers));
+  }
+  template <class E, std::size_t N>
+  static constexpr std::string_view name_of(const std::array<std::string_view, N>& names, E e) noexcept {
+    return names[static_cast<std::size_t>(e)];
+  }
+
+  constexpr void body(const studio_body<T>& b) {
+    const part_name& name = b.body.name;
+    for (std::size_t i = 0; i < b.parts.size(); ++i)
+      line("show", name, studio_part_names[i], name_of(display_names, b.parts[i]));
+    line("shade", name, name_of(studio_shading_names, b.shading));
+    line("opacity", name, b.opacity);
+    for (std::size_t i = 0; i < b.transformations.size(); ++i)
+      for (const studio_transformation<T>& t : b.transformations[i]) line("add", name, studio_stage_names[i], t);
+  }
+
+  // The oblique projection first, while the eye is where every projection is possible; the one that is used, last.
+  constexpr void camera(std::string_view view, const studio_camera<T>& c) {
+    const view_pyramid<T>& p = c.pyramid;
+    line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
+    line("project", view, "perspective");
+    line("aim", view, c.eye, c.target, c.up);
+    line("pyramid", view, p.distance, p.width, p.height, p.near_distance, p.far_distance);
+    if (c.projection == projection_kind::orthographic) line("project", view, "orthographic");
+    if (c.projection == projection_kind::oblique) line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
+    for (std::size_t i = 0; i < c.helpers.size(); ++i)
+      line("helper", view, studio_helper_names[i], name_of(display_names, c.helpers[i]));
+  }
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+}  // namespace irg
