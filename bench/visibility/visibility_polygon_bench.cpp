@@ -20,6 +20,7 @@
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangular_expansion_visibility_2.h>
 #endif
 
@@ -79,20 +80,19 @@ errors judged(const task& t) {
 }
 
 #if defined(IRG_HAVE_CGAL)
-using kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<kernel>>;
-using expansion = CGAL::Triangular_expansion_visibility_2<arrangement>;
-
+template <class Kernel>
 struct cgal_task {
+  using arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<Kernel>>;
   arrangement scene, seen;
-  expansion query;
-  arrangement::Face_const_handle face;
+  CGAL::Triangular_expansion_visibility_2<arrangement> query;
+  typename arrangement::Face_const_handle face;
 };
 
-std::unique_ptr<cgal_task> prepared(const task& t) {
-  auto c = std::make_unique<cgal_task>();
-  std::vector<kernel::Segment_2> segments;
-  const auto at = [](const place& p) { return kernel::Point_2(p.x, p.y); };
+template <class Kernel>
+std::unique_ptr<cgal_task<Kernel>> prepared(const task& t) {
+  auto c = std::make_unique<cgal_task<Kernel>>();
+  std::vector<typename Kernel::Segment_2> segments;
+  const auto at = [](const place& p) { return typename Kernel::Point_2(p.x, p.y); };
   for (const wall& w : t.walls) segments.emplace_back(at(w.a), at(w.b));
   const place corners[] = {window.low, {window.high.x, window.low.y}, window.high, {window.low.x, window.high.y}};
   for (int i = 0; i < 4; ++i) segments.emplace_back(at(corners[i]), at(corners[(i + 1) % 4]));
@@ -103,12 +103,16 @@ std::unique_ptr<cgal_task> prepared(const task& t) {
   return c;
 }
 
-void ask(cgal_task& of) { of.query.compute_visibility(kernel::Point_2(source.x, source.y), of.face, of.seen); }
+template <class Kernel>
+void ask(cgal_task<Kernel>& of) {
+  of.query.compute_visibility(typename Kernel::Point_2(source.x, source.y), of.face, of.seen);
+}
 
-void add_cgal(const contest& what, const task& t) {
-  const auto made = std::make_shared<lazy<std::unique_ptr<cgal_task>>>([&t] { return prepared(t); });
-  contender query{"CGAL triangular expansion, prepared", [made] { ask(***made); }};
-  query.note = "arrangement and triangulation made before";
+template <class Kernel>
+void add_cgal(const contest& what, const task& t, const std::string& name, const std::string& note) {
+  const auto made = std::make_shared<lazy<std::unique_ptr<cgal_task<Kernel>>>>([&t] { return prepared<Kernel>(t); });
+  contender query{name + ", prepared", [made] { ask(***made); }};
+  query.note = "arrangement and triangulation made before" + note;
   query.judge = [made] {
     errors e;
     e.note = std::to_string((***made).seen.number_of_vertices()) + " vertices";
@@ -116,7 +120,7 @@ void add_cgal(const contest& what, const task& t) {
   };
   query.same_work = false;
   enter(what, std::move(query));
-  enter(what, {"CGAL triangular expansion", [&t] { ask(*prepared(t)); }});
+  enter(what, {name, [&t] { ask(*prepared<Kernel>(t)); }});
 }
 #endif
 
@@ -136,7 +140,10 @@ void enter_scene(const std::string& name, layout how, int n) {
   enter(what, {"irg:prepared, with preparation",
                [&t] { t.seen = irg::prepared_walls<double>(t.walls, window).seen_from(source); }});
 #if defined(IRG_HAVE_CGAL)
-  if (how != layout::crossing) add_cgal(what, t);
+  if (how == layout::crossing) return;
+  add_cgal<CGAL::Exact_predicates_exact_constructions_kernel>(what, t, "CGAL triangular expansion", "");
+  add_cgal<CGAL::Exact_predicates_inexact_constructions_kernel>(what, t, "CGAL triangular expansion, rounded",
+                                                                "; vertices rounded, and the edges bent by them");
 #endif
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Comparisons of packs, what is chosen by them, and what all lanes have together. A mask holds, for each lane, an
-// integer of the lane's size: all its bits where the comparison holds, else none.
+// integer of the lane's size: all its bits where the comparison holds, else none. The operators of packs, which differ
+// between targets, stand before the functions to call.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // draw_triangle: the triangle kernel. Coverage in integers, depth test, perspective-correct weights, one pixel shader
-// call per visible pixel. The arithmetic is written once, in detail::triangle_pixels, for scalars and packs.
+// call per visible pixel. The arithmetic is written once, in detail::triangle_pixels, for scalars and packs; it stands
+// before draw_triangle, since it chooses between the two lives and no other file does.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fill_span: one colour over a run of pixels. The innermost kernel of every fill.
+// fill_span: one colour over a run of pixels. The innermost kernel of every fill stands before it: it chooses between
+// the two lives, and no other file does.
 #pragma once
 
 #include <cstddef>

@@ -10,6 +10,7 @@
 //
 // The same with a 32-bit fraction (the usual 32.32) leaves room for j <= 2^32/(2n) - 2: all of a line, j = n, only up
 // to 46339 steps. A 16-bit fraction (16.16) is exact up to 180 steps.
+// The exact walk comes first, beside this reason.
 #pragma once
 
 #include <cstdint>

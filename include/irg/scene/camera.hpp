@@ -168,7 +168,8 @@ template <Floating T>
   return with_depth_range(like, centre, radius);
 }
 
-/// A camera in perspective that looks at the centre of a sphere from `direction`, so far away that the sphere touches the picture.
+/// A camera in perspective that looks at the centre of a sphere from `direction`, so far away that the sphere touches
+/// the picture.
 /// gives   distance 1 for a sphere of radius 0
 /// needs   0 < angle < pi, aspect > 0
 template <Floating T>

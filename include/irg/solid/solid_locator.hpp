@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include <irg/solid/detail/box_block_kernel.hpp>
 #include <irg/solid/point_in_solid.hpp>
 
 namespace irg {
@@ -24,7 +27,7 @@ template <Floating T>
 class solid_locator {
 public:
   /// needs   as point_in_solid
-  /// cost    sorts the triangles by place, O(n log n); allocates some 120 bytes a triangle of doubles
+  /// cost    sorts the triangles by place, O(n log n); allocates some 130 bytes a triangle of doubles
   template <detail::mesh_in_space M>
     requires std::same_as<scalar_of<mesh_point<M>>, T>
   constexpr explicit solid_locator(const M& body) {
@@ -53,86 +56,86 @@ public:
 
 private:
   using triangle = std::array<point<T, 3>, 3>;
-  static constexpr std::uint32_t leaf_size = 4;
-
-  // A box seen from above, and its top. Nodes stand in the order of a walk that takes each before its parts; `next` is
-  // the node after all of them.
-  struct node {
-    T low[2], high[2], top;
-    std::uint32_t next, first, count;  // triangles, where it has no parts
-  };
+  using block = detail::box_block<T>;
+  static constexpr std::uint32_t width = block::width;
 
   [[nodiscard]] static constexpr T centre(const triangle& t, int axis) noexcept {
     const T a = t[0][axis] * T(0.25), b = t[1][axis] * T(0.25), c = t[2][axis] * T(0.25);
     return lesser(lesser(a, b), c) + greater(greater(a, b), c);
   }
 
-  [[nodiscard]] constexpr node box_of(std::uint32_t first, std::uint32_t last) const {
-    const point<T, 3>& p = triangles_[first][0];
-    node n{{p.x, p.y}, {p.x, p.y}, p.z, 0, first, last - first};
-    for (std::uint32_t i = first; i < last; ++i)
-      for (const point<T, 3>& q : triangles_[i]) {
-        n.low[0] = lesser(n.low[0], q.x), n.high[0] = greater(n.high[0], q.x);
-        n.low[1] = lesser(n.low[1], q.y), n.high[1] = greater(n.high[1], q.y);
-        n.top = greater(n.top, q.z);
-      }
-    return n;
-  }
-
-  // Halves runs of triangles along the longer side of the box round them, until they are short.
-  constexpr void build() {
+  // Divides runs of triangles along the longer side of the box round them, seen from above, until they are short; the
+  // first part has a power of two of them, so that eight by eight they are near each other on every level.
+  constexpr void sort() {
     struct run {
       std::uint32_t first, last;
     };
-    const auto count = static_cast<std::uint32_t>(triangles_.size());
-    std::vector<run> open;
-    if (count > 0) open.push_back({0, count});
-    std::vector<std::uint32_t> ends;  // of each node, the last triangle
+    std::vector<run> open{{0, static_cast<std::uint32_t>(triangles_.size())}};
     while (!open.empty()) {
       const run r = open.back();
       open.pop_back();
-      node n = box_of(r.first, r.last);
-      if (r.last - r.first > leaf_size) {
-        const int axis = n.high[0] * T(0.5) - n.low[0] * T(0.5) < n.high[1] * T(0.5) - n.low[1] * T(0.5) ? 1 : 0;
-        const std::uint32_t middle = r.first + (r.last - r.first) / 2;
-        const auto at = [&](std::uint32_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
-        std::nth_element(at(r.first), at(middle), at(r.last),
-                         [axis](const triangle& a, const triangle& b) { return centre(a, axis) < centre(b, axis); });
-        open.push_back({middle, r.last});
-        open.push_back({r.first, middle});
-        n.count = 0;
-      }
-      nodes_.push_back(n);
-      ends.push_back(r.last);
+      if (r.last - r.first <= width) continue;
+      block around;
+      for (std::uint32_t i = r.first; i < r.last; ++i)
+        for (const point<T, 3>& q : triangles_[i]) around.enclose(0, q.x, q.y, q.z);
+      const auto half = [&](int k) { return around.high[k][0] * T(0.5) - around.low[k][0] * T(0.5); };
+      const int axis = half(0) < half(1) ? 1 : 0;
+      const std::uint32_t middle = r.first + std::bit_floor(r.last - r.first - 1);
+      const auto at = [&](std::uint32_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
+      std::nth_element(at(r.first), at(middle), at(r.last),
+                       [axis](const triangle& a, const triangle& b) { return centre(a, axis) < centre(b, axis); });
+      open.push_back({r.first, middle});
+      open.push_back({middle, r.last});
     }
-    // A node's walk ends where the first node begins that stands behind its triangles.
-    std::vector<std::uint32_t> waiting;
-    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-      while (!waiting.empty() && ends[waiting.back()] <= nodes_[i].first) {
-        nodes_[waiting.back()].next = i;
-        waiting.pop_back();
-      }
-      waiting.push_back(i);
+  }
+
+  // Boxes of triangles on level 0, of the blocks of the level below on the others, up to one block.
+  constexpr void build() {
+    if (triangles_.empty()) return;
+    sort();
+    const auto blocks_for = [](std::size_t n) { return std::vector<block>((n + width - 1) / width, block{}); };
+    levels_.push_back(blocks_for(triangles_.size()));
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+      for (const point<T, 3>& q : triangles_[i])
+        levels_[0][i / width].enclose(static_cast<int>(i % width), q.x, q.y, q.z);
+    while (levels_.back().size() > 1) {
+      const std::vector<block>& below = levels_.back();
+      std::vector<block> level = blocks_for(below.size());
+      for (std::size_t i = 0; i < below.size(); ++i) level[i / width].enclose(static_cast<int>(i % width), below[i]);
+      levels_.push_back(std::move(level));
     }
-    for (const std::uint32_t i : waiting) nodes_[i].next = static_cast<std::uint32_t>(nodes_.size());
   }
 
   constexpr detail::upward_crossings cross(const point<T, 3>& p, solid_locator_counts* counts) const {
     detail::upward_crossings out;
     solid_locator_counts asked{1, 0, 0};
-    if (is_finite(p))
-      for (std::uint32_t i = 0; i < nodes_.size() && !out.on_surface;) {
-        const node& n = nodes_[i];
-        ++asked.boxes;
-        if (p.x < n.low[0] || n.high[0] < p.x || p.y < n.low[1] || n.high[1] < p.y || n.top < p.z) {
-          i = n.next;
-          continue;
-        }
-        for (std::uint32_t t = n.first; t < n.first + n.count; ++t)
-          detail::count_upward_crossing(triangles_[t][0], triangles_[t][1], triangles_[t][2], p, out);
-        asked.triangles += n.count;
-        ++i;
+    struct step {
+      std::uint32_t first = 0;  // of the eight below the block
+      unsigned asks = 0;  // a bit for each whose box is over p
+    };
+    std::array<step, 12> steps{};  // 8^11 triangles are more than there can be
+    std::size_t level = levels_.size();
+    const auto open = [&](std::size_t at, std::uint32_t which) {
+      steps[level = at] = {which * width, detail::boxes_over(levels_[at][which], p)};
+      asked.boxes += width;
+    };
+    if (level > 0 && is_finite(p)) open(level - 1, 0);
+    while (level < levels_.size() && !out.on_surface) {
+      step& s = steps[level];
+      if (s.asks == 0) {
+        ++level;
+        continue;
       }
+      const std::uint32_t next = s.first + static_cast<std::uint32_t>(std::countr_zero(s.asks));
+      s.asks &= s.asks - 1;
+      if (level > 0) {
+        open(level - 1, next);
+        continue;
+      }
+      const triangle& t = triangles_[next];
+      detail::count_upward_crossing(t[0], t[1], t[2], p, out);
+      ++asked.triangles;
+    }
     if (counts) {
       counts->points += asked.points;
       counts->boxes += asked.boxes;
@@ -142,7 +145,7 @@ private:
   }
 
   std::vector<triangle> triangles_;
-  std::vector<node> nodes_;
+  std::vector<std::vector<block>> levels_;
 };
 
 template <detail::mesh_in_space M>

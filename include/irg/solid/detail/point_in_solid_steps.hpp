@@ -45,20 +45,35 @@ IRG_INLINE constexpr bool may_cross_above(const P& a, const P& b, const P& c, co
            coordinate(c, 2) < coordinate(p, 2));
 }
 
+// orientation_along z. Points over a corner, and over a side along an axis, are common, and need no arithmetic.
+template <class P>
+IRG_INLINE constexpr int orientation_from_above(const P& a, const P& b, const P& p) noexcept {
+  const bool ax = coordinate(a, 0) == coordinate(p, 0), ay = coordinate(a, 1) == coordinate(p, 1);
+  const bool bx = coordinate(b, 0) == coordinate(p, 0), by = coordinate(b, 1) == coordinate(p, 1);
+  if ((ax && (ay || bx)) || (by && (ay || bx))) return 0;
+  return orientation_along(a, b, p, 2);
+}
+
 template <class P>
 constexpr void count_upward_crossing(const P& a, const P& b, const P& c, const P& p, upward_crossings& out) noexcept {
   if (!may_cross_above(a, b, c, p)) return;
-  const int ab = orientation_along(a, b, p, 2), bc = orientation_along(b, c, p, 2), ca = orientation_along(c, a, p, 2);
+  const int ab = orientation_from_above(a, b, p), bc = orientation_from_above(b, c, p);
+  if (ab * bc < 0) return;
+  const int ca = orientation_from_above(c, a, p);
   const bool none_right = ab >= 0 && bc >= 0 && ca >= 0, none_left = ab <= 0 && bc <= 0 && ca <= 0;
   if (!none_right && !none_left) return;
-  const int side = orient3d(a, b, c, p);
-  if (side == 0) {
-    out.on_surface = out.on_surface || is_on_triangle(a, b, c, p);
-    return;
+  const int turn = none_right ? 1 : -1;
+  // What is all above p needs no plane: p lies below it, and not on it.
+  if (!(coordinate(p, 2) < coordinate(a, 2) && coordinate(p, 2) < coordinate(b, 2) &&
+        coordinate(p, 2) < coordinate(c, 2))) {
+    const int side = orient3d(a, b, c, p);
+    if (side == 0) {
+      out.on_surface = out.on_surface || is_on_triangle(a, b, c, p);
+      return;
+    }
+    if (side == turn) return;  // below p
   }
   if (none_right && none_left) return;  // upright, as an edge is seen from above
-  const int turn = none_right ? 1 : -1;
-  if (side == turn) return;  // below p
   if (orientation_of_moved(a, b, ab) == turn && orientation_of_moved(b, c, bc) == turn &&
       orientation_of_moved(c, a, ca) == turn)
     out.winding += turn;

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Walls sorted into the tiles that they may meet, and the tiles that a triangle may meet: too many of either, never too
-// few. The tile of a point is a rounded number that never falls as a coordinate rises.
+// Walls sorted into the tiles that they may meet: too many of them, never too few. The tile of a point is a rounded
+// number that never falls as a coordinate rises.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/segment.hpp>
@@ -24,78 +22,60 @@ public:
   constexpr wall_tiles(std::span<const segment<T, 2>> walls, const box<T, 2>& domain) {
     box<T, 2> around{};
     for (const auto& w : walls) around = enclosing_box(enclosing_box(around, w.a), w.b);
+    double most = 0, farthest = 0;
     for (int i = 0; i < 2; ++i) {
       low_[i] = widened(greater(around.low[i], domain.low[i]));
       const double high = widened(lesser(around.high[i], domain.high[i]));
       width_[i] = high - low_[i];
-      most_ = greater(most_, greater(low_[i] < 0 ? -low_[i] : low_[i], high < 0 ? -high : high));
+      for (const double v : {widened(around.low[i]), widened(around.high[i])})
+        farthest = greater(farthest, v < 0 ? -v : v);
+      most = greater(most, greater(low_[i] < 0 ? -low_[i] : low_[i], high < 0 ? -high : high));
     }
     // Else all walls are in one tile: where coordinates have few digits that tell tiles apart, or may overflow.
     const double least = lesser(width_[0], width_[1]);
-    if (walls.size() > 8 && most_ < 0x1p500 && least > 0x1p-500 && least > most_ * 0x1p-20) choose_size(walls);
+    if (walls.size() > 8 && farthest < 0x1p500 && most < 0x1p500 && least > 0x1p-500 && least > most * 0x1p-20)
+      choose_size(walls);
+    for (int i = 0; i < 2 && count() > 1; ++i) per_unit_[i] = size_[i] / width_[i];
     sort_in(walls);
   }
 
   constexpr std::size_t count() const noexcept {
     return static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]);
   }
-  constexpr std::span<const std::uint32_t> walls_in(std::size_t tile) const noexcept {
-    if (begin_.empty()) return {};
+  constexpr int size(int axis) const noexcept { return size_[axis]; }
+  constexpr std::span<const std::uint32_t> walls_in(int x, int y) const noexcept {
+    const std::size_t tile = number_of(x, y);
     return {list_.data() + begin_[tile], begin_[tile + 1] - begin_[tile]};
   }
-
-  // Tiles by column and row, the last ones among them.
-  struct tile_range {
-    int low[2], high[2];
-  };
-  // The tiles at most so far from that of a point.
-  constexpr tile_range around(const point<T, 2>& p, int reach) const noexcept {
-    tile_range out{};
-    for (int axis = 0; axis < 2; ++axis) {
-      const int at = tile_of(axis, widened(p[axis])), last = size_[axis] - 1;
-      out.low[axis] = at < reach ? 0 : at - reach;
-      out.high[axis] = at < last - reach ? at + reach : last;
-    }
-    return out;
+  // In the tile of a point, or what is nearest to it.
+  constexpr std::span<const std::uint32_t> walls_at(const point<T, 2>& p) const noexcept {
+    return walls_in(tile_of(0, widened(p.x)), tile_of(1, widened(p.y)));
+  }
+  // Coordinates counted in tiles, and how far two points are from one another.
+  // needs   count() > 1
+  constexpr double place_in_tiles(int axis, T v) const noexcept { return (widened(v) - low_[axis]) * per_unit_[axis]; }
+  constexpr double distance_in_tiles(int axis, T from, T to) const noexcept {
+    return (widened(to) - widened(from)) * per_unit_[axis];
   }
 
-  // Calls f(tile) for each tile of `near` that a triangle may meet, but for those of `nearer`; says whether it may meet
-  // none that is not in `near`.
-  template <class F>
-  constexpr bool for_triangle(const std::array<point<T, 2>, 3>& t, const tile_range& near, const tile_range& nearer,
-                              F&& f) const {
-    const tile_range all = extent_of(t);
-    bool is_within = true, is_known = true;
-    for (int axis = 0; axis < 2; ++axis) {
-      is_within = is_within && near.low[axis] <= all.low[axis] && all.high[axis] <= near.high[axis];
-      is_known = is_known && nearer.low[axis] <= all.low[axis] && all.high[axis] <= nearer.high[axis];
+  // Numbers the walls anew, as tiles hold them first: what is near each other is so in memory, too. Gives the numbers
+  // that they had.
+  constexpr std::vector<std::uint32_t> renumber(std::size_t walls) {
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> now(walls, none), before;
+    before.reserve(walls);
+    for (std::uint32_t& w : list_) {
+      if (now[w] == none) {
+        now[w] = static_cast<std::uint32_t>(before.size());
+        before.push_back(w);
+      }
+      w = now[w];
     }
-    if (is_known) return true;
-    for_rows(t, near, [&](int row, int first, int last) {
-      const bool has_known = nearer.low[1] <= row && row <= nearer.high[1];
-      for (int i = first; i <= last; ++i)
-        if (has_known && nearer.low[0] <= i && i <= nearer.high[0])
-          i = nearer.high[0];
-        else
-          f(number_of(i, row));
-    });
-    return is_within;
-  }
-
-  // Whether a segment may meet a triangle whose corners are rounded, which runs counter-clockwise and less than half
-  // round its first corner: no line through two corners has all of it on its outer side, by far more than rounding.
-  constexpr bool may_meet(const std::array<point<T, 2>, 3>& t, const segment<T, 2>& w) const noexcept {
-    if (count() == 1) return true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const point<T, 2>&from = t[i], &to = t[i < 2 ? i + 1 : 0];
-      if (is_right_of(from, to, w.a) && is_right_of(from, to, w.b)) return false;
-    }
-    return true;
+    return before;
   }
 
 private:
-  double most_ = 0;
-  double low_[2]{}, width_[2]{};
+  double low_[2]{}, width_[2]{}, per_unit_[2]{};
   int size_[2]{1, 1};
   std::vector<std::size_t> begin_{};
   std::vector<std::uint32_t> list_{};
@@ -107,14 +87,6 @@ private:
     if (size_[axis] == 1) return 0;
     const double at = (v - low_[axis]) / width_[axis] * size_[axis];
     return at < 1 ? 0 : at < size_[axis] - 1 ? static_cast<int>(at) : size_[axis] - 1;
-  }
-
-  // Whether p is right of a line by more than 2^-45 of the greatest coordinate.
-  constexpr bool is_right_of(const point<T, 2>& from, const point<T, 2>& to, const point<T, 2>& p) const noexcept {
-    const double x = widened(to.x) - widened(from.x), y = widened(to.y) - widened(from.y);
-    const double u = widened(p.x) - widened(from.x), v = widened(p.y) - widened(from.y);
-    const auto size = [](double d) { return d < 0 ? -d : d; };
-    return product(x, v) - product(y, u) < -0x1p-45 * most_ * (size(x) + size(y) + size(u) + size(v));
   }
 
   // As many tiles as walls, if walls are short: fewer, until each wall is in some six of them at most.
@@ -147,70 +119,31 @@ private:
       });
   }
 
-  // The tiles from the least to the greatest coordinates of a triangle.
-  constexpr tile_range extent_of(const std::array<point<T, 2>, 3>& t) const noexcept {
-    tile_range out{};
-    for (int axis = 0; axis < 2; ++axis) {
-      const T low = lesser(t[0][axis], lesser(t[1][axis], t[2][axis]));
-      const T high = greater(t[0][axis], greater(t[1][axis], t[2][axis]));
-      out.low[axis] = tile_of(axis, widened(low));
-      out.high[axis] = tile_of(axis, widened(high));
-    }
-    return out;
-  }
-
-  // Calls f(row, first, last) for the rows of tiles within a range, and the tiles in each, that a triangle may meet: it
-  // is cut at the rows' borders, a sixteenth of a tile further out, which is more than rounding moves it.
-  template <class F>
-  constexpr void for_rows(const std::array<point<T, 2>, 3>& t, const tile_range& range, const F& f) const {
-    const tile_range all = extent_of(t);
-    const auto give = [&](int row, int first, int last) {
-      first = greater(first, range.low[0]);
-      last = lesser(last, range.high[0]);
-      if (first <= last) f(row, first, last);
-    };
-    const bool is_simple = all.low[0] == all.high[0] || all.low[1] == all.high[1];
-    double x[3]{}, y[3]{};
-    for (std::size_t i = 0; i < 3; ++i) x[i] = widened(t[i].x), y[i] = widened(t[i].y);
-    const auto least = [](const double(&v)[3]) { return lesser(v[0], lesser(v[1], v[2])); };
-    const auto most = [](const double(&v)[3]) { return greater(v[0], greater(v[1], v[2])); };
-    const double tall = width_[1] / size_[1], wide = width_[0] / size_[0];
-    for (int row = greater(all.low[1], range.low[1]); row <= lesser(all.high[1], range.high[1]); ++row) {
-      if (is_simple) {
-        give(row, all.low[0], all.high[0]);
-        continue;
-      }
-      const double below = row == 0 ? least(y) : low_[1] + row * tall - tall / 16;
-      const double above = row + 1 == size_[1] ? most(y) : low_[1] + (row + 1) * tall + tall / 16;
-      double left = most(x), right = least(x);
-      for (int i = 0; i < 3; ++i) {
-        const int k = (i + 1) % 3;
-        add_part(x[i], y[i], x[k], y[k], below, above, left, right);
-      }
-      if (left <= right) give(row, tile_of(0, left - wide / 16), tile_of(0, right + wide / 16));
-    }
-  }
+  // Calls f(row, first, last) for the rows of tiles, and the tiles in each, that a wall may meet: it is cut at the
+  // rows' borders, a sixteenth of a tile further out, which is more than rounding moves it.
   template <class F>
   constexpr void for_rows(const segment<T, 2>& w, const F& f) const {
-    for_rows({w.a, w.b, w.b}, {{0, 0}, {size_[0] - 1, size_[1] - 1}}, f);
-  }
-
-  // Widens left to right by what of a line lies between two heights.
-  static constexpr void add_part(double x0, double y0, double x1, double y1, double below, double above, double& left,
-                                 double& right) noexcept {
-    if ((y0 < below && y1 < below) || (above < y0 && above < y1)) return;
-    const auto at = [&](double y) {
-      const double v = x0 + (x1 - x0) * ((y - y0) / (y1 - y0)), low = lesser(x0, x1), high = greater(x0, x1);
-      return v < low ? low : high < v ? high : v;
-    };
-    for (const double v : {y0 < below   ? at(below)
-                           : above < y0 ? at(above)
-                                        : x0,
-                           y1 < below   ? at(below)
-                           : above < y1 ? at(above)
-                                        : x1}) {
-      left = lesser(left, v);
-      right = greater(right, v);
+    const double x[2]{widened(w.a.x), widened(w.b.x)}, y[2]{widened(w.a.y), widened(w.b.y)};
+    const double low = lesser(y[0], y[1]), high = greater(y[0], y[1]);
+    const int first_row = tile_of(1, low), last_row = tile_of(1, high);
+    const int first = tile_of(0, lesser(x[0], x[1])), last = tile_of(0, greater(x[0], x[1]));
+    const double tall = width_[1] / size_[1], wide = width_[0] / size_[0];
+    for (int row = first_row; row <= last_row; ++row) {
+      if (first_row == last_row || first == last) {
+        f(row, first, last);
+        continue;
+      }
+      const double below = row == 0 ? low : low_[1] + row * tall - tall / 16;
+      const double above = row + 1 == size_[1] ? high : low_[1] + (row + 1) * tall + tall / 16;
+      const auto at = [&](int i) {  // where the wall enters the row, or ends in it
+        const double inner = y[i] < below ? below : above < y[i] ? above : y[i];
+        if (inner == y[i]) return x[i];
+        const double v = x[i] + (x[1 - i] - x[i]) * ((inner - y[i]) / (y[1 - i] - y[i]));
+        return greater(lesser(x[0], x[1]), lesser(greater(x[0], x[1]), v));
+      };
+      if (high < below || above < low) continue;
+      const double from = at(0), to = at(1);
+      f(row, tile_of(0, lesser(from, to) - wide / 16), tile_of(0, greater(from, to) + wide / 16));
     }
   }
 };
