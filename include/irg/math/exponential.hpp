@@ -39,7 +39,7 @@ template <Floating T>
   if (!(x > T(0))) return x == T(0) ? -detail::infinity<T> : detail::not_a_number<T>;
   if (!(x < detail::infinity<T>)) return x;
   if constexpr (std::is_same_v<T, float>)
-    return detail::nearest_log_of(x, detail::natural);
+    return detail::nearest_log_of(x, detail::natural_base);
   else
     return detail::round_to<T>(detail::log_of(x));
 }

@@ -99,7 +99,7 @@ IRG_INLINE constexpr bool rounds_to_one_float(double y) noexcept {
 struct logarithm_base {
   double high, low;
 };
-inline constexpr logarithm_base natural{1, 0}, binary{inverse_log_two_high, inverse_log_two_low},
+inline constexpr logarithm_base natural_base{1, 0}, binary{inverse_log_two_high, inverse_log_two_low},
     decimal{inverse_log_ten_high, inverse_log_ten_low};
 template <Floating T>
 IRG_NOINLINE constexpr T rounded_log_of(double x, const logarithm_base& base) noexcept {
