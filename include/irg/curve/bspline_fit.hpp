@@ -52,7 +52,7 @@ constexpr bool determines_all(const bspline_knots<T, Degree>& knots, std::span<c
 }
 
 template <Floating T>
-struct rotation {
+struct givens_rotation {
   T cosine, sine;
   constexpr void apply(T& a, T& b) const noexcept {
     const T turned = product(cosine, a) + product(sine, b);
@@ -80,7 +80,7 @@ public:
           return;
         }
         const T length = hypot(row[0], values[0]);
-        const rotation<T> turn{row[0] / length, values[0] / length};
+        const givens_rotation<T> turn{row[0] / length, values[0] / length};
         for (std::size_t i = 0; i < order_; ++i) turn.apply(row[i], values[i]);
         right_[k] = turned(turn, right_[k], right);
       }
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  static constexpr P turned(const rotation<T>& turn, P& kept, P& added) noexcept {
+  static constexpr P turned(const givens_rotation<T>& turn, P& kept, P& added) noexcept {
     P rest{};
     const P first = generate_coordinates<P>([&](int axis) {
       return product(turn.cosine, coordinate(kept, axis)) + product(turn.sine, coordinate(added, axis));
