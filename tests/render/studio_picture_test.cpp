@@ -76,11 +76,12 @@ TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading
   studio s =
       studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}}});
   CHECK(apply_event(s, moved("teapot", 0.5, -1, 0)) == irg::studio_status::done);
-  const irg::rgb<float> light = irg::decode({250, 20, 90, 255});
+  const irg::rgb<float> decoded = irg::decode({250, 20, 90, 255});
+  const irg::rgb<double> light{irg::widened(decoded.r), irg::widened(decoded.g), irg::widened(decoded.b)};
   irg::object<double> o{irg::shape_teapot<double>({4}), irg::translation(irg::vec<double, 3>{0.5, -1, 0})};
   o.shape.normals.clear();
   for (auto& c : o.shape.corners) c.normal = irg::mesh_corner::none;
-  o.surface = {{light.r, light.g, light.b}, {light.r, light.g, light.b}, {}, 1};
+  o.surface = {light, light, {}, 1};
   for (const auto kind :
        {irg::projection_kind::perspective, irg::projection_kind::orthographic, irg::projection_kind::oblique}) {
     CHECK(apply_event(s, irg::set_projection<double>{studio_view::main, kind}) == irg::studio_status::done);
