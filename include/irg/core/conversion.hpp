@@ -22,11 +22,10 @@ inline namespace IRG_ABI {
 /// exact   correctly rounded
 template <class To, class From>
 [[nodiscard]] IRG_INLINE constexpr To converted(const From& x) noexcept(noexcept(static_cast<To>(x))) {
-  if constexpr (!IRG_HIDES_CONVERSIONS)
-    return static_cast<To>(x);
-  else if constexpr (std::is_same_v<From, float> && std::is_same_v<To, double>)
+  constexpr bool hidden = IRG_HIDES_CONVERSIONS;
+  if constexpr (hidden && std::is_same_v<From, float> && std::is_same_v<To, double>)
     return static_cast<double>(opaque(x));
-  else if constexpr (std::is_same_v<From, double> && std::is_same_v<To, float>)
+  else if constexpr (hidden && std::is_same_v<From, double> && std::is_same_v<To, float>)
     return opaque(static_cast<float>(x));
   else
     return static_cast<To>(x);

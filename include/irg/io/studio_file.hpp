@@ -24,6 +24,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_studio(const studio<T>& s) {
   std::vector<stored_body<T>> bodies;
+  bodies.reserve(s.bodies.size());
   for (const studio_body<T>& b : s.bodies) bodies.push_back(b.body);
   auto xml = encode_body_xml(bodies);
   if (!xml) return xml.error();

@@ -43,17 +43,17 @@ public:
     if (!is_finite_) return {visibility_status::not_finite, {}};
     visible_region<T> seen = visibility_polygon(source, domain_);
     if (seen.ring.empty()) return seen;
-    std::vector<std::uint32_t> near;
-    if (tiles_.count() == 1 || !detail::wall_horizon<T>(tiles_, tiled_, source).find(64 + walls_.size() / 16, near))
+    std::vector<std::uint32_t> nearby;
+    if (tiles_.count() == 1 || !detail::wall_horizon<T>(tiles_, tiled_, source).find(64 + walls_.size() / 16, nearby))
       return visibility_polygon(source, domain_, walls_);
-    for (std::uint32_t& w : near) w = numbers_[w];
-    std::sort(near.begin(), near.end());
+    for (std::uint32_t& w : nearby) w = numbers_[w];
+    std::sort(nearby.begin(), nearby.end());
     std::vector<segment<T, 2>> walls;
-    walls.reserve(near.size());
-    for (const std::uint32_t w : near) walls.push_back(walls_[w]);
+    walls.reserve(nearby.size());
+    for (const std::uint32_t w : nearby) walls.push_back(walls_[w]);
     seen = visibility_polygon(source, domain_, walls);
     for (auto& v : seen.ring)
-      if (v.stop == sight_stop::obstacle) v.index = near[v.index];
+      if (v.stop == sight_stop::obstacle) v.index = nearby[v.index];
     return seen;
   }
 
