@@ -24,9 +24,10 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // Whether two triangles have more in common than corners and whole sides that both have.
-constexpr bool pass_through(const std::vector<point<double, 3>>& positions, const triangle_indices& s,
-                            const triangle_indices& t) noexcept {
-  const seen_triangle a = see_triangle(positions, s, 0), b = see_triangle(positions, t, 1);
+template <std::same_as<triangle_indices> Triangle>
+constexpr bool pass_through(const std::vector<point<double, 3>>& positions, const Triangle& s,
+                            const Triangle& t) noexcept {
+  const auto a = see_triangle(positions, s, 0), b = see_triangle(positions, t, 1);
   if (a.turn == 0 || b.turn == 0) return false;
   const contact_finder found(a, b);
   for (int i = 0; i < found.count; ++i)

@@ -89,9 +89,12 @@ constexpr prefix_code<N> code_for(std::array<std::uint32_t, N> counts, int limit
 }
 
 /// One block's two codes and the compact form in which they are sent.
+/// A template over how many symbols there are, so that including this header makes no codes.
+template <class Bytes, std::size_t Literals = 286, std::size_t Distances = 30, std::size_t Runs = 19>
 class block_codes {
 public:
-  constexpr block_codes(const literal_counts& literals, const distance_counts& distances)
+  constexpr block_codes(const std::array<std::uint32_t, Literals>& literals,
+                        const std::array<std::uint32_t, Distances>& distances)
       : literal(code_for(literals, 15)), distance(code_for(distances, 15)) {
     for (std::size_t s = 0; s < 286; ++s) body_bits_ += std::uint64_t{literals[s]} * literal.length[s];
     for (std::size_t s = 0; s < 30; ++s) body_bits_ += std::uint64_t{distances[s]} * distance.length[s];
@@ -101,7 +104,7 @@ public:
     while (literal_count_ > 257 && literal.length[literal_count_ - 1] == 0) --literal_count_;
     while (distance_count_ > 1 && distance.length[distance_count_ - 1] == 0) --distance_count_;
     shorten_lengths();
-    std::array<std::uint32_t, 19> counts{};
+    std::array<std::uint32_t, Runs> counts{};
     for (std::size_t i = 0; i < run_count_; ++i) ++counts[runs_[i].symbol];
     run_code_ = code_for(counts, 7);
     while (run_length_count_ > 4 && run_code_.length[sent_order[run_length_count_ - 1]] == 0) --run_length_count_;
@@ -115,7 +118,6 @@ public:
     return n;
   }
 
-  template <class Bytes>
   constexpr void write_to(bit_writer<Bytes>& out) const {
     out.put(literal_count_ - 257, 5);
     out.put(distance_count_ - 1, 5);
@@ -127,8 +129,8 @@ public:
     }
   }
 
-  prefix_code<286> literal;
-  prefix_code<30> distance;
+  prefix_code<Literals> literal;
+  prefix_code<Distances> distance;
 
 private:
   static constexpr std::array<std::uint8_t, 19> sent_order = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
@@ -196,7 +198,7 @@ constexpr void write_block(bit_writer<Bytes>& out, std::span<const token> tokens
     ++literals[t.distance == 0 ? t.value : length_symbol(t.value).symbol];
     if (t.distance != 0) ++distances[distance_symbol(t.distance).symbol];
   }
-  const block_codes codes(literals, distances);
+  const block_codes<Bytes> codes(literals, distances);
   const std::uint64_t stored_bits = (bytes.size() + 5 * (bytes.size() / 65535 + 1)) * 8;
   if (codes.bits() + 3 >= stored_bits) return write_stored(out, bytes, last);
 

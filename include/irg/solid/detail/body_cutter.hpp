@@ -77,8 +77,7 @@ private:
   }
 
   constexpr void add_contacts(std::uint32_t s, std::uint32_t t) {
-    const seen_triangle a = see_triangle(b_.positions, b_.triangles[s], s);
-    const seen_triangle b = see_triangle(b_.positions, b_.triangles[t], t);
+    const auto a = see_triangle(b_.positions, b_.triangles[s], s), b = see_triangle(b_.positions, b_.triangles[t], t);
     if (a.turn == 0 || b.turn == 0) {
       failed = true;
       return;

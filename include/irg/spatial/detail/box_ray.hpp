@@ -81,7 +81,7 @@ IRG_INLINE constexpr void set_faces(box_ray& b, const vec<T, 3>& d) noexcept {
   }
 }
 
-IRG_NOINLINE constexpr void set_any_box_ray(box_ray& b, const std::same_as<ray<double, 3>> auto& r,
+IRG_NOINLINE constexpr void set_any_box_ray(std::same_as<box_ray> auto& b, const ray<double, 3>& r,
                                             double scale) noexcept {
   const vec<double, 3>& d = r.direction;
   const double reach = greater(magnitude(d.x), greater(magnitude(d.y), magnitude(d.z)));
@@ -118,8 +118,8 @@ IRG_INLINE constexpr void set_box_ray(box_ray& b, const ray<T, 3>& r, double sca
     if (biased - (127 - middling) <= 2 * middling && scale_biased - (1023 - middling) <= 2 * middling) {
       const auto power = [](std::uint32_t e) { return std::bit_cast<float>(e << 23); };
       const float size = power(254 - biased), unit = power(scale_biased - 1023 + biased), s = static_cast<float>(scale);
-      const float origin[3] = {product(r.origin.x, s), product(r.origin.y, s), product(r.origin.z, s)};
-      const float direction[3] = {product(d.x, size), product(d.y, size), product(d.z, size)};
+      const T origin[3] = {product(r.origin.x, s), product(r.origin.y, s), product(r.origin.z, s)};
+      const T direction[3] = {product(d.x, size), product(d.y, size), product(d.z, size)};
       const bool stands = set_up_box_ray(origin, direction, b);
       set_faces(b, d);
       b.unit = static_cast<int>(scale_biased) - 1023 + static_cast<int>(biased) - 127;

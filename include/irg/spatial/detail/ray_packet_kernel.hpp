@@ -7,6 +7,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,7 +33,8 @@ using packet_lanes = pack<float, native_lanes<float>>;
 // Where all rays of a packet go forward along an axis, or all go backward: their numbers, and those of the whole. Gives
 // whether they do, by numbers of middling size.
 // A direction of 0 is as in turn_standing_axes.
-IRG_INLINE bool set_up_packet_axis(ray_packet& p, int axis, const float* origins, const float* directions,
+template <std::same_as<ray_packet> Packet>
+IRG_INLINE bool set_up_packet_axis(Packet& p, int axis, const float* origins, const float* directions,
                                    unsigned& standing) noexcept {
   using F = packet_lanes;
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
@@ -81,7 +83,8 @@ IRG_INLINE bool set_up_packet_axis(ray_packet& p, int axis, const float* origins
   return true;
 }
 
-IRG_INLINE float latest_of(const ray_packet& p) noexcept {
+template <std::same_as<ray_packet> Packet>
+IRG_INLINE float latest_of(const Packet& p) noexcept {
   using F = packet_lanes;
   F most = lanes<F>::load(p.high);
   for (int k = lanes<F>::count; k < ray_packet::size; k += lanes<F>::count)
@@ -90,7 +93,8 @@ IRG_INLINE float latest_of(const ray_packet& p) noexcept {
 }
 
 // The rays' lows and highs as the boxes', on the safe side. Gives whether all are in order.
-IRG_INLINE bool set_up_packet_times(ray_packet& p, float scale) noexcept {
+template <std::same_as<ray_packet> Packet>
+IRG_INLINE bool set_up_packet_times(Packet& p, float scale) noexcept {
   using F = packet_lanes;
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
   constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -115,7 +119,8 @@ IRG_INLINE bool set_up_packet_times(ray_packet& p, float scale) noexcept {
 
 // Gives whether the rays can go as one: they are not empty, go the same way along each axis, and their numbers are of
 // middling size.
-IRG_INLINE bool set_up_packet(ray_packet& p, const ray<float, 3>* rays, double scale) noexcept {
+template <std::same_as<ray_packet> Packet>
+IRG_INLINE bool set_up_packet(Packet& p, const ray<float, 3>* rays, double scale) noexcept {
   constexpr std::uint64_t least = 1023 - 50, range = 100;
   if ((std::bit_cast<std::uint64_t>(scale) >> 52) - least > range) return false;
   const float s = static_cast<float>(scale);
@@ -138,7 +143,8 @@ IRG_INLINE bool set_up_packet(ray_packet& p, const ray<float, 3>* rays, double s
 }
 
 // A bit for each ray that meets box k of a node.
-IRG_INLINE unsigned rays_at_box(const ray_packet& p, const bvh_node& node, std::uint32_t k) noexcept {
+template <std::same_as<ray_packet> Packet>
+IRG_INLINE unsigned rays_at_box(const Packet& p, const bvh_node& node, std::uint32_t k) noexcept {
   using F = packet_lanes;
   const auto bound = [&](std::ptrdiff_t at) {
     return lanes<F>::broadcast(node.bounds[at + static_cast<std::ptrdiff_t>(k)]);

@@ -8,6 +8,7 @@
 // so corners cannot matter.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 #include <irg/core/scalar.hpp>
@@ -17,10 +18,11 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
+template <std::same_as<walled_grid> Map>
 class sector_sweep {
 public:
   sector_sweep() = delete;
-  constexpr sector_sweep(const walled_grid& map, const cell3& viewer, corner_rule corners, std::int64_t radius,
+  constexpr sector_sweep(const Map& map, const cell3& viewer, corner_rule corners, std::int64_t radius,
                          cell_grid& seen)
       : map_(map), viewer_(viewer), rules_{corners, end_cells::untested}, radius_(radius), seen_(seen) {
     if (!map.walled()) return;
@@ -178,7 +180,7 @@ private:
     }
   }
 
-  const walled_grid& map_;
+  const Map& map_;
   cell3 viewer_;
   sight_rules rules_;
   std::int64_t radius_;

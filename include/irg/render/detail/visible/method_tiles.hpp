@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,9 +24,10 @@ struct convex_bodies {
   std::vector<range> drawn;  // numbers rise
 
   // Whether two triangles belong to one of them.
-  [[nodiscard]] constexpr bool is_one(std::uint32_t a, std::uint32_t b) const noexcept {
+  template <std::same_as<std::uint32_t> N>
+  [[nodiscard]] constexpr bool is_one(N a, N b) const noexcept {
     const auto after =
-        std::upper_bound(drawn.begin(), drawn.end(), a, [](std::uint32_t n, const range& r) { return n < r.first; });
+        std::upper_bound(drawn.begin(), drawn.end(), a, [](N n, const range& r) { return n < r.first; });
     return after != drawn.begin() && a < after[-1].end && after[-1].first <= b && b < after[-1].end;
   }
 };
