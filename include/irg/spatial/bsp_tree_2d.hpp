@@ -55,7 +55,9 @@ public:
 
   /// The first one is the root; a node stands before those below it.
   [[nodiscard]] constexpr std::span<const bsp_node_2d> nodes() const noexcept { return {nodes_.data(), nodes_.size()}; }
-  [[nodiscard]] constexpr std::span<const bsp_piece_2d> pieces() const noexcept { return {pieces_.data(), pieces_.size()}; }
+  [[nodiscard]] constexpr std::span<const bsp_piece_2d> pieces() const noexcept {
+    return {pieces_.data(), pieces_.size()};
+  }
   /// How often a line cut a segment in two.
   [[nodiscard]] constexpr std::size_t splits() const noexcept { return splits_; }
   /// Segments without length, or with NaN or infinity.

@@ -22,8 +22,7 @@ template <std::same_as<walled_grid> Map>
 class sector_sweep {
 public:
   sector_sweep() = delete;
-  constexpr sector_sweep(const Map& map, const cell3& viewer, corner_rule corners, std::int64_t radius,
-                         cell_grid& seen)
+  constexpr sector_sweep(const Map& map, const cell3& viewer, corner_rule corners, std::int64_t radius, cell_grid& seen)
       : map_(map), viewer_(viewer), rules_{corners, end_cells::untested}, radius_(radius), seen_(seen) {
     if (!map.walled()) return;
     in_the_way_ = map.cells();

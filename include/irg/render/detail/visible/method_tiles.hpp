@@ -26,8 +26,7 @@ struct convex_bodies {
   // Whether two triangles belong to one of them.
   template <std::same_as<std::uint32_t> N>
   [[nodiscard]] constexpr bool is_one(N a, N b) const noexcept {
-    const auto after =
-        std::upper_bound(drawn.begin(), drawn.end(), a, [](N n, const range& r) { return n < r.first; });
+    const auto after = std::upper_bound(drawn.begin(), drawn.end(), a, [](N n, const range& r) { return n < r.first; });
     return after != drawn.begin() && a < after[-1].end && after[-1].first <= b && b < after[-1].end;
   }
 };
