@@ -271,6 +271,19 @@ int share_seen(const scene& s, const place& from) {
   return every ? 2 : some ? 1 : 0;
 }
 
+// In how many of the three parts a place stands or is missing against what rationals say.
+template <class Parts>
+int wrong_parts(const Parts& got, const scene& s, const place& p) {
+  const int want = share_seen(s, p);
+  const rings* parts[] = {&got.none, &got.some, &got.all};
+  int wrong = 0;
+  for (int k = 0; k < 3; ++k) {
+    const bool inside = irg::point_in_polygon(*parts[k], p, irg::fill_rule::even_odd) == irg::location::inside;
+    wrong += inside != (k == want);
+  }
+  return wrong;
+}
+
 int wrong_places(const scene& s, test::random& r, int samples) {
   const auto got = parts_of(s);
   if (got.status != visibility_status::done) return 0;
@@ -283,12 +296,7 @@ int wrong_places(const scene& s, test::random& r, int samples) {
     const place& c = corners[static_cast<std::size_t>(r.integer(0, static_cast<std::int64_t>(corners.size()) - 1))];
     const place p = i % 2 == 0 ? place{x, y} : place{c.x + x / 5000, c.y + y / 5000};  // close to a corner
     if (!(-5 < p.x && p.x < 5 && -5 < p.y && p.y < 5)) continue;
-    const int want = share_seen(s, p);
-    const rings* parts[] = {&got.none, &got.some, &got.all};
-    for (int k = 0; k < 3; ++k) {
-      const bool inside = irg::point_in_polygon(*parts[k], p, irg::fill_rule::even_odd) == irg::location::inside;
-      wrong += inside != (k == want);
-    }
+    wrong += wrong_parts(got, s, p);
   }
   return wrong;
 }
@@ -318,12 +326,7 @@ TEST_CASE("weak_visibility: sources that walls cut, cut where they do") {
     ++judged;
     for (int k = 0; k < 12; ++k) {
       const double x = 10 * r.unit() - 5;
-      const place p{x, 10 * r.unit() - 5};
-      const int want = share_seen(s, p);
-      const rings* parts[] = {&got.none, &got.some, &got.all};
-      for (int n = 0; n < 3; ++n)
-        wrong +=
-            (irg::point_in_polygon(*parts[n], p, irg::fill_rule::even_odd) == irg::location::inside) != (n == want);
+      wrong += wrong_parts(got, s, {x, 10 * r.unit() - 5});
     }
   }
   CHECK(wrong == 0);
@@ -346,12 +349,7 @@ TEST_CASE("weak_visibility: segments that walls cut, cut where they do") {
     ++judged;
     for (int k = 0; k < 12; ++k) {
       const double x = 10 * r.unit() - 5;
-      const place p{x, 10 * r.unit() - 5};
-      const int want = share_seen(s, p);
-      const rings* parts[] = {&got.none, &got.some, &got.all};
-      for (int n = 0; n < 3; ++n)
-        wrong +=
-            (irg::point_in_polygon(*parts[n], p, irg::fill_rule::even_odd) == irg::location::inside) != (n == want);
+      wrong += wrong_parts(got, s, {x, 10 * r.unit() - 5});
     }
   }
   CHECK(wrong == 0);
