@@ -24,6 +24,7 @@
 #include <irg/math/lu.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/matrix.hpp>
+#include <irg/math/matrix_concept.hpp>
 #include <irg/math/polynomial.hpp>
 #include <irg/math/roots.hpp>
 #include <irg/math/solve.hpp>

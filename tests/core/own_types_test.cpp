@@ -5,11 +5,13 @@
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/raster_concept.hpp>
 #include <irg/core/ring.hpp>
+#include <irg/math/matrix_concept.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/view_opencv.hpp>
 #include <irg/raster/view_sdl.hpp>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -105,6 +107,30 @@ struct irg::plane_traits<my::wall> {
 };
 // [/plane]
 static_assert(irg::Plane<my::wall> && irg::plane_coefficient(my::wall{{0, 1, 0}, 5}, 3) == -5);
+
+// [matrix]
+namespace my {
+struct pose {  // the first three rows of a 4x4 matrix, row by row; the last one is 0 0 0 1
+  std::array<double, 12> entries;
+};
+}  // namespace my
+
+template <>
+struct irg::matrix_traits<my::pose> {
+  using scalar = double;
+  static constexpr int rows = 3, columns = 4;
+  static constexpr double get(const my::pose& m, int row, int column) {
+    return m.entries[static_cast<std::size_t>(4 * row + column)];
+  }
+  static constexpr void set(my::pose& m, int row, int column, double x) {
+    m.entries[static_cast<std::size_t>(4 * row + column)] = x;
+  }
+};
+
+constexpr irg::mat<double, 3, 4> as_rows = irg::to_mat(my::pose{{1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7}});
+constexpr my::pose back = irg::from_mat<my::pose>(as_rows);
+// [/matrix]
+static_assert(as_rows(1, 3) == 6 && back.entries[11] == 7);
 
 // [ring]
 namespace my {

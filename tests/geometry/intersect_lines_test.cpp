@@ -2,7 +2,9 @@
 #include <irg/geometry/intersect_lines.hpp>
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "support/check_both.hpp"
 #include "support/exact.hpp"
@@ -60,6 +62,17 @@ static_assert([] {
          irg::intersect_lines(P{-most, -most}, P{most, most - 1}, P{-most, -most + 1}, P{most, most}).relation ==
              irg::flat_relation::parallel;
 }());
+// 64 bits too, to the ends of the range: the difference of the directions is lost in doubles.
+static_assert([] {
+  using P = irg::point<long long, 2>;
+  constexpr long long most = (std::numeric_limits<long long>::max)(), least = -most - 1;
+  const auto m = irg::intersect_lines(P{least, least}, P{most, most - 1}, P{least, least}, P{most, most});
+  return m.relation == irg::flat_relation::crossing && m.at == irg::point<double, 2>{-0x1p63, -0x1p63} && m.t == 0 &&
+         irg::intersect_lines(P{least, least}, P{most, most}, P{0, 0}, P{most, most}).relation ==
+             irg::flat_relation::coincident &&
+         irg::intersect_lines(P{least, least}, P{most, most}, P{0, 1}, P{most - 1, most}).relation ==
+             irg::flat_relation::parallel;
+}());
 
 TEST_CASE("intersect_lines: Hank's values") {
   CHECK_BOTH(relations_hold<P3>());
@@ -108,7 +121,14 @@ using EV = std::array<E, static_cast<std::size_t>(N)>;
 template <class T, int N>
 EV<N> exactly(const point<T, N>& p) {
   EV<N> e;
-  for (int i = 0; i < N; ++i) e[static_cast<std::size_t>(i)] = E(static_cast<double>(p[i]));
+  for (int i = 0; i < N; ++i) {
+    if constexpr (sizeof(T) == 8 && std::is_integral_v<T>) {  // in two parts that doubles hold
+      const T high = p[i] >> 32, low = p[i] & T(0xffffffff);
+      e[static_cast<std::size_t>(i)] = E(static_cast<double>(high)) * E(0x1p32) + E(static_cast<double>(low));
+    } else {
+      e[static_cast<std::size_t>(i)] = E(static_cast<double>(p[i]));
+    }
+  }
   return e;
 }
 
@@ -169,6 +189,33 @@ void compare(const point<T, N> (&p)[4], tally& sum) {
   sum.worst = std::fmax(sum.worst, worst);
 }
 
+// Integers of all sizes up to the ends of the range, nearly parallel, parallel and with common points.
+template <class T, int N>
+tally run_integers(int count) {
+  test::random r(8);
+  tally sum;
+  for (int i = 0; i < test::trials(count); ++i) {
+    const int dropped = static_cast<int>(r.next() % (8 * sizeof(T)));
+    point<T, N> p[4];
+    for (auto& q : p)
+      for (int k = 0; k < N; ++k) q[k] = static_cast<T>(r.next()) >> (i % 2 == 0 ? 2 : dropped);
+    for (int k = 0; k < N; ++k) {
+      if (i % 8 == 2) p[3][k] = static_cast<T>(p[2][k] / 2 + p[1][k] / 2 - p[0][k] / 2);  // at times parallel
+      if (i % 8 == 4) p[2][k] = p[1][k];
+      if (i % 8 == 6) p[3][k] = static_cast<T>(p[1][k] + (k == 0)), p[2][k] = p[0][k];  // off by one
+    }
+    if (i % 3 == 0 && N == 3)
+      for (auto& q : p) q[2] = T(7);
+    if (i % 16 == 8)
+      for (int k = 0; k < N; ++k) {  // one line: all four are multiples of the first
+        const T step = static_cast<T>(p[0][k] / 8);
+        for (int q = 0; q < 4; ++q) p[q][k] = static_cast<T>(step * (q * q - 3));
+      }
+    compare(p, sum);
+  }
+  return sum;
+}
+
 template <class T, int N>
 tally run(int count) {
   test::random r(7);
@@ -199,6 +246,18 @@ TEST_CASE("intersect_lines: relations and positions against rationals, all magni
     CHECK(sum.worst <= 0.501);
     CHECK(sum.crossings > 200);
     CHECK(sum.others > 100);
+  }
+}
+
+TEST_CASE("intersect_lines: integers of 32 and 64 bits against rationals, to the ends of the range") {
+  using big = std::int64_t;
+  for (const tally& sum : {run_integers<int, 2>(1000), run_integers<int, 3>(1000), run_integers<big, 2>(1000),
+                           run_integers<big, 3>(1000)}) {
+    MESSAGE(sum.crossings, " crossings, ", sum.others, " others, worst ", sum.worst, " ulp");
+    CHECK(sum.wrong == 0);
+    CHECK(sum.worst <= 0.501);
+    CHECK(sum.crossings > 200);
+    CHECK(sum.others > 50);
   }
 }
 #endif

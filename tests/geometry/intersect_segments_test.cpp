@@ -37,6 +37,18 @@ static_assert([] {
   const auto m = irg::intersect_segments(P{0, 0}, P{3, 3}, P{0, 1}, P{1, 0});
   return m.relation == irg::segment_relation::point && m.first == irg::point<double, 2>{0.5, 0.5};
 }());
+// Of 64 bits too: one unit beside the line, at the ends of the range.
+static_assert([] {
+  using P = irg::point<long long, 2>;
+  using D = irg::point<double, 2>;
+  constexpr long long most = (std::numeric_limits<long long>::max)(), least = -most - 1;
+  constexpr P low{least, least}, high{most, most}, above{most - 2, most - 1};
+  const auto on = irg::intersect_segments(low, high, {most - 1, most - 1}, P{most, least});
+  const auto along = irg::intersect_segments(irg::segment{low, high}, irg::segment{P{0, 0}, high});
+  return irg::intersect_segments(low, high, above, P{least, most}).relation == irg::segment_relation::none &&
+         on.relation == irg::segment_relation::point && on.first == D{0x1p63, 0x1p63} &&
+         along.relation == irg::segment_relation::overlap && along.first == D{0, 0} && along.last == D{0x1p63, 0x1p63};
+}());
 
 TEST_CASE("intersect_segments: by hand") {
   CHECK_BOTH(meet<P2>({0, 0}, {2, 2}, {0, 2}, {2, 0}, touch, {1, 1}, {1, 1}));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Vectors and points: what the types forbid. CASE 0 is the control and compiles.
+#include <irg/geometry/orient2d.hpp>
+#include <irg/math/mat.hpp>
 #include <irg/math/vec.hpp>
 
 #include <array>
@@ -10,6 +12,11 @@ using point3 = irg::point<float, 3>;
 [[maybe_unused]] constexpr vec2 v2{1, 2};
 [[maybe_unused]] constexpr vec3 v3{1, 2, 3};
 [[maybe_unused]] constexpr point3 p3{1, 2, 3};
+
+// What is refused is refused in a question too, and no error there.
+template <class T>
+concept has_product = requires(const T& a) { irg::dot(a, a); };
+static_assert(has_product<vec3> && !has_product<point3>);
 
 #if CASE == 0
 constexpr auto sum = irg::dot(v3, v3) + irg::dot(v2, v2) + irg::cross(v3, v3).x + (p3 + v3).x + (p3 - p3).x;
@@ -30,7 +37,7 @@ irg::vec<bool, 3> x;
 // expect: no matching function for call to .*dot
 constexpr auto x = irg::dot(v3, irg::vec<double, 3>{1, 2, 3});
 #elif CASE == 6  // dot of points
-// expect: no matching function for call to .*dot
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: .*(PointWhereVectorIsWanted|a point stands where a vector is wanted)
 constexpr auto x = irg::dot(p3, p3);
 #elif CASE == 7  // too few coordinates
 // expect: no matching function for call to .*from_coordinates
@@ -54,4 +61,22 @@ constexpr auto x = irg::hpoint<float, 3>{1, 2, 3, 1} + v3;
 #elif CASE == 11  // coordinates beyond the third have no names
 // expect: no member named
 constexpr auto x = irg::point<float, 5>{}.x;
+#elif CASE == 12  // a point among vectors
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: .*(PointWhereVectorIsWanted|a point stands where a vector is wanted)
+constexpr auto x = irg::cross(v3, p3);
+#elif CASE == 13  // the transformation of vectors given a point
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: .*(PointWhereVectorIsWanted|a point stands where a vector is wanted)
+constexpr auto x = irg::transform_vector(irg::mat<float, 4, 4>{}, p3);
+#elif CASE == 14  // the transformation of points given a vector
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: .*(VectorWherePointIsWanted|a vector stands where a point is wanted)
+constexpr auto x = irg::transform_point(irg::mat<float, 4, 4>{}, v3);
+#elif CASE == 15  // a predicate of points given vectors
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: .*(VectorWherePointIsWanted|a vector stands where a point is wanted)
+constexpr auto x = irg::orient2d(v2, v2, v2);
+#elif CASE == 16  // a vector in a point's place: the types are named
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: (conversion from .*point|no viable conversion from .*point).*vec
+vec3 x = p3;
+#elif CASE == 17  // and the other way round
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: (conversion from .*vec|no viable conversion from .*vec).*point
+point3 x = v3;
 #endif

@@ -10,6 +10,7 @@
 #if !defined(IRG_ALLOW_ANY_COMPILER) && \
     (defined(__clang__) ? __clang_major__ < 14 : (!defined(__GNUC__) || __GNUC__ < 12))
 #error "irg: needs g++ 12 or clang 14, or newer (define IRG_ALLOW_ANY_COMPILER to try another)"
+#include <The error above ends it here.>  // which does not exist, so that no flood of errors follows
 #endif
 #if (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||              \
      defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)) && \

@@ -137,6 +137,11 @@ concept Coordinates = requires(const T& v) {
   requires detail::made_from_coordinates<T, coordinate_traits<T>, typename coordinate_traits<T>::scalar>;
 };
 
+namespace detail {
+template <class T, coordinate_kind Kind>
+concept means = Coordinates<T> && coordinate_traits<T>::kind == Kind;
+}  // namespace detail
+
 /// A displacement. Models: vec, glm::vec3, Eigen::Vector3f, std::array<double, 3>, a struct with x, y and z.
 template <class T>
 concept Vector = Coordinates<T> && (coordinate_traits<T>::kind == coordinate_kind::any ||
@@ -161,6 +166,23 @@ using scalar_of = typename coordinate_traits<T>::scalar;
 /// How many coordinates a type has.
 template <Coordinates T>
 inline constexpr int size_of = coordinate_traits<T>::size;
+
+// Said in the first line of the error: a function of vectors that is given a point is found, and not to be called; so
+// is one of points that is given a vector. g++ prints the deleted function's parameters, clang the reason.
+#ifdef __clang__
+#define IRG_REFUSED(name, parameters, reason) \
+  __attribute__((unavailable(reason))) int name(const parameters&...) noexcept
+#else
+#define IRG_REFUSED(name, parameters, reason) int name(const parameters&...) noexcept = delete
+#endif
+#define IRG_REFUSES_POINTS(name)                                                     \
+  template <class... PointWhereVectorIsWanted>                                       \
+    requires(... || detail::means<PointWhereVectorIsWanted, coordinate_kind::point>) \
+  IRG_REFUSED(name, PointWhereVectorIsWanted, "a point stands where a vector is wanted")
+#define IRG_REFUSES_VECTORS(name)                                                     \
+  template <class... VectorWherePointIsWanted>                                        \
+    requires(... || detail::means<VectorWherePointIsWanted, coordinate_kind::vector>) \
+  IRG_REFUSED(name, VectorWherePointIsWanted, "a vector stands where a point is wanted")
 
 inline namespace IRG_ABI {
 

@@ -286,5 +286,10 @@ template <Real T>
   return clamp(value, lesser(lesser(x1, x2), x3), greater(greater(x1, x2), x3));
 }
 
+IRG_REFUSES_VECTORS(barycentric);
+IRG_REFUSES_VECTORS(barycentric_fast);
+IRG_REFUSES_VECTORS(barycentric_orthogonal);
+IRG_REFUSES_VECTORS(locate_in_triangle);
+
 }  // namespace IRG_ABI
 }  // namespace irg

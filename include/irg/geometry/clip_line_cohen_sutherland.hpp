@@ -75,5 +75,7 @@ template <Point P>
   return detail::line_between(a, b, window, ends[0].cut, ends[1].cut);
 }
 
+IRG_REFUSES_VECTORS(clip_line_cohen_sutherland);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -87,5 +87,7 @@ template <Point P>
   });
 }
 
+IRG_REFUSES_VECTORS(clip_line_cyrus_beck);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -44,5 +44,7 @@ template <Point P>
   return detail::line_between(a, b, window, entry, exit);
 }
 
+IRG_REFUSES_VECTORS(clip_line_liang_barsky);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -45,5 +45,7 @@ template <Point P>
   return detail::line_between(a, b, window, entry, exit);
 }
 
+IRG_REFUSES_VECTORS(clip_line_nicholl_lee_nicholl);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -198,5 +198,12 @@ template <Point P>
   return point_pair<P>{foot.at, from, foot.t, T(end - 2)};
 }
 
+IRG_REFUSES_VECTORS(closest_point_on_line);
+IRG_REFUSES_VECTORS(closest_point_on_plane);
+IRG_REFUSES_VECTORS(closest_point_on_segment);
+IRG_REFUSES_VECTORS(closest_point_on_triangle);
+IRG_REFUSES_VECTORS(closest_points_of_lines);
+IRG_REFUSES_VECTORS(closest_points_of_segments);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -43,5 +43,9 @@ template <Point P>
       p, a, b);
 }
 
+IRG_REFUSES_VECTORS(compare_distance);
+IRG_REFUSES_VECTORS(compare_lexicographic);
+IRG_REFUSES_VECTORS(order_along_line);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -55,5 +55,8 @@ template <Plane L, Point P>
                       form, p, q);
 }
 
+IRG_REFUSES_VECTORS(compare_distance_to_line);
+IRG_REFUSES_VECTORS(compare_distance_to_plane);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -171,5 +171,13 @@ template <Floating T, int N>
   return distance(p, generate_coordinates<point<T, N>>([&](int i) { return clamp(p[i], b.low[i], b.high[i]); }));
 }
 
+IRG_REFUSES_VECTORS(distance);
+IRG_REFUSES_VECTORS(distance_of_lines);
+IRG_REFUSES_VECTORS(distance_of_segments);
+IRG_REFUSES_VECTORS(distance_to_line);
+IRG_REFUSES_VECTORS(distance_to_segment);
+IRG_REFUSES_VECTORS(distance_to_triangle);
+IRG_REFUSES_VECTORS(signed_distance);
+
 }  // namespace IRG_ABI
 }  // namespace irg

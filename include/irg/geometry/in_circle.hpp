@@ -46,5 +46,8 @@ template <Point P>
   return detail::predicate(a, b, c, d, e);
 }
 
+IRG_REFUSES_VECTORS(in_circle);
+IRG_REFUSES_VECTORS(in_sphere);
+
 }  // namespace IRG_ABI
 }  // namespace irg

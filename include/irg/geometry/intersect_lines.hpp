@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 #include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/flat_relation.hpp>
@@ -27,15 +28,9 @@ struct lines_meeting {
 
 namespace detail {
 
-// Points of integers that doubles hold exactly.
-template <class P>
-concept SmallIntegerPoint =
-    Point<P> && std::integral<scalar_of<P>> && sizeof(scalar_of<P>) <= 4 && (size_of<P> == 2 || size_of<P> == 3);
-
-template <class P>
-constexpr point<double, size_of<P>> in_doubles(const P& p) noexcept {
-  return generate_coordinates<point<double, size_of<P>>>([&](int k) { return static_cast<double>(coordinate(p, k)); });
-}
+// The type of the place where such points' lines meet: in doubles for points of integers.
+template <Point P>
+using meeting_point = std::conditional_t<std::integral<scalar_of<P>>, point<double, size_of<P>>, P>;
 
 // What is known of two crossing lines: t and s times the divisor, what they lack of 1, and the point times it.
 template <class V, int D>
@@ -71,13 +66,13 @@ IRG_INLINE constexpr N cross_coordinate(const vec<N, 3>& a, const vec<N, 3>& b, 
 template <class P, class Q>
 constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexcept {
   using T = scalar_of<P>;
-  using V = known_value<T>;
+  using V = std::conditional_t<std::integral<T>, known_number, known_value<T>>;
   constexpr int D = size_of<P>;
   line_crossing<V, D> result;
   int k = 0;
   bool parallel = false;
   if constexpr (D == 3) {
-    const auto normal = values_of<3>(
+    const auto normal = known_values_of<3>(
         [](const auto& from, const auto& to, const auto& other, const auto& end) {
           const auto n = cross(way_along(from, to), way_along(other, end));
           return std::tuple{n, dot(n, other - from)};
@@ -93,7 +88,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
     k = largest_coordinate(n);
   }
   if (!parallel) {
-    const auto meeting = values_of<3>(
+    const auto meeting = known_values_of<3>(
         [k](const auto& from, const auto& to, const auto& other, const auto& end) {
           const auto u = way_along(from, to), v = way_along(other, end), w = other - from;
           const auto n = cross_coordinate(u, v, k), t = cross_coordinate(w, v, k), s = cross_coordinate(w, u, k);
@@ -105,7 +100,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
     if (!is_zero(n)) return line_crossing<V, D>{flat_relation::crossing, n, t, s, t_rest, s_rest, at};
   }
   // All four points on one line? Where a line is but a point, it need be on the other one.
-  const auto apart = values_of<2>(
+  const auto apart = known_values_of<2>(
       [](const auto& from, const auto& to, const auto& other, const auto& end) {
         const auto w = other - from;
         return std::tuple{cross(w, way_along(from, to)), cross(w, way_along(other, end))};
@@ -133,21 +128,15 @@ inline namespace IRG_ABI {
 /// How the line through a and b and the line through c and d lie, and where they cross.
 /// gives   `none` when a == b or c == d, or a coordinate is NaN or infinite. Never NaN for finite points; infinity
 ///         where the exact value is beyond the range
-/// exact   the relation for all finite points; each coordinate of the point, t and s within 0.501 ulp of the exact
-///         ones. Exact in rationals
-/// cost    some 250 ns (space: 300), about 4 us near a degenerate case or for coordinates beyond 2^+-80
+/// exact   the relation for all finite points and all integers; each coordinate of the point, t and s within 0.501 ulp
+///         of the exact ones, in doubles for points of integers. Exact in rationals
+/// cost    some 250 ns (space: 300), about 4 us near a degenerate case or beyond 2^+-80 (integers: 2^53)
 template <Point P>
-  requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-[[nodiscard]] constexpr lines_meeting<P> intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept {
+  requires(Scalar<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
+[[nodiscard]] constexpr auto intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept
+    -> lines_meeting<detail::meeting_point<P>> {
   if (detail::are_equal(a, b) || detail::are_equal(c, d)) return {};
-  return detail::rounded_meeting<P>(detail::cross_lines(a, b, c, d));
-}
-
-/// The same for points of integers; where the lines cross comes in doubles.
-template <detail::SmallIntegerPoint P>
-[[nodiscard]] constexpr lines_meeting<point<double, size_of<P>>> intersect_lines(const P& a, const P& b, const P& c,
-                                                                                 const P& d) noexcept {
-  return intersect_lines(detail::in_doubles(a), detail::in_doubles(b), detail::in_doubles(c), detail::in_doubles(d));
+  return detail::rounded_meeting<detail::meeting_point<P>>(detail::cross_lines(a, b, c, d));
 }
 
 /// The same for lines given by origin and direction; t and s count in their directions.
@@ -161,6 +150,8 @@ template <Real T, int N>
   return detail::rounded_meeting<point<T, N>>(
       detail::cross_lines(first.origin, first.direction, second.origin, second.direction));
 }
+
+IRG_REFUSES_VECTORS(intersect_lines);
 
 }  // namespace IRG_ABI
 }  // namespace irg

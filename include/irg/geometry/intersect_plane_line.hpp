@@ -133,5 +133,7 @@ template <Real T>
   return {m.relation, {}, {}, {}, {}};
 }
 
+IRG_REFUSES_VECTORS(intersect_plane_line);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -2,7 +2,7 @@
 // What two segments have in common, in the plane and in space: nothing, a point or a segment, decided exactly.
 #pragma once
 
-#include <cstddef>
+#include <concepts>
 
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
@@ -27,9 +27,18 @@ struct segments_meeting {
 namespace detail {
 inline namespace IRG_ABI {
 
+// A point given, as a place where two segments meet.
+template <Point P>
+IRG_INLINE constexpr meeting_point<P> as_meeting(const P& p) noexcept {
+  if constexpr (std::integral<scalar_of<P>>)
+    return generate_coordinates<meeting_point<P>>([&](int i) { return static_cast<double>(coordinate(p, i)); });
+  else
+    return p;
+}
+
 // The common part of two segments on one line, by the order of coordinates along an axis on which they extend.
 template <Point P>
-constexpr segments_meeting<P> common_part(const P& a, const P& b, const P& c, const P& d) noexcept {
+constexpr segments_meeting<meeting_point<P>> common_part(const P& a, const P& b, const P& c, const P& d) noexcept {
   int axis = 0;
   const auto differ = [&](const P& p, const P& q) { return !(coordinate(p, axis) == coordinate(q, axis)); };
   while (axis < size_of<P> - 1 && !differ(a, b) && !differ(c, d) && !differ(a, c)) ++axis;
@@ -38,8 +47,8 @@ constexpr segments_meeting<P> common_part(const P& a, const P& b, const P& c, co
   const P &low1 = forward ? a : b, &high1 = forward ? b : a, &low2 = c_first ? c : d, &high2 = c_first ? d : c;
   const P &low = precedes(low1, low2) ? low2 : low1, &high = precedes(high2, high1) ? high2 : high1;
   if (precedes(high, low)) return {};
-  if (!precedes(low, high)) return {segment_relation::point, low, low, {}, {}};
-  return {segment_relation::overlap, forward ? low : high, forward ? high : low, {}, {}};
+  const auto first = as_meeting(forward ? low : high), last = as_meeting(forward ? high : low);
+  return {precedes(low, high) ? segment_relation::overlap : segment_relation::point, first, last, {}, {}};
 }
 
 // Whether c and d are surely on one side of the line ab.
@@ -56,14 +65,15 @@ inline namespace IRG_ABI {
 
 /// What the segments ab and cd have in common: nothing, a point, or a segment. Segments may be points.
 /// gives   `none` when a coordinate is NaN or infinite
-/// exact   the relation for all finite points. Where an end of one lies on the other, the point is that end, bit for
-///         bit; elsewhere its coordinates, t and s are within 0.501 ulp
+/// exact   the relation for all finite points and all integers. Where an end of one lies on the other, the point is
+///         that end, bit for bit (integers: the nearest doubles); elsewhere coordinates, t and s are within 0.501 ulp
 /// cost    some 20 ns in the plane when one segment is on one side of the other's line, else as intersect_lines
 template <Point P>
-  requires(Real<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
-[[nodiscard]] constexpr segments_meeting<P> intersect_segments(const P& a, const P& b, const P& c,
-                                                               const P& d) noexcept {
-  using T = scalar_of<P>;
+  requires(Scalar<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
+[[nodiscard]] constexpr auto intersect_segments(const P& a, const P& b, const P& c, const P& d) noexcept
+    -> segments_meeting<detail::meeting_point<P>> {
+  using M = detail::meeting_point<P>;
+  using T = scalar_of<M>;
   if (!is_finite(a, b, c, d)) return {};
   if constexpr (size_of<P> == 2)
     if (detail::on_one_side(a, b, c, d) || detail::on_one_side(c, d, a, b)) return {};
@@ -75,24 +85,18 @@ template <Point P>
   const int t = part(m.t), t_rest = part(m.t_rest), s = part(m.s), s_rest = part(m.s_rest);
   if (t < 0 || t_rest < 0 || s < 0 || s_rest < 0) return {};
   const auto parameter = [&](const auto& v, int rest) { return rest == 0 ? T(1) : rounded_to<T>(v / m.divisor); };
-  const P at = t == 0 ? a : t_rest == 0 ? b : s == 0 ? c : s_rest == 0 ? d : rounded_coordinates<P>(m.at / m.divisor);
+  const P* end = t == 0 ? &a : t_rest == 0 ? &b : s == 0 ? &c : s_rest == 0 ? &d : nullptr;
+  const M at = end != nullptr ? detail::as_meeting(*end) : rounded_coordinates<M>(m.at / m.divisor);
   return {segment_relation::point, at, at, parameter(m.t, t_rest), parameter(m.s, s_rest)};
 }
 
 /// The same for segments by name.
-template <Real T, int N>
-[[nodiscard]] constexpr segments_meeting<point<T, N>> intersect_segments(const segment<T, N>& first,
-                                                                         const segment<T, N>& second) noexcept {
+template <Scalar T, int N>
+[[nodiscard]] constexpr auto intersect_segments(const segment<T, N>& first, const segment<T, N>& second) noexcept {
   return intersect_segments(first.a, first.b, second.a, second.b);
 }
 
-/// The same for points of integers; what they have in common comes in doubles.
-template <detail::SmallIntegerPoint P>
-[[nodiscard]] constexpr segments_meeting<point<double, size_of<P>>> intersect_segments(const P& a, const P& b,
-                                                                                       const P& c,
-                                                                                       const P& d) noexcept {
-  return intersect_segments(detail::in_doubles(a), detail::in_doubles(b), detail::in_doubles(c), detail::in_doubles(d));
-}
+IRG_REFUSES_VECTORS(intersect_segments);
 
 }  // namespace IRG_ABI
 }  // namespace irg

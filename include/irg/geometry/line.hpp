@@ -109,5 +109,9 @@ template <Scalar T, Point P>
   return static_cast<side>(l.b < T(0) ? -sign : sign);
 }
 
+IRG_REFUSES_VECTORS(line_through);
+IRG_REFUSES_VECTORS(line_value);
+IRG_REFUSES_VECTORS(height_of);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -29,5 +29,7 @@ template <Point P>
   return detail::predicate(a, b, c);
 }
 
+IRG_REFUSES_VECTORS(orient2d);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -29,5 +29,7 @@ template <Point P>
   return detail::predicate(a, b, c, d);
 }
 
+IRG_REFUSES_VECTORS(orient3d);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -100,5 +100,8 @@ template <Scalar T>
   return t < T(0) ? line_part::before_start : !(T(1) < t) && t == t ? line_part::segment : line_part::after_end;
 }
 
+IRG_REFUSES_VECTORS(parametric_line_through);
+IRG_REFUSES_VECTORS(point_between);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -158,5 +158,7 @@ template <Real T>
   }
 }
 
+IRG_REFUSES_VECTORS(parametric_plane_through);
+
 }  // namespace IRG_ABI
 }  // namespace irg

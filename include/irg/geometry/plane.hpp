@@ -161,5 +161,8 @@ template <PolygonRing R>
   return p;
 }
 
+IRG_REFUSES_VECTORS(plane_through);
+IRG_REFUSES_VECTORS(plane_value);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -66,5 +66,9 @@ template <Point P>
   return is_on_segment(a, b, p) || is_on_segment(b, c, p) || is_on_segment(c, a, p);
 }
 
+IRG_REFUSES_VECTORS(are_collinear);
+IRG_REFUSES_VECTORS(is_on_segment);
+IRG_REFUSES_VECTORS(is_on_triangle);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -89,5 +89,8 @@ template <Floating T>
       detail::scale({parts.significand, 0}, parts.exponent + (place - (place & 1)) / 2 - (is_small ? 200 : 0)));
 }
 
+IRG_REFUSES_VECTORS(signed_triangle_area);
+IRG_REFUSES_VECTORS(triangle_area);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -84,5 +84,9 @@ template <Vector A, Vector B>
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
 }
 
+IRG_REFUSES_POINTS(cross_accurate);
+IRG_REFUSES_POINTS(dot_accurate);
+IRG_REFUSES_POINTS(dot_exact);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -91,5 +91,12 @@ template <Vector V>
   return generate_coordinates<V>([&](int i) { return product(coordinate(v, i), factor); });
 }
 
+IRG_REFUSES_POINTS(length);
+IRG_REFUSES_POINTS(length_fast);
+IRG_REFUSES_POINTS(length_squared);
+IRG_REFUSES_POINTS(normalized);
+IRG_REFUSES_POINTS(normalized_fast);
+IRG_REFUSES_POINTS(try_normalize);
+
 }  // namespace IRG_ABI
 }  // namespace irg

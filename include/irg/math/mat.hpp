@@ -226,5 +226,8 @@ template <class T, int N>
   }
 }
 
+IRG_REFUSES_VECTORS(transform_point);
+IRG_REFUSES_POINTS(transform_vector);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -290,5 +290,10 @@ template <class T, int N>
   return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return p[i] / p[N]; });
 }
 
+IRG_REFUSES_POINTS(cross);
+IRG_REFUSES_POINTS(cross_fast);
+IRG_REFUSES_POINTS(dot);
+IRG_REFUSES_POINTS(dot_fast);
+
 }  // namespace IRG_ABI
 }  // namespace irg

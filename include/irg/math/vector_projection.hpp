@@ -104,5 +104,10 @@ template <Vector A, Vector B>
   return sum.sign();
 }
 
+IRG_REFUSES_POINTS(cosine_between);
+IRG_REFUSES_POINTS(dot_sign);
+IRG_REFUSES_POINTS(scalar_projection);
+IRG_REFUSES_POINTS(vector_projection);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -168,5 +168,9 @@ template <Floating T>
   return body;
 }
 
+IRG_REFUSES_POINTS(rotation);
+IRG_REFUSES_POINTS(scaling);
+IRG_REFUSES_POINTS(translation);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -14,6 +14,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/attributed_point.hpp>
+#include <irg/geometry/detail/axis_crossing.hpp>
 #include <irg/geometry/detail/boundary_meeting.hpp>
 #include <irg/geometry/detail/half_space.hpp>
 #include <irg/geometry/parametric_plane.hpp>

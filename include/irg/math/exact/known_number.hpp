@@ -22,6 +22,9 @@ struct known_number {
   double high = 0, low = 0;
   int exponent = 0;
 
+  constexpr known_number() = default;
+  IRG_INLINE constexpr explicit known_number(double x) noexcept : high(x) {}
+  IRG_INLINE constexpr known_number(double h, double l, int e) noexcept : high(h), low(l), exponent(e) {}
   constexpr bool operator==(const known_number&) const = default;
 };
 

@@ -20,32 +20,39 @@
 
 namespace irg {
 
-/// What the value of a polynomial in numbers of type T is known as.
+/// What values_of knows the value of a polynomial in numbers of type T as.
 template <Scalar T>
 using known_value = std::conditional_t<Floating<T>, known_number, T>;
 
 inline namespace IRG_ABI {
 
-/// The values polynomial(arguments...): known numbers for floats and doubles, other scalars compute in their
+/// The values polynomial(arguments...): known numbers for floats, doubles and integers, other scalars compute in their
 /// arithmetic.
 /// shape   the polynomial takes its arguments with numbers of any type that has + - and * in the place of T: numbers
 ///         for numbers, vec, point and hpoint for vectors and points, arrays for larger arrays, and the same template
 ///         for what overloads in_numbers, as planes do; it gives a number, or an array, vec or tuple of numbers
 /// needs   a polynomial of at most this degree, 6 at most
 /// gives   nothing when a number is NaN or infinite
-/// exact   in floats and doubles each value within 2^-60 of its size, zeros and signs exactly
-/// cost    some 10 ns for each product; where numbers nearly cancel or are beyond 2^+-80, some microseconds
+/// exact   in floats, doubles and integers each value within 2^-60 of its size, zeros and signs exactly
+/// cost    some 10 ns for each product; where numbers nearly cancel or are beyond 2^+-80 (integers: 2^53), some
+///         microseconds
 template <int Degree, class Polynomial, class... A>
-[[nodiscard]] constexpr auto values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+[[nodiscard]] constexpr auto known_values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
-  if constexpr (Floating<T>) {
+  if constexpr (Floating<T> || std::is_integral_v<T>) {
     static_assert(Degree >= 1 && Degree <= 6);
     bool suits = true, finite = true;
     const auto twice = [&](const T& x) IRG_INLINE_LAMBDA {
-      const double wide = detail::exactly_widened(x);
-      suits = suits && detail::suits_twofold(wide);
-      finite = finite && detail::is_finite(x);
+      double wide = 0;
+      if constexpr (Floating<T>) {
+        wide = detail::exactly_widened(x);
+        suits = suits && detail::suits_twofold(wide);
+        finite = finite && detail::is_finite(x);
+      } else {
+        wide = static_cast<double>(x);
+        suits = suits && -0x1p53 < wide && wide < 0x1p53;
+      }
       return detail::twofold(wide);
     };
     const auto stages = [&](const auto&... x) IRG_INLINE_LAMBDA {
@@ -65,6 +72,16 @@ template <int Degree, class Polynomial, class... A>
   } else {
     return std::optional(polynomial(in_numbers<T>(arguments, [](const T& x) { return x; })...));
   }
+}
+
+/// The same, but integers, too, compute in their arithmetic.
+template <int Degree, class Polynomial, class... A>
+[[nodiscard]] IRG_INLINE constexpr auto values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
+  using T = detail::argument_scalar<A...>;
+  if constexpr (std::is_integral_v<T>)
+    return std::optional(polynomial(detail::in_numbers<T>(arguments, [](const T& x) { return x; })...));
+  else
+    return known_values_of<Degree>(polynomial, arguments...);
 }
 
 }  // namespace IRG_ABI
