@@ -127,31 +127,40 @@ template <Floating T>
 }
 
 /// The mesh of a tree.
-/// gives   the status of the first step that ends with another than `done`, and no faces; faces and corners of the last
-///         step tell where they come from, among the bodies or results that it was made of
-/// exact   each step as solid_boolean, for the corners that the steps before it were rounded to
-/// cost    that of the steps; as deep as may be, nothing recurs
+/// shape   faces and corners tell where they come from among the tree's bodies
+/// needs   bodies as solid_boolean
+/// gives   as solid_boolean; a status other than done, and no faces, where one of the bodies that the last step uses is
+///         none
+/// exact   every decision, as deep as the tree may be: all bodies are cut at each other at once, and each corner is one
+///         of theirs or where three of their planes meet, rounded when it is handed out and nowhere before
+/// cost    as solid_boolean for all pairs of bodies whose boxes meet; a look at each body for each part of each; nothing
+///         recurs
+/// source  Zhou et al. 2016; Cherchi et al. 2020 (crossings of cuts as meetings of three planes)
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {
-  std::vector<solid_boolean_result<T>> made(tree.steps.size(), solid_boolean_result<T>{});
+  if (tree.steps.empty()) return {};
+  std::vector<unsigned char> is_used(tree.steps.size(), 0);
+  is_used.back() = 1;
   const mesh<T> nothing;
-  for (std::size_t i = 0; i < tree.steps.size(); ++i) {
+  std::vector<const mesh<T>*> bodies(tree.bodies.size(), &nothing);
+  for (std::size_t i = tree.steps.size(); i-- > 0;) {
     const csg_step& step = tree.steps[i];
-    const auto operand = [&](std::uint32_t s) -> const mesh<T>& {
-      return s == csg_step::none                    ? nothing
-             : tree.steps[s].body != csg_step::none ? tree.bodies[tree.steps[s].body]
-                                                    : made[s].value;
-    };
-    if (step.body != csg_step::none && i + 1 < tree.steps.size()) continue;
-    if (step.body != csg_step::none)
-      made[i] = solid_boolean(tree.bodies[step.body], nothing, boolean_operation::unite);
-    else
-      made[i] = solid_boolean(operand(step.first), operand(step.second), step.operation);
-    if (made[i].status != solid_boolean_status::done) return {made[i].status, made[i].body};
-    for (const std::uint32_t used : {step.first, step.second})
-      if (used != csg_step::none) made[used] = solid_boolean_result<T>{};
+    if (is_used[i] == 0) continue;
+    if (step.body != csg_step::none) bodies[step.body] = &tree.bodies[step.body];
+    if (step.first != csg_step::none) is_used[step.first] = 1;
+    if (step.second != csg_step::none) is_used[step.second] = 1;
   }
-  return made.empty() ? solid_boolean_result<T>{} : std::move(made.back());
+  std::vector<unsigned char> is_in(tree.steps.size(), 0);
+  return detail::combine_bodies<T>(bodies, [&](const std::vector<unsigned char>& in) {
+    const auto value = [&](std::uint32_t s) { return s != csg_step::none && is_in[s] != 0; };
+    for (std::size_t i = 0; i < tree.steps.size(); ++i) {
+      const csg_step& step = tree.steps[i];
+      is_in[i] = step.body != csg_step::none
+                     ? in[step.body]
+                     : detail::is_in_combination(value(step.first), value(step.second), step.operation);
+    }
+    return is_in.back() != 0;
+  });
 }
 
 /// The stretches of the upright line at (x, y) that lie inside of a tree's body, from below.
