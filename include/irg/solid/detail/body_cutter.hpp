@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <irg/solid/detail/body_triangles.hpp>
+#include <irg/solid/detail/exact_crossings.hpp>
 #include <irg/solid/detail/face_cutter.hpp>
 #include <irg/solid/point_in_solid.hpp>
 
@@ -353,7 +354,7 @@ private:
     auto pair = std::lower_bound(coplanar_.begin(), coplanar_.end(), coplanar_pair{t.source, 0});
     for (; pair != coplanar_.end() && pair->triangle == t.source; ++pair) {
       const std::uint32_t body = b_.body[pair->other];
-      const int turn = turn_of_cover(t.source, pair->other, middle);
+      const int turn = turn_of_cover(b_.positions, b_.triangles[t.source], b_.triangles[pair->other], middle);
       if (turn == 0) continue;
       if (body < own) return false;
       is_on[body] = 1;
@@ -365,40 +366,11 @@ private:
     for (std::uint32_t body = 0; body < b_.ends.size(); ++body) {
       if (body == own || is_on[body] != 0) continue;
       upward_crossings count;
-      each_above(nearby, slack, body, [&](const triangle_indices& other) { count_above(other, middle, count); });
+      each_above(nearby, slack, body,
+                 [&](const triangle_indices& other) { count_exact_crossing(b_.positions, other, middle, count); });
       if (is_in_winding(count)) sides.below[body] = sides.above[body] = 1;
     }
     return true;
-  }
-
-  // As count_upward_crossing.
-  constexpr void count_above(const triangle_indices& t, const exact_point& p, upward_crossings& out) const {
-    const auto at = [&](int k) -> const point<double, 3>& { return b_.positions[t.v[k % 3]]; };
-    int sign[3]{};
-    bool none_right = true, none_left = true;
-    for (int k = 0; k < 3; ++k) {
-      sign[k] = irg::orientation_along(2, exact_point(at(k)), exact_point(at(k + 1)), p);
-      none_right = none_right && sign[k] >= 0, none_left = none_left && sign[k] <= 0;
-    }
-    if (none_right == none_left) return;  // beside, or upright
-    const int side = side_of_plane(at(0), at(1), at(2), p), turn = none_right ? 1 : -1;
-    if (side == 0) out.on_surface = true;
-    if (side == turn || side == 0) return;
-    for (int k = 0; k < 3; ++k)
-      if (orientation_of_moved(at(k), at(k + 1), sign[k]) != turn) return;
-    out.winding += turn;
-  }
-
-  // Whether a point of a triangle lies on another in the same plane: 1 where both look the same way, -1 where they do
-  // not, 0 where it is elsewhere.
-  constexpr int turn_of_cover(std::uint32_t source, std::uint32_t other, const exact_point& p) const {
-    const seen_triangle s = see_triangle(b_.positions, b_.triangles[other], 0);
-    for (int k = 0; k < 3; ++k)
-      if (irg::orientation_along(s.axis, exact_point(*s.p[k]), exact_point(*s.p[(k + 1) % 3]), p) * s.turn <= 0)
-        return 0;
-    const triangle_indices& own = b_.triangles[source];
-    return s.turn *
-           orientation_along(b_.positions[own.v[0]], b_.positions[own.v[1]], b_.positions[own.v[2]], s.axis);
   }
 
   const Bodies& b_;

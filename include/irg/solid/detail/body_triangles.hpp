@@ -41,8 +41,7 @@ constexpr void append_body(body_triangles& b, const mesh<T>& m) {
   const auto first = static_cast<std::uint32_t>(b.positions.size());
   for (const point<T, 3>& p : m.positions) {
     b.positions.push_back({widened(p.x), widened(p.y), widened(p.z)});
-    if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z))
-      b.fault = surface_fault::not_finite, b.faulty = body;
+    if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) b.fault = surface_fault::not_finite, b.faulty = body;
   }
   if (b.fault != surface_fault::none) return;
   const mesh<T> triangles = triangulate(m);

@@ -329,8 +329,10 @@ private:
     const int k = side_from(one, a), j = side_from(other, b);
     const int s_next = (k + 1) % 3, s_last = (k + 2) % 3, t_next = (j + 1) % 3, t_last = (j + 2) % 3;
     const std::uint32_t x = s.v[s_last], y = t.v[t_last];
-    pieces[one] = {{x, a, y}, {s.beside[s_last], t.beside[t_next], other}, {s.fixed[s_last], t.fixed[t_next], no_index}};
-    pieces[other] = {{y, b, x}, {t.beside[t_last], s.beside[s_next], one}, {t.fixed[t_last], s.fixed[s_next], no_index}};
+    pieces[one] = {
+        {x, a, y}, {s.beside[s_last], t.beside[t_next], other}, {s.fixed[s_last], t.fixed[t_next], no_index}};
+    pieces[other] = {
+        {y, b, x}, {t.beside[t_last], s.beside[s_next], one}, {t.fixed[t_last], s.fixed[s_next], no_index}};
     replace_neighbour(t.beside[t_next], other, one);
     replace_neighbour(s.beside[s_next], one, other);
     remember(one), remember(other);
