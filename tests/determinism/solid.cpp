@@ -64,9 +64,11 @@ constexpr std::uint64_t trees(int rounds) {
       tree = irg::combine(tree, irg::csg_tree<T>(tetrahedron<T>(r)), static_cast<irg::boolean_operation>(2 + k % 2));
     add_mesh(h, irg::mesh_of(tree).value);
     const irg::csg_spans<T> through(tree);
-    for (int k = 0; k < 8; ++k)
-      for (const auto& span : through.along({any_place<T>(r), any_place<T>(r) - any_place<T>(r)}))
+    for (int k = 0; k < 8; ++k) {
+      const irg::point<T, 3> from = any_place<T>(r), to = any_place<T>(r);
+      for (const auto& span : through.along(irg::ray_between(from, to)))
         h.add(span.from), h.add(span.to), h.add(span.left.face);
+    }
   }
   return h.value();
 }

@@ -36,8 +36,8 @@ struct solid_face_origin {
 
 /// What a corner of the result is, without rounding.
 /// shape   positions are numbered through the bodies, those of the first one first. A corner: of[0]; an edge from
-///         of[0] to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3]; the
-///         planes of three positions each from of[0], of[3] and of[6] on
+///         of[0] to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3];
+///         the planes of three positions each from of[0], of[3] and of[6] on
 struct solid_corner_origin {
   static constexpr std::uint32_t none = 0xffffffffu;
   std::uint32_t of[9] = {none, none, none, none, none, none, none, none, none};

@@ -3,9 +3,9 @@
 // tree is made from.
 //
 // A line that meets sides or corners is no special case: it stands as if moved by an infinitely small e along x, e^2
-// along y and e^3 along z. Seen along the line, three signs tell whether a triangle is met; where one is zero, the first
-// coordinate of side x direction that is not decides. Both triangles at a side agree on it, up to the side's direction,
-// and triangles seen edge on are never met.
+// along y and e^3 along z. Seen along the line, three signs tell whether a triangle is met; where one is zero, the
+// first coordinate of side x direction that is not decides. Both triangles at a side agree on it, up to the side's
+// direction, and triangles seen edge on are never met.
 #pragma once
 
 #include <algorithm>
@@ -56,8 +56,8 @@ public:
   /// gives   nothing for a ray without points; where faces of several bodies lie on each other, one of them
   /// exact   which faces are met, in which order, and what is inside between them; ends within 1 ulp, and a stretch
   ///         whose ends are one number then is missing
-  /// cost    linear in the triangles of bodies whose balls the ray's line meets, some 20 ns each; those that are met are
-  ///         sorted, and the tree is asked at each
+  /// cost    linear in the triangles of bodies whose balls the ray's line meets, some 20 ns each; those that are met
+  ///         are sorted, and the tree is asked at each
   /// source  Hoffmann 1989; Edelsbrunner and Muecke 1990 (the move)
   [[nodiscard]] constexpr std::vector<solid_span<T>> along(const ray<T, 3>& r) const {
     if (is_empty(r)) return {};
@@ -89,9 +89,11 @@ private:
     int change;  // of how often the surface runs round
   };
 
-  static constexpr place wide(const point<T, 3>& p) noexcept { return {widened(p.x), widened(p.y), widened(p.z)}; }
+  [[nodiscard]] static constexpr place wide(const point<T, 3>& p) noexcept {
+    return {widened(p.x), widened(p.y), widened(p.z)};
+  }
 
-  constexpr ball ball_round(std::uint32_t body) const {
+  [[nodiscard]] constexpr ball ball_round(std::uint32_t body) const {
     detail::space_box box = detail::no_box();
     const auto each_corner = [&](const auto& use) {
       for (std::uint32_t t = bodies_.first_of(body); t < bodies_.ends[body]; ++t)
@@ -105,7 +107,7 @@ private:
   }
   // False where rounding leaves it open: the distance, times the direction's length, is off by less than a part in 2^48
   // of the line's beginning's.
-  constexpr bool passes(const line& l, const ball& b) const noexcept {
+  [[nodiscard]] constexpr bool passes(const line& l, const ball& b) const noexcept {
     const auto to_centre = b.centre - l.from, beside = cross(to_centre, l.way);
     const double length2 = dot(l.way, l.way);
     const double most = b.radius2 * length2 * (1 + 0x1p-20) + dot(to_centre, to_centre) * length2 * 0x1p-40;
@@ -113,12 +115,12 @@ private:
            dot(beside, beside) > most;
   }
 
-  constexpr const place& corner(std::uint32_t t, int k) const noexcept {
+  [[nodiscard]] constexpr const place& corner(std::uint32_t t, int k) const noexcept {
     return bodies_.positions[bodies_.triangles[t].v[k]];
   }
 
   // On which side the moved line passes the side from a to b; 0 where they are parallel.
-  static constexpr int turn(const line& l, const place& a, const place& b) noexcept {
+  [[nodiscard]] static constexpr int turn(const line& l, const place& a, const place& b) noexcept {
     const int sign = sign_of<3>([](const auto& from, const auto& way, const auto& p,
                                    const auto& q) { return dot(cross(p - from, q - from), way); },
                                 l.from, l.way, a, b);
@@ -149,7 +151,7 @@ private:
   }
 
   // -1, 0 or 1, as the line meets s before t, at the same place or after it.
-  constexpr int order(const line& l, const crossing& s, const crossing& t) const noexcept {
+  [[nodiscard]] constexpr int order(const line& l, const crossing& s, const crossing& t) const noexcept {
     if (s.at != t.at) return s.at < t.at ? -1 : 1;
     const auto [first, second, apart] = sign_of<6>(
         [](const auto& from, const auto& way, const auto& a, const auto& b, const auto& c, const auto& d, const auto& e,
@@ -162,7 +164,7 @@ private:
     return first * second * apart;
   }
 
-  constexpr std::vector<solid_span<T>> within(const line& l, T low, T high) const {
+  [[nodiscard]] constexpr std::vector<solid_span<T>> within(const line& l, T low, T high) const {
     std::vector<crossing> met;
     for (std::uint32_t body = 0; body < balls_.size(); ++body)
       if (!passes(l, balls_[body]))

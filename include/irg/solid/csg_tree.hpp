@@ -83,8 +83,8 @@ template <Floating T>
 ///         none
 /// exact   every decision, as deep as the tree may be: all bodies are cut at each other at once, and each corner is one
 ///         of theirs or where three of their planes meet, rounded when it is handed out and nowhere before
-/// cost    as solid_boolean for all pairs of bodies whose boxes meet; a look at each body for each part of each; nothing
-///         recurs
+/// cost    as solid_boolean for all pairs of bodies whose boxes meet; a look at each body for each part of each;
+///         nothing recurs
 /// source  Zhou et al. 2016; Cherchi et al. 2020 (crossings of cuts as meetings of three planes)
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {

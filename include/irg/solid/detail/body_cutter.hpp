@@ -343,8 +343,8 @@ private:
     }
   }
 
-  // By the middle of a piece, which is no double. False where the piece lies on one of an earlier body, which stands for
-  // both.
+  // By the middle of a piece, which is no double. False where the piece lies on one of an earlier body, which stands
+  // for both.
   constexpr bool place_piece(std::uint32_t piece, part_sides& sides) {
     const cut_triangle& t = triangles[piece];
     const std::uint32_t own = b_.body[t.source];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The vertices of bodies that are cut at each other: those they had, and the places where a side goes through a triangle
-// or crosses a side, or where three triangles meet. Decisions look at rounded coordinates first; where these do not tell, the place itself is
-// computed, once, without rounding.
+// The vertices of bodies that are cut at each other: those they had, and the places where a side goes through a
+// triangle or crosses a side, or where three triangles meet. Decisions look at rounded coordinates first; where these
+// do not tell, the place itself is computed, once, without rounding.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One triangle cut along the segments at which other bodies meet it: points go in one after the other, and edges that
-// cross a segment are turned until it is one; where segments of two bodies cross, there is a new point. Every decision is a sign of exact_vertices.
+// cross a segment are turned until it is one; where segments of two bodies cross, there is a new point. Every decision
+// is a sign of exact_vertices.
 #pragma once
 
 #include <algorithm>

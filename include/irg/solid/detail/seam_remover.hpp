@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Takes corners out of a surface that are there only because a plane face was cut: where a diagonal met something, or a
-// body that does not bound the result there. The triangles round such a corner, plane by plane, are cut anew without it, so that faces keep the corners
-// that the bodies have, and nothing else is ever rounded.
+// body that does not bound the result there. The triangles round such a corner, plane by plane, are cut anew without
+// it, so that faces keep the corners that the bodies have, and nothing else is ever rounded.
 #pragma once
 
 #include <algorithm>
