@@ -457,6 +457,7 @@ int main(int argc, char** argv) {
   save("half_edges", boolean_pictures::half_edges());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("bvh_parts", tree_pictures::parts());
   save("along_ray", tree_pictures::runs());
   save("visible_points", tree_pictures::points_seen());
   save("shadow", ray_pictures::shadow());
