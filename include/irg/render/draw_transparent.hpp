@@ -156,10 +156,10 @@ template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::ne
           RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, class MakeShader,
           class Blend = over_in_light, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_transparent(render_target<Colour, Depth> to, const projected_triangles<T>& triangles,
+constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
                                         const MakeShader& make_shader, const transparent_settings<Blend>& settings = {},
                                         const E& executor = {}) {
-  const detail::picture_tiles grid(width_of(to.colour), height_of(to.colour));
+  const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
   const std::span<const triangle_batch<T>> batches = triangles.batches();
   detail::triangle_bins bins;
   detail::bin_triangles(bins, batches, {triangles.mapping(), grid, settings.culling, settings.skip}, executor);
@@ -168,7 +168,7 @@ constexpr render_stats draw_transparent(render_target<Colour, Depth> to, const p
       detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());
   std::vector<std::uint8_t> seen(bins.triangle_count, 0);
   const detail::blended_tiles<T, Colour, Depth, MakeShader, Blend> tiles{
-      to.colour, to.depth, find, make_shader, settings.blend, settings.skip.occluded, seen};
+      target.colour, target.depth, find, make_shader, settings.blend, settings.skip.occluded, seen};
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {
     const std::span<const std::uint32_t> list(numbers.data() + bins.tile_first[i],

@@ -72,24 +72,24 @@ inline namespace IRG_ABI {
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
-constexpr render_stats draw_batches(render_target<Colour, Depth> to, const projected_triangles<T>& triangles,
+constexpr render_stats draw_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
                                     const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings = {},
                                     const E& executor = {}) {
   draw_workspace own;
   return detail::draw_tiles<T>(
-      detail::zbuffer_method<Order>{}, to.depth, detail::job_of(triangles, settings, own),
-      detail::colour_tiles<T, Colour, MakeShader>(to.colour, make_shader, settings.clear, settings.background),
+      detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
+      detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
       executor);
 }
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
-constexpr render_stats draw_triangles(render_target<Colour, Depth> to, const projected_triangles<T>& triangles,
+constexpr render_stats draw_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
                                       const MakeShader& make_shader,
                                       const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   return draw_batches<Order>(
-      to, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
+      target, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
       settings, executor);
 }
 

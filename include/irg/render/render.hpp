@@ -142,16 +142,16 @@ inline namespace IRG_ABI {
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
           class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth> to,
+constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth> target,
                               const render_options& options = {}, const E& executor = {}, Observer&& observer = {}) {
-  const int width = width_of(to.colour), height = height_of(to.colour);
+  const int width = width_of(target.colour), height = height_of(target.colour);
   for ([[maybe_unused]] const object<T>& o : world.objects)
     IRG_EXPECTS(detail::find_face_defect(o.shape).defect == mesh_defect::none);
   if (width == 0 || height == 0) return {};
   detail::objects_to_prepare<T> objects(world.objects);
   draw_workspace workspace;
   return detail::draw_picture<T>({world, width, height, options}, objects, workspace,
-                                 detail::picture_run{to.colour, to.depth, executor, observer});
+                                 detail::picture_run{target.colour, target.depth, executor, observer});
 }
 
 /// As above, with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as ever.
@@ -162,9 +162,9 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, HiddenSurfaceMethod<T> Method,
           Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const Method& method, const scene<T>& world, render_target<Colour, Depth> to,
+constexpr render_stats render(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
                               render_options options = {}, const E& executor = {}) {
-  const int width = width_of(to.colour), height = height_of(to.colour);
+  const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;
   if (options.style == picture_style::wire) options.style = picture_style::flat;
@@ -180,7 +180,7 @@ constexpr render_stats render(const Method& method, const scene<T>& world, rende
   no_observer observer;
   return detail::draw_filled(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
                              detail::picture_frame<T>(world, width, height, options), objects, workspace,
-                             detail::picture_run{to.colour, to.depth, executor, observer});
+                             detail::picture_run{target.colour, target.depth, executor, observer});
 }
 
 /// As above, of a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
@@ -191,13 +191,13 @@ constexpr render_stats render(const Method& method, const scene<T>& world, rende
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
           class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, Depth> to,
+constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, Depth> target,
                               const render_options& options = {}, const E& executor = {}, Observer&& observer = {}) {
-  const int width = width_of(to.colour), height = height_of(to.colour);
+  const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   detail::prepared_objects<T> objects{world.objects};
   return detail::draw_picture<T>({world, width, height, options}, objects, world.workspace,
-                                 detail::picture_run{to.colour, to.depth, executor, observer});
+                                 detail::picture_run{target.colour, target.depth, executor, observer});
 }
 
 }  // namespace IRG_ABI

@@ -53,9 +53,9 @@ template <Floating T>
 /// cost    as render(), for the rooms that are seen
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> to,
+constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
                               const render_options& options = {}, const E& executor = {}) {
-  const int width = width_of(to.colour), height = height_of(to.colour);
+  const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
   detail::chosen_objects<T> chosen{building.world.objects};
@@ -71,7 +71,7 @@ constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour,
   no_observer observer;
   render_stats stats =
       detail::draw_picture<T>({building.world, width, height, options}, chosen, building.world.workspace,
-                              detail::picture_run{to.colour, to.depth, executor, observer});
+                              detail::picture_run{target.colour, target.depth, executor, observer});
   stats.triangles += skipped;
   stats.skipped.rooms += skipped;
   return stats;

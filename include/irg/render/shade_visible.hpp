@@ -39,15 +39,15 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>
-constexpr render_stats shade_visible(render_target<Colour, Depth> to, const visible_triangles<T>& seen,
+constexpr render_stats shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
                                      const MakeShader& make_shader,
                                      const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   const detail::ids_as_they_are method{};
   draw_workspace own;
   return detail::draw_tiles<T>(
-      detail::method_tiles<Order, detail::ids_as_they_are>{method, seen.ids}, to.depth,
+      detail::method_tiles<Order, detail::ids_as_they_are>{method, seen.ids}, target.depth,
       detail::job_of(seen.of, settings, own),
-      detail::colour_tiles<T, Colour, MakeShader>(to.colour, make_shader, settings.clear, settings.background),
+      detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
       executor);
 }
 

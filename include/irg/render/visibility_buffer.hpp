@@ -57,11 +57,11 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image<std::uint32_t>,
           RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_visibility(render_target<Ids, Depth> to, const projected_triangles<T>& triangles,
+constexpr render_stats draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
                                        const depth_settings& settings = {}, const E& executor = {}) {
   draw_workspace own;
-  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, to.depth, detail::job_of(triangles, settings, own),
-                               detail::number_tiles<T, Ids>(to.colour, settings.clear), executor);
+  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
+                               detail::number_tiles<T, Ids>(target.colour, settings.clear), executor);
 }
 
 }  // namespace IRG_ABI
