@@ -42,49 +42,10 @@ constexpr bool is_in_range(const bspline_surface<P, U, V>& s, const scalar_of<P>
   return s.u.first() <= u && u <= s.u.last() && s.v.first() <= v && v <= s.v.last();
 }
 
-// The basis functions along u and along v; of one degree side by side.
-// needs   is_in_range
-template <Floating T, int U, int V>
-struct bases_of_surface {
-  bspline_values<T, U> u;
-  bspline_values<T, V> v;
-};
-template <Coordinates P, int U, int V>
-constexpr auto two_bases(const bspline_surface<P, U, V>& s, const scalar_of<P>& u, const scalar_of<P>& v) noexcept {
-  using T = scalar_of<P>;
-  using result_type = bases_of_surface<T, U, V>;
-  if constexpr (U == V && has_lanes && std::is_same_v<T, double>)
-    if (!std::is_constant_evaluated()) {
-      using F = pack<T, 2>;
-      constexpr auto degree = static_cast<std::size_t>(U);
-      const F t = pack_of(u, v);
-      result_type result{{bspline_stretch(s.u, u) - degree, {}}, {bspline_stretch(s.v, v) - degree, {}}};
-      std::array<F, degree + 1> value;
-      fill_bspline_values(
-          value, [&](std::size_t i) { return pack_of(s.u[result.u.first + i], s.v[result.v.first + i]); }, degree,
-          [&](std::size_t) { return t; });
-      for (std::size_t i = 0; i <= degree; ++i) {
-        result.u.value[i] = lane(value[i], 0);
-        result.v.value[i] = lane(value[i], 1);
-      }
-      return result;
-    }
-  return result_type{*bspline_basis(s.u, u), *bspline_basis(s.v, v)};
-}
-
 // The sum of the control points that count, each times its two functions; those of value 0 do not count.
 template <Coordinates P, class U, class V>
 constexpr P blend_net(const control_net<P>& net, std::size_t i0, const U& u, std::size_t j0, const V& v) noexcept {
-  const auto row = [&](std::size_t i) { return &net.points[(i0 + i) * net.columns + j0]; };
-  if constexpr (fills_lanes<P>)
-    if (!std::is_constant_evaluated()) {  // all of them, as long as none is infinite
-      const auto sum = lanes_of_multiples(u, [&](std::size_t i) {
-        return lanes_of_multiples(v, [at = row(i)](std::size_t j) { return lanes_of(at[j]); });
-      });
-      if (all_lanes(sum - sum == lanes<pack<scalar_of<P>, 4>>::broadcast(0))) return point_of<P>(sum);
-    }
-  return sum_of_multiples(
-      u, [&](std::size_t i) { return sum_of_multiples(v, [at = row(i)](std::size_t j) { return at[j]; }); });
+  return sum_of_rows(u, v, [&](std::size_t i) { return &net.points[(i0 + i) * net.columns + j0]; });
 }
 
 // Whether these control points, `step` apart, are all one position.
@@ -121,9 +82,13 @@ template <Coordinates P, int U, int V>
                                                                std::type_identity_t<scalar_of<P>> u,
                                                                std::type_identity_t<scalar_of<P>> v) noexcept {
   if (!detail::is_in_range(surface, u, v)) return std::nullopt;
-  const auto [along_u, along_v] =
-      detail::two_bases(surface, static_cast<scalar_of<P>>(u), static_cast<scalar_of<P>>(v));
-  return detail::blend_net(surface.net, along_u.first, along_u.value, along_v.first, along_v.value);
+  const std::size_t first_u = detail::bspline_stretch<scalar_of<P>>(surface.u, u) - static_cast<std::size_t>(U),
+                    first_v = detail::bspline_stretch<scalar_of<P>>(surface.v, v) - static_cast<std::size_t>(V);
+  std::array<scalar_of<P>, static_cast<std::size_t>(U) + 1> value_u{};
+  std::array<scalar_of<P>, static_cast<std::size_t>(V) + 1> value_v{};
+  detail::fill_two_bases<scalar_of<P>>(value_u, surface.u.list().subspan(first_u), u, value_v,
+                                       surface.v.list().subspan(first_v), v);
+  return detail::blend_net(surface.net, first_u, value_u, first_v, value_v);
 }
 
 /// The same for any degrees, with working space of the caller's for surface.u.order() + surface.v.order() numbers; its

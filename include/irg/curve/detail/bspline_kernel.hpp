@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include <irg/core/lane_masks.hpp>
@@ -105,6 +106,27 @@ constexpr void fill_bspline_values(V& value, const Knot& knot, std::size_t low, 
   make_sum_one(value);
 }
 
+// Two bases at a place each, `u` and `v` beginning with the first knot that counts; of one degree side by side.
+template <Floating T, std::size_t U, std::size_t V>
+constexpr void fill_two_bases(std::array<T, U>& value_u, std::span<const T> u, T at_u, std::array<T, V>& value_v,
+                              std::span<const T> v, T at_v) noexcept {
+  if constexpr (U == V && has_lanes && std::is_same_v<T, double>)
+    if (!std::is_constant_evaluated()) {
+      using F = pack<T, 2>;
+      const F at = pack_of(at_u, at_v);
+      std::array<F, U> value;
+      fill_bspline_values(
+          value, [&](std::size_t i) { return pack_of(u[i], v[i]); }, U - 1, [&](std::size_t) { return at; });
+      for (std::size_t i = 0; i < U; ++i) {
+        value_u[i] = lane(value[i], 0);
+        value_v[i] = lane(value[i], 1);
+      }
+      return;
+    }
+  fill_bspline_values(value_u, [&](std::size_t i) { return u[i]; }, U - 1, [&](std::size_t) { return at_u; });
+  fill_bspline_values(value_v, [&](std::size_t i) { return v[i]; }, V - 1, [&](std::size_t) { return at_v; });
+}
+
 // Points that fill a register.
 template <class P>
 inline constexpr bool fills_lanes = has_lanes && std::is_trivially_copyable_v<P> && size_of<P> == 4 &&
@@ -153,6 +175,21 @@ IRG_INLINE constexpr auto sum_of_multiples(const V& value, const At& at) noexcep
       if (value[i] != T(0)) sum = sum + product(value[i], coordinate(at(i), axis));
     return sum;
   });
+}
+
+// The sum of row(i)[j], each times its two values; in registers all of them, as long as none is infinite.
+template <class U, class V, class Row>
+IRG_INLINE constexpr auto sum_of_rows(const U& u, const V& v, const Row& row) noexcept {
+  using P = std::remove_cvref_t<decltype(row(0)[0])>;
+  if constexpr (fills_lanes<P>)
+    if (!std::is_constant_evaluated()) {
+      const auto sum = lanes_of_multiples(u, [&](std::size_t i) {
+        return lanes_of_multiples(v, [at = row(i)](std::size_t j) { return lanes_of(at[j]); });
+      });
+      if (all_lanes(sum - sum == lanes<pack<scalar_of<P>, 4>>::broadcast(0))) return point_of<P>(sum);
+    }
+  return sum_of_multiples(
+      u, [&](std::size_t i) { return sum_of_multiples(v, [at = row(i)](std::size_t j) { return at[j]; }); });
 }
 
 template <class V, PolygonRing R>
