@@ -2,6 +2,8 @@
 // Whole images from one pixel type to another.
 #pragma once
 
+#include <type_traits>
+
 #include <irg/colour/convert_pixel.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/raster_concept.hpp>
@@ -14,13 +16,15 @@ inline namespace IRG_ABI {
 /// needs   two rasters of the same size, whose pixels are not the same memory unless their types are the same
 /// exact   as convert_pixel
 /// cost    each pixel is read once and written once
-template <ReadableRaster From, WritableRaster To>
-  requires(ConvertiblePixel<pixel_of<From>> && DecodablePixel<pixel_of<To>>)
+template <ReadableRaster From, class To>
+  requires(WritableRaster<std::remove_reference_t<To>> && ConvertiblePixel<pixel_of<From>> &&
+           DecodablePixel<pixel_of<std::remove_reference_t<To>>>)
 constexpr void convert_pixels(const From& source, To&& target) {
+  using pixel = pixel_of<std::remove_reference_t<To>>;
   const int width = width_of(source), height = height_of(source);
   IRG_EXPECTS(width == width_of(target) && height == height_of(target));
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) set_pixel(target, x, y, convert_pixel<pixel_of<To>>(get_pixel(source, x, y)));
+    for (int x = 0; x < width; ++x) set_pixel(target, x, y, convert_pixel<pixel>(get_pixel(source, x, y)));
 }
 
 /// The picture of a raster in pixels of another type.
