@@ -78,7 +78,10 @@ template <std::floating_point T, int N>
   if constexpr (is_float && N == 8) return {__builtin_ia32_sqrtps256(x.v)};
   if constexpr (!is_float && N == 4) return {__builtin_ia32_sqrtpd256(x.v)};
 #endif
-#if defined(__AVX512F__)  // 4: rounding as the environment says
+#if defined(__AVX512F__) && defined(__clang__)  // 4: rounding as the environment says
+  if constexpr (is_float && N == 16) return {__builtin_ia32_sqrtps512(x.v, 4)};
+  if constexpr (!is_float && N == 8) return {__builtin_ia32_sqrtpd512(x.v, 4)};
+#elif defined(__AVX512F__)
   if constexpr (is_float && N == 16) return {__builtin_ia32_sqrtps512_mask(x.v, x.v, -1, 4)};
   if constexpr (!is_float && N == 8) return {__builtin_ia32_sqrtpd512_mask(x.v, x.v, -1, 4)};
 #endif
@@ -112,6 +115,9 @@ inline constexpr bool has_fused_multiply_add = false;
 template <std::floating_point T, int N>
 [[nodiscard]] IRG_INLINE pack<T, N> fused_multiply_add(const pack<T, N>& a, const pack<T, N>& b,
                                                        const pack<T, N>& c) noexcept {
+#if defined(IRG_LANES_VECTOR) && defined(__FMA__) && defined(__clang__) && __has_builtin(__builtin_elementwise_fma)
+  return {__builtin_elementwise_fma(a.v, b.v, c.v)};
+#else
 #if defined(IRG_LANES_VECTOR) && defined(__FMA__)
   [[maybe_unused]] constexpr bool is_float = std::is_same_v<T, float>;
   if constexpr (is_float && N == 4) return {__builtin_ia32_vfmaddps(a.v, b.v, c.v)};
@@ -129,6 +135,7 @@ template <std::floating_point T, int N>
     return lanes<pack<T, N>>::generate([&](int i) { return fused_multiply_add(a[i], b[i], c[i]); });
   else
     return a * b + c;
+#endif
 }
 
 }  // namespace IRG_ABI
