@@ -454,9 +454,11 @@ int main(int argc, char** argv) {
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
   save("boolean", boolean_pictures::operations());
+  save("csg_spans", boolean_pictures::spans());
   save("half_edges", boolean_pictures::half_edges());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("bvh_parts", tree_pictures::parts());
   save("along_ray", tree_pictures::runs());
   save("visible_points", tree_pictures::points_seen());
   save("shadow", ray_pictures::shadow());
