@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every function of rasters, called with pictures of others: a class that has width(), height() and (x, y) alone, one with
-// rows. Each draws the same as on irg's own image. Every function of meshes with a mesh of others. The names
-// are those of the tables in docs/own-types.md.
+// rows, OpenCV's. Each draws the same as on irg's own image. Every function of meshes with a mesh of others. The names are
+// those of the tables in docs/own-types.md.
 #include <irg/geometry/box.hpp>
 #include <irg/hidden/height_grid.hpp>
 #include <irg/io/apng.hpp>
@@ -21,6 +21,10 @@
 #include <set>
 #include <string>
 #include <vector>
+
+#ifdef IRG_HAVE_OPENCV
+#include <opencv2/core.hpp>
+#endif
 
 #include <doctest/doctest.h>
 
@@ -54,6 +58,17 @@ struct foreign_mesh {
 
 }  // namespace
 
+#ifdef IRG_HAVE_OPENCV
+template <class P>
+struct irg::raster_traits<cv::Mat_<P>> {
+  using pixel = P;
+  static int width(const cv::Mat_<P>& m) { return m.cols; }
+  static int height(const cv::Mat_<P>& m) { return m.rows; }
+  static P get(const cv::Mat_<P>& m, int x, int y) { return m(y, x); }
+  static void set(cv::Mat_<P>& m, int x, int y, const P& p) { m(y, x) = p; }
+  static P* row(cv::Mat_<P>& m, int y) { return m[y]; }
+};
+#endif
 template <>
 struct irg::mesh_traits<foreign_mesh> {
   using point = foreign_point;
@@ -161,7 +176,7 @@ std::vector<std::string> draw_all(R picture, std::set<std::string>& called) {
   told("convert_image", irg::convert_image<grey>(picture)(9, 8));
   told("sample_texture", irg::sample_texture(picture, 0.4f, 0.5f).g);
   told("make_mip_pyramid", irg::make_mip_pyramid(picture).levels[1](2, 2).g);
-  told("heights_of_image", irg::heights_of_image(picture, [](grey g) { return g / 255.0; }).z[100]);
+  told("heights_of_image", irg::heights_of_image(picture, [](grey g) { return g / 255.0; }).heights[200]);
   told("grid_from_raster", irg::grid_from_raster(picture, [](grey g) { return g > 100; }).is_full({9, 8, 0}));
   told("viewshed", irg::viewshed(picture, {2, 2}).is_full({3, 3, 0}));
   told("see_over", irg::see_over(picture, {1, 8}, {20, 8}));
@@ -192,6 +207,9 @@ TEST_CASE("foreign pictures: every function of rasters draws on them what it dra
   const auto wanted = draw_all(irg::image<grey>(width, height), called);
   CHECK(draw_all(plain_picture{}, called) == wanted);
   CHECK(draw_all(picture_in_rows{}, called) == wanted);
+#ifdef IRG_HAVE_OPENCV
+  CHECK(draw_all(cv::Mat_<grey>(height, width), called) == wanted);
+#endif
   CHECK(names_of_page("| function of rasters") == called);
 }
 
