@@ -144,7 +144,7 @@ inline picture floors() {
         const irg::texture_sampler s{k == 0 ? irg::texture_filter::nearest : irg::texture_filter::bilinear};
         p(k * (width + gap) + x, y) =
             irg::encode(k < 2 ? irg::sample_texture(t, u(px, py), v(py), s)
-                              : irg::sample_mip_pyramid(pyramid, u(px, py), v(py), irg::mip_level(d, 32, 32), s));
+                              : irg::sample_mip_pyramid(pyramid, {u(px, py), v(py), irg::mip_level(d, 32, 32)}, s));
       }
   return p;
 }

@@ -42,7 +42,7 @@ constexpr std::uint64_t shade_textures(int rounds) {
     const float u = any_float(r, -3, 3), v = any_float(r, -3, 3), level = any_float(r, -1, 3);
     const irg::rgb<float> border{1, 0.5f, 2};
     for (const irg::rgb<float>& c : {irg::sample_texture(t, u, v, any_sampler(r), border),
-                                     irg::sample_mip_pyramid(pyramid, u, v, level, any_sampler(r), border)}) {
+                                     irg::sample_mip_pyramid(pyramid, {u, v, level}, any_sampler(r), border)}) {
       h.add(c.r);
       h.add(c.g);
       h.add(c.b);

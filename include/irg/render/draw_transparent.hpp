@@ -119,7 +119,7 @@ constexpr draw_counts blend_tile(const Tiles& tiles, std::span<const std::uint32
     if (t.coverage.double_area == 0 || w.empty()) continue;
     if constexpr (can_hide) {
       const float nearest =
-          Order::nearer(t.setup.depth_low, t.setup.depth_high) ? t.setup.depth_low : t.setup.depth_high;
+          Order::nearer(t.setup.depth.low, t.setup.depth.high) ? t.setup.depth.low : t.setup.depth.high;
       if (occluded == skipping::on && hidden_depths.template hides<Test>(nearest, w)) continue;
     }
     store_relaxed(seen[find.source(number)], 1);
