@@ -32,8 +32,8 @@ template <Floating T>
 /// The natural logarithm of x.
 /// gives   -infinity for 0 and -0, infinity for infinity, NaN for NaN and everything below zero; +0 for 1
 /// exact   double within 0.51 ulp; float the nearest one
-/// cost    a table lookup and about 30 operations, and 50 more once in some 100 times, or where |x - 1| is small; float:
-///         about 20, and 50 more once in some 10^5 times
+/// cost    a table lookup and about 30 operations, and 50 more once in some 100 times, or where |x - 1| is small;
+///         float: about 20, and 50 more once in some 500 times
 /// source  Tang 1990 (table and short polynomial); coefficients by scripts/generate
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr T log(T x) noexcept {

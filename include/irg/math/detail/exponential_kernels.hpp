@@ -140,15 +140,8 @@ IRG_INLINE constexpr unrounded quick_log_of(double x) noexcept {
   const std::uint64_t bits = bits_of(x), offset = bits - log_table_first;
   const log_row& row = log_table[(offset >> 45) & 127];
   const double power = static_cast<double>(static_cast<std::int32_t>(static_cast<std::int64_t>(offset) >> 52));
-  const std::uint64_t significand = bits - (offset & 0xfff0000000000000u);
-  const double z = from_bits(significand);
-  double r = 0;
-  if (has_fused_multiply_add && !std::is_constant_evaluated()) {
-    r = fused_multiply_add(z, row.inverse, -1.0);
-  } else {
-    const double z_high = from_bits(significand & ~std::uint64_t{0x3fffffff});
-    r = (z_high * row.inverse - 1) + (z - z_high) * row.inverse;
-  }
+  const double z = from_bits(bits - (offset & 0xfff0000000000000u));
+  const double r = product_less_one(z, row.inverse);
   const double square = r * r;
   const auto& c = log_coefficients;
   const double tail = ((r * c[0] - 0.5) + square * (c[1] + r * c[2])) + square * square * (c[3] + r * c[4]);
