@@ -93,8 +93,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// two_product where fast_two_product does not hold: zeros, and products or factors near an end of the exponent range.
 constexpr exact_sum<double> two_product_scaled(double a, double b) noexcept {
@@ -126,8 +125,7 @@ IRG_INLINE constexpr double product_less_one(double a, double b) noexcept {
   return (a_high * b - 1) + (a - a_high) * b;  // but for the sum, exact
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -181,8 +179,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// difference_of_products where a product overflows: at 2^-1200 of its size, where a product that loses bits is too
 /// small to count beside the other.
@@ -192,6 +189,5 @@ constexpr double difference_of_products_scaled(double a, double b, double c, dou
   return difference * 0x1p400 * 0x1p400 * 0x1p400;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

@@ -234,8 +234,10 @@ constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>>
   set_box_ray(b, r, tree.scale);
   walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     q.prepare();
-    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(),
-               [&](const first_crossing& x) { return use(q.ray_for_triangles(), x), false; });
+    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(), [&](const first_crossing& x) {
+      if (is_first_met<box_arithmetic::fused>(tree, x.place, b)) use(q.ray_for_triangles(), x);
+      return false;
+    });
     return false;
   });
 }
