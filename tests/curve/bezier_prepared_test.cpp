@@ -60,6 +60,7 @@ TEST_CASE("prepared Bezier curves: the documented error; plain, in lanes and in 
   for (const std::size_t degree : {0u, 1u, 2u, 3u, 4u, 7u, 10u, 13u, 20u, 30u, 50u, 130u}) {
     const auto points = random_points<P>(r, degree + 1);
     std::vector<double> t;
+    t.reserve(361);
     const ready<P> kept(points);
     const auto curve = *kept.curve;
     CHECK(curve.degree() == degree);
@@ -92,6 +93,7 @@ TEST_CASE("prepared Bezier curves: floats, other dimensions, homogeneous points"
     using T = irg::scalar_of<Point>;
     const auto points = random_points<Point>(r, 6);
     std::vector<T> t;
+    t.reserve(101);
     std::vector<Point> room(6);
     const ready<Point> kept(points);
     const auto curve = *kept.curve;

@@ -48,7 +48,7 @@ constexpr bool put_expansion(std::size_t node, std::size_t pieces, std::span<exa
     for (std::size_t level = n; level > 0; --level)
       for (std::size_t i = 0; i < level; ++i) b[i] = compensated_blend(b[i], b[i + 1], t);
   for (std::size_t order = 1; order < count; ++order)
-    for (std::size_t i = n; i >= order; --i) {
+    for (std::size_t i = count - 1; i >= order; --i) {
       const auto [value, error] = two_sum(b[i].value, -b[i - 1].value);
       b[i] = {value, error + (b[i].error - b[i - 1].error)};
     }
