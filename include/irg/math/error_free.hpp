@@ -117,6 +117,14 @@ IRG_INLINE constexpr bool product_is_moderate(double a, double b) noexcept {
 
 constexpr double difference_of_products_scaled(double a, double b, double c, double d) noexcept;
 
+/// a*b - 1, rounded once, or twice where that is as good.
+/// needs   1/2 <= a*b <= 2, b of at most 24 bits
+IRG_INLINE constexpr double product_less_one(double a, double b) noexcept {
+  if (has_fused_multiply_add && !std::is_constant_evaluated()) return fused_multiply_add(a, b, -1.0);
+  const double a_high = from_bits(bits_of(a) & ~std::uint64_t{0x3fffffff});  // 23 bits
+  return (a_high * b - 1) + (a - a_high) * b;  // but for the sum, exact
+}
+
 }  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
