@@ -270,7 +270,7 @@ std::map<std::string, std::vector<std::string>> rows_of_page(std::vector<std::st
   std::map<std::string, std::vector<std::string>> rows;
   bool within = false;
   for (std::string line; std::getline(page, line);) {
-    if (line.rfind("| function", 0) == 0) within = true;
+    if (line.rfind("| function |", 0) == 0) within = true;
     if (!within || line.rfind("| ", 0) != 0) {
       if (line.empty()) within = false;
       continue;
