@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
 
   const auto draw = [&](float left, float right, char value) {
     const float middle = (left + right) / 2;
-    return irg::draw_triangle(picture, depth, {{0, 0}, left}, {{10 * 256, 0}, right}, {{5 * 256, 5 * 256}, middle},
+    return irg::draw_triangle(picture, depth, {{{0, 0}, left}, {{10 * 256, 0}, right}, {{5 * 256, 5 * 256}, middle}},
                               irg::solid_shader<char>{value});
   };
   const irg::draw_counts a = draw(0.9f, 0.1f, 'a');

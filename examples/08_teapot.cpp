@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
 
   irg::image<irg::rgba8> picture(640, 480);
   irg::image<float> depth(640, 480);
-  const irg::render_stats stats = irg::render(scene, picture, depth, {.style = irg::picture_style::phong});
+  const irg::render_stats stats = irg::render(scene, {picture, depth}, {.style = irg::picture_style::phong});
 
   if (const auto error = irg::write_image(file, picture)) program::fail("08_teapot", error->message + (": " + file));
   std::printf("%lld triangles, %lld of them facing away; %lld pixels drawn; %s\n",

@@ -61,9 +61,7 @@ int main(int argc, char** argv) {
   irg::image<irg::rgba8> picture(480, 360, {250, 249, 246, 255});
   irg::image<float> depth(480, 360, irg::nearer_is_greater::farthest);
   const batch torus[1] = {{&projected, triangles}};
-  irg::draw_workspace workspace;
-  const auto stats = irg::draw_batches<irg::nearer_is_greater, double>(picture, depth, torus, mapping,
-                                                                       chequers{vertices}, {}, workspace);
+  const auto stats = irg::draw_batches({picture, depth}, {torus, mapping}, chequers{vertices});
 
   if (const auto error = irg::write_image(file, picture)) program::fail("09_shader", error->message + (": " + file));
   int dark = 0;

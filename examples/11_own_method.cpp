@@ -32,8 +32,8 @@ int main(int argc, char** argv) {
   scene.view.eye = {3, 3, 7};
   irg::image<irg::rgba8> own(640, 480), zbuffer(640, 480);
   irg::image<float> depth(640, 480);
-  irg::render(scene, zbuffer, depth);
-  const auto stats = irg::render(look_at_all{}, scene, own, depth);
+  irg::render(scene, {zbuffer, depth});
+  const auto stats = irg::render(look_at_all{}, scene, {own, depth});
   if (const auto error = irg::write_image(file, own)) program::fail("11_own_method", error->message + (": " + file));
   std::printf("the z-buffer gives %s; %s\n", own == zbuffer ? "the same" : "another picture", file.c_str());
   return own == zbuffer && stats.drawn > 10000 ? 0 : 1;

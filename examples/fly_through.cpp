@@ -219,7 +219,7 @@ void draw(const program::command_line& line, const settings& s, irg::scene<doubl
       for (int i = 0; i < 3; ++i) world.objects[0].placement(i, 3) = way[i];
     }
     world.view = irg::with_depth_range(camera_at(s, view, places[k]), at, radius);
-    irg::render(world, picture, depth, s.options, {}, irg::parallel{s.threads});
+    irg::render(world, {picture, depth}, s.options, irg::parallel{s.threads});
     if (!s.frames.empty()) files.write(line, picture);
     if (!s.out.empty()) {
       const auto bytes = animation.add(picture);

@@ -123,7 +123,7 @@ std::string seen_by_eye(const program::command_line& line, const irg::named_plan
         irg::point_in_convex_polygon(cell.corners, from) == irg::location::outside)
       continue;
     std::vector<bool> seen(house.names.size(), false);
-    irg::view_through_openings(house.plan, doors, c, {from, irg::view_reach::all_round, {}, {}}, eye.z,
+    irg::view_through_openings({house.plan, doors}, c, {from, irg::view_reach::all_round, {}, {}}, eye.z,
                                [&](std::uint32_t other, const auto&) { seen[other] = true; });
     return names_of(house.names, c, [&](std::uint32_t other) { return seen[other]; });
   }
@@ -161,7 +161,7 @@ irg::image<irg::rgba8> picture_of(irg::cell_plan<double> plan, const irg::camera
   irg::render_options options;
   options.style = irg::picture_style::flat;
   options.skip.rooms = s.skip;
-  const irg::render_stats stats = irg::render(building, picture, depth, options);
+  const irg::render_stats stats = irg::render(building, {picture, depth}, options);
   text += "triangles: " + std::to_string(stats.triangles) + ", " + std::to_string(stats.skipped.rooms) +
           " of them in rooms that were skipped\n";
   return picture;

@@ -78,7 +78,7 @@ void enter_case(std::size_t degree, const std::string& family) {
   made.points = control_points(degree, family);
   made.found.resize(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) made.places.push_back(static_cast<double>(k) / (count - 1));
-  made.numbers.resize(4 * (degree + 1));
+  made.numbers.resize(irg::prepared_bezier<point>::numbers_for(degree + 1));
   made.knots.assign(2 * (degree + 1), 0);
   for (std::size_t i = 0; i <= degree; ++i) made.knots[degree + 1 + i] = 1;
   work& w = bench::keep(std::move(made));
@@ -118,10 +118,14 @@ void enter_case(std::size_t degree, const std::string& family) {
       for (std::size_t k = 0; k < w_.places.size(); ++k) w_.found[k] = one(w_, w_.places[k]);
     };
   };
-  const auto prepared = *irg::prepare_bezier(w.points, std::span<double>(w.numbers));
+  const auto prepared = *irg::prepare_bezier(w.points, std::span<double>(w.numbers), w.sums);
   const auto knots = *irg::make_bspline_knots(std::span<const double>(w.knots), static_cast<int>(degree));
   enter("irg", each([prepared](work&, double t) { return irg::bezier_point(prepared, t); }));
   enter("irg:batch", [prepared](work& v) { irg::bezier_points(prepared, v.places, std::span<point>(v.found)); });
+  enter("irg:with the preparation", [](work& v) {
+    irg::bezier_points(*irg::prepare_bezier(v.points, std::span<double>(v.numbers), v.sums), v.places,
+                       std::span<point>(v.found));
+  });
   enter("irg:de Casteljau",
         each([](work& v, double t) { return irg::bezier_point(v.points, t, std::span<point>(v.room)); }));
   enter("irg:Wozny and Chudy", each([](work& v, double t) { return irg::bezier_point_wozny_chudy(v.points, t); }));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // From an indexed mesh to half-edges: irg and OpenMesh, which builds face by face. Faces in the order in which they lie
-// beside each other, and in any order.
+// beside each other, and in any order. Then normals of vertices, beside OpenMesh's, and beside two limits: each array
+// read or written once, and the loads and sums that normals need, without their arithmetic.
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <irg/mesh/normals.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 
@@ -82,10 +84,59 @@ void enter_case(const std::string& name, bool shuffled) {
 #endif
 }
 
+using normals = std::vector<irg::vec<double, 3>>;
+
+normals read_once(const body& m) {
+  std::uint32_t sum = 0;
+  for (const auto& c : m.corners) sum += c.position;
+  for (const std::uint32_t f : m.face_starts) sum += f;
+  normals out(m.positions.size());
+  for (std::size_t v = 0; v < out.size(); ++v) out[v] = {m.positions[v].x + sum, m.positions[v].y, m.positions[v].z};
+  return out;
+}
+normals load_and_add(const body& m) {
+  normals out(m.positions.size());
+  for (std::size_t c = 0; c + 2 < m.corners.size(); c += 3) {
+    const auto& i = m.corners;
+    const auto sum = (m.positions[i[c + 1].position] - m.positions[i[c].position]) +
+                     (m.positions[i[c + 2].position] - m.positions[i[c].position]);
+    for (std::size_t k = 0; k < 3; ++k) out[i[c + k].position] += sum;
+  }
+  return out;
+}
+
+void enter_normals() {
+  const body& m = keep(torus(false));
+  auto& out = keep(normals{});
+  const contest what{"vertex normals", "torus 10^6", "triangle", static_cast<std::int64_t>(m.face_count()), "", ""};
+  const auto add = [&](const std::string& who, const auto& make) {
+    contender c{who, [make] { make(); }};
+    c.judge = [] { return errors{}; };
+    enter(what, std::move(c));
+  };
+  add("irg", [&m, &out] { out = irg::vertex_normals(m); });
+  add("limit: loads and sums", [&m, &out] { out = load_and_add(m); });
+  add("limit: each array once", [&m, &out] { out = read_once(m); });
+#ifdef IRG_HAVE_OPENMESH
+  auto& o = keep(open_mesh{});
+  std::vector<open_mesh::VertexHandle> v;
+  for (const auto& p : m.positions) v.push_back(o.add_vertex({p.x, p.y, p.z}));
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    o.add_face(v[m.corner(f, 0).position], v[m.corner(f, 1).position], v[m.corner(f, 2).position]);
+  o.request_face_normals();
+  o.request_vertex_normals();
+  add("OpenMesh", [&o] {
+    o.update_face_normals();
+    o.update_vertex_normals();
+  });
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   enter_case("torus 10^6", false);
   enter_case("torus 10^6 any order", true);
+  enter_normals();
   return run_benchmarks(argc, argv);
 }

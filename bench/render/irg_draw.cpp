@@ -56,8 +56,8 @@ irg::render_stats renderer::draw_with(Picture& picture, irg::image<float>& depth
                                       const irg::skip_options& skip, int threads) {
   const left_out whole = collect(skip, threads);
   irg::render_stats stats = irg::draw_batches<irg::nearer_is_greater, float>(
-      picture, depth, batches_, mapping_, make_shader,
-      irg::draw_settings<irg::pixel_of<Picture>>{scene_.culling, skip, irg::clearing::before_drawing, {}}, workspace_,
+      irg::render_target{picture, depth}, {batches_, mapping_}, make_shader,
+      {.culling = scene_.culling, .skip = skip, .clear = irg::clearing::before_drawing, .workspace = &workspace_},
       irg::parallel{threads});
   stats.triangles += whole.beyond + whole.occluded;
   stats.skipped.frustum += whole.beyond;
@@ -83,9 +83,10 @@ void renderer::draw_ids(irg::image<std::uint32_t>& ids, irg::image<float>& depth
 
 irg::render_stats renderer::draw_depth(irg::image<float>& depth, int threads) {
   collect({}, threads);
-  return irg::draw_depth<irg::nearer_is_greater, float>(depth, batches_, mapping_,
-                                                        {scene_.culling, {}, irg::clearing::before_drawing}, workspace_,
-                                                        irg::parallel{threads});
+  return irg::draw_depth<irg::nearer_is_greater, float>(
+      depth, {batches_, mapping_},
+      {.culling = scene_.culling, .clear = irg::clearing::before_drawing, .workspace = &workspace_},
+      irg::parallel{threads});
 }
 
 void renderer::draw_mask(irg::occlusion_mask<>& mask, int threads) {

@@ -91,9 +91,9 @@ struct user_scene {
 
   void draw() {
     ready.lights = world.lights;
-    on.stats = irg::render(world, on.to.picture, on.to.depth, options);
+    on.stats = irg::render(world, {on.to.picture, on.to.depth}, options);
   }
-  void draw_prepared() { on.stats = irg::render(ready, on.to.picture, on.to.depth, options); }
+  void draw_prepared() { on.stats = irg::render(ready, {on.to.picture, on.to.depth}, options); }
   // The light comes from the other side in every frame.
   void draw_changed() {
     ready.lights[0].position.x = -ready.lights[0].position.x;  // which the plain call takes back
@@ -104,7 +104,7 @@ struct user_scene {
     const std::vector<irg::rgba8> drawn(on.to.picture.data(), on.to.picture.data() + on.what.pixel_count());
     auto same_light = world;
     same_light.lights = ready.lights;
-    on.stats = irg::render(same_light, on.to.picture, on.to.depth, options);
+    on.stats = irg::render(same_light, {on.to.picture, on.to.depth}, options);
     errors e;
     e.wrong = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) e.wrong += !(drawn[i] == on.to.picture.data()[i]);

@@ -175,7 +175,7 @@ struct tile_on_stage {
   void draw_one_by_one() {
     irg::clear(depth, 0.0f);
     for (const irg::triangle_indices& t : what.triangles)
-      irg::draw_triangle(picture, depth, vertices.screen[t.v[0]], vertices.screen[t.v[1]], vertices.screen[t.v[2]],
+      irg::draw_triangle(picture, depth, {vertices.screen[t.v[0]], vertices.screen[t.v[1]], vertices.screen[t.v[2]]},
                          irg::solid_shader<irg::rgba8>{{255, 255, 255, 255}});
   }
   errors judge() const {

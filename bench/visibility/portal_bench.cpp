@@ -159,7 +159,7 @@ void enter_frame(int levels, int side) {
   const auto draw = [&f](irg::skipping rooms, irg::skipping others, irg::image<irg::rgba8>& into) {
     irg::render_options o;
     o.skip = {others, others, others, rooms};
-    irg::render(f.rooms, into, f.depth, o);
+    irg::render(f.rooms, {into, f.depth}, o);
   };
   contender skipped{"irg", [&f, draw] { draw(irg::skipping::on, irg::skipping::on, f.picture); }};
   skipped.judge = [&f, draw] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What two bodies have in common, and the first without the second, coloured by the body that a face comes from; and
-// half-edges round a vertex and in a face. Included by pictures.cpp.
+// What two bodies have in common, and the first without the second, coloured by the body that a face comes from; a tree
+// seen without a mesh; half-edges round a vertex and in a face. Included by pictures.cpp.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 #include <irg/solid/boolean.hpp>
+#include <irg/solid/csg_spans.hpp>
 
 #include "meshes.hpp"
 
@@ -57,6 +58,45 @@ inline picture operations() {
                 return r.faces[f].body == 0 ? shaded(150, 185, 235, light) : shaded(240, 178, 120, light);
               });
   }
+  return p;
+}
+
+// A cube in common with a ball, less three rods: by the face at which a ray comes in, and by how far it runs inside.
+inline picture spans() {
+  constexpr int panel = 200, height = 200;
+  picture p(2 * panel, height, paper);
+  using tree = irg::csg_tree<double>;
+  body cube = irg::shape_cube<double>();
+  for (point3& q : cube.positions) q = {q.x * 1.5 - 0.75, q.y * 1.5 - 0.75, q.z * 1.5 - 0.75};
+  tree all = irg::combine(tree(cube), tree(irg::shape_sphere<double>({.slices = 24, .stacks = 13})),
+                          irg::boolean_operation::intersection);
+  for (int axis = 0; axis < 3; ++axis) {
+    body rod = irg::shape_cylinder<double>(16);
+    for (point3& q : rod.positions) {
+      const point3 thin{q.x * 0.42, q.y * 1.5, q.z * 0.42};
+      for (int i = 0; i < 3; ++i) q[(i + axis) % 3] = thin[i];
+    }
+    all = irg::combine(std::move(all), tree(rod), irg::boolean_operation::difference);
+  }
+  const irg::csg_spans<double> through(all);
+  const vec3 back = irg::normalized(vec3{0.55, 0.5, 1}), right = irg::normalized(irg::cross(vec3{0, 1, 0}, back)),
+             up = irg::cross(back, right);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < panel; ++x) {
+      const double u = (x + 0.5 - panel * 0.5) / 95, v = (height * 0.5 - y - 0.5) / 95;
+      const auto met = through.along({point3{} + right * u + up * v + back * 4.0, -back});
+      if (met.empty()) continue;
+      const auto& face = met[0].entered;
+      vec3 n = *irg::face_normal(all.bodies[face.body], face.face);
+      if (face.turned) n = -n;
+      const double light = irg::dot(n, irg::normalized(vec3{-0.3, 0.8, 0.6}));
+      p(x, y) = (face.body == 0   ? shaded(150, 185, 235, 0.5 + 0.5 * (light > 0 ? light : 0))
+                 : face.body == 1 ? shaded(240, 178, 120, 0.5 + 0.5 * (light > 0 ? light : 0))
+                                  : shaded(150, 205, 150, 0.5 + 0.5 * (light > 0 ? light : 0)));
+      double length = 0;
+      for (const auto& span : met) length += span.to - span.from;
+      p(panel + x, y) = shaded(235, 235, 230, 1 - 0.4 * length);
+    }
   return p;
 }
 

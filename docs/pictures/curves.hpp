@@ -155,7 +155,7 @@ inline picture flight() {
     world.view.eye = motion.at(k / 7.).point;
     world.view.target = {0.2, 1.5, 0};
     world.view = irg::with_depth_range(world.view, point3{0.2, 1.5, 0}, 4.);
-    irg::render(world, small, depth, options);
+    irg::render(world, {small, depth}, options);
     for (int y = 0; y < 122; ++y)
       for (int x = 0; x < 162; ++x) all(2 + 165 * (k % 4) + x, 2 + 125 * (k / 4) + y) = small(x, y);
   }

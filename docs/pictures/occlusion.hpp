@@ -73,7 +73,7 @@ inline picture ids() {
   const standing_torus torus;
   irg::image<std::uint32_t> ids(width, height);
   irg::image<float> depth(width, height);
-  irg::draw_visibility(ids, depth, torus.vertices, torus.body.triangles, torus.mapping,
+  irg::draw_visibility({ids, depth}, irg::projected_triangles{torus.vertices, torus.body.triangles, torus.mapping},
                        {.clear = irg::clearing::before_drawing});
   picture small(width, height, paper);
   for (int y = 0; y < height; ++y)

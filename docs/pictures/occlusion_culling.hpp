@@ -53,7 +53,7 @@ inline picture seen_from_above() {
   const irg::scene<double> s = walls_and_balls();
   picture seen(width, height), above(width, height, paper), both(2 * width + 8, height, irg::rgba8{255, 255, 255, 255});
   irg::image<float> depth(width, height);
-  irg::render(s, seen, depth, {.style = irg::picture_style::gouraud});
+  irg::render(s, {seen, depth}, {.style = irg::picture_style::gouraud});
 
   std::vector<irg::drawable<double>> bodies;
   std::vector<irg::occludable_object<double>> objects;

@@ -123,7 +123,7 @@ void depth() {
     const irg::screen_vertex a{{20 * 256, top * 256}, left}, b{{400 * 256, top * 256}, right},
         c{{210 * 256, 210 * 256}, (left + right) / 2};
     irg::draw_triangle(
-        p, z, a, b, c,
+        p, z, {a, b, c},
         irg::vertex_colour_shader<irg::rgba8, encode_light>{mix(a.depth), mix(b.depth), mix(c.depth), {}});
   };
   triangle(0.9f, 0.1f, 20, {0.1f, 0.3f, 0.7f}, {0.5f, 0.65f, 0.85f});
@@ -148,7 +148,7 @@ irg::scene<double> scene_of(irg::mesh<double> shape, vec3 from, int width, int h
 picture render(const irg::scene<double>& s, int width, int height, irg::render_options options = {}) {
   picture p(width, height);
   irg::image<float> z(width, height);
-  irg::render(s, p, z, options);
+  irg::render(s, {p, z}, options);
   return p;
 }
 
@@ -161,7 +161,7 @@ void prepared() {
   irg::image<float> z(width, height);
   for (int i = 0; i < views; ++i) {
     ready.view.eye = irg::transform_point(irg::rotation_y(irg::radians(70.0 * i)), world.view.eye);
-    irg::render(ready, one, z);
+    irg::render(ready, {one, z});
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) all(i * width + x, y) = one(x, y);
   }
@@ -195,7 +195,7 @@ void methods() {
       for (int x = w.x_first; x < w.x_last; ++x)
         ids(x, y) = kept(x, y) = irg::picture_face_at(std::span(all_faces).last(faces.size()), x, y);
   };
-  irg::render(nearest, s, one, z, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
+  irg::render(nearest, s, {one, z}, {.style = irg::picture_style::flat, .culling = irg::face_culling::none});
   constexpr irg::rgba8 of_face[3] = {{200, 80, 60, 255}, {70, 150, 90, 255}, {60, 100, 180, 255}};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -454,9 +454,11 @@ int main(int argc, char** argv) {
   save("minimax", rectangle_pictures::minimax());
   save("convex_body", convex_body_pictures::bodies());
   save("boolean", boolean_pictures::operations());
+  save("csg_spans", boolean_pictures::spans());
   save("half_edges", boolean_pictures::half_edges());
   save("point_in_solid", solid_pictures::locations());
   save("bvh", tree_pictures::levels());
+  save("bvh_parts", tree_pictures::parts());
   save("along_ray", tree_pictures::runs());
   save("visible_points", tree_pictures::points_seen());
   save("shadow", ray_pictures::shadow());

@@ -110,7 +110,7 @@ inline picture rooms() {
   irg::image<float> depth(view.width(), view.height(), 0.0f);
   irg::render_options options;
   options.style = irg::picture_style::flat;
-  irg::render(building, view, depth, options);
+  irg::render(building, {view, depth}, options);
   picture windows = view;
   for (const irg::cell_window& w : irg::visible_rooms(plan, doors, world.view, view.width(), view.height())) {
     if (w.empty()) continue;

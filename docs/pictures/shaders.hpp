@@ -88,9 +88,7 @@ inline picture torus() {
   }
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch one[1] = {{&projected, t.triangles}};
-  irg::draw_workspace workspace;
-  irg::draw_batches<irg::nearer_is_greater, double>(p, depth, one, irg::map_to_screen<double>(480, 330),
-                                                    chequers{vertices}, {}, workspace);
+  irg::draw_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, chequers{vertices});
   return p;
 }
 
@@ -146,7 +144,7 @@ inline picture floors() {
         const irg::texture_sampler s{k == 0 ? irg::texture_filter::nearest : irg::texture_filter::bilinear};
         p(k * (width + gap) + x, y) =
             irg::encode(k < 2 ? irg::sample_texture(t, u(px, py), v(py), s)
-                              : irg::sample_mip_pyramid(pyramid, u(px, py), v(py), irg::mip_level(d, 32, 32), s));
+                              : irg::sample_mip_pyramid(pyramid, {u(px, py), v(py), irg::mip_level(d, 32, 32)}, s));
       }
   return p;
 }
@@ -167,9 +165,7 @@ inline picture textured_torus() {
   const irg::texture_image textures[1] = {{texels.view(), {}}};
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch one[1] = {{&projected, t.triangles}};
-  irg::draw_workspace workspace;
-  irg::draw_batches<irg::nearer_is_greater, double>(p, depth, one, irg::map_to_screen<double>(480, 330),
-                                                    irg::textured_shading{objects, textures}, {}, workspace);
+  irg::draw_batches({p, depth}, {one, irg::map_to_screen<double>(480, 330)}, irg::textured_shading{objects, textures});
   return p;
 }
 
@@ -201,13 +197,10 @@ inline picture mip_floors() {
     irg::image<float> depth(width, height, 0.0f);
     const auto projected = seen_from(room, {0, 1, 1.8}, {-0.4, 0.7, -1}, p);
     const batch one[1] = {{&projected, room.triangles}};
-    irg::draw_workspace workspace;
     if (k == 0)
-      irg::draw_batches<irg::nearer_is_greater, double>(p, depth, one, mapping,
-                                                        irg::textured_shading{objects, textures}, {}, workspace);
+      irg::draw_batches({p, depth}, {one, mapping}, irg::textured_shading{objects, textures});
     else
-      irg::draw_batches<irg::nearer_is_greater, double>(
-          p, depth, one, mapping, irg::mip_textured_shading<double>{objects, pyramids, mapping}, {}, workspace);
+      irg::draw_batches({p, depth}, {one, mapping}, irg::mip_textured_shading<double>{objects, pyramids, mapping});
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) both(k * (width + gap) + x, y) = p(x, y);
   }
@@ -223,10 +216,8 @@ inline picture panes() {
   const auto projected = seen_from(t, {0, 2.5, 3.2}, {0, -0.1, 0}, p);
   const batch opaque[1] = {{&projected, t.triangles}};
   irg::image<std::uint8_t> unused(480, 330);
-  irg::draw_workspace workspace;
-  irg::draw_batches<irg::nearer_is_greater, double>(
-      unused, depth, opaque, mapping,
-      [](const batch&, std::uint32_t, irg::facing) { return irg::solid_shader<std::uint8_t>{1}; }, {}, workspace);
+  irg::draw_batches(irg::render_target{unused, depth}, {opaque, mapping},
+                    [](const batch&, std::uint32_t, irg::facing) { return irg::solid_shader<std::uint8_t>{1}; });
 
   const irg::rgba8 glass[3] = {{204, 60, 40, 150}, {60, 160, 60, 130}, {40, 80, 200, 150}};
   std::vector<patch> pieces;
@@ -242,9 +233,9 @@ inline picture panes() {
     batches.push_back({&vertices[k], pieces[k].triangles, number, static_cast<std::uint32_t>(k)});
     number += static_cast<std::uint32_t>(pieces[k].triangles.size());
   }
-  irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(
-      p, depth, batches, mapping,
-      [&](const batch& b, std::uint32_t, irg::facing) { return irg::solid_shader<irg::rgba8>{glass[b.object]}; });
+  irg::draw_transparent({p, depth}, {batches, mapping}, [&](const batch& b, std::uint32_t, irg::facing) {
+    return irg::solid_shader<irg::rgba8>{glass[b.object]};
+  });
   return p;
 }
 

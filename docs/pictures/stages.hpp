@@ -240,9 +240,11 @@ void fill(picture& colour, irg::image<float>& depth) {
     const irg::solid_shader<irg::rgba8> paint{{v, v, v, 255}};
     const auto left = clipped(m, f);
     for (int k = 1; k + 1 < left.count; ++k)
-      irg::draw_triangle<Order>(colour, depth, irg::to_screen(left.vertices[0].position, mapping),
-                                irg::to_screen(left.vertices[k].position, mapping),
-                                irg::to_screen(left.vertices[k + 1].position, mapping), paint);
+      irg::draw_triangle<Order>(
+          colour, depth,
+          {irg::to_screen(left.vertices[0].position, mapping), irg::to_screen(left.vertices[k].position, mapping),
+           irg::to_screen(left.vertices[k + 1].position, mapping)},
+          paint);
   }
 }
 

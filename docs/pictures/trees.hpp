@@ -65,6 +65,34 @@ inline picture levels() {
   return p;
 }
 
+// The leaves of the same slats in trees by area and with spatial splits.
+inline picture parts() {
+  picture p(620, 240, white);
+  using corners = std::array<irg::point<double, 3>, 3>;
+  std::vector<corners> slats;
+  for (int i = 0; i < 20; ++i) {
+    const double x = 15 + 8.0 * i;
+    slats.push_back({{{x, 20, 0}, {x + 110, 220, 0}, {x + 4, 20, 0}}});
+  }
+  for (int side = 0; side < 2; ++side) {
+    const double left = side * 315.0;
+    for (const corners& t : slats)
+      area(p, {{t[0].x + left, t[0].y}, {t[1].x + left, t[1].y}, {t[2].x + left, t[2].y}}, blue);
+    irg::bvh_config config{side == 0 ? irg::bvh_method::surface_area : irg::bvh_method::spatial_splits};
+    config.spare = 4;
+    const irg::triangle_bvh<double> tree(std::span<const corners>{slats}, config);
+    for (const irg::bvh_node& n : tree.tree().nodes)
+      for (int k = 0; k < irg::bvh_node::width; ++k) {
+        if (n.child[k] == irg::bvh_node::none || !irg::bvh_node::is_leaf(n.child[k])) continue;
+        const double scale = 1 / tree.tree().scale, x0 = double{n.low(0, k)} * scale + left,
+                     y0 = double{n.low(1, k)} * scale, x1 = double{n.high(0, k)} * scale + left,
+                     y1 = double{n.high(1, k)} * scale;
+        outline(p, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, 1.5, red);
+      }
+  }
+  return p;
+}
+
 inline std::vector<std::array<irg::point<double, 3>, 3>> triangles_of(const irg::mesh<double>& body) {
   const irg::mesh<double> m = irg::triangulate(body);
   std::vector<std::array<irg::point<double, 3>, 3>> all;

@@ -59,7 +59,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
       s.hidden == hidden_name::none ? irg::hidden_surface_method::none : irg::hidden_surface_method::zbuffer;
   const irg::parallel threads{s.threads};
   if (options.style == irg::picture_style::wire || s.hidden == hidden_name::none || s.hidden == hidden_name::zbuffer)
-    return irg::render(world, picture, depth, options, {}, threads, observer);
+    return irg::render(world, {picture, depth}, options, threads, observer);
   if (s.follows_rays()) {
     const irg::optics<double> optic{{s.mirror, s.mirror, s.mirror}, {}, 1};
     const std::vector<irg::optics<double>> optics(world.objects.size(), optic);
@@ -67,7 +67,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
     traced.culling = options.culling;
     traced.samples = s.samples;
     traced.limits.shadows = s.shadows ? irg::shadow_rays::on : irg::shadow_rays::off;
-    irg::render_stats stats = irg::render_traced<double>(world, optics, picture, traced, {}, threads);
+    irg::render_stats stats = irg::render_traced<double>(world, optics, picture, traced, threads);
     stats.drawn = 0;
     const irg::rgba8 background = irg::picture_colours().background;
     for (int y = 0; y < s.size.height; ++y)
@@ -76,7 +76,7 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
     return stats;
   }
   if (s.hidden == hidden_name::raytrace) {
-    const irg::render_stats stats = irg::render(irg::ray_tracing<>{}, world, picture, depth, options, threads);
+    const irg::render_stats stats = irg::render(irg::ray_tracing<>{}, world, {picture, depth}, options, threads);
     observer(irg::render_stage::draw);
     return stats;
   }
@@ -85,7 +85,8 @@ irg::render_stats draw(const render_settings& s, const irg::scene<double>& world
                       : s.hidden == hidden_name::warnock ? classical_method::warnock
                       : s.hidden == hidden_name::bsp     ? classical_method::bsp
                                                          : classical_method::ray_casting;
-  const irg::render_stats stats = irg::render(irg::hidden_surfaces_by{method}, world, picture, depth, options, threads);
+  const irg::render_stats stats =
+      irg::render(irg::hidden_surfaces_by{method}, world, {picture, depth}, options, threads);
   observer(irg::render_stage::draw);
   return stats;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/solid/boolean.hpp>
+#include <irg/solid/csg_spans.hpp>
 #include <irg/solid/csg_tree.hpp>
 #include <irg/solid/measures.hpp>
 #include <irg/solid/orient_outward.hpp>

@@ -120,8 +120,15 @@ def trigonometry():
         x = t**mpf("0.5")
         return (atan(x) - x) / x**3
 
-    polynomial("arctangent_coefficients", fitted(arctangent_tail, 2, mpf("1e-60"), mpf("0.0079")**2),
-               "(atan x - x) / x^3 in powers of x^2 for |x| < 0.0079.")
+    polynomial("arctangent_wide_coefficients", fitted(arctangent_tail, 11, mpf("1e-60"), mpf(1)),
+               "(atan x - x) / x^3 in powers of x^2 for |x| <= 1, within 2^-34.")
+
+    def arcsine_tail(t):
+        x = t**mpf("0.5")
+        return (asin(x) - x) / x**3
+
+    polynomial("arcsine_wide_coefficients", fitted(arcsine_tail, 7, mpf("1e-60"), mpf("0.25")),
+               "(asin x - x) / x^3 in powers of x^2 for |x| <= 1/2, within 2^-37.")
 
     print("struct sine_cosine_row {\n  double sine, sine_low, cosine, cosine_low;\n};")
     values = ["{" + ", ".join(pair(sin(mpf(i) / 128)) + pair(cos(mpf(i) / 128))) + "}" for i in range(102)]
@@ -233,8 +240,14 @@ def exponential():
 
     polynomial("log_coefficients", fitted(log_tail, 5, -reach, reach + mpf("1e-60")),
                f"(ln(1 + x) - x + x^2/2) / x^3 for |x| <= {float(worst):.5f}.")
-    print("/// The bits of the double where the first interval of log_table begins.")
-    print(f"inline constexpr std::uint64_t log_table_first = 0x{LOG_FIRST:016x}u;\n")
+    for name, degree in (("three", 2), ("four", 3)):
+        polynomial(f"log_{name}_coefficients",
+                   fitted(lambda x: (log(1 + x) - x) / x**2, degree, -reach, reach + mpf("1e-40")),
+                   f"(ln(1 + x) - x) / x^2 for |x| <= {float(worst):.5f}.")
+    print("/// The bits of the double, and of the float, where the first interval of log_table begins.")
+    print(f"inline constexpr std::uint64_t log_table_first = 0x{LOG_FIRST:016x}u;")
+    single = (LOG_FIRST >> 29) - ((1023 - 127) << 23)
+    print(f"inline constexpr std::uint32_t log_table_first_single = 0x{single:08x}u;\n")
     print("struct log_row {\n  double inverse, log, log_low;\n};")
     rows("log_table", "log_row", log_rows, 1,
          "For each interval: about 1/its middle, in 10 bits; minus its logarithm, on a grid of 2^-42; the error.")

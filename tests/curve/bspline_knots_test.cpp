@@ -220,6 +220,22 @@ TEST_CASE("knots inserted and degrees raised: new control points stay in the box
   CHECK(wrong == 0);
 }
 
+TEST_CASE("degrees raised: an end between control points is the same point, bit for bit") {
+  constexpr std::array<double, 10> knots{2, 2, 2, 3, 3, 4, 5, 5, 6, 6};
+  constexpr std::array<P, 5> points{P{0, -0x1.9d6a20155923cp-2},
+                                    {0, 0x1.fb7624ae686p-9},
+                                    {0, 0x1.0f08965d5880cp-2},
+                                    {0, 0x1.ec1461019f242p-1},
+                                    {0, 0x1.3324f14c838a8p-1}};
+  const auto u = *irg::make_bspline_knots(std::span<const double>(knots), 4);
+  std::vector<double> raised(22), scratch(10);
+  raised.resize(irg::elevated_knots(u, raised));
+  const auto elevated = *irg::make_bspline_knots(std::span<const double>(raised), 5);
+  std::vector<P> result(elevated.size());
+  irg::bspline_elevate(u, points, elevated, std::span<P>(result), scratch);
+  CHECK(*irg::bspline_point(elevated, result, u.last(), scratch) == *irg::bspline_point(u, points, u.last(), scratch));
+}
+
 #ifdef IRG_HAVE_MPFR
 TEST_CASE("knots inserted, pieces and degrees raised: the same curve, in rationals") {
   test::random r(6);

@@ -166,6 +166,32 @@ TEST_CASE("bspline surface: degrees known when compiling and when running, and B
     CHECK(*irg::bspline_surface_point(fixed, u, v) == *irg::bspline_surface_point(view, u, v, numbers));
     CHECK(*irg::bspline_surface_sample(fixed, u, v) == *irg::bspline_surface_sample(view, u, v, std::span<V3>(room)));
   }
+  for (int trial = 0; trial < 200; ++trial) {  // one degree: both bases side by side, weighted points in registers
+    const auto s = make_surface(r, 3, 3);
+    const auto view = s.view();
+    std::vector<H3> weighted;
+    for (const P3& p : view.net.points) weighted.push_back(irg::to_homogeneous(p, 0.5 + r.unit()));
+    const bool at_knots = trial % 4 == 0, at_corner = trial % 10 == 0;
+    if (at_corner) weighted[1].x = weighted.back().y = std::numeric_limits<double>::infinity();
+    const auto knot = [&](const std::vector<double>& list) {
+      return list[static_cast<std::size_t>(r.integer(0, static_cast<int>(list.size()) - 1))];
+    };
+    const double u = at_corner  ? s.u.front()
+                     : at_knots ? knot(s.u)
+                                : r.unit() * s.u.back(),
+                 v = at_corner  ? s.v.front()
+                     : at_knots ? knot(s.v)
+                                : r.unit() * s.v.back();
+    const irg::control_net<H3> net{weighted, view.net.columns};
+    const irg::bspline_surface<H3, 3> fixed{irg::bspline_knots<double, 3>(s.u), irg::bspline_knots<double, 3>(s.v),
+                                            net};
+    const irg::bspline_surface<H3> any{view.u, view.v, net};
+    std::array<double, 8> numbers{};
+    const auto p = irg::bspline_surface_point(fixed, u, v);
+    CHECK(p == irg::bspline_surface_point(any, u, v, numbers));
+    CHECK(irg::nurbs_surface_point(fixed, u, v) == irg::nurbs_surface_point(any, u, v, numbers));
+    if (at_corner && s.u[3] == u && s.v[3] == v && p) CHECK(*p == weighted[0]);
+  }
   irg::bezier_patch<P3, 3, 2> patch;
   std::vector<P3> flat;
   for (auto& row : patch.points)

@@ -41,8 +41,9 @@ const std::vector<std::pair<std::string, std::function<P(const points&, double)>
        }},
       {"prepared",
        [](const points& c, double t) {
-         std::vector<double> space(2 * c.size());
-         return irg::bezier_point(*irg::prepare_bezier(c, std::span<double>(space)), t);
+         std::vector<double> space(irg::prepared_bezier<P>::numbers_for(c.size()));
+         std::vector<irg::exact_sum<double>> room(c.size());
+         return irg::bezier_point(*irg::prepare_bezier(c, std::span<double>(space), room), t);
        }},
       {"B-spline",
        [](const points& c, double t) {

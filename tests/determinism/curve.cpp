@@ -40,9 +40,10 @@ constexpr std::uint64_t many_points(int rounds) {
   test::random r(19);
   for (int i = 0; i < rounds; ++i) {
     const auto points = some_points<P>(r, static_cast<std::size_t>(1 + i % 31));
-    std::vector<T> space(irg::prepared_bezier<P>::width * points.size(), T(0)), t(70, T(0));
+    std::vector<T> space(irg::prepared_bezier<P>::numbers_for(points.size()), T(0)), t(70, T(0));
+    std::vector<irg::exact_sum<T>> sums(points.size(), irg::exact_sum<T>{});
     std::vector<P> found(t.size(), P{}), room(points.size(), P{});
-    const auto curve = irg::prepare_bezier(points, std::span<T>(space));
+    const auto curve = irg::prepare_bezier(points, std::span<T>(space), sums);
     for (std::size_t k = 0; k < t.size(); ++k)
       t[k] = static_cast<T>(i % 2 == 0 ? r.unit() : static_cast<double>(k) / 69);
     if (!curve) continue;

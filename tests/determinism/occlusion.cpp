@@ -31,8 +31,8 @@ constexpr std::uint64_t visibility_weights(int rounds) {
     irg::image<std::uint32_t> ids(s.width, s.height);
     irg::image<float> depth(s.width, s.height), alone(s.width, s.height);
     const irg::depth_settings settings{irg::face_culling::none, {}, irg::clearing::before_drawing};
-    irg::draw_visibility(ids, depth, vertices, s.triangles, mapping, settings);
-    irg::draw_depth(alone, vertices, s.triangles, mapping, settings);
+    irg::draw_visibility({ids, depth}, irg::projected_triangles{vertices, s.triangles, mapping}, settings);
+    irg::draw_depth(alone, irg::projected_triangles{vertices, s.triangles, mapping}, settings);
     const irg::triangle_batch<double> batch{&vertices, s.triangles, 0};
     for (int y = 0; y < s.height; ++y)
       for (int x = 0; x < s.width; ++x) {

@@ -38,7 +38,7 @@ constexpr std::uint64_t pictures(irg::picture_style style, int rounds) {
     irg::image<irg::rgba8> colour(width, height);
     irg::image<float> depth(width, height);
     const auto stats = irg::render(
-        world, colour, depth, {.style = style, .culling = i % 2 ? irg::face_culling::none : irg::face_culling::back});
+        world, {colour, depth}, {.style = style, .culling = i % 2 ? irg::face_culling::none : irg::face_culling::back});
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const irg::rgba8 p = colour(x, y);
@@ -89,7 +89,7 @@ constexpr std::uint64_t render_rescaled(int rounds) {
     o.intensities = irg::intensity_range::rescale;
     irg::image<irg::rgba8> colour(size, size);
     irg::image<float> depth(size, size);
-    irg::render(s, colour, depth, o);
+    irg::render(s, {colour, depth}, o);
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) h.add(colour(x, y));
   }

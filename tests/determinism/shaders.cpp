@@ -42,7 +42,7 @@ constexpr std::uint64_t shade_textures(int rounds) {
     const float u = any_float(r, -3, 3), v = any_float(r, -3, 3), level = any_float(r, -1, 3);
     const irg::rgb<float> border{1, 0.5f, 2};
     for (const irg::rgb<float>& c : {irg::sample_texture(t, u, v, any_sampler(r), border),
-                                     irg::sample_mip_pyramid(pyramid, u, v, level, any_sampler(r), border)}) {
+                                     irg::sample_mip_pyramid(pyramid, {u, v, level}, any_sampler(r), border)}) {
       h.add(c.r);
       h.add(c.g);
       h.add(c.b);
@@ -79,15 +79,15 @@ constexpr std::uint64_t render_textures_and_glass(int rounds) {
     const auto projected = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
     irg::image<irg::rgba8> colour(width, height);
     irg::image<float> depth(width, height);
-    irg::draw_workspace workspace;
     const irg::draw_settings<irg::rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {}};
     const std::span<const irg::triangle_indices> all(s.triangles);
     const irg::triangle_batch<double> opaque[1] = {{&projected, all.first(all.size() / 2)}},
                                       glass[1] = {{&projected, all.subspan(all.size() / 2)}};
-    irg::draw_batches<irg::nearer_is_greater, double>(colour, depth, opaque, mapping,
-                                                      irg::textured_shading{objects, textures}, settings, workspace);
-    irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(
-        colour, depth, glass, mapping, [](const irg::triangle_batch<double>&, std::uint32_t t, irg::facing side) {
+    irg::draw_batches(irg::render_target{colour, depth}, {opaque, mapping}, irg::textured_shading{objects, textures},
+                      settings);
+    irg::draw_transparent(
+        irg::render_target{colour, depth}, {glass, mapping},
+        [](const irg::triangle_batch<double>&, std::uint32_t t, irg::facing side) {
           const auto level = static_cast<std::uint8_t>(t * 67);
           return irg::solid_shader<irg::rgba8>{{level, side == irg::facing::front ? level : std::uint8_t{40}, 99, 120}};
         });

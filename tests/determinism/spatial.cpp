@@ -43,7 +43,9 @@ constexpr std::uint64_t crossings(int rounds, irg::bvh_method method) {
 
 constexpr std::uint64_t rays_by_area(int rounds) { return crossings<double>(rounds, irg::bvh_method::surface_area); }
 constexpr std::uint64_t rays_by_place(int rounds) { return crossings<float>(rounds, irg::bvh_method::morton); }
+constexpr std::uint64_t rays_by_cuts(int rounds) { return crossings<float>(rounds, irg::bvh_method::spatial_splits); }
 HASHED(rays_by_area, 1, 30);
 HASHED(rays_by_place, 1, 30);
+HASHED(rays_by_cuts, 1, 30);
 
 }  // namespace

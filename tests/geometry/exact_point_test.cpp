@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/geometry/exact_point.hpp>
 
+#include <array>
 #include <cmath>
 
 #include <irg/geometry/orient3d.hpp>
@@ -22,6 +23,12 @@ TEST_CASE("exact_point: crossings, their sides and orders, at compile time, too"
   CHECK_BOTH(!exact_point::on_plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 0}, {3, 0, 0}).is_known());
   CHECK_BOTH(!exact_point::on_lines({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 1, 0}).is_known());
   CHECK_BOTH(!exact_point().is_known());
+  using planes = std::array<std::array<place, 3>, 3>;
+  constexpr planes box{
+      {{{{3, 0, 0}, {3, 1, 0}, {3, 0, 1}}}, {{{0, 5, 0}, {0, 5, 1}, {1, 5, 0}}}, {{{0, 0, 7}, {1, 0, 7}, {0, 1, 7}}}}};
+  CHECK_BOTH(exact_point::on_planes(box).rounded() == place{3, 5, 7});
+  CHECK_BOTH(!exact_point::on_planes({box[0], box[1], box[1]}).is_known());
+  CHECK_BOTH(!exact_point::on_planes({box[0], box[1], {{{1, 2, 3}, {2, 4, 6}, {3, 6, 9}}}}).is_known());
   CHECK_BOTH([] {  // a third is no double: the point lies on the line still
     const auto third = exact_point::on_plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 0}, {1, 2, 3});
     const exact_point o(place{0, 0, 0}), a(place{1, 2, 3}), b(place{1, 2, 3.5});
@@ -32,6 +39,37 @@ TEST_CASE("exact_point: crossings, their sides and orders, at compile time, too"
   CHECK_BOTH(irg::side_of_plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, exact_point(place{0, 0, 5e-324})) == 1);
   CHECK_BOTH(exact_point::mean_of(exact_point(place{3, 0, 0}), exact_point(place{0, 6, 0}), exact_point(place{0, 0, 9}))
                  .rounded() == place{1, 2, 3});
+}
+
+TEST_CASE("exact_point: where three planes meet, of lattices and of 400 decades") {
+  test::random r(21);
+  int met = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const auto any = [&] {
+      place p{};
+      for (int i = 0; i < 3; ++i)
+        p[i] = trial % 2 ? static_cast<double>(r.integer(-3, 3))
+                         : std::ldexp(static_cast<double>(r.integer(-(1 << 30), 1 << 30)),
+                                      static_cast<int>(r.integer(-660, 660)) * (trial % 4 / 2));
+      return p;
+    };
+    const auto plane = [&] { return std::array{any(), any(), any()}; };
+    const std::array<place, 3> a = plane(), b = plane(), c{a[0], a[1], any()};
+    const exact_point p = exact_point::on_planes({a, b, plane()}), q = exact_point::on_planes({a, b, c});
+    const exact_point on_edge = exact_point::on_plane(b[0], b[1], b[2], a[0], a[1]);
+    if (!p.is_known() || !q.is_known()) continue;
+    ++met;
+    CHECK(irg::side_of_plane(a[0], a[1], a[2], p) == 0);
+    CHECK(irg::side_of_plane(b[0], b[1], b[2], p) == 0);
+    CHECK(irg::side_of_plane(a[0], a[1], a[2], exact_point::mean_of(p, q, p)) == 0);
+    for (int axis = 0; axis < 3; ++axis) {
+      CHECK(irg::compare_along(axis, q, on_edge) == 0);
+      CHECK(irg::orientation_along(axis, p, q, exact_point::mean_of(p, q, p)) == 0);
+      CHECK(irg::orientation_along(axis, q, exact_point::mean_of(q, p, exact_point(a[2])), p) ==
+            irg::orientation_along(axis, q, exact_point(a[2]), p));
+    }
+  }
+  CHECK(met > 500);
 }
 
 #ifdef IRG_HAVE_MPFR

@@ -3,7 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <vector>
 
 #include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shape_sphere.hpp>
@@ -142,6 +145,39 @@ TEST_CASE("normals: vertices without a direction get zero") {
     CHECK(normals[0] == V3{0, 0, 1});
     CHECK(normals[3] == V3{});
     CHECK(normals[4] == V3{});
+  }
+}
+
+TEST_CASE_TEMPLATE("normals: many triangles at a time, other faces between, hostile ones: the bits of one by one", T,
+                   float, double) {
+  test::random r(29);
+  constexpr T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN(),
+              most = std::numeric_limits<T>::max(), least = std::numeric_limits<T>::denorm_min();
+  const T hostile[] = {inf, nan, most, -most, least, T(0), T(1e-30), T(1e30)};
+  for (int trial = 0; trial < 60; ++trial) {
+    irg::mesh<T> m;
+    for (int i = 0; i < 150; ++i) {
+      const auto any = [&] {
+        if (trial % 2 == 1 && r.integer(0, 20) == 0) return hostile[r.integer(0, 7)];
+        return static_cast<T>(std::ldexp(r.unit() - 0.5, trial % 3 == 0 ? 0 : static_cast<int>(r.integer(-60, 60))));
+      };
+      const T x = any(), y = any();
+      m.positions.push_back({x, y, any()});
+    }
+    for (int f = 0; f < 300; ++f) {
+      std::vector<std::int64_t> corners(trial % 4 == 0 || r.integer(0, 40) != 0 ? 3 : 4);
+      for (auto& c : corners) c = r.integer(0, 149);
+      irg::add_face(m, corners);
+    }
+    std::vector<irg::vec<T, 3>> expected(m.positions.size());
+    for (std::size_t f = 0; f < m.face_count(); ++f)
+      if (const auto n = irg::face_normal(m, f))
+        for (std::size_t k = 0; k < m.face_size(f); ++k) expected[m.corner(f, k).position] += *n;
+    for (auto& n : expected) n = irg::normalized(n);
+    const auto got = irg::vertex_normals(m);
+    REQUIRE(got.size() == expected.size());
+    CAPTURE(trial);
+    CHECK(std::memcmp(got.data(), expected.data(), got.size() * sizeof got[0]) == 0);
   }
 }
 

@@ -34,7 +34,7 @@ struct canvas {
 
 template <class Order = irg::nearer_is_greater, class Shader>
 constexpr irg::draw_counts draw(canvas& c, const screen_vertex (&v)[3], const Shader& shader) {
-  return irg::draw_triangle<Order>(c.colour, c.depth, v[0], v[1], v[2], shader);
+  return irg::draw_triangle<Order>(c.colour, c.depth, {v[0], v[1], v[2]}, shader);
 }
 
 // The same triangle by the plain kernel: scalars and 64-bit coverage.
@@ -136,7 +136,7 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
     irg::image<recorder> weights(60, 60);
     irg::image<float> depth(60, 60, -1.0f);
     const auto record = [](const irg::pixel_weights<float>& f) { return recorder{f.weight1, f.weight2}; };
-    irg::draw_triangle(weights, depth, v[0], v[1], v[2], record);
+    irg::draw_triangle(weights, depth, {v[0], v[1], v[2]}, record);
     const long double area =
         static_cast<long double>(irg::signed_double_area(v[0].position, v[1].position, v[2].position));
     for (int y = 0; y < 60; ++y)
@@ -169,7 +169,7 @@ TEST_CASE("draw_triangle: depth and weights against long double, on triangles an
 TEST_CASE("draw_triangle: weights stay accurate when inverse_w differs by 1e5") {
   irg::image<float> weight(64, 64), depth(64, 64, -1.0f);
   const screen_vertex v[3] = {{{0, 0}, 0.5f, 1.0f}, {{64 * 256, 0}, 0.5f, 1e-5f}, {{0, 64 * 256}, 0.5f, 1.0f}};
-  irg::draw_triangle(weight, depth, v[0], v[1], v[2], [](const irg::pixel_weights<float>& f) { return f.weight1; });
+  irg::draw_triangle(weight, depth, {v[0], v[1], v[2]}, [](const irg::pixel_weights<float>& f) { return f.weight1; });
   for (int x = 0; x < 63; ++x) {
     const long double b1 = (x + 0.5L) / 64, q = (1 - b1) + b1 * static_cast<long double>(1e-5f);
     CHECK(std::fabs(static_cast<long double>(weight(x, 0)) - b1 * static_cast<long double>(1e-5f) / q) < 1e-9L);
@@ -254,7 +254,7 @@ TEST_CASE("intensity_shader: the course's Gouraud triangle") {
   const auto drawn = [](int x, int y) {
     irg::image<float> intensity(6, 6, -1.0f);
     const auto at = [](int px, int py) { return screen_vertex{{px * 256 + 128, py * 256 + 128}}; };
-    irg::draw_triangle(intensity, at(0, 0), at(4, 0), at(0, 4), irg::intensity_shader<float>{10, 50, 90});
+    irg::draw_triangle(intensity, {at(0, 0), at(4, 0), at(0, 4)}, irg::intensity_shader<float>{10, 50, 90});
     return intensity(x, y);
   };
   CHECK_BOTH(drawn(1, 1) == 40.0f);
@@ -273,7 +273,7 @@ constexpr std::pair<int, float> over_a_half(float depth) {
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 12; ++x) c.depth(x, y) = 0.5f;
   irg::draw_triangle<irg::nearer_is_greater, irg::depth_policy<Test, Write>>(
-      c.colour, c.depth, {{0, 0}, depth}, {{9000, 0}, depth}, {{0, 9000}, depth},
+      c.colour, c.depth, {{{0, 0}, depth}, {{9000, 0}, depth}, {{0, 9000}, depth}},
       irg::solid_shader<irg::rgba8>{{9, 9, 9, 9}});
   return {c.colour(10, 2).a == 9 ? 9 : 0, c.depth(10, 2)};
 }
@@ -334,7 +334,7 @@ int drawn_otherwise(std::uint64_t seed, int width) {
     for (auto& c : v) c.depth = level ? v[0].depth : 1.4f * c.depth - 0.2f;
     const irg::solid_shader<int> paint{i};
     for (int times = 0; times < (twice ? 2 : 1); ++times) {
-      irg::draw_triangle<F, irg::depth_policy<Test, Write>>(ids, depth, v[0], v[1], v[2], paint);
+      irg::draw_triangle<F, irg::depth_policy<Test, Write>>(ids, depth, {v[0], v[1], v[2]}, paint);
       screen_vertex u[3] = {v[0], v[1], v[2]};
       if (std::same_as<F, irg::depth_inverse_w>)
         for (auto& c : u) c.depth = c.inverse_w;
@@ -396,7 +396,7 @@ template <class F>
 constexpr typename F::stored word_left(float depth, typename F::stored before) {
   irg::image<int> ids(12, 4);
   irg::image<typename F::stored> words(12, 4, before);
-  irg::draw_triangle<F>(ids, words, {{0, 0}, depth, 4.0f}, {{9000, 0}, depth, 4.0f}, {{0, 9000}, depth, 4.0f},
+  irg::draw_triangle<F>(ids, words, {{{0, 0}, depth, 4.0f}, {{9000, 0}, depth, 4.0f}, {{0, 9000}, depth, 4.0f}},
                         irg::solid_shader<int>{1});
   return words(10, 2);
 }

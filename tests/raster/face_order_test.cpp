@@ -293,7 +293,7 @@ void against_drawing(std::uint64_t seed, int scenes) {
               static_cast<std::int32_t>(r.integer(-1000, size * 256 + 1000))},
              static_cast<float>(0.125 + 0.75 * r.unit())};
       faces.push_back(irg::make_screen_face(v[0], v[1], v[2], i));
-      irg::draw_triangle<Order>(id, depth, v[0], v[1], v[2], irg::solid_shader<std::uint32_t>{i});
+      irg::draw_triangle<Order>(id, depth, {v[0], v[1], v[2]}, irg::solid_shader<std::uint32_t>{i});
     }
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) {

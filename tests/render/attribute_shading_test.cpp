@@ -126,10 +126,9 @@ drawn<P> draw(const triangle_scene& s, const batches_of& b, const Shading& shadi
       else
         d.colour(x, y) = {static_cast<float>(r.unit()), -1, -2};
     }
-  irg::draw_workspace workspace;
-  d.stats =
-      irg::draw_batches<Order, double>(d.colour, d.depth, b.batches, irg::map_to_screen<double>(s.width, s.height),
-                                       shading, settings, workspace, executor);
+  d.stats = irg::draw_batches<Order, double>(irg::render_target{d.colour, d.depth},
+                                             {b.batches, irg::map_to_screen<double>(s.width, s.height)}, shading,
+                                             settings, executor);
   return d;
 }
 

@@ -23,7 +23,7 @@ constexpr std::pair<irg::image<float>, irg::render_stats> depths(const triangle_
   const auto mapping = irg::map_to_screen<T>(s.width, s.height);
   const auto positions = test::positions_in<T>(s);
   const auto vertices = irg::project_vertices<T>(positions, test::matrix_in<T>(s), mapping);
-  const auto stats = irg::draw_depth<Order, T>(depth, vertices, s.triangles, mapping,
+  const auto stats = irg::draw_depth<Order, T>(depth, {vertices, s.triangles, mapping},
                                                {culling, skip, irg::clearing::before_drawing}, executor);
   return {depth, stats};
 }
@@ -72,8 +72,8 @@ TEST_CASE("draw_depth: onto depths that are there already") {
   irg::image<float> depth(100, 80, 0.0f);
   const std::span<const irg::triangle_indices> all(s.triangles);
   const irg::depth_settings keep{face_culling::none, {}, irg::clearing::none};
-  irg::draw_depth(depth, vertices, all.subspan(10), mapping, keep);
-  irg::draw_depth(depth, vertices, all.first(10), mapping, keep);
+  irg::draw_depth(depth, irg::projected_triangles{vertices, all.subspan(10), mapping}, keep);
+  irg::draw_depth(depth, irg::projected_triangles{vertices, all.first(10), mapping}, keep);
   CHECK(depth == whole);
 }
 
@@ -82,16 +82,16 @@ TEST_CASE("draw_depth: nothing to draw, and rows wider than the picture") {
   const irg::projected_vertices<double> none;
   std::vector<float> memory(80 * 20, 7.0f);
   irg::image_view<float> depth(memory.data(), 70, 20, 80 * 4);
-  const auto stats = irg::draw_depth(depth, none, {}, mapping);
+  const auto stats = irg::draw_depth(depth, irg::projected_triangles{none, {}, mapping});
   CHECK(stats == irg::render_stats{});
   CHECK(depth(69, 19) == 7);
-  irg::draw_depth(depth, none, {}, mapping, {.clear = irg::clearing::before_drawing});
+  irg::draw_depth(depth, irg::projected_triangles{none, {}, mapping}, {.clear = irg::clearing::before_drawing});
   for (int i = 0; i < 80 * 20; ++i) REQUIRE(memory[static_cast<std::size_t>(i)] == (i % 80 < 70 ? 0.0f : 7.0f));
 
   test::random r(305);
   const triangle_scene s = test::scene_maker(r, scene_kind::huge, 70, 20)(9);
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
-  irg::draw_depth(depth, vertices, s.triangles, mapping, {.culling = face_culling::none});
+  irg::draw_depth(depth, irg::projected_triangles{vertices, s.triangles, mapping}, {.culling = face_culling::none});
   const auto expected = depths(s, face_culling::none).first;
   for (int i = 0; i < 80 * 20; ++i)
     REQUIRE(memory[static_cast<std::size_t>(i)] == (i % 80 < 70 ? expected(i % 80, i / 80) : 7.0f));

@@ -62,13 +62,13 @@ constexpr picture opaque_part(const triangle_scene& s) {
 
 template <class Order, depth_test Test = depth_test::nearer, class Blend = irg::over_in_light,
           class E = irg::sequential>
-constexpr picture blended(picture p, const triangle_scene& s, const transparent_settings& settings = {},
-                          const Blend& blend = {}, const E& executor = {}) {
+constexpr picture blended(picture p, const triangle_scene& s, const transparent_settings<Blend>& settings = {},
+                          const E& executor = {}) {
   const auto mapping = irg::map_to_screen<double>(s.width, s.height);
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const batch one[1] = {{&vertices, s.triangles, 0}};
-  p.stats =
-      irg::draw_transparent<Order, Test, double>(p.colour, p.depth, one, mapping, colours, settings, blend, executor);
+  p.stats = irg::draw_transparent<Order, Test, double>(irg::render_target{p.colour, p.depth}, {one, mapping}, colours,
+                                                       settings, executor);
   return p;
 }
 
@@ -152,7 +152,8 @@ void against_composition(std::uint64_t seed, int scenes) {
     hidden += drawn.stats.pixels.tested - drawn.stats.pixels.shaded;
     passed_over += drawn.stats.skipped.occluded;
     here = 0;
-    REQUIRE(blended<Order, depth_test::nearer_or_equal>(before, glass, {culling, {}}, irg::over_as_encoded{})
+    REQUIRE(blended<Order, depth_test::nearer_or_equal>(before, glass,
+                                                        transparent_settings<irg::over_as_encoded>{culling, {}})
                 .same(composed<Order>(before, glass, culling, true, irg::over_as_encoded{}, here)));
     // However the work is done.
     const picture plain = blended<Order>(before, glass, {culling, irg::skip_nothing});
@@ -160,7 +161,7 @@ void against_composition(std::uint64_t seed, int scenes) {
     REQUIRE(plain.stats.pixels.shaded == drawn.stats.pixels.shaded);
     REQUIRE(plain.stats.skipped == irg::skip_counts{0, plain.stats.skipped.backface, 0, 0});
     for (const int threads : {1, 2, 3, 16}) {
-      const picture other = blended<Order>(before, glass, {culling, {}}, irg::over_in_light{}, irg::parallel{threads});
+      const picture other = blended<Order>(before, glass, {culling, {}}, irg::parallel{threads});
       REQUIRE(other.same(expected));
       REQUIRE(other.stats == drawn.stats);
     }
@@ -205,9 +206,9 @@ constexpr rgba8 through(std::initializer_list<pane> panes, float wall_depth = 0.
       positions, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const batch one[1] = {{&vertices, triangles, 0}};
   irg::draw_transparent<Order, Test, double>(
-      colour, depth, one, mapping,
+      irg::render_target{colour, depth}, {one, mapping},
       [&](const batch&, std::uint32_t i, facing) { return irg::solid_shader<rgba8>{colour_of_pane[i]}; },
-      {face_culling::none, {{}, {}, occluded}}, Blend{});
+      transparent_settings<Blend>{face_culling::none, {{}, {}, occluded}});
   return colour(0, 0);
 }
 
@@ -282,8 +283,8 @@ TEST_CASE("draw_transparent: opacity of each vertex, in two batches") {
   irg::image<rgba8> colour(16, 16, {0, 0, 0, 255});
   irg::image<float> depth(16, 16, 0.0f);
   const batch two[2] = {{&vertices, triangles, 0}, {&vertices, triangles, 1}};
-  const auto stats = irg::draw_transparent<greater, depth_test::nearer, double>(colour, depth, two, mapping,
-                                                                                light_and_opacity{values});
+  const auto stats =
+      irg::draw_transparent(irg::render_target{colour, depth}, {two, mapping}, light_and_opacity{values});
   CHECK(stats.pixels.shaded == 2 * 256);
   CHECK(stats.triangles == 2);
   for (int y = 0; y < 16; ++y)
@@ -305,9 +306,9 @@ TEST_CASE("draw_transparent: called with defaults for order, test and blending")
   const std::vector<batch> panes{{&vertices, triangles}};
   irg::image<rgba8> colour(2, 2, {0, 0, 0, 255});
   irg::image<float> depth(2, 2, 0.0f);
-  irg::draw_transparent(colour, depth, panes, mapping, [](const batch&, std::uint32_t, facing) {
-    return irg::solid_shader<rgba8>{{255, 255, 255, 51}};
-  });
+  irg::draw_transparent(
+      irg::render_target{colour, depth}, irg::projected_triangles{panes, mapping},
+      [](const batch&, std::uint32_t, facing) { return irg::solid_shader<rgba8>{{255, 255, 255, 51}}; });
   CHECK(colour == irg::image<rgba8>(2, 2, {124, 124, 124, 255}));
 }
 
@@ -315,13 +316,11 @@ TEST_CASE("draw_transparent: pictures of no size, batches of no triangles") {
   irg::image<rgba8> colour;
   irg::image<float> depth;
   const auto mapping = irg::map_to_screen<double>(1, 1);
-  CHECK(irg::draw_transparent<greater, depth_test::nearer, double>(colour, depth, {}, mapping, colours) ==
-        irg::render_stats{});
+  CHECK(irg::draw_transparent(irg::render_target{colour, depth}, {{}, mapping}, colours) == irg::render_stats{});
   const auto vertices =
       irg::project_vertices<double>({}, irg::orthographic(irg::view_window<double>{-1, 1, -1, 1}, 0, 8), mapping);
   const batch none[1] = {{&vertices, {}, 0}};
-  CHECK(irg::draw_transparent<greater, depth_test::nearer, double>(colour, depth, none, mapping, colours) ==
-        irg::render_stats{});
+  CHECK(irg::draw_transparent(irg::render_target{colour, depth}, {none, mapping}, colours) == irg::render_stats{});
 }
 
 }  // namespace

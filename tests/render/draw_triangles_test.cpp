@@ -64,8 +64,9 @@ constexpr marks draw(const soup& s, irg::face_culling culling = irg::face_cullin
   const auto mapping = irg::map_to_screen<double>(s.width, s.height);
   const auto vertices = irg::project_vertices<double>(s.positions, s.to_clip, mapping);
   const auto shader = [](std::uint32_t i, irg::facing side) { return mark_shader{i + 1, side}; };
-  m.stats = irg::draw_triangles<Order, double>(m.colour, m.depth, vertices, s.triangles, mapping, shader,
-                                               {culling, skip, irg::clearing::before_drawing, mark{}}, executor);
+  m.stats =
+      irg::draw_triangles<Order, double>(irg::render_target{m.colour, m.depth}, {vertices, s.triangles, mapping},
+                                         shader, {culling, skip, irg::clearing::before_drawing, mark{}}, executor);
   return m;
 }
 
@@ -676,7 +677,7 @@ TEST_CASE("draw_triangles: without a background it adds to what is there") {
   irg::image<float> depth(16, 16, 0.0f);
   depth(8, 10) = 1.0f;  // something very near
   const auto shader = [](std::uint32_t, irg::facing) { return irg::solid_shader<int>{9}; };
-  irg::draw_triangles<irg::nearer_is_greater, double>(colour, depth, vertices, s.triangles, mapping, shader);
+  irg::draw_triangles(irg::render_target{colour, depth}, {vertices, s.triangles, mapping}, shader);
   CHECK(colour(8, 8) == 9);
   CHECK(colour(8, 10) == 7);
   CHECK(colour(0, 0) == 7);

@@ -65,10 +65,10 @@ template <class Executor>
 void check_visible(const given& g, const irg::depth_settings& settings, const Executor& executor) {
   ids expected(g.scene.width, g.scene.height, 0), seen = expected;
   depths expected_depth(g.scene.width, g.scene.height, 0.0f), depth = expected_depth, alone = expected_depth;
-  irg::draw_workspace workspace;
   const batch good[] = {g.good()}, mixed[] = {g.with_bad()};
-  const auto a = irg::draw_visibility(expected, expected_depth, good, g.mapping, settings, workspace, executor);
-  const auto b = irg::draw_visibility(seen, depth, mixed, g.mapping, settings, workspace, executor);
+  const auto a =
+      irg::draw_visibility({expected, expected_depth}, irg::projected_triangles{good, g.mapping}, settings, executor);
+  const auto b = irg::draw_visibility({seen, depth}, irg::projected_triangles{mixed, g.mapping}, settings, executor);
   for (int y = 0; y < g.scene.height; ++y)
     for (int x = 0; x < g.scene.width; ++x) {
       std::uint32_t& e = expected(x, y);
@@ -79,7 +79,7 @@ void check_visible(const given& g, const irg::depth_settings& settings, const Ex
   CHECK(b.pixels.tested == a.pixels.tested);
   CHECK(b.skipped == a.skipped);
   CHECK(b.triangles == static_cast<std::int64_t>(g.mixed.size()));
-  irg::draw_depth(alone, mixed, g.mapping, settings, workspace, executor);
+  irg::draw_depth(alone, irg::projected_triangles{mixed, g.mapping}, settings, executor);
   CHECK(alone == expected_depth);
 }
 
@@ -117,13 +117,11 @@ TEST_CASE("indices: ... of pictures, opaque and transparent, in every order") {
       const auto shader = [&](const batch& of, std::uint32_t i, irg::facing) { return colour_of(g, of, i); };
       for (auto& p : picture[k]) p = irg::image<irg::rgba8>(width, height, {9, 9, 9, 255});
       depths depth(width, height, 0.0f);
-      irg::draw_workspace workspace;
-      irg::draw_batches<irg::nearer_is_greater, double>(picture[k][0], depth, b, g.mapping, shader, {}, workspace);
+      irg::draw_batches(irg::render_target{picture[k][0], depth}, {b, g.mapping}, shader);
       depth = depths(width, height, 0.0f);
-      irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(picture[k][1], depth, b, g.mapping,
-                                                                                     shader);
-      irg::draw_transparent<irg::drawing_order, irg::depth_test::always, double>(picture[k][2], depth, b, g.mapping,
-                                                                                 shader);
+      irg::draw_transparent(irg::render_target{picture[k][1], depth}, {b, g.mapping}, shader);
+      irg::draw_transparent<irg::drawing_order, irg::depth_test::always, double>(
+          irg::render_target{picture[k][2], depth}, {b, g.mapping}, shader);
     }
     for (int way = 0; way < 3; ++way) CHECK(picture[1][way] == picture[0][way]);
   }
@@ -156,8 +154,8 @@ TEST_CASE("indices: no vertices at all") {
   irg::image<irg::rgba8> picture(70, 9, {1, 2, 3, 4});
   depths depth(70, 9, 0.0f);
   const batch b[] = {g.with_bad()};
-  irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(
-      picture, depth, b, g.mapping,
+  irg::draw_transparent(
+      irg::render_target{picture, depth}, {b, g.mapping},
       [](const batch&, std::uint32_t, irg::facing) { return irg::solid_shader<irg::rgba8>{{255, 0, 0, 255}}; });
   CHECK(picture == irg::image<irg::rgba8>(70, 9, {1, 2, 3, 4}));
   irg::occlusion_mask<> mask(70, 9);
@@ -170,8 +168,11 @@ TEST_CASE("indices: in constant evaluation, where nothing may be read that is no
     const given g(small_scene(), 7);
     ids a(7, 6, 0), b = a;
     depths depth_a(7, 6, 0.0f), depth_b = depth_a;
-    irg::draw_visibility(a, depth_a, g.vertices, std::span<const triangle_indices>(g.scene.triangles), g.mapping);
-    irg::draw_visibility(b, depth_b, g.vertices, std::span<const triangle_indices>(g.mixed), g.mapping);
+    irg::draw_visibility(
+        {a, depth_a},
+        irg::projected_triangles{g.vertices, std::span<const triangle_indices>(g.scene.triangles), g.mapping});
+    irg::draw_visibility({b, depth_b},
+                         irg::projected_triangles{g.vertices, std::span<const triangle_indices>(g.mixed), g.mapping});
     bool all = depth_a == depth_b;
     for (int i = 0; i < 42; ++i)
       all = all && (b(i % 7, i / 7) == 7) == (a(i % 7, i / 7) == 0 && depth_a(i % 7, i / 7) > 0);
@@ -192,8 +193,8 @@ TEST_CASE("indices: edges to vertices that are not there are no lines") {
   const auto vertices = irg::project_vertices<double>(good.positions, test::square_view(0.125), mapping);
   for (const face_culling culling : {face_culling::back, face_culling::none}) {
     irg::image<int> expected(40, 30, 0), drawn = expected;
-    irg::draw_wireframe(expected, vertices, good, mapping, 1, culling);
-    irg::draw_wireframe(drawn, vertices, bad, mapping, 1, culling);
+    irg::draw_wireframe(expected, irg::projected_mesh{vertices, good, mapping}, 1, culling);
+    irg::draw_wireframe(drawn, irg::projected_mesh{vertices, bad, mapping}, 1, culling);
     CHECK(drawn == expected);
   }
 }

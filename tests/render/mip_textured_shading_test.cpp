@@ -141,10 +141,8 @@ TEST_CASE("mip_textured_shading: levels against differences of long doubles, thr
     const irg::textured_vertices objects[1] = {{s.vertices}};
     const shading of{objects, {}, s.mapping};
     irg::image<float> levels(width, height, -1.0f), depth(width, height, 0.0f);
-    irg::draw_workspace workspace;
     const irg::draw_settings<float> settings{irg::face_culling::none};
-    irg::draw_batches<irg::nearer_is_greater, double>(levels, depth, one, s.mapping, level_maker{of, 32}, settings,
-                                                      workspace);
+    irg::draw_batches(irg::render_target{levels, depth}, {one, s.mapping}, level_maker{of, 32}, settings);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         if (levels(x, y) < 0) continue;
@@ -173,12 +171,11 @@ TEST_CASE("mip_textured_shading: a floor to the horizon: its mean far away, its 
   const irg::texture_image textures[1] = {{texels.view()}};
   irg::image<rgba8> with(width, height), without(width, height);
   irg::image<float> depth(width, height, 0.0f);
-  irg::draw_workspace workspace;
   const shading mips{objects, pyramids, s.mapping};
-  irg::draw_batches<irg::nearer_is_greater, double>(with, depth, one, s.mapping, mips, {}, workspace);
+  irg::draw_batches(irg::render_target{with, depth}, {one, s.mapping}, mips);
   const irg::textured_shading full{objects, textures};
   const irg::draw_settings<rgba8> again{.clear = irg::clearing::before_drawing};
-  irg::draw_batches<irg::nearer_is_greater, double>(without, depth, one, s.mapping, full, again, workspace);
+  irg::draw_batches(irg::render_target{without, depth}, {one, s.mapping}, full, again);
   const auto spread = [&](const irg::image<rgba8>& p, int y) {
     int low = 255, high = 0;
     for (int x = 0; x < width; ++x) low = std::min<int>(low, p(x, y).r), high = std::max<int>(high, p(x, y).r);
@@ -193,16 +190,15 @@ TEST_CASE("mip_textured_shading: a floor to the horizon: its mean far away, its 
   // The plain way, threads, and drawn as transparent: the same bytes.
   irg::image<rgba8> other(width, height);
   depth = irg::image<float>(width, height, 0.0f);
-  irg::draw_batches<plainly, double>(other, depth, one, s.mapping, mips, {}, workspace);
+  irg::draw_batches<plainly, double>(irg::render_target{other, depth}, {one, s.mapping}, mips);
   CHECK(other == with);
   depth = irg::image<float>(width, height, 0.0f);
   other = irg::image<rgba8>(width, height);
-  irg::draw_batches<irg::nearer_is_greater, double>(other, depth, one, s.mapping, mips, {}, workspace,
-                                                    irg::parallel{3});
+  irg::draw_batches(irg::render_target{other, depth}, {one, s.mapping}, mips, {}, irg::parallel{3});
   CHECK(other == with);
   depth = irg::image<float>(width, height, 0.0f);
   other = irg::image<rgba8>(width, height);
-  irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(other, depth, one, s.mapping, mips);
+  irg::draw_transparent(irg::render_target{other, depth}, {one, s.mapping}, mips);
   CHECK(other == with);
 }
 
@@ -241,12 +237,10 @@ TEST_CASE("mip_textured_shading: small triangles of several textures, in lanes a
     const auto compare = [&](const auto& shading_of) {
       irg::image<rgba8> many(width, height), each(width, height);
       irg::image<float> depth(width, height, 0.0f);
-      irg::draw_workspace workspace;
       const irg::draw_settings<rgba8> settings{irg::face_culling::none};
-      irg::draw_batches<irg::nearer_is_greater, double>(many, depth, one, s.mapping, shading_of, settings, workspace);
+      irg::draw_batches(irg::render_target{many, depth}, {one, s.mapping}, shading_of, settings);
       depth = irg::image<float>(width, height, 0.0f);
-      irg::draw_transparent<irg::nearer_is_greater, irg::depth_test::nearer, double>(each, depth, one, s.mapping,
-                                                                                     shading_of);
+      irg::draw_transparent(irg::render_target{each, depth}, {one, s.mapping}, shading_of);
       CHECK(many == each);
       CHECK(many != irg::image<rgba8>(width, height));
     };
@@ -276,10 +270,8 @@ constexpr rgba8 square_at(int x, int y, int size, irg::texture_sampler sampler, 
   irg::image<rgba8> colour(size, size);
   irg::image<float> depth(size, size, 0.0f);
   const batch one[1] = {{&projected, triangles, 0}};
-  irg::draw_workspace workspace;
-  irg::draw_batches<irg::nearer_is_greater, double>(
-      colour, depth, one, mapping,
-      shading{objects, std::span(textures).first(static_cast<std::size_t>(count)), mapping}, {}, workspace);
+  irg::draw_batches(irg::render_target{colour, depth}, {one, mapping},
+                    shading{objects, std::span(textures).first(static_cast<std::size_t>(count)), mapping});
   return colour(x, y);
 }
 

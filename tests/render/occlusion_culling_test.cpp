@@ -74,9 +74,8 @@ object_picture draw_objects(const body_scene<T>& s, std::span<const std::uint32_
     batches.push_back({&vertices.back(), b.triangles, static_cast<std::uint32_t>(object_of.size())});
     object_of.insert(object_of.end(), b.triangles.size(), i);
   }
-  irg::draw_workspace workspace;
-  irg::draw_visibility<Order, T>(p.object, p.depth, batches, mapping, {s.culling, skip, irg::clearing::before_drawing},
-                                 workspace);
+  irg::draw_visibility<Order, T>({p.object, p.depth}, {batches, mapping},
+                                 {s.culling, skip, irg::clearing::before_drawing});
   for (int y = 0; y < s.height; ++y)
     for (int x = 0; x < s.width; ++x)
       if (p.object(x, y) != irg::no_face) p.object(x, y) = object_of[p.object(x, y)];
@@ -258,7 +257,7 @@ TEST_CASE("occlusion culling: the mask of blocks against the depths that drawing
         p.depth = static_cast<float>(r.integer(0, 1) == 0 ? 0.25 + r.unit() * 0.01 : r.unit());
       }
       irg::detail::draw_block_mask(m, v[0], v[1], v[2]);
-      irg::draw_triangle(unused, depth, v[0], v[1], v[2], [](const auto&) { return std::uint32_t{0}; });
+      irg::draw_triangle(unused, depth, {v[0], v[1], v[2]}, [](const auto&) { return std::uint32_t{0}; });
     }
     for (int by = 0; by < m.down; ++by)
       for (int bx = 0; bx < m.across; ++bx) {

@@ -31,14 +31,14 @@ struct drawn_scene {
       : positions(test::positions_in<T>(s)), to_clip(test::matrix_in<T>(s)),
         mapping(irg::map_to_screen<T>(s.width, s.height)),
         vertices(irg::project_vertices<T>(positions, to_clip, mapping)), depth(s.width, s.height, 0.5f) {
-    irg::draw_depth<Order, T>(depth, vertices, s.triangles, mapping, {culling, {}, irg::clearing::before_drawing});
+    irg::draw_depth<Order, T>(depth, {vertices, s.triangles, mapping}, {culling, {}, irg::clearing::before_drawing});
   }
 
   // Whether triangles, drawn into a copy, change a pixel.
   bool changed_by(std::span<const irg::point<T, 3>> corners, std::span<const irg::triangle_indices> triangles) const {
     irg::image<float> copy = depth;
     const auto v = irg::project_vertices<T>(corners, to_clip, mapping);
-    irg::draw_depth<Order, T>(copy, v, triangles, mapping, {face_culling::none, {}, irg::clearing::none});
+    irg::draw_depth<Order, T>(copy, {v, triangles, mapping}, {face_culling::none, {}, irg::clearing::none});
     return !(copy == depth);
   }
 };

@@ -29,9 +29,7 @@ TEST_CASE("pick: the object, face and point of every pixel, as the visibility bu
     batches.push_back({&vertices[i], ready.objects[i].body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(ready.objects[i].body.triangles.size());
   }
-  irg::draw_workspace workspace;
-  irg::draw_visibility<irg::nearer_is_greater, double>(ids, depth, batches, mapping,
-                                                       {.clear = irg::clearing::before_drawing}, workspace);
+  irg::draw_visibility({ids, depth}, {batches, mapping}, {.clear = irg::clearing::before_drawing});
   int shown = 0;
   for (int y = 0; y < height; y += 3)
     for (int x = 0; x < width; x += 3) {

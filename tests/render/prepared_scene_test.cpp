@@ -119,9 +119,9 @@ constexpr bool prepared_equals_scene() {
   auto ready = irg::prepare_scene(world);
   irg::image<irg::rgba8> a(8, 8), b(8, 8);
   irg::image<float> da(8, 8), db(8, 8);
-  irg::render(world, a, da);
-  const auto first = irg::render(ready, b, db);
-  return a == b && da == db && first == irg::render(ready, b, db) && a == b;
+  irg::render(world, {a, da});
+  const auto first = irg::render(ready, {b, db});
+  return a == b && da == db && first == irg::render(ready, {b, db}) && a == b;
 }
 
 TEST_CASE("prepared_scene: in a constant expression") { CHECK_BOTH(prepared_equals_scene()); }

@@ -97,9 +97,9 @@ int differing_pixels(std::uint64_t seed, int houses, walls kind) {
       options.style = irg::picture_style::flat;
       irg::image<irg::rgba8> with(80, 60, {}), without(80, 60, {});
       irg::image<float> depth(80, 60, 0.0f), all(80, 60, 0.0f);
-      const auto stats = irg::render(rooms, with, depth, options, {}, irg::parallel{2});
+      const auto stats = irg::render(rooms, {with, depth}, options, irg::parallel{2});
       options.skip = irg::skip_nothing;
-      const auto whole = irg::render(rooms, without, all, options);
+      const auto whole = irg::render(rooms, {without, all}, options);
       for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 80; ++x) differ += !(with(x, y) == without(x, y)) || depth(x, y) != all(x, y);
       CHECK(stats.triangles == whole.triangles);
@@ -148,7 +148,7 @@ TEST_CASE("visible_rooms: an eye in no room, parallel rays, and no rooms at all"
   irg::prepared_rooms<double> none{{}, irg::portal_graph(irg::cell_plan<double>{}), {}};
   irg::image<irg::rgba8> picture_of_none(8, 6, {});
   irg::image<float> depth(8, 6, 0.0f);
-  CHECK(irg::render(none, picture_of_none, depth).triangles == 0);
+  CHECK(irg::render(none, {picture_of_none, depth}).triangles == 0);
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ TEST_CASE("render: flat faces have one colour, of the course's reflection model 
   const auto s = scene_of({triangle_at(0)});
   const auto r = test::render(s, 33, 33, {irg::picture_style::flat});
   const irg::rgb<double> light = irg::phong_model(s.objects[0].surface, irg::lighting<double>{s.ambient, s.lights},
-                                                  s.view.eye, point{0, -1.0 / 3, 0}, irg::vec<double, 3>{0, 0, 1});
+                                                  s.view.eye, {point{0, -1.0 / 3, 0}, irg::vec<double, 3>{0, 0, 1}});
   const irg::rgba8 expected =
       irg::encode({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});
   int seen = 0;
@@ -235,7 +235,7 @@ TEST_CASE("render: Phong pixels are the reflection model at the pixel's own poin
       if (ray.y >= -0.1) continue;
       const point p = s.view.eye + ray * (-1 / ray.y);
       const auto light = irg::phong_model(s.objects[0].surface, irg::lighting<double>{s.ambient, s.lights}, s.view.eye,
-                                          p, irg::vec<double, 3>{0, 1, 0});
+                                          {p, irg::vec<double, 3>{0, 1, 0}});
       const irg::rgba8 q = r.picture.colour(x, y);
       const irg::rgba8 e =
           irg::encode({static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)});

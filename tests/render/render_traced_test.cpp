@@ -31,7 +31,7 @@ using picture = irg::image<irg::rgba8>;
 picture traced(const irg::scene<double>& s, const std::vector<irg::optics<double>>& optics,
                const irg::traced_options<double>& options, int threads = 1) {
   picture p(width, height);
-  irg::render_traced<double>(s, optics, p, options, {}, irg::parallel{threads});
+  irg::render_traced<double>(s, optics, p, options, irg::parallel{threads});
   return p;
 }
 
@@ -57,10 +57,10 @@ TEST_CASE("render_traced: the bytes of render() where rays add nothing, in every
     rays.culling = options.culling;
     picture expected(width, height);
     irg::image<float> depth(width, height);
-    irg::render(s, expected, depth, options);
+    irg::render(s, {expected, depth}, options);
     CHECK((traced(s, {}, rays) == expected));
     picture by_tree(width, height);
-    irg::render(irg::ray_tracing<>{}, s, by_tree, depth, options);
+    irg::render(irg::ray_tracing<>{}, s, {by_tree, depth}, options);
     CHECK((by_tree == expected));
   }
 }
@@ -87,7 +87,9 @@ TEST_CASE("render_traced: threads, samples, shadows, mirrors and glass") {
   half.view.projection = irg::projection_kind::orthographic;
   half.view = irg::with_depth_range(half.view, {0, 0, 0}, 20);
   picture p(3, 1);
-  irg::render_traced<double>(half, {}, p, plain(2), {.background = {0, 0, 0, 255}});
+  irg::traced_options<double> on_black = plain(2);
+  on_black.colours.background = {0, 0, 0, 255};
+  irg::render_traced<double>(half, {}, p, on_black);
   CHECK(p(0, 0) == irg::rgba8{0, 0, 0, 255});
   CHECK(p(1, 0) == irg::encode(irg::rgb<float>{0.5f, 0.5f, 0.5f}));
   CHECK(p(2, 0) == irg::rgba8{255, 255, 255, 255});
@@ -103,7 +105,7 @@ TEST_CASE("render_traced: no pixels, no objects, reports") {
   std::atomic<std::size_t> done = 0;
   const irg::parallel threads{2};
   const auto report = [&](std::size_t, std::size_t) { ++done; };
-  irg::render_traced<double>(world(), {}, p, {}, {}, irg::reporting{threads, report});
+  irg::render_traced<double>(world(), {}, p, {}, irg::reporting{threads, report});
   CHECK(done > 0);
   CHECK((p == traced(world(), {}, {})));
 }

@@ -38,16 +38,12 @@ TEST_CASE("shade_visible: the ids of draw_visibility become the picture of draw_
         {&a, first.triangles, 0, 0}, {&b, second.triangles, static_cast<std::uint32_t>(first.triangles.size()), 1}};
     const auto culling = r.integer(0, 1) == 0 ? irg::face_culling::none : irg::face_culling::back;
     const irg::draw_settings<irg::rgba8> settings{culling, {}, irg::clearing::before_drawing, {9, 8, 7, 6}};
-    irg::draw_workspace workspace;
     irg::image<irg::rgba8> expected(width, height), colour(width, height);
     irg::image<float> expected_depth(width, height), id_depth(width, height), depth(width, height);
     irg::image<std::uint32_t> ids(width, height);
-    irg::draw_batches<irg::nearer_is_greater, double>(expected, expected_depth, batches, mapping, telling_shaders{},
-                                                      settings, workspace);
-    irg::draw_visibility<irg::nearer_is_greater, double>(ids, id_depth, batches, mapping,
-                                                         {culling, {}, irg::clearing::before_drawing}, workspace);
-    irg::shade_visible<irg::nearer_is_greater, double>(colour, depth, ids, batches, mapping, telling_shaders{},
-                                                       settings, workspace);
+    irg::draw_batches(irg::render_target{expected, expected_depth}, {batches, mapping}, telling_shaders{}, settings);
+    irg::draw_visibility({ids, id_depth}, {batches, mapping}, {culling, {}, irg::clearing::before_drawing});
+    irg::shade_visible(irg::render_target{colour, depth}, {ids, {batches, mapping}}, telling_shaders{}, settings);
     REQUIRE(colour == expected);
     REQUIRE(depth == expected_depth);
     REQUIRE(depth == id_depth);

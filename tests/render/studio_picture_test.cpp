@@ -95,10 +95,10 @@ TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading
         CHECK(apply_event(s, irg::show_part{{}, studio_part::backs, backs}) == irg::studio_status::done);
         pixels expected(96, 72);
         irg::image<float> depth(96, 72);
-        irg::render(
-            world, expected, depth,
-            {.style = style, .culling = backs == display::shown ? irg::face_culling::none : irg::face_culling::back},
-            {.background = colours.background});
+        irg::render(world, {expected, depth},
+                    {.style = style,
+                     .culling = backs == display::shown ? irg::face_culling::none : irg::face_culling::back,
+                     .colours = {.background = colours.background}});
         const pixels seen = view_of(s);
         CHECK(same(seen, expected));
         CHECK(count(seen, colours.background) < 96 * 72 - 500);

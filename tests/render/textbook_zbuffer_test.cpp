@@ -181,7 +181,7 @@ TEST_CASE("the textbook's z-buffer shows the faces that render shows, and the pi
     test::canvas book(size, size);
     irg::image<std::uint32_t> ids(size, size, irg::no_face);
     exact_picture exact;
-    irg::render(textbook_method{&ids, &exact}, made.world(), book.colour, book.depth, options);
+    irg::render(textbook_method{&ids, &exact}, made.world(), {book.colour, book.depth}, options);
     REQUIRE(own.picture == book);  // colours and depths
 
     // Colours tell the faces apart: one of each for every id that is seen, and none twice.

@@ -56,9 +56,7 @@ constexpr rgba8 square_at(int x, int y, irg::texture_sampler sampler, irg::rgb<f
   irg::image<rgba8> colour(4, 4);
   irg::image<float> depth(4, 4, 0.0f);
   const batch one[1] = {{&projected, triangles, 0}};
-  irg::draw_workspace workspace;
-  irg::draw_batches<irg::nearer_is_greater, double>(colour, depth, one, mapping,
-                                                    irg::textured_shading{objects, textures}, {}, workspace);
+  irg::draw_batches(irg::render_target{colour, depth}, {one, mapping}, irg::textured_shading{objects, textures});
   return colour(x, y);
 }
 
@@ -161,11 +159,9 @@ TEST_CASE("textured_shading: u and v within 4e-7 of the exact ones where the w o
     const batch one[1] = {{&projected, triangle, 0}};
     irg::image<textured_vertex> seen(size, size);
     irg::image<float> depth(size, size, 0.0f);
-    irg::draw_workspace workspace;
     irg::draw_settings<textured_vertex> settings;
     settings.culling = irg::face_culling::none;
-    irg::draw_batches<irg::nearer_is_greater, double>(seen, depth, one, mapping, recorder{{objects, {}}}, settings,
-                                                      workspace);
+    irg::draw_batches(irg::render_target{seen, depth}, {one, mapping}, recorder{{objects, {}}}, settings);
     // The exact weights, from the snapped positions and 1/w, in long double.
     long double px[3], py[3], q[3];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -237,11 +233,10 @@ TEST_CASE("textured_shading: the fast way equals the plain one, several textures
     const batch two[2] = {{&projected[0], triangles[0], 0, 0}, {&projected[1], triangles[1], 20, 1}};
     const irg::textured_shading shading{objects, textures};
     const irg::draw_settings<rgba8> settings{irg::face_culling::none, {}, irg::clearing::before_drawing, {9, 8, 7, 6}};
-    irg::draw_workspace workspace;
     const auto draw = [&]<class Order, class E>(Order, const E& executor) {
       irg::image<rgba8> colour(width, height);
       irg::image<float> depth(width, height, 0.5f);
-      irg::draw_batches<Order, double>(colour, depth, two, mapping, shading, settings, workspace, executor);
+      irg::draw_batches<Order, double>(irg::render_target{colour, depth}, {two, mapping}, shading, settings, executor);
       return colour;
     };
     const auto expected = draw(plainly{}, irg::sequential{});

@@ -49,9 +49,8 @@ template <class Order, class T, class E = irg::sequential>
 constexpr buffer draw(const batches_of<T>& b, int width, int height, face_culling culling,
                       const skip_options& skip = {}, const E& executor = {}) {
   buffer r{irg::image<std::uint32_t>(width, height, 9999u), irg::image<float>(width, height, 0.5f), {}};
-  irg::draw_workspace workspace;
-  r.stats = irg::draw_visibility<Order, T>(r.ids, r.depth, b.batches, b.mapping,
-                                           {culling, skip, irg::clearing::before_drawing}, workspace, executor);
+  r.stats = irg::draw_visibility<Order, T>({r.ids, r.depth}, {b.batches, b.mapping},
+                                           {culling, skip, irg::clearing::before_drawing}, executor);
   return r;
 }
 
@@ -68,14 +67,13 @@ void like_the_shaders(std::uint64_t seed, int scenes) {
     const face_culling culling = i % 2 == 0 ? face_culling::none : face_culling::back;
     irg::image<mark> marks(width, height, mark{});
     irg::image<float> depth(width, height, 0.0f);
-    irg::draw_workspace workspace;
     const auto shader = [](const irg::triangle_batch<T>& batch, std::uint32_t k, irg::facing) {
       return [number = batch.first_number + k](const irg::pixel_weights<float>& at) {
         return mark{number, at.weight1, at.weight2, at.depth};
       };
     };
-    irg::draw_batches<Order, T>(marks, depth, b.batches, b.mapping, shader,
-                                {culling, {}, irg::clearing::before_drawing, mark{}}, workspace);
+    irg::draw_batches<Order, T>(irg::render_target{marks, depth}, {b.batches, b.mapping}, shader,
+                                {culling, {}, irg::clearing::before_drawing, mark{}});
     const buffer v = draw<Order>(b, width, height, culling);
     CAPTURE(i);
     REQUIRE(v.depth == depth);
@@ -116,15 +114,14 @@ TEST_CASE("draw_visibility: onto a buffer that is kept, later drawing wins only 
   const batches_of<double> b(s);
   const buffer whole = draw<irg::nearer_is_greater>(b, 100, 80, face_culling::none);
   buffer parts{irg::image<std::uint32_t>(100, 80, irg::no_face), irg::image<float>(100, 80, 0.0f), {}};
-  irg::draw_workspace workspace;
   // Numbers count from the first batch that is drawn.
   irg::triangle_batch<double> second[1] = {b.batches[1]};
   second[0].first_number = 0;
   const std::span<const irg::triangle_batch<double>> first(b.batches.data(), 1);
   const irg::depth_settings keep{face_culling::none, {}, irg::clearing::none};
-  irg::draw_visibility(parts.ids, parts.depth, first, b.mapping, keep, workspace);
-  irg::draw_visibility(parts.ids, parts.depth, std::span<const irg::triangle_batch<double>>(second), b.mapping, keep,
-                       workspace);
+  irg::draw_visibility({parts.ids, parts.depth}, irg::projected_triangles{first, b.mapping}, keep);
+  irg::draw_visibility({parts.ids, parts.depth},
+                       irg::projected_triangles{std::span<const irg::triangle_batch<double>>(second), b.mapping}, keep);
   CHECK(parts.depth == whole.depth);
   for (int y = 0; y < 80; ++y)
     for (int x = 0; x < 100; ++x) {

@@ -414,7 +414,8 @@ TEST_CASE("visible triangle: the same in one batch and in several") {
     irg::draw_workspace workspace;
     for (int again = 0; again < 2; ++again) {  // a workspace that was used before
       const auto stats = irg::draw_batches<greater, double>(
-          id, depth, batches, mapping, shader, {face_culling::none, {}, irg::clearing::before_drawing, 0}, workspace);
+          irg::render_target{id, depth}, {batches, mapping}, shader,
+          {.culling = face_culling::none, .clear = irg::clearing::before_drawing, .workspace = &workspace});
       REQUIRE(id == expected.id);
       REQUIRE(depth == expected.depth);
       REQUIRE(stats == expected.stats);

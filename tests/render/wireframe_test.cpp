@@ -34,7 +34,7 @@ constexpr drawn draw(const mesh& m, int width, int height, irg::face_culling cul
   drawn d{picture(width, height, 0), {}};
   const auto mapping = irg::map_to_screen<double>(width, height);
   const auto v = irg::project_vertices<double>(m.positions, to_clip, mapping);
-  d.stats = irg::draw_wireframe(d.lines, v, m, mapping, 1, culling, executor);
+  d.stats = irg::draw_wireframe(d.lines, irg::projected_mesh{v, m, mapping}, 1, culling, executor);
   return d;
 }
 

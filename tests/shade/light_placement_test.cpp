@@ -31,7 +31,7 @@ constexpr double pi = irg::pi<double>, not_a_number = std::numeric_limits<double
 double received(const light& source, const P& p, const V& normal) {
   const irg::material<double, double> matt{0, 1, 0, 1};
   const light lights[] = {source};
-  return irg::phong_model(matt, irg::lighting<double, double>{0, lights}, p + normal, p, normal);
+  return irg::phong_model(matt, irg::lighting<double, double>{0, lights}, p + normal, {p, normal});
 }
 
 }  // namespace

@@ -90,14 +90,14 @@ TEST_CASE("sample_mip_pyramid: whole levels, between them, beyond them") {
     float of[4];
     for (std::size_t k = 0; k < 4; ++k) {
       of[k] = irg::sample_texture(p.levels[k], u, v);
-      REQUIRE(irg::sample_mip_pyramid(p, u, v, static_cast<float>(k)) == of[k]);
+      REQUIRE(irg::sample_mip_pyramid(p, {u, v, static_cast<float>(k)}) == of[k]);
     }
-    REQUIRE(irg::sample_mip_pyramid(p, u, v, 1.25f) == of[1] + irg::product(of[2] - of[1], 0.25f));
-    REQUIRE(irg::sample_mip_pyramid(p, u, v, -3) == of[0]);
-    REQUIRE(irg::sample_mip_pyramid(p, u, v, no_number) == of[0]);
-    REQUIRE(irg::sample_mip_pyramid(p, u, v, inf) == of[3]);
+    REQUIRE(irg::sample_mip_pyramid(p, {u, v, 1.25f}) == of[1] + irg::product(of[2] - of[1], 0.25f));
+    REQUIRE(irg::sample_mip_pyramid(p, {u, v, -3}) == of[0]);
+    REQUIRE(irg::sample_mip_pyramid(p, {u, v, no_number}) == of[0]);
+    REQUIRE(irg::sample_mip_pyramid(p, {u, v, inf}) == of[3]);
   }
-  CHECK_BOTH(irg::sample_mip_pyramid(irg::mip_pyramid<float>{}, 0, 0, 0, {}, 3.0f) == 3);
+  CHECK_BOTH(irg::sample_mip_pyramid(irg::mip_pyramid<float>{}, {0, 0, 0}, {}, 3.0f) == 3);
 }
 
 }  // namespace

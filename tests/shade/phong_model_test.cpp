@@ -43,7 +43,7 @@ TEST_CASE("phong_model: types") {
       std::is_same_v<decltype(irg::diffuse_term(irg::rgb<float>{}, irg::rgb<float>{}, vec3<float>{}, vec3<float>{})),
                      irg::rgb<float>>);
   static_assert(noexcept(irg::phong_model(irg::material<float>{}, irg::lighting<float>{}, point3<float>{},
-                                          point3<float>{}, vec3<float>{})));
+                                          {point3<float>{}, vec3<float>{}})));
 }
 
 TEST_CASE("phong_model: the course's values, exactly") {
@@ -139,7 +139,7 @@ constexpr static lights sun_and_lamp{{{{0, 0, 7, 0}, 200.0}, {{3, 0, 4, 1}, 100.
 
 constexpr double seen(const irg::material<double, double>& m, irg::lighting<double, double> light, point3<double> eye,
                       vec3<double> normal = {0, 0, 1}) {
-  return irg::phong_model(m, light, eye, {0, 0, 0}, normal);
+  return irg::phong_model(m, light, eye, {{0, 0, 0}, normal});
 }
 
 }  // namespace
@@ -168,13 +168,13 @@ TEST_CASE("phong_model: each channel of a colour is the one-channel model") {
     const point3<double> eye{around(), around(), around()}, p{around(), around(), around()};
     const vec3<double> normal = irg::normalized(vec3<double>{around(), around(), around()});
     const irg::rgb<double> ambient{unit(), unit(), unit()};
-    const auto seen_colour =
-        irg::phong_model(irg::material<double>{ka, kd, ks, n}, irg::lighting<double>{ambient, colours}, eye, p, normal);
+    const auto seen_colour = irg::phong_model(irg::material<double>{ka, kd, ks, n},
+                                              irg::lighting<double>{ambient, colours}, eye, {p, normal});
     const auto channel = [&](double irg::rgb<double>::* c) {
       const lights one{
           {{colours[0].position, colours[0].intensity.*c}, {colours[1].position, colours[1].intensity.*c}}};
       return irg::phong_model(irg::material<double, double>{ka.*c, kd.*c, ks.*c, n},
-                              irg::lighting<double, double>{ambient.*c, one}, eye, p, normal);
+                              irg::lighting<double, double>{ambient.*c, one}, eye, {p, normal});
     };
     REQUIRE(seen_colour.r == channel(&irg::rgb<double>::r));
     REQUIRE(seen_colour.g == channel(&irg::rgb<double>::g));

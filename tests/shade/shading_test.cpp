@@ -101,7 +101,7 @@ TEST_CASE("shading: a normal's length does not matter") {
     const point3 p{random.unit(), random.unit(), random.unit()};
     REQUIRE(phong(p, n) == phong(p, n * 4.0));
     REQUIRE(near(phong(p, n), phong(p, n / 3.0)));
-    REQUIRE(phong(p, n) == irg::phong_model(matte, course, {5, 5, 5}, p, irg::normalized(n)));
+    REQUIRE(phong(p, n) == irg::phong_model(matte, course, {5, 5, 5}, {p, irg::normalized(n)}));
     REQUIRE(gouraud(p, n) == phong(p, n));  // at a vertex the two agree
     REQUIRE(flat(p, n) == phong(p, n));     // and at the centre of a face, when its normal is given
   }

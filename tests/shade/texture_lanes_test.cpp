@@ -81,10 +81,10 @@ TEST_CASE("sample_texture and sample_mip_pyramid in lanes: the bits of one by on
     const floats u = any_lanes([&] { return any_coordinate(r); }), v = any_lanes([&] { return any_coordinate(r); }),
                  level = any_lanes([&] { return r.integer(0, 3) == 0 ? 1.0f : any_coordinate(r); });
     const rgb<floats> plain = irg::sample_texture<count>(view, u, v, sampler),
-                      mixed = irg::sample_mip_pyramid<count>(pyramid, u, v, level, sampler);
+                      mixed = irg::sample_mip_pyramid<count>(pyramid, {u, v, level}, sampler);
     for (int i = 0; i < count; ++i) {
       differ += !same(plain, i, irg::sample_texture(view, u[i], v[i], sampler));
-      differ += !same(mixed, i, irg::sample_mip_pyramid(pyramid, u[i], v[i], level[i], sampler));
+      differ += !same(mixed, i, irg::sample_mip_pyramid(pyramid, {u[i], v[i], level[i]}, sampler));
     }
   }
   CHECK(differ == 0);

@@ -74,7 +74,7 @@ int check_identities(const body& a, const body& b) {
   }
 #ifdef IRG_HAVE_MPFR
   test::big_rational v[4];
-  for (int i = 0; i < 4; ++i) v[i] = test::six_volumes(made[i], a, b);
+  for (int i = 0; i < 4; ++i) v[i] = test::six_volumes(made[i], {a, b});
   const test::big_rational first = test::six_volumes(a, test::rational_points(a));
   const test::big_rational second = test::six_volumes(b, test::rational_points(b));
   const bool either = first + second == v[0] + v[1], less = v[2] == first - v[1], one = v[3] == v[0] - v[1];

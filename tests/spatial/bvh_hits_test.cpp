@@ -108,7 +108,8 @@ TEST_CASE("bvh: closest, any and all hits of primitives of the caller's, against
     const double t = (-b - irg::sqrt(under)) / a;
     return t >= ray.low && t <= ray.high ? std::optional(t) : std::nullopt;
   };
-  for (const irg::bvh_method method : {irg::bvh_method::surface_area, irg::bvh_method::morton}) {
+  for (const irg::bvh_method method :
+       {irg::bvh_method::surface_area, irg::bvh_method::morton, irg::bvh_method::spatial_splits}) {
     const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(boxes), {method});
     for (int i = 0; i < 500; ++i) {
       const R ray{{r.unit() * 10, r.unit() * 10, r.unit() * 10},

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 #include <irg/core/threads.hpp>
+#include <irg/spatial/bvh_hits.hpp>
 
 #include "spatial/bvh_boxes.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 using box = irg::box<double, 3>;
 using boxes_of = std::vector<box>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-constexpr irg::bvh_config by_area{}, by_place{irg::bvh_method::morton};
+constexpr irg::bvh_config by_area{}, by_place{irg::bvh_method::morton}, by_cuts{irg::bvh_method::spatial_splits};
 
 template <class T>
 irg::bvh build(const std::vector<irg::box<T, 3>>& boxes, const irg::bvh_config& config = {}) {
@@ -106,6 +107,78 @@ TEST_CASE("build_bvh: the same tree for every executor; refit") {
     check_tree(tree, moved);
     CHECK(tree.order == before.order);
   }
+}
+
+std::size_t references(const irg::bvh& tree) {
+  return tree.order.size() -
+         static_cast<std::size_t>(std::count(tree.order.begin(), tree.order.end(), irg::bvh_node::none));
+}
+
+// How many of the boxes' corners and centres lie in no leaf with the box, or come with it more than once.
+template <class T>
+int uncovered(const irg::bvh& tree, const std::vector<irg::box<T, 3>>& boxes) {
+  int wrong = 0;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    for (unsigned corner = 0; corner < 9; ++corner) {
+      irg::point<T, 3> p;
+      for (int axis = 0; axis < 3; ++axis) {
+        const T low = boxes[i].low[axis], high = boxes[i].high[axis];
+        p[axis] = corner == 8 ? low + (high - low) / 2 : (corner >> axis & 1) != 0 ? high : low;
+      }
+      int found = 0;
+      irg::each_in_box(tree, irg::box<T, 3>{p, p}, [&](std::uint32_t number) { found += number == i ? 1 : 0; });
+      wrong += found != 1;
+    }
+  return wrong;
+}
+
+TEST_CASE(
+    "build_bvh with spatial splits: parts cover their boxes, within the limit of references, for every executor") {
+  static_assert([] {
+    const boxes_of boxes(3, box{{0, 0, 0}, {1, 1, 1}});
+    return irg::build_bvh(std::span<const box>(boxes), by_cuts).order[2] != irg::bvh_node::none;
+  }());
+  test::random r(7);
+  for (const double s : {1.0, 1e-30, 1e30, 0x1p-1060}) {
+    boxes_of crossed;  // beams along the axes, each through the boxes of many others
+    for (int i = 0; i < 300; ++i) {
+      const int along = i % 3;
+      box b;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<double>(r.integer(-1000, 1000));
+        b.low[axis] = (axis == along ? -1000 : at) * s;
+        b.high[axis] = (axis == along ? 1000 : at + static_cast<double>(r.integer(0, 2))) * s;
+      }
+      crossed.push_back(b);
+    }
+    for (const float spare : {0.0f, 0.5f, 1.0f, 4.0f, -1.0f}) {
+      irg::bvh_config config = by_cuts;
+      config.spare = spare;
+      irg::bvh tree = build(crossed, config);
+      const auto limit = static_cast<std::size_t>(300 * (1 + std::max(spare, 0.0f)));
+      CHECK(references(tree) <= limit);
+      CHECK(references(tree) >= (spare > 0.0f ? 400 : 300));
+      CHECK(tree.earlier.empty() == (references(tree) == 300));
+      CHECK(uncovered(tree, crossed) == 0);
+      irg::refit(tree, std::span<const box>(crossed));
+      CHECK(uncovered(tree, crossed) == 0);
+    }
+  }
+  std::vector<irg::box<float, 3>> many = test::lattice_boxes<float>(r, 20000, 0.25, 200);
+  for (std::size_t i = 0; i < many.size(); i += 50) many[i].high.x = many[i].low.x + 60;
+  const irg::bvh tree = build(many, by_cuts);
+  CHECK(references(tree) > 20400);
+  CHECK(uncovered(tree, many) == 0);
+  CHECK(tree == irg::build_bvh(std::span<const irg::box<float, 3>>(many), by_cuts, irg::parallel{3}));
+  const boxes_of equal(20000, box{{1, 1, 1}, {1, 2, 2}});
+  CHECK(references(build(equal, by_cuts)) <= 40000);
+  boxes_of broken = test::lattice_boxes<double>(r, 50, 1);
+  broken[0] = {};
+  broken[7].low.x = nan;
+  broken[20].high.y = infinite;
+  const irg::bvh rest = build(broken, by_cuts);
+  for (const std::uint32_t number : rest.order) CHECK((number != 0 && number != 7 && number != 20));
+  CHECK(build(boxes_of(3, box{}), by_cuts).nodes.empty());
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ template <class T>
 constexpr rendered render_constant(const irg::scene<T>& world, int width, int height,
                                    const irg::render_options& options = {}) {
   rendered r{canvas(width, height), {}};
-  r.stats = irg::render(world, r.picture.colour, r.picture.depth, options);
+  r.stats = irg::render(world, {r.picture.colour, r.picture.depth}, options);
   return r;
 }
 

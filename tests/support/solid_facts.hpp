@@ -35,6 +35,18 @@ inline rational_point on_way(const rational_point& a, const rational_point& b, c
 inline rational_point exact_corner(const irg::solid_corner_origin& c, const std::vector<rational_point>& p) {
   constexpr std::uint32_t none = irg::solid_corner_origin::none;
   if (c.of[1] == none) return p[c.of[0]];
+  if (c.of[5] != none) {
+    const auto normal = [&](std::size_t k) {
+      return cross(minus(p[c.of[k + 1]], p[c.of[k]]), minus(p[c.of[k + 2]], p[c.of[k]]));
+    };
+    const rational_point n[3] = {normal(0), normal(3), normal(6)};
+    const rational_point h[3] = {cross(n[1], n[2]), cross(n[2], n[0]), cross(n[0], n[1])};
+    const big_rational all = dot(n[0], h[0]);
+    rational_point sum{big_rational(0), big_rational(0), big_rational(0)};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + h[k][i] * dot(n[k], p[c.of[3 * k]]) / all;
+    return sum;
+  }
   const rational_point &a = p[c.of[0]], &b = p[c.of[1]], &q = p[c.of[2]], u = minus(p[c.of[3]], q);
   if (c.of[4] != none) {
     const rational_point n = cross(u, minus(p[c.of[4]], q));
@@ -60,11 +72,12 @@ inline big_rational six_volumes(const irg::mesh<double>& m, const std::vector<ra
   return sum;
 }
 
-/// Six times the volume of a combination of a and b.
-inline big_rational six_volumes(const irg::solid_boolean_result<double>& r, const irg::mesh<double>& a,
-                                const irg::mesh<double>& b) {
-  std::vector<rational_point> given = rational_points(a);
-  for (const auto& p : rational_points(b)) given.push_back(p);
+/// Six times the volume of a combination of bodies.
+inline big_rational six_volumes(const irg::solid_boolean_result<double>& r,
+                                const std::vector<irg::mesh<double>>& bodies) {
+  std::vector<rational_point> given;
+  for (const auto& body : bodies)
+    for (const auto& p : rational_points(body)) given.push_back(p);
   std::vector<rational_point> corners;
   for (const auto& c : r.corners) corners.push_back(exact_corner(c, given));
   return six_volumes(r.value, corners);

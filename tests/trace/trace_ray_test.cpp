@@ -119,7 +119,7 @@ TEST_CASE("trace_from: the light of phong_model, bit by bit, where nothing is in
     const R r{{0.03 * i, 0.3, 4}, {0, 0, -1}};
     const auto s = w.meet(r);
     REQUIRE(s.has_value());
-    const auto expected = irg::phong_model(surface, w.light(), r.origin, s->at, s->normal);
+    const auto expected = irg::phong_model(surface, w.light(), r.origin, {s->at, s->normal});
     CHECK(irg::trace_ray(w, r, {.shadows = irg::shadow_rays::off}) == expected);
     CHECK(irg::trace_ray(w, r) == expected);  // a ball lights up wherever its triangles are turned to the lamps
   }

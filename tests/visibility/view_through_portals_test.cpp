@@ -217,7 +217,7 @@ TEST_CASE("view_through_openings: against rays in space, and against the view fr
       const double height = p.cells[c].floor + (p.cells[c].ceiling - p.cells[c].floor) * r.unit();
       std::set<std::uint32_t> seen, above, reached{c};
       const wedge view{eye, view_reach::all_round, {}, {}};
-      irg::view_through_openings(p, g, c, view, height, [&](std::uint32_t cell, const wedge&) { seen.insert(cell); });
+      irg::view_through_openings({p, g}, c, view, height, [&](std::uint32_t cell, const wedge&) { seen.insert(cell); });
       irg::view_through_portals(g, c, view, [&](std::uint32_t cell, const wedge&) { above.insert(cell); });
       differ += i == 0 && seen != above;
       for (int k = 0; k < 2000; ++k) {
@@ -260,7 +260,7 @@ TEST_CASE("view_through_openings: rooms that share no height, and eyes that are 
   const irg::portal_graph<double> g(p);
   const auto seen = [&](double height) {
     unsigned bits = 0;
-    irg::view_through_openings(p, g, 0, {at{0.5, 1.5}, view_reach::all_round, {}, {}}, height,
+    irg::view_through_openings({p, g}, 0, {at{0.5, 1.5}, view_reach::all_round, {}, {}}, height,
                                [&](std::uint32_t c, const wedge&) { bits |= 1u << c; });
     return bits;
   };

@@ -200,7 +200,7 @@ constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& p
       for (std::size_t i = 0; i < order; ++i) sum[i] = sum[i] + product(part, value[i]);
       left_out += alike;
     }
-    detail::make_sum_one(sum);
+    if (elevated[j + 1] != elevated[j + order]) detail::make_sum_one(sum);  // at an end they are bspline_basis's own
     result[j] = detail::blend_existing(sum, first, points);
   }
 }

@@ -45,10 +45,7 @@ constexpr bool is_in_range(const bspline_surface<P, U, V>& s, const scalar_of<P>
 // The sum of the control points that count, each times its two functions; those of value 0 do not count.
 template <Coordinates P, class U, class V>
 constexpr P blend_net(const control_net<P>& net, std::size_t i0, const U& u, std::size_t j0, const V& v) noexcept {
-  return sum_of_multiples(u, [&](std::size_t i) {
-    const P* const row = &net.points[(i0 + i) * net.columns + j0];
-    return sum_of_multiples(v, [row](std::size_t j) { return row[j]; });
-  });
+  return sum_of_rows(u, v, [&](std::size_t i) { return &net.points[(i0 + i) * net.columns + j0]; });
 }
 
 // Whether these control points, `step` apart, are all one position.
@@ -84,10 +81,14 @@ template <Coordinates P, int U, int V>
 [[nodiscard]] constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface,
                                                                std::type_identity_t<scalar_of<P>> u,
                                                                std::type_identity_t<scalar_of<P>> v) noexcept {
-  const auto along_u = bspline_basis(surface.u, u);
-  const auto along_v = bspline_basis(surface.v, v);
-  if (!along_u || !along_v) return std::nullopt;
-  return detail::blend_net(surface.net, along_u->first, along_u->value, along_v->first, along_v->value);
+  if (!detail::is_in_range(surface, u, v)) return std::nullopt;
+  const std::size_t first_u = detail::bspline_stretch<scalar_of<P>>(surface.u, u) - static_cast<std::size_t>(U),
+                    first_v = detail::bspline_stretch<scalar_of<P>>(surface.v, v) - static_cast<std::size_t>(V);
+  std::array<scalar_of<P>, static_cast<std::size_t>(U) + 1> value_u{};
+  std::array<scalar_of<P>, static_cast<std::size_t>(V) + 1> value_v{};
+  detail::fill_two_bases<scalar_of<P>>(value_u, surface.u.list().subspan(first_u), u, value_v,
+                                       surface.v.list().subspan(first_v), v);
+  return detail::blend_net(surface.net, first_u, value_u, first_v, value_v);
 }
 
 /// The same for any degrees, with working space of the caller's for surface.u.order() + surface.v.order() numbers; its

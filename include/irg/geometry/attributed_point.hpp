@@ -61,8 +61,7 @@ struct lerp_vertex {
   }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <PolygonVertex V>
 IRG_INLINE constexpr const vertex_position<V>& position_of(const V& v) noexcept {
@@ -98,6 +97,5 @@ IRG_INLINE constexpr bool at_one_place(const P& a, const P& b) noexcept {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

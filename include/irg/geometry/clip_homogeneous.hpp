@@ -114,8 +114,7 @@ inline namespace IRG_ABI {
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Positive inside, 0 on the plane. Its sign is exact for the depth planes and where the guard factor is 1.
 template <class T>
@@ -159,8 +158,7 @@ IRG_INLINE constexpr T confine(const T& x, const T& low, const T& high, clip_pla
   return x;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -180,8 +178,7 @@ template <class T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Where the edge from a vertex inside (or on the plane) to one outside meets the plane. Rounding may leave the point
 // beside the plane, or beyond planes that both ends lie inside of; it is moved back, so that clipping again changes
@@ -251,8 +248,7 @@ constexpr clipped_polygon<V, C> clip_polygon(const V* vertices, int count, const
   return kept;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

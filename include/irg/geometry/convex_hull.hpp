@@ -20,8 +20,7 @@ namespace irg {
 /// What becomes of points that lie on a side of the hull between its corners.
 enum class side_points { leave_out, keep };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <PlaneRing R>
 class hull_builder {
@@ -139,8 +138,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -8,8 +8,7 @@
 #include <irg/geometry/segment.hpp>
 #include <irg/math/exact/quotients_of.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The point in which the lines `first` and `second` cross: each coordinate is the number nearest to the exact one.
 /// shape   lines through the ends of segments; the crossing may lie beyond the ends
@@ -32,5 +31,4 @@ template <Floating T>
   return point<T, 2>{(*at)[0], (*at)[1]};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -20,8 +20,8 @@ namespace irg {
 /// cost    one allocation, of some 30 words for ordinary doubles
 template <class Word = std::uint64_t>
 class basic_exact_point {
-  // A mean of three crossings has degree 10, its side of a plane 12.
-  using wide = exact_number<13>;
+  // A meeting of three planes has degrees 6 and 7, a mean of three of them 19, its side of a plane 21.
+  using wide = exact_number<23>;
   struct part {
     int first = 0, size = 0, place = 0;
     bool negative = false;
@@ -104,6 +104,31 @@ public:
       if (divisor.sign() != 0) return along(from, way, between[i] * other[j] - between[j] * other[i], divisor);
     }
     return {};
+  }
+
+  /// Where three planes meet, each through three points.
+  /// needs   finite coordinates
+  /// gives   no point when they have more or less in common
+  [[nodiscard]] static constexpr basic_exact_point on_planes(
+      const std::array<std::array<point<double, 3>, 3>, 3>& planes) {
+    using number = exact_number<9>;
+    using three = std::array<number, 3>;
+    const auto cross = [](const three& u, const three& v) {
+      return three{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    };
+    const auto dot = [](const three& u, const three& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
+    const auto from = vector_of<number>(planes[0][0]);
+    three normal[3];
+    number height[3];  // of the first plane's point below each plane, in normals
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto base = vector_of<number>(planes[i][0]);
+      normal[i] = cross(minus(vector_of<number>(planes[i][1]), base), minus(vector_of<number>(planes[i][2]), base));
+      height[i] = dot(normal[i], minus(base, from));
+    }
+    const three second = cross(normal[2], normal[0]), third = cross(normal[0], normal[1]);
+    three way;
+    for (std::size_t i = 0; i < 3; ++i) way[i] = height[1] * second[i] + height[2] * third[i];
+    return along(from, way, number(1.0), dot(normal[2], third));
   }
 
   /// The mean of three points.

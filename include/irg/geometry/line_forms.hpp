@@ -8,8 +8,7 @@
 #include <irg/geometry/line.hpp>
 #include <irg/geometry/parametric_line.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The implicit form of a parametric line: positive on the left of its direction.
 /// gives   nothing when the direction is zero, or a number is NaN or infinite
@@ -42,5 +41,4 @@ template <Real T>
   return parametric_line<T, 2>{origin, {l.b, -l.a}};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/plane.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The plane through the vertex of least x (of these of least y, of these of least z), where a simple polygon is
 /// convex whatever its shape, and through the nearest vertices before and behind it that lie elsewhere. A polygon that
@@ -38,5 +37,4 @@ template <PolygonRing R>
   return plane_through(ring_vertex(ring, corner + n - before), middle, ring_vertex(ring, corner + behind));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

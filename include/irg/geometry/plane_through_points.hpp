@@ -11,8 +11,7 @@
 #include <irg/math/exact/values_of.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The minors of the rows p, q, r that are the plane's coefficients.
 template <class N>
@@ -40,8 +39,7 @@ constexpr std::optional<plane<T>> plane_of_values(const std::optional<std::array
   return plane<T>{c[0], c[1], c[2], c[3]};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -34,8 +34,7 @@ template <PlaneRing R>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The vertices of a convex ring as seen from the first: those that stand there, too, are passed over.
 template <PlaneRing R>
@@ -111,8 +110,7 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

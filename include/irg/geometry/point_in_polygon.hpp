@@ -11,9 +11,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// How often the polygon's rings run round p, counter-clockwise (y up); clockwise rounds count negative.
 /// gives   nothing when p is on an edge or a vertex, where the number is not defined, and when a coordinate is NaN or
@@ -53,5 +51,4 @@ template <PlaneRing R>
   return point_in_polygon(ring, p);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

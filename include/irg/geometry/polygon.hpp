@@ -39,8 +39,7 @@ struct polygon_point_of<R> {
 template <PlanePolygon P>
 using polygon_point = typename detail::polygon_point_of<P>::type;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Point P>
 IRG_INLINE constexpr bool same_place(const P& a, const P& b) noexcept {
@@ -99,8 +98,7 @@ constexpr void each_edge(const P& polygon, F&& f) noexcept {
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -53,8 +53,7 @@ template <PlanePolygon P>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Twice an area in two parts, and a bound of what they are off.
 struct bounded_area {
@@ -95,8 +94,7 @@ constexpr void add_ring_area(bounded_area& area, const R& ring) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -17,8 +17,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Adds x1*y2 - x2*y1 times (s + t), and 3 times that without a factor.
 IRG_INLINE constexpr void add_moment(exact_accumulator<3>& moment, double x1, double y1, double x2, double y2, double s,
@@ -27,8 +26,7 @@ IRG_INLINE constexpr void add_moment(exact_accumulator<3>& moment, double x1, do
   moment.subtract(s, x2, y1), moment.subtract(t, x2, y1);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -7,8 +7,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Whether the polygon is convex: it turns one way only, and goes round once. Collinear and repeated vertices are
 /// allowed; so are points and segments there and back, which are convex, too. Polygons that cross themselves are not.
@@ -39,5 +38,4 @@ template <PlaneRing R>
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

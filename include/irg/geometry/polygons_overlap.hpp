@@ -19,8 +19,7 @@ enum class polygon_overlap {
   overlapping,  // area
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The stretch of a ring that lies on a line: the first and the last of its vertices there.
 template <Point P>
@@ -147,8 +146,7 @@ constexpr bool each_edge_with_neighbours(const R& ring, const F& f) noexcept {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -10,8 +10,7 @@
 #include <irg/geometry/segment.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// On which side of the line `of` the point lies in which the lines `first` and `second` cross: 1 to its left (y up),
 /// -1 to its right, 0 on it.
@@ -37,5 +36,4 @@ template <Scalar T>
   return apart == 0 ? std::nullopt : std::optional(apart * side);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

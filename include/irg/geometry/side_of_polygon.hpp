@@ -14,9 +14,7 @@
 #include <irg/math/exact/exact_number.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// On which side of a polygon q lies, of the plane through its first vertex with Newell's normal: above where the
 /// vertices run counter-clockwise, seen from q.
@@ -38,5 +36,4 @@ template <PolygonRing R, HomogeneousPoint Q>
                                hpoint<T, 3>{coordinate(q, 0), coordinate(q, 1), coordinate(q, 2), coordinate(q, 3)}));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -48,8 +48,7 @@ struct numbered_point {
 template <Point P>
 numbered_point(const P&, std::int64_t) -> numbered_point<P>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The determinant of N points in D dimensions, in the order of their perturbation: N = D + 1 for the simplex, D + 2
 // lifted.
@@ -194,8 +193,7 @@ IRG_NOINLINE constexpr int perturbed_sign(const Q&... q) noexcept {
   return factor * perturbed_determinant<P, sizeof...(Q)>(points).sign();
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -11,9 +11,7 @@
 #include <irg/geometry/detail/smallest_sphere_steps.hpp>
 #include <irg/geometry/sphere.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The smallest circle or sphere around the points of a range or ring.
 /// gives   nothing for no points, and when a coordinate is NaN or infinite; radius 0 when all points are equal
@@ -48,5 +46,4 @@ template <PolygonRing R>
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

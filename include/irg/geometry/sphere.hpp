@@ -14,9 +14,7 @@
 #include <irg/geometry/plane.hpp>
 #include <irg/math/exact/values_of.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The smallest circle or sphere through two points: their way is its diameter.
 /// gives   nothing when the points are equal, or a coordinate is NaN or infinite
@@ -98,5 +96,4 @@ template <Plane L, Floating T>
   return beyond > 0 ? static_cast<side>(height) : side::on;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

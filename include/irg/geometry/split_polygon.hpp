@@ -40,8 +40,7 @@ concept VertexRing = requires(const R& r, std::size_t i) {
 template <VertexRing R>
 using ring_vertex_type = std::remove_cvref_t<decltype(std::declval<const R&>()[std::size_t{}])>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <int D, VertexRing R, class F>
 constexpr split_parts<ring_vertex_type<R>> split(const R& ring,
@@ -87,8 +86,7 @@ constexpr split_parts<ring_vertex_type<R>> split(const R& ring,
   return parts;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -9,8 +9,7 @@
 #include <irg/math/detail/vector_angle.hpp>
 #include <irg/math/length.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// The coordinates brought near 1 where `scaled` could not: 2^1023, the largest power, leaves subnormal ones below.
 template <int N>
@@ -31,11 +30,9 @@ constexpr double angle_between_any(const A& a, const B& b) noexcept {
   return angle_between_extreme(s.c, t.c);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The angle between two vectors, 0 to pi.
 /// units   radians
@@ -59,5 +56,4 @@ template <Vector A, Vector B>
   return converted<T>(is_moderate ? detail::angle_between_moderate<T>(c, d) : detail::angle_between_any(a, b));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -39,8 +39,7 @@ inline constexpr coordinate_system projection_plane = camera_left_handed;
 inline constexpr coordinate_system screen_y_down{axis_direction::right, axis_direction::down,
                                                  axis_direction::away_from_viewer};
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The line of a direction as 0, 1 or 2, and the sense on it as 1 or -1, in world_y_up.
 IRG_INLINE constexpr int axis_line(axis_direction d) noexcept { return static_cast<int>(d) / 2; }
@@ -49,8 +48,7 @@ IRG_INLINE constexpr axis_direction axis_of(const coordinate_system& s, int i) n
   return i == 0 ? s.x : i == 1 ? s.y : s.z;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

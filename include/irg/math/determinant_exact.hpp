@@ -6,8 +6,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_minors.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The number nearest to the determinant of `a`.
 /// gives   infinity when it is too large for T; what determinant gives when an entry is NaN or infinite
@@ -31,5 +30,4 @@ template <Floating T, int N>
   return detail::exact_determinant<N>([&](int r, int c) { return widened(a(r, c)); }).sign();
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

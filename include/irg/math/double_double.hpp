@@ -18,8 +18,7 @@ namespace irg {
 template <Floating T>
 class double_word;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// high + low with the high part rounded; where that overflows or is no number, it stands alone.
 /// needs   |high| >= |low|, or high == 0
@@ -38,8 +37,7 @@ inline constexpr T most_of_exact_words = std::is_same_v<T, double> ? T(0x1p1000)
 template <Floating T>
 constexpr double_word<T> scaled_quotient(const double_word<T>& x, const double_word<T>& y) noexcept;
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// A number in two words: high is the number rounded to T, low the rest, at most half a unit in high's last place.
 /// shape   low is 0 where high is infinite or NaN
@@ -154,8 +152,7 @@ public:
 
 using double_double = double_word<double>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// x/y for an x near an end of the range: x, or both of them, go to the middle by 2^537 or 2^-537 (float: 2^72).
 template <Floating T>
@@ -170,8 +167,7 @@ constexpr double_word<T> scaled_quotient(const double_word<T>& x, const double_w
   return normalised_words(quotient.high * back, quotient.low * back);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -93,8 +93,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// two_product where fast_two_product does not hold: zeros, and products or factors near an end of the exponent range.
 constexpr exact_sum<double> two_product_scaled(double a, double b) noexcept {
@@ -118,8 +117,15 @@ IRG_INLINE constexpr bool product_is_moderate(double a, double b) noexcept {
 
 constexpr double difference_of_products_scaled(double a, double b, double c, double d) noexcept;
 
-}  // namespace IRG_ABI
-}  // namespace detail
+/// a*b - 1, rounded once, or twice where that is as good.
+/// needs   1/2 <= a*b <= 2, b of at most 24 bits
+IRG_INLINE constexpr double product_less_one(double a, double b) noexcept {
+  if (has_fused_multiply_add && !std::is_constant_evaluated()) return fused_multiply_add(a, b, -1.0);
+  const double a_high = from_bits(bits_of(a) & ~std::uint64_t{0x3fffffff});  // 23 bits
+  return (a_high * b - 1) + (a - a_high) * b;  // but for the sum, exact
+}
+
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -173,8 +179,7 @@ template <Floating T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// difference_of_products where a product overflows: at 2^-1200 of its size, where a product that loses bits is too
 /// small to count beside the other.
@@ -184,6 +189,5 @@ constexpr double difference_of_products_scaled(double a, double b, double c, dou
   return difference * 0x1p400 * 0x1p400 * 0x1p400;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

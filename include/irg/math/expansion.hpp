@@ -22,8 +22,7 @@ struct expansion {
   int size = 0;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T, int N>
 IRG_INLINE constexpr void append(expansion<T, N>& e, T part) noexcept {
@@ -56,8 +55,7 @@ constexpr expansion<T, N + M> sum_of_expansions(const expansion<T, N>& e, const 
   return sum;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

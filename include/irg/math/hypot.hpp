@@ -9,9 +9,7 @@
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/sqrt.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The length of (x, y, z), the square root of x*x + y*y + z*z.
 /// gives   infinity when an argument is infinite, else NaN when one is NaN; infinity when the length overflows
@@ -44,5 +42,4 @@ template <class X, class Y, class Z>
   return hypot(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

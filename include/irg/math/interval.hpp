@@ -13,8 +13,7 @@ namespace irg {
 template <Floating T>
 class interval;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T>
 constexpr interval<T> interval_sum(const interval<T>& a, const interval<T>& b) noexcept {
@@ -52,8 +51,7 @@ constexpr interval<T> interval_square(const interval<T>& a) noexcept {
   return {inner >= 0 ? T(0) : product_down(inner, inner), -product_down(-outer, outer)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 /// The real numbers from lower() to upper().
 /// shape   an end may be infinite: then there is no bound on that side. The empty interval contains nothing

@@ -36,8 +36,7 @@ template <Floating T, int N>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // `inverse` where cofactors will not do.
 template <Real T, int N>
@@ -51,8 +50,7 @@ IRG_NOINLINE constexpr std::optional<mat<T, N, N>> inverse_by_elimination(const 
   return std::nullopt;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

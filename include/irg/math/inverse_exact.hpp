@@ -9,8 +9,7 @@
 #include <irg/math/detail/exact_system.hpp>
 #include <irg/math/mat.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The matrix that undoes `a`, for the exact values of its entries.
 /// gives   nothing exactly when the determinant is zero, when an entry is NaN or infinite, or when the inverse has an
@@ -32,5 +31,4 @@ template <Floating T, int N>
   return x;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -62,8 +62,7 @@ template <Real T, int N>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The sum of the sizes of the coordinates.
 template <class T, int N>
@@ -76,8 +75,7 @@ constexpr T size_1(const vec<T, N>& v) noexcept {
 // What reciprocal_condition must exceed for results to be right to the last place: residuals are known to (N + 1) u^2.
 constexpr double smallest_condition(int n) noexcept { return 4.0 * n * 0x1p-53; }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -121,8 +119,7 @@ template <Real T, int N>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // a scaled, and its factors if it has any.
 // needs   finite entries
@@ -220,8 +217,7 @@ constexpr std::optional<vec<T, N>> refined_solution(const scaled_system<N>& s, c
   return result;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -67,8 +67,7 @@ private:
 template <Scalar T>
 using matrix_result = result<matrix<T>, matrix_error>;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The rows x columns matrix whose entries are f(row, column).
 template <class T, class F>
@@ -96,8 +95,7 @@ constexpr T integer_determinant(matrix<T>& a, int n) noexcept {
   return static_cast<T>(sign * last);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -198,8 +196,7 @@ template <Real T>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The column of the n numbers x(i), or why there is none.
 template <Real T, class X>
@@ -218,8 +215,7 @@ constexpr matrix_result<T> solve_of_size(const E& entry) {
   return solution_column<T>(s.kind, N, [&](int i) { return s.x[i]; });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

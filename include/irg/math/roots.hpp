@@ -27,8 +27,7 @@ struct real_roots {
   friend constexpr bool operator==(const real_roots&, const real_roots&) = default;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Floating T, int N>
 constexpr void append_root(real_roots<T, N>& roots, double x, int multiplicity) noexcept {
@@ -141,8 +140,7 @@ constexpr real_roots<T, 3> roots_of_cubic(const cubic_coefficients& p) noexcept 
   return roots;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -7,8 +7,7 @@
 #include <irg/math/detail/exact_system.hpp>
 #include <irg/math/solve.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The solution of a(i, 0) x_0 + ... = a(i, N) for the exact values of the numbers.
 /// gives   unique, dependent or inconsistent, never wrongly; not_finite when a number is NaN or infinite, or when a
@@ -41,5 +40,4 @@ template <Floating T, int N>
   return solve_exact(detail::filled_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

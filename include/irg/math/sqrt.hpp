@@ -10,8 +10,7 @@
 
 namespace irg {
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// The square root without a square root instruction: Heron's iteration on a significand in [1, 4), then one exact
 /// comparison with the middles between the result and its neighbours.
@@ -34,8 +33,7 @@ constexpr double sqrt_of_positive(double x) noexcept {
   return y * power_of_two((parts.exponent - (is_odd ? 1 : 0)) / 2);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -140,12 +140,19 @@ template <Floating T>
 /// gives   y's sign always; 0 or pi for y = 0, by the sign of x, both zero included; the diagonals for infinities; NaN
 ///         for NaN
 /// exact   double within 0.52 ulp over the whole range; float within 0.5001 ulp
-/// cost    a division, an exact product, a table lookup and about 30 operations; float: two divisions
+/// cost    a division, an exact product, a table lookup and about 30 operations; float: a division
 /// source  Gal 1986 (tables); coefficients by scripts/generate
 template <Floating T>
 [[nodiscard]] constexpr T atan2(T y, T x) noexcept {
   if (detail::is_nan(x) || detail::is_nan(y)) return detail::not_a_number<T>;
-  return detail::narrow<T>(detail::angle_of(y, x));
+  const double wide_y = widened(y), wide_x = widened(x);
+  if constexpr (std::is_same_v<T, float>)
+    if (detail::is_finite(x) && detail::is_finite(y) && y != 0)
+      if (const double quick =
+              detail::quick_angle_of(detail::magnitude(wide_y), detail::magnitude(wide_x), detail::is_negative(x));
+          quick >= 0x1p-126 && detail::rounds_to_one_float<(1 << 19)>(quick))
+        return converted<float>(detail::with_sign(quick, wide_y));
+  return detail::narrow<T>(detail::angle_of(wide_y, wide_x));
 }
 
 /// The same for numbers of different types, and integers.
@@ -163,12 +170,13 @@ template <class Y, class X>
 /// source  as atan2
 template <Floating T>
 [[nodiscard]] constexpr T atan(T x) noexcept {
-  using enum detail::symmetry;
   if (detail::is_nan(x)) return detail::not_a_number<T>;
+  const double wide = widened(x);
   if constexpr (std::is_same_v<T, float>)
-    return detail::nearest_result<odd>(x, detail::angle_of(x, T(1)), detail::hard_arctangents);
-  else
-    return detail::arctangent(x);
+    if (const double quick = detail::times_sign(detail::quick_angle_of(detail::magnitude(wide), 1, false), wide);
+        detail::rounds_to_one_float<(1 << 19)>(quick))
+      return converted<float>(quick);
+  return detail::nearest_result<detail::symmetry::odd>(x, detail::arctangent(wide), detail::hard_arctangents);
 }
 
 /// The angle whose sine is x.
@@ -176,12 +184,16 @@ template <Floating T>
 /// gives   NaN for |x| > 1 and NaN; -0 for -0
 /// exact   double within 0.53 ulp; float the nearest one
 /// cost    a table lookup and about 20 operations, and for |x| > 1/2 a root, a division and an exact product; float:
-///         atan2 and a root
+///         a root and about 20 operations
 /// source  as atan2; beyond 1/2 by the half angle, asin(x) = pi/2 - 2 asin(sqrt((1 - x) / 2))
 template <Floating T>
 [[nodiscard]] constexpr T asin(T x) noexcept {
   if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
-  return detail::is_tiny_angle(x) ? x : detail::narrow<T>(detail::angle_of_sine(x));
+  const double wide = widened(x);
+  if constexpr (std::is_same_v<T, float>)
+    if (const double quick = detail::quick_angle_of_sine(wide); detail::rounds_to_one_float<(1 << 19)>(quick))
+      return converted<float>(quick);
+  return detail::is_tiny_angle(x) ? x : detail::narrow<T>(detail::angle_of_sine(wide));
 }
 
 /// The angle whose cosine is x.
@@ -193,7 +205,11 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr T acos(T x) noexcept {
   if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
-  return detail::nearest_result<detail::symmetry::none>(x, detail::angle_of_cosine(x), detail::hard_arccosines);
+  const double wide = widened(x);
+  if constexpr (std::is_same_v<T, float>)
+    if (const double quick = detail::quick_angle_of_cosine(wide); detail::rounds_to_one_float<(1 << 19)>(quick))
+      return converted<float>(quick);
+  return detail::nearest_result<detail::symmetry::none>(x, detail::angle_of_cosine(wide), detail::hard_arccosines);
 }
 
 }  // namespace IRG_ABI

@@ -110,8 +110,7 @@ struct wide_int {
   }
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // a * b as unsigned numbers, from whose upper half a negative factor takes away the other.
 template <int N, int M>
@@ -136,8 +135,7 @@ IRG_INLINE constexpr wide_int<N + M> long_product(const wide_int<N>& a, const wi
   return p;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -31,10 +31,13 @@ constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight 
   if (std::ranges::all_of(m.corners, [](const mesh_corner& c) { return c.normal != mesh_corner::none; })) return;
   const std::size_t count = m.corners.size();
   std::vector<vec<double, 3>> unit(count, vec<double, 3>{}), weighted(count, vec<double, 3>{});
-  detail::for_weighted_corners(m, weight, [&](std::size_t f, std::size_t k, const vec<double, 3>& n, double share) {
-    unit[m.face_starts[f] + k] = n;
-    weighted[m.face_starts[f] + k] = generate_coordinates<vec<double, 3>>([&](int i) { return product(n[i], share); });
-  });
+  const double scale = weight == normal_weight::area ? detail::area_scale(m) : 1;
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    detail::for_weighted_corners(m, f, weight, scale, [&](std::size_t k, const vec<double, 3>& n, double share) {
+      unit[m.face_starts[f] + k] = n;
+      weighted[m.face_starts[f] + k] =
+          generate_coordinates<vec<double, 3>>([&](int i) { return product(n[i], share); });
+    });
 
   detail::corner_groups groups(count);
   const auto ends = detail::edge_ends(m);

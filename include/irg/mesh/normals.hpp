@@ -8,6 +8,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/math/angle_between.hpp>
 #include <irg/math/constants.hpp>
+#include <irg/mesh/detail/unit_block_kernel.hpp>
 #include <irg/mesh/face_normal.hpp>
 
 namespace irg {
@@ -44,25 +45,22 @@ constexpr double area_scale(const M& m) noexcept {
   return largest > 0 ? power_of_two_for(largest) : 1;
 }
 
-/// Calls f(face, k, unit, share) for every corner of every face that has a normal: the face's unit normal, and how much
-/// it counts for the vertex.
+/// Calls f(k, unit, share) for every corner of a face that has a normal: the face's unit normal, and how much it counts
+/// for the vertex; areas in units of `scale`.
 template <class M, class F>
-constexpr void for_weighted_corners(const M& m, normal_weight weight, const F& f) {
-  const double scale = weight == normal_weight::area ? area_scale(m) : 1;
-  for (std::size_t face = 0; face < mesh_traits<M>::face_count(m); ++face) {
-    const auto edges = edges_of_face(m, face);
-    const vec<double, 3> sum = newell_sum(edges);
-    const auto unit = try_normalize(sum);
-    if (!unit) continue;
-    double share = 1;
-    if (weight == normal_weight::area) {
-      const double ratio = scale / edges.before / edges.after;
-      share = length(sum) * ratio * ratio;
-    }
-    for (std::size_t k = 0; k < edges.count; ++k) {
-      if (weight == normal_weight::angle) share = corner_angle(edges, k, *unit);
-      f(face, k, *unit, share);
-    }
+constexpr void for_weighted_corners(const M& m, std::size_t face, normal_weight weight, double scale, const F& f) {
+  const auto edges = edges_of_face(m, face);
+  const vec<double, 3> sum = newell_sum(edges);
+  const auto unit = try_normalize(sum);
+  if (!unit) return;
+  double share = 1;
+  if (weight == normal_weight::area) {
+    const double ratio = scale / edges.before / edges.after;
+    share = length(sum) * ratio * ratio;
+  }
+  for (std::size_t k = 0; k < edges.count; ++k) {
+    if (weight == normal_weight::angle) share = corner_angle(edges, k, *unit);
+    f(k, *unit, share);
   }
 }
 
@@ -85,11 +83,23 @@ template <detail::mesh_in_space M>
     const M& m, normal_weight weight = normal_weight::average) {
   using V = detail::mesh_normal<M>;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});
-  detail::for_weighted_corners(m, weight, [&](std::size_t f, std::size_t k, const vec<double, 3>& unit, double share) {
-    V& normal = normals[mesh_traits<M>::face_vertex(m, f, k)];
-    normal += generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(product(unit[i], share)); });
-  });
-  for (V& normal : normals) normal = normalized(normal);
+  const auto add = [&](std::size_t f, std::size_t k, const vec<double, 3>& n) IRG_INLINE_LAMBDA {
+    normals[mesh_traits<M>::face_vertex(m, f, k)] +=
+        generate_coordinates<V>([&](int i) { return converted<scalar_of<V>>(n[i]); });
+  };
+  const double scale = weight == normal_weight::area ? detail::area_scale(m) : 1;
+  const auto add_face = [&](std::size_t f) {
+    detail::for_weighted_corners(m, f, weight, scale, [&](std::size_t k, const vec<double, 3>& unit, double share) {
+      add(f, k, generate_coordinates<vec<double, 3>>([&](int i) { return product(unit[i], share); }));
+    });
+  };
+  std::size_t face = 0;
+  if (detail::takes_blocks() && weight == normal_weight::average) {
+    detail::unit_block block;
+    while (face < mesh_traits<M>::face_count(m)) face = detail::for_block_of_triangles(m, face, block, add, add_face);
+  }
+  for (; face < mesh_traits<M>::face_count(m); ++face) add_face(face);
+  detail::normalize_all(normals);
   return normals;
 }
 

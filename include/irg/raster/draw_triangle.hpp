@@ -99,8 +99,11 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, const 
   count_up(counts.tested, covered);
 
   const auto all = [](float v) { return lanes<F>::broadcast(v); };
-  const F depth = depth_at<F>(f0, f1, f2, all(s.depth_gain[0]), all(s.depth_gain[1]), all(s.depth_gain[2]),
-                              all(s.depth_rest), all(s.depth_low), all(s.depth_high));
+  const depth_plane<F> plane{{all(s.depth.gain[0]), all(s.depth.gain[1]), all(s.depth.gain[2])},
+                             all(s.depth.rest),
+                             all(s.depth.low),
+                             all(s.depth.high)};
+  const F depth = depth_at<F>({f0, f1, f2}, plane);
   auto visible = covered;
   if (row.depth != nullptr) {
     using kept = lanes<typename lanes<F>::template rebind<Z>>;
@@ -187,24 +190,22 @@ constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const covered_
 }
 
 /// As above, the coverage worked out here and the whole raster open to drawing.
-/// shape   v0, v1, v2 in either winding; `shader` receives the weights of v1 and v2; depth_inverse_w keeps their
+/// shape   the vertices in either winding; `shader` receives the weights of v[1] and v[2]; depth_inverse_w keeps their
 ///         inverse_w
 template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
           PixelShader<pixel_of<Colour>> Shader>
   requires detail::KeepsDepths<Depth, How>
-constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_vertex& v0, const screen_vertex& v1,
-                                    const screen_vertex& v2, const Shader& shader) {
-  return draw_triangle<How, Policy>(colour, depth,
-                                    cover_and_set_up(vertex_for<How>(v0), vertex_for<How>(v1), vertex_for<How>(v2)),
-                                    shader, window_of(colour));
+constexpr draw_counts draw_triangle(Colour& colour, Depth& depth, const screen_vertex (&v)[3], const Shader& shader) {
+  return draw_triangle<How, Policy>(
+      colour, depth, cover_and_set_up(vertex_for<How>(v[0]), vertex_for<How>(v[1]), vertex_for<How>(v[2])), shader,
+      window_of(colour));
 }
 
 /// Draws every covered pixel of a triangle: no depth buffer, what is drawn later covers what was drawn before.
 template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
-constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex& v0, const screen_vertex& v1,
-                                    const screen_vertex& v2, const Shader& shader) {
+constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex (&v)[3], const Shader& shader) {
   const detail::no_depth depth{};
-  return detail::paint_triangle<drawing_order, depth_policy<>>(colour, depth, cover_and_set_up(v0, v1, v2),
+  return detail::paint_triangle<drawing_order, depth_policy<>>(colour, depth, cover_and_set_up(v[0], v[1], v[2]),
                                                                detail::shade_over<Shader>{shader}, window_of(colour));
 }
 

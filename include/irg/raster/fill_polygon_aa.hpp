@@ -46,9 +46,7 @@ constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_win
   detail::ring_extent<std::int32_t> extent;
   detail::for_each_ring(polygon, [&](const auto& ring) { detail::add_area_lines(m.lines, ring, extent); });
   if (m.lines.empty()) return true;
-  const auto above = [](std::int32_t v) { return (v + (one_pixel - 1)) >> subpixel_bits; };
-  const cell_window w = intersect(
-      window, {extent.left >> subpixel_bits, extent.top >> subpixel_bits, above(extent.right), above(extent.bottom)});
+  const cell_window w = intersect(window, detail::cells_of_extent(extent));
   if (!w.empty()) detail::polygon_sweep(m, rule, w, emit).all_rows();
   return true;
 }

@@ -27,6 +27,13 @@ struct screen_weights {
   }
 };
 
+/// How depths follow from a triangle's edge functions F, for one pixel or a register of them: the sum of F * gain[i],
+/// and `rest`, within the vertices' range.
+template <class F>
+struct depth_plane {
+  F gain[3], rest, low, high;
+};
+
 /// Everything about a triangle that its pixels share. Vertices and edges keep the order the vertices were given in. The
 /// barycentric weight i of a pixel is F * scale + rest[i]; all weights and their summands are positive, so nothing
 /// cancels.
@@ -34,9 +41,8 @@ struct triangle_setup {
   triangle_edge edge[3];
   float scale;  // 256 / double_area
   float rest[3];  // the edge's rest / double_area
-  float depth_gain[3], depth_rest;  // depth = the sum of F * depth_gain[i], and depth_rest
   float inverse_w[3];
-  float depth_low, depth_high;
+  depth_plane<float> depth;
 
   template <class F, class I>
   [[nodiscard]] IRG_INLINE constexpr F weight(int i, const I& f) const noexcept {
@@ -46,12 +52,13 @@ struct triangle_setup {
 
 /// The depth of a pixel from its three edge functions, limited to the range of the vertices' depths, which rounding
 /// might leave. Turning a triangle round exchanges its second and third vertex, and changes no bit.
+/// shape   a depth_plane, or what has its members
 /// exact   within 4 ulp for depths of one sign and below 2^118; where they are tiny underflow adds up to 2^-72
 template <class F, class I>
-[[nodiscard]] IRG_INLINE constexpr F depth_at(const I& f0, const I& f1, const I& f2, const F& gain0, const F& gain1,
-                                              const F& gain2, const F& rest, const F& low, const F& high) noexcept {
-  const F depth = (product(to_float(f0), gain0) + rest) + (product(to_float(f1), gain1) + product(to_float(f2), gain2));
-  return low_of(high, high_of(low, depth));
+[[nodiscard]] IRG_INLINE constexpr F depth_at(const I (&f)[3], const auto& plane) noexcept {
+  const F depth = (product(to_float(f[0]), plane.gain[0]) + plane.rest) +
+                  (product(to_float(f[1]), plane.gain[1]) + product(to_float(f[2]), plane.gain[2]));
+  return low_of(plane.high, high_of(plane.low, depth));
 }
 
 /// The set-up of a triangle: its edges in the order of its vertices, whichever way round it is given.
@@ -61,20 +68,18 @@ template <class F, class I>
                                                                   const screen_vertex& v2) noexcept {
   const triangle_edge& edge1 = t.edge[t.flipped ? 2 : 1];
   const triangle_edge& edge2 = t.edge[t.flipped ? 1 : 2];
-  triangle_setup s{{t.edge[0], edge1, edge2},
-                   float{one_pixel} / to_float(t.double_area),
-                   {},
-                   {},
-                   {},
-                   {v0.inverse_w, v1.inverse_w, v2.inverse_w},
-                   lesser(lesser(v0.depth, v1.depth), v2.depth),
-                   greater(greater(v0.depth, v1.depth), v2.depth)};
+  triangle_setup s{
+      {t.edge[0], edge1, edge2},
+      float{one_pixel} / to_float(t.double_area),
+      {},
+      {v0.inverse_w, v1.inverse_w, v2.inverse_w},
+      {{}, 0, lesser(lesser(v0.depth, v1.depth), v2.depth), greater(greater(v0.depth, v1.depth), v2.depth)}};
   const float depth[3] = {v0.depth, v1.depth, v2.depth}, unit = s.scale * (1.0f / one_pixel);
   for (int i = 0; i < 3; ++i) {
     s.rest[i] = product(to_float(s.edge[i].rest), unit);
-    s.depth_gain[i] = product(s.scale, depth[i]);
+    s.depth.gain[i] = product(s.scale, depth[i]);
   }
-  s.depth_rest = product(s.rest[0], depth[0]) + (product(s.rest[1], depth[1]) + product(s.rest[2], depth[2]));
+  s.depth.rest = product(s.rest[0], depth[0]) + (product(s.rest[1], depth[1]) + product(s.rest[2], depth[2]));
   return s;
 }
 
@@ -123,8 +128,7 @@ struct covered_triangle {
 
 /// The depth of the triangle at pixel (x, y), one by one.
 [[nodiscard]] IRG_INLINE constexpr float depth_at(const triangle_setup& s, int x, int y) noexcept {
-  return depth_at<float>(s.edge[0](x, y), s.edge[1](x, y), s.edge[2](x, y), s.depth_gain[0], s.depth_gain[1],
-                         s.depth_gain[2], s.depth_rest, s.depth_low, s.depth_high);
+  return depth_at<float>({s.edge[0](x, y), s.edge[1](x, y), s.edge[2](x, y)}, s.depth);
 }
 
 /// The depth and the perspective-correct weights of the triangle at pixel (x, y), one by one.

@@ -14,6 +14,7 @@ struct depth_settings {
   face_culling culling = face_culling::back;
   skip_options skip{};
   clearing clear = clearing::none;
+  draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
 };
 
 namespace detail {
@@ -37,26 +38,14 @@ inline namespace IRG_ABI {
 /// gives   triangles with a corner that is not finite are left out, and those that name a vertex that is not there
 /// exact   each depth equal to what draw_batches leaves, for every executor and with all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Depth, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Depth, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_depth(Depth& depth, std::type_identity_t<std::span<const triangle_batch<T>>> batches,
-                                  const screen_mapping<T>& mapping, const depth_settings& settings,
-                                  draw_workspace& workspace, const E& executor = {}) {
-  constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
-  return detail::draw_tiles<T>(detail::zbuffer_tiles<Order, test>{}, depth,
-                               {batches, mapping, workspace, settings.culling, settings.skip, settings.clear},
-                               detail::depths_alone<T>{}, executor);
-}
-
-/// As above, for the triangles of one object.
-template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Depth, Executor E = sequential>
-  requires std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_depth(Depth& depth, const projected_vertices<T>& vertices,
-                                  std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
+constexpr render_stats draw_depth(Depth& depth, const projected_triangles<T>& triangles,
                                   const depth_settings& settings = {}, const E& executor = {}) {
-  const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
-  draw_workspace workspace;
-  return draw_depth<Order, T>(depth, batch, mapping, settings, workspace, executor);
+  constexpr auto test = std::same_as<Order, drawing_order> ? detail::tile_test::always : detail::tile_test::depth_only;
+  draw_workspace own;
+  return detail::draw_tiles<T>(detail::zbuffer_tiles<Order, test>{}, depth, detail::job_of(triangles, settings, own),
+                               detail::depths_alone<T>{}, executor);
 }
 
 }  // namespace IRG_ABI

@@ -19,9 +19,11 @@
 namespace irg {
 
 /// How transparent faces are drawn. Both sides of glass are seen, so backs are drawn too unless told otherwise.
+template <class Blend = over_in_light>
 struct transparent_settings {
   face_culling culling = face_culling::none;
   skip_options skip{};
+  Blend blend{};  // blend(pixel below, what a pixel shader gives) -> pixel
 };
 
 namespace detail {
@@ -117,7 +119,7 @@ constexpr draw_counts blend_tile(const Tiles& tiles, std::span<const std::uint32
     if (t.coverage.double_area == 0 || w.empty()) continue;
     if constexpr (can_hide) {
       const float nearest =
-          Order::nearer(t.setup.depth_low, t.setup.depth_high) ? t.setup.depth_low : t.setup.depth_high;
+          Order::nearer(t.setup.depth.low, t.setup.depth.high) ? t.setup.depth.low : t.setup.depth.high;
       if (occluded == skipping::on && hidden_depths.template hides<Test>(nearest, w)) continue;
     }
     store_relaxed(seen[find.source(number)], 1);
@@ -150,23 +152,23 @@ inline namespace IRG_ABI {
 ///         rounded in T
 /// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates
 /// source  Newell, Newell and Sancha 1972 for the order, Porter and Duff 1984 for "over"
-template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::nearer, Floating T, RowRaster Colour,
-          RowRaster Depth, class MakeShader, class Blend = over_in_light, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::nearer, Floating T = double,
+          RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, class MakeShader,
+          class Blend = over_in_light, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_transparent(Colour& colour, Depth& depth,
-                                        std::type_identity_t<std::span<const triangle_batch<T>>> batches,
-                                        const screen_mapping<T>& mapping, const MakeShader& make_shader,
-                                        const transparent_settings& settings = {}, const Blend& blend = {},
+constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings = {},
                                         const E& executor = {}) {
-  const detail::picture_tiles grid(width_of(colour), height_of(colour));
+  const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
+  const std::span<const triangle_batch<T>> batches = triangles.batches();
   detail::triangle_bins bins;
-  detail::bin_triangles(bins, batches, {mapping, grid, settings.culling, settings.skip}, executor);
+  detail::bin_triangles(bins, batches, {triangles.mapping(), grid, settings.culling, settings.skip}, executor);
   const detail::triangle_finder<T> find{batches, &bins};
   const std::vector<std::uint32_t> numbers =
       detail::sorted_lists<T>(bins, find, detail::back_to_front<Order, T>(batches, bins.triangle_count), grid.count());
   std::vector<std::uint8_t> seen(bins.triangle_count, 0);
   const detail::blended_tiles<T, Colour, Depth, MakeShader, Blend> tiles{
-      colour, depth, find, make_shader, blend, settings.skip.occluded, seen};
+      target.colour, target.depth, find, make_shader, settings.blend, settings.skip.occluded, seen};
   std::vector<draw_counts> done(grid.count(), draw_counts{});
   executor(grid.count(), [&](std::size_t i) {
     const std::span<const std::uint32_t> list(numbers.data() + bins.tile_first[i],

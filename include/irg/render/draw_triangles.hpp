@@ -20,6 +20,7 @@ struct draw_settings {
   clearing clear = clearing::none;
   P background{};
   depth_result depth = depth_result::kept;
+  draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
 };
 
 namespace detail {
@@ -61,7 +62,7 @@ private:
 inline namespace IRG_ABI {
 
 /// Draws batches of triangles into a picture and its depth buffer, and returns what it did.
-/// shape   colour and depth are rasters of one size; make_shader(batch, triangle, facing) gives the pixel shader of a
+/// shape   make_shader(batch, triangle, facing) gives the pixel shader of a
 ///         triangle of a batch, or is an AttributeShading; first_number of the batches counts their triangles through
 /// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless they are cleared first; shaders
 ///         without memory: each visible pixel is shaded once, in no stated order
@@ -69,32 +70,27 @@ inline namespace IRG_ABI {
 ///         that name a vertex that is not there
 /// exact   the same bytes for every executor and for all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
-          Executor E = sequential>
-constexpr render_stats draw_batches(Colour& colour, Depth& depth,
-                                    std::type_identity_t<std::span<const triangle_batch<T>>> batches,
-                                    const screen_mapping<T>& mapping, const MakeShader& make_shader,
-                                    const draw_settings<pixel_of<Colour>>& settings, draw_workspace& workspace,
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
+          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+constexpr render_stats draw_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                    const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings = {},
                                     const E& executor = {}) {
+  draw_workspace own;
   return detail::draw_tiles<T>(
-      detail::zbuffer_method<Order>{}, depth,
-      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth},
-      detail::colour_tiles<T, Colour, MakeShader>(colour, make_shader, settings.clear, settings.background), executor);
+      detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
+      detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
+      executor);
 }
 
 /// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
-template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
-          Executor E = sequential>
-constexpr render_stats draw_triangles(Colour& colour, Depth& depth, const projected_vertices<T>& vertices,
-                                      std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
+          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+constexpr render_stats draw_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
                                       const MakeShader& make_shader,
                                       const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
-  const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
-  draw_workspace workspace;
-  return draw_batches<Order, T>(
-      colour, depth, batch, mapping,
-      [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); }, settings, workspace,
-      executor);
+  return draw_batches<Order>(
+      target, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
+      settings, executor);
 }
 
 }  // namespace IRG_ABI

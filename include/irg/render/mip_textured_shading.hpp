@@ -46,8 +46,8 @@ struct mip_textured_pixels {
     const texture_pyramid* const t = pyramid(at[5]);
     if (t == nullptr) return encode({0, 0, 0});
     const image<rgb<float>>& whole = t->levels->levels[0];
-    const rgb<float> texel =
-        sample_mip_pyramid(*t->levels, at[0], at[1], mip_level(changes(at), whole.width(), whole.height()), t->sampler);
+    const rgb<float> texel = sample_mip_pyramid(
+        *t->levels, {at[0], at[1], mip_level(changes(at), whole.width(), whole.height())}, t->sampler);
     return encode({product(texel.r, at[2]), product(texel.g, at[3]), product(texel.b, at[4])});
   }
   template <int N>
@@ -58,7 +58,7 @@ struct mip_textured_pixels {
       return pixels_one_by_one<N>(*this, at);
     const image<rgb<float>>& whole = t->levels->levels[0];
     const rgb<pack<float, N>> texel = sample_mip_pyramid<N>(
-        *t->levels, at[0], at[1], mip_level<N>(changes(at), whole.width(), whole.height()), t->sampler);
+        *t->levels, {at[0], at[1], mip_level<N>(changes(at), whole.width(), whole.height())}, t->sampler);
     return encode_lanes(texel.r * at[2], texel.g * at[3], texel.b * at[4]);
   }
 };

@@ -24,12 +24,6 @@ struct no_observer {
   IRG_INLINE constexpr void operator()(render_stage) const noexcept {}
 };
 
-/// The colours of a picture that do not come from its scene.
-struct picture_colours {
-  rgba8 background{250, 249, 246, 255};
-  rgba8 line{32, 44, 66, 255};
-};
-
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -58,13 +52,11 @@ struct picture_frame {
   const camera<T>& view;
   lighting<T> light;
   const render_options& options;
-  const picture_colours& colours;
   screen_mapping<T> mapping;
   mat<T, 4, 4> to_clip;
 
-  constexpr picture_frame(const auto& world, int width, int height, const render_options& how,
-                          const picture_colours& with)
-      : view(world.view), light{world.ambient, world.lights, world.distance, world.k}, options(how), colours(with),
+  constexpr picture_frame(const auto& world, int width, int height, const render_options& how)
+      : view(world.view), light{world.ambient, world.lights, world.distance, world.k}, options(how),
         mapping(map_to_screen<T>(width, height)),
         to_clip(view_projection(view, static_cast<T>(width) / static_cast<T>(height))) {}
 };
@@ -72,17 +64,18 @@ struct picture_frame {
 // The edges of all objects.
 template <class Order, class T, class Objects, class Run>
 constexpr render_stats draw_wire(const picture_frame<T>& f, Objects& objects, const Run& run) {
-  clear(run.colour, f.colours.background);
+  clear(run.colour, f.options.colours.background);
   clear(run.depth, Order::farthest);
   render_stats stats;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const mesh<T>& shape = objects.shape(i);
     const auto vertices = project_vertices<T>(shape.positions, f.to_clip, f.mapping);
     run.observer(render_stage::project);
-    stats += draw_wireframe(run.colour, vertices, shape, f.mapping, f.colours.line, f.options.culling, run.executor);
+    stats += draw_wireframe<T>(run.colour, {vertices, shape, f.mapping}, f.options.colours.line, f.options.culling,
+                               run.executor);
     run.observer(render_stage::draw);
   }
-  stats.drawn = count_other_than(run.colour, f.colours.background);
+  stats.drawn = count_other_than(run.colour, f.options.colours.background);
   return stats;
 }
 
@@ -111,7 +104,7 @@ constexpr render_stats draw_filled(const Method& method, const picture_frame<T>&
     run.observer(render_stage::project);
   }
   const styled_objects<T> styled{shadings, batches, f.mapping, f.options, workspace};
-  const picture_target to{run.colour, run.depth, f.colours.background};
+  const picture_target to{run.colour, run.depth, f.options.colours.background};
   render_stats stats = f.options.intensities == intensity_range::rescale
                            ? draw_rescaled(method, styled, to, run.executor)
                            : draw_styled<encoded_light>(method, styled, to, run.executor);
@@ -139,24 +132,26 @@ constexpr render_stats draw_picture(const picture_frame<T>& f, Objects& objects,
 inline namespace IRG_ABI {
 
 /// Renders a scene into a picture and its depth buffer, both overwritten, and returns what it did.
-/// shape   colour and depth have one size, at most 65536 x 65536
+/// shape   into {picture, depth}, of one size, at most 65536 x 65536
 /// needs   meshes whose faces have no defect that validate (mesh/validate.hpp) knows, no index out of range above all:
 ///         a contract, checked in constant evaluation and in debug builds; a camera in its domain
 /// gives   the background alone for a scene without objects; of equal depths the first object and face wins; with
 ///         hidden_surface_method::none, what is drawn later covers what was drawn before
 /// exact   the same bytes for every executor, compiler, instruction set and for skipping on and off
 /// cost    the vertices and triangles once, then the pixels
-template <Floating T, RowRaster Colour, RowRaster Depth, Executor E = sequential, class Observer = no_observer>
+template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
+          class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const scene<T>& world, Colour& colour, Depth& depth, const render_options& options = {},
-                              const picture_colours& colours = {}, const E& executor = {}, Observer&& observer = {}) {
+constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth> target,
+                              const render_options& options = {}, const E& executor = {}, Observer&& observer = {}) {
+  const int width = width_of(target.colour), height = height_of(target.colour);
   for ([[maybe_unused]] const object<T>& o : world.objects)
     IRG_EXPECTS(detail::find_face_defect(o.shape).defect == mesh_defect::none);
-  if (width_of(colour) == 0 || height_of(colour) == 0) return {};
+  if (width == 0 || height == 0) return {};
   detail::objects_to_prepare<T> objects(world.objects);
   draw_workspace workspace;
-  return detail::draw_picture<T>({world, width_of(colour), height_of(colour), options, colours}, objects, workspace,
-                                 detail::picture_run{colour, depth, executor, observer});
+  return detail::draw_picture<T>({world, width, height, options}, objects, workspace,
+                                 detail::picture_run{target.colour, target.depth, executor, observer});
 }
 
 /// As above, with a hidden-surface method of the caller's: the picture is what the method says is seen, shaded as ever.
@@ -164,11 +159,12 @@ constexpr render_stats render(const scene<T>& world, Colour& colour, Depth& dept
 ///         edges are not faces: `wire` is drawn as `flat`. A method that says that it `finds_nearest()` is not asked
 ///         about windows that show the front faces of one convex body alone: pixels.convex counts these faces
 /// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer
-template <Floating T, RowRaster Colour, RowRaster Depth, HiddenSurfaceMethod<T> Method, Executor E = sequential>
+template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, HiddenSurfaceMethod<T> Method,
+          Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(const Method& method, const scene<T>& world, Colour& colour, Depth& depth,
+constexpr render_stats render(const Method& method, const scene<T>& world, render_target<Colour, Depth> target,
                               render_options options = {}, const E& executor = {}) {
-  const int width = width_of(colour), height = height_of(colour);
+  const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   options.skip.occluded = skipping::off;
   if (options.style == picture_style::wire) options.style = picture_style::flat;
@@ -181,11 +177,10 @@ constexpr render_stats render(const Method& method, const scene<T>& world, Colou
     for (const object<T>& o : world.objects) bodies.is_convex.push_back(is_convex_body(o.shape) ? 1 : 0);
   detail::objects_to_prepare<T> objects(world.objects);
   draw_workspace workspace;
-  const picture_colours colours;
   no_observer observer;
   return detail::draw_filled(detail::method_tiles<nearer_is_greater, Method>{method, ids, fronts ? &bodies : nullptr},
-                             detail::picture_frame<T>(world, width, height, options, colours), objects, workspace,
-                             detail::picture_run{colour, depth, executor, observer});
+                             detail::picture_frame<T>(world, width, height, options), objects, workspace,
+                             detail::picture_run{target.colour, target.depth, executor, observer});
 }
 
 /// As above, of a scene that was made ready before: objects are neither moved nor cut nor copied again, and colours are
@@ -193,15 +188,16 @@ constexpr render_stats render(const Method& method, const scene<T>& world, Colou
 /// shape   prepare_scene(world) makes such a scene
 /// exact   the same bytes as from the scene it was made of
 /// cost    the vertices once, then the pixels
-template <Floating T, RowRaster Colour, RowRaster Depth, Executor E = sequential, class Observer = no_observer>
+template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,
+          class Observer = no_observer>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_scene<T>& world, Colour& colour, Depth& depth,
-                              const render_options& options = {}, const picture_colours& colours = {},
-                              const E& executor = {}, Observer&& observer = {}) {
-  if (width_of(colour) == 0 || height_of(colour) == 0) return {};
+constexpr render_stats render(prepared_scene<T>& world, render_target<Colour, Depth> target,
+                              const render_options& options = {}, const E& executor = {}, Observer&& observer = {}) {
+  const int width = width_of(target.colour), height = height_of(target.colour);
+  if (width == 0 || height == 0) return {};
   detail::prepared_objects<T> objects{world.objects};
-  return detail::draw_picture<T>({world, width_of(colour), height_of(colour), options, colours}, objects,
-                                 world.workspace, detail::picture_run{colour, depth, executor, observer});
+  return detail::draw_picture<T>({world, width, height, options}, objects, world.workspace,
+                                 detail::picture_run{target.colour, target.depth, executor, observer});
 }
 
 }  // namespace IRG_ABI

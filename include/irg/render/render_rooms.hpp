@@ -51,12 +51,11 @@ template <Floating T>
 ///         two doors ending at one point. Where rooms touch back to back, a triangle of a skipped one that is thinner
 ///         than a 256th of a pixel may have shown its back as front: about one pixel in 5 million
 /// cost    as render(), for the rooms that are seen
-template <Floating T, RowRaster Colour, RowRaster Depth, Executor E = sequential>
+template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats render(prepared_rooms<T>& building, Colour& colour, Depth& depth,
-                              const render_options& options = {}, const picture_colours& colours = {},
-                              const E& executor = {}) {
-  const int width = width_of(colour), height = height_of(colour);
+constexpr render_stats render(prepared_rooms<T>& building, render_target<Colour, Depth> target,
+                              const render_options& options = {}, const E& executor = {}) {
+  const int width = width_of(target.colour), height = height_of(target.colour);
   if (width == 0 || height == 0) return {};
   IRG_EXPECTS(building.world.objects.size() >= building.plan.cells.size());
   detail::chosen_objects<T> chosen{building.world.objects};
@@ -71,8 +70,8 @@ constexpr render_stats render(prepared_rooms<T>& building, Colour& colour, Depth
       chosen.numbers.push_back(i);
   no_observer observer;
   render_stats stats =
-      detail::draw_picture<T>({building.world, width, height, options, colours}, chosen, building.world.workspace,
-                              detail::picture_run{colour, depth, executor, observer});
+      detail::draw_picture<T>({building.world, width, height, options}, chosen, building.world.workspace,
+                              detail::picture_run{target.colour, target.depth, executor, observer});
   stats.triangles += skipped;
   stats.skipped.rooms += skipped;
   return stats;

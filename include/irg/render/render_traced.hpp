@@ -23,6 +23,7 @@ struct traced_options {
   trace_limits<T> limits{};
   int samples = 1;
   face_culling culling = face_culling::back;
+  picture_colours colours{};  // of which the background is seen
 };
 
 /// An executor that tells, after each task, that it is done: for a bar that shows how far long work has come. It calls
@@ -102,8 +103,7 @@ inline namespace IRG_ABI {
 template <Floating T, RowRaster Colour, Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8>
 constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t<std::span<const optics<T>>> optic,
-                                     Colour& colour, const traced_options<T>& options = {},
-                                     const picture_colours& colours = {}, const E& executor = {}) {
+                                     Colour& colour, const traced_options<T>& options = {}, const E& executor = {}) {
   if (width_of(colour) == 0 || height_of(colour) == 0) return {};
   const int longer = greater(width_of(colour), height_of(colour));
   const int samples = clamp(lesser(options.samples, 65536 / longer), 1, 16);
@@ -122,18 +122,19 @@ constexpr render_stats render_traced(const scene<T>& world, std::type_identity_t
     batches.push_back({&o.frame.vertices, o.body.triangles, number, static_cast<std::uint32_t>(i)});
     number += static_cast<std::uint32_t>(o.body.triangles.size());
   }
-  const rgb<float> back = decode(colours.background);
+  const rgb<float> back = decode(options.colours.background);
   const ray_world<T> rays(std::move(bodies), {world.ambient, world.lights, world.distance, world.k},
                           {converted<T>(back.r), converted<T>(back.g), converted<T>(back.b)}, executor);
   image<rgb<float>> light(width, height);
   image<float> depth(width, height);
   const detail::traced_shading<T> shading{rays, options.limits, viewpoint(world.view)};
-  draw_settings<rgb<float>> settings;
-  settings.culling = options.culling;
-  settings.clear = clearing::before_drawing;
-  settings.background = back;
   const render_stats stats =
-      draw_batches<nearer_is_greater, T>(light, depth, batches, mapping, shading, settings, ready.workspace, executor);
+      draw_batches<nearer_is_greater>(render_target{light, depth}, projected_triangles<T>{batches, mapping}, shading,
+                                      {.culling = options.culling,
+                                       .clear = clearing::before_drawing,
+                                       .background = back,
+                                       .workspace = &ready.workspace},
+                                      executor);
   detail::encode_means(colour, light, samples);
   return stats;
 }

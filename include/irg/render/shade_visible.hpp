@@ -21,28 +21,34 @@ struct ids_as_they_are {
 
 }  // namespace detail
 
+/// Triangles, and which of them each pixel shows.
+template <Floating T>
+struct visible_triangles {
+  image<std::uint32_t>& ids;
+  projected_triangles<T> of;
+};
+
 inline namespace IRG_ABI {
 
 /// Colours a picture from the numbers of the triangles that its pixels show, and returns what it did.
-/// shape   colour, depth and ids have one size; batches and make_shader as for draw_batches
-/// needs   batches projected with `mapping`
+/// shape   colour, depth and ids have one size; triangles and make_shader as for draw_batches
 /// gives   the depths of what is seen too; pixels whose id is no_face, or names a face that does not cover the pixel or
 ///         is culled or not there, show the background, or keep what they have where nothing is cleared
 /// exact   with the ids of draw_visibility the bytes of draw_batches; the same for every executor
 /// cost    the triangles are culled and listed once more; then each pixel once
-template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
-          Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
+          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
   requires std::same_as<pixel_of<Depth>, float>
-constexpr render_stats shade_visible(Colour& colour, Depth& depth, image<std::uint32_t>& ids,
-                                     std::type_identity_t<std::span<const triangle_batch<T>>> batches,
-                                     const screen_mapping<T>& mapping, const MakeShader& make_shader,
-                                     const draw_settings<pixel_of<Colour>>& settings, draw_workspace& workspace,
-                                     const E& executor = {}) {
+constexpr render_stats shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
+                                     const MakeShader& make_shader,
+                                     const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
   const detail::ids_as_they_are method{};
+  draw_workspace own;
   return detail::draw_tiles<T>(
-      detail::method_tiles<Order, detail::ids_as_they_are>{method, ids}, depth,
-      {batches, mapping, workspace, settings.culling, settings.skip, settings.clear, settings.depth},
-      detail::colour_tiles<T, Colour, MakeShader>(colour, make_shader, settings.clear, settings.background), executor);
+      detail::method_tiles<Order, detail::ids_as_they_are>{method, seen.ids}, target.depth,
+      detail::job_of(seen.of, settings, own),
+      detail::colour_tiles<T, Colour, MakeShader>(target.colour, make_shader, settings.clear, settings.background),
+      executor);
 }
 
 }  // namespace IRG_ABI

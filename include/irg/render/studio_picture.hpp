@@ -164,8 +164,8 @@ struct studio_drawing {
       const triangle_batch<T> batch[1] = {{&made.frame.vertices, made.body.triangles, 0, 0}};
       const std::span<const object_shading<T>> one(&o.shading, 1);
       const auto draw = [&](const auto& pixels) {
-        draw_batches<nearer_is_greater, T>(picture, memory.depth, batch, mapping, pixels,
-                                           draw_settings<rgba8>{.culling = o.culling}, memory.workspace);
+        draw_batches(render_target{picture, memory.depth}, projected_triangles<T>{batch, mapping}, pixels,
+                     {.culling = o.culling, .workspace = &memory.workspace});
       };
       if (o.how == studio_shading::gouraud)
         draw(gouraud_pixels<encoded_light, T>{one});
@@ -186,8 +186,8 @@ struct studio_drawing {
       number += static_cast<std::uint32_t>(made.body.triangles.size());
     }
     if (!batches.empty())
-      draw_transparent<nearer_is_greater, depth_test::nearer, T>(picture, memory.depth, batches, mapping,
-                                                                 glass_pixels<T>{objects});
+      draw_transparent(render_target{picture, memory.depth}, projected_triangles<T>{batches, mapping},
+                       glass_pixels<T>{objects});
   }
 
   // Edges of faces that all face away are left out where backs are, or the faces hide them anyway.

@@ -46,7 +46,7 @@ struct number_tiles final : tile_finish<T> {
 inline namespace IRG_ABI {
 
 /// Draws the numbers of visible triangles (first_number of their batch, and their place in it) and their depths.
-/// shape   ids and depth are rasters of one size; first_number of the batches counts their triangles through
+/// shape   drawn into {ids, depth}; first_number of the batches counts their triangles through
 /// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless cleared first
 /// gives   no_face where nothing is seen, if cleared first, else what was there; of equally near triangles the
 ///         first; triangles with a corner that is not finite are left out, and those that name a vertex that is not
@@ -54,26 +54,14 @@ inline namespace IRG_ABI {
 /// exact   the depths and triangles of draw_batches, the same bytes for every executor and all skips on and off
 /// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
 /// source  Burns and Hunt 2013
-template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Ids, RowRaster Depth, Executor E = sequential>
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Ids = image<std::uint32_t>,
+          RowRaster Depth = image<float>, Executor E = sequential>
   requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_visibility(Ids& ids, Depth& depth,
-                                       std::type_identity_t<std::span<const triangle_batch<T>>> batches,
-                                       const screen_mapping<T>& mapping, const depth_settings& settings,
-                                       draw_workspace& workspace, const E& executor = {}) {
-  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, depth,
-                               {batches, mapping, workspace, settings.culling, settings.skip, settings.clear},
-                               detail::number_tiles<T, Ids>(ids, settings.clear), executor);
-}
-
-/// As above, for the triangles of one object.
-template <DepthOrder Order = nearer_is_greater, Floating T, RowRaster Ids, RowRaster Depth, Executor E = sequential>
-  requires std::same_as<pixel_of<Ids>, std::uint32_t> && std::same_as<pixel_of<Depth>, float>
-constexpr render_stats draw_visibility(Ids& ids, Depth& depth, const projected_vertices<T>& vertices,
-                                       std::span<const triangle_indices> triangles, const screen_mapping<T>& mapping,
+constexpr render_stats draw_visibility(render_target<Ids, Depth> target, const projected_triangles<T>& triangles,
                                        const depth_settings& settings = {}, const E& executor = {}) {
-  const triangle_batch<T> batch[1] = {{&vertices, triangles, 0}};
-  draw_workspace workspace;
-  return draw_visibility<Order, T>(ids, depth, batch, mapping, settings, workspace, executor);
+  draw_workspace own;
+  return detail::draw_tiles<T>(detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
+                               detail::number_tiles<T, Ids>(target.colour, settings.clear), executor);
 }
 
 }  // namespace IRG_ABI

@@ -17,19 +17,29 @@
 
 namespace irg {
 
+/// A mesh and its positions, projected with a mapping.
+template <Floating T>
+struct projected_mesh {
+  const projected_vertices<T>& vertices;
+  const mesh<T>& shape;
+  const screen_mapping<T>& mapping;
+};
+template <class T>
+projected_mesh(const projected_vertices<T>&, const mesh<T>&, const screen_mapping<T>&) -> projected_mesh<T>;
+
 inline namespace IRG_ABI {
 
 /// Draws the edges of a mesh's faces, each once, and returns what it did: `triangles` counts n - 2 for a face of
 /// n corners, pixels.shaded the cells of all lines.
-/// shape   `vertices` are the mesh's positions, projected; faces may have any number of corners
+/// shape   faces may have any number of corners; for doubles `{vertices, mesh, mapping}` is enough at the call
 /// needs   face_starts as in mesh.hpp
 /// gives   faces that face away are left out when culling is `back`; an edge is drawn if any of its faces is. Edges to
 ///         vertices that are not there are left out
 /// exact   the same pixels for every executor; lines by line_bresenham from the smaller vertex index to the larger
-template <Floating T, RowRaster Colour, Executor E = sequential>
-constexpr render_stats draw_wireframe(Colour& colour, const projected_vertices<T>& vertices, const mesh<T>& m,
-                                      const screen_mapping<T>& mapping, const pixel_of<Colour>& line,
+template <Floating T = double, RowRaster Colour, Executor E = sequential>
+constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
                                       face_culling culling = face_culling::none, const E& executor = {}) {
+  const auto& [vertices, m, mapping] = drawn;
   render_stats stats;
   std::vector<std::uint64_t> edges;
   for (std::size_t f = 0; f < m.face_count(); ++f) {

@@ -26,6 +26,13 @@ struct texture_derivatives_of {
 };
 using texture_derivatives = texture_derivatives_of<float>;
 
+/// Where a texture's levels are sampled.
+template <class F>
+struct mip_place_of {
+  F u{}, v{}, level{};
+};
+using mip_place = mip_place_of<float>;
+
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -107,22 +114,22 @@ template <TextureRaster R>
   return 0.5f * log2(detail::squared_side(d, width, height));
 }
 
-/// The value at (u, v) of a texture's levels: trilinear, between the two levels next to `level`, each sampled as the
+/// The value at a place of a texture's levels: trilinear, between the two levels next to `level`, each sampled as the
 /// sampler says.
 /// gives   the first level for level <= 0 and NaN, the last one beyond it; `border` for a pyramid without levels
 /// exact   at a whole level, what sample_texture gives on it; between, one rounding more of the sum and product
 /// cost    two samples between levels, one at a whole one
 template <class Value>
-[[nodiscard]] constexpr Value sample_mip_pyramid(const mip_pyramid<Value>& pyramid, float u, float v, float level,
+[[nodiscard]] constexpr Value sample_mip_pyramid(const mip_pyramid<Value>& pyramid, const mip_place& at,
                                                  const texture_sampler& sampler = {}, const Value& border = {}) {
   if (pyramid.levels.empty()) return border;
   const auto last = static_cast<float>(pyramid.levels.size() - 1);
-  const float limited = clamp(level, 0.0f, last);
+  const float limited = clamp(at.level, 0.0f, last);
   const auto k = static_cast<std::size_t>(limited);
-  const Value finer = sample_texture(pyramid.levels[k], u, v, sampler, border);
+  const Value finer = sample_texture(pyramid.levels[k], at.u, at.v, sampler, border);
   const float fraction = limited - static_cast<float>(k);
   if (fraction == 0.0f) return finer;
-  return detail::between_texels(finer, sample_texture(pyramid.levels[k + 1], u, v, sampler, border), fraction);
+  return detail::between_texels(finer, sample_texture(pyramid.levels[k + 1], at.u, at.v, sampler, border), fraction);
 }
 
 }  // namespace IRG_ABI

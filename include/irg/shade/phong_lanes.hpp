@@ -49,6 +49,7 @@ public:
     const F r = detail::length_of(to_eye);
     const triple_lanes<double, N> n = detail::divided(normal, detail::length_of(normal)),
                                   v = detail::divided(to_eye, r);
+    const view_of<N> seen{n, v, r};
     rgb<F> sum{f::broadcast(ambient_.r), f::broadcast(ambient_.g), f::broadcast(ambient_.b)};
     for (const prepared_light& l : lights_) {
       triple_lanes<double, N> to_light{f::broadcast(l.direction.x), f::broadcast(l.direction.y),
@@ -58,7 +59,7 @@ public:
         moderate = moderate & detail::is_moderate(d);
         to_light = detail::divided(d, detail::length_of(d));
       }
-      add_light(sum, l, to_light, n, v, r);
+      add_light(sum, l, to_light, seen);
     }
     return (~mask_bits(moderate) & needed & ((1u << N) - 1)) == 0 ? sum : one_by_one<N>(p, normal);
   }
@@ -81,11 +82,18 @@ private:
     return s.w < 0 ? triple_lanes<double, N>{-d.x, -d.y, -d.z} : d;
   }
 
+  // The normal, the direction to the viewer, and how far away that is.
+  template <int N>
+  struct view_of {
+    triple_lanes<double, N> n, v;
+    pack<double, N> r;
+  };
+
   // The bracket of reflected_light, times the light.
   template <int N>
   IRG_INLINE void add_light(rgb<pack<double, N>>& sum, const prepared_light& l, const triple_lanes<double, N>& to_light,
-                            const triple_lanes<double, N>& n, const triple_lanes<double, N>& v,
-                            const pack<double, N>& r) const {
+                            const view_of<N>& seen) const {
+    const auto& [n, v, r] = seen;
     using F = pack<double, N>;
     using f = lanes<F>;
     const F zero = f::broadcast(0), ln = detail::dot_of(to_light, n);

@@ -104,12 +104,13 @@ template <Scalar T>
 /// Ii ks (R.V)^n: the highlight (7.8).
 /// gives   0 where R.V <= 0 or L.N <= 0
 /// needs   as specular_factor
-template <class I, Scalar T>
-[[nodiscard]] IRG_INLINE constexpr I specular_term(const I& light, const I& specular, const vec<T, 3>& to_light,
-                                                   const vec<T, 3>& normal, const vec<T, 3>& to_viewer,
-                                                   const T& shininess) noexcept {
-  const T factor = specular_factor(to_light, normal, to_viewer, shininess);
-  return detail::per_channel([&](auto ii, auto ks) { return product(product(ii, ks), factor); }, light, specular);
+template <class T, class I>
+[[nodiscard]] IRG_INLINE constexpr I specular_term(const material<T, I>& surface, const I& light,
+                                                   const vec<T, 3>& to_light, const vec<T, 3>& normal,
+                                                   const vec<T, 3>& to_viewer) noexcept {
+  const T factor = specular_factor(to_light, normal, to_viewer, surface.shininess);
+  return detail::per_channel([&](auto ii, auto ks) { return product(product(ii, ks), factor); }, light,
+                             surface.specular);
 }
 
 /// What one source of intensity Ii adds: Ii (kd (L.N) + ks (R.V)^n), the bracket of (7.9).
@@ -119,7 +120,7 @@ template <class T, class I>
                                                      const vec<T, 3>& to_light, const vec<T, 3>& normal,
                                                      const vec<T, 3>& to_viewer) noexcept {
   return diffuse_term(light, surface.diffuse, to_light, normal) +
-         specular_term(light, surface.specular, to_light, normal, to_viewer, surface.shininess);
+         specular_term(surface, light, to_light, normal, to_viewer);
 }
 
 /// Ii / (r + k): a source's intensity, weakened by the distance r (7.10).
@@ -128,6 +129,13 @@ template <class I, Scalar T>
 [[nodiscard]] IRG_INLINE constexpr I weakened_by_distance(const I& light, const T& r, const T& k) noexcept {
   return detail::per_channel([&](auto ii) { return ii / (r + k); }, light);
 }
+
+/// A point of a surface and the normal there.
+template <Scalar T>
+struct surface_place {
+  point<T, 3> p;
+  vec<T, 3> normal;
+};
 
 /// The intensity of the point p of a surface as the eye sees it: the ambient term and what each source adds (7.9 or
 /// 7.10), where arriving(i, intensity) tells what of source i's intensity arrives at p: shadows are made of it.
@@ -139,8 +147,8 @@ template <class I, Scalar T>
 /// source  Phong 1975
 template <Floating T, class I, class Arriving>
 [[nodiscard]] constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light,
-                                      const point<T, 3>& eye, const point<T, 3>& p, const vec<T, 3>& normal,
-                                      const Arriving& arriving) {
+                                      const point<T, 3>& eye, const surface_place<T>& place, const Arriving& arriving) {
+  const auto& [p, normal] = place;
   const bool weakened = light.distance == distance_term::viewer;
   const vec<T, 3> to_viewer = normalized(eye - p);
   const T r = weakened ? length(eye - p) : T(0);
@@ -157,8 +165,8 @@ template <Floating T, class I, class Arriving>
 /// The same with nothing between the lights and p.
 template <Floating T, class I>
 [[nodiscard]] constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light,
-                                      const point<T, 3>& eye, const point<T, 3>& p, const vec<T, 3>& normal) noexcept {
-  return phong_model(surface, light, eye, p, normal, [](std::size_t, const I& emitted) { return emitted; });
+                                      const point<T, 3>& eye, const surface_place<T>& place) noexcept {
+  return phong_model(surface, light, eye, place, [](std::size_t, const I& emitted) { return emitted; });
 }
 
 }  // namespace IRG_ABI

@@ -52,7 +52,7 @@ struct flat_shader {
   }
   /// The intensity of a face whose centre is known.
   IRG_INLINE constexpr I operator()(const point<T, 3>& centre, const vec<T, 3>& normal) const noexcept {
-    return phong_model(surface, light, eye, centre, normalized(normal));
+    return phong_model(surface, light, eye, {centre, normalized(normal)});
   }
 };
 
@@ -68,7 +68,7 @@ struct gouraud_shader {
   /// The intensity at a vertex.
   /// needs   the vertex's outward normal, of any length; where it is 0, the ambient term comes out
   IRG_INLINE constexpr I operator()(const point<T, 3>& vertex, const vec<T, 3>& normal) const noexcept {
-    return phong_model(surface, light, eye, vertex, normalized(normal));
+    return phong_model(surface, light, eye, {vertex, normalized(normal)});
   }
 };
 
@@ -84,7 +84,7 @@ struct phong_shader {
   /// The intensity at a point inside a face.
   /// needs   the interpolated normal, of any length: interpolation shortens normals, here they are renormalised
   IRG_INLINE constexpr I operator()(const point<T, 3>& p, const vec<T, 3>& interpolated_normal) const noexcept {
-    return phong_model(surface, light, eye, p, normalized(interpolated_normal));
+    return phong_model(surface, light, eye, {p, normalized(interpolated_normal)});
   }
 };
 

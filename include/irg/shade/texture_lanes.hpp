@@ -58,9 +58,9 @@ template <int N>
 /// The values of a texture's levels at N places.
 /// exact   sample_mip_pyramid's own
 template <int N>
-rgb<pack<float, N>> sample_mip_pyramid(const mip_pyramid<rgb<float>>& pyramid, const pack<float, N>& u,
-                                       const pack<float, N>& v, const pack<float, N>& level,
-                                       const texture_sampler& sampler = {}) {
+rgb<pack<float, N>> sample_mip_pyramid(const mip_pyramid<rgb<float>>& pyramid,
+                                       const mip_place_of<pack<float, N>>& place, const texture_sampler& sampler = {}) {
+  const auto& [u, v, level] = place;
   using F = lanes<pack<float, N>>;
   if (pyramid.levels.empty()) return {F::broadcast(0), F::broadcast(0), F::broadcast(0)};
   const auto limited = detail::limited_coordinate(level, 0.0f, static_cast<float>(pyramid.levels.size() - 1));

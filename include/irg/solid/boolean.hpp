@@ -28,26 +28,27 @@ enum class [[nodiscard]] solid_boolean_status {
 
 /// Where a face of the result comes from.
 struct solid_face_origin {
-  std::uint32_t body = 0;  // 0 or 1
+  std::uint32_t body = 0;  // 0 or 1; in a tree, of its bodies
   std::uint32_t face = 0;  // of that body
   bool turned = false;  // looks the other way, as faces of what is taken away do
   constexpr bool operator==(const solid_face_origin&) const = default;
 };
 
 /// What a corner of the result is, without rounding.
-/// shape   positions are numbered through both bodies, those of the first one first. A corner: of[0]; an edge from
-///         of[0] to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3]
+/// shape   positions are numbered through the bodies, those of the first one first. A corner: of[0]; an edge from
+///         of[0] to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3];
+///         the planes of three positions each from of[0], of[3] and of[6] on
 struct solid_corner_origin {
   static constexpr std::uint32_t none = 0xffffffffu;
-  std::uint32_t of[5] = {none, none, none, none, none};
+  std::uint32_t of[9] = {none, none, none, none, none, none, none, none, none};
   constexpr bool operator==(const solid_corner_origin&) const = default;
 };
 
-/// A combination of two bodies.
+/// A combination of bodies.
 template <Floating T>
 struct solid_boolean_result {
   solid_boolean_status status = solid_boolean_status::done;
-  std::uint32_t body = 0;  // where status is not done, which of the two is to blame, if it is one of them: 0 or 1
+  std::uint32_t body = 0;  // where status is not done, which of them is to blame, if it is one
   mesh<T> value{};  // of triangles
   std::vector<solid_face_origin> faces{};  // of each face
   std::vector<solid_corner_origin> corners{};  // of each position
@@ -65,29 +66,16 @@ constexpr bool is_in_combination(bool first, bool second, boolean_operation oper
   }
 }
 
-// 1 where a part of the first (0) or second (1) body bounds the result, -1 where it does so turned, else 0.
-constexpr int direction_of_part(int body, part_place place, boolean_operation operation) noexcept {
-  const bool on = place == part_place::on_same_side || place == part_place::on_other_side;
-  if (on && body == 1) return 0;  // the first one's stands for both
-  const bool other_below = on ? place == part_place::on_same_side : place == part_place::inside;
-  const bool other_above = on ? place == part_place::on_other_side : place == part_place::inside;
-  const bool below =
-      body == 0 ? is_in_combination(true, other_below, operation) : is_in_combination(other_below, true, operation);
-  const bool above =
-      body == 0 ? is_in_combination(false, other_above, operation) : is_in_combination(other_above, false, operation);
-  return below == above ? 0 : below ? 1 : -1;
-}
-
 // Whether the edges at cuts are walked as often one way as the other.
 template <class Cut>
-constexpr bool are_cuts_closed(const Cut& cut, const std::vector<int>& direction) {
+constexpr bool are_cuts_closed(const Cut& cut) {
   struct walk {
     std::uint32_t low, high;
     int times;
   };
   std::vector<walk> walks;
   for (const auto& [from, to, triangle] : cut.cuts)
-    if (const int times = direction[triangle]; times != 0)
+    if (const int times = cut.directions[triangle]; times != 0)
       walks.push_back({lesser(from, to), greater(from, to), from < to ? times : -times});
   std::sort(walks.begin(), walks.end(),
             [](const walk& a, const walk& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
@@ -110,6 +98,10 @@ constexpr solid_corner_origin origin_of_corner(const Cut& cut, const body_triang
     return origin;
   }
   const contact_key& key = cut.vertices.keys[v - cut.vertices.corners];
+  if (key.v[3] == three_triangles) {
+    for (std::size_t k = 0; k < 9; ++k) origin.of[k] = b.triangles[key.v[k / 3]].v[k % 3];
+    return origin;
+  }
   origin.of[0] = key.v[0], origin.of[1] = key.v[1];
   if (key.v[3] != no_index)
     origin.of[2] = key.v[2], origin.of[3] = key.v[3];
@@ -120,13 +112,12 @@ constexpr solid_corner_origin origin_of_corner(const Cut& cut, const body_triang
 
 // The triangles that bound the result, without the corners that are none.
 template <class Cut>
-constexpr std::vector<kept_triangle> keep_triangles(Cut& cut, const body_triangles& b,
-                                                    const std::vector<int>& direction) {
+constexpr std::vector<kept_triangle> keep_triangles(Cut& cut, const body_triangles& b) {
   std::vector<kept_triangle> kept;
-  for (std::size_t t = 0; t < direction.size(); ++t) {
+  for (std::size_t t = 0; t < cut.triangles.size(); ++t) {
     const cut_triangle& from = cut.triangles[t];
-    if (direction[t] > 0) kept.push_back({{from.v[0], from.v[1], from.v[2]}, from.source, false});
-    if (direction[t] < 0) kept.push_back({{from.v[2], from.v[1], from.v[0]}, from.source, true});
+    if (cut.directions[t] > 0) kept.push_back({{from.v[0], from.v[1], from.v[2]}, from.source, false});
+    if (cut.directions[t] < 0) kept.push_back({{from.v[2], from.v[1], from.v[0]}, from.source, true});
   }
   if (std::find(cut.is_seam.begin(), cut.is_seam.end(), 1) != cut.is_seam.end())
     seam_remover(kept, cut.vertices, cut.is_seam,
@@ -150,8 +141,25 @@ constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, cons
       out.value.corners.push_back({number[v], mesh_corner::none, mesh_corner::none});
     }
     out.value.face_starts.push_back(static_cast<std::uint32_t>(out.value.corners.size()));
-    out.faces.push_back({static_cast<std::uint32_t>(b.body_of(from.source)), b.face[from.source], from.turned});
+    out.faces.push_back({b.body[from.source], b.face[from.source], from.turned});
   }
+}
+
+// What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
+template <Floating T, class IsIn>
+constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
+  const body_triangles b = make_body_triangles(bodies);
+  switch (b.fault) {
+    case surface_fault::none: break;
+    case surface_fault::not_finite: return {solid_boolean_status::not_finite, b.faulty};
+    case surface_fault::open_edge: return {solid_boolean_status::open_edge, b.faulty};
+    case surface_fault::edge_of_many_faces: return {solid_boolean_status::edge_of_many_faces, b.faulty};
+  }
+  body_cutter cut(b, is_in);
+  if (cut.failed || !are_cuts_closed(cut)) return {solid_boolean_status::not_a_body};
+  solid_boolean_result<T> out;
+  collect_result(out, cut, b, keep_triangles(cut, b));
+  return out;
 }
 
 }  // namespace IRG_ABI
@@ -177,25 +185,9 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,
                                                               boolean_operation operation) {
-  const detail::body_triangles b = detail::make_body_triangles(first, second);
-  for (std::uint32_t body = 0; body < 2; ++body) switch (b.fault[body]) {
-      case detail::surface_fault::none: break;
-      case detail::surface_fault::not_finite: return {solid_boolean_status::not_finite, body};
-      case detail::surface_fault::open_edge: return {solid_boolean_status::open_edge, body};
-      case detail::surface_fault::edge_of_many_faces: return {solid_boolean_status::edge_of_many_faces, body};
-    }
-  detail::body_cutter cut(b);
-  if (cut.failed) return {solid_boolean_status::not_a_body};
-  std::vector<int> direction(cut.triangles.size(), 0);
-  for (std::size_t t = 0; t < direction.size(); ++t) {
-    const detail::cut_triangle& from = cut.triangles[t];
-    direction[t] =
-        static_cast<int>(detail::direction_of_part(b.body_of(from.source), cut.places[from.part], operation));
-  }
-  if (!detail::are_cuts_closed(cut, direction)) return {solid_boolean_status::not_a_body};
-  solid_boolean_result<T> out;
-  detail::collect_result(out, cut, b, detail::keep_triangles(cut, b, direction));
-  return out;
+  return detail::combine_bodies<T>({&first, &second}, [operation](const std::vector<unsigned char>& in) {
+    return detail::is_in_combination(in[0] != 0, in[1] != 0, operation);
+  });
 }
 
 }  // namespace IRG_ABI

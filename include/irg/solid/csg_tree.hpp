@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Bodies as trees of operations on bodies: kept as they were said, made a mesh on demand, or looked through along
-// upright lines without any mesh being made.
+// Bodies as trees of operations on bodies: kept as they were said, and made a mesh on demand. csg_spans looks through
+// them without any mesh being made.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/solid/boolean.hpp>
-#include <irg/solid/point_in_solid.hpp>
 
 namespace irg {
 
@@ -37,69 +34,22 @@ struct csg_tree {
   }
 };
 
-/// A stretch of a line that lies inside of a body.
-template <Floating T>
-struct solid_span {
-  T from{}, to{};
-  constexpr bool operator==(const solid_span&) const = default;
-};
-
 namespace detail {
 inline namespace IRG_ABI {
 
-// Where the upright line at (x, y), moved by infinitely little, goes through a body's surface: heights, and 1 where it
-// comes in.
-template <Floating T>
-constexpr std::vector<std::pair<double, int>> upright_crossings(const mesh<T>& body, T x, T y) {
-  std::vector<std::pair<double, int>> found;
-  const point<T, 3> p{x, y, T(0)};
-  each_solid_triangle(triangulate(body), [&](const auto& a, const auto& b, const auto& c) {
-    const int ab = orientation_along(a, b, p, 2), bc = orientation_along(b, c, p, 2),
-              ca = orientation_along(c, a, p, 2);
-    const bool none_right = ab >= 0 && bc >= 0 && ca >= 0, none_left = ab <= 0 && bc <= 0 && ca <= 0;
-    if (none_right == none_left) return;
-    const int turn = none_right ? 1 : -1;
-    if (orientation_of_moved(a, b, ab) != turn || orientation_of_moved(b, c, bc) != turn ||
-        orientation_of_moved(c, a, ca) != turn)
-      return;
-    const auto wide = [](const auto& q) { return point<double, 3>{widened(q.x), widened(q.y), widened(q.z)}; };
-    const double px = widened(x), py = widened(y);
-    const auto meeting =
-        intersect_plane_line(wide(a), wide(b), wide(c), point<double, 3>{px, py, 0.0}, point<double, 3>{px, py, 1.0});
-    found.push_back({meeting.at.z, -turn});
-  });
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-// The heights at which the line comes into a body and leaves it.
-template <Floating T>
-constexpr std::vector<T> upright_ends(const mesh<T>& body, T x, T y) {
-  std::vector<T> ends;
-  int winding = 0;
-  for (const auto& [height, change] : upright_crossings(body, x, y)) {
-    const T at = converted<T>(height);
-    const bool was_in = winding != 0, is_in = (winding += change) != 0;
-    if (was_in == is_in) continue;
-    if (!ends.empty() && ends.back() == at)
-      ends.pop_back();
-    else
-      ends.push_back(at);
+// Whether what lies in the bodies b with in[b] != 0 alone is in a tree's.
+template <class Steps>
+constexpr bool is_in_steps(const Steps& steps, const std::vector<unsigned char>& in,
+                           std::vector<unsigned char>& scratch) {
+  scratch.clear();
+  const auto is_in = [&](std::uint32_t s) { return s != csg_step::none && scratch[s] != 0; };
+  for (const csg_step& step : steps) {
+    const bool value = step.body != csg_step::none
+                           ? in[step.body] != 0
+                           : is_in_combination(is_in(step.first), is_in(step.second), step.operation);
+    scratch.push_back(value ? 1 : 0);
   }
-  return ends;
-}
-
-// The ends of stretches where a combination of two sets of stretches is, from theirs.
-template <Floating T>
-constexpr std::vector<T> combine_ends(const std::vector<T>& a, const std::vector<T>& b, boolean_operation operation) {
-  std::vector<T> ends;
-  for (std::size_t i = 0, k = 0; i < a.size() || k < b.size();) {
-    const T at = k == b.size() || (i < a.size() && a[i] <= b[k]) ? a[i] : b[k];
-    while (i < a.size() && a[i] == at) ++i;
-    while (k < b.size() && b[k] == at) ++k;
-    if (is_in_combination(i % 2 == 1, k % 2 == 1, operation) != (ends.size() % 2 == 1)) ends.push_back(at);
-  }
-  return ends;
+  return !scratch.empty() && scratch.back() != 0;
 }
 
 }  // namespace IRG_ABI
@@ -127,58 +77,32 @@ template <Floating T>
 }
 
 /// The mesh of a tree.
-/// gives   the status of the first step that ends with another than `done`, and no faces; faces and corners of the last
-///         step tell where they come from, among the bodies or results that it was made of
-/// exact   each step as solid_boolean, for the corners that the steps before it were rounded to
-/// cost    that of the steps; as deep as may be, nothing recurs
+/// shape   faces and corners tell where they come from among the tree's bodies
+/// needs   bodies as solid_boolean
+/// gives   as solid_boolean; a status other than done, and no faces, where one of the bodies that the last step uses is
+///         none
+/// exact   every decision, as deep as the tree may be: all bodies are cut at each other at once, and each corner is one
+///         of theirs or where three of their planes meet, rounded when it is handed out and nowhere before
+/// cost    as solid_boolean for all pairs of bodies whose boxes meet; a look at each body for each part of each;
+///         nothing recurs
+/// source  Zhou et al. 2016; Cherchi et al. 2020 (crossings of cuts as meetings of three planes)
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {
-  std::vector<solid_boolean_result<T>> made(tree.steps.size(), solid_boolean_result<T>{});
+  if (tree.steps.empty()) return {};
+  std::vector<unsigned char> is_used(tree.steps.size(), 0);
+  is_used.back() = 1;
   const mesh<T> nothing;
-  for (std::size_t i = 0; i < tree.steps.size(); ++i) {
+  std::vector<const mesh<T>*> bodies(tree.bodies.size(), &nothing);
+  for (std::size_t i = tree.steps.size(); i-- > 0;) {
     const csg_step& step = tree.steps[i];
-    const auto operand = [&](std::uint32_t s) -> const mesh<T>& {
-      return s == csg_step::none                    ? nothing
-             : tree.steps[s].body != csg_step::none ? tree.bodies[tree.steps[s].body]
-                                                    : made[s].value;
-    };
-    if (step.body != csg_step::none && i + 1 < tree.steps.size()) continue;
-    if (step.body != csg_step::none)
-      made[i] = solid_boolean(tree.bodies[step.body], nothing, boolean_operation::unite);
-    else
-      made[i] = solid_boolean(operand(step.first), operand(step.second), step.operation);
-    if (made[i].status != solid_boolean_status::done) return {made[i].status, made[i].body};
-    for (const std::uint32_t used : {step.first, step.second})
-      if (used != csg_step::none) made[used] = solid_boolean_result<T>{};
+    if (is_used[i] == 0) continue;
+    if (step.body != csg_step::none) bodies[step.body] = &tree.bodies[step.body];
+    if (step.first != csg_step::none) is_used[step.first] = 1;
+    if (step.second != csg_step::none) is_used[step.second] = 1;
   }
-  return made.empty() ? solid_boolean_result<T>{} : std::move(made.back());
-}
-
-/// The stretches of the upright line at (x, y) that lie inside of a tree's body, from below.
-/// shape   each ends before the next begins
-/// needs   bodies as solid_boolean, finite numbers
-/// gives   what the line moved by infinitely little along x, and infinitely less along y, goes through, so that sides
-///         and corners are no special case
-/// exact   which faces are met; heights within 1 ulp, and what lies between two faces nearer than that may be missing
-/// cost    linear in the bodies' faces for each line; to look along another direction, turn the bodies
-/// source  Hoffmann 1989; Edelsbrunner and Muecke 1990 (the move)
-template <Floating T>
-[[nodiscard]] constexpr std::vector<solid_span<T>> spans_upward(const csg_tree<T>& tree, T x, T y) {
-  std::vector<std::vector<T>> ends(tree.steps.size(), std::vector<T>{});
-  const std::vector<T> nothing;
-  for (std::size_t i = 0; i < tree.steps.size(); ++i) {
-    const csg_step& step = tree.steps[i];
-    const std::vector<T>& first = step.first == csg_step::none ? nothing : ends[step.first];
-    const std::vector<T>& second = step.second == csg_step::none ? nothing : ends[step.second];
-    if (step.body != csg_step::none)
-      ends[i] = detail::upright_ends(tree.bodies[step.body], x, y);
-    else
-      ends[i] = detail::combine_ends(first, second, step.operation);
-  }
-  std::vector<solid_span<T>> spans;
-  for (std::size_t i = 0; !ends.empty() && i + 1 < ends.back().size(); i += 2)
-    spans.push_back({ends.back()[i], ends.back()[i + 1]});
-  return spans;
+  std::vector<unsigned char> scratch;
+  return detail::combine_bodies<T>(
+      bodies, [&](const std::vector<unsigned char>& in) { return detail::is_in_steps(tree.steps, in, scratch); });
 }
 
 }  // namespace IRG_ABI

@@ -50,9 +50,9 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr std::vector<face_pair> self_intersections(const mesh<T>& m) {
   detail::body_triangles b;
-  detail::append_body(b, m, b.fault[0]);
+  detail::append_body(b, m);
   std::vector<face_pair> found;
-  if (b.fault[0] != detail::surface_fault::none) return found;
+  if (b.fault != detail::surface_fault::none) return found;
   detail::merge_bodies(b);
   std::vector<detail::space_box> boxes;
   std::vector<std::uint32_t> all;

@@ -28,11 +28,13 @@ concept RayTest = Floating<T> && requires(const F& test, std::uint32_t number, c
 namespace detail {
 inline namespace IRG_ABI {
 
-// Calls use(number, t) for the primitives of a leaf that the ray meets, until it gives true.
-template <class T, class Test, class Use>
+// Calls use(number, t) for the primitives of a leaf that the ray meets, until it gives true; for those at whose place
+// of the order asks(place) holds.
+template <class T, class Test, class Use, class Asks>
 IRG_INLINE constexpr bool meet_leaf(const bvh& tree, std::uint32_t leaf, const ray<T, 3>& r, const Test& test,
-                                    const Use& use) {
+                                    const Use& use, const Asks& asks) {
   for (std::uint32_t i = bvh_node::first_place(leaf); i <= bvh_node::last_place(leaf); ++i) {
+    if (!asks(i)) continue;
     const std::optional<T> t = test(tree.order[i], r);
     if (t && r.low <= *t && *t <= r.high && use(tree.order[i], *t)) return true;
   }
@@ -64,14 +66,17 @@ template <Floating T, RayTest<T> Test>
   detail::set_box_ray(b, r, tree.scale);
   std::optional<primitive_hit<T>> best;
   detail::walk_near_to_far(tree, b, [&](std::uint32_t leaf) {
-    detail::meet_leaf(tree, leaf, rest, test, [&](std::uint32_t number, T t) {
-      if (!best || t < best->t || number < best->primitive) {
-        best = {number, t};
-        rest.high = t;
-        b.high = detail::later_time(b, detail::exactly_widened(t));
-      }
-      return false;
-    });
+    detail::meet_leaf(
+        tree, leaf, rest, test,
+        [&](std::uint32_t number, T t) {
+          if (!best || t < best->t || number < best->primitive) {
+            best = {number, t};
+            rest.high = t;
+            b.high = detail::later_time(b, detail::exactly_widened(t));
+          }
+          return false;
+        },
+        [](std::uint32_t) { return true; });
   });
   return best;
 }
@@ -85,7 +90,8 @@ template <Floating T, RayTest<T> Test>
   detail::box_ray b{};
   detail::set_box_ray(b, r, tree.scale);
   return detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
-    return detail::meet_leaf(tree, leaf, whole, test, [](std::uint32_t, T) { return true; });
+    return detail::meet_leaf(
+        tree, leaf, whole, test, [](std::uint32_t, T) { return true; }, [](std::uint32_t) { return true; });
   });
 }
 
@@ -98,10 +104,13 @@ constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, S
   detail::box_ray b{};
   detail::set_box_ray(b, r, tree.scale);
   detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
-    detail::meet_leaf(tree, leaf, whole, test, [&](std::uint32_t number, T t) {
-      sink(primitive_hit<T>{number, t});
-      return false;
-    });
+    detail::meet_leaf(
+        tree, leaf, whole, test,
+        [&](std::uint32_t number, T t) {
+          sink(primitive_hit<T>{number, t});
+          return false;
+        },
+        [&](std::uint32_t place) { return detail::is_first_met(tree, place, b); });
     return false;
   });
 }
@@ -113,23 +122,27 @@ template <Floating T, class Sink>
 constexpr void each_in_box(const bvh& tree, const box<T, 3>& b, Sink&& sink) {
   if (tree.nodes.empty() || !detail::is_held(b)) return;
   const detail::bvh_item asked = detail::item_of(b, 0, tree.scale);
+  const auto meets = [&](std::uint32_t slot) {
+    const bvh_node& node = tree.nodes[slot / bvh_node::width];
+    const int k = static_cast<int>(slot % bvh_node::width);
+    bool both = node.child[k] != bvh_node::none;
+    for (int i = 0; i < 3; ++i) both = both && asked.v[i] <= node.high(i, k) && node.low(i, k) <= 0.0f - asked.v[4 + i];
+    return both;
+  };
   std::uint32_t waiting[detail::bvh_waiting];
   int top = 0;
   waiting[top++] = 0;
   while (top > 0) {
     const std::uint32_t at = waiting[--top];
     const bvh_node& node = tree.nodes[at];
-    for (int k = 0; k < bvh_node::width; ++k) {
-      bool meets = node.child[k] != bvh_node::none;
-      for (int i = 0; i < 3; ++i)
-        meets = meets && asked.v[i] <= node.high(i, k) && node.low(i, k) <= 0.0f - asked.v[4 + i];
-      if (!meets) continue;
+    for (std::uint32_t k = 0; k < bvh_node::width; ++k) {
+      if (!meets(at * bvh_node::width + k)) continue;
       if (!bvh_node::is_leaf(node.child[k])) {
         waiting[top++] = node.child[k];
         continue;
       }
       for (std::uint32_t i = bvh_node::first_place(node.child[k]); i <= bvh_node::last_place(node.child[k]); ++i)
-        sink(tree.order[i]);
+        if (detail::is_first_met(tree, i, meets)) sink(tree.order[i]);
     }
   }
 }

@@ -161,7 +161,7 @@ IRG_INLINE constexpr sheared_sides<double> sides_round(const triangle_ray& q, co
                                                        const space_point& b, const space_point& c) noexcept {
   const ray_shear& s = q.shear;
   const double corners[3][3] = {{a[s.x], a[s.y], a[s.z]}, {b[s.x], b[s.y], b[s.z]}, {c[s.x], c[s.y], c[s.z]}};
-  return sides_round<double>(s, s.origin[0], s.origin[1], s.origin[2], corners);
+  return sides_of(corners_along<double>(s.origin, s.slope_x, s.slope_y, corners));
 }
 
 // 1 where all sides turn counter-clockwise round the moved ray, as seen along it: it comes from the back. -1 where all

@@ -34,7 +34,8 @@ public:
   /// needs   fewer than 2^28 triangles
   /// gives   a tree that rays pass by where there are none. Triangles with a corner that is NaN or infinite are left
   ///         out
-  /// exact, cost   as build_bvh; 160 bytes a triangle of floats, 270 of doubles
+  /// exact, cost   as build_bvh; 160 bytes a triangle of floats, 270 of doubles. Spatial splits cut the triangles
+  ///         themselves, not their boxes
   template <Executor E = sequential>
   constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_config& config = {},
                                   const E& executor = {})
@@ -46,7 +47,8 @@ public:
   template <class At, Executor E = sequential>
   constexpr triangle_bvh(std::size_t count, const At& at, const bvh_config& config = {}, const E& executor = {}) {
     const std::vector<box<T, 3>> boxes = boxes_of(count, at, executor);
-    tree_ = build_bvh(std::span<const box<T, 3>>(boxes), config, executor);
+    tree_ = detail::build_tree(std::span<const box<T, 3>>(boxes), config, executor,
+                               [&at](double scale) { return detail::triangle_cut<At>{at, scale}; });
     fill_blocks(at, executor);
   }
 

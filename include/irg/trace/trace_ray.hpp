@@ -73,9 +73,9 @@ template <Floating T>
                                                 const point<T, 3>& eye,
                                                 shadow_rays shadows = shadow_rays::on) noexcept {
   const material<T>& surface = world.body(s.body).surface;
-  if (shadows == shadow_rays::off) return phong_model(surface, world.light(), eye, s.at, s.normal);
+  if (shadows == shadow_rays::off) return phong_model(surface, world.light(), eye, {s.at, s.normal});
   const point<T, 3> from = detail::beside(s, s.face);
-  return phong_model(surface, world.light(), eye, s.at, s.normal, [&](std::size_t i, const rgb<T>& emitted) {
+  return phong_model(surface, world.light(), eye, {s.at, s.normal}, [&](std::size_t i, const rgb<T>& emitted) {
     const light<T>& source = world.light().lights[i];
     const vec<T, 3> to_light = direction_to_light(source, from);
     const T w = source.position.w, size = detail::magnitude(w);

@@ -175,16 +175,24 @@ template <Floating T>
   return {at(d.left, low), at(d.right, low), at(d.right, high), at(d.left, high)};
 }
 
+/// A plan and its doorways.
+template <Floating T>
+struct plan_with_portals {
+  const cell_plan<T>& plan;
+  const portal_graph<T>& graph;
+};
+
 /// The same in space: an eye that stands somewhere over the plan looks through openings that have floors and ceilings.
 /// shape   as in the plane, with the view from above
 /// gives   too much, never too little: of openings that are passed each two are seen through one another, and the view
 ///         from above is exact; three openings over each other may leave no ray
 /// exact   for all finite coordinates
 /// cost    as in the plane, and 32 determinants for each pair of openings on a way
-template <Floating T, class Sink>
+template <Floating T = double, class Sink>
   requires std::invocable<Sink&, std::uint32_t, const view_wedge<T>&>
-constexpr void view_through_openings(const cell_plan<T>& plan, const portal_graph<T>& graph, std::uint32_t cell,
+constexpr void view_through_openings(const plan_with_portals<std::type_identity_t<T>>& building, std::uint32_t cell,
                                      const view_wedge<T>& view, std::type_identity_t<T> eye_height, Sink&& sink) {
+  const auto& [plan, graph] = building;
   const point<T, 3> eye{view.eye.x, view.eye.y, eye_height};
   const point<T, 2> places[] = {view.eye, {eye_height, eye_height}};  // convex when all are finite
   if (cell >= graph.cell_count() || !is_convex(places)) return;

@@ -189,7 +189,7 @@ int faces_drawn_otherwise(How how, Policy policy, Z farthest, std::uint64_t seed
            static_cast<float>(0.5 + r.unit())};
     if (i % 4 == 3) v[2].position = v[1].position;  // edge on
     for (int times = 0; times < 1 + i % 2; ++times) {
-      irg::draw_triangle<How, Policy>(ids, depth, v[0], v[1], v[2], irg::solid_shader<int>{i});
+      irg::draw_triangle<How, Policy>(ids, depth, {v[0], v[1], v[2]}, irg::solid_shader<int>{i});
       irg::textbook::zbuffer_face(buffers, irg::make_screen_face(v[0], v[1], v[2], 0), i);
     }
   }

@@ -14,8 +14,7 @@
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact_sum.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // By integers, for every finite input.
 template <Floating T>
@@ -131,5 +130,4 @@ constexpr cut_parameter<T> parameter_of(const T& a, const T& b, const T& x) noex
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -14,8 +14,7 @@
 #include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // A boundary and two points: from the first point on, where their line meets it: the divisor, and the way times it.
 struct line_meeting {
@@ -118,5 +117,4 @@ constexpr std::optional<P> rounded_place(const Meeting& meeting, const In&... in
   return generate_coordinates<P>([&](int i) { return (*found)[static_cast<std::size_t>(i)]; });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -11,8 +11,7 @@
 #include <irg/geometry/detail/window_walk_kernel.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Sutherland and Hodgman's algorithm: one boundary after the other keeps those of a polygon's corners that are not
 // outside, and adds a cut wherever the line between two of them passes from one side to the other; what leaves the
@@ -42,8 +41,7 @@ constexpr void clip_corners(Clipper& clipper, Corners& corners, std::size_t boun
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 namespace detail {
 
@@ -65,8 +63,7 @@ concept planes_for = requires {
 
 }  // namespace detail
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Writes what fits, and counts on. What the polygon comes in by is left out where the vertex before stands.
 template <class V>
@@ -174,6 +171,5 @@ constexpr void clip_into(std::span<const V> polygon, const Region& region, const
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

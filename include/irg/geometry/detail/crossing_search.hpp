@@ -15,8 +15,7 @@
 #include <irg/geometry/polygon.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Scalar T>
 class crossing_search {
@@ -172,5 +171,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

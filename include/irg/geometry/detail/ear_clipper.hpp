@@ -25,8 +25,7 @@ struct ear_clipping_memory {
   std::vector<std::uint32_t> queue;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 template <Scalar T>
 class ear_clipper {
@@ -152,6 +151,5 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 }  // namespace irg

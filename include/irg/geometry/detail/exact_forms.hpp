@@ -9,8 +9,7 @@
 #include <irg/math/exact/values_of.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// A point of the same coordinates that has irg's operators.
 template <class T, Point P>
@@ -56,5 +55,4 @@ IRG_INLINE constexpr bool are_equal(const P& a, const P& b) noexcept {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

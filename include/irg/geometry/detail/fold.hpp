@@ -5,8 +5,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Whether the way from a over b to c turns back at b, or stands still.
 template <Point P>
@@ -15,5 +14,4 @@ constexpr bool is_fold(const P& a, const P& b, const P& c) noexcept {
   return same_place(a, b) || same_place(b, c) || leads_forward(a, b) != leads_forward(b, c);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

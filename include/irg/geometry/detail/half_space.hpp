@@ -13,8 +13,7 @@
 #include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Two points of a line with the inside on its left, or the coefficients of a plane with the inside above it.
 template <class T, int D>
@@ -117,5 +116,4 @@ constexpr half_space<ring_scalar<R>, 2> half_space_at(const R& ring, std::size_t
   return {{coordinate(p, 0), coordinate(p, 1), coordinate(q, 0), coordinate(q, 1)}};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

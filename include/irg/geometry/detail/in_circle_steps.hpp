@@ -7,9 +7,7 @@
 #include <irg/core/coordinates.hpp>
 #include <irg/geometry/detail/predicate_kernel.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The determinant of the rows (x, y, x^2 + y^2) of three points seen from the fourth.
 template <class T>
@@ -71,6 +69,4 @@ IRG_INLINE constexpr int filtered_sign(const point_table<double, 5, 3>& t, doubl
   return magnitude(determinant) > bound ? sign_of_nonzero(determinant) : 0;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

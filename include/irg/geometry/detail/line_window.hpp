@@ -10,8 +10,7 @@
 #include <irg/geometry/detail/axis_crossing.hpp>
 #include <irg/geometry/orient2d.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // A boundary of a window: x = low.x is {0, -1}, y = high.y is {1, 1}. No boundary has side 0.
 struct window_side {
@@ -74,5 +73,4 @@ constexpr clipped_line<P> line_between(const P& a, const P& b, const box<scalar_
   return kept;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

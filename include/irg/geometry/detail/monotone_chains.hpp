@@ -11,8 +11,7 @@
 #include <irg/geometry/polygon.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // A chain from its newest vertex down. All but the lowest lie on one side, where the newest begins an edge; on the
 // other the lowest does. Seen from inside, it turns nowhere towards the inside.
@@ -128,5 +127,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -17,8 +17,7 @@
 #include <irg/geometry/detail/sweep_order.hpp>
 #include <irg/geometry/polygon.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Scalar T>
 class monotone_sweep {
@@ -261,5 +260,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -19,8 +19,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/math/error_free.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Twice an area, what it must exceed for its sign to be sure, and what must stay below 2^500 for that.
 template <class F>
@@ -130,5 +129,4 @@ constexpr std::size_t write_signs(const Filter& filter, std::size_t n, std::int8
   return open;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -8,9 +8,7 @@
 #include <irg/geometry/detail/predicate_kernel.hpp>
 #include <irg/math/error_free.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // a x b, twice the area of the triangle that a and b span.
 template <class T>
@@ -58,6 +56,4 @@ IRG_INLINE constexpr int compensated_sign(const point_table<double, 3, 2>& p) no
   return magnitude(area) > x * y * factor ? sign_of_nonzero(area) : 0;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -8,9 +8,7 @@
 #include <irg/geometry/detail/predicate_kernel.hpp>
 #include <irg/math/error_free.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The determinant of the rows b, a, c, six times a volume: that of plane_through(a, b, c) at the origin.
 template <class T>
@@ -72,6 +70,4 @@ IRG_INLINE constexpr int compensated_sign(const point_table<double, 4, 3>& t) no
   return has_fused_multiply_add ? orient3d_compensated(t) : 0;  // integers are faster where nothing is fused
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

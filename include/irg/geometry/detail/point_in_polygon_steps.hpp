@@ -8,9 +8,7 @@
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Adds the crossings of a ring with the ray to the right from p: upward ones count 1, downward ones -1. False when a
 // coordinate is NaN or infinite.
@@ -51,6 +49,4 @@ constexpr crossing_count count_crossings_of(const P& polygon, const polygon_poin
   return on_edge ? crossing_count::on_edge : crossing_count::counted;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

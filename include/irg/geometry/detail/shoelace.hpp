@@ -10,8 +10,7 @@
 #include <irg/math/exact_sum.hpp>
 #include <irg/math/wide_int.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class T>
 constexpr auto shoelace_zero() noexcept {
@@ -61,5 +60,4 @@ constexpr double rounded_wide(const wide_int<N>& v, int shift) noexcept {
   return nearest_double(v.word, {0, N}, shift);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -12,9 +12,7 @@
 #include <irg/math/exact/exact_number.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The sign of (sum of the cross products of the edges, fanned from the first vertex) . (eye - weight * first vertex).
 template <class N, Floating T, class Position>
@@ -87,6 +85,4 @@ constexpr int face_volume_sign(std::size_t count, const Position& position, cons
   return exact_face_volume_sign<exact_number<4>>(count, position, eye);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

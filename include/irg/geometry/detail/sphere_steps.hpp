@@ -12,9 +12,7 @@
 #include <irg/geometry/plane.hpp>
 #include <irg/math/exact/values_of.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The smallest sphere through a and up to three points at u, v, w from it: its centre is at `offset / (2 divisor)` from
 // a.
@@ -78,6 +76,4 @@ constexpr bool lies_within(const point<T, N>& centre, const point<T, N>& p, box_
   return gap < 0 || (gap == 0 && boundary == box_boundary::closed);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

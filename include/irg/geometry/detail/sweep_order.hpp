@@ -8,8 +8,7 @@
 
 #include <irg/core/config.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class Index>
 class sweep_order {
@@ -90,5 +89,4 @@ private:
   }
 };
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -10,9 +10,7 @@
 #include <irg/math/hypot.hpp>
 #include <irg/math/sqrt.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// Half of (b - a) x (c - a), exactly.
 IRG_NOINLINE constexpr exact_accumulator<3> exact_area(double ax, double ay, double bx, double by, double cx,
@@ -53,6 +51,4 @@ IRG_INLINE constexpr double signed_area_in_plane(const P& a, const P& b, const P
   return signed_area_of_doubles(at(a, x), at(a, y), at(b, x), at(b, y), at(c, x), at(c, y));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/geometry/line.hpp>
 #include <irg/geometry/plane.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class T, Point P>
 IRG_INLINE constexpr T boundary_value(const line<T>& l, const P& p) noexcept {
@@ -22,8 +21,7 @@ IRG_INLINE constexpr T boundary_value(const plane<T>& l, const P& p) noexcept {
   return plane_value(l, p);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
 namespace irg::textbook {
 

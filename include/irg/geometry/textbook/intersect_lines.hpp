@@ -7,8 +7,7 @@
 
 #include <irg/geometry/intersect_lines.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The crossing by two of the coordinate equations, unless their determinant is at most `zero`.
 template <Point P>
@@ -33,8 +32,7 @@ constexpr bool fits_third(const lines_meeting<P>& m, const P& c, const P& d, int
   return !(tolerance < off) && !(off < -tolerance);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
 namespace irg::textbook {
 

@@ -10,9 +10,7 @@
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/exact_sum.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Floating T, int K>
 constexpr T rounded_once(exact_accumulator<K> sum) noexcept {
@@ -128,6 +126,4 @@ constexpr A nearest_cross(const A& a, const B& b) noexcept {
   return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

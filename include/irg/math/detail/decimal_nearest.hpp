@@ -15,8 +15,7 @@
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/decimal_scan.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Floating T>
 using bits_of_decimal = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
@@ -180,5 +179,4 @@ constexpr T magnitude(const decimal_text& text) noexcept {
   return nearest_by_naturals(text, below);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -6,8 +6,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/math/detail/unrounded.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Floating T>
 inline constexpr T largest_number = (std::numeric_limits<T>::max)();
@@ -102,5 +101,4 @@ constexpr T sqrt_directed(T x, bool upwards) noexcept {
   return lowered(root, rest < 0);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -9,8 +9,7 @@
 #include <irg/core/scalar.hpp>
 #include <irg/math/detail/float_bits.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class T>
 IRG_INLINE constexpr T entry_size(const T& x) noexcept {
@@ -107,5 +106,4 @@ constexpr bool inverse_has_digits(const M& a, const M& x, int n) noexcept {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

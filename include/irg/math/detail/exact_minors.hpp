@@ -10,8 +10,7 @@
 #include <irg/math/detail/refinement.hpp>
 #include <irg/math/exact_sum.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The determinant of the K x K numbers entry(i, j): the sum over all orders of the columns, each from the one before by
 // an exchange of two, which changes the sign (Heap 1963).
@@ -111,5 +110,4 @@ constexpr int exact_rank(int rows, int columns, const E& entry) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

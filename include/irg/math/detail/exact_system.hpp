@@ -9,8 +9,7 @@
 #include <irg/math/detail/exact_minors.hpp>
 #include <irg/math/mat.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The first n bits.
 template <int N>
@@ -132,5 +131,4 @@ IRG_NOINLINE constexpr bool put_exact_inverse(const mat<double, N, N>& a, unsign
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

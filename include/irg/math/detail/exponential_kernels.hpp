@@ -8,6 +8,11 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
+/// x with its last 27 bits cleared: the product of two such numbers is exact.
+IRG_INLINE constexpr double cut_to_26_bits(double x) noexcept {
+  return from_bits(bits_of(x) & ~std::uint64_t{0x7ffffff});
+}
+
 /// 2^(steps/128) * e^rest.
 /// needs   |rest| <= ln(2)/256 and a little
 IRG_INLINE constexpr double exp_of_parts(int steps, double rest) noexcept {
@@ -66,51 +71,99 @@ IRG_INLINE constexpr unrounded log_of(double x) noexcept {
   const double cube = product(product(r.value, square), q);
   const double base = power * log_two_high + row.log;  // exact: both are multiples of 2^-42
   const double base_low = product(power, log_two_low) + row.log_low;
-  const unrounded linear = two_sum(base, r.value);
+  const unrounded linear = fast_two_sum(base, r.value);  // base is 0 or the larger one
   const unrounded quadratic = fast_two_sum(linear.value, -half_square);
   const double low = (linear.error + quadratic.error) + (base_low + (r.error - square_rest)) + cube;
   return fast_two_sum(quadratic.value, low);
 }
 
-/// ln x within 2^-40 of its size, of a double that was a float: with so few digits r is exact. Nearly always that says
-/// which float is nearest.
-/// needs   0 < x < infinity
-IRG_INLINE constexpr double quick_log_of(double x) noexcept {
-  const std::uint64_t bits = bits_of(x), offset = bits - log_table_first;
-  const log_row& row = log_table[(offset >> 45) & 127];
-  const double power = static_cast<double>(static_cast<std::int32_t>(static_cast<std::int64_t>(offset) >> 52));
-  const double r = product(from_bits(bits - (offset & 0xfff0000000000000u)), row.inverse) - 1;
-  const double square = product(r, r);
-  const auto& c = log_coefficients;
-  const double tail = (product(r, c[0]) - 0.5) + product(square, c[1] + product(r, c[2]));
-  return (product(power, natural_log_of_two) + row.log) + ((r + row.log_low) + product(square, tail));
+// The quick ways below are right but for a bound that their callers add: where every number within the bound rounds to
+// the same result, that is the result. So they need no guards, and may be fused: the rounded result stays the same.
+
+/// Whether x is positive, normal and finite.
+IRG_INLINE constexpr bool is_positive_normal(float x) noexcept {
+  return std::bit_cast<std::uint32_t>(x) - 0x00800000u < 0x7f000000u;
+}
+IRG_INLINE constexpr bool is_positive_normal(double x) noexcept {
+  return bits_of(x) - 0x0010000000000000u < 0x7fe0000000000000u;
 }
 
-/// Whether every number within 2^-52 * Units of y's size rounds to the same float.
-/// needs   y is 0 or of a normal float's size
-template <int Units>
-IRG_INLINE constexpr bool rounds_to_one_float(double y) noexcept {
-  constexpr std::uint64_t half = 0x10000000, all = 0x1fffffff, units = Units;
-  return ((bits_of(y) - half + units) & all) > 2 * units;
-}
-
-/// Logarithms of a base whose natural logarithm is 1 over high + low, rounded to T.
-/// needs   0 < x < infinity
+/// Logarithms of a base whose natural logarithm is 1 over high + low.
 struct logarithm_base {
   double high, low;
 };
 inline constexpr logarithm_base natural_base{1, 0}, binary{inverse_log_two_high, inverse_log_two_low},
     decimal{inverse_log_ten_high, inverse_log_ten_low};
+
+/// The logarithm of x within 2^-34 of its size, with four terms 2^-40: with so few digits r is exact.
+/// needs   x positive and normal
+template <int Terms>
+IRG_INLINE constexpr double quick_log_of(float x, const logarithm_base& base) noexcept {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t offset = bits - log_table_first_single;
+  const log_row& row = log_table[(offset >> 16) & 127];
+  const double power = static_cast<std::int32_t>(offset) >> 23;
+  const std::uint64_t significand = bits - (offset & 0xff800000u);
+  const double r = from_bits((significand << 29) + (std::uint64_t{1023 - 127} << 52)) * row.inverse - 1;
+  const double square = r * r;
+  double rest = 0;
+  if constexpr (Terms == 4) {
+    const auto& c = log_four_coefficients;
+    rest = (r + row.log_low) + square * ((c[0] + r * c[1]) + square * (c[2] + r * c[3]));
+  } else {
+    const auto& c = log_three_coefficients;
+    rest = r + square * ((c[0] + r * c[1]) + square * c[2]);
+  }
+  return power * (natural_log_of_two * base.high) + (row.log + rest) * base.high;
+}
+
+/// A logarithm rounded to T.
 template <Floating T>
-IRG_NOINLINE constexpr T rounded_log_of(double x, const logarithm_base& base) noexcept {
-  const unrounded logarithm = log_of(x);
+IRG_NOINLINE constexpr T rounded_log_of(T x, const logarithm_base& base) noexcept {
+  if (!(x > T(0))) return x == T(0) ? -infinity<T> : not_a_number<T>;
+  if (!(x < infinity<T>)) return x;
+  const unrounded logarithm = log_of(widened(x));
   return round_to<T>(base.low == 0 ? logarithm : multiply(logarithm, {base.high, base.low}));
 }
 
-/// The same of what was a float, the quick way where it can tell the nearest float.
+/// The same for any x, the quick way where that tells the nearest float.
 IRG_INLINE constexpr float nearest_log_of(float x, const logarithm_base& base) noexcept {
-  const double wide = widened(x), quick = product(quick_log_of(wide), base.high);
-  return rounds_to_one_float<4096>(quick) ? converted<float>(quick) : rounded_log_of<float>(wide, base);
+  if (is_positive_normal(x))
+    if (const double quick = quick_log_of<3>(x, base); rounds_to_one_float<(1 << 19)>(quick))
+      return converted<float>(quick);
+  return rounded_log_of(x, base);
+}
+
+/// ln x within 2^-60, absolutely, but for the last rounding.
+/// needs   x positive and normal
+IRG_INLINE constexpr unrounded quick_log_of(double x) noexcept {
+  const std::uint64_t bits = bits_of(x), offset = bits - log_table_first;
+  const log_row& row = log_table[(offset >> 45) & 127];
+  const double power = static_cast<double>(static_cast<std::int32_t>(static_cast<std::int64_t>(offset) >> 52));
+  const double z = from_bits(bits - (offset & 0xfff0000000000000u));
+  const double r = product_less_one(z, row.inverse);
+  const double square = r * r;
+  const auto& c = log_coefficients;
+  const double tail = ((r * c[0] - 0.5) + square * (c[1] + r * c[2])) + square * square * (c[3] + r * c[4]);
+  const double base = power * log_two_high + row.log;
+  const unrounded head = fast_two_sum(base, r);
+  return {head.value, (head.error + (power * log_two_low + row.log_low)) + square * tail};
+}
+
+/// The same, rounded to double.
+IRG_INLINE constexpr double nearest_log_of(double x, const logarithm_base& base) noexcept {
+  if (is_positive_normal(x)) {
+    unrounded quick = quick_log_of(x);
+    if (base.low != 0) {
+      // 26 bits times 26 bits are exact.
+      const double head = cut_to_26_bits(quick.value), base_head = cut_to_26_bits(base.high);
+      const double rest = (quick.value - head) + quick.error;
+      quick = {head * base_head, head * ((base.high - base_head) + base.low) + rest * base.high};
+    }
+    const double upper = quick.value + (quick.error + 0x1p-59), lower = quick.value + (quick.error - 0x1p-59);
+    if (upper == lower) return upper;
+  }
+  return rounded_log_of(x, base);
 }
 
 /// The cube root.
@@ -126,7 +179,7 @@ constexpr double cbrt_of(double x) noexcept {
   const double guess_cubed = product(product(guess, guess), guess);
   const double better = product(guess, (guess_cubed + 2 * f) / (2 * guess_cubed + f));  // Halley: within 2^-30
   // Cut to 26 bits, the square is exact and the cube is known to the last bit; the rest is a short series.
-  const double y = from_bits(bits_of(better) & ~std::uint64_t{0x7ffffff});
+  const double y = cut_to_26_bits(better);
   const exact_sum<double> cube = fast_two_product(y * y, y);
   const double excess = ((f - cube.value) - cube.error) / cube.value;
   const double series =
@@ -155,8 +208,16 @@ constexpr double pow_of_extreme(double x_size, double y) noexcept {
   return (x_size > 1) == (y > 0) ? infinity<double> : 0.0;
 }
 
+/// y ln x.
+/// needs   0 < x < infinity, 2^-65 <= |y| <= 2^65
+IRG_INLINE constexpr unrounded exponent_of_power(double x, double y) noexcept {
+  const unrounded logarithm = log_of(x);
+  const exact_sum<double> head = fast_two_product(y, logarithm.value);
+  return {head.value, head.error + product(y, logarithm.error)};
+}
+
 /// x^y by C's Annex F.
-constexpr double pow_of(double x, double y) noexcept {
+IRG_NOINLINE constexpr double pow_of_any(double x, double y) noexcept {
   if (y == 0 || x == 1) return 1;
   if (is_nan(x) || is_nan(y)) return not_a_number<double>;
   const double x_size = magnitude(x);
@@ -171,23 +232,26 @@ constexpr double pow_of(double x, double y) noexcept {
   // Beyond these the result is 1 rounded, or too large or small for any x but 1.
   if (x_size == 1 || magnitude(y) < 0x1p-65) return sign;
   if (magnitude(y) > 0x1p65) return sign * ((x_size > 1) == (y > 0) ? infinity<double> : 0.0);
-  const unrounded logarithm = log_of(x_size);
-  const exact_sum<double> head = fast_two_product(y, logarithm.value);
-  return sign * exp_of({head.value, head.error + product(y, logarithm.error)});
+  return sign * exp_of(exponent_of_power(x_size, y));
 }
 
-/// x^y within 2^-33 of its size, or NaN where it might be no normal float, or x or y is none that the formula takes.
-/// needs   x and y were floats
-IRG_INLINE constexpr double quick_pow_of(double x, double y) noexcept {
-  if (!(x > 0 && x < infinity<double> && magnitude(y) < infinity<double>)) return not_a_number<double>;
-  const double exponent = product(quick_log_of(x), y);
-  if (!(magnitude(exponent) < 85)) return not_a_number<double>;
-  const double steps = (product(exponent, exp_steps_per_unit) + 0x1.8p52) - 0x1.8p52;
-  const double rest = exponent - product(steps, exp_step_high + exp_step_low);
-  const int whole = static_cast<int>(steps);
-  const exp_row& row = exp_table[whole & 127];
-  const double less_one = rest + product(product(rest, rest), exp_coefficients[0] + product(rest, exp_coefficients[1]));
-  return (row.power + product(row.power, less_one)) * power_of_two(whole >> 7);
+/// The same, first the usual case.
+constexpr double pow_of(double x, double y) noexcept {
+  const bool is_usual = x > 0 && x < infinity<double> && magnitude(y) >= 0x1p-65 && magnitude(y) <= 0x1p65;
+  return is_usual ? exp_of(exponent_of_power(x, y)) : pow_of_any(x, y);
+}
+
+/// x^y, the quick way where that tells the nearest float, or NaN.
+IRG_INLINE constexpr float quick_pow_of(float x, float y) noexcept {
+  if (!is_positive_normal(x)) return not_a_number<float>;
+  const double exponent = quick_log_of<4>(x, natural_base) * widened(y);
+  if (!(magnitude(exponent) < 85)) return not_a_number<float>;  // or not to be computed, or no normal float
+  const double shifted = exponent * exp_steps_per_unit + 0x1.8p52;
+  const double rest = exponent - (shifted - 0x1.8p52) * (exp_step_high + exp_step_low);
+  const std::uint64_t steps = bits_of(shifted);
+  const double scale = from_bits(bits_of(exp_table[steps & 127].power) + ((steps & ~std::uint64_t{127}) << 45));
+  const double power = scale + scale * (rest + rest * rest * (exp_coefficients[0] + rest * exp_coefficients[1]));
+  return rounds_to_one_float<(1 << 19)>(power) ? converted<float>(power) : not_a_number<float>;
 }
 
 }  // namespace IRG_ABI

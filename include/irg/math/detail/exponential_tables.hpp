@@ -107,8 +107,19 @@ inline constexpr double log_coefficients[6] = {
     0x1.2493e8f283255p-3, -0x1.00017639608b7p-3,
 };
 
-/// The bits of the double where the first interval of log_table begins.
+/// (ln(1 + x) - x) / x^2 for |x| <= 0.00427.
+inline constexpr double log_three_coefficients[3] = {
+    -0x1p-1, 0x1.55561071aa068p-2, -0x1.00009becf654cp-2,
+};
+
+/// (ln(1 + x) - x) / x^2 for |x| <= 0.00427.
+inline constexpr double log_four_coefficients[4] = {
+    -0x1.ffffffffe057dp-2, 0x1.555555553a32ep-2, -0x1.0000cfe6b5849p-2, 0x1.999afe00922eep-3,
+};
+
+/// The bits of the double, and of the float, where the first interval of log_table begins.
 inline constexpr std::uint64_t log_table_first = 0x3fe6100000000000u;
+inline constexpr std::uint32_t log_table_first_single = 0x3f308000u;
 
 struct log_row {
   double inverse, log, log_low;

@@ -12,8 +12,7 @@
 #include <irg/core/is_finite.hpp>
 #include <irg/core/scalar.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <Floating T>
 inline constexpr T infinity = std::numeric_limits<T>::infinity();
@@ -100,5 +99,4 @@ IRG_INLINE constexpr double times_power_of_two(double x, int e) noexcept {
   return parts.significand * 0.5 * 0x1p-1074;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

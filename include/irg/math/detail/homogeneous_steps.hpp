@@ -11,9 +11,7 @@
 #include <irg/math/vec.hpp>
 #include <irg/math/wide_int.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // a*b as value + error times 2^exponent, which is one way to write it: 1 <= |value| < 2.
 struct normalized_product {
@@ -47,6 +45,4 @@ constexpr bool products_equal(const T& a, const T& b, const T& c, const T& d) no
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

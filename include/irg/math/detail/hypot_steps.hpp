@@ -9,9 +9,7 @@
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/sqrt.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// The square root of the sum of the squares of numbers, the first of them the largest.
 /// needs   2^-400 <= largest <= 2^500, the others anything from 0 up to it; or all of them multiples of 2^-474
@@ -91,6 +89,4 @@ IRG_INLINE constexpr T hypot_of(T first, Others... others) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

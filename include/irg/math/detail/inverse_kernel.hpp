@@ -9,8 +9,7 @@
 
 #include <irg/math/detail/mat_kernel.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // What minors are multiplied by: 1 over the determinant, or 0 when that is below `least`.
 template <class T>
@@ -114,5 +113,4 @@ IRG_INLINE constexpr void inverse4(const T (&a)[4][4], T (&out)[4][4], T least =
   return inverse4_plain(a, out, least);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

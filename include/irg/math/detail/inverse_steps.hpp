@@ -11,9 +11,7 @@
 #include <irg/math/lu.hpp>
 #include <irg/math/mat.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The inverse by cofactors; zero when the determinant is below `least`.
 template <class T, int N>
@@ -122,6 +120,4 @@ constexpr bool refined_inverse(const scaled_system<N>& s, const mat<double, N, N
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/math/detail/unrounded.hpp>
 #include <irg/math/sqrt.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// The length of the vector of these coordinates.
 template <std::same_as<float>... Ts>
@@ -43,5 +42,4 @@ IRG_INLINE constexpr bool put_float_direction(const V& v, V& unit) noexcept {
   return has_direction;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

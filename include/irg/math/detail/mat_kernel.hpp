@@ -9,8 +9,7 @@
 #include <irg/core/lanes.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The sum of a(k) * b(k) for k = 0 .. N - 1, from left to right.
 template <int N, class A, class B>
@@ -204,5 +203,4 @@ IRG_INLINE constexpr V affine_image(const M& a, const X& x) noexcept {
   });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -6,8 +6,7 @@
 #include <irg/math/lu.hpp>
 #include <irg/math/mat.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // norm_1 of a matrix of four rows of four less `Diagonal` in its diagonal, as many columns at once as a register holds.
 template <int Diagonal, class T>
@@ -41,5 +40,4 @@ IRG_INLINE constexpr T norm_1_less(mat<T, N, N> a) noexcept {
   return norm_1(a);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

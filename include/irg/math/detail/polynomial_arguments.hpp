@@ -12,9 +12,7 @@
 #include <irg/core/scalar.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// number(x), of the type that stands for a number as it came.
 template <class N, Scalar T, class F>
@@ -68,6 +66,4 @@ struct first_scalar {
 template <class... A>
 using argument_scalar = typename first_scalar<A...>::type;
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

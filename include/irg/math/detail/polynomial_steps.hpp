@@ -10,9 +10,7 @@
 #include <irg/core/contract.hpp>
 #include <irg/math/compensated.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// Horner's rule with exact errors for n coefficients c(i), and with a bound of what the sum of value and error lacks;
 /// 0 when nothing was rounded.
@@ -103,6 +101,4 @@ constexpr std::array<double, N> all_widened(const std::array<T, N>& c) noexcept 
   return wide;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -13,9 +13,7 @@
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/values_of.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 IRG_INLINE constexpr bool is_middling(const twofold& x) noexcept { return is_middling(known_number{x.high, x.low, 0}); }
 
@@ -54,6 +52,4 @@ IRG_NOINLINE constexpr auto exact_quotients_of(const Polynomials& polynomials, c
   return std::optional(nearest);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -11,9 +11,7 @@
 #include <irg/math/exact/values_of.hpp>
 #include <irg/math/int128.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // 2 where rounding leaves it open.
 IRG_INLINE constexpr int filtered_sign(const filtered_number& x) noexcept {
@@ -63,7 +61,4 @@ IRG_INLINE constexpr bool suits_int128(const T& x) noexcept {
     return int128(x) >> bits == 0 || int128(x) >> bits == -1;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -9,8 +9,7 @@
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/math/mat.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // The upper three rows of a matrix, each entry in all lanes.
 template <class T, int N>
@@ -208,5 +207,4 @@ constexpr void project_points(const mat<T, 4, 4>& a, const T* p, T* out, std::si
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -50,9 +50,17 @@ inline constexpr double cosine_wide_coefficients[6] = {
     0x1.1eeb6858c7e58p-29, -0x1.907d3b5c05656p-37,
 };
 
-/// (atan x - x) / x^3 in powers of x^2 for |x| < 0.0079.
-inline constexpr double arctangent_coefficients[3] = {
-    -0x1.5555555555546p-2, 0x1.999999913c746p-3, -0x1.248cd5228e57fp-3,
+/// (atan x - x) / x^3 in powers of x^2 for |x| <= 1, within 2^-34.
+inline constexpr double arctangent_wide_coefficients[12] = {
+    -0x1.555555543c557p-2, 0x1.9999971f594e7p-3, -0x1.2491d128f2977p-3, 0x1.c70a6be6d4163p-4,
+    -0x1.73a719b0b93d9p-4, 0x1.36bfd2210f14ap-4, -0x1.ffb2b9595f5b2p-5, 0x1.837061ab40426p-5,
+    -0x1.ea18af61c3e87p-6, 0x1.cd243cc325c05p-7, -0x1.14abab0185470p-8, 0x1.36ecfc48d188bp-11,
+};
+
+/// (asin x - x) / x^3 in powers of x^2 for |x| <= 1/2, within 2^-37.
+inline constexpr double arcsine_wide_coefficients[8] = {
+    0x1.55555554ee47bp-3, 0x1.333334ceb6520p-4, 0x1.6db5cfb6af282p-5, 0x1.f208eb1ddd0fbp-6,
+    0x1.6a9e3262c37dbp-6, 0x1.3c5053c2afce1p-6, 0x1.64b97e009bd03p-8, 0x1.e0231588b1e55p-6,
 };
 
 struct sine_cosine_row {

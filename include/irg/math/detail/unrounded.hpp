@@ -55,6 +55,14 @@ IRG_INLINE constexpr T narrow(double x) noexcept {
   return converted<T>(x);
 }
 
+/// Whether every number within 2^-52 * Units of y's size rounds to the same float.
+/// needs   y is 0 or of a normal float's size
+template <int Units>
+IRG_INLINE constexpr bool rounds_to_one_float(double y) noexcept {
+  constexpr std::uint64_t half = 0x10000000, all = 0x1fffffff, units = Units;
+  return ((bits_of(y) - half + units) & all) > 2 * units;
+}
+
 /// The T nearest to x + rest, where rest is too small to change the double x.
 template <Floating T>
 constexpr T rounded_once(double x, double rest) noexcept {

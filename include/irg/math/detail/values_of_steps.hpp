@@ -15,9 +15,7 @@
 #include <irg/math/exact/known_number.hpp>
 #include <irg/math/vec.hpp>
 
-namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 IRG_INLINE constexpr bool suits_twofold(double x) noexcept { return is_zero_or_within<-80, 80>(x); }
 
@@ -50,6 +48,4 @@ IRG_NOINLINE constexpr auto exact_values_of(const Polynomial& polynomial, const 
   return for_numbers(polynomial(in_numbers<number>(arguments, exact)...), [](const number& x) { return x.rounded(); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
-}  // namespace irg
+}  // namespace irg::detail::inline IRG_ABI

@@ -7,8 +7,7 @@
 #include <irg/math/detail/tangent_kernels.hpp>
 #include <irg/math/hypot.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 /// a*b of coordinates that were of type T, unrounded. Those of floats are exact in double.
 template <Floating T>
@@ -111,5 +110,4 @@ constexpr double angle_between_extreme(const double (&a)[3], const double (&b)[3
   return angle_of(hypotenuse(x, y, z), dot.value + dot.error);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/math/detail/mat_kernel.hpp>
 #include <irg/math/length.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 template <class T, int N>
 IRG_INLINE pack<T, N> dot_lanes(const triple_lanes<T, N>& a, const triple_lanes<T, N>& b) noexcept {
@@ -107,5 +106,4 @@ constexpr void normalize(const T* v, T* out, std::size_t n, const One& one) noex
   for (std::size_t i = 0; i < n; ++i) one(i);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

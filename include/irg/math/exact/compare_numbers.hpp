@@ -10,8 +10,7 @@
 
 #include <irg/core/scalar.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// -1, 0 or 1, as a is less than b, equal or greater.
 /// needs   no NaN
@@ -30,5 +29,4 @@ template <class T>
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -65,8 +65,7 @@ template <int N>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Less than 60 roundings lie on the way from an argument to the value of a polynomial of degree 9 of up to 2^10 terms.
 inline constexpr double polynomial_filter_bound = 0x1p-46;
@@ -87,8 +86,7 @@ IRG_INLINE constexpr bool suits_filter(float x) noexcept {
     return size - 1 >= least_normal - 1 && suits_filter<Degree>(widened(x));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -15,9 +15,7 @@
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/values_of.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The T nearest to each quotient a/b, b/... for {b, a...} = polynomials(arguments...); other scalars divide as they
 /// do.
@@ -66,5 +64,4 @@ template <int Degree, class Polynomials, class... A>
   return nearest ? std::optional<T>((*nearest)[0]) : std::nullopt;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

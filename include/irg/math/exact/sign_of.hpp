@@ -14,9 +14,7 @@
 #include <irg/math/int128.hpp>
 #include <irg/math/detail/sign_of_steps.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// -1, 0 or 1, as polynomial(arguments...) is negative, zero or positive; an array of signs when it gives an array.
 /// shape   the polynomial as values_of takes it; it gives a number or a std::array of numbers
@@ -66,5 +64,4 @@ template <int Degree, class Polynomial, class... A>
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

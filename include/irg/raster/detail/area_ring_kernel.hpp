@@ -12,13 +12,20 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
+// The pixels that a ring of this extent may cover in part.
+template <class I>
+constexpr cell_window cells_of_extent(const ring_extent<I>& e) noexcept {
+  const auto above = [](I v) { return (v + (one_pixel - 1)) >> subpixel_bits; };
+  return {e.left >> subpixel_bits, e.top >> subpixel_bits, above(e.right), above(e.bottom)};
+}
+
 // Sends the rows of a convex ring to the target.
 // needs   vertex(i) for i < n, n >= 3
 template <class F, class Vertices, class Target>
 IRG_INLINE constexpr void area_of_vertices(const Vertices& vertex, std::size_t n,
                                            const ring_extent<std::int32_t>& extent, const cell_window& w,
                                            Target& target) {
-  if (extent.top >= extent.bottom || w.empty()) return;
+  if (extent.top >= extent.bottom || intersect(w, cells_of_extent(extent)).empty()) return;
   // Twice the area, modulo 2^64; of a convex ring it fits.
   std::uint64_t area = 0;
   subpixel a = vertex(n - 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two bodies cut at each other: the triangles that they meet in are replaced by pieces, all pieces fall into parts that
-// no cut runs through, and each part is inside of the other body, outside, or on its surface.
+// Bodies cut at each other: the triangles that they meet in are replaced by pieces, all pieces fall into parts that no
+// cut runs through, and each part is inside of every other body, outside, or on its surface. What lies in which bodies
+// on either side of a part tells whether it bounds a combination of them.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +11,16 @@
 #include <vector>
 
 #include <irg/solid/detail/body_triangles.hpp>
+#include <irg/solid/detail/exact_crossings.hpp>
 #include <irg/solid/detail/face_cutter.hpp>
 #include <irg/solid/point_in_solid.hpp>
 
 namespace irg::detail {
 
-/// Where a part lies against the other body.
-enum class part_place : std::uint8_t { unknown, outside, inside, on_same_side, on_other_side };
+/// Which bodies what lies close to a part is inside of: 0 or 1 for each.
+struct part_sides {
+  std::vector<unsigned char> below, above;
+};
 
 /// A triangle of the result before any is left out.
 struct cut_triangle {
@@ -31,20 +35,22 @@ template <class Bodies>
 class body_cutter {
 public:
   exact_vertices<exact_point> vertices;
-  std::vector<cut_triangle> triangles;  // those of the first body before those of the second
-  std::vector<part_place> places;  // of each triangle's part
+  std::vector<cut_triangle> triangles;  // those of one body after another
+  std::vector<signed char> directions;  // of each triangle: 1 where it bounds the combination, -1 where turned, or 0
   std::vector<std::array<std::uint32_t, 3>> cuts;  // edges at which parts end: from, to, the triangle
-  std::vector<unsigned char> is_seam;  // of each vertex, whether it is made of sides that lie within plane faces
+  std::vector<unsigned char> is_seam;  // of each vertex, whether it may lie within a plane face or a straight edge
   bool failed = false;  // the bodies cut themselves, or are not turned outward
 
-  constexpr explicit body_cutter(const Bodies& b) : b_(b), cutter_(vertices) {
+  /// needs   is_in(v): whether what is inside of the bodies b with v[b] != 0 alone is in the combination
+  template <class IsIn>
+  constexpr body_cutter(const Bodies& b, const IsIn& is_in) : b_(b), cutter_(vertices) {
     vertices.at = b.positions;
     vertices.corners = static_cast<std::uint32_t>(b.positions.size());
     vertices.triangles = &b.triangles;
     find_contacts();
     if (!failed) name_contacts();
     if (!failed) cut_all();
-    if (!failed) place_parts();
+    if (!failed) place_parts(is_in);
   }
 
 private:
@@ -52,6 +58,7 @@ private:
   struct mark {
     std::uint32_t triangle, from, to;  // indices of keys, then vertices
     std::uint8_t from_place, to_place;
+    cut_maker by;
     constexpr auto operator<=>(const mark&) const = default;
   };
   struct coplanar_pair {
@@ -70,10 +77,17 @@ private:
       for (const std::uint32_t v : t.v) box.add(b_.positions[v]);
       boxes_.push_back(box);
     }
-    std::vector<std::uint32_t> lots[2];
-    for (std::uint32_t t = 0; t < b_.triangles.size(); ++t) lots[b_.body_of(t)].push_back(t);
+    const std::size_t bodies = b_.ends.size();
+    std::vector<std::vector<std::uint32_t>> lots(bodies);
+    body_boxes_.assign(bodies, no_box());
+    for (std::uint32_t t = 0; t < b_.triangles.size(); ++t) {
+      lots[b_.body[t]].push_back(t);
+      body_boxes_[b_.body[t]].add(boxes_[t]);
+    }
     const auto use = [this](std::uint32_t s, std::uint32_t t) { add_contacts(s, t); };
-    box_pair_search<decltype(use)>(boxes_, use).search(lots[0], lots[1]);
+    for (std::size_t i = 0; i < bodies; ++i)
+      for (std::size_t k = i + 1; k < bodies; ++k)
+        if (body_boxes_[i].meets(body_boxes_[k])) box_pair_search<decltype(use)>(boxes_, use).search(lots[i], lots[k]);
   }
 
   constexpr void add_contacts(std::uint32_t s, std::uint32_t t) {
@@ -88,13 +102,18 @@ private:
       keys_.push_back(found.contacts[i].key);
       seams_.push_back(is_of_seam(found.contacts[i], s, t) ? 1 : 0);
     }
-    const auto add = [&](int i, int k) {
+    const auto add = [&](int i, int k, int which, int side) {
       const triangle_contact &p = found.contacts[i], &q = found.contacts[k];
       const auto from = first + static_cast<std::uint32_t>(i), to = first + static_cast<std::uint32_t>(k);
-      marks_.push_back({s, from, to, p.at[0], q.at[0]});
-      marks_.push_back({t, from, to, p.at[1], q.at[1]});
+      cut_maker on_s{{t, no_index}, b_.body[t]}, on_t{{s, no_index}, b_.body[s]};
+      if (side < 3) {
+        const seen_triangle& of = which == 0 ? a : b;
+        on_s = on_t = {{of.v[side], of.v[(side + 1) % 3]}, b_.body[which == 0 ? s : t]};
+      }
+      marks_.push_back({s, from, to, p.at[0], q.at[0], on_s});
+      marks_.push_back({t, from, to, p.at[1], q.at[1], on_t});
     };
-    for (int i = 0; i < found.count; ++i) add(i, i);
+    for (int i = 0; i < found.count; ++i) add(i, i, 0, 3);
     found.each_segment(add);
     if (!found.are_coplanar || found.count < 3) return;
     coplanar_.push_back({s, t});
@@ -134,9 +153,16 @@ private:
       if (key.v[1] == no_index) touched_[key.v[0]] = 1;
       vertex.push_back(key.v[1] == no_index ? key.v[0] : vertices.add(key));
     }
+    const bool are_many = b_.ends.size() > 2;
+    std::vector<std::uint32_t> same(vertices.at.size(), 0);
+    for (std::uint32_t v = 0; v < same.size(); ++v) same[v] = v;
+    if (are_many) {  // places of three bodies have several names
+      std::vector<std::uint32_t> some = vertex;
+      vertices.merge(some, same);
+    }
     const auto named = [&](std::uint32_t i) {
-      return vertex[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), keys_[i]) -
-                                             sorted.begin())];
+      return same[vertex[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), keys_[i]) -
+                                                  sorted.begin())]];
     };
     is_seam.assign(vertices.at.size(), 0);
     for (std::uint32_t i = 0; i < keys_.size(); ++i)
@@ -164,6 +190,22 @@ private:
       cut_one(t, begin, next);
     }
     if (!failed) join_parts();
+    if (!failed && b_.ends.size() > 2) merge_crossings();
+  }
+
+  // Where three triangles meet, each of them was cut by itself.
+  constexpr void merge_crossings() {
+    std::vector<std::uint32_t> made, same(vertices.at.size(), 0);
+    for (std::uint32_t v = 0; v < same.size(); ++v) {
+      same[v] = v;
+      if (v >= vertices.corners) made.push_back(v);
+    }
+    vertices.merge(made, same);
+    for (cut_triangle& t : triangles)
+      for (std::uint32_t& v : t.v) v = same[v];
+    for (auto& [from, to, triangle] : cuts) from = same[from], to = same[to];
+    is_seam.assign(same.size(), 0);
+    std::fill(is_seam.begin() + vertices.corners, is_seam.end(), static_cast<unsigned char>(1));
   }
 
   constexpr void cut_one(std::uint32_t t, std::size_t begin, std::size_t end) {
@@ -178,7 +220,7 @@ private:
                   points_.end());
     cutter_.begin(see_triangle(b_.positions, b_.triangles[t], t), points_);
     for (std::size_t i = begin; i < end; ++i)
-      if (marks_[i].from != marks_[i].to) cutter_.cut(marks_[i].from, marks_[i].to);
+      if (marks_[i].from != marks_[i].to) cutter_.cut(marks_[i].from, marks_[i].to, marks_[i].by);
     failed = failed || cutter_.failed;
     if (failed) return;
     const auto first = static_cast<std::uint32_t>(triangles.size());
@@ -196,7 +238,7 @@ private:
     const face_piece& piece = cutter_.pieces[p];
     const std::uint32_t from = piece.v[k], to = piece.v[(k + 1) % 3];
     const std::uint32_t u = cutter_.vertex(from), v = cutter_.vertex(to);
-    if (piece.fixed[k]) {
+    if (piece.fixed[k] != no_index) {
       cuts.push_back({u, v, first + p});
     } else if (piece.beside[k] != no_index) {
       join(first + p, first + piece.beside[k]);
@@ -233,8 +275,8 @@ private:
     std::sort(sides_.begin(), sides_.end());
     for (std::size_t i = 0, next = 0; i < sides_.size(); i = next) {
       while (next < sides_.size() && sides_[next].low == sides_[i].low && sides_[next].high == sides_[i].high) ++next;
-      for (std::size_t k = i; k < next;) {  // those of the first body stand first
-        const int body = body_of(sides_[k].triangle);
+      for (std::size_t k = i; k < next;) {  // those of a body stand together
+        const std::uint32_t body = body_of(sides_[k].triangle);
         if (k + 1 == next || body_of(sides_[k + 1].triangle) != body) {
           failed = true;
           return;
@@ -245,105 +287,95 @@ private:
     }
     for (std::uint32_t t = 0; t < triangles.size(); ++t) triangles[t].part = part_of(t);
   }
-  constexpr int body_of(std::uint32_t t) const noexcept { return b_.body_of(triangles[t].source); }
+  constexpr std::uint32_t body_of(std::uint32_t t) const noexcept { return b_.body[triangles[t].source]; }
 
-  // Asks for one triangle of each part where it lies; a corner that does not touch the other body answers at once.
-  constexpr void place_parts() {
-    places.assign(triangles.size(), part_place::unknown);
+  // Asks for one triangle of each part where it lies; a corner that does not touch another body answers at once.
+  template <class IsIn>
+  constexpr void place_parts(const IsIn& is_in) {
+    directions.assign(triangles.size(), 0);
     std::vector<std::uint32_t> corner(triangles.size(), no_index);
     for (const cut_triangle& t : triangles)
       if (corner[t.part] == no_index)
         for (const std::uint32_t v : t.v)
           if (v < vertices.corners && touched_[v] == 0) corner[t.part] = v;
+    part_sides sides;
     for (std::uint32_t t = 0; t < triangles.size() && !failed; ++t) {
-      if (triangles[t].part != t) continue;
+      if (const std::uint32_t part = triangles[t].part; part != t) {
+        directions[t] = directions[part];  // the first of a part stands before
+        continue;
+      }
+      sides.below.assign(b_.ends.size(), 0), sides.above.assign(b_.ends.size(), 0);
+      sides.below[body_of(t)] = 1;
       if (corner[t] != no_index)
-        places[t] = place_of_corner(corner[t], 1 - body_of(t));
-      else
-        places[t] = place_of_piece(t);
+        place_corner(body_of(t), corner[t], sides);
+      else if (!place_piece(t, sides))
+        continue;
+      const bool below = is_in(sides.below);
+      if (below != is_in(sides.above)) directions[t] = below ? 1 : -1;
     }
   }
 
-  constexpr part_place by_winding(const upward_crossings& count) {
+  constexpr bool is_in_winding(const upward_crossings& count) {
     failed = failed || count.on_surface || count.winding < 0 || count.winding > 1;
-    return count.winding > 0 ? part_place::inside : part_place::outside;
+    return count.winding > 0;
   }
 
   template <class Use>
-  constexpr void each_above(const point<double, 3>& p, double slack, int body, const Use& use) const {
-    const std::uint32_t first = body == 0 ? 0 : b_.second;
-    const auto last = body == 0 ? b_.second : static_cast<std::uint32_t>(b_.triangles.size());
-    for (std::uint32_t t = first; t < last; ++t) {
-      const space_box& box = boxes_[t];
-      if (p.x + slack < box.low[0] || box.high[0] < p.x - slack || p.y + slack < box.low[1] ||
-          box.high[1] < p.y - slack || box.high[2] < p.z - slack)
-        continue;
-      use(b_.triangles[t]);
+  constexpr void each_above(const point<double, 3>& p, double slack, std::uint32_t body, const Use& use) const {
+    const auto is_off = [&](const space_box& box) {
+      return p.x + slack < box.low[0] || box.high[0] < p.x - slack || p.y + slack < box.low[1] ||
+             box.high[1] < p.y - slack || box.high[2] < p.z - slack;
+    };
+    if (is_off(body_boxes_[body])) return;
+    for (std::uint32_t t = b_.first_of(body); t < b_.ends[body]; ++t)
+      if (!is_off(boxes_[t])) use(b_.triangles[t]);
+  }
+
+  constexpr void place_corner(std::uint32_t own, std::uint32_t v, part_sides& sides) {
+    const point<double, 3>& p = b_.positions[v];
+    for (std::uint32_t body = 0; body < b_.ends.size(); ++body) {
+      if (body == own) continue;
+      upward_crossings count;
+      each_above(p, 0.0, body, [&](const triangle_indices& t) {
+        count_upward_crossing(b_.positions[t.v[0]], b_.positions[t.v[1]], b_.positions[t.v[2]], p, count);
+      });
+      if (is_in_winding(count)) sides.below[body] = sides.above[body] = 1;
     }
   }
 
-  constexpr part_place place_of_corner(std::uint32_t v, int body) {
-    upward_crossings count;
-    const point<double, 3>& p = b_.positions[v];
-    each_above(p, 0.0, body, [&](const triangle_indices& t) {
-      count_upward_crossing(b_.positions[t.v[0]], b_.positions[t.v[1]], b_.positions[t.v[2]], p, count);
-    });
-    return by_winding(count);
-  }
-
-  // By the middle of a piece, which is no double.
-  constexpr part_place place_of_piece(std::uint32_t piece) {
+  // By the middle of a piece, which is no double. False where the piece lies on one of an earlier body, which stands
+  // for both.
+  constexpr bool place_piece(std::uint32_t piece, part_sides& sides) {
     const cut_triangle& t = triangles[piece];
+    const std::uint32_t own = b_.body[t.source];
     const exact_point a = vertices.exact(t.v[0]), b = vertices.exact(t.v[1]), c = vertices.exact(t.v[2]);
     const exact_point middle = exact_point::mean_of(a, b, c);
-    if (const part_place on = place_on_surface(t.source, middle); on != part_place::unknown) return on;
+    std::vector<unsigned char> is_on(b_.ends.size(), 0);
+    auto pair = std::lower_bound(coplanar_.begin(), coplanar_.end(), coplanar_pair{t.source, 0});
+    for (; pair != coplanar_.end() && pair->triangle == t.source; ++pair) {
+      const std::uint32_t body = b_.body[pair->other];
+      const int turn = turn_of_cover(b_.positions, b_.triangles[t.source], b_.triangles[pair->other], middle);
+      if (turn == 0) continue;
+      if (body < own) return false;
+      is_on[body] = 1;
+      (turn > 0 ? sides.below : sides.above)[body] = 1;
+    }
     const point<double, 3> nearby = middle.rounded();
     const double slack =
         greater(greater(magnitude(nearby.x), magnitude(nearby.y)), magnitude(nearby.z)) * 0x1p-50 + 0x1p-1000;
-    upward_crossings count;
-    each_above(nearby, slack, 1 - b_.body_of(t.source),
-               [&](const triangle_indices& other) { count_above(other, middle, count); });
-    return by_winding(count);
-  }
-
-  // As count_upward_crossing.
-  constexpr void count_above(const triangle_indices& t, const exact_point& p, upward_crossings& out) const {
-    const auto at = [&](int k) -> const point<double, 3>& { return b_.positions[t.v[k % 3]]; };
-    int sign[3]{};
-    bool none_right = true, none_left = true;
-    for (int k = 0; k < 3; ++k) {
-      sign[k] = irg::orientation_along(2, exact_point(at(k)), exact_point(at(k + 1)), p);
-      none_right = none_right && sign[k] >= 0, none_left = none_left && sign[k] <= 0;
+    for (std::uint32_t body = 0; body < b_.ends.size(); ++body) {
+      if (body == own || is_on[body] != 0) continue;
+      upward_crossings count;
+      each_above(nearby, slack, body,
+                 [&](const triangle_indices& other) { count_exact_crossing(b_.positions, other, middle, count); });
+      if (is_in_winding(count)) sides.below[body] = sides.above[body] = 1;
     }
-    if (none_right == none_left) return;  // beside, or upright
-    const int side = side_of_plane(at(0), at(1), at(2), p), turn = none_right ? 1 : -1;
-    if (side == 0) out.on_surface = true;
-    if (side == turn || side == 0) return;
-    for (int k = 0; k < 3; ++k)
-      if (orientation_of_moved(at(k), at(k + 1), sign[k]) != turn) return;
-    out.winding += turn;
-  }
-
-  // Whether the point, of a triangle, lies on one of the other body in the same plane.
-  constexpr part_place place_on_surface(std::uint32_t source, const exact_point& p) const {
-    auto pair = std::lower_bound(coplanar_.begin(), coplanar_.end(), coplanar_pair{source, 0});
-    for (; pair != coplanar_.end() && pair->triangle == source; ++pair) {
-      const seen_triangle s = see_triangle(b_.positions, b_.triangles[pair->other], 0);
-      bool within = true;
-      for (int k = 0; k < 3 && within; ++k)
-        within = irg::orientation_along(s.axis, exact_point(*s.p[k]), exact_point(*s.p[(k + 1) % 3]), p) * s.turn > 0;
-      if (!within) continue;
-      const triangle_indices& own = b_.triangles[source];
-      const int turn =
-          orientation_along(b_.positions[own.v[0]], b_.positions[own.v[1]], b_.positions[own.v[2]], s.axis);
-      return turn == s.turn ? part_place::on_same_side : part_place::on_other_side;
-    }
-    return part_place::unknown;
+    return true;
   }
 
   const Bodies& b_;
   face_cutter<exact_vertices<exact_point>> cutter_;
-  std::vector<space_box> boxes_;
+  std::vector<space_box> boxes_, body_boxes_;
   std::vector<contact_key> keys_;
   std::vector<unsigned char> seams_;
   std::vector<mark> marks_;

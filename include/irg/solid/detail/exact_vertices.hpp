@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The vertices of two bodies that are cut at each other: those they had, and the places where a side goes through a
-// triangle or crosses a side. Decisions look at rounded coordinates first; where these do not tell, the place itself is
-// computed, once, without rounding.
+// The vertices of bodies that are cut at each other: those they had, and the places where a side goes through a
+// triangle or crosses a side, or where three triangles meet. Decisions look at rounded coordinates first; where these
+// do not tell, the place itself is computed, once, without rounding.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -51,9 +53,14 @@ public:
     if (e.is_known()) return e;
     const contact_key& key = keys[v - corners];
     const auto corner = [&](std::size_t i) -> const point<double, 3>& { return at[key.v[i]]; };
+    const auto plane = [&](std::size_t i) {
+      const triangle_indices& t = (*triangles)[key.v[i]];
+      return std::array{at[t.v[0]], at[t.v[1]], at[t.v[2]]};
+    };
+    if (key.v[3] == three_triangles) return e = Exact::on_planes({plane(0), plane(1), plane(2)});
     if (key.v[3] != no_index) return e = Exact::on_lines(corner(0), corner(1), corner(2), corner(3));
-    const triangle_indices& t = (*triangles)[key.v[2]];
-    return e = Exact::on_plane(at[t.v[0]], at[t.v[1]], at[t.v[2]], corner(0), corner(1));
+    const auto [p, q, r] = plane(2);
+    return e = Exact::on_plane(p, q, r, corner(0), corner(1));
   }
 
   // orient2d of three of them, seen along an axis.
@@ -75,6 +82,23 @@ public:
     const double bound = greater(magnitude(p), magnitude(q)) * 0x1p-50;
     if (bound > least_size && magnitude(p - q) > bound) return p < q ? -1 : 1;
     return irg::compare_along(axis, exact(u, 0), exact(v, 1));
+  }
+
+  // Vertices in one place become one: some of them in any order, to[v] gets the least that lies where v does.
+  constexpr void merge(std::vector<std::uint32_t>& some, std::vector<std::uint32_t>& to) {
+    const auto order = [this](std::uint32_t u, std::uint32_t v) {
+      for (int axis = 0; axis < 3; ++axis)
+        if (const int way = compare(u, v, axis); way != 0) return way;
+      return 0;
+    };
+    std::sort(some.begin(), some.end(), [&](std::uint32_t u, std::uint32_t v) {
+      const int way = u == v ? 0 : order(u, v);
+      return way != 0 ? way < 0 : u < v;
+    });
+    for (std::size_t i = 0, first = 0; i < some.size(); ++i) {
+      if (order(some[first], some[i]) != 0) first = i;
+      to[some[i]] = some[first];
+    }
   }
 
 private:

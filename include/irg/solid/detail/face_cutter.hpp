@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One triangle cut along the segments at which another body meets it: points go in one after the other, and edges that
-// cross a segment are turned until it is one. Every decision is a sign of exact_vertices.
+// One triangle cut along the segments at which other bodies meet it: points go in one after the other, and edges that
+// cross a segment are turned until it is one; where segments of two bodies cross, there is a new point. Every decision
+// is a sign of exact_vertices.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +12,18 @@
 
 namespace irg::detail {
 
+/// What a cut is made by: a triangle, or a side by its ends, of a body.
+struct cut_maker {
+  std::uint32_t v[2] = {no_index, no_index}, body = no_index;
+  constexpr auto operator<=>(const cut_maker&) const = default;
+};
+
 /// A piece of a triangle.
-/// shape   side k goes from v[k] to the next; beyond it lies piece beside[k]; it is a cut where fixed[k] is set
+/// shape   side k goes from v[k] to the next; beyond it lies piece beside[k]; it is a cut where fixed[k] tells by what
 struct face_piece {
   std::uint32_t v[3];
   std::uint32_t beside[3] = {no_index, no_index, no_index};
-  bool fixed[3] = {false, false, false};
+  std::uint32_t fixed[3] = {no_index, no_index, no_index};
 };
 
 /// A point on a triangle, and where on it: 0 to 6, see contact places.
@@ -37,8 +44,8 @@ public:
 
   /// Begins with a triangle and its points, in any order, each once.
   constexpr void begin(const seen_triangle& t, std::vector<placed_vertex>& points) {
-    axis_ = t.axis, turn_ = t.turn;
-    pieces.clear(), local_.clear(), sides_.clear(), piece_of_.clear();
+    axis_ = t.axis, turn_ = t.turn, number_ = t.number;
+    makers_.clear(), pieces.clear(), local_.clear(), sides_.clear(), piece_of_.clear();
     for (int k = 0; k < 3; ++k) add_vertex(t.v[k], static_cast<std::uint8_t>(1u << k | 1u << (k + 2) % 3));
     pieces.push_back({{0, 1, 2}});
     remember(0);
@@ -48,7 +55,8 @@ public:
   }
 
   /// Makes a cut from one vertex of the triangle or of its points to another.
-  constexpr void cut(std::uint32_t from, std::uint32_t to) {
+  constexpr void cut(std::uint32_t from, std::uint32_t to, const cut_maker& by) {
+    makers_.push_back(by);
     std::uint32_t at = local(from);
     const std::uint32_t end = local(to);
     // Each step comes to a vertex further on.
@@ -163,8 +171,8 @@ private:
     const face_piece t = pieces[piece];
     const int l = (k + 1) % 3, m = (k + 2) % 3;
     const auto half = static_cast<std::uint32_t>(pieces.size());
-    pieces[piece] = {{t.v[k], p, t.v[m]}, {no_index, half, t.beside[m]}, {t.fixed[k], false, t.fixed[m]}};
-    pieces.push_back({{p, t.v[l], t.v[m]}, {no_index, t.beside[l], piece}, {t.fixed[k], t.fixed[l], false}});
+    pieces[piece] = {{t.v[k], p, t.v[m]}, {no_index, half, t.beside[m]}, {t.fixed[k], no_index, t.fixed[m]}};
+    pieces.push_back({{p, t.v[l], t.v[m]}, {no_index, t.beside[l], piece}, {t.fixed[k], t.fixed[l], no_index}});
     replace_neighbour(t.beside[l], piece, half);
     remember(piece), remember(half);
     return half;
@@ -199,19 +207,20 @@ private:
   constexpr void split(std::uint32_t piece, std::uint32_t p) {
     const face_piece t = pieces[piece];
     const auto a = static_cast<std::uint32_t>(pieces.size()), b = a + 1;
-    pieces[piece] = {{t.v[0], t.v[1], p}, {t.beside[0], a, b}, {t.fixed[0], false, false}};
-    pieces.push_back({{t.v[1], t.v[2], p}, {t.beside[1], b, piece}, {t.fixed[1], false, false}});
-    pieces.push_back({{t.v[2], t.v[0], p}, {t.beside[2], piece, a}, {t.fixed[2], false, false}});
+    pieces[piece] = {{t.v[0], t.v[1], p}, {t.beside[0], a, b}, {t.fixed[0], no_index, no_index}};
+    pieces.push_back({{t.v[1], t.v[2], p}, {t.beside[1], b, piece}, {t.fixed[1], no_index, no_index}});
+    pieces.push_back({{t.v[2], t.v[0], p}, {t.beside[2], piece, a}, {t.fixed[2], no_index, no_index}});
     replace_neighbour(t.beside[1], piece, a);
     replace_neighbour(t.beside[2], piece, b);
     remember(piece), remember(a), remember(b);
   }
 
   constexpr void fix(std::uint32_t piece, int k) {
-    pieces[piece].fixed[k] = true;
+    const auto by = static_cast<std::uint32_t>(makers_.size() - 1);
+    pieces[piece].fixed[k] = by;
     const std::uint32_t beyond = pieces[piece].beside[k];
     for (int j = 0; beyond != no_index && j < 3; ++j)
-      if (pieces[beyond].beside[j] == piece) pieces[beyond].fixed[j] = true;
+      if (pieces[beyond].beside[j] == piece) pieces[beyond].fixed[j] = by;
   }
 
   // Whether q, on the line from a to b, lies on b's side of a.
@@ -248,6 +257,24 @@ private:
     return force(at, end, first);
   }
 
+  // Puts a vertex where the newest cut crosses side k of a piece, a cut of another body.
+  constexpr std::uint32_t cross(std::uint32_t piece, int k) {
+    const cut_maker &one = makers_[pieces[piece].fixed[k]], &other = makers_.back();
+    failed = failed || one.body == other.body;
+    if (failed) return 0;
+    const bool by_side = one.v[1] != no_index, by_other_side = other.v[1] != no_index;
+    contact_key key{{number_, one.v[0], other.v[0], three_triangles}};
+    if (by_side && by_other_side)
+      key = {{one.v[0], one.v[1], other.v[0], other.v[1]}};
+    else if (by_side || by_other_side)
+      key = {{(by_side ? one : other).v[0], (by_side ? one : other).v[1], (by_side ? other : one).v[0], no_index}};
+    else
+      std::sort(key.v, key.v + 3);
+    const std::uint32_t p = add_vertex(vertices_.add(key), 0);
+    split_side(piece, k, p);
+    return p;
+  }
+
   // Turns the edges between `at` and the next vertex on the way to `end`, the first of them beyond piece `first`.
   constexpr std::uint32_t force(std::uint32_t at, std::uint32_t end, std::uint32_t first) {
     crossing_.clear();
@@ -256,10 +283,12 @@ private:
     while (reached == no_index) {
       const face_piece& t = pieces[piece];
       const std::uint32_t right = t.v[k], left = t.v[(k + 1) % 3], beyond = t.beside[k];
-      if (t.fixed[k] || beyond == no_index || crossing_.size() > 2 * pieces.size()) {
-        failed = true;
-        return end;
+      if (beyond == no_index || crossing_.size() > 2 * pieces.size()) failed = true;
+      if (!failed && t.fixed[k] != no_index) {
+        reached = cross(piece, k);
+        break;
       }
+      if (failed) return end;
       crossing_.push_back({right, left});
       const int j = side_from(beyond, left);  // runs back from left to right
       const std::uint32_t top = pieces[beyond].v[(j + 2) % 3];
@@ -268,6 +297,7 @@ private:
       k = sign > 0 ? (j + 1) % 3 : (j + 2) % 3;  // top is the new left or the new right
       piece = beyond;
     }
+    if (failed) return end;
     std::size_t tries = 0;
     const std::size_t limit = 16 * crossing_.size() * crossing_.size() + 64;
     for (std::size_t i = 0; i < crossing_.size(); ++i) {
@@ -300,8 +330,10 @@ private:
     const int k = side_from(one, a), j = side_from(other, b);
     const int s_next = (k + 1) % 3, s_last = (k + 2) % 3, t_next = (j + 1) % 3, t_last = (j + 2) % 3;
     const std::uint32_t x = s.v[s_last], y = t.v[t_last];
-    pieces[one] = {{x, a, y}, {s.beside[s_last], t.beside[t_next], other}, {s.fixed[s_last], t.fixed[t_next], false}};
-    pieces[other] = {{y, b, x}, {t.beside[t_last], s.beside[s_next], one}, {t.fixed[t_last], s.fixed[s_next], false}};
+    pieces[one] = {
+        {x, a, y}, {s.beside[s_last], t.beside[t_next], other}, {s.fixed[s_last], t.fixed[t_next], no_index}};
+    pieces[other] = {
+        {y, b, x}, {t.beside[t_last], s.beside[s_next], one}, {t.fixed[t_last], s.fixed[s_next], no_index}};
     replace_neighbour(t.beside[t_next], other, one);
     replace_neighbour(s.beside[s_next], one, other);
     remember(one), remember(other);
@@ -313,6 +345,8 @@ private:
 
   Vertices& vertices_;
   int axis_ = 0, turn_ = 1;
+  std::uint32_t number_ = 0;
+  std::vector<cut_maker> makers_;  // of the cuts, the newest last
   std::vector<std::uint32_t> local_, piece_of_, along_;
   std::vector<std::uint8_t> sides_;
   std::vector<edge> crossing_;

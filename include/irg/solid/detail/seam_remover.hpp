@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Takes corners out of a surface that are there only because a plane face was cut into triangles: where a diagonal met
-// something. The triangles round such a corner, plane by plane, are cut anew without it, so that faces keep the corners
-// that the bodies have, and nothing else is ever rounded.
+// Takes corners out of a surface that are there only because a plane face was cut: where a diagonal met something, or a
+// body that does not bound the result there. The triangles round such a corner, plane by plane, are cut anew without
+// it, so that faces keep the corners that the bodies have, and nothing else is ever rounded.
 #pragma once
 
 #include <algorithm>
@@ -65,7 +65,7 @@ private:
     }
     sectors_.clear();
     while (!spokes_.empty()) take_sector(are_level);
-    if (!is_straight()) return;
+    if (!is_straight(p)) return;
     cuts_.clear();
     for (const sector& s : sectors_)
       if (!cut_anew(s)) return;
@@ -108,16 +108,18 @@ private:
   }
 
   // Whether the corner lies within a plane, or within one edge of all that meet there.
-  constexpr bool is_straight() const noexcept {
-    std::uint32_t low = no_index, high = no_index;
+  constexpr bool is_straight(std::uint32_t p) {
+    std::uint32_t low = no_index, high = no_index, triangle = no_index;
     for (const sector& s : sectors_) {
       if (s.is_closed) continue;
       const std::uint32_t a = lesser(s.polygon.front(), s.polygon.back());
       const std::uint32_t b = greater(s.polygon.front(), s.polygon.back());
-      if (low == no_index) low = a, high = b;
+      if (low == no_index) low = a, high = b, triangle = surface_[s.triangles.front()].source;
       if (low != a || high != b || a == b || s.polygon.size() < 3) return false;
     }
-    return true;
+    if (low == no_index) return true;
+    const seen_triangle seen = see_triangle(vertices_.at, (*vertices_.triangles)[triangle], triangle);
+    return vertices_.turn(low, p, high, seen.axis) == 0;
   }
 
   // Ears come off until none are left.

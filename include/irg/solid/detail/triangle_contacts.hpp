@@ -20,12 +20,12 @@ inline constexpr std::uint8_t inside_triangle = 6, off_triangle = 7;
 
 /// What a place is made of, the same for all triangles that meet there.
 /// shape   a corner: its number; a side and a triangle: the side's corners, the lower first, and the triangle; two
-///         sides: those of the first lot's, those of the second's
+///         sides: those of the first lot's, those of the second's; three triangles: their numbers and three_triangles
 struct contact_key {
   std::uint32_t v[4];
   constexpr auto operator<=>(const contact_key&) const = default;
 };
-inline constexpr std::uint32_t no_index = 0xffffffffu;
+inline constexpr std::uint32_t no_index = 0xffffffffu, three_triangles = 0xfffffffeu;
 
 struct triangle_contact {
   contact_key key;
@@ -97,12 +97,12 @@ public:
     }
   }
 
-  /// Calls use(i, k) for the contacts that have a piece of either triangle's common part between them: all that is
-  /// common, or the sides of a common polygon.
+  /// Calls use(i, k, which, side) for the contacts that have a piece of either triangle's common part between them: all
+  /// that is common (side is 3 then), or the sides of a common polygon, with the triangle's side that they lie on.
   template <class Use>
   constexpr void each_segment(const Use& use) const {
     if (!are_coplanar) {
-      if (count == 2) use(0, 1);
+      if (count == 2) use(0, 1, 0, 3);
       return;
     }
     for (int which = 0; which < 2; ++which)
@@ -111,7 +111,7 @@ public:
         for (int i = 0; i < count && n < 2; ++i)
           if (const std::uint8_t at = contacts[i].at[which]; at == k || at == (k + 1) % 3 || at == 3 + k)
             found[n++] = i;
-        if (n == 2) use(found[0], found[1]);
+        if (n == 2) use(found[0], found[1], which, int{k});
       }
   }
 

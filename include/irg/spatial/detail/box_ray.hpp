@@ -13,6 +13,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -50,7 +51,8 @@ IRG_INLINE constexpr float earlier_time(const box_ray& b, double t) noexcept {
 // An axis along which the ray goes nowhere lets it through for all times or for none, which a large number tells as
 // well as an infinite one: times that are asked are below 2^42, and its slack is worth 2^46. Along one that floats take
 // for such, and for origins that are far off, it is not asked.
-constexpr void turn_standing_axes(box_ray& b, const double (&origin)[3], const double (&direction)[3]) noexcept {
+constexpr void turn_standing_axes(std::same_as<box_ray> auto& b, const double (&origin)[3],
+                                  const double (&direction)[3]) noexcept {
   constexpr float infinite = std::numeric_limits<float>::infinity(), large = 0x1p120f;
   double most = 0;
   for (const double o : origin) most = greater(most, magnitude(o));

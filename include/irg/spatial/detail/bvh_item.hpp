@@ -5,6 +5,7 @@
 // not ask what a processor makes of such numbers.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -81,7 +82,7 @@ IRG_INLINE constexpr void set_child(bvh_node& node, int k, std::uint32_t child, 
   }
 }
 
-IRG_INLINE constexpr bvh_item box_round(const bvh_node& node) noexcept {
+IRG_INLINE constexpr bvh_item box_round(const std::same_as<bvh_node> auto& node) noexcept {
   bvh_item b = empty_item();
   for (int k = 0; k < bvh_node::width; ++k)
     for (int i = 0; i < 3; ++i) {

@@ -63,21 +63,31 @@ IRG_INLINE constexpr void set_shear(ray_shear& s, const ray<double, 3>& r) noexc
   s.slope_y = d[s.y] / d[z];
 }
 
-// How the sides of triangles turn round the ray: positive where counter-clockwise as seen along it. F is a number or a
-// pack, `corner` holds the coordinates in the order of the shear's axes.
+// The corners of triangles as seen along the ray. F is a number or a pack, `origin` and `corner` hold the coordinates
+// in the order of the shear's axes.
+template <class F>
+struct sheared_corners {
+  F x[3], y[3];
+};
+template <class F>
+IRG_INLINE constexpr sheared_corners<F> corners_along(const F (&origin)[3], const F& slope_x, const F& slope_y,
+                                                      const F (&corner)[3][3]) noexcept {
+  const F za = corner[0][2] - origin[2], zb = corner[1][2] - origin[2], zc = corner[2][2] - origin[2];
+  return {{(corner[0][0] - origin[0]) - product(slope_x, za), (corner[1][0] - origin[0]) - product(slope_x, zb),
+           (corner[2][0] - origin[0]) - product(slope_x, zc)},
+          {(corner[0][1] - origin[1]) - product(slope_y, za), (corner[1][1] - origin[1]) - product(slope_y, zb),
+           (corner[2][1] - origin[1]) - product(slope_y, zc)}};
+}
+
+// How the sides of triangles turn round the ray: positive where counter-clockwise as seen along it.
 template <class F>
 struct sheared_sides {
   F bc, ca, ab;
 };
 template <class F>
-IRG_INLINE constexpr sheared_sides<F> sides_round(const ray_shear& s, const F& ox, const F& oy, const F& oz,
-                                                  const F (&corner)[3][3]) noexcept {
-  const F slope_x = lanes<F>::broadcast(s.slope_x), slope_y = lanes<F>::broadcast(s.slope_y);
-  const F za = corner[0][2] - oz, zb = corner[1][2] - oz, zc = corner[2][2] - oz;
-  const F xa = (corner[0][0] - ox) - product(slope_x, za), ya = (corner[0][1] - oy) - product(slope_y, za);
-  const F xb = (corner[1][0] - ox) - product(slope_x, zb), yb = (corner[1][1] - oy) - product(slope_y, zb);
-  const F xc = (corner[2][0] - ox) - product(slope_x, zc), yc = (corner[2][1] - oy) - product(slope_y, zc);
-  return {product(xb, yc) - product(yb, xc), product(xc, ya) - product(yc, xa), product(xa, yb) - product(ya, xb)};
+IRG_INLINE constexpr sheared_sides<F> sides_of(const sheared_corners<F>& c) noexcept {
+  const auto side = [&c](int i, int k) { return product(c.x[i], c.y[k]) - product(c.y[i], c.x[k]); };
+  return {side(1, 2), side(2, 0), side(0, 1)};
 }
 
 }  // namespace IRG_ABI

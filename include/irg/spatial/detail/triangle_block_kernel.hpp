@@ -2,6 +2,8 @@
 // Four triangles side by side, and which of them a ray may cross.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <type_traits>
 
 #include <irg/core/lanes.hpp>
@@ -23,26 +25,29 @@ IRG_INLINE constexpr F load_widened(const T* p) noexcept {
   return converted<double>(lanes<floats>::load(p));
 }
 
+// Which triangles are certainly passed by: those with sides beyond the bound that turn both ways. Of a NaN, which is
+// on no side, the others decide.
+template <class F>
+IRG_INLINE constexpr auto are_passed(const sheared_sides<F>& t, const F& bound) noexcept {
+  const F least = low_of(t.ab, low_of(t.bc, t.ca)), most = high_of(t.ab, high_of(t.bc, t.ca));
+  return both(least < -bound, bound < most);
+}
+
 /// A bit for each triangle that is not certainly passed by; the sides of these into `sides`.
 template <class F, class T>
 IRG_INLINE constexpr unsigned meet_triangles(const triangle_block<T>& block, const ray_shear& s, double bound,
                                              double (&sides)[3][triangle_block<T>::width]) noexcept {
   unsigned bits = 0;
   const auto all = [](double x) { return lanes<F>::broadcast(x); };
-  const F ox = all(s.origin[0]), oy = all(s.origin[1]), oz = all(s.origin[2]);
-  const F above = all(bound), below = all(-bound);
+  const F origin[3] = {all(s.origin[0]), all(s.origin[1]), all(s.origin[2])};
   for (int k = 0; k < triangle_block<T>::width; k += lanes<F>::count) {
-    const auto& v = block.v;
-    const F corner[3][3] = {
-        {load_widened<F>(v[0][s.x] + k), load_widened<F>(v[0][s.y] + k), load_widened<F>(v[0][s.z] + k)},
-        {load_widened<F>(v[1][s.x] + k), load_widened<F>(v[1][s.y] + k), load_widened<F>(v[1][s.z] + k)},
-        {load_widened<F>(v[2][s.x] + k), load_widened<F>(v[2][s.y] + k), load_widened<F>(v[2][s.z] + k)}};
-    const sheared_sides<F> t = sides_round<F>(s, ox, oy, oz, corner);
-    // Of a NaN, which is on no side, the others decide.
-    const F least = low_of(t.ab, low_of(t.bc, t.ca)), most = high_of(t.ab, high_of(t.bc, t.ca));
+    const auto at = [&](int corner, int axis) { return load_widened<F>(block.v[corner][axis] + k); };
+    const F corner[3][3] = {{at(0, s.x), at(0, s.y), at(0, s.z)},
+                            {at(1, s.x), at(1, s.y), at(1, s.z)},
+                            {at(2, s.x), at(2, s.y), at(2, s.z)}};
+    const auto t = sides_of(corners_along<F>(origin, all(s.slope_x), all(s.slope_y), corner));
     constexpr unsigned full = (1u << lanes<F>::count) - 1;
-    const unsigned passed = static_cast<unsigned>(mask_bits(both(least < below, above < most)));
-    bits |= (full & ~passed) << k;
+    bits |= (full & ~static_cast<unsigned>(mask_bits(are_passed(t, all(bound))))) << k;
     lanes<F>::store(sides[0] + k, t.bc);
     lanes<F>::store(sides[1] + k, t.ca);
     lanes<F>::store(sides[2] + k, t.ab);
@@ -55,6 +60,61 @@ IRG_INLINE constexpr unsigned triangles_met(const triangle_block<T>& block, cons
                                             double (&sides)[3][triangle_block<T>::width]) noexcept {
   if (!has_lanes || std::is_constant_evaluated()) return meet_triangles<double>(block, s, bound, sides);
   return meet_triangles<pack<double, native_lanes<double>>>(block, s, bound, sides);
+}
+
+// The rays of a packet as triangles are seen from them, in floats and along one axis for all. With u = 2^-24 and m the
+// largest coordinate of an origin or a corner: corners are off by u m, and seen from the origin by 2u m, slopes, of at
+// most 2, by u of themselves, x and y by less than 13u m, of 32u m that `error` is. Sides of corners no farther than S
+// from the ray, which is 3.1 m at most, are off by less than 65u m S + 400 u^2 m^2; 4 error (S + error) is asked.
+struct packet_shear {
+  static constexpr int size = 16;
+  float origin[3][size], slope_x[size], slope_y[size];
+  float error;  // 0 where rays do not go along one axis, and where squares of m are beyond floats: nothing is told then
+  int x, y, z;
+};
+
+template <std::same_as<packet_shear> S>
+IRG_INLINE void set_packet_shear(S& s, double scale, const ray<float, 3>* rays) noexcept {
+  const vec<float, 3>& first = rays[0].direction;
+  s.z = magnitude(first[1]) > magnitude(first[0]) ? 1 : 0;
+  if (magnitude(first[2]) > magnitude(first[s.z])) s.z = 2;
+  s.x = s.z == 2 ? 0 : s.z + 1;
+  s.y = s.z == 0 ? 2 : s.z - 1;
+  float steepest = 0, most = 0;
+  for (int k = 0; k < S::size; ++k) {
+    const ray<float, 3>& r = rays[k];
+    s.slope_x[k] = r.direction[s.x] / r.direction[s.z];
+    s.slope_y[k] = r.direction[s.y] / r.direction[s.z];
+    steepest = greater(greater(magnitude(s.slope_x[k]), magnitude(s.slope_y[k])), steepest);
+    const int axes[3] = {s.x, s.y, s.z};
+    for (int i = 0; i < 3; ++i) {
+      s.origin[i][k] = r.origin[axes[i]];
+      most = greater(most, magnitude(s.origin[i][k]));
+    }
+  }
+  const double m = (widened(most) + 1 / scale) * (1 + 0x1p-20);
+  s.error = steepest <= 2.0f && 0x1p-40 < m && m < 0x1p60 ? converted<float>(m * 0x1p-19) : 0.0f;
+}
+
+// A bit for each ray that is not certainly past triangle k of a block.
+template <class F, class T>
+IRG_INLINE unsigned rays_at_triangle(const packet_shear& s, const triangle_block<T>& block, std::size_t k) noexcept {
+  const auto all = [](float x) { return lanes<F>::broadcast(x); };
+  const auto at = [&](int c, int axis) { return all(converted<float>(block.v[c][axis][k])); };
+  const F corner[3][3] = {
+      {at(0, s.x), at(0, s.y), at(0, s.z)}, {at(1, s.x), at(1, s.y), at(1, s.z)}, {at(2, s.x), at(2, s.y), at(2, s.z)}};
+  unsigned bits = 0;
+  for (int i = 0; i < packet_shear::size; i += lanes<F>::count) {
+    const auto load = [i](const float* p) { return lanes<F>::load(p + i); };
+    const F origin[3] = {load(s.origin[0]), load(s.origin[1]), load(s.origin[2])};
+    const sheared_corners<F> c = corners_along<F>(origin, load(s.slope_x), load(s.slope_y), corner);
+    const F x = high_of(magnitude(c.x[0]), high_of(magnitude(c.x[1]), magnitude(c.x[2])));
+    const F y = high_of(magnitude(c.y[0]), high_of(magnitude(c.y[1]), magnitude(c.y[2])));
+    const F bound = (high_of(x, y) + all(s.error)) * all(4 * s.error);
+    constexpr unsigned full = (1u << lanes<F>::count) - 1;
+    bits |= (full & ~static_cast<unsigned>(mask_bits(are_passed(sides_of(c), bound)))) << i;
+  }
+  return bits;
 }
 
 }  // namespace IRG_ABI

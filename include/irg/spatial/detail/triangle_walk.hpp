@@ -111,6 +111,14 @@ IRG_INLINE constexpr bool is_before(const std::same_as<triangle_ray> auto& q, st
   return order != 0 ? order < 0 : a.number < b.number;
 }
 
+// The crossing with the triangle at a place, if there is one, into use(crossing); gives what that gives.
+template <class Use>
+IRG_INLINE constexpr bool cross_place(const bvh& tree, const space_triangle& t, std::uint32_t place,
+                                      const triangle_ray& q, const sheared_sides<double>& sides, const Use& use) {
+  const timed_crossing found = cross_in_time(q, t.a, t.b, t.c, sides, largest_from(q.r.origin, t.a, t.b, t.c));
+  return found.hit && use(first_crossing{found.time, tree.order[place], place, found.turn});
+}
+
 // Calls use(crossing) for the triangles of a leaf that the ray crosses, until it gives true.
 template <class T, class Use>
 IRG_INLINE constexpr bool cross_leaf(const bvh& tree, std::span<const triangle_block<T>> blocks, std::uint32_t leaf,
@@ -125,9 +133,7 @@ IRG_INLINE constexpr bool cross_leaf(const bvh& tree, std::span<const triangle_b
     const auto i = static_cast<std::uint32_t>(std::countr_zero(bits)), k = i % width;
     const space_triangle t = triangle_at(blocks, place + i);
     const auto& side = sides[i / width];
-    const timed_crossing found =
-        cross_in_time(q, t.a, t.b, t.c, {side[0][k], side[1][k], side[2][k]}, largest_from(q.r.origin, t.a, t.b, t.c));
-    if (found.hit && use(first_crossing{found.time, tree.order[place + i], place + i, found.turn})) return true;
+    if (cross_place(tree, t, place + i, q, {side[0][k], side[1][k], side[2][k]}, use)) return true;
   }
   return false;
 }
@@ -168,6 +174,7 @@ struct packet_crossings {
   triangle_ray rays[ray_packet::size];
   first_crossing best[ray_packet::size];
   double bound[ray_packet::size];
+  packet_shear shear;
   unsigned ready = 0, hit = 0;  // a bit for each ray
 
   packet_crossings() noexcept {}  // zeroes nothing that is written before it is read
@@ -181,17 +188,18 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
   if (!set_up_packet(p, rays, tree.scale)) return false;
   std::optional<packet_crossings> found;
   walk_packet(tree.nodes.data(), p, [&](std::uint32_t leaf, unsigned bits) {
-    if (!found) found.emplace();
+    if (!found) set_packet_shear(found.emplace().shear, tree.scale, rays);
     packet_crossings& f = *found;
     bool nearer = false;
-    for (; bits != 0; bits &= bits - 1) {
-      const auto k = static_cast<unsigned>(std::countr_zero(bits));
+    const auto prepare = [&](unsigned k) {
       if ((f.ready >> k & 1) == 0) {
         set_triangle_ray(f.rays[k], rays[k]);
         f.bound[k] = bound_of(tree, f.rays[k].r.origin);
         f.ready |= 1u << k;
       }
-      cross_leaf(tree, blocks, leaf, f.rays[k], f.bound[k], [&](const first_crossing& x) {
+    };
+    const auto take = [&](unsigned k) {
+      return [&, k](const first_crossing& x) {
         if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
           f.best[k] = x;
           f.hit |= 1u << k;
@@ -199,7 +207,27 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
           nearer = true;
         }
         return false;
-      });
+      };
+    };
+    if (f.shear.error > 0 && std::popcount(bits) > 3) {
+      const std::uint32_t first = bvh_node::first_place(leaf), last = bvh_node::last_place(leaf);
+      for (std::uint32_t i = first; i <= last; ++i) {
+        const auto& block = blocks[i / bvh_node::block];
+        unsigned open = bits & rays_at_triangle<packet_lanes>(f.shear, block, i % bvh_node::block);
+        if (open == 0) continue;
+        const space_triangle t = triangle_at(blocks, i);
+        for (; open != 0; open &= open - 1) {
+          const auto k = static_cast<unsigned>(std::countr_zero(open));
+          prepare(k);
+          cross_place(tree, t, i, f.rays[k], sides_round(f.rays[k], t.a, t.b, t.c), take(k));
+        }
+      }
+    } else {
+      for (; bits != 0; bits &= bits - 1) {
+        const auto k = static_cast<unsigned>(std::countr_zero(bits));
+        prepare(k);
+        cross_leaf(tree, blocks, leaf, f.rays[k], f.bound[k], take(k));
+      }
     }
     if (nearer) p.whole.high = latest_of(p);
   });
@@ -234,8 +262,10 @@ constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>>
   set_box_ray(b, r, tree.scale);
   walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     q.prepare();
-    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(),
-               [&](const first_crossing& x) { return use(q.ray_for_triangles(), x), false; });
+    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(), [&](const first_crossing& x) {
+      if (is_first_met<box_arithmetic::fused>(tree, x.place, b)) use(q.ray_for_triangles(), x);
+      return false;
+    });
     return false;
   });
 }

@@ -20,18 +20,16 @@ IRG_INLINE constexpr std::uint64_t waiting_child(std::uint32_t child, float time
 }
 
 // Where a walk stands: what waits, the next on top.
-template <class Waiting>
 struct bvh_walk {
-  Waiting waiting[bvh_waiting];
-  Waiting* top;
+  std::uint64_t waiting[bvh_waiting];
+  std::uint64_t* top;
 };
 
 // The next leaf in the order of times; none at the end, and for an empty box that a ray meets whose times are not
 // numbers. It stands apart from what is done with leaves, so that a ray's
 // numbers stay in registers from node to node.
 template <class F, box_arithmetic A>
-IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r,
-                                             bvh_walk<std::uint64_t>& walk) noexcept {
+IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r, bvh_walk& walk) noexcept {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
   const float high = r.high;
   std::uint64_t* top = walk.top;
@@ -79,30 +77,9 @@ IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ra
   return at;
 }
 
-// The next leaf in any order.
-template <class F, box_arithmetic A>
-IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r,
-                                             bvh_walk<std::uint32_t>& walk) noexcept {
-  const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
-  const float high = r.high;
-  std::uint32_t* top = walk.top;
-  std::uint32_t at = bvh_node::none;
-  while (top != walk.waiting) {
-    at = *--top;
-    if (bvh_node::is_leaf(at)) break;
-    const bvh_node& node = nodes[at];
-    at = bvh_node::none;
-    float times[bvh_node::width];
-    unsigned bits = meet_boxes(node, wide, high, times);
-    for (; bits != 0; bits &= bits - 1) *top++ = node.child[static_cast<unsigned>(std::countr_zero(bits))];
-  }
-  walk.top = top;
-  return at;
-}
-
 template <class F, box_arithmetic A, class Visit>
 IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
-  bvh_walk<std::uint64_t> walk;
+  bvh_walk walk;
   walk.top = walk.waiting;
   *walk.top++ = 0;
   for (;;) {
@@ -114,18 +91,41 @@ IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, c
   }
 }
 
+// The children of a node that are leaves: a bit for each.
+template <class F>
+IRG_INLINE constexpr unsigned leaves_of(const bvh_node& node) noexcept {
+  using I = typename lanes<F>::template rebind<std::uint32_t>;
+  unsigned bits = 0;
+  for (int k = 0; k < bvh_node::width; k += lanes<F>::count)
+    if constexpr (lanes<F>::count == 1)
+      bits |= (node.child[k] >> 31) << k;
+    else
+      bits |= static_cast<unsigned>(mask_bits(bits_as<std::int32_t>(lanes<I>::load(node.child + k)) < 0)) << k;
+  return bits;
+}
+
+// Leaves at once, then nodes, of which one does not wait.
 template <class F, box_arithmetic A, class Visit>
 IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
-  bvh_walk<std::uint32_t> walk;
-  walk.top = walk.waiting;
-  *walk.top++ = 0;
+  const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
+  std::uint32_t waiting[bvh_waiting];
+  std::uint32_t* top = waiting;
+  std::uint32_t at = 0;
   for (;;) {
-    const std::uint32_t leaf = next_leaf<F, A>(nodes, r, walk);
-    if (leaf != bvh_node::none) {
-      if (visit(leaf)) return true;
-    } else if (walk.top == walk.waiting) {
-      return false;
+    const bvh_node& node = nodes[at];
+    const auto child = [&node](unsigned bits) { return node.child[static_cast<unsigned>(std::countr_zero(bits))]; };
+    float times[bvh_node::width];
+    const unsigned bits = meet_boxes(node, wide, r.high, times), leaves = leaves_of<F>(node);
+    for (unsigned rest = bits & leaves; rest != 0; rest &= rest - 1)
+      if (child(rest) != bvh_node::none && visit(child(rest))) return true;
+    unsigned rest = bits & ~leaves;
+    if (rest == 0) {
+      if (top == waiting) return false;
+      at = *--top;
+      continue;
     }
+    at = child(rest);
+    for (rest &= rest - 1; rest != 0; rest &= rest - 1) *top++ = child(rest);
   }
 }
 

@@ -65,8 +65,7 @@ struct tile_painter {
             both(none_negative(f[0], f[1], f[2]), both(I::broadcast(x) < d.columns, I::broadcast(y) < d.rows));
         counts.tested = counts.tested - here;
         covered = covered | both(here, I::broadcast(1 << pixel));
-        lanes<floats>::store(
-            key[pixel], depth_at<floats>(f[0], f[1], f[2], d.gain[0], d.gain[1], d.gain[2], d.rest, d.low, d.high));
+        lanes<floats>::store(key[pixel], depth_at<floats>(f, d));
         for (int k = 0; k < 3; ++k) f[k] = f[k] + d.right[k];
       }
       for (int k = 0; k < 3; ++k) row[k] = row[k] + d.down[k];
@@ -254,8 +253,8 @@ struct tile_painter {
     const cell_window w = intersect(coverage.bounds, window);
     if (coverage.double_area == 0 || w.empty()) return;
     tile_triangles one = g;
-    for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth_gain[k], order.sign);
-    one.rest[i] = product(s.depth_rest, order.sign);
+    for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth.gain[k], order.sign);
+    one.rest[i] = product(s.depth.rest, order.sign);
     const auto draw = [&]<class I>(I) {
       tile_triangle<I> t;
       using integer = typename tile_triangle<I>::integer;

@@ -9,6 +9,7 @@
 
 #include <irg/core/executor.hpp>
 #include <irg/raster/fill_span.hpp>
+#include <irg/raster/image.hpp>
 #include <irg/raster/triangle_batch.hpp>
 #include <irg/render/detail/visible/streamed_rows.hpp>
 #include <irg/render/detail/visible/tile_drawing.hpp>
@@ -30,6 +31,41 @@ struct draw_workspace {
   std::vector<std::uint8_t> seen;  // by triangle: whether any part of it was not passed over
 };
 
+/// Where drawing goes: a raster of colours or numbers, and the depths of what it shows, of one size. At a call
+/// `{picture, depth}` is enough where they are the images that the function takes by default, else
+/// `irg::render_target{picture, depth}`.
+template <RowRaster Colour, RowRaster Depth>
+struct render_target {
+  Colour& colour;
+  Depth& depth;
+};
+template <class Colour, class Depth>
+render_target(Colour&, Depth&) -> render_target<Colour, Depth>;
+
+/// Triangles on the screen, of several objects or of one, and the mapping that their vertices were projected with. It
+/// refers to all that it is made of. At a call `{batches, mapping}` or `{vertices, triangles, mapping}` is enough for
+/// doubles, else `irg::projected_triangles{batches, mapping}`.
+template <Floating T>
+class projected_triangles {
+public:
+  constexpr projected_triangles(std::type_identity_t<std::span<const triangle_batch<T>>> batches,
+                                const screen_mapping<T>& mapping) noexcept
+      : mapping_(&mapping), batches_(batches) {}
+  constexpr projected_triangles(const projected_vertices<T>& vertices, std::span<const triangle_indices> triangles,
+                                const screen_mapping<T>& mapping) noexcept
+      : mapping_(&mapping), alone_{&vertices, triangles} {}
+
+  [[nodiscard]] constexpr const screen_mapping<T>& mapping() const noexcept { return *mapping_; }
+  [[nodiscard]] constexpr std::span<const triangle_batch<T>> batches() const& noexcept {
+    return alone_.vertices == nullptr ? batches_ : std::span<const triangle_batch<T>>(&alone_, 1);
+  }
+
+private:
+  const screen_mapping<T>* mapping_;
+  std::span<const triangle_batch<T>> batches_{};
+  triangle_batch<T> alone_{};
+};
+
 namespace detail {
 
 // What is drawn, and how, whatever becomes of it.
@@ -45,6 +81,16 @@ struct tile_job {
 
   constexpr triangle_finder<T> finder() const noexcept { return {batches, &workspace.bins}; }
 };
+
+// The job that settings describe; `own` serves where they bring no workspace.
+template <class T>
+constexpr tile_job<T> job_of(const projected_triangles<T>& triangles, const auto& settings,
+                             draw_workspace& own) noexcept {
+  tile_job<T> job{triangles.batches(), triangles.mapping(), settings.workspace != nullptr ? *settings.workspace : own,
+                  settings.culling,    settings.skip,       settings.clear};
+  if constexpr (requires { settings.depth; }) job.depth = settings.depth;
+  return job;
+}
 
 inline namespace IRG_ABI {
 

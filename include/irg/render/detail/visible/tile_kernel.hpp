@@ -67,8 +67,7 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
   using F = lanes<pack<float, lane_count>>;
   typedef pack<std::int32_t, lane_count> mask;
   const mask inside = none_negative(f[0], f[1], f[2]);
-  const auto key =
-      depth_at<pack<float, lane_count>>(f[0], f[1], f[2], t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
+  const auto key = depth_at<pack<float, lane_count>>(f, t);
   const auto stored = F::load(at.key);
   const mask covered = both(inside, stored < F::broadcast(beyond_everything));
   mask drawn = covered;
@@ -97,8 +96,7 @@ IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I (&f)[3], const pi
   constexpr int lane_count = lanes<I>::count;
   using F = lanes<pack<float, lane_count>>;
   typedef pack<std::int32_t, lane_count> mask;
-  const auto key =
-      depth_at<pack<float, lane_count>>(f[0], f[1], f[2], t.gain[0], t.gain[1], t.gain[2], t.rest, t.low, t.high);
+  const auto key = depth_at<pack<float, lane_count>>(f, t);
   const auto stored = F::load(at.key);
   const mask covered = both(none_negative(f[0], f[1], f[2]), stored < F::broadcast(beyond_everything));
   mask tie = both(covered, key == stored);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The faces that ray_casting asks: those of a window, equal ones once.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <irg/raster/face_order.hpp>
+
+namespace irg {
+namespace detail {
+inline namespace IRG_ABI {
+
+// Of equal faces, whose corners are the same in the same order, the one of the lowest number: the others are never
+// seen.
+template <class Face>
+constexpr void leave_out_equal_faces(std::vector<Face>& list) {
+  const auto is_same = [](const Face& a, const Face& b) {
+    for (int i = 0; i < 3; ++i)
+      if (a.v[i].position != b.v[i].position || a.v[i].depth != b.v[i].depth) return false;
+    return true;
+  };
+  const auto hash_of = [](const Face& f) {
+    std::uint64_t h = 0;
+    for (const screen_vertex& v : f.v) {
+      h = (h ^ static_cast<std::uint32_t>(v.position.x)) * 0x9e3779b97f4a7c15u;
+      h = (h ^ (h >> 32) ^ static_cast<std::uint32_t>(v.position.y)) * 0xd1b54a32d192ed03u;
+      h ^= h >> 29;  // equal depths may differ in their bits: 0 and -0
+    }
+    return h;
+  };
+  // The places in the list of those met before, open addressing.
+  std::vector<std::uint32_t> met(std::bit_ceil(2 * list.size()), no_face);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::size_t at = hash_of(list[i]) & (met.size() - 1);
+    while (met[at] != no_face && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
+    if (met[at] != no_face) {
+      Face& first = list[met[at]];
+      if (list[i].number < first.number) first.number = list[i].number;
+      continue;
+    }
+    met[at] = static_cast<std::uint32_t>(kept);
+    if (kept != i) list[kept] = list[i];
+    ++kept;
+  }
+  list.resize(kept, Face{});
+}
+
+// The faces with an area that touch a window, side by side.
+template <class Faces>
+constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_window& window) {
+  constexpr std::size_t many = 10000;
+  std::vector<screen_face> list;
+  list.reserve(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const screen_face f = faces[i];
+    if (f.coverage.double_area != 0 && !intersect(f.coverage.bounds, window).empty()) list.push_back(f);
+  }
+  if (list.size() > many) leave_out_equal_faces(list);
+  return list;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+}  // namespace irg
