@@ -93,7 +93,8 @@ struct subject {
   }
 
   irg::render_stats draw_phong() {
-    return irg::render(ready, to.picture, to.depth, {.style = irg::picture_style::phong}, {.background = {}});
+    return irg::render(ready, {to.picture, to.depth},
+                       {.style = irg::picture_style::phong, .colours = {.background = {}}});
   }
   irg::render_stats draw_textured() {
     irg::project_vertices<double>(projected, body.positions, to_clip, mapping);
@@ -101,8 +102,9 @@ struct subject {
     const irg::textured_vertices vertices[] = {{body.textured}};
     const irg::texture_pyramid textures[] = {{&levels}};
     return irg::draw_batches<irg::nearer_is_greater, double>(
-        to.picture, to.depth, batch, mapping, irg::mip_textured_shading<double>{vertices, textures, mapping},
-        {irg::face_culling::back, {}, irg::clearing::before_drawing, {}}, workspace);
+        irg::render_target{to.picture, to.depth}, {batch, mapping},
+        irg::mip_textured_shading<double>{vertices, textures, mapping},
+        {.culling = irg::face_culling::back, .clear = irg::clearing::before_drawing, .workspace = &workspace});
   }
 };
 
