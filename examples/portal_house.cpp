@@ -114,7 +114,7 @@ void write_sets(const program::command_line& line, const settings& s, const irg:
 place place_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
 // The cells that the eye sees, from the first cell that it stands in.
-std::string seen_by_eye(const program::command_line& line, const irg::named_plan<double>& house,
+std::string seen_by_eye(const program::command_line& line, const irg::named_plan<irg::cell_plan<double>>& house,
                         const irg::portal_graph<double>& doors, const place& eye) {
   for (std::uint32_t c = 0; c < house.names.size(); ++c) {
     const irg::plan_cell<double>& cell = house.plan.cells[c];
@@ -175,7 +175,7 @@ bool is_in_cell(const irg::space_plan<double>& plan, std::uint32_t cell, const p
   return true;
 }
 
-std::string seen_by_eye(const program::command_line& line, const irg::named_space_plan<double>& house,
+std::string seen_by_eye(const program::command_line& line, const irg::named_plan<irg::space_plan<double>>& house,
                         const place& eye) {
   for (std::uint32_t c = 0; c < house.names.size(); ++c) {
     if (!is_in_cell(house.plan, c, eye)) continue;

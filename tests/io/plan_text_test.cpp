@@ -37,7 +37,7 @@ TEST_CASE("plan_text: what is read is written, and read again") {
   }());
   test::random r(5);
   for (int i = 0; i < 10; ++i) {
-    irg::named_plan<double> house{test::random_house<double>(r, 200, 7), {}};
+    irg::named_plan<irg::cell_plan<double>> house{test::random_house<double>(r, 200, 7), {}};
     for (std::size_t c = 0; c < house.plan.cells.size(); ++c)
       house.names.push_back(irg::part_name("room" + std::to_string(c)));
     house.plan.cells[0].ceiling = 1 / (r.unit() + 0.1);

@@ -30,8 +30,8 @@ constexpr bool is_refused(std::string_view text, std::size_t line, std::size_t c
          std::string_view(house.error().message).find(part) != part.npos;
 }
 
-std::string text_of(const irg::named_space_plan<double>& house) {
-  const auto bytes = irg::encode_space_plan(house);
+std::string text_of(const irg::named_plan<irg::space_plan<double>>& house) {
+  const auto bytes = irg::encode_plan(house);
   return {bytes.begin(), bytes.end()};
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("space_plan_text: what is read is written, and read again") {
   CHECK(irg::validate(turned->plan) == irg::space_plan_finding{});
   test::random r(5);
   for (int i = 0; i < 6; ++i) {
-    irg::named_space_plan<double> other{test::space_house(r, 3, 2, 1 + i % 2).plan, {}};
+    irg::named_plan<irg::space_plan<double>> other{test::space_house(r, 3, 2, 1 + i % 2).plan, {}};
     for (auto& c : other.plan.cells)
       for (auto& v : c) v.x /= 2;
     for (auto& p : other.plan.portals)

@@ -164,6 +164,10 @@ template <class P>
 IRG_INLINE constexpr const P& point_of(const numbered_point<P>& p) noexcept {
   return p.point;
 }
+template <class P>
+using bare_point = std::remove_cvref_t<decltype(point_of(std::declval<const P&>()))>;
+template <class P, int D>
+concept PerturbedPoint = Point<bare_point<P>> && size_of<bare_point<P>> == D;
 template <Point P>
 IRG_INLINE constexpr int compare_for_perturbation(const P& p, const P& q) noexcept {
   return compare_lexicographic(p, q);
@@ -175,9 +179,10 @@ IRG_INLINE constexpr int compare_for_perturbation(const numbered_point<P>& p, co
 
 // The perturbed determinant's sign for points in the order they come: that in their own order, times the sign of the
 // permutation. 0 when their order does not tell two of them apart.
-template <class P, class... Q>
+template <class... Q>
 IRG_NOINLINE constexpr int perturbed_sign(const Q&... q) noexcept {
   using item = std::common_type_t<Q...>;
+  using P = bare_point<item>;
   std::array<const item*, sizeof...(Q)> items{&q...};
   int factor = 1;
   for (std::size_t i = 1; i < items.size(); ++i)
@@ -199,98 +204,57 @@ inline namespace IRG_ABI {
 
 /// orient2d that is never 0 for three different points: 1 when the way from a over b to c turns left, -1 when it turns
 /// right, and one of the two, as if the points were moved a little, when they lie on a line.
+/// shape   points, or points with numbers, which are equal only where their numbers are
 /// needs   finite coordinates
 /// gives   0 when two of the points are equal
 /// exact   the sign of orient2d, or of the moved points; changes with every exchange of two points
 /// cost    as orient2d, and some 20 ns more where that is 0
 /// source  Edelsbrunner and Muecke 1990, with the lexicographic order for their indices
-template <Point P>
-  requires(size_of<P> == 2)
+template <detail::PerturbedPoint<2> P>
 [[nodiscard]] constexpr int orient2d_sos(const P& a, const P& b, const P& c) noexcept {
-  const int sign = orient2d(a, b, c);
-  return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c);
-}
-
-/// The same for points with numbers: never 0, for equal points either.
-/// needs   finite coordinates and three different numbers
-/// source  Edelsbrunner and Muecke 1990
-template <Point P>
-  requires(size_of<P> == 2)
-[[nodiscard]] constexpr int orient2d_sos(const numbered_point<P>& a, const numbered_point<P>& b,
-                                         const numbered_point<P>& c) noexcept {
-  const int sign = orient2d(a.point, b.point, c.point);
-  return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c);
+  const int sign = orient2d(detail::point_of(a), detail::point_of(b), detail::point_of(c));
+  return sign != 0 ? sign : detail::perturbed_sign(a, b, c);
 }
 
 /// orient3d that is never 0 for four different points: the side of the plane through a, b and c that d lies on, 1 for
 /// that from which they are seen counter-clockwise, or would if all points were moved a little.
+/// shape   points, or points with numbers, which are equal only where their numbers are
 /// needs   finite coordinates
 /// gives   0 when two of the points are equal
 /// exact   the sign of orient3d, or of the moved points; changes with every exchange of two points
 /// source  Edelsbrunner and Muecke 1990, with the lexicographic order for their indices
-template <Point P>
-  requires(size_of<P> == 3)
+template <detail::PerturbedPoint<3> P>
 [[nodiscard]] constexpr int orient3d_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
-  const int sign = orient3d(a, b, c, d);
-  return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d);
-}
-
-/// The same for points with numbers: never 0, for equal points either.
-/// needs   finite coordinates and four different numbers
-template <Point P>
-  requires(size_of<P> == 3)
-[[nodiscard]] constexpr int orient3d_sos(const numbered_point<P>& a, const numbered_point<P>& b,
-                                         const numbered_point<P>& c, const numbered_point<P>& d) noexcept {
-  const int sign = orient3d(a.point, b.point, c.point, d.point);
-  return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d);
+  const int sign = orient3d(detail::point_of(a), detail::point_of(b), detail::point_of(c), detail::point_of(d));
+  return sign != 0 ? sign : -detail::perturbed_sign(a, b, c, d);
 }
 
 /// in_circle that is never 0 for four different points: 1 when d lies inside of the circle through a, b and c (which
 /// turn left), -1 outside, or as if all points were moved a little and their heights above the plane, too.
+/// shape   points, or points with numbers, which are equal only where their numbers are
 /// needs   finite coordinates
 /// gives   0 when two of the points are equal
 /// exact   the sign of in_circle, or of the moved points; changes with every exchange of two points
 /// cost    as in_circle, and some 50 ns more where that is 0, half a microsecond where the points lie on a line
 /// source  Edelsbrunner and Muecke 1990; Devillers and Teillaud 2011 (moved heights, lexicographic order)
-template <Point P>
-  requires(size_of<P> == 2)
+template <detail::PerturbedPoint<2> P>
 [[nodiscard]] constexpr int in_circle_sos(const P& a, const P& b, const P& c, const P& d) noexcept {
-  const int sign = in_circle(a, b, c, d);
-  return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c, d);
-}
-
-/// The same for points with numbers: never 0, for equal points either.
-/// needs   finite coordinates and four different numbers
-template <Point P>
-  requires(size_of<P> == 2)
-[[nodiscard]] constexpr int in_circle_sos(const numbered_point<P>& a, const numbered_point<P>& b,
-                                          const numbered_point<P>& c, const numbered_point<P>& d) noexcept {
-  const int sign = in_circle(a.point, b.point, c.point, d.point);
-  return sign != 0 ? sign : detail::perturbed_sign<P>(a, b, c, d);
+  const int sign = in_circle(detail::point_of(a), detail::point_of(b), detail::point_of(c), detail::point_of(d));
+  return sign != 0 ? sign : detail::perturbed_sign(a, b, c, d);
 }
 
 /// in_sphere that is never 0 for five different points: 1 when e lies inside of the sphere through a, b, c and d (with
 /// orient3d 1), -1 outside, or as if all points were moved a little and the sums of their squares, too.
+/// shape   points, or points with numbers, which are equal only where their numbers are
 /// needs   finite coordinates
 /// gives   0 when two of the points are equal
 /// exact   the sign of in_sphere, or of the moved points; changes with every exchange of two points
 /// source  as in_circle_sos
-template <Point P>
-  requires(size_of<P> == 3)
+template <detail::PerturbedPoint<3> P>
 [[nodiscard]] constexpr int in_sphere_sos(const P& a, const P& b, const P& c, const P& d, const P& e) noexcept {
-  const int sign = in_sphere(a, b, c, d, e);
-  return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d, e);
-}
-
-/// The same for points with numbers: never 0, for equal points either.
-/// needs   finite coordinates and five different numbers
-template <Point P>
-  requires(size_of<P> == 3)
-[[nodiscard]] constexpr int in_sphere_sos(const numbered_point<P>& a, const numbered_point<P>& b,
-                                          const numbered_point<P>& c, const numbered_point<P>& d,
-                                          const numbered_point<P>& e) noexcept {
-  const int sign = in_sphere(a.point, b.point, c.point, d.point, e.point);
-  return sign != 0 ? sign : -detail::perturbed_sign<P>(a, b, c, d, e);
+  const int sign = in_sphere(detail::point_of(a), detail::point_of(b), detail::point_of(c), detail::point_of(d),
+                             detail::point_of(e));
+  return sign != 0 ? sign : -detail::perturbed_sign(a, b, c, d, e);
 }
 
 }  // namespace IRG_ABI

@@ -26,9 +26,9 @@ inline namespace IRG_ABI {
 /// exact   numbers are correctly rounded to T
 /// cost    linear, and validate(); memory at most 64 times the text
 template <Floating T = double>
-[[nodiscard]] constexpr result<named_plan<T>> read_plan(std::string_view text) {
+[[nodiscard]] constexpr result<named_plan<cell_plan<T>>> read_plan(std::string_view text) {
   detail::plan_reader<T> reader(text);
-  if (reader.read()) return named_plan<T>{std::move(reader.plan), std::move(reader.names)};
+  if (reader.read()) return named_plan<cell_plan<T>>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);
 }
 
@@ -36,7 +36,7 @@ template <Floating T = double>
 /// needs   a name for each cell, all different, of letters without blanks and #; a plan without defects
 /// exact   every number with the fewest digits that lead back to it
 template <Floating T>
-[[nodiscard]] constexpr std::vector<std::uint8_t> encode_plan(const named_plan<T>& named) {
+[[nodiscard]] constexpr std::vector<std::uint8_t> encode_plan(const named_plan<cell_plan<T>>& named) {
   std::vector<std::uint8_t> out;
   const cell_plan<T>& plan = named.plan;
   for (std::size_t c = 0; c < plan.cells.size(); ++c) {

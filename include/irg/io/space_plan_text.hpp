@@ -18,14 +18,6 @@
 
 namespace irg {
 
-/// A plan in space whose cells have names.
-template <Floating T>
-struct named_space_plan {
-  space_plan<T> plan;
-  std::vector<part_name> names;  // one for each cell
-  constexpr bool operator==(const named_space_plan&) const = default;
-};
-
 inline namespace IRG_ABI {
 
 /// Whether a text describes a plan in space rather than one in the plane: its first word is `point`.
@@ -43,9 +35,9 @@ inline namespace IRG_ABI {
 /// cost    linear, the corners of each cell for each of its faces' corners, and validate(); memory at most 64 times the
 ///         text
 template <Floating T = double>
-[[nodiscard]] constexpr result<named_space_plan<T>> read_space_plan(std::string_view text) {
+[[nodiscard]] constexpr result<named_plan<space_plan<T>>> read_space_plan(std::string_view text) {
   detail::space_plan_reader<T> reader(text);
-  if (reader.read()) return named_space_plan<T>{std::move(reader.plan), std::move(reader.names)};
+  if (reader.read()) return named_plan<space_plan<T>>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);
 }
 
@@ -55,7 +47,7 @@ template <Floating T = double>
 /// exact   every number with the fewest digits that lead back to it
 /// cost    sorts the corners
 template <Floating T>
-[[nodiscard]] constexpr std::vector<std::uint8_t> encode_space_plan(const named_space_plan<T>& named) {
+[[nodiscard]] constexpr std::vector<std::uint8_t> encode_plan(const named_plan<space_plan<T>>& named) {
   const space_plan<T>& plan = named.plan;
   const auto before = [](const point<T, 3>& p, const point<T, 3>& q) {
     return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;

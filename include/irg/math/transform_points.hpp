@@ -21,61 +21,44 @@ struct point_streams {
   [[nodiscard]] IRG_INLINE constexpr std::size_t size() const noexcept { return x.size(); }
 };
 
+namespace detail::inline IRG_ABI {
+
+// to[i] = one(from[i]) for positions (Coordinates = 4) or displacements (3).
+template <int Coordinates, class T, class From, class To, class One>
+constexpr void transform_rows(const mat<T, 4, 4>& a, From from, To to, const One& one) noexcept {
+  IRG_EXPECTS(from.size() == to.size());
+  if (from.empty()) return;
+  const auto each = [&](std::size_t i) { to[i] = one(from[i]); };
+  by_rows(
+      from.size(), each, [&](auto* p, auto* q) { transform_triples<Coordinates>(a, p, q, from.size(), each); }, from[0],
+      to[0]);
+}
+
+}  // namespace detail::inline IRG_ABI
+
 inline namespace IRG_ABI {
 
 /// The images of positions under an affine matrix, whose last row is not read: out[i] = transform_point(a, points[i]).
-/// needs   spans of one size; `out` begins where `points` does or does not overlap them
+/// shape   arrays of irg's points or of other types that are three floats or doubles in a row
+/// needs   arrays of one size; `out` begins where `points` does or does not overlap them
 /// exact   the bits of transform_point
 /// cost    9 products and 9 sums a point in the widest registers; from about 10^5 points on, memory decides
-template <Floating T>
-constexpr void transform_points(const mat<T, 4, 4>& a, std::type_identity_t<std::span<const point<T, 3>>> points,
-                                std::type_identity_t<std::span<point<T, 3>>> out) noexcept {
-  IRG_EXPECTS(points.size() == out.size());
-  if (points.empty()) return;
-  detail::transform_triples<4>(a, &points[0].x, &out[0].x, points.size(),
-                               [&](std::size_t i) { out[i] = transform_point(a, points[i]); });
+template <class T, class A, class B>
+  requires(Point<detail::element_of<const A>> && detail::Triple<detail::element_of<const A>> &&
+           std::same_as<detail::element_of<const A>, detail::element_of<B>>)
+constexpr void transform_points(const mat<T, 4, 4>& a, const A& points, B&& out) noexcept {
+  detail::transform_rows<4>(a, std::span(points), std::span(out), [&](const auto& p) { return transform_point(a, p); });
 }
 
 /// The images of displacements under an affine matrix: out[i] = transform_vector(a, vectors[i]).
 /// needs   as transform_points
 /// exact   the bits of transform_vector
-template <Floating T>
-constexpr void transform_vectors(const mat<T, 4, 4>& a, std::type_identity_t<std::span<const vec<T, 3>>> vectors,
-                                 std::type_identity_t<std::span<vec<T, 3>>> out) noexcept {
-  IRG_EXPECTS(vectors.size() == out.size());
-  if (vectors.empty()) return;
-  detail::transform_triples<3>(a, &vectors[0].x, &out[0].x, vectors.size(),
-                               [&](std::size_t i) { out[i] = transform_vector(a, vectors[i]); });
-}
-
-/// The same for points and vectors of a type that is not irg's: three floats or doubles in a row.
-template <class T, class A, class B>
-  requires(Point<detail::element_of<const A>> && detail::Triple<detail::element_of<const A>> &&
-           !std::same_as<detail::element_of<const A>, point<T, 3>> &&
-           std::same_as<detail::element_of<const A>, detail::element_of<B>>)
-constexpr void transform_points(const mat<T, 4, 4>& a, const A& points, B&& out) noexcept {
-  const std::span from(points);
-  const std::span to(out);
-  IRG_EXPECTS(from.size() == to.size());
-  if (from.empty()) return;
-  const auto one = [&](std::size_t i) { to[i] = transform_point(a, from[i]); };
-  detail::by_rows(
-      from.size(), one, [&](auto* p, auto* q) { detail::transform_triples<4>(a, p, q, from.size(), one); }, from[0],
-      to[0]);
-}
 template <class T, class A, class B>
   requires(Vector<detail::element_of<const A>> && detail::Triple<detail::element_of<const A>> &&
-           !std::same_as<detail::element_of<const A>, vec<T, 3>> &&
            std::same_as<detail::element_of<const A>, detail::element_of<B>>)
 constexpr void transform_vectors(const mat<T, 4, 4>& a, const A& vectors, B&& out) noexcept {
-  const std::span from(vectors);
-  const std::span to(out);
-  IRG_EXPECTS(from.size() == to.size());
-  if (from.empty()) return;
-  const auto one = [&](std::size_t i) { to[i] = transform_vector(a, from[i]); };
-  detail::by_rows(
-      from.size(), one, [&](auto* v, auto* w) { detail::transform_triples<3>(a, v, w, from.size(), one); }, from[0],
-      to[0]);
+  detail::transform_rows<3>(a, std::span(vectors), std::span(out),
+                            [&](const auto& v) { return transform_vector(a, v); });
 }
 
 /// The images of positions in streams under an affine matrix.

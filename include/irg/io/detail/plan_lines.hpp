@@ -10,6 +10,18 @@
 #include <irg/io/detail/text_cursor.hpp>
 #include <irg/mesh/part_name.hpp>
 
+namespace irg {
+
+/// A cell_plan or a space_plan whose cells have names.
+template <class Plan>
+struct named_plan {
+  Plan plan;
+  std::vector<part_name> names;  // one for each cell
+  constexpr bool operator==(const named_plan&) const = default;
+};
+
+}  // namespace irg
+
 namespace irg::detail {
 inline namespace IRG_ABI {
 

@@ -14,14 +14,6 @@
 
 namespace irg {
 
-/// A plan whose cells have names.
-template <Floating T>
-struct named_plan {
-  cell_plan<T> plan;
-  std::vector<part_name> names;  // one for each cell
-  constexpr bool operator==(const named_plan&) const = default;
-};
-
 namespace detail {
 inline namespace IRG_ABI {
 
