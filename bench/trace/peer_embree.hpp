@@ -21,17 +21,21 @@ struct camera_ray {
 };
 
 enum class embree_task { closest, any, packets };
+enum class embree_quality { low, medium, high };  // by Morton order, by surface area, with spatial splits
 
 #ifdef IRG_HAVE_EMBREE
 
 /// The scene over triangles, and how long building it took.
 template <class Triangle, class Clock>
-RTCScene embree_scene(const std::vector<Triangle>& triangles, bool low_quality, const Clock& now, double& seconds) {
+RTCScene embree_scene(const std::vector<Triangle>& triangles, embree_quality chosen, const Clock& now,
+                      double& seconds) {
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
   const RTCDevice device = rtcNewDevice("threads=1");
   const RTCScene scene = rtcNewScene(device);
-  const RTCBuildQuality quality = low_quality ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+  const RTCBuildQuality quality = chosen == embree_quality::low      ? RTC_BUILD_QUALITY_LOW
+                                  : chosen == embree_quality::medium ? RTC_BUILD_QUALITY_MEDIUM
+                                                                     : RTC_BUILD_QUALITY_HIGH;
   rtcSetSceneBuildQuality(scene, quality);
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetGeometryBuildQuality(geometry, quality);
@@ -52,9 +56,9 @@ RTCScene embree_scene(const std::vector<Triangle>& triangles, bool low_quality, 
 }
 
 template <class Triangle, class Clock>
-double embree_build_seconds(const std::vector<Triangle>& triangles, bool low_quality, const Clock& now) {
+double embree_build_seconds(const std::vector<Triangle>& triangles, embree_quality chosen, const Clock& now) {
   double seconds = 0;
-  embree_scene(triangles, low_quality, now, seconds);
+  embree_scene(triangles, chosen, now, seconds);
   return seconds;
 }
 
@@ -67,10 +71,10 @@ void set_ray(R& to, const camera_ray& r) {
 }
 
 template <class Triangle, class Clock>
-double embree_ray_seconds(const std::vector<Triangle>& triangles, const std::vector<camera_ray>& rays, bool low_quality,
-                          embree_task task, const Clock& now) {
+double embree_ray_seconds(const std::vector<Triangle>& triangles, const std::vector<camera_ray>& rays,
+                          embree_quality chosen, embree_task task, const Clock& now) {
   double seconds = 0;
-  const RTCScene scene = embree_scene(triangles, low_quality, now, seconds);
+  const RTCScene scene = embree_scene(triangles, chosen, now, seconds);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   if (task == embree_task::packets) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -110,11 +114,11 @@ double embree_ray_seconds(const std::vector<Triangle>& triangles, const std::vec
 #else
 
 template <class Triangle, class Clock>
-double embree_build_seconds(const std::vector<Triangle>&, bool, const Clock&) {
+double embree_build_seconds(const std::vector<Triangle>&, embree_quality, const Clock&) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 template <class Triangle, class Clock>
-double embree_ray_seconds(const std::vector<Triangle>&, const std::vector<camera_ray>&, bool, embree_task,
+double embree_ray_seconds(const std::vector<Triangle>&, const std::vector<camera_ray>&, embree_quality, embree_task,
                           const Clock&) {
   return std::numeric_limits<double>::quiet_NaN();
 }

@@ -113,13 +113,21 @@ void enter_model(const std::string& name, const irg::mesh<float>& body) {
   auto& made = keep_lazy([body, width, height] { return make_model(body, width, height); });
   const auto count = static_cast<std::int64_t>(width) * height;
   const auto triangles = static_cast<std::int64_t>(body.corners.size() - 2 * body.face_count());
-  for (const bool by_place : {false, true}) {
-    const irg::bvh_config config{by_place ? irg::bvh_method::morton : irg::bvh_method::surface_area};
-    const std::string quality = by_place ? "by place" : "by area";
+  struct way {
+    irg::bvh_method method;
+    embree_quality of_embree;
+    std::string name;
+  };
+  for (const way& w : {way{irg::bvh_method::surface_area, embree_quality::medium, "by area"},
+                       way{irg::bvh_method::morton, embree_quality::low, "by place"},
+                       way{irg::bvh_method::spatial_splits, embree_quality::high, "in parts"}}) {
+    const irg::bvh_config config{w.method};
+    const std::string& quality = w.name;
+    const embree_quality chosen = w.of_embree;
     const contest building{"bvh build " + quality, name, "triangle", triangles, "", ""};
     enter(building, timed("irg", [&made, config] { tree(std::span<const triangle>(made->triangles), config); }));
-    enter(building, {"embree", {}, {}, "", true, [&made, by_place] {
-                       return in_own_process([&] { return embree_build_seconds(made->triangles, by_place, now); });
+    enter(building, {"embree", {}, {}, "", true, [&made, chosen] {
+                       return in_own_process([&] { return embree_build_seconds(made->triangles, chosen, now); });
                      }});
     auto& built = keep_lazy([&made, config] { return tree(std::span<const triangle>(made->triangles), config); });
     auto& met = keep(std::int64_t{0});
@@ -141,15 +149,15 @@ void enter_model(const std::string& name, const irg::mesh<float>& body) {
             }
           }));
     for (const bool packets : {false, true})
-      enter(first, {packets ? "embree:packet16" : "embree", {}, {}, "", true, [&made, by_place, packets] {
+      enter(first, {packets ? "embree:packet16" : "embree", {}, {}, "", true, [&made, chosen, packets] {
                       return in_own_process([&] {
-                        return embree_ray_seconds(made->triangles, made->camera, by_place,
+                        return embree_ray_seconds(made->triangles, made->camera, chosen,
                                                   packets ? embree_task::packets : embree_task::closest, now);
                       });
                     }});
-    if (by_place) continue;
+    if (w.method == irg::bvh_method::morton) continue;
     auto& lit = keep(std::int64_t{0});
-    const contest shadow{"shadow ray", name, "ray", smoke() ? 16 : 750000, "", ""};
+    const contest shadow{"shadow ray " + quality, name, "ray", smoke() ? 16 : 750000, "", ""};
     const auto some = [&made](const auto& use) {  // as many as the contest says, from the beginning again if need be
       const auto& rays = made->shadow;
       const std::size_t n = smoke() ? 16 : 750000;
@@ -159,11 +167,11 @@ void enter_model(const std::string& name, const irg::mesh<float>& body) {
             lit = 0;
             some([&](const camera_ray& r) { lit += irg::any_hit(*built, ray_of(r)); });
           }));
-    enter(shadow, {"embree", {}, {}, "", true, [&made, some] {
+    enter(shadow, {"embree", {}, {}, "", true, [&made, some, chosen] {
                      std::vector<camera_ray> rays;
                      some([&](const camera_ray& r) { rays.push_back(r); });
                      return in_own_process(
-                         [&] { return embree_ray_seconds(made->triangles, rays, false, embree_task::any, now); });
+                         [&] { return embree_ray_seconds(made->triangles, rays, chosen, embree_task::any, now); });
                    }});
   }
 }
