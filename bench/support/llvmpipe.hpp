@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The peer: Mesa's software rasterizer llvmpipe through OSMesa, drawing one indexed mesh of coloured vertices.
+// The peer: Mesa's software rasterizer llvmpipe through OSMesa, drawing one indexed mesh. Three numbers of a vertex reach
+// its fragments: a colour, or what a fragment shader of the caller's makes of them.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
@@ -21,19 +22,22 @@ namespace bench {
 
 class llvmpipe {
 public:
+  /// What a fragment shader finds: the vertices' own three numbers as v, their positions as p.
+  static constexpr const char* colour_alone =
+      "#version 120\nvarying vec3 v;\nvoid main() { gl_FragColor = vec4(v, 1.0); }\n";
+
   /// threads = 0 draws on the calling thread. Call before any other use of GL in the process.
-  llvmpipe(int width, int height, int threads) : picture_(width, height) {
+  llvmpipe(int width, int height, int threads, const char* fragment = colour_alone) : picture_(width, height) {
     setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
     const int attributes[] = {
         OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 0, OSMESA_ACCUM_BITS, 0, 0};
     context_ = OSMesaCreateContextAttribs(attributes, nullptr);
-    ok_ = context_ && OSMesaMakeCurrent(context_, picture_.data(), GL_UNSIGNED_BYTE, width, height);
+    ok_ = context_ && make_current();
     if (!ok_) return;
     OSMesaPixelStore(OSMESA_Y_UP, 0);
     const char* vertex =
-        "#version 120\nattribute vec3 p; attribute vec3 c; uniform mat4 m; varying vec3 v;\n"
-        "void main() { gl_Position = m * vec4(p, 1.0); v = c; }\n";
-    const char* fragment = "#version 120\nvarying vec3 v;\nvoid main() { gl_FragColor = vec4(v, 1.0); }\n";
+        "#version 120\nattribute vec3 position; attribute vec3 c; uniform mat4 m; varying vec3 v, p;\n"
+        "void main() { gl_Position = m * vec4(position, 1.0); v = c; p = position; }\n";
     program_ = glCreateProgram();
     for (const auto& [kind, source] : {std::pair{GL_VERTEX_SHADER, vertex}, std::pair{GL_FRAGMENT_SHADER, fragment}}) {
       const GLuint shader = glCreateShader(static_cast<GLenum>(kind));
@@ -41,7 +45,7 @@ public:
       glCompileShader(shader);
       glAttachShader(program_, shader);
     }
-    glBindAttribLocation(program_, 0, "p");
+    glBindAttribLocation(program_, 0, "position");
     glBindAttribLocation(program_, 1, "c");
     glLinkProgram(program_);
     glUseProgram(program_);
@@ -55,6 +59,10 @@ public:
   llvmpipe& operator=(const llvmpipe&) = delete;
 
   bool ok() const { return ok_; }
+  /// Where there are several, before each of them is drawn with.
+  bool make_current() {
+    return OSMesaMakeCurrent(context_, picture_.data(), GL_UNSIGNED_BYTE, picture_.width(), picture_.height());
+  }
   std::string renderer() const { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
   const irg::image<irg::rgba8>& picture() const { return picture_; }
 
@@ -80,6 +88,21 @@ public:
     for (int r = 0; r < 4; ++r)
       for (int c = 0; c < 4; ++c) m[4 * c + r] = r == 2 ? to_clip(3, c) - 2 * to_clip(2, c) : to_clip(r, c);
     glUniformMatrix4fv(glGetUniformLocation(program_, "m"), 1, GL_FALSE, m);
+  }
+
+  void set(const char* name, const irg::vec<float, 3>& value) {
+    glUniform3f(glGetUniformLocation(program_, name), value.x, value.y, value.z);
+  }
+
+  /// A texture of linear bytes with all its levels, which repeats and is sampled trilinearly.
+  void load_texture(const irg::image<irg::rgba8>& texels) {
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texels.width(), texels.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 texels.data());
   }
 
   /// Clear, draw, finish.

@@ -12,17 +12,15 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// linear_to_srgb8 for each lane.
+// linear_to_srgb8 for each lane, in bits 16 to 23; those above are zero, those below anything.
 template <int N>
 IRG_INLINE pack<std::int32_t, N> srgb_codes_of(const pack<float, N>& light) noexcept {
   using F = lanes<pack<float, N>>;
-  const auto first = F::broadcast(srgb_first), last = F::broadcast(srgb_last);
-  const auto not_below = select(first < light, light, first);  // the first for NaN, too
-  const auto limited = select(not_below < last, not_below, last);
+  const auto limited = low_of(high_of(light, F::broadcast(srgb_first)), F::broadcast(srgb_last));  // NaN: the first
   const auto bits = bits_as<std::int32_t>(limited);
   const auto entry =
       gather<std::int32_t>(srgb_code_table.entry, (bits - static_cast<std::int32_t>(srgb_first_bits)) >> 16);
-  return (entry + (bits & 0xffff)) >> 16;
+  return entry + (bits & 0xffff);
 }
 
 }  // namespace IRG_ABI
@@ -36,9 +34,11 @@ inline namespace IRG_ABI {
 template <int N>
 [[nodiscard]] IRG_INLINE pack<std::uint32_t, N> encode_lanes(const pack<float, N>& r, const pack<float, N>& g,
                                                              const pack<float, N>& b) noexcept {
-  const auto word = [](const pack<float, N>& light) { return bits_as<std::uint32_t>(detail::srgb_codes_of(light)); };
-  return (word(r) << byte_shift<4>(0)) | (word(g) << byte_shift<4>(1)) | (word(b) << byte_shift<4>(2)) |
-         0xffu << byte_shift<4>(3);
+  const auto word = [](const pack<float, N>& light, int to) {
+    const auto code = detail::srgb_codes_of(light);
+    return bits_as<std::uint32_t>(to == 16 ? code & 0xff0000 : code >> 16 << to);
+  };
+  return word(r, byte_shift<4>(0)) | word(g, byte_shift<4>(1)) | word(b, byte_shift<4>(2)) | 0xffu << byte_shift<4>(3);
 }
 
 /// The light of N pixels, whose bits the words are.
