@@ -226,7 +226,7 @@ private:
       fours.write(p, mix_words<4>(fours.read(p), colour, coverage));
     };
     for (int k = 0; k < 4; ++k)
-      mix_four(end(k), load_coverages<4>(reinterpret_cast<const std::uint8_t*>(s.ends.coverage + k)));
+      mix_four(end(k), load_coverages<4>(aa_in_memory(static_cast<std::uint32_t>(s.ends.coverage[k])).data()));
     const aa_slender_steps<four> one(s);
     const four aside = lanes<four>::load(s.aside);
     std::int32_t walk = s.walk;
