@@ -17,7 +17,9 @@ namespace irg {
 struct height_grid {
   std::vector<double> x{}, z{}, heights{};
 
-  [[nodiscard]] constexpr grid_surface surface() const noexcept { return {x, z, heights}; }
+  [[nodiscard]] constexpr grid_surface surface() const noexcept {
+    return {{x.data(), x.size()}, {z.data(), z.size()}, {heights.data(), heights.size()}};
+  }
 };
 
 /// Where samples are taken: `count` even steps from `from` to `to`, both included.

@@ -148,7 +148,7 @@ constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, cons
 // What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
 template <Floating T, class IsIn>
 constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
-  const body_triangles b = make_body_triangles(bodies);
+  const auto b = make_body_triangles(bodies);
   switch (b.fault) {
     case surface_fault::none: break;
     case surface_fault::not_finite: return {solid_boolean_status::not_finite, b.faulty};

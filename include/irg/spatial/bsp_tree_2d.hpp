@@ -79,7 +79,7 @@ public:
   /// cost    one side of a line for each node
   template <class Sink>
   constexpr void visit(const point<T, 2>& eye, bsp_order order, Sink&& sink) const {
-    std::vector<std::pair<std::uint32_t, bool>> open;  // a node, and whether only its own pieces are left to call
+    std::vector<visit_step> open;
     if (!nodes_.empty()) open.push_back({0, false});
     while (!open.empty()) {
       const auto [i, own] = open.back();
@@ -116,6 +116,10 @@ public:
   }
 
 private:
+  struct visit_step {
+    std::uint32_t node;
+    bool own;  // only the node's own pieces are left to call
+  };
   struct cell {
     std::vector<bsp_piece_2d> pieces;
     std::uint32_t parent;

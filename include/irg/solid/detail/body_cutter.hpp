@@ -31,10 +31,10 @@ struct cut_triangle {
 
 inline namespace IRG_ABI {
 
-template <class Bodies>
+template <class Bodies, class Exact = exact_point>
 class body_cutter {
 public:
-  exact_vertices<exact_point> vertices;
+  exact_vertices<Exact> vertices;
   std::vector<cut_triangle> triangles;  // those of one body after another
   std::vector<signed char> directions;  // of each triangle: 1 where it bounds the combination, -1 where turned, or 0
   std::vector<std::array<std::uint32_t, 3>> cuts;  // edges at which parts end: from, to, the triangle
@@ -348,8 +348,8 @@ private:
   constexpr bool place_piece(std::uint32_t piece, part_sides& sides) {
     const cut_triangle& t = triangles[piece];
     const std::uint32_t own = b_.body[t.source];
-    const exact_point a = vertices.exact(t.v[0]), b = vertices.exact(t.v[1]), c = vertices.exact(t.v[2]);
-    const exact_point middle = exact_point::mean_of(a, b, c);
+    const Exact a = vertices.exact(t.v[0]), b = vertices.exact(t.v[1]), c = vertices.exact(t.v[2]);
+    const Exact middle = Exact::mean_of(a, b, c);
     std::vector<unsigned char> is_on(b_.ends.size(), 0);
     auto pair = std::lower_bound(coplanar_.begin(), coplanar_.end(), coplanar_pair{t.source, 0});
     for (; pair != coplanar_.end() && pair->triangle == t.source; ++pair) {
@@ -374,7 +374,7 @@ private:
   }
 
   const Bodies& b_;
-  face_cutter<exact_vertices<exact_point>> cutter_;
+  face_cutter<exact_vertices<Exact>> cutter_;
   std::vector<space_box> boxes_, body_boxes_;
   std::vector<contact_key> keys_;
   std::vector<unsigned char> seams_;

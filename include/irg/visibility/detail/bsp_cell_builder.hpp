@@ -48,6 +48,14 @@ public:
   }
 
 private:
+  struct open_part {
+    std::uint32_t node;
+    std::vector<std::uint32_t> sides;
+  };
+  struct made_cell {
+    std::uint32_t cell;
+    std::array<std::uint32_t, 3> corners;
+  };
   struct leaf {
     std::vector<std::uint32_t> sides{};  // lines, counter-clockwise; corner k is where sides k - 1 and k cross
     std::vector<point<T, 2>> corners{};
@@ -93,7 +101,7 @@ private:
   }
 
   constexpr void find_leaves() {
-    std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> open;
+    std::vector<open_part> open;
     const auto window = static_cast<std::uint32_t>(tree_.nodes().size());
     open.push_back({tree_.nodes().empty() ? bsp_none : 0, {window, window + 1, window + 2, window + 3}});
     while (!open.empty()) {
@@ -111,11 +119,11 @@ private:
       const bool is_divided = any_left && any_right;
       for (const int side : {-1, 1}) {
         if (side < 0 ? !any_right : !any_left) continue;
-        open.emplace_back(side < 0 ? node.right : node.left, std::vector<std::uint32_t>{});
+        open.push_back({side < 0 ? node.right : node.left, {}});
         if (is_divided)
-          open.back().second = part_of(sides, at, n, side);
+          open.back().sides = part_of(sides, at, n, side);
         else
-          open.back().second = sides;
+          open.back().sides = sides;
       }
     }
   }
@@ -216,7 +224,7 @@ private:
   constexpr bool add_triangles(leaf& l, const std::vector<point<T, 2>>& ring) {
     if (ring.size() < 3 || orientation_of(ring) != orientation::counter_clockwise) return false;
     const auto triangles = triangulate_ear_clipping(ring);
-    std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 3>>> made;
+    std::vector<made_cell> made;
     for (const auto& t : triangles) {
       plan_cell<T> c{{ring[t[0]], ring[t[1]], ring[t[2]]}};
       if (defect_of_cell(c) != plan_defect::none) continue;
@@ -228,9 +236,9 @@ private:
       for (std::size_t k = 0; k < i; ++k)
         for (std::size_t u = 0; u < 3; ++u)
           for (std::size_t v = 0; v < 3; ++v) {
-            const std::uint32_t a = made[i].second[u], b = made[i].second[(u + 1) % 3];
-            if (made[k].second[v] == b && made[k].second[(v + 1) % 3] == a)
-              plan_.portals.push_back({made[i].first, made[k].first, ring[a], ring[b]});
+            const std::uint32_t a = made[i].corners[u], b = made[i].corners[(u + 1) % 3];
+            if (made[k].corners[v] == b && made[k].corners[(v + 1) % 3] == a)
+              plan_.portals.push_back({made[i].cell, made[k].cell, ring[a], ring[b]});
           }
     return !made.empty();
   }

@@ -37,21 +37,21 @@ public:
   // most_doors were looked at.
   template <class MayPass, class Sink>
   constexpr bool from(std::uint32_t cell, std::uint64_t most_doors, const MayPass& may_pass, const Sink& sink) const {
-    std::vector<std::pair<std::uint32_t, std::size_t>> way(1, {cell, std::size_t{0}});
+    std::vector<way_step> way(1, way_step{cell, 0});
     std::vector<const space_doorway<T>*> passed;
     sink(cell);
     for (std::uint64_t count = 0; !way.empty();) {
-      const std::uint32_t at = way.back().first;
-      if (way.back().second == doors_[at].size()) {
+      const std::uint32_t at = way.back().cell;
+      if (way.back().next_door == doors_[at].size()) {
         way.pop_back();
         if (!way.empty()) passed.pop_back();
         continue;
       }
       if (count++ == most_doors) return false;
-      const space_doorway<T>& d = doors_[at][way.back().second++];
+      const space_doorway<T>& d = doors_[at][way.back().next_door++];
       if (!may_pass(passed, d)) continue;
       passed.push_back(&d);
-      way.emplace_back(d.to, std::size_t{0});
+      way.push_back({d.to, 0});
       sink(d.to);
     }
     return true;
@@ -78,6 +78,11 @@ public:
   constexpr const std::vector<space_doorway<T>>& doors(std::uint32_t cell) const noexcept { return doors_[cell]; }
 
 private:
+  struct way_step {
+    std::uint32_t cell;
+    std::size_t next_door;
+  };
+
   std::vector<std::vector<space_doorway<T>>> doors_;
 };
 
