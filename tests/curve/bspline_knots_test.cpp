@@ -221,13 +221,13 @@ TEST_CASE("knots inserted and degrees raised: new control points stay in the box
 }
 
 TEST_CASE("degrees raised: an end between control points is the same point, bit for bit") {
-  constexpr std::array<double, 10> knots{2, 2, 2, 3, 3, 4, 5, 5, 6, 6};
+  constexpr std::array<double, 10> numbers{2, 2, 2, 3, 3, 4, 5, 5, 6, 6};
   constexpr std::array<P, 5> points{P{0, -0x1.9d6a20155923cp-2},
                                     {0, 0x1.fb7624ae686p-9},
                                     {0, 0x1.0f08965d5880cp-2},
                                     {0, 0x1.ec1461019f242p-1},
                                     {0, 0x1.3324f14c838a8p-1}};
-  const auto u = *irg::make_bspline_knots(std::span<const double>(knots), 4);
+  const auto u = *irg::make_bspline_knots(std::span<const double>(numbers), 4);
   std::vector<double> raised(22), scratch(10);
   raised.resize(irg::elevated_knots(u, raised));
   const auto elevated = *irg::make_bspline_knots(std::span<const double>(raised), 5);
