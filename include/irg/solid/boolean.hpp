@@ -75,8 +75,8 @@ constexpr bool are_cuts_closed(const Cut& cut) {
   };
   std::vector<walk> walks;
   for (const auto& [from, to, triangle] : cut.cuts)
-    if (const int times = cut.directions[triangle]; times != 0)
-      walks.push_back({lesser(from, to), greater(from, to), from < to ? times : -times});
+    if (const bool turned = cut.directions[triangle] < 0; cut.directions[triangle] != 0)
+      walks.push_back({lesser(from, to), greater(from, to), (from < to) != turned ? 1 : -1});
   std::sort(walks.begin(), walks.end(),
             [](const walk& a, const walk& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   int sum = 0;
