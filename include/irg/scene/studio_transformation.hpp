@@ -79,7 +79,7 @@ constexpr mat<T, 4, 4> studio_matrix(const studio_transformation<T>& t) noexcept
   };
   switch (t.kind) {
     case studio_map::translate: return translation(first);
-    case studio_map::scale: return scaling(first);
+    case studio_map::scale: return irg::scaling(first);  // detail has a scaling of its own
     case studio_map::rotate_x: return rotation_x(radians(n[0]));
     case studio_map::rotate_y: return rotation_y(radians(n[0]));
     case studio_map::rotate_z: return rotation_z(radians(n[0]));
