@@ -15,6 +15,16 @@ namespace {
 using irg::exact_point;
 using place = irg::point<double, 3>;
 
+// A place of a lattice, of numbers of one size, or of 400 decades, in turn.
+place any_place(test::random& r, int trial) {
+  place p{};
+  for (int i = 0; i < 3; ++i)
+    p[i] = trial % 2 ? static_cast<double>(r.integer(-3, 3))
+                     : std::ldexp(static_cast<double>(r.integer(-(1 << 30), 1 << 30)),
+                                  static_cast<int>(r.integer(-660, 660)) * (trial % 4 / 2));
+  return p;
+}
+
 }  // namespace
 
 TEST_CASE("exact_point: crossings, their sides and orders, at compile time, too") {
@@ -45,14 +55,7 @@ TEST_CASE("exact_point: where three planes meet, of lattices and of 400 decades"
   test::random r(21);
   int met = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    const auto any = [&] {
-      place p{};
-      for (int i = 0; i < 3; ++i)
-        p[i] = trial % 2 ? static_cast<double>(r.integer(-3, 3))
-                         : std::ldexp(static_cast<double>(r.integer(-(1 << 30), 1 << 30)),
-                                      static_cast<int>(r.integer(-660, 660)) * (trial % 4 / 2));
-      return p;
-    };
+    const auto any = [&] { return any_place(r, trial); };
     const auto plane = [&] { return std::array{any(), any(), any()}; };
     const std::array<place, 3> a = plane(), b = plane(), c{a[0], a[1], any()};
     const exact_point p = exact_point::on_planes({a, b, plane()}), q = exact_point::on_planes({a, b, c});
@@ -108,14 +111,7 @@ TEST_CASE("exact_point: crossings against rationals, of lattices and of 400 deca
   test::random r(20);
   int zeros = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    const auto any = [&] {
-      place p{};
-      for (int i = 0; i < 3; ++i)
-        p[i] = trial % 2 ? static_cast<double>(r.integer(-3, 3))
-                         : std::ldexp(static_cast<double>(r.integer(-(1 << 30), 1 << 30)),
-                                      static_cast<int>(r.integer(-660, 660)) * (trial % 4 / 2));
-      return p;
-    };
+    const auto any = [&] { return any_place(r, trial); };
     exact_point made[3];
     rational_point true_point[3];
     bool all = true;
