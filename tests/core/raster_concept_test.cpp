@@ -6,12 +6,10 @@
 
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/draw_line.hpp>
-#ifdef IRG_HAVE_OPENCV
-#include <opencv2/core.hpp>
-#endif
 
 #include "support/archetypes.hpp"
 #include "support/check_both.hpp"
+#include "support/opencv_raster.hpp"
 
 namespace {
 
@@ -118,19 +116,6 @@ TEST_CASE("raster: drawing asks for no more than the concept, with rows and with
   CHECK_BOTH(drawn_into<archetype::writable_raster<archetype::pixel>>() == 48 + 4 * 2 + 6 * 4);
   CHECK_BOTH(drawn_into<archetype::row_raster<archetype::pixel>>() == 48 + 4 * 2 + 6 * 4);
 }
-
-#ifdef IRG_HAVE_OPENCV
-// cv::Mat_<T> counts rows first: told in five lines, so that nobody's matrix is taken for a picture by its looks.
-template <class P>
-struct irg::raster_traits<cv::Mat_<P>> {
-  using pixel = P;
-  static int width(const cv::Mat_<P>& m) { return m.cols; }
-  static int height(const cv::Mat_<P>& m) { return m.rows; }
-  static P get(const cv::Mat_<P>& m, int x, int y) { return m(y, x); }
-  static void set(cv::Mat_<P>& m, int x, int y, const P& p) { m(y, x) = p; }
-  static P* row(cv::Mat_<P>& m, int y) { return m[y]; }
-};
-#endif
 
 TEST_CASE("raster: cv::Mat_") {
 #ifdef IRG_HAVE_OPENCV

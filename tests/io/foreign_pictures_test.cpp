@@ -22,11 +22,9 @@
 #include <string>
 #include <vector>
 
-#ifdef IRG_HAVE_OPENCV
-#include <opencv2/core.hpp>
-#endif
-
 #include <doctest/doctest.h>
+
+#include "support/opencv_raster.hpp"
 
 namespace {
 
@@ -58,17 +56,6 @@ struct foreign_mesh {
 
 }  // namespace
 
-#ifdef IRG_HAVE_OPENCV
-template <class P>
-struct irg::raster_traits<cv::Mat_<P>> {
-  using pixel = P;
-  static int width(const cv::Mat_<P>& m) { return m.cols; }
-  static int height(const cv::Mat_<P>& m) { return m.rows; }
-  static P get(const cv::Mat_<P>& m, int x, int y) { return m(y, x); }
-  static void set(cv::Mat_<P>& m, int x, int y, const P& p) { m(y, x) = p; }
-  static P* row(cv::Mat_<P>& m, int y) { return m[y]; }
-};
-#endif
 template <>
 struct irg::mesh_traits<foreign_mesh> {
   using point = foreign_point;
