@@ -2,6 +2,8 @@
 #   need_packages PACKAGE...      installs what is missing from the distribution
 #   step TEXT COMMAND...          runs a command as the next of $steps steps, its output going to a log
 #   use_compiler_cache            compiles through ccache from here on, where there is one
+#   passed_before NAME            whether NAME passed with the very files that are here now
+#   note_passed NAME FILE...      keeps that NAME passed, and the sums of the files that it depends on
 #   fail SENTENCE                 ends the script with one sentence
 
 script_name=scripts/$(basename "$0")
@@ -45,6 +47,17 @@ use_compiler_cache() {
   # The compiler's list of what it read says what counts, so that nothing is preprocessed a second time.
   export CCACHE_DEPEND=1
 }
+
+# What passed need not run again while each file that it reads is the same, programs and compilers included: the sums stand
+# in build/passed/NAME. With IRG_RUN_ALL set, everything runs.
+passed_before() {
+  [ -z "${IRG_RUN_ALL:-}" ] && [ -s "build/passed/$1" ] && sha256sum --check --status "build/passed/$1" 2>/dev/null
+}
+note_passed() {
+  mkdir -p "build/passed/$(dirname "$1")"
+  sha256sum "${@:2}" >"build/passed/$1.new" && mv "build/passed/$1.new" "build/passed/$1"
+}
+export -f passed_before note_passed
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then

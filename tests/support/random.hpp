@@ -4,13 +4,23 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <type_traits>
 
 namespace test {
+
+/// What the round of a soak (scripts/soak; IRG_SEED in the environment) adds to every seed at run time: 0 in the first.
+inline std::uint64_t seed_of_round() {
+  static const char* const round = std::getenv("IRG_SEED");
+  return round == nullptr ? 0 : (std::strtoull(round, nullptr, 10) - 1) * 0xd1342543de82ef95u;
+}
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
 struct random {
   std::uint64_t state;
-  constexpr explicit random(std::uint64_t seed) : state(seed) {}
+  constexpr explicit random(std::uint64_t seed) : state(seed) {
+    if (!std::is_constant_evaluated()) state += seed_of_round();
+  }
   constexpr std::uint64_t next() {
     std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
