@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lengths and directions of floats, whose squares are exact in double and stay far inside its range. Run time looks at
-// their sum alone; constant evaluation, where a NaN must not come out of a sum, at the coordinates first. And the length
+// their sum alone; constant evaluation, where a NaN must not come out of a sum, at the coordinates first. And lengths
 // of doubles of moderate size.
 #pragma once
 
