@@ -6,6 +6,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -196,13 +197,18 @@ IRG_INLINE constexpr void find_first_crossing(const bvh& tree, std::span<const t
 
 // What the rays of a packet have met so far.
 struct packet_crossings {
-  triangle_ray rays[ray_packet::size];
-  first_crossing best[ray_packet::size];
+  // Each is made when its ray comes to a triangle, and crosses one: most packets come to none.
+  union {
+    triangle_ray rays[ray_packet::size];
+  };
+  union {
+    first_crossing best[ray_packet::size];
+  };
   double bound[ray_packet::size];
   packet_shear shear;
   unsigned ready = 0, hit = 0;  // a bit for each ray
 
-  packet_crossings() noexcept {}  // zeroes nothing that is written before it is read
+  packet_crossings() noexcept {}  // zeroes nothing
 };
 
 // The first crossings of 16 rays into use(k, triangle_ray, crossing); false where they do not go as one.
@@ -218,7 +224,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
     bool nearer = false;
     const auto prepare = [&](unsigned k) {
       if ((f.ready >> k & 1) == 0) {
-        set_triangle_ray(f.rays[k], rays[k]);
+        set_triangle_ray(*std::construct_at(&f.rays[k]), rays[k]);
         f.bound[k] = bound_of(tree, f.rays[k].r.origin);
         f.ready |= 1u << k;
       }
@@ -226,7 +232,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
     const auto take = [&](unsigned k) {
       return [&, k](const first_crossing& x) {
         if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
-          f.best[k] = x;
+          std::construct_at(&f.best[k], x);
           f.hit |= 1u << k;
           p.high[k] = lesser(p.high[k], later_time(p.whole, x.time.t + x.time.error));
           nearer = true;

@@ -117,6 +117,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
   std::uint32_t waiting[bvh_waiting + bvh_node::width];
   waiting[0] = bvh_node::none;
+  const float high = r.high;
   std::uint32_t* top = waiting + 1;
   std::uint32_t at = 0;
   for (;;) {
@@ -124,7 +125,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
       const bvh_node& node = nodes[at];
       const std::uint32_t waits = top[-1];
       float times[bvh_node::width];
-      const unsigned bits = meet_boxes(node, wide, r.high, times);
+      const unsigned bits = meet_boxes(node, wide, high, times);
       const std::uint32_t met = node.child[static_cast<unsigned>(std::bit_width(bits | 1)) - 1];
       put_met<F>(top, node, bits);
       top += std::popcount(bits) - 1;
