@@ -6,7 +6,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
-#include <memory>
+#include <new>
 #include <optional>
 #include <span>
 
@@ -224,7 +224,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
     bool nearer = false;
     const auto prepare = [&](unsigned k) {
       if ((f.ready >> k & 1) == 0) {
-        set_triangle_ray(*std::construct_at(&f.rays[k]), rays[k]);
+        set_triangle_ray(*new (static_cast<void*>(&f.rays[k])) triangle_ray, rays[k]);
         f.bound[k] = bound_of(tree, f.rays[k].r.origin);
         f.ready |= 1u << k;
       }
@@ -232,7 +232,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
     const auto take = [&](unsigned k) {
       return [&, k](const first_crossing& x) {
         if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
-          std::construct_at(&f.best[k], x);
+          new (static_cast<void*>(&f.best[k])) first_crossing(x);
           f.hit |= 1u << k;
           p.high[k] = lesser(p.high[k], later_time(p.whole, x.time.t + x.time.error));
           nearer = true;
