@@ -51,8 +51,17 @@
 #define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS)
 
 // Where a program is built for one instruction set, IRG_INLINE_AS_USUAL leaves it to the compiler what it inlines: for
-// stepping through with a debugger and for builds with sanitizers, which it makes several times quicker.
-#if defined(__GNUC__) && defined(IRG_INLINE_AS_USUAL)
+// stepping through with a debugger and for builds with sanitizers, which it makes several times quicker. Without
+// optimisation nothing is forced inline, either, which would only take time to compile: functions of types then carry
+// the instruction set in their own names.
+#if defined(__GNUC__) && !defined(__OPTIMIZE__) && !defined(IRG_INLINE_AS_USUAL)
+#define IRG_TEXT_EXPANDED(...) #__VA_ARGS__
+#define IRG_TEXT(...) IRG_TEXT_EXPANDED(__VA_ARGS__)
+#define IRG_INLINE [[gnu::abi_tag(IRG_TEXT(IRG_ABI))]] inline
+#define IRG_INLINE_LAMBDA
+#define IRG_NOINLINE [[gnu::noinline]]
+#define IRG_NOINLINE_LAMBDA __attribute__((noinline))
+#elif defined(__GNUC__) && defined(IRG_INLINE_AS_USUAL)
 #define IRG_INLINE inline
 #define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE [[gnu::noinline]]
