@@ -53,11 +53,15 @@
 // Where a program is built for one instruction set, IRG_INLINE_AS_USUAL leaves it to the compiler what it inlines: for
 // stepping through with a debugger and for builds with sanitizers, which it makes several times quicker. Without
 // optimisation nothing is forced inline, either, which would only take time to compile: functions of types then carry
-// the instruction set in their own names.
+// the instruction set and the checks in names of their own, but for one choice, the usual one, that needs no mark.
 #if defined(__GNUC__) && !defined(__OPTIMIZE__) && !defined(IRG_INLINE_AS_USUAL)
+#if defined(__SSE4_1__) || defined(__FMA__) || defined(NDEBUG)
 #define IRG_TEXT_EXPANDED(...) #__VA_ARGS__
 #define IRG_TEXT(...) IRG_TEXT_EXPANDED(__VA_ARGS__)
 #define IRG_INLINE [[gnu::abi_tag(IRG_TEXT(IRG_ABI))]] inline
+#else
+#define IRG_INLINE inline
+#endif
 #define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE [[gnu::noinline]]
 #define IRG_NOINLINE_LAMBDA __attribute__((noinline))
