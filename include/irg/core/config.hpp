@@ -12,6 +12,15 @@
 #error "irg: needs g++ 12 or clang 14, or newer (define IRG_ALLOW_ANY_COMPILER to try another)"
 #include <The error above ends it here.>  // which does not exist, so that no flood of errors follows
 #endif
+#if __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
+#error "irg: needs C++20 or newer: -std=c++20"
+#include <The error above ends it here.>
+#endif
+#if defined(__SIZEOF_INT__) && \
+    (__SIZEOF_INT__ < 4 || __CHAR_BIT__ != 8 || __FLT_MANT_DIG__ != 24 || __DBL_MANT_DIG__ != 53)
+#error "irg: needs bytes of 8 bits, ints of 32 and the floats and doubles of IEEE 754"
+#include <The error above ends it here.>
+#endif
 #if (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||              \
      defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)) && \
     !defined(IRG_ALLOW_FAST_MATH)
