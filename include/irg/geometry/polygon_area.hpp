@@ -104,7 +104,7 @@ inline namespace IRG_ABI {
 /// The signed area.
 /// gives   as polygon_area_exact
 /// exact   float and double: within 0.51 ulp for all finite coordinates; the rest as polygon_area_exact
-/// cost    some 10 ns for a vertex; where the sum cancels too much to be sure of, polygon_area_exact
+/// cost    some 6 ns for a vertex; where the sum cancels too much to be sure of, polygon_area_exact
 template <PlanePolygon P>
 [[nodiscard]] constexpr auto polygon_area(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
