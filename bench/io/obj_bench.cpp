@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Bodies read from memory: OBJ beside tinyobjloader where it is installed, and PLY. ns per byte: 1 is 1000 MB/s.
 // Wrong are numbers of the body that differ from what was written. The limit finds the ends of the lines.
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <irg/core/threads.hpp>
 #include <irg/io/obj.hpp>
 #include <irg/io/obj_write.hpp>
 #include <irg/io/ply.hpp>
@@ -78,6 +80,29 @@ void add(const contest& what, const std::string& name, const irg::mesh<double>& 
   enter(what, {name, [&t, read] { t.read = *read(t.bytes); }, [&t] { return judged(t); }});
 }
 
+/// The tasks one after the other: what reading in pieces costs one thread.
+struct one_by_one {
+  template <class Task>
+  void operator()(std::size_t count, Task&& task) const {
+    irg::sequential{}(count, task);
+  }
+};
+
+/// Two threads count by the wall.
+void add_threads(const contest& what, const irg::mesh<double>& written, const std::string& bytes) {
+  task<double>& t = keep(task<double>{written, bytes, {}});
+  enter(what, {"irg:two threads",
+               {},
+               [&t] { return judged(t); },
+               "by the wall",
+               true,
+               [&t] {
+                 const auto start = std::chrono::steady_clock::now();
+                 t.read = *irg::read_obj<double>(t.bytes, {}, irg::parallel{2});
+                 return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+               }});
+}
+
 void enter_sheet(const std::string& name, int side, double digits, bool attributes) {
   const irg::mesh<double> m = make_sheet(side, digits, attributes);
   const std::string text = as_text(*irg::encode_obj(m));
@@ -85,6 +110,9 @@ void enter_sheet(const std::string& name, int side, double digits, bool attribut
                      "",         "limit:lines"};
   add<double>(what, "irg", m, text, [](std::string_view s) { return irg::read_obj<double>(s); });
   add<float>(what, "irg:float", m, text, [](std::string_view s) { return irg::read_obj<float>(s); });
+  add<double>(what, "irg:in pieces", m, text,
+              [](std::string_view s) { return irg::read_obj<double>(s, {}, one_by_one{}); });
+  add_threads(what, m, text);
   const std::string& lines = keep(std::string(text));
   std::size_t& count = keep(std::size_t{0});
   enter(what, {"limit:lines", [&lines, &count] {

@@ -94,6 +94,18 @@ normals read_once(const body& m) {
   for (std::size_t v = 0; v < out.size(); ++v) out[v] = {m.positions[v].x + sum, m.positions[v].y, m.positions[v].z};
   return out;
 }
+/// The positions of each triangle's corners, as the faces name them, and nothing but one sum into each corner's normal.
+normals gather_and_scatter(const body& m) {
+  normals out(m.positions.size());
+  for (std::size_t c = 0; c + 2 < m.corners.size(); c += 3) {
+    const std::size_t at[3] = {m.corners[c].position, m.corners[c + 1].position, m.corners[c + 2].position};
+    const irg::vec<double, 3> sum{m.positions[at[0]].x + m.positions[at[1]].x + m.positions[at[2]].x,
+                                  m.positions[at[0]].y + m.positions[at[1]].y + m.positions[at[2]].y,
+                                  m.positions[at[0]].z + m.positions[at[1]].z + m.positions[at[2]].z};
+    for (const std::size_t i : at) out[i] += sum;
+  }
+  return out;
+}
 normals load_and_add(const body& m) {
   normals out(m.positions.size());
   for (std::size_t c = 0; c + 2 < m.corners.size(); c += 3) {
@@ -115,6 +127,7 @@ void enter_normals() {
     enter(what, std::move(c));
   };
   add("irg", [&m, &out] { out = irg::vertex_normals(m); });
+  add("limit: gather and scatter", [&m, &out] { out = gather_and_scatter(m); });
   add("limit: loads and sums", [&m, &out] { out = load_and_add(m); });
   add("limit: each array once", [&m, &out] { out = read_once(m); });
 #ifdef IRG_HAVE_OPENMESH

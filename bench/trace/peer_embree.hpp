@@ -10,7 +10,6 @@
 
 #ifdef IRG_HAVE_EMBREE
 #include <embree3/rtcore.h>
-#include <pmmintrin.h>
 #include <xmmintrin.h>
 #endif
 
@@ -29,8 +28,8 @@ enum class embree_quality { low, medium, high };  // by Morton order, by surface
 template <class Triangle, class Clock>
 RTCScene embree_scene(const std::vector<Triangle>& triangles, embree_quality chosen, const Clock& now,
                       double& seconds) {
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+  constexpr unsigned flushes = 0x8040;  // subnormal results and subnormal operands count as zero
+  _mm_setcsr(_mm_getcsr() | flushes);
   const RTCDevice device = rtcNewDevice("threads=1");
   const RTCScene scene = rtcNewScene(device);
   const RTCBuildQuality quality = chosen == embree_quality::low      ? RTC_BUILD_QUALITY_LOW

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <irg/raster/blend_span.hpp>
+#include <irg/raster/cell_position.hpp>
 #include <irg/raster/circle_midpoint.hpp>
 #include <irg/raster/convert_image.hpp>
 #include <irg/raster/depth.hpp>

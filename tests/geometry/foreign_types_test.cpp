@@ -4,9 +4,12 @@
 // that says "no" there has its reason beside it.
 #include <irg/curve/curve_frame.hpp>
 #include <irg/geometry.hpp>
+#include <irg/geometry/textbook/clip_weiler_atherton.hpp>
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/plane_depth.hpp>
 #include <irg/math.hpp>
+#include <irg/mesh/face_normal.hpp>
+#include <irg/mesh/shape_sweeps.hpp>
 #include <irg/raster/draw_polyline.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_aa.hpp>
@@ -14,9 +17,17 @@
 #include <irg/raster/fill_polygon_aa.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/line_aa.hpp>
+#include <irg/raster/line_styled.hpp>
+#include <irg/raster/line_subpixel.hpp>
+#include <irg/raster/line_thick.hpp>
+#include <irg/raster/line_wu.hpp>
+#include <irg/raster/projected_vertices.hpp>
+#include <irg/raster/seed_fill.hpp>
+#include <irg/shade/shading.hpp>
 #include <irg/view/affine.hpp>
 #include <irg/view/look_at.hpp>
 #include <irg/view/plane_projection.hpp>
+#include <irg/visibility/view_through_portals.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +36,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #ifdef IRG_HAVE_GLM
@@ -59,6 +71,11 @@ struct plain_plane {
   double a, b, c, d;
 };
 
+struct no_sink {
+  template <class T>
+  constexpr void operator()(const T&) const noexcept {}
+};
+
 // Points in general position, a ring, planes: of one origin's types.
 template <class P2, class P3, class P4, class Plane, class Cell>
 struct values {
@@ -71,6 +88,10 @@ struct values {
   std::vector<P2> ring{a, b, c, d};
   std::vector<P3> ring3{a3, b3, P3{4, 3, 1}, d3};
   irg::box<double, 2> window{{1, 1}, {3, 5}};
+  irg::screen_mapping<float> mapping = irg::map_to_screen<float>(8, 8);
+  irg::line_dashes<irg::dash_mask> dashes{irg::dash_mask{0x0f0f, 1}};
+  irg::rgba8 colour{1, 2, 3, 255};
+  no_sink cells{};
   irg::box<double, 3> window3{{1, 1, 0}, {3, 5, 5}};
   mutable std::vector<P2> changed{a, b, c, d};
   mutable std::vector<P3> space{a3, a3, a3, a3};
@@ -115,6 +136,8 @@ std::map<std::string, bool> calls(const V& values) {
   call("normalize_vectors_fast", FOREIGN_CALL(irg::normalize_vectors_fast(v.ring3, std::span(v.space))));
   call("transform_points", FOREIGN_CALL(irg::transform_points(irg::identity<double, 4>(), v.ring3, v.space)));
   call("transform_vectors", FOREIGN_CALL(irg::transform_vectors(irg::identity<double, 4>(), v.ring3, v.space)));
+  call("to_vec", FOREIGN_CALL(irg::to_vec(v.b3)));
+  call("to_point", FOREIGN_CALL(irg::to_point(v.b3)));
   call("transform_point", FOREIGN_CALL(irg::transform_point(irg::identity<double, 4>(), v.b3)));
   call("transform_vector", FOREIGN_CALL(irg::transform_vector(irg::identity<double, 4>(), v.b3)));
   call("translation", FOREIGN_CALL(irg::translation(v.b3)));
@@ -139,6 +162,7 @@ std::map<std::string, bool> calls(const V& values) {
   call("compare_distance", FOREIGN_CALL(irg::compare_distance(v.a3, v.b3, v.c3)));
   call("compare_distance_to_line", FOREIGN_CALL(irg::compare_distance_to_line(v.a, v.b, v.c, v.d)));
   call("order_along_line", FOREIGN_CALL(irg::order_along_line(v.a3, v.b3, v.c3, v.d3)));
+  call("is_finite", FOREIGN_CALL(irg::is_finite(v.a3, v.b3)));
   call("can_snap", FOREIGN_CALL(irg::can_snap(v.a)));
   call("snap", FOREIGN_CALL(irg::snap(v.a)));
   call("widest_view", FOREIGN_CALL(irg::widest_view(v.a3, v.b3, v.c3)));
@@ -191,11 +215,24 @@ std::map<std::string, bool> calls(const V& values) {
   call("reverse_ring", FOREIGN_CALL(irg::reverse_ring(v.changed)));
   call("make_counter_clockwise", FOREIGN_CALL(irg::make_counter_clockwise(v.changed)));
   call("polygon_area", FOREIGN_CALL(irg::polygon_area(v.ring)));
+  call("polygon_area_exact", FOREIGN_CALL(irg::polygon_area_exact(v.ring)));
+  call("polygon_area_fast", FOREIGN_CALL(irg::polygon_area_fast(v.ring)));
+  call("twice_polygon_area", FOREIGN_CALL(irg::twice_polygon_area(v.path)));
+  call("polygon_perimeter", FOREIGN_CALL(irg::polygon_perimeter(v.ring)));
   call("polygon_centroid", FOREIGN_CALL(irg::polygon_centroid(v.ring)));
   call("polygon_centroid_fast", FOREIGN_CALL(irg::polygon_centroid_fast(v.ring)));
   call("point_in_convex_polygon", FOREIGN_CALL(irg::point_in_convex_polygon(v.ring, v.e)));
   call("point_in_convex_polygon_log", FOREIGN_CALL(irg::point_in_convex_polygon_log(v.ring, v.e)));
   call("locate_point", FOREIGN_CALL(irg::locate_point(v.ring, v.e)));
+  call("point_in_polygon", FOREIGN_CALL(irg::point_in_polygon(v.ring, v.e)));
+  call("winding_number", FOREIGN_CALL(irg::winding_number(v.ring, v.e)));
+  call("ring_size", FOREIGN_CALL(irg::ring_size(v.ring)));
+  call("ring_vertex", FOREIGN_CALL(irg::ring_vertex(v.ring, 5)));
+  call("vertex_mean", FOREIGN_CALL(irg::vertex_mean(v.ring3)));
+  call("newell_normal", FOREIGN_CALL(irg::newell_normal(v.ring3)));
+  call("shape_extrusion", FOREIGN_CALL(irg::shape_extrusion(v.ring, 2)));
+  call("seen_through_both", FOREIGN_CALL(irg::seen_through_both(v.g3, v.ring3, v.ring3)));
+  call("project_vertices", FOREIGN_CALL(irg::project_vertices(v.ring3, irg::identity<float, 4>(), v.mapping)));
   call("polygons_overlap", FOREIGN_CALL(irg::polygons_overlap(v.ring, v.ring)));
   call("convex_polygons_overlap", FOREIGN_CALL(irg::convex_polygons_overlap(v.ring, v.ring)));
   call("triangulate_ear_clipping", FOREIGN_CALL(irg::triangulate_ear_clipping(v.ring)));
@@ -212,12 +249,27 @@ std::map<std::string, bool> calls(const V& values) {
        FOREIGN_CALL(irg::fill_polygon_aa(v.picture, v.ring, irg::fill_rule::non_zero, irg::rgba8{1, 2, 3, 255})));
   call("polygon_overlay", FOREIGN_CALL(irg::polygon_overlay(v.ring, v.ring)));
   call("triangulate_monotone", FOREIGN_CALL(irg::triangulate_monotone(v.ring)));
+  call("clip_weiler_atherton", FOREIGN_CALL(irg::textbook::clip_weiler_atherton(v.path, v.path)));
   call("clip_sutherland_hodgman", FOREIGN_CALL(irg::clip_sutherland_hodgman(v.ring, v.window)));
   call("draw_line", FOREIGN_CALL(irg::draw_line(v.picture, v.from, v.to, irg::rgba8{1, 2, 3, 255})));
-  call("draw_line_aa", FOREIGN_CALL(irg::draw_line_aa(v.picture, v.a, v.c, irg::rgba8{1, 2, 3, 255})));
+  call("draw_line_aa", FOREIGN_CALL(irg::draw_line_aa(v.picture, v.from, v.to, v.colour) &&
+                                    irg::draw_line_aa(v.picture, v.a, v.c, v.colour)));
+  call("draw_line_styled", FOREIGN_CALL(irg::draw_line_styled(v.picture, v.from, v.to, v.dashes, v.colour)));
+  call("draw_line_subpixel", FOREIGN_CALL(irg::draw_line_subpixel(v.picture, v.from, v.to, v.colour) &&
+                                          irg::draw_line_subpixel(v.picture, v.a, v.c, v.colour)));
+  call("draw_line_thick", FOREIGN_CALL(irg::draw_line_thick(v.picture, v.from, v.to, irg::line_pen{}, v.colour) &&
+                                       irg::draw_line_thick(v.picture, v.a, v.c, irg::line_pen{}, v.colour)));
+  call("as_cell", FOREIGN_CALL(irg::as_cell(v.from)));
+  call("line_subpixel", FOREIGN_CALL(irg::line_subpixel(v.a, v.c, irg::window_of(v.picture), v.cells)));
+  call("line_thick", FOREIGN_CALL(irg::line_thick(v.a, v.c, irg::line_pen{}, irg::window_of(v.picture), v.cells)));
+  call("draw_line_wu", FOREIGN_CALL(irg::draw_line_wu(v.picture, v.from, v.to, v.colour) &&
+                                    irg::draw_line_wu(v.picture, v.a, v.c, v.colour)));
+  call("flood_fill", FOREIGN_CALL(irg::flood_fill(v.picture, v.from, v.colour)));
+  call("boundary_fill", FOREIGN_CALL(irg::boundary_fill(v.picture, v.from, v.colour, v.colour)));
   call("draw_polyline", FOREIGN_CALL(irg::draw_polyline(v.picture, v.path, irg::rgba8{1, 2, 3, 255})));
   // planes and homogeneous points
   call("normal_of", FOREIGN_CALL(irg::normal_of(v.plane)));
+  call("plane_coefficient", FOREIGN_CALL(irg::plane_coefficient(v.plane, 3)));
   call("plane_value", FOREIGN_CALL(irg::plane_value(v.plane, v.e3)));
   call("side_of", FOREIGN_CALL(irg::side_of(v.plane, v.e3)));
   call("signed_distance", FOREIGN_CALL(irg::signed_distance(v.plane, v.e3)));
@@ -314,5 +366,87 @@ TEST_CASE("foreign types: every function takes what the table of docs/own-types.
   for (const auto& [function, cells] : rows) {
     INFO(function);
     CHECK(tried.count(function) == 1);
+  }
+}
+
+TEST_CASE("foreign types: points of ints are drawn as the cells that they name, far ones too") {
+  static_assert(irg::CellPosition<plain_cell> && !irg::CellPosition<irg::cell> && !irg::CellPosition<irg::subpixel>);
+  constexpr int far_away = 2'000'000'000;
+  const irg::rgba8 colour{1, 2, 3, 255};
+  const irg::line_dashes<irg::dash_mask> dashes{irg::dash_mask{0x0f0f, 1}};
+  const std::pair<irg::cell, irg::cell> lines[] = {{{1, 2}, {17, 9}},
+                                                   {{3, 3}, {3, 3}},
+                                                   {{-5, 4}, {far_away, 19}},
+                                                   {{-far_away, -far_away}, {far_away, far_away - 7}}};
+  for (const auto& [a, b] : lines) {
+    const auto drawn = [&]<class P>(const P& from, const P& to) {
+      std::array<irg::image<irg::rgba8>, 6> pictures;
+      pictures.fill(irg::image<irg::rgba8>(20, 20));
+      irg::draw_line(pictures[0], from, to, colour);
+      CHECK(irg::draw_line_aa(pictures[1], from, to, colour));
+      CHECK(irg::draw_line_wu(pictures[2], from, to, colour));
+      CHECK(irg::draw_line_thick(pictures[3], from, to, irg::line_pen{.width = 3 * irg::one_pixel}, colour));
+      irg::draw_line_styled(pictures[4], from, to, dashes, colour);
+      static_cast<void>(irg::draw_line_subpixel(pictures[5], from, to, colour));
+      return pictures;
+    };
+    CHECK(drawn(a, b) == drawn(plain_cell{a.x, a.y}, plain_cell{b.x, b.y}));
+  }
+  irg::image<irg::rgba8> one(20, 20), other(20, 20);
+  irg::draw_line(one, irg::cell{0, 5}, irg::cell{19, 9}, colour);
+  irg::draw_line(other, irg::cell{0, 5}, irg::cell{19, 9}, colour);
+  const irg::rgba8 paint{9, 9, 9, 255};
+  CHECK(irg::flood_fill(one, irg::cell{0, 0}, paint) == irg::flood_fill(other, plain_cell{0, 0}, paint));
+  CHECK(irg::boundary_fill(one, irg::cell{0, 19}, colour, paint) ==
+        irg::boundary_fill(other, plain_cell{0, 19}, colour, paint));
+  CHECK(one == other);
+}
+
+TEST_CASE("foreign types: clip_weiler_atherton of rings of integers gives what it gives for doubles") {
+  const auto as_doubles = [](const std::vector<plain_cell>& ring) {
+    std::vector<irg::point<double, 2>> out;
+    for (const plain_cell& c : ring) out.push_back({static_cast<double>(c.x), static_cast<double>(c.y)});
+    return out;
+  };
+  constexpr int end = 2'147'483'647;
+  const std::vector<plain_cell> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, slanted{{3, -2}, {14, 5}, {4, 13}},
+      within{{2, 2}, {4, 2}, {3, 4}}, apart{{20, 20}, {22, 20}, {21, 23}}, touching{{0, 0}, {5, 5}, {-3, 9}},
+      huge{{-end, -end}, {end, -end}, {end, end}, {-end, end}}, across{{-end - 1, -3}, {end - 1, 5}, {7, end - 1}};
+  const std::vector<plain_cell>* const pairs[][2] = {{&square, &slanted}, {&slanted, &square}, {&square, &within},
+                                                     {&within, &square},  {&square, &apart},   {&square, &touching},
+                                                     {&huge, &across},    {&huge, &square}};
+  std::size_t rings = 0;
+  for (const auto& [subject, clip] : pairs) {
+    const auto integers = irg::textbook::clip_weiler_atherton(*subject, *clip);
+    const auto doubles = irg::textbook::clip_weiler_atherton(as_doubles(*subject), as_doubles(*clip));
+    CHECK(integers.status == doubles.status);
+    CHECK(integers.rings == doubles.rings);
+    CHECK(integers.entering == doubles.entering);
+    CHECK(integers.leaving == doubles.leaving);
+    rings += integers.rings.size();
+  }
+  CHECK(rings >= 6);
+}
+
+TEST_CASE("foreign types: project_vertices takes positions of other types, converts them and leaves irg's in place") {
+  const std::vector<irg::point<float, 3>> own{{0, 0, 0.5f}, {0.25f, -0.5f, 0.125f}, {7, 0, 0.1f}};
+  const std::vector<plain3> others{{0, 0, 0.5}, {0.25, -0.5, 0.125}, {7, 0, static_cast<double>(0.1f)}};
+  const auto mapping = irg::map_to_screen<float>(640, 480);
+  const auto to_clip = irg::identity<float, 4>();
+  const auto expected = irg::project_vertices<float>(std::span<const irg::point<float, 3>>(own), to_clip, mapping);
+  const auto in_place = irg::project_vertices(own, to_clip, mapping);
+  irg::projected_vertices<float> converted;
+  irg::project_vertices(converted, others, to_clip, mapping);
+  const irg::projected_vertices<float> moved = std::move(converted);
+  CHECK(in_place.positions.data() == own.data());
+  CHECK(in_place.converted.empty());
+  for (const auto* v : {&in_place, &moved}) {
+    REQUIRE(v->screen.size() == own.size());
+    CHECK(v->any.cut == expected.any.cut);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      CHECK(v->codes[i].cut == expected.codes[i].cut);
+      CHECK(v->screen[i].position == expected.screen[i].position);
+      CHECK(irg::clip_position(*v, i) == irg::clip_position(expected, i));
+    }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "memory_in_use.hpp"
 
-#include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -18,14 +18,16 @@ constexpr std::size_t header = alignof(std::max_align_t);
   void* const block = std::malloc(size + header);
   if (block == nullptr) std::abort();
   *static_cast<std::size_t*>(block) = size;
-  test::bytes_now += size;
-  test::bytes_most = std::max(test::bytes_most, test::bytes_now);
+  const std::size_t now = std::atomic_ref(test::bytes_now).fetch_add(size) + size;
+  const std::atomic_ref most(test::bytes_most);
+  for (std::size_t old = most; old < now && !most.compare_exchange_weak(old, now);) {
+  }
   return static_cast<char*>(block) + header;
 }
 [[gnu::noinline]] void operator delete(void* p) noexcept {
   if (p == nullptr) return;
   void* const block = static_cast<char*>(p) - header;
-  test::bytes_now -= *static_cast<std::size_t*>(block);
+  std::atomic_ref(test::bytes_now).fetch_sub(*static_cast<std::size_t*>(block));
   std::free(block);
 }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }

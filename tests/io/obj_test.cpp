@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include <irg/core/threads.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/mesh/validate.hpp>
 
@@ -29,9 +30,30 @@ constexpr text square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 std::string with_square(text s) { return std::string(square) + std::string(s); }
 
+/// Runs the tasks from the last to the first.
+struct from_the_end {
+  template <class Task>
+  void operator()(std::size_t count, Task&& task) const {
+    for (std::size_t i = count; i > 0; --i) task(i - 1);
+  }
+};
+
+/// A text cut into pieces of so many bytes is read if and only if it is without a cut, and to the same mesh.
+template <class T, class E>
+void check_pieces(text s, irg::obj_options options, std::size_t bytes, const E& executor) {
+  CAPTURE(bytes);
+  const auto whole = read_obj<T>(s, options);
+  s = irg::detail::without_byte_order_mark(s);
+  irg::detail::obj_pieces<T> pieces(s, options.unused, bytes);
+  REQUIRE(pieces.read(executor) == whole.has_value());
+  if (whole) REQUIRE(pieces.whole.content.made == *whole);
+}
+
 /// The error as "line:column message", or "" for a mesh. A mesh must be sound in every way that can be checked.
 std::string outcome(text s, irg::obj_options options = {}) {
   const auto r = read_obj(s, options);
+  if (s.size() > 2 && s.size() < 4000 && !s.starts_with("\xFF\xFE") && !s.starts_with("\xFE\xFF"))
+    check_pieces<double>(s, options, s.size() / 3 + 1, from_the_end{});
   if (r) {
     REQUIRE(irg::validate(*r) == irg::mesh_finding{});
     const mesh triangles = irg::triangulate(*r);
@@ -555,6 +577,112 @@ TEST_CASE("obj: lines that are read in one go mean what they mean when they are 
   CHECK(sound < 850);
 }
 
+TEST_CASE("obj: an executor's pieces, cut anywhere, are the text in one go") {
+  test::random r(505);
+  int sound = 0;
+  for (int trial = 0, n = std::getenv("IRG_RELEASE_TIER") ? 100000 : 500; trial < n; ++trial) {
+    CAPTURE(trial);
+    const auto chance = [&](int of) { return r.integer(0, of - 1) == 0; };
+    const bool careless = chance(2);  // whether indices may name what is not there
+    std::string s;
+    std::int64_t filled[3] = {};
+    const auto index = [&](std::size_t kind) {
+      const std::int64_t most = filled[kind] + (careless && chance(40) ? 3 : 0);
+      if (most == 0) return std::string(careless ? "-1" : "1");
+      return std::to_string(chance(2) ? r.integer(1, most + (chance(30) ? 1 : 0)) : -r.integer(1, most));
+    };
+    const auto numbers = [&](int count) {
+      std::string line;
+      for (; count > 0; --count) line += ' ' + std::to_string(r.integer(-9, 9)) + (chance(2) ? ".5" : "");
+      return line;
+    };
+    for (std::int64_t k = r.integer(1, 60); k > 0; --k) {
+      const auto what = r.integer(0, 9);
+      if (what < 4) {
+        const auto kind = static_cast<std::size_t>(what == 3 ? 0 : what);
+        s += (kind == 0 ? "v" : kind == 1 ? "vt" : "vn") + numbers(kind == 1 ? 2 : 3);
+        ++filled[kind];
+      } else if (what < 8 && filled[0] > 0) {
+        s += 'f';
+        for (std::int64_t c = r.integer(careless && chance(60) ? 2 : 3, 6); c > 0; --c) {
+          s += ' ' + index(0);
+          if (chance(3) && filled[1] > 0)
+            s += '/' + index(1);
+          else if (chance(3) && filled[2] > 0)
+            s += "//" + index(2);
+          if (chance(12)) s += chance(2) ? " \\\n" : "\\\r\n";
+        }
+      } else if (what == 8) {
+        const char* const names[] = {"g a", "g b", "g", "o a", "o", "usemtl \\\n b", "usemtl c # d"};
+        s += names[r.integer(0, 6)];
+      } else {
+        const char* const others[] = {"# \\", "", "s off", "l 1 2 \\\r\n3", "\t", "mtllib a # \\"};
+        s += others[r.integer(0, 5)];
+      }
+      s += chance(5) ? "\r\n" : chance(9) ? "\r" : chance(9) ? "\\\n\n" : "\n";
+    }
+    if (chance(3)) s.pop_back();
+    if (careless && chance(20)) s.insert(static_cast<std::size_t>(r.integer(0, 30)) % s.size(), 1, '\0');
+    const bool reads = outcome(s).empty();
+    sound += reads ? 1 : 0;
+    check_pieces<float>(s, {}, static_cast<std::size_t>(r.integer(1, 60)), irg::parallel{trial % 50 == 0 ? 3 : 1});
+  }
+  CHECK(sound > 150);
+  CHECK(sound < (std::getenv("IRG_RELEASE_TIER") ? 95000 : 475));
+}
+
+TEST_CASE("obj: with threads: the same mesh, the same error, memory of three meshes") {
+  std::string s = "\xEF\xBB\xBFo a\n";
+  for (int i = 0; i < 40'000; ++i) {
+    const std::string n = std::to_string(i);
+    s += "v " + n + " 0.25 -1\nvt 0.5 0." + n + "\n";
+    if (i > 3) s += i % 2 == 0 ? "f -1/-1 -2/-2 -4/-3\n" : "f 1/2 2/1 " + n + "/3\n";
+    if (i % 1000 == 0) s += "g part " + n + "\n";
+  }
+  const auto one = read_obj<float>(s);
+  REQUIRE(one);
+  const std::size_t size =
+      one->positions.size() * 12 + one->texcoords.size() * 8 + one->corners.size() * 12 + one->face_starts.size() * 4;
+  for (const int threads : {1, 2, 5}) {
+    const std::size_t before = test::bytes_now;
+    test::bytes_most = before;
+    const auto r = read_obj<float>(s, {}, irg::parallel{threads});
+    REQUIRE(r);
+    CHECK(*r == *one);
+    CHECK(test::bytes_most - before <= 3 * size);
+  }
+  for (const char* bad : {"f 1 2 40001\n", "f 1 2\n", "f 1 2 -40001\n", "v 1 2 x", "1"}) {
+    const std::string broken = s + bad;
+    const auto expected = read_obj<float>(broken).error(), e = read_obj<float>(broken, {}, irg::parallel{2}).error();
+    CHECK(e.line == expected.line);
+    CHECK(e.column == expected.column);
+    CHECK(std::string_view(e.message) == expected.message);
+  }
+}
+
+TEST_CASE("obj: blanks to the end of the text, beyond what is looked at in one go") {
+  for (const std::size_t blanks : {40u, 60u, 70u, 79u, 80u, 81u, 200u})
+    for (const char* line : {"v", "v 1", "v 1 2 3", "f 1 2 3", "f 1", "vt 1 2", "v -", "v 1.", "f 1/"}) {
+      const std::string s = with_square(line);
+      const std::vector<char> exact = [&] {  // nothing readable behind it
+        std::vector<char> bytes(s.begin(), s.end());
+        bytes.insert(bytes.end(), blanks, ' ');
+        return bytes;
+      }();
+      const std::string whole = outcome(s), padded = outcome({exact.data(), exact.size()});
+      CHECK(whole.substr(whole.find(' ') + 1) == padded.substr(padded.find(' ') + 1));
+    }
+}
+
+TEST_CASE("obj: a byte 0 anywhere is the error, whatever else is wrong") {
+  const std::string sound = with_square("# abc\ng name \\\n x\ns off # y\nvt 1 2\nf 1 2 3\n\nf 9 9 9\nv x\n");
+  for (std::size_t i = 0; i <= sound.size(); ++i) {
+    std::string s = sound;
+    s.insert(i, 1, '\0');
+    CHECK(outcome(s).ends_with(" byte 0 stands in the text"));
+  }
+}
+
 TEST_CASE("obj: a long text, of which samples are taken, whatever they tell") {
   std::string long_text;
   for (int i = 0; i < 12000; ++i) long_text += "v 0.5 " + std::to_string(i) + " 1\n";
@@ -678,6 +806,8 @@ TEST_CASE("obj: real models") {
     const auto as_float = read_obj<float>(s);
     REQUIRE(as_float);
     REQUIRE(as_float->corners == m.corners);
+    for (const std::size_t bytes : {std::size_t{5000}, std::size_t{1} << 16, s.size() / 3})
+      check_pieces<double>(s, {}, bytes, irg::parallel{2});
     CHECK(irg::validate(*as_float) == irg::mesh_finding{});
   }
 #else

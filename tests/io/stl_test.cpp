@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/io/stl.hpp>
 
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -31,10 +32,11 @@ std::string damaged(std::string_view word, std::string_view other) {
   return outcome(with(std::string(triangle), word, other));
 }
 
-/// A binary file of one triangle per three points, put together with memcpy.
+/// A binary file of one triangle per three points, put together with memcpy; little-endian on every machine.
 std::string binary(const std::vector<irg::point<float, 3>>& points) {
   test::byte_file f;
   f.bytes = std::string(80, 'h');
+  f.reversed = std::endian::native == std::endian::big;
   f.put(static_cast<std::uint32_t>(points.size() / 3));
   for (std::size_t i = 0; i < points.size(); i += 3) {
     for (int k = 0; k < 3; ++k) f.put(std::numeric_limits<float>::quiet_NaN());  // a normal that nobody reads

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Vectors and points: what the types forbid. CASE 0 is the control and compiles.
+#include <irg/geometry/edge_equation.hpp>
 #include <irg/geometry/orient2d.hpp>
+#include <irg/math/angle_between.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/vec.hpp>
 
@@ -79,4 +81,10 @@ vec3 x = p3;
 #elif CASE == 17  // and the other way round
 // expect: ^[^ ]*coordinates.cpp:[0-9:]* error: (conversion from .*vec|no viable conversion from .*vec).*point
 point3 x = v3;
+#elif CASE == 18  // an angle between points
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: .*(PointWhereVectorIsWanted|a point stands where a vector is wanted)
+auto x = irg::angle_between(p3, p3);
+#elif CASE == 19  // an edge through vectors
+// expect: ^[^ ]*coordinates.cpp:[0-9:]* error: .*(VectorWherePointIsWanted|a vector stands where a point is wanted)
+auto x = irg::edge_through(v2, v2);
 #endif

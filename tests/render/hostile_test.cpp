@@ -568,4 +568,85 @@ TEST_CASE("hostile: normals of length 0: the ambient light alone, on either side
     for (const auto culling : {face_culling::back, face_culling::none}) CHECK(ambient_alone(s, style, culling));
 }
 
+// ---- whole scenes
+
+// Every style by method by culling by range of light, drawn with every skip and with none: the same bytes, depths that
+// are depths, and as many pixels drawn as show something.
+void draw_every_way(const irg::scene<double>& s, int width, int height) {
+  using method = irg::hidden_surface_method;
+  for (int i = 0; i < 32; ++i) {
+    irg::render_options o{static_cast<irg::picture_style>(i % 4),
+                          i / 4 % 2 ? method::none : method::zbuffer,
+                          i / 8 % 2 ? face_culling::none : face_culling::back,
+                          {},
+                          i / 16 ? irg::intensity_range::rescale : irg::intensity_range::clamp};
+    const test::rendered skipping = test::render(s, width, height, o);
+    o.skip = irg::skip_nothing;
+    const test::rendered plain = test::render(s, width, height, o);
+    REQUIRE(skipping.picture == plain.picture);
+    REQUIRE(skipping.stats.drawn == plain.stats.drawn);
+    if (o.style == irg::picture_style::wire) continue;
+    const float farthest = o.hidden == method::none ? irg::drawing_order::farthest : greater::farthest;
+    std::int64_t shown = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float depth = plain.picture.depth(x, y);
+        REQUIRE((depth == farthest || (0 <= depth && depth <= 1)));
+        shown += depth != farthest;
+      }
+    REQUIRE(shown <= plain.stats.drawn);  // a far plane's depth is that of nothing
+  }
+}
+
+TEST_CASE("hostile: scenes at 1e300 and 1e-300, odd numbers in every part, meshes of nothing, every way to draw") {
+  using numbers = std::numeric_limits<double>;
+  irg::scene<double> usual = lit_cube();
+  usual.objects.push_back({irg::shape_sphere<double>({.slices = 7, .stacks = 5})});
+  usual.lights = {{{3, 4, 5, 1}, {2, 2, 2}}, {{-0.4, 1, 0.7, 0}, {0.7, 0.8, 0.9}}};
+  for (const auto& [width, height] : {std::pair{1, 1}, {70, 3}, {21, 17}}) draw_every_way(usual, width, height);
+  for (const double k : {1e300, 1e-300}) {
+    auto s = usual;
+    for (auto& o : s.objects)
+      for (int i = 0; i < 3; ++i) o.placement(i, i) = k;
+    s.view.eye = {3 * k, 2 * k, 4 * k}, s.view.target = {k / 2, k / 2, k / 2}, s.view.near_distance *= k;
+    draw_every_way(s, 21, 17);
+    s = usual;
+    for (auto& p : s.objects[1].shape.positions) p = {p.x * k, p.y * k, p.z * k};
+    draw_every_way(s, 21, 17);
+  }
+  for (const double odd : {numbers::quiet_NaN(), infinity, -infinity, numbers::max()}) {
+    irg::scene<double> hurt[] = {usual, usual, usual, usual, usual, usual, usual, usual};
+    hurt[0].objects[0].shape.positions[3].y = odd;
+    for (auto& n : hurt[1].objects[1].shape.normals) n.x = odd;
+    hurt[2].objects[0].placement(1, 2) = odd;
+    hurt[3].objects[0].placement(3, 3) = odd;
+    hurt[4].lights[0].position.x = odd;
+    hurt[5].lights[0].position.w = odd;
+    hurt[6].lights[1].intensity.g = odd;
+    hurt[7].objects[1].surface.diffuse = {odd, 1, odd};
+    for (const auto& s : hurt) draw_every_way(s, 9, 8);
+  }
+  for (const point& eye : {point{0.5, 0.5, 0.5}, point{0, 0, 0}})  // within a cube, and in its corner
+    for (const double first : {5e-324, 1.0}) {
+      auto s = usual;
+      s.view.eye = eye, s.view.target = {3, 1, 2}, s.view.near_distance = first;
+      draw_every_way(s, 9, 8);
+    }
+  auto s = usual;
+  s.objects.resize(1);
+  s.lights.assign(300, {{1, 2, 3, 1}, {}});
+  draw_every_way(s, 9, 8);
+  irg::mesh<double> one, in_one_point, line;
+  one.positions = {{0, 0, 0}};
+  in_one_point.positions = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  irg::add_face(in_one_point, std::vector<int>{0, 1, 2});
+  line.positions = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {1, 1, 1}};
+  irg::add_face(line, std::vector<int>{0, 1, 2, 3});
+  s = usual;
+  for (const auto& m : {irg::mesh<double>{}, one, in_one_point, line}) s.objects.insert(s.objects.begin(), {m});
+  draw_every_way(s, 21, 17);
+  for (auto& o : s.objects) o.placement(2, 2) = 0;
+  draw_every_way(s, 21, 17);
+}
+
 }  // namespace

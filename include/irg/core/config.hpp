@@ -12,6 +12,15 @@
 #error "irg: needs g++ 12 or clang 14, or newer (define IRG_ALLOW_ANY_COMPILER to try another)"
 #include <The error above ends it here.>  // which does not exist, so that no flood of errors follows
 #endif
+#if __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
+#error "irg: needs C++20 or newer: -std=c++20"
+#include <The error above ends it here.>
+#endif
+#if defined(__SIZEOF_INT__) && \
+    (__SIZEOF_INT__ < 4 || __CHAR_BIT__ != 8 || __FLT_MANT_DIG__ != 24 || __DBL_MANT_DIG__ != 53)
+#error "irg: needs bytes of 8 bits, ints of 32 and the floats and doubles of IEEE 754"
+#include <The error above ends it here.>
+#endif
 #if (defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||              \
      defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)) && \
     !defined(IRG_ALLOW_FAST_MATH)
@@ -51,8 +60,21 @@
 #define IRG_ABI IRG_JOIN(IRG_VERSION_MAJOR, IRG_ISA, IRG_ISA_FMA, IRG_CHECKS)
 
 // Where a program is built for one instruction set, IRG_INLINE_AS_USUAL leaves it to the compiler what it inlines: for
-// stepping through with a debugger and for builds with sanitizers, which it makes several times quicker.
-#if defined(__GNUC__) && defined(IRG_INLINE_AS_USUAL)
+// stepping through with a debugger and for builds with sanitizers, which it makes several times quicker. Without
+// optimisation nothing is forced inline, either, which would only take time to compile: functions of types then carry
+// the instruction set and the checks in names of their own, but for one choice, the usual one, that needs no mark.
+#if defined(__GNUC__) && !defined(__OPTIMIZE__) && !defined(IRG_INLINE_AS_USUAL)
+#if defined(__SSE4_1__) || defined(__FMA__) || defined(NDEBUG)
+#define IRG_TEXT_EXPANDED(...) #__VA_ARGS__
+#define IRG_TEXT(...) IRG_TEXT_EXPANDED(__VA_ARGS__)
+#define IRG_INLINE [[gnu::abi_tag(IRG_TEXT(IRG_ABI))]] inline
+#else
+#define IRG_INLINE inline
+#endif
+#define IRG_INLINE_LAMBDA
+#define IRG_NOINLINE [[gnu::noinline]]
+#define IRG_NOINLINE_LAMBDA __attribute__((noinline))
+#elif defined(__GNUC__) && defined(IRG_INLINE_AS_USUAL)
 #define IRG_INLINE inline
 #define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE [[gnu::noinline]]

@@ -129,6 +129,30 @@ IRG_INLINE void store_some(void* p, const pack<T, N>& f, int count) noexcept {
   }
 }
 
+#if defined(IRG_LANES_VECTOR) && defined(__AVX2__) && !defined(__AVX512VL__)
+namespace lanes_detail {
+
+struct set_bits_table {
+  std::uint32_t places[256];
+  IRG_INLINE constexpr std::uint32_t operator[](unsigned bits) const noexcept { return places[bits & 255]; }
+};
+// The places of the bits that are set in each byte, four bits a place, the first lowest.
+inline constexpr set_bits_table places_of_set_bits = [] {
+  set_bits_table table{};
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    unsigned at = 0;
+    for (unsigned k = 0; k < 8; ++k)
+      if ((bits >> k & 1) != 0) {
+        table.places[bits] |= k << at;
+        at += 4;
+      }
+  }
+  return table;
+}();
+
+}  // namespace lanes_detail
+#endif
+
 /// The lanes whose bits are set, one behind the other from `to` on, where there must be room for all lanes.
 /// gives   how many they are
 template <class T, int N>
@@ -139,6 +163,16 @@ IRG_INLINE int store_compressed(T* to, const pack<T, N>& from, unsigned bits) no
     typedef int ints __attribute__((vector_size(32)));
     const ints packed =
         __builtin_ia32_compresssi256_mask(reinterpret_cast<ints>(from.v), ints{}, static_cast<unsigned char>(bits));
+    std::memcpy(to, &packed, sizeof packed);
+    return std::popcount(bits);
+  }
+#elif defined(IRG_LANES_VECTOR) && defined(__AVX2__)
+  if constexpr (N == 8) {
+    typedef int ints __attribute__((vector_size(32)));
+    typedef unsigned places __attribute__((vector_size(32)));
+    constexpr places shifts = {0, 4, 8, 12, 16, 20, 24, 28};
+    const places place = (lanes_detail::places_of_set_bits[bits] - places{}) >> shifts;
+    const ints packed = __builtin_ia32_permvarsi256(reinterpret_cast<ints>(from.v), reinterpret_cast<ints>(place));
     std::memcpy(to, &packed, sizeof packed);
     return std::popcount(bits);
   }

@@ -40,7 +40,7 @@ public:
   [[nodiscard]] IRG_INLINE constexpr const E& error() const noexcept { return IRG_EXPECTS(!has_value()), error_; }
 
 private:
-  std::optional<T> value_;
+  std::optional<T> value_{};
   E error_{};
 };
 

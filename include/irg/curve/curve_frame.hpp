@@ -136,5 +136,10 @@ template <Vector V>
   return detail::frame_towards(*along, between ? mirrored(normal, *between) : normal).value_or(frame);
 }
 
+IRG_REFUSES_POINTS(curvature);
+IRG_REFUSES_POINTS(torsion);
+IRG_REFUSES_POINTS(frenet_frame);
+IRG_REFUSES_POINTS(frame_with_up);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -290,6 +290,7 @@ IRG_REFUSES_VECTORS(barycentric);
 IRG_REFUSES_VECTORS(barycentric_fast);
 IRG_REFUSES_VECTORS(barycentric_orthogonal);
 IRG_REFUSES_VECTORS(locate_in_triangle);
+IRG_REFUSES_VECTORS(widest_view);
 
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -29,5 +29,7 @@ template <Point P>
     return {y1 - y2, x2 - x1, x1 * y2 - x2 * y1};
 }
 
+IRG_REFUSES_VECTORS(edge_through);
+
 }  // namespace IRG_ABI
 }  // namespace irg

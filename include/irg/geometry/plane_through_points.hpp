@@ -91,5 +91,7 @@ template <Point P, Vector V>
   return plane<T>{n.x, n.y, n.z, rounded_to<T>(*d)};
 }
 
+IRG_REFUSES_VECTORS(plane_through_accurate);
+
 }  // namespace IRG_ABI
 }  // namespace irg

@@ -21,6 +21,10 @@ concept PlaneRings = RingSequence<R> && PlaneRing<ring_in<R>>;
 template <class P>
 concept PlanePolygon = PlaneRing<P> || PlaneRings<P>;
 
+/// The coordinates of which polygons' intersections, unions and differences keep every bit: doubles hold them all.
+template <class T>
+concept OverlayScalar = Floating<T> || (std::integral<T> && sizeof(T) <= 4);
+
 namespace detail {
 template <class P>
 struct polygon_point_of;

@@ -19,11 +19,10 @@ namespace irg {
 
 namespace detail::inline IRG_ABI {
 
-// Adds x1*y2 - x2*y1 times (s + t), and 3 times that without a factor.
-IRG_INLINE constexpr void add_moment(exact_accumulator<3>& moment, double x1, double y1, double x2, double y2, double s,
-                                     double t) noexcept {
-  moment.add(s, x1, y2), moment.add(t, x1, y2);
-  moment.subtract(s, x2, y1), moment.subtract(t, x2, y1);
+// Adds the cross product of two vertices times s.
+IRG_INLINE constexpr void add_cross(exact_accumulator<3>& sum, const vec<double, 2>& p, const vec<double, 2>& q,
+                                    double s) noexcept {
+  sum.add(s, p.x, q.y), sum.subtract(s, q.x, p.y);
 }
 
 }  // namespace detail::inline IRG_ABI
@@ -47,12 +46,12 @@ template <PlanePolygon P>
     using centre = std::optional<point<result_type, 2>>;
     if (!irg::is_finite(polygon)) return centre();
     exact_accumulator<3> x, y, area;
-    detail::each_edge(polygon, [&](const auto& p, const auto& q) {
-      const auto x1 = widened(coordinate(p, 0)), y1 = widened(coordinate(p, 1));
-      const auto x2 = widened(coordinate(q, 0)), y2 = widened(coordinate(q, 1));
-      detail::add_moment(x, x1, y1, x2, y2, x1, x2);
-      detail::add_moment(y, x1, y1, x2, y2, y1, y2);
-      area.add(3.0, x1, y2), area.subtract(3.0, x2, y1);
+    detail::each_edge(polygon, [&](const auto& from, const auto& to) {
+      const vec<double, 2> p{widened(coordinate(from, 0)), widened(coordinate(from, 1))};
+      const vec<double, 2> q{widened(coordinate(to, 0)), widened(coordinate(to, 1))};
+      detail::add_cross(x, p, q, p.x), detail::add_cross(x, p, q, q.x);
+      detail::add_cross(y, p, q, p.y), detail::add_cross(y, p, q, q.y);
+      detail::add_cross(area, p, q, 3.0);
     });
     if (area.sign() == 0) return centre();
     const auto over_area = [&](const exact_accumulator<3>& moment) {

@@ -26,10 +26,6 @@
 
 namespace irg {
 
-/// The coordinates of which polygon_overlay keeps every bit.
-template <class T>
-concept OverlayScalar = Floating<T> || (std::integral<T> && sizeof(T) <= 4);
-
 /// How polygon_overlay ended: `not_finite` when a coordinate is NaN or infinite, `unresolved` when rounding has
 /// made new crossings again and again (never seen).
 enum class [[nodiscard]] polygon_clip_status { done, not_finite, unresolved };

@@ -257,5 +257,10 @@ template <detail::PerturbedPoint<3> P>
   return sign != 0 ? sign : -detail::perturbed_sign(a, b, c, d, e);
 }
 
+IRG_REFUSES_VECTORS(orient2d_sos);
+IRG_REFUSES_VECTORS(orient3d_sos);
+IRG_REFUSES_VECTORS(in_circle_sos);
+IRG_REFUSES_VECTORS(in_sphere_sos);
+
 }  // namespace IRG_ABI
 }  // namespace irg

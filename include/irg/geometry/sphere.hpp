@@ -96,4 +96,6 @@ template <Plane L, Floating T>
   return beyond > 0 ? static_cast<side>(height) : side::on;
 }
 
+IRG_REFUSES_VECTORS(sphere_through);
+
 }  // namespace irg::inline IRG_ABI

@@ -91,6 +91,7 @@ template <Floating T>
 
 IRG_REFUSES_VECTORS(signed_triangle_area);
 IRG_REFUSES_VECTORS(triangle_area);
+IRG_REFUSES_VECTORS(signed_triangle_area_fast);
 
 }  // namespace IRG_ABI
 }  // namespace irg

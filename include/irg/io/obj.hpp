@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 
+#include <irg/core/executor.hpp>
 #include <irg/core/result.hpp>
+#include <irg/io/detail/obj_pieces.hpp>
 #include <irg/io/detail/obj_reader.hpp>
 
 namespace irg {
@@ -27,28 +29,22 @@ inline namespace IRG_ABI {
 /// gives   the first error with its line and column, in place of a half-read mesh; a text without faces is a mesh
 ///         without faces. The mesh passes validate(): finite numbers, three corners or more per face, every index in
 ///         range
-/// exact   numbers are correctly rounded to T
-/// cost    linear in the text; memory at most 64 times the text and 1 MiB
-template <Floating T = double>
-[[nodiscard]] constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {}) {
+/// exact   numbers are correctly rounded to T. The same mesh and the same error for every executor
+/// cost    linear in the text; memory at most 64 times the text and 1 MiB. An executor reads pieces of 64 KiB, each by
+///         itself
+template <Floating T = double, Executor E = sequential>
+[[nodiscard]] constexpr result<mesh<T>> read_obj(std::string_view text, obj_options options = {},
+                                                 const E& executor = {}) {
   if (static_cast<std::uint64_t>(text.size()) >> 32 != 0) return parse_error{0, 0, "text is longer than 4 GiB"};
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return parse_error{0, 0, "text is UTF-16, but OBJ must be ASCII or UTF-8"};
   text = detail::without_byte_order_mark(text);
-  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
-    return detail::error_at(text, text.data() + nul, "byte 0 stands in the text");
-
-  detail::obj_counts counts;
-  {
-    detail::obj_reader<T> reader(text, options.unused, {});
-    reader.reserve(text);
-    if (!reader.text()) return detail::error_at(text, reader.place, reader.message);
-    if (reader.indices_hold()) return std::move(reader.read);
-    counts = {reader.read.positions.size(), reader.read.texcoords.size(), reader.read.normals.size()};
+  if constexpr (!std::is_same_v<E, sequential>) {
+    constexpr std::size_t piece_bytes = std::size_t{1} << 16;
+    if (text.size() > 2 * piece_bytes)
+      return detail::read_obj_in_pieces<T>(text, options.unused, piece_bytes, executor);
   }
-  detail::obj_reader<T> reader(text, options.unused, counts);
-  reader.text();
-  return detail::error_at(text, reader.place, reader.message);
+  return detail::read_obj_in_one_go<T>(text, options.unused);
 }
 
 }  // namespace IRG_ABI

@@ -56,4 +56,6 @@ template <Vector A, Vector B>
   return converted<T>(is_moderate ? detail::angle_between_moderate<T>(c, d) : detail::angle_between_any(a, b));
 }
 
+IRG_REFUSES_POINTS(angle_between);
+
 }  // namespace irg::inline IRG_ABI

@@ -61,34 +61,35 @@ template <Floating T>
   return {std::bit_cast<T>(bits | sign), text.end, status};
 }
 
-/// Reads a number of up to 15 digits as most texts have them, without an exponent; says whether one stood at p, which
-/// then leads behind it. Otherwise p and value stay: parse_decimal knows all others.
-/// shape   [-] digits [. digits]
-/// needs   a byte that is neither a digit nor a point where p leads to or behind it, such as the end of a line
-/// exact   correctly rounded to T, as parse_decimal
-/// cost    5 ns
+/// Which of the 64 bytes at p are digits: one bit each, the first byte's the lowest.
+/// exact   always
+/// cost    3 ns
+[[nodiscard]] IRG_INLINE constexpr std::uint64_t digit_bits(const char* p) noexcept { return detail::digit_bits_of(p); }
+
+/// The number that the digits of `before` and so many more at p write.
+/// needs   0 <= count <= 8, and 8 bytes that may be read at p, whatever follows the digits; a number below 2^64
+/// exact   always
+/// cost    2 ns, the same for any count
+[[nodiscard]] IRG_INLINE constexpr std::uint64_t value_of_digits(const char* p, int count,
+                                                                 std::uint64_t before = 0) noexcept {
+  const std::uint64_t values = detail::load_eight(p) ^ 0x3030303030303030u;
+  if (count == 0) return before;
+  return before * detail::small_powers_of_ten[count] + detail::value_of_values(values << ((64 - 8 * count) & 63));
+}
+
+/// mantissa / 10^decimals: what a text of so many digits behind the point writes.
+/// needs   mantissa < 10^19, 0 <= decimals <= 19
+/// exact   correctly rounded to T, ties to even, as parse_decimal
+/// cost    3 ns, 12 beyond 2^53
 /// source  Clinger 1990 (by one operation on exact numbers)
 template <Floating T>
-IRG_INLINE constexpr bool parse_short_decimal(const char*& p, T& value) noexcept {
-  const char* q = p;
-  const bool negative = *q == '-';
-  if (negative) ++q;
-  const char* const digits = q;
-  std::uint64_t mantissa = 0;
-  for (; detail::is_digit(*q); ++q) mantissa = mantissa * 10 + detail::digit_value(*q);
-  std::ptrdiff_t count = q - digits, fraction = 0;
-  if (*q == '.') {
-    const char* const point = q++;
-    for (; detail::is_digit(*q); ++q) mantissa = mantissa * 10 + detail::digit_value(*q);
-    fraction = q - point - 1;
-    count += fraction;
-  }
-  T magnitude{};
-  if (count == 0 || count > 15 || !detail::nearest_by_double(mantissa, -static_cast<int>(fraction), magnitude))
-    return false;
-  value = negative ? -magnitude : magnitude;
-  p = q;
-  return true;
+[[nodiscard]] IRG_INLINE constexpr T decimal_fraction(std::uint64_t mantissa, int decimals) noexcept {
+  T value{};
+  if (mantissa <= std::uint64_t{1} << 53 && detail::nearest_by_double(mantissa, -decimals, value)) return value;
+  detail::decimal_text text{nullptr};
+  text.mantissa = mantissa;
+  text.exponent = -decimals;
+  return detail::magnitude<T>(text);
 }
 
 /// The integer that the decimal digits at the head of [first, last) write.

@@ -13,8 +13,8 @@ namespace irg::inline IRG_ABI {
 
 /// The length of (x, y, z), the square root of x*x + y*y + z*z.
 /// gives   infinity when an argument is infinite, else NaN when one is NaN; infinity when the length overflows
-/// exact   double within 0.501 ulp, float within 0.5001 ulp, over the whole range: no spurious overflow or underflow
-/// cost    a square root, a division, three exact products; float: a square root
+/// exact   double within 0.50001 ulp, float within 0.5001 ulp, over the whole range: no spurious overflow or underflow
+/// cost    a square root, a division, twelve products; float: a square root
 /// source  Borges 2019 (the correction of the root)
 template <Floating T>
 [[nodiscard]] constexpr T hypot(T x, T y, T z) noexcept {
@@ -24,7 +24,7 @@ template <Floating T>
 /// The length of the hypotenuse, the square root of x*x + y*y.
 /// gives   as hypot of three
 /// exact   as hypot of three
-/// cost    a square root, a division, two exact products; float: a square root
+/// cost    a square root, a division, nine products; float: a square root
 template <Floating T>
 [[nodiscard]] constexpr T hypot(T x, T y) noexcept {
   return detail::hypot_of(x, y);

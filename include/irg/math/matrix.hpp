@@ -240,8 +240,8 @@ template <Real T>
   std::vector<int> numbers(4 * static_cast<std::size_t>(n), 0);
   std::vector<W> largest_term(static_cast<std::size_t>(n), W(0));
   matrix<W> x(n, 1);
-  const detail::eliminated found = detail::solve_rows(rows, entry, n, numbers.data(), numbers.data() + 2 * n,
-                                                      largest_term.data(), [&](int i) -> W& { return x(i, 0); });
+  const detail::elimination_space<W> space{numbers.data(), numbers.data() + 2 * n, largest_term.data()};
+  const detail::eliminated found = detail::solve_rows(rows, entry, n, space, [&](int i) -> W& { return x(i, 0); });
   return detail::solution_column<T>(found.kind, n, [&](int i) { return x(i, 0); });
 }
 

@@ -106,11 +106,18 @@ constexpr void scale_solution(int n, int shift, const int* column_exponent, cons
   for (int i = 0; i < n; ++i) x(i) = times_power_of_two(x(i), shift - column_exponent[i]);
 }
 
+// Work space for n rows: 2 n numbers each of the first two, n of the last.
+template <class T>
+struct elimination_space {
+  int *column, *exponents;
+  T* largest_term;
+};
+
 // Solves n rows of n + 1 finite numbers entry(r, c), which `a` holds, by elimination: the solution goes to x(0) to
-// x(n - 1). Work space: column and exponents, of 2 n numbers each, and largest_term.
+// x(n - 1).
 template <class T, class M, class E, class X>
-constexpr eliminated solve_rows(M& a, const E& entry, int n, int* column, int* exponents, T* largest_term,
-                                const X& x) noexcept {
+constexpr eliminated solve_rows(M& a, const E& entry, int n, const elimination_space<T>& space, const X& x) noexcept {
+  const auto [column, exponents, largest_term] = space;
   if constexpr (!Floating<T>) {
     const eliminated result = eliminate_fully(a, n, column, largest_term, T(0));
     if (result.kind == solvability::unique) substitute<T>(a, n, column, x);
@@ -235,7 +242,8 @@ template <Real T, int N, int M>
     int column[2 * static_cast<std::size_t>(N)]{}, exponents[2 * static_cast<std::size_t>(N)]{};
     W largest_term[static_cast<std::size_t>(N)]{}, x[static_cast<std::size_t>(N)]{};
     const detail::eliminated found =
-        detail::solve_rows(rows, entry, N, column, exponents, largest_term, [&](int i) -> W& { return x[i]; });
+        detail::solve_rows(rows, entry, N, detail::elimination_space<W>{column, exponents, largest_term},
+                           [&](int i) -> W& { return x[i]; });
     s = {found.kind, found.rank, {}};
     if (s) s.x = generate_coordinates<vec<T, N>>([&](int i) { return converted<T>(x[i]); });
   }

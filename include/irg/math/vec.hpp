@@ -277,6 +277,19 @@ template <class T, int N>
   return generate_coordinates<point<T, N>>([&](int i) IRG_INLINE_LAMBDA { return v[i]; });
 }
 
+/// irg's own vector of a vector of another type.
+template <Vector V>
+[[nodiscard]] IRG_INLINE constexpr vec<scalar_of<V>, size_of<V>> to_vec(const V& v) noexcept {
+  return generate_coordinates<vec<scalar_of<V>, size_of<V>>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i); });
+}
+
+/// irg's own point of a point of another type.
+template <Point P>
+[[nodiscard]] IRG_INLINE constexpr point<scalar_of<P>, size_of<P>> to_point(const P& p) noexcept {
+  return generate_coordinates<point<scalar_of<P>, size_of<P>>>([&](int i)
+                                                                   IRG_INLINE_LAMBDA { return coordinate(p, i); });
+}
+
 /// The homogeneous form of p, of weight 1.
 template <class T, int N>
 [[nodiscard]] IRG_INLINE constexpr hpoint<T, N> to_homogeneous(const point<T, N>& p) noexcept {

@@ -44,7 +44,7 @@ public:
   bool operator==(const part_name&) const = default;
 
 private:
-  std::vector<char> characters_;
+  std::vector<char> characters_{};
 };
 
 }  // namespace irg

@@ -5,27 +5,14 @@
 // same cells without asking for each; a level line is one run of pixels.
 #pragma once
 
-#include <concepts>
-
-#include <irg/core/coordinates.hpp>
+#include <irg/raster/cell_position.hpp>
 #include <irg/raster/detail/line_kernel.hpp>
 #include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/paint.hpp>
 
 namespace irg {
 
-/// Points of ints that name a cell without being one: glm::ivec2, cv::Point, std::array<int, 2>, structs of x and y.
-template <class P>
-concept CellPosition = Point<P> && size_of<P> == 2 && std::same_as<scalar_of<P>, int> && !std::same_as<P, cell>;
-
 inline namespace IRG_ABI {
-
-/// The cell that a point of ints names.
-template <CellPosition P>
-[[nodiscard]] IRG_INLINE constexpr cell as_cell(const P& p) noexcept {
-  return {coordinate(p, 0), coordinate(p, 1)};
-}
-[[nodiscard]] IRG_INLINE constexpr cell as_cell(cell c) noexcept { return c; }
 
 /// Paints the pixels of the line from a to b, in the order from a to b.
 /// gives   nothing when the line misses the raster's window; a function paint is called once per pixel

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include <irg/raster/cell_position.hpp>
 #include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/paint.hpp>
 
@@ -139,6 +140,13 @@ template <class Pattern, WritableRaster R, PaintFor<R> Paint = pixel_of<R>>
 constexpr std::uint64_t draw_line_styled(R& raster, cell a, cell b, const line_dashes<Pattern>& dashes,
                                          const Paint& paint) {
   return line_styled(a, b, dashes, window_of(raster), [&](cell c) { paint_pixel(raster, c.x, c.y, paint); });
+}
+
+/// The same between positions of another type.
+template <class Pattern, WritableRaster R, CellPosition P, PaintFor<R> Paint = pixel_of<R>>
+constexpr std::uint64_t draw_line_styled(R& raster, const P& a, const P& b, const line_dashes<Pattern>& dashes,
+                                         const Paint& paint) {
+  return draw_line_styled(raster, as_cell(a), as_cell(b), dashes, paint);
 }
 
 }  // namespace IRG_ABI

@@ -41,10 +41,11 @@ template <ScreenPosition P, SpanSink Sink>
 constexpr bool line_thick(const P& a, const P& b, const line_pen& pen, const cell_window& window, Sink&& emit) {
   if (can_snap(a) && can_snap(b))
     detail::stroke_spans(detail::thick_stroke_between(snap(a), snap(b), pen.width, pen.caps, pen.caps), window, emit);
-  else if constexpr (std::same_as<P, cell>)
-    detail::stroke_spans(detail::thick_stroke_of<int128, 0>({a.x, a.y, b.x, b.y}, pen.width, pen.caps, pen.caps),
-                         window, emit);
-  else
+  else if constexpr (std::same_as<P, cell> || CellPosition<P>) {
+    const cell from = as_cell(a), to = as_cell(b);
+    detail::stroke_spans(
+        detail::thick_stroke_of<int128, 0>({from.x, from.y, to.x, to.y}, pen.width, pen.caps, pen.caps), window, emit);
+  } else
     return false;
   return true;
 }

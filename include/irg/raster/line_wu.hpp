@@ -57,7 +57,9 @@ constexpr void line_wu(const subpixel& a, const subpixel& b, const cell_window& 
 template <WritableRaster R, ScreenPosition P, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_line_wu(R& raster, const P& a, const P& b, const Paint& paint, const line_options& options = {}) {
   const auto mix_in = [&](cell c, std::uint8_t coverage) { paint_pixel(raster, c.x, c.y, paint, coverage); };
-  if constexpr (std::same_as<P, cell> || std::same_as<P, subpixel>) {
+  if constexpr (std::same_as<P, cell> || CellPosition<P>) {
+    line_wu(as_cell(a), as_cell(b), window_of(raster), mix_in, options);
+  } else if constexpr (std::same_as<P, subpixel>) {
     line_wu(a, b, window_of(raster), mix_in, options);
   } else {
     const auto [finite, in_reach, from, to] = detail::snap_line(a, b);

@@ -2,12 +2,14 @@
 // The vertex stage: every position once to clip space, and where it is safely inside, on to the screen.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <irg/core/executor.hpp>
+#include <irg/core/ring.hpp>
 #include <irg/raster/screen_mapping.hpp>
 
 #include <irg/raster/detail/vertex_kernel.hpp>
@@ -23,6 +25,8 @@ struct projected_vertices {
   std::vector<screen_vertex> screen;  // valid where `cut` is none
   std::vector<clip_code_pair> codes;  // the planes that each vertex is beyond
   clip_code_pair any;  // the planes that some vertex is beyond
+  std::vector<point<T, 3>>
+      converted{};  // what `positions` shows where they were of another type, in copies of this too
 };
 
 inline namespace IRG_ABI {
@@ -56,10 +60,38 @@ constexpr void project_vertices(projected_vertices<T>& out, std::span<const poin
   for (const clip_code_pair& a : any) out.any = out.any | a;
 }
 
+/// The same of positions of other types, such as glm::vec3, which `out` keeps as points of T.
+/// shape   anything with size() and [] that holds points; irg's own points of T stay where they are
+/// exact   positions to the nearest T first
+template <Floating T, SpaceRing A, Executor E = sequential>
+  requires Floating<ring_scalar<A>>
+constexpr void project_vertices(projected_vertices<T>& out, const A& positions, const mat<T, 4, 4>& to_clip,
+                                const screen_mapping<T>& mapping, const E& executor = {}) {
+  if constexpr (std::convertible_to<const A&, std::span<const point<T, 3>>>) {
+    project_vertices(out, std::span<const point<T, 3>>(positions), to_clip, mapping, executor);
+  } else {
+    out.converted.clear();
+    for (std::size_t k = 0; k < ring_size(positions); ++k) {
+      const auto p = ring_vertex(positions, k);
+      out.converted.push_back(generate_coordinates<point<T, 3>>([&](int i) { return converted<T>(coordinate(p, i)); }));
+    }
+    project_vertices(out, std::span<const point<T, 3>>(out.converted), to_clip, mapping, executor);
+  }
+}
+
 /// All positions, projected.
 template <Floating T, Executor E = sequential>
 [[nodiscard]] constexpr projected_vertices<T> project_vertices(std::span<const point<T, 3>> positions,
                                                                const mat<T, 4, 4>& to_clip,
+                                                               const screen_mapping<T>& mapping,
+                                                               const E& executor = {}) {
+  projected_vertices<T> v;
+  project_vertices(v, positions, to_clip, mapping, executor);
+  return v;
+}
+template <Floating T, SpaceRing A, Executor E = sequential>
+  requires Floating<ring_scalar<A>>
+[[nodiscard]] constexpr projected_vertices<T> project_vertices(const A& positions, const mat<T, 4, 4>& to_clip,
                                                                const screen_mapping<T>& mapping,
                                                                const E& executor = {}) {
   projected_vertices<T> v;

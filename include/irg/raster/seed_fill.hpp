@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-#include <irg/core/sinks.hpp>
+#include <irg/raster/cell_position.hpp>
 #include <irg/raster/detail/seed_fill_steps.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/window.hpp>
@@ -79,6 +79,13 @@ constexpr std::int64_t flood_fill(R& raster, cell seed, const Paint& paint, neig
       [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
+/// The same around a position of another type.
+template <WritableRaster R, CellPosition P, PaintFor<R> Paint = pixel_of<R>>
+  requires std::equality_comparable<pixel_of<R>>
+constexpr std::int64_t flood_fill(R& raster, const P& seed, const Paint& paint, neighbours next_to = neighbours::four) {
+  return flood_fill(raster, as_cell(seed), paint, next_to);
+}
+
 /// Paints the region around the seed up to pixels of the boundary's value, whatever else it has. Returns the number of
 /// its cells.
 /// gives   0, and nothing painted, when the seed is outside of the raster's window, or on the boundary. Pixels that
@@ -92,6 +99,14 @@ constexpr std::int64_t boundary_fill(R& raster, cell seed, const pixel_of<R>& bo
   return seed_fill_spans(
       window_of(raster), [&](const cell& c) { return !(get_pixel(raster, c.x, c.y) == edge); }, seed, next_to,
       [&](const span_of_cells& s) { fill_span(raster, s, paint); });
+}
+
+/// The same around a position of another type.
+template <WritableRaster R, CellPosition P, PaintFor<R> Paint = pixel_of<R>>
+  requires std::equality_comparable<pixel_of<R>>
+constexpr std::int64_t boundary_fill(R& raster, const P& seed, const pixel_of<R>& boundary, const Paint& paint,
+                                     neighbours next_to = neighbours::four) {
+  return boundary_fill(raster, as_cell(seed), boundary, paint, next_to);
 }
 
 }  // namespace IRG_ABI

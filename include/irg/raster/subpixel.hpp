@@ -8,6 +8,7 @@
 #include <irg/core/contract.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/math/vec.hpp>
+#include <irg/raster/cell_position.hpp>
 
 namespace irg {
 
@@ -56,6 +57,10 @@ template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr bool can_snap(const cell& c) noexcept {
   return c.x >= -snap_limit && c.x < snap_limit && c.y >= -snap_limit && c.y < snap_limit;
 }
+template <CellPosition P>
+[[nodiscard]] IRG_INLINE constexpr bool can_snap(const P& p) noexcept {
+  return can_snap(as_cell(p));
+}
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
 [[nodiscard]] IRG_INLINE constexpr bool can_snap(const P& p) noexcept {
@@ -68,6 +73,10 @@ template <Point P>
 [[nodiscard]] IRG_INLINE constexpr subpixel snap(const cell& c) noexcept {
   return {c.x * one_pixel + half_pixel, c.y * one_pixel + half_pixel};
 }
+template <CellPosition P>
+[[nodiscard]] IRG_INLINE constexpr subpixel snap(const P& p) noexcept {
+  return snap(as_cell(p));
+}
 template <Point P>
   requires(size_of<P> == 2 && Floating<scalar_of<P>>)
 [[nodiscard]] IRG_INLINE constexpr subpixel snap(const P& p) noexcept {
@@ -76,7 +85,8 @@ template <Point P>
 
 }  // namespace IRG_ABI
 
-/// Where a line may begin or end: at the centre of a cell, between pixels in 1/256 pixel, or at a point in pixels.
+/// Where a line may begin or end: at the centre of a cell, or of one that ints name, between pixels in 1/256 pixel, or
+/// at a point in pixels.
 template <class P>
 concept ScreenPosition = requires(const P& p) {
   { can_snap(p) } -> std::same_as<bool>;

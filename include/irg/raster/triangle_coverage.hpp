@@ -36,7 +36,7 @@ struct triangle_edge {
 struct triangle_coverage {
   triangle_edge edge[3];
   std::int64_t double_area = 0;  // in (1/256 pixel)^2; 0 for a triangle that covers nothing because it has no inside
-  cell_window bounds;  // no covered pixel lies outside
+  cell_window bounds{};  // no covered pixel lies outside
   bool flipped = false;
 };
 

@@ -61,11 +61,27 @@ struct picture_frame {
         to_clip(view_projection(view, static_cast<T>(width) / static_cast<T>(height))) {}
 };
 
+// The one place where a method is chosen: the one that the options name, tile by tile, so that whatever calls it is
+// compiled once for all.
+struct named_method {
+  hidden_surface_method name;
+
+  constexpr float farthest() const noexcept {
+    return name == hidden_surface_method::none ? drawing_order::farthest : nearer_is_greater::farthest;
+  }
+  template <class T, class Depth>
+  constexpr draw_counts operator()(Depth& depth, const tile_job<T>& job, std::size_t i,
+                                   const tile_finish<T>& finish) const {
+    return name == hidden_surface_method::none ? zbuffer_method<drawing_order>{}(depth, job, i, finish)
+                                               : zbuffer_method<nearer_is_greater>{}(depth, job, i, finish);
+  }
+};
+
 // The edges of all objects.
-template <class Order, class T, class Objects, class Run>
+template <class T, class Objects, class Run>
 constexpr render_stats draw_wire(const picture_frame<T>& f, Objects& objects, const Run& run) {
   clear(run.colour, f.options.colours.background);
-  clear(run.depth, Order::farthest);
+  clear(run.depth, named_method{f.options.hidden}.farthest());
   render_stats stats;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const mesh<T>& shape = objects.shape(i);
@@ -84,8 +100,8 @@ template <class Method, class T, class Objects, class Run>
 constexpr render_stats draw_filled(const Method& method, const picture_frame<T>& f, Objects& objects,
                                    draw_workspace& workspace, const Run& run) {
   const point<T, 3> eye = viewpoint(f.view);
-  const object_selection chosen = select_objects<typename Method::order>(objects, f.to_clip, width_of(run.colour),
-                                                                         height_of(run.colour), f.options);
+  const object_selection chosen =
+      select_objects(objects, f.to_clip, width_of(run.colour), height_of(run.colour), f.options);
   std::vector<object_shading<T>> shadings;
   std::vector<triangle_batch<T>> batches;
   shadings.reserve(chosen.drawn.size());
@@ -115,15 +131,12 @@ constexpr render_stats draw_filled(const Method& method, const picture_frame<T>&
   return stats;
 }
 
-// The one place where a method is chosen.
 template <class T, class Objects, class Run>
 constexpr render_stats draw_picture(const picture_frame<T>& f, Objects& objects, draw_workspace& workspace,
                                     const Run& run) {
-  const auto draw = [&]<class Order>(Order) {
-    return f.options.style == picture_style::wire ? draw_wire<Order>(f, objects, run)
-                                                  : draw_filled(zbuffer_method<Order>{}, f, objects, workspace, run);
-  };
-  return f.options.hidden == hidden_surface_method::none ? draw(drawing_order{}) : draw(nearer_is_greater{});
+  return f.options.style == picture_style::wire
+             ? draw_wire(f, objects, run)
+             : draw_filled(named_method{f.options.hidden}, f, objects, workspace, run);
 }
 
 }  // namespace IRG_ABI

@@ -60,10 +60,9 @@ inline namespace IRG_ABI {
 template <Floating T, RayTest<T> Test>
 [[nodiscard]] constexpr std::optional<primitive_hit<T>> closest_hit(const bvh& tree, const ray<T, 3>& r,
                                                                     const Test& test) {
-  if (is_empty(r)) return std::nullopt;
+  detail::box_ray b;
+  if (!detail::set_box_ray(b, r, tree.scale)) return std::nullopt;
   ray<T, 3> rest = detail::from_zero(r);
-  detail::box_ray b{};
-  detail::set_box_ray(b, r, tree.scale);
   std::optional<primitive_hit<T>> best;
   detail::walk_near_to_far(tree, b, [&](std::uint32_t leaf) {
     detail::meet_leaf(
@@ -85,10 +84,9 @@ template <Floating T, RayTest<T> Test>
 /// exact   no primitive is missed whose box the ray meets
 template <Floating T, RayTest<T> Test>
 [[nodiscard]] constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
-  if (is_empty(r)) return false;
+  detail::box_ray b;
+  if (!detail::set_box_ray(b, r, tree.scale)) return false;
   const ray<T, 3> whole = detail::from_zero(r);
-  detail::box_ray b{};
-  detail::set_box_ray(b, r, tree.scale);
   return detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
     return detail::meet_leaf(
         tree, leaf, whole, test, [](std::uint32_t, T) { return true; }, [](std::uint32_t) { return true; });
@@ -99,10 +97,9 @@ template <Floating T, RayTest<T> Test>
 /// exact   as any_hit
 template <Floating T, RayTest<T> Test, class Sink>
 constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, Sink&& sink) {
-  if (is_empty(r)) return;
+  detail::box_ray b;
+  if (!detail::set_box_ray(b, r, tree.scale)) return;
   const ray<T, 3> whole = detail::from_zero(r);
-  detail::box_ray b{};
-  detail::set_box_ray(b, r, tree.scale);
   detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
     detail::meet_leaf(
         tree, leaf, whole, test,

@@ -110,7 +110,7 @@ private:
 
   grid_extent extent_{0, 0, 0};
   std::int64_t words_per_row_ = 0;
-  std::vector<std::uint64_t> words_;
+  std::vector<std::uint64_t> words_{};
 };
 
 inline namespace IRG_ABI {

@@ -38,7 +38,7 @@ namespace detail {
 struct triangle_ray {
   ray<double, 3> r;
   ray_shear shear;
-  double reach = 1;  // the largest coordinate of the direction
+  double reach;  // the largest coordinate of the direction
 };
 
 inline namespace IRG_ABI {
@@ -206,9 +206,9 @@ struct timed_crossing {
 };
 
 // Whether the moved ray crosses the triangle between low and high, and where.
-constexpr timed_crossing cross_in_time(const std::same_as<triangle_ray> auto& q, const space_point& a,
-                                       const space_point& b, const space_point& c, const sheared_sides<double>& sides,
-                                       double m) noexcept {
+IRG_INLINE constexpr timed_crossing cross_in_time(const std::same_as<triangle_ray> auto& q, const space_point& a,
+                                                  const space_point& b, const space_point& c,
+                                                  const sheared_sides<double>& sides, double m) noexcept {
   constexpr double largest = 0x1p250;
   const double bound = m < largest ? side_bound(m) : std::numeric_limits<double>::infinity();
   const int turn = turn_of_sides(q, a, b, c, sides, bound);

@@ -83,8 +83,8 @@ private:
 
   cell_grid cells_;
   wall_rules rules_;
-  std::vector<wall_kind> kinds_;  // three per cell, or none at all
-  cell_grid across_x_, across_y_, across_z_;  // an array of them cannot be moved in g++ 12's constant evaluation
+  std::vector<wall_kind> kinds_{};  // three per cell, or none at all
+  cell_grid across_x_{}, across_y_{}, across_z_{};  // an array of them cannot be moved in g++ 12's constant evaluation
 };
 
 inline namespace IRG_ABI {

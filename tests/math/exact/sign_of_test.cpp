@@ -9,6 +9,7 @@
 
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
+#include "support/flush_mode.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -74,6 +75,37 @@ TEST_CASE("sign_of and quotient_of: against rationals, near ties and mixed magni
   CHECK(zeros > 100);
 }
 #endif
+
+#ifdef IRG_HAVE_MPFR
+TEST_CASE("sign_of: at both ends of the filter's range, also where subnormal numbers count as zero") {
+  // 2^400 and 2^-400 bound it for degree 2; a value is told from zero in doubles from 2^-590 on.
+  constexpr std::array<int, 14> ends{-1074, -1022, -700, -401, -400, -399, -296, -295, 0, 295, 398, 399, 400, 1000};
+  test::random r(67);
+  int signs[3] = {};
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::array<double, 8> in{};
+    std::array<test::big_rational, 8> exact{};
+    for (std::size_t k = 0; k < 8; ++k) {
+      const int end = ends[static_cast<std::size_t>(r.integer(0, 13))];
+      in[k] = r.integer(0, 3) == 0 ? 0.0 : std::ldexp(static_cast<double>(r.integer(-5, 5)), end);
+      if (k >= 4 && r.integer(0, 1) == 0) in[k] = in[k - 4];
+      exact[k] = test::big_rational(in[k]);
+    }
+    const int sign = area(exact).sign();
+    ++signs[sign + 1];
+    REQUIRE(irg::sign_of<2>(area, in) == sign);
+    REQUIRE(test::while_flushing([&] { return irg::sign_of<2>(area, in); }) == sign);
+  }
+  for (const int count : signs) CHECK(count > 300);
+}
+#endif
+
+TEST_CASE("sign_of: NaN and infinity in a number that the polynomial leaves out") {
+  const auto first = [](const auto& p) { return p.x * p.x; };
+  CHECK_BOTH(irg::sign_of<2>(first, irg::point<double, 2>{3, infinite}) == 0);
+  CHECK_BOTH(irg::sign_of<2>(first, irg::point<double, 2>{3, std::numeric_limits<double>::quiet_NaN()}) == 0);
+  CHECK_BOTH(irg::sign_of<2>(first, irg::point<double, 2>{3, 0x1.fffffffffffffp1023}) == 1);
+}
 
 TEST_CASE("sign_of: points, vectors and integers; several signs at once") {
   using P = irg::point<double, 3>;

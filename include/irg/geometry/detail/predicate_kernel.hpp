@@ -123,7 +123,7 @@ constexpr bool to_double_words(const point_table<double, M, D>& x, point_table<w
     const int shift = part.place - largest + 72;  // 53 bits and these make 125
     const uint128 size = part.significand;
     if (part.significand == 0) continue;
-    if (shift < 0 && (shift <= -64 || size >> -shift << -shift != size)) return false;
+    if (shift < 0 && (shift <= -64 || ((size >> -shift) << -shift) != size)) return false;
     const auto value = static_cast<int128>(shift < 0 ? size >> -shift : size << shift);
     integers.v[i] = part.negative ? -value : value;
   }

@@ -70,7 +70,8 @@ struct weiler_atherton_lists {
       first_edge[which].push_back(first);
       for (std::size_t i = 0; i < n; ++i) {
         const auto v = ring_vertex(ring, i);
-        list[which].push_back({{coordinate(v, 0), coordinate(v, 1)}, T(0), first + i, no_crossing});
+        const point<T, 2> at{static_cast<T>(coordinate(v, 0)), static_cast<T>(coordinate(v, 1))};
+        list[which].push_back({at, T(0), first + i, no_crossing});
         next_edge[which].push_back(i + 1 < n ? first + i + 1 : first);
       }
     }
@@ -167,17 +168,19 @@ namespace irg::textbook {
 inline namespace IRG_ABI {
 
 /// The part of the subject within the clip polygon, by Weiler and Atherton's walk along entering and leaving points.
-/// shape   rings or lists of rings: outer ones counter-clockwise, holes clockwise (y up)
+/// shape   rings or lists of rings: outer ones counter-clockwise, holes clockwise (y up), of floats, doubles or
+///         integers of up to 32 bits, whose crossings are doubles
 /// needs   rings that neither cross themselves nor another ring of the same polygon
 /// gives   a ring per part; status `touching`, and no rings, outside of general position
 /// exact   which edges cross, and what enters, is decided exactly; crossings within 0.501 ulp
 /// cost    each edge against each edge of the other polygon; allocates
 /// source  Weiler and Atherton 1977
 template <PlanePolygon A, PlanePolygon B>
-  requires Floating<scalar_of<polygon_point<A>>> &&
+  requires OverlayScalar<scalar_of<polygon_point<A>>> &&
            std::same_as<scalar_of<polygon_point<A>>, scalar_of<polygon_point<B>>>
 [[nodiscard]] constexpr auto clip_weiler_atherton(const A& subject, const B& clip) {
-  using T = scalar_of<polygon_point<A>>;
+  using S = scalar_of<polygon_point<A>>;
+  using T = std::conditional_t<Floating<S>, S, double>;
   weiler_atherton_clip<T> result;
   const auto ended = [&](weiler_atherton_status status) { return result.status = status, result; };
   if (!irg::is_finite(subject) || !irg::is_finite(clip)) return ended(weiler_atherton_status::not_finite);
@@ -191,10 +194,13 @@ template <PlanePolygon A, PlanePolygon B>
   for (std::size_t k = 0; k < lists.crossings.size(); ++k)
     if (lists.crossings[k].enters && walked[k] == 0) result.rings.push_back(lists.walk(k, walked));
   // Rings that nothing crosses are within the other polygon, or they are not.
-  const auto keep_uncrossed = [&](int which, const auto& other) {
+  const auto keep_uncrossed = [&]<class Q>(int which, const Q& other) {
+    const auto is_inside = [&](const point<T, 2>& v) {  // of a vertex given, in the type given
+      const auto p = generate_coordinates<polygon_point<Q>>([&](int i) { return static_cast<S>(v[i]); });
+      return point_in_polygon(other, p) == location::inside;
+    };
     for (std::size_t r = 0; r + 1 < lists.first_edge[which].size(); ++r)
-      if (const auto ring = lists.uncrossed_ring(which, r);
-          !ring.empty() && point_in_polygon(other, ring[0]) == location::inside)
+      if (const auto ring = lists.uncrossed_ring(which, r); !ring.empty() && is_inside(ring[0]))
         result.rings.push_back(ring);
   };
   keep_uncrossed(0, clip), keep_uncrossed(1, subject);

@@ -10,11 +10,10 @@
 #include <cstdint>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <irg/core/result.hpp>
-#include <irg/io/detail/text_place.hpp>
-#include <irg/math/decimal.hpp>
-#include <irg/mesh/mesh.hpp>
+#include <irg/io/detail/obj_content.hpp>
 
 namespace irg {
 
@@ -23,11 +22,6 @@ enum class obj_unused { skip, refuse };
 
 namespace detail {
 inline namespace IRG_ABI {
-
-/// How many of each kind of vertex data there are; until the end of the text is reached, as many as indices can name.
-struct obj_counts {
-  std::size_t positions = mesh_corner::none, texcoords = mesh_corner::none, normals = mesh_corner::none;
-};
 
 /// The sentences for a bad index of one kind.
 struct obj_index_messages {
@@ -51,26 +45,46 @@ struct obj_names {
   constexpr std::size_t bytes() const noexcept { return object.size() + group.size() + material.size(); }
 };
 
-/// Reads one text into `read`, or stops at `place` with `message`.
+/// In a piece of a text it is not known what stands before it. Its negative indices are kept as what they would be if
+/// it began the text, and this; no text of 4 GiB has so much vertex data that another index could be taken for one.
+inline constexpr std::int64_t obj_back_from = std::int64_t{1} << 31;
+
+/// Larger indices are not taken in a piece of a text.
+inline constexpr std::size_t obj_most_in_piece = std::size_t{1} << 30;
+
+/// Reads one text, or a piece of it from the beginning of a line to the end of another, or stops at `place` with
+/// `message`. The parts of a piece are made by whoever knows what names stand before it.
 template <Floating T>
 struct obj_reader {
+  /// Names that statements of a piece give before one of its faces; without data where they say nothing.
+  struct naming {
+    obj_names given;
+    std::size_t face;
+  };
+
   const char* at;
   const char* last;
   obj_unused unused;
-  obj_counts counts;
+  obj_counts counts;  // as many as indices may name
+  bool is_piece;
   std::size_t name_budget;
-  mesh<T> read{};
+  obj_content<T> content{};
   const char* place = nullptr;
   const char* message = nullptr;
   obj_names names{};  // as the statements so far say
   obj_names part_names{};  // of the part that grows
   bool names_changed = false;
-  const char* plain_end;  // the last line feed; the beginning when no line is to be read the quick way
+  bool has_zero = false;  // a byte 0 stands in what has been passed over
+  bool looks_back = false;
+  std::vector<naming> namings{};
+  obj_counts behind{0, 0, 0};  // how far negative indices reach beyond the beginning of the piece
+  std::ptrdiff_t plain_bytes;  // where so many are left lines are read in one go
 
-  constexpr obj_reader(std::string_view text, obj_unused how, obj_counts known)
-      : at(text.data()), last(text.data() + text.size()), unused(how), counts(known),
+  constexpr obj_reader(std::string_view text, obj_unused how, obj_counts known = {}, bool piece = false)
+      : at(text.data()), last(text.data() + text.size()), unused(how), counts(known), is_piece(piece),
         name_budget(16 * text.size() + 65536),
-        plain_end(known.positions == mesh_corner::none ? last_line_feed(text) : text.data()) {}
+        plain_bytes(piece || known == obj_counts{} ? obj_line::readable
+                                                   : static_cast<std::ptrdiff_t>(text.size()) + 1) {}
 
   constexpr bool fail(const char* where, const char* why) noexcept {
     place = where;
@@ -102,111 +116,14 @@ struct obj_reader {
 
   constexpr bool text() {
     while (at != last) {
-      if (at < plain_end && plain_line()) continue;
+      if (last - at >= plain_bytes && !(names_changed && *at == 'f') && content.plain_line(at)) continue;
       skip_blanks();
       if (!at_statement_end() && !statement()) return false;
-      while (at != last && !is_line_break(*at)) ++at;  // a comment, which no backslash continues
+      for (; at != last && !is_line_break(*at); ++at)  // a comment, which no backslash continues
+        has_zero = has_zero || *at == '\0';
       if (at != last) ++at;  // CR LF: the line between the two is empty
     }
-    return true;
-  }
-
-  static constexpr const char* last_line_feed(std::string_view text) noexcept {
-    const std::size_t place = text.rfind('\n');
-    return text.data() + (place == std::string_view::npos ? 0 : place);
-  }
-
-  /// Asks for the memory that a long text will need, as far as samples of its lines tell: growing it bit by bit takes
-  /// as long as reading. A wrong guess costs memory within the reader's bound, or time.
-  constexpr void reserve(std::string_view text) {
-    constexpr std::size_t samples = 64, sample_bytes = 512;
-    if (text.size() < 8 * samples * sample_bytes) return;
-    std::size_t vertices = 0, normals = 0, texcoords = 0, faces = 0, quads = 0;
-    for (std::size_t s = 0; s < samples; ++s) {
-      const std::size_t first = text.size() / samples * s;
-      for (std::size_t i = first + 1; i < first + sample_bytes; ++i) {
-        if (text[i - 1] != '\n') continue;
-        if (text[i] == 'v') ++(text[i + 1] == 'n' ? normals : text[i + 1] == 't' ? texcoords : vertices);
-        if (text[i] != 'f') continue;
-        std::size_t blanks = 0;
-        for (std::size_t k = i; k < i + 40 && text[k] != '\n'; ++k) blanks += text[k] == ' ' ? 1u : 0u;
-        ++faces;
-        quads += blanks > 3 ? 1u : 0u;
-      }
-    }
-    // A sixteenth more than was seen, so that an even text needs no second piece.
-    const std::size_t scale = text.size() / (samples * sample_bytes) + text.size() / (16 * samples * sample_bytes) + 1;
-    read.positions.reserve(vertices * scale);
-    read.normals.reserve(normals * scale);
-    read.texcoords.reserve(texcoords * scale);
-    read.corners.reserve((3 * faces + quads) * scale);
-    read.face_starts.reserve(faces * scale + 1);
-  }
-
-  /// Reads a line as nearly all are, in one go: a vertex, a normal, a texture coordinate or a face, numbers without an
-  /// exponent, indices from 1 on, blanks between them. Says whether it did; otherwise nothing has happened.
-  /// needs   at < plain_end: the line feed there ends every loop
-  constexpr bool plain_line() {
-    if (*at == 'f' && at[1] == ' ') return plain_face(at + 2);
-    if (*at != 'v') return false;
-    T n[3]{};
-    if (at[1] == ' ') return plain_numbers<3>(at + 2, n) && (read.positions.push_back({n[0], n[1], n[2]}), true);
-    if (at[1] == 'n' && at[2] == ' ')
-      return plain_numbers<3>(at + 3, n) && (read.normals.push_back({n[0], n[1], n[2]}), true);
-    if (at[1] == 't' && at[2] == ' ')
-      return plain_numbers<2>(at + 3, n) && (read.texcoords.push_back({n[0], n[1]}), true);
-    return false;
-  }
-
-  static constexpr const char* behind_blanks(const char* p) noexcept {
-    while (*p == ' ') ++p;
-    return p;
-  }
-
-  template <int Count>
-  constexpr bool plain_numbers(const char* p, T* into) noexcept {
-    for (int i = 0; i < Count; ++i) {
-      p = behind_blanks(p);
-      if (!parse_short_decimal(p, into[i]) || (*p != ' ' && !is_line_break(*p))) return false;
-    }
-    p = behind_blanks(p);
-    if (!is_line_break(*p)) return false;
-    at = p + 1;
-    return true;
-  }
-
-  /// An index of up to nine digits, at least 1.
-  static constexpr bool plain_index(const char*& p, std::uint32_t& into) noexcept {
-    const char* const first = p;
-    std::uint32_t n = 0;
-    for (; is_digit(*p); ++p) n = n * 10 + digit_value(*p);
-    into = n - 1;
-    return n != 0 && p - first <= 9;
-  }
-
-  constexpr bool plain_face(const char* p) {
-    constexpr std::size_t most = 8;
-    mesh_corner corners[most];
-    std::size_t count = 0;
-    for (p = behind_blanks(p); !is_line_break(*p); p = behind_blanks(p)) {
-      if (count == most) return false;
-      mesh_corner& c = corners[count++];
-      if (!plain_index(p, c.position)) return false;
-      if (*p == '/') {
-        ++p;
-        if (*p != '/' && !plain_index(p, c.texcoord)) return false;
-      }
-      if (*p == '/') {
-        ++p;
-        if (!plain_index(p, c.normal)) return false;
-      }
-      if (*p != ' ' && !is_line_break(*p)) return false;
-    }
-    if (count < 3 || names_changed) return false;
-    read.corners.insert(read.corners.end(), corners, corners + count);
-    read.face_starts.push_back(static_cast<std::uint32_t>(read.corners.size()));
-    if (!read.parts.empty()) ++read.parts.back().face_count;
-    at = p + 1;
+    content.flush();
     return true;
   }
 
@@ -253,7 +170,7 @@ struct obj_reader {
     T n[7]{};
     if (numbers(n, 3, 7, "vertex has fewer than three coordinates", "vertex has more than seven numbers") < 0)
       return false;
-    read.positions.push_back({n[0], n[1], n[2]});
+    content.add_position(n);
     return true;
   }
 
@@ -261,7 +178,7 @@ struct obj_reader {
     T n[3]{};
     if (numbers(n, 3, 3, "normal has fewer than three coordinates", "normal has more than three coordinates") < 0)
       return false;
-    read.normals.push_back({n[0], n[1], n[2]});
+    content.add_normal(n);
     return true;
   }
 
@@ -269,7 +186,7 @@ struct obj_reader {
     T n[3]{};
     if (numbers(n, 1, 3, "texture coordinate has no number", "texture coordinate has more than three numbers") < 0)
       return false;
-    read.texcoords.push_back({n[0], n[1]});
+    content.add_texcoord(n);
     return true;
   }
 
@@ -279,8 +196,7 @@ struct obj_reader {
       if (!corner()) return false;
     if (corners < 3) return fail(start, "face has fewer than three corners");
     if (names_changed && !begin_part(start)) return false;
-    read.face_starts.push_back(static_cast<std::uint32_t>(read.corners.size()));
-    if (!read.parts.empty()) ++read.parts.back().face_count;
+    content.end_face();
     return true;
   }
 
@@ -288,14 +204,12 @@ struct obj_reader {
   constexpr bool corner() {
     const char* const token = at;
     mesh_corner c;
-    if (!index(c.position, read.positions.size(), counts.positions, obj_position_messages)) return false;
-    if (slash() && !at_token_end() && *at != '/' &&
-        !index(c.texcoord, read.texcoords.size(), counts.texcoords, obj_texcoord_messages))
+    if (!index(c.position, &obj_counts::positions, obj_position_messages)) return false;
+    if (slash() && !at_token_end() && *at != '/' && !index(c.texcoord, &obj_counts::texcoords, obj_texcoord_messages))
       return false;
-    if (slash() && !at_token_end() && !index(c.normal, read.normals.size(), counts.normals, obj_normal_messages))
-      return false;
+    if (slash() && !at_token_end() && !index(c.normal, &obj_counts::normals, obj_normal_messages)) return false;
     if (!at_token_end()) return fail(token, "face corner is none of the forms 1, 1/2, 1//3 and 1/2/3");
-    read.corners.push_back(c);
+    content.add_corner(c);
     return true;
   }
 
@@ -305,17 +219,21 @@ struct obj_reader {
     return true;
   }
 
-  constexpr bool index(std::uint32_t& into, std::size_t so_far, std::size_t limit,
+  constexpr bool index(std::uint32_t& into, std::size_t obj_counts::* kind,
                        const obj_index_messages& messages) noexcept {
     const char* const token = at;
     const decimal_result<std::int64_t> number = parse_integer<std::int64_t>(at, last);
+    const std::int64_t n = number.value, so_far = static_cast<std::int64_t>(content.filled.*kind);
     if (number.status == decimal_status::none) return fail(token, messages.missing);
-    if (number.value == 0) return fail(token, messages.zero);
-    if (number.value < -static_cast<std::int64_t>(so_far)) return fail(token, messages.before);
-    if (number.value > static_cast<std::int64_t>(limit)) return fail(token, messages.beyond);
+    if (n == 0) return fail(token, messages.zero);
+    if (n < -(is_piece ? static_cast<std::int64_t>(obj_most_in_piece) : so_far)) return fail(token, messages.before);
+    if (n > static_cast<std::int64_t>(counts.*kind)) return fail(token, messages.beyond);
     at = number.end;
-    const std::int64_t from = number.value < 0 ? static_cast<std::int64_t>(so_far) : -1;
-    into = static_cast<std::uint32_t>(from + number.value);
+    into = static_cast<std::uint32_t>(n < 0 ? so_far + n + (is_piece ? obj_back_from : 0) : n - 1);
+    looks_back = looks_back || n < 0;
+    std::size_t& most = n < 0 ? behind.*kind : content.named.*kind;
+    const std::int64_t reach = n < 0 ? -n - so_far : n;
+    if (reach > static_cast<std::int64_t>(most)) most = static_cast<std::size_t>(reach);
     return true;
   }
 
@@ -326,6 +244,7 @@ struct obj_reader {
     bool between_words = true, is_comment = false;
     while (at != last && !is_line_break(*at)) {
       is_comment = is_comment || (between_words && *at == '#');
+      has_zero = has_zero || *at == '\0';
       const int length = is_comment ? 0 : continuation(at);
       between_words = length != 0 || is_blank(*at);
       at += length != 0 ? length : 1;
@@ -358,15 +277,27 @@ struct obj_reader {
   /// Opens a part for the next face unless the last one has the same names. Every part holds its names, so a long name
   /// over many parts could take memory and time that grow with the square of the text: a budget prevents it.
   constexpr bool begin_part(const char* start) {
+    names_changed = false;
+    if (is_piece) {
+      namings.push_back({names, content.faces});
+      names = {};
+      return true;
+    }
     if (names.bytes() > name_budget) return fail(start, "long names are repeated over too many parts");
     name_budget -= names.bytes();
-    names_changed = false;
     if (names == part_names) return true;
-    const std::size_t faces = read.face_starts.size() - 1;
-    if (read.parts.empty() && faces != 0) read.parts.push_back({{}, {}, {}, 0, faces});
-    read.parts.push_back({spelled(names.object), spelled(names.group), spelled(names.material), faces, 0});
+    std::vector<mesh_part>& parts = content.made.parts;
+    if (parts.empty() && content.faces != 0) parts.push_back({});
+    end_part();
+    parts.push_back({spelled(names.object), spelled(names.group), spelled(names.material), content.faces, 0});
     part_names = names;
     return true;
+  }
+
+  constexpr void end_part() noexcept {
+    if (content.made.parts.empty()) return;
+    mesh_part& part = content.made.parts.back();
+    part.face_count = content.faces - part.first_face;
   }
 
   constexpr bool unused_statement() noexcept {
@@ -378,17 +309,29 @@ struct obj_reader {
     rest_of_line();
     return true;
   }
-
-  /// Whether every index of the corners names something that was read.
-  constexpr bool indices_hold() const noexcept {
-    for (const mesh_corner& c : read.corners)
-      if (c.position >= read.positions.size() ||
-          (c.texcoord != mesh_corner::none && c.texcoord >= read.texcoords.size()) ||
-          (c.normal != mesh_corner::none && c.normal >= read.normals.size()))
-        return false;
-    return true;
-  }
 };
+
+/// The mesh of a text, or the first error, by one reader after another.
+template <Floating T>
+constexpr result<mesh<T>> read_obj_in_one_go(std::string_view text, obj_unused unused) {
+  obj_counts counts;
+  {
+    obj_reader<T> reader(text, unused);
+    reader.content.reserve(samples_of_obj(text), text.size());
+    const bool sound = reader.text();
+    if (const std::size_t zero = sound && !reader.has_zero ? text.npos : text.find('\0'); zero != text.npos)
+      return error_at(text, text.data() + zero, "byte 0 stands in the text");
+    if (!sound) return error_at(text, reader.place, reader.message);
+    if (reader.content.every_index_exists()) {
+      reader.end_part();
+      return std::move(reader.content.made);
+    }
+    counts = reader.content.filled;
+  }
+  obj_reader<T> reader(text, unused, counts);
+  reader.text();
+  return error_at(text, reader.place, reader.message);
+}
 
 }  // namespace IRG_ABI
 }  // namespace detail

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <irg/math/detail/digits_kernel.hpp>
 #include <irg/math/detail/natural.hpp>
 
 namespace irg::detail {
@@ -25,25 +26,26 @@ inline namespace IRG_ABI {
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 constexpr unsigned digit_value(char c) noexcept { return static_cast<unsigned>(c - '0'); }
 
-/// Eight bytes as a number, the first one lowest; compilers make one load of it.
-IRG_INLINE constexpr std::uint64_t load_eight(const char* p) noexcept {
-  const auto byte = [p](int i) { return std::uint64_t{static_cast<unsigned char>(p[i])} << (8 * i); };
-  return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
-}
-
 /// Whether eight loaded bytes are digits: their upper halves are 3, also with 6 added.
 constexpr bool are_digits(std::uint64_t eight) noexcept {
   constexpr std::uint64_t upper = 0xf0f0f0f0f0f0f0f0u;
   return (((eight & upper) | (((eight + 0x0606060606060606u) & upper) >> 4)) == 0x3333333333333333u);
 }
 
-/// The number that eight loaded digits write: pairs of them, then fours, then all.
-constexpr std::uint64_t value_of_eight(std::uint64_t eight) noexcept {
-  eight -= 0x3030303030303030u;
-  eight = (eight * 10 + (eight >> 8)) & 0x00ff00ff00ff00ffu;
-  eight = (eight * 100 + (eight >> 16)) & 0x0000ffff0000ffffu;
-  return (eight * 10000 + (eight >> 32)) & 0xffffffffu;
+/// The number that eight digits write, less '0' each: pairs of them, then fours, then all.
+constexpr std::uint64_t value_of_values(std::uint64_t eight) noexcept {
+  eight = (eight * 2561 >> 8) & 0x00ff00ff00ff00ffu;
+  eight = (eight * 6553601 >> 16) & 0x0000ffff0000ffffu;
+  return eight * 42949672960001u >> 32;
 }
+
+/// The number that eight loaded digits write.
+constexpr std::uint64_t value_of_eight(std::uint64_t eight) noexcept {
+  return value_of_values(eight - 0x3030303030303030u);
+}
+
+inline constexpr std::uint64_t small_powers_of_ten[9] = {1,       10,        100,        1'000,      10'000,
+                                                         100'000, 1'000'000, 10'000'000, 100'000'000};
 
 // Larger exponents decide nothing: no text that fits memory has so many digits.
 inline constexpr std::int64_t exponent_limit = std::int64_t{1} << 60;

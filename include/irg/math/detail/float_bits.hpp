@@ -50,6 +50,13 @@ IRG_INLINE constexpr bool is_zero_or_within(double x) noexcept {
   return size - 1 >= low - 1 && size < high;
 }
 
+/// Whether x is 0 or 2^low <= |x|.
+template <int Low>
+IRG_INLINE constexpr bool is_zero_or_from(double x) noexcept {
+  constexpr std::uint64_t low = std::uint64_t{Low + 1023} << 53;
+  return (bits_of(x) << 1) - 1 >= low - 1;
+}
+
 /// x as a double, made of its bits where the processor might take it for zero.
 IRG_INLINE constexpr double exactly_widened(double x) noexcept { return x; }
 IRG_INLINE constexpr double exactly_widened(float x) noexcept {

@@ -60,6 +60,14 @@ IRG_INLINE constexpr T length_of(const C& c) noexcept {
                IRG_INLINE_LAMBDA { return hypot_of<T>(c(I)...); }(std::make_integer_sequence<int, N>{});
 }
 
+/// The same for coordinates of moderate size, the sum of whose squares is known.
+template <int N, class C>
+IRG_INLINE constexpr double moderate_length_of(double square, const C& c) noexcept {
+  return [&]<int... I>(std::integer_sequence<int, I...>) IRG_INLINE_LAMBDA {
+    return round(length_of_moderate(square, magnitude(c(I))...));
+  }(std::make_integer_sequence<int, N>{});
+}
+
 /// The length of scaled coordinates.
 template <class T, int N>
 constexpr double scaled_length(const scaled_coordinates<N>& s) noexcept {
@@ -87,15 +95,15 @@ template <Vector V>
 IRG_INLINE constexpr bool put_direction(const V& v, V& unit) noexcept
   requires std::same_as<scalar_of<V>, double>
 {
-  double largest = 0;
-  bool is_number = true;
+  double square = 0;
   for (int i = 0; i < size_of<V>; ++i) {
-    const double size = magnitude(coordinate(v, i));
-    is_number = is_number && size <= 0x1p500;
-    largest = largest < size ? size : largest;
+    const double c = coordinate(v, i);
+    if (!can_take_squares(c)) return put_direction_of_any_size(v, unit);
+    square = i == 0 ? product(c, c) : square + product(c, c);
   }
-  if (!is_number || !has_moderate_square(largest)) return put_direction_of_any_size(v, unit);
-  const double length = length_of<double, size_of<V>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i); });
+  if (!is_moderate_square(square)) return put_direction_of_any_size(v, unit);
+  const double length =
+      moderate_length_of<size_of<V>>(square, [&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i); });
   unit = generate_coordinates<V>([&](int i) IRG_INLINE_LAMBDA { return coordinate(v, i) / length; });
   return true;
 }

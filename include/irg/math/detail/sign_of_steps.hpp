@@ -7,18 +7,13 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <irg/math/detail/filter_kernel.hpp>
 #include <irg/math/exact/filtered_number.hpp>
 #include <irg/math/exact/values_of.hpp>
 #include <irg/math/int128.hpp>
 
 namespace irg::detail::inline IRG_ABI {
 
-// 2 where rounding leaves it open.
-IRG_INLINE constexpr int filtered_sign(const filtered_number& x) noexcept {
-  const double bound = polynomial_filter_bound * x.size;
-  const int sign = (x.value > bound ? 1 : 0) - (-x.value > bound ? 1 : 0);  // without a branch that signs mispredict
-  return sign != 0 || x.size == 0 ? sign : 2;
-}
 IRG_INLINE constexpr bool are_sure(int sign) noexcept { return sign != 2; }
 template <std::size_t Size>
 IRG_INLINE constexpr bool are_sure(const std::array<int, Size>& signs) noexcept {
@@ -49,6 +44,23 @@ IRG_NOINLINE constexpr Signs unfiltered_sign(const Polynomial& polynomial, const
   } else {
     return exact_sign<Degree, Signs>(polynomial, arguments...);
   }
+}
+
+// The signs of values that are zero or nearly so, computed in numbers of which none is too large.
+template <int Degree, class Signs, class Values, class Polynomial, class... A>
+IRG_NOINLINE constexpr Signs sign_near_zero(const Values& values, const Polynomial& polynomial,
+                                            const A&... arguments) noexcept {
+  const Signs all = for_numbers(values, [](const filtered_number& v) { return filtered_sign(v); });
+  if (are_sure(all)) {
+    bool suits = true;
+    const auto check = [&](const auto& x) {
+      suits = suits & is_zero_or_from<-filter_reach<Degree>>(widened(x));
+      return filtered_input{};
+    };
+    (static_cast<void>(in_numbers<filtered_number>(arguments, check)), ...);
+    if (suits) return all;
+  }
+  return unfiltered_sign<Degree, Signs>(polynomial, arguments...);
 }
 
 // Integers whose sums and differences have polynomials of this degree, of up to 2^10 terms, below 2^127.

@@ -70,12 +70,15 @@ namespace detail::inline IRG_ABI {
 // Less than 60 roundings lie on the way from an argument to the value of a polynomial of degree 9 of up to 2^10 terms.
 inline constexpr double polynomial_filter_bound = 0x1p-46;
 
+// Polynomials of this degree in numbers below 2^filter_reach do not overflow.
+template <int Degree>
+inline constexpr int filter_reach = Degree <= 2 ? 400 : 900 / Degree - 50;
+
 // Whether polynomials of this degree in such numbers neither over- nor underflow, with subnormal numbers or with zeros
 // in their place. A float must not be subnormal: what makes a double of it may take it for zero.
 template <int Degree>
 IRG_INLINE constexpr bool suits_filter(double x) noexcept {
-  constexpr int reach = Degree <= 2 ? 400 : 900 / Degree - 50;
-  return is_zero_or_within<-reach, reach>(x);
+  return is_zero_or_within<-filter_reach<Degree>, filter_reach<Degree>>(x);
 }
 template <int Degree>
 IRG_INLINE constexpr bool suits_filter(float x) noexcept {

@@ -30,19 +30,20 @@ template <int Degree, class Polynomial, class... A>
   using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   if constexpr (Floating<T>) {
-    bool suits = true;
+    detail::filter_range<T, Degree> range;
     const auto input = [&](const T& x) IRG_INLINE_LAMBDA {
-      suits = suits && detail::suits_filter<Degree>(x);
+      range.include(x);
       return filtered_input{widened(x)};
     };
     const auto stages = [&](const auto&... x) IRG_INLINE_LAMBDA {
-      const auto sign = [](const filtered_number& v) IRG_INLINE_LAMBDA { return detail::filtered_sign(v); };
+      using filter = detail::filter_range<T, Degree>;
+      const auto sign = [](const filtered_number& v) IRG_INLINE_LAMBDA { return filter::sign_of(v); };
       using signs = decltype(detail::for_numbers(polynomial(x...), sign));
-      if (suits) {
-        const signs all = detail::for_numbers(polynomial(x...), sign);
-        if (detail::are_sure(all)) return all;
-      }
-      return detail::unfiltered_sign<Degree, signs>(polynomial, arguments...);
+      if (!range.suits()) return detail::unfiltered_sign<Degree, signs>(polynomial, arguments...);
+      const auto values = polynomial(x...);
+      const signs all = detail::for_numbers(values, sign);
+      if (detail::are_sure(all)) return all;
+      return detail::sign_near_zero<Degree, signs>(values, polynomial, arguments...);
     };
     return stages(in_numbers<filtered_number>(arguments, input)...);
   } else if constexpr (std::is_integral_v<T>) {

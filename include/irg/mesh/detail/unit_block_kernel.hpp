@@ -50,20 +50,16 @@ void put_crosses(Block& b, std::size_t count) noexcept {
 template <class Block>
 void put_units(Block& b, std::size_t count) noexcept {
   for (std::size_t i = 0; i < count; ++i) {
-    double x = b.u[0][i], y = b.u[1][i], z = b.u[2][i];
-    put_largest_first(x, y, z);
-    b.is_odd[i] |= (x >= 0x1p-400 ? 0u : 1u) | (x <= 0x1p500 ? 0u : 1u);
-    // length_of_moderate, without its branch for zero.
-    const unrounded square = fast_two_product(x, x), next = fast_two_product(y, y), last = fast_two_product(z, z);
-    const unrounded two = fast_two_sum(square.value, next.value), three = fast_two_sum(two.value, last.value);
-    b.v[0][i] = three.value;
-    b.v[1][i] = (square.error + (two.error + next.error)) + (three.error + last.error);
+    const double square = sum_of_squares(b.u[0][i], b.u[1][i], b.u[2][i]);
+    b.is_odd[i] |= (square >= 0x1p-800 ? 0u : 1u) | (square <= 0x1p1000 ? 0u : 1u);
+    b.v[0][i] = square;
   }
   for (std::size_t i = 0; i < count; ++i) b.v[2][i] = square_root_instruction(b.v[0][i]);
   for (std::size_t i = 0; i < count; ++i) {
-    const double root = b.v[2][i];
-    const unrounded square = fast_two_product(root, root);
-    const double length = root + ((b.v[0][i] - square.value) - square.error + b.v[1][i]) / (2 * root);
+    const double root = b.v[2][i], grid = grid_below_root(b.v[0][i]);
+    const double rest =
+        rest_of_squares_one_by_one(root, grid, magnitude(b.u[0][i]), magnitude(b.u[1][i]), magnitude(b.u[2][i]));
+    const double length = root + product(rest, 0.5 / root);
     for (std::size_t k = 0; k < 3; ++k) b.u[k][i] = b.u[k][i] / length;
   }
 }

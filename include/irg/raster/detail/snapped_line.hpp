@@ -23,6 +23,10 @@ IRG_INLINE constexpr point<double, 2> in_pixels(const cell& c) noexcept { return
 IRG_INLINE constexpr point<double, 2> in_pixels(const subpixel& p) noexcept {
   return {p.x * (1.0 / one_pixel), p.y * (1.0 / one_pixel)};
 }
+template <CellPosition P>
+IRG_INLINE constexpr point<double, 2> in_pixels(const P& p) noexcept {
+  return in_pixels(as_cell(p));
+}
 template <Point P>
 IRG_INLINE constexpr point<double, 2> in_pixels(const P& p) noexcept {
   return {widened(coordinate(p, 0)), widened(coordinate(p, 1))};

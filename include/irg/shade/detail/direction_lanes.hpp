@@ -4,14 +4,9 @@
 
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
+#include <irg/math/detail/length_kernel.hpp>
 
 namespace irg::detail {
-
-/// A register of sums of two numbers.
-template <class F>
-struct lane_sum {
-  F value, error;
-};
 
 inline namespace IRG_ABI {
 
@@ -34,43 +29,19 @@ IRG_INLINE mask_of_lanes<double, N> is_moderate(const triple_lanes<double, N>& v
   return (x <= most) & (y <= most) & (z <= most) & (f::broadcast(0x1p-100) <= high_of(x, high_of(y, z)));
 }
 
-template <class F>
-IRG_INLINE lane_sum<F> two_sum_of(const F& a, const F& b) noexcept {
-  const F sum = a + b, b_part = sum - a, a_part = sum - b_part;
-  return {sum, (a - a_part) + (b - b_part)};
-}
-template <class F>
-IRG_INLINE lane_sum<F> fast_two_sum_of(const F& large, const F& little) noexcept {
-  const F sum = large + little;
-  return {sum, little - (sum - large)};
-}
-template <class F>
-IRG_INLINE lane_sum<F> square_of(const F& a) noexcept {
-  const F value = a * a;
-  if constexpr (has_fused_multiply_add) {
-    return {value, fused_multiply_add(a, a, -value)};
-  } else {
-    const F scaled = a * 134217729.0, high = scaled - (scaled - a), low = a - high;  // 2^27 + 1
-    return {value, ((high * high - value) + high * low + low * high) + low * low};
-  }
-}
-template <class F>
-IRG_INLINE lane_sum<F> sum_of(const lane_sum<F>& a, const lane_sum<F>& b) noexcept {
-  const lane_sum<F> heads = two_sum_of(a.value, b.value);
-  return fast_two_sum_of(heads.value, heads.error + (a.error + b.error));
+template <int N>
+IRG_INLINE pack<double, N> grid_below_root(const pack<double, N>& square) noexcept {
+  return bits_as<double>(((bits_as<std::uint64_t>(square) >> 1) & exponent_of_grid) + offset_of_grid);
 }
 
 /// The lengths of vectors of moderate size, as hypot of three.
-/// source  Borges 2019 (the correction of the root)
 template <int N>
 IRG_INLINE pack<double, N> length_of(const triple_lanes<double, N>& v) noexcept {
   using F = pack<double, N>;
-  const F x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z);
-  const F xy = high_of(x, y), second = low_of(x, y), largest = high_of(xy, z), third = low_of(xy, z);
-  const lane_sum<F> square = sum_of(sum_of(square_of(largest), square_of(second)), square_of(third));
-  const F root = square_root_instruction(square.value);
-  const lane_sum<F> back = square_of(root);
-  return root + ((square.value - back.value) - back.error + square.error) / (root + root);
+  const F x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z), square = sum_of_squares(x, y, z);
+  const F root = square_root_instruction(square);
+  const F rest = rest_of_squares_one_by_one(root, grid_below_root(square), x, y, z);
+  return root + rest * (lanes<F>::broadcast(0.5) / root);
 }
 
 }  // namespace IRG_ABI

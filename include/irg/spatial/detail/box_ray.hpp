@@ -7,7 +7,7 @@
 // less than 2^-76, offset by two roundings, 2.1u|o gain|, the product, where it is rounded by itself, by u|b gain|, of
 // which |b| <= |b - o| + |o|, the gain by 2.1u and the sum by u of what they are. That is less than 4.5u|o gain|, of 8u
 // that the slack has, and 4.5u of the time itself. Far gains and offsets are 16u more than that, which costs them
-// 2u|o gain|. Bounds are at most 1, reciprocals at most 2^100 and at least 1/2, or 2^-20 in packets: nothing cancels
+// 2u|o gain|. Bounds are at most 1, reciprocals at most 2^100 and at least 2^-20: nothing cancels
 // that has overflowed, and what is subnormal is less than the slack. Where a time is beyond floats it is infinite, for
 // near and far faces alike; infinity less infinity is NaN, which limits nothing. Times before 0 are never asked for.
 #pragma once
@@ -101,39 +101,35 @@ IRG_NOINLINE constexpr void set_any_box_ray(std::same_as<box_ray> auto& b, const
   b.high = r.high <= (std::numeric_limits<double>::max)() ? later_time(b, r.high) : infinite;
 }
 
-/// needs   a ray that is not empty; `scale` of the tree
+/// needs   `scale` of the tree
+/// gives   whether the ray has points
 // Floats of middling sizes stay floats: products with powers of two are exact, or less than the slack.
 // It is made where it stays: a copy would wait for its numbers to reach memory.
 template <Floating T>
-IRG_INLINE constexpr void set_box_ray(box_ray& b, const ray<T, 3>& r, double scale) noexcept {
+IRG_INLINE constexpr bool set_box_ray(box_ray& b, const ray<T, 3>& r, double scale) noexcept {
   if constexpr (std::is_same_v<T, float>) {
-    const vec<float, 3>& d = r.direction;
-    constexpr std::uint32_t unsigned_part = 0x7fffffff;
-    std::uint32_t reach = 0;
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t size = std::bit_cast<std::uint32_t>(d[i]) & unsigned_part;
-      reach = size > reach ? size : reach;
-    }
-    const std::uint32_t biased = reach >> 23;
-    const auto scale_biased = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(scale) >> 52);
     constexpr std::uint32_t middling = 50;
-    if (biased - (127 - middling) <= 2 * middling && scale_biased - (1023 - middling) <= 2 * middling) {
-      const auto power = [](std::uint32_t e) { return std::bit_cast<float>(e << 23); };
-      const float size = power(254 - biased), unit = power(scale_biased - 1023 + biased), s = static_cast<float>(scale);
-      const T origin[3] = {product(r.origin.x, s), product(r.origin.y, s), product(r.origin.z, s)};
-      const T direction[3] = {product(d.x, size), product(d.y, size), product(d.z, size)};
-      const bool stands = set_up_box_ray(origin, direction, b);
-      set_faces(b, d);
-      b.unit = static_cast<int>(scale_biased) - 1023 + static_cast<int>(biased) - 127;
-      if (!stands) {
-        const float early = r.low * (1 - 0x1p-20f) * unit, late = r.high * (1 + 0x1p-20f) * unit + 0x1p-74f;
-        b.low = clamp(early, 0.0f, 0x1p100f);
+    const auto scale_biased = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(scale) >> 52);
+    const float low = greater(r.low, 0.0f);
+    if (scale_biased - (1023 - middling) <= 2 * middling && low <= r.high && r.low <= 0x1p100f) {
+      const float s = static_cast<float>(scale);
+      const vec<float, 3>& d = r.direction;
+      const float origin[3] = {product(r.origin.x, s), product(r.origin.y, s), product(r.origin.z, s)};
+      const float direction[3] = {d.x, d.y, d.z};
+      if (are_middling(origin, direction)) {
+        set_up_box_ray(origin, direction, b);
+        set_faces(b, d);
+        b.unit = static_cast<int>(scale_biased) - 1023;
+        const float early = low * (1 - 0x1p-20f) * s, late = r.high * (1 + 0x1p-20f) * s + 0x1p-74f;
+        b.low = lesser(early, 0x1p100f);
         b.high = late < 0x1p100f ? late : std::numeric_limits<float>::infinity();
-        return;
+        return true;
       }
     }
   }
+  if (is_empty(r)) return false;
   set_any_box_ray(b, exactly_widened(r), scale);
+  return true;
 }
 
 }  // namespace IRG_ABI

@@ -48,6 +48,20 @@ IRG_INLINE constexpr box_ray_axes<F> set_up_axes(const D& origin, const D& direc
   return {gain, gain * longer, (-to_origin) - slack, (slack - to_origin) * longer, any_lane(stands)};
 }
 
+// Whether origins in the tree's units and directions are such that they need no scaling; NaN is not.
+template <class F>
+IRG_INLINE constexpr auto middling_axes(const F& origin, const F& direction) noexcept {
+  const auto all = [](float x) { return lanes<F>::broadcast(x); };
+  return both(high_of(magnitude(origin), magnitude(direction)) <= all(0x1p20f), magnitude(direction) >= all(0x1p-60f));
+}
+IRG_INLINE constexpr bool are_middling(const float (&origin)[3], const float (&direction)[3]) noexcept {
+  if (std::is_constant_evaluated())
+    return middling_axes(origin[0], direction[0]) && middling_axes(origin[1], direction[1]) &&
+           middling_axes(origin[2], direction[2]);
+  return all_lanes(middling_axes(pack_of(origin[0], origin[1], origin[2], 0.0f),
+                                 pack_of(direction[0], direction[1], direction[2], 1.0f)));
+}
+
 // Gives whether the ray has hardly a direction along some axis.
 template <class T>
 IRG_INLINE constexpr bool set_up_box_ray(const T (&origin)[3], const T (&direction)[3], box_ray_numbers& b) noexcept {

@@ -17,8 +17,8 @@ namespace irg::detail {
 inline namespace IRG_ABI {
 
 struct ray_shear {
-  int x = 0, y = 1, z = 2;  // the axes, z that of the largest coordinate; x and y swapped where it is negative
-  double origin[3]{}, slope_x = 0, slope_y = 0;  // the origin in the order of the axes
+  int x, y, z;  // the axes, z that of the largest coordinate; x and y swapped where it is negative
+  double origin[3], slope_x, slope_y;  // the origin in the order of the axes
 };
 
 using space_point = point<double, 3>;
@@ -67,7 +67,7 @@ IRG_INLINE constexpr void set_shear(ray_shear& s, const ray<double, 3>& r) noexc
 // in the order of the shear's axes.
 template <class F>
 struct sheared_corners {
-  F x[3], y[3];
+  F x[3], y[3], z[3];  // z only from the origin
 };
 template <class F>
 IRG_INLINE constexpr sheared_corners<F> corners_along(const F (&origin)[3], const F& slope_x, const F& slope_y,
@@ -76,7 +76,8 @@ IRG_INLINE constexpr sheared_corners<F> corners_along(const F (&origin)[3], cons
   return {{(corner[0][0] - origin[0]) - product(slope_x, za), (corner[1][0] - origin[0]) - product(slope_x, zb),
            (corner[2][0] - origin[0]) - product(slope_x, zc)},
           {(corner[0][1] - origin[1]) - product(slope_y, za), (corner[1][1] - origin[1]) - product(slope_y, zb),
-           (corner[2][1] - origin[1]) - product(slope_y, zc)}};
+           (corner[2][1] - origin[1]) - product(slope_y, zc)},
+          {za, zb, zc}};
 }
 
 // How the sides of triangles turn round the ray: positive where counter-clockwise as seen along it.

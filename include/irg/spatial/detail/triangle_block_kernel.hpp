@@ -4,9 +4,11 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 #include <irg/core/lanes.hpp>
+#include <irg/spatial/bvh_node.hpp>
 #include <irg/spatial/cross_triangle.hpp>
 
 namespace irg::detail {
@@ -33,10 +35,10 @@ IRG_INLINE constexpr auto are_passed(const sheared_sides<F>& t, const F& bound) 
   return both(least < -bound, bound < most);
 }
 
-/// A bit for each triangle that is not certainly passed by; the sides of these into `sides`.
+/// A bit for each triangle that is not certainly passed by.
 template <class F, class T>
-IRG_INLINE constexpr unsigned meet_triangles(const triangle_block<T>& block, const ray_shear& s, double bound,
-                                             double (&sides)[3][triangle_block<T>::width]) noexcept {
+IRG_INLINE constexpr unsigned meet_triangles(const triangle_block<T>& block, const ray_shear& s,
+                                             double bound) noexcept {
   unsigned bits = 0;
   const auto all = [](double x) { return lanes<F>::broadcast(x); };
   const F origin[3] = {all(s.origin[0]), all(s.origin[1]), all(s.origin[2])};
@@ -48,18 +50,98 @@ IRG_INLINE constexpr unsigned meet_triangles(const triangle_block<T>& block, con
     const auto t = sides_of(corners_along<F>(origin, all(s.slope_x), all(s.slope_y), corner));
     constexpr unsigned full = (1u << lanes<F>::count) - 1;
     bits |= (full & ~static_cast<unsigned>(mask_bits(are_passed(t, all(bound))))) << k;
-    lanes<F>::store(sides[0] + k, t.bc);
-    lanes<F>::store(sides[1] + k, t.ca);
-    lanes<F>::store(sides[2] + k, t.ab);
   }
   return bits;
 }
 
 template <class T>
-IRG_INLINE constexpr unsigned triangles_met(const triangle_block<T>& block, const ray_shear& s, double bound,
-                                            double (&sides)[3][triangle_block<T>::width]) noexcept {
-  if (!has_lanes || std::is_constant_evaluated()) return meet_triangles<double>(block, s, bound, sides);
-  return meet_triangles<pack<double, native_lanes<double>>>(block, s, bound, sides);
+IRG_INLINE constexpr unsigned triangles_met(const triangle_block<T>& block, const ray_shear& s, double bound) noexcept {
+  if (!has_lanes || std::is_constant_evaluated()) return meet_triangles<double>(block, s, bound);
+  return meet_triangles<pack<double, native_lanes<double>>>(block, s, bound);
+}
+
+// A ray as triangles of floats are seen from it, in floats. With u = 2^-24 and m the largest coordinate of a corner
+// seen from the origin, x and y are off by h = 6.01u m, as in ray_shear. With S the largest of a triangle's x and y, at
+// most 2m, sides are off by 4 S h + 2 h^2 and their roundings, 4u S^2: less than 33u m S + 73u^2 m^2. 4 e (S + e) is
+// asked, e being 16u m, which leaves room for what is subnormal, too.
+//
+// With z counted from where the ray begins and W the largest of these, of at most 2m, the sum of sides times the
+// opposite corners' z has the sign of the crossing's z times that of the sides. z is off by 4u m, so the sum by 3 W
+// times what sides are off by, by 24u m S^2 and by roundings of 18u S^2 W: less than (4 W + S) times what is asked of
+// sides.
+struct float_shear {
+  float origin[3], slope_x, slope_y;
+  float start, along;  // where the ray begins along z, or less; 1 or -1 as it goes
+  float error;  // e; 0 where floats tell nothing: numbers are not of middling size
+  int x, y, z;
+};
+
+// Whether triangles are passed by in floats where rays are floats, too.
+IRG_INLINE constexpr bool sees_in_floats() noexcept { return has_lanes && !std::is_constant_evaluated(); }
+
+/// needs   m, which is not less than any coordinate in the tree seen from the origin
+IRG_INLINE void set_float_shear(std::same_as<float_shear> auto& s, const ray<float, 3>& r, double m) noexcept {
+  const vec<float, 3>& d = r.direction;
+  s.z = magnitude(d[1]) > magnitude(d[0]) ? 1 : 0;
+  if (magnitude(d[2]) > magnitude(d[s.z])) s.z = 2;
+  s.x = s.z == 2 ? 0 : s.z + 1;
+  s.y = s.z == 0 ? 2 : s.z - 1;
+  const float dz = d[s.z];
+  s.origin[0] = r.origin[s.x];
+  s.origin[1] = r.origin[s.y];
+  s.origin[2] = r.origin[s.z];
+  const bool middling = 0x1p-40 < m && m < 0x1p60 && magnitude(dz) >= 0x1p-60f;
+  s.error = middling ? converted<float>(m * (0x1p-20 * (1 + 0x1p-20))) : 0.0f;
+  if (!middling) return;
+  s.slope_x = d[s.x] / dz;
+  s.slope_y = d[s.y] / dz;
+  s.along = dz < 0 ? -1.0f : 1.0f;
+  s.start = lesser(greater(r.low, 0.0f) * magnitude(dz), converted<float>(m)) * s.along;
+}
+
+// A bit for each triangle that the ray is neither certainly past nor certainly behind: it would cross it before its
+// beginning. at(corner, axis) gives coordinates.
+template <class F, class At>
+IRG_INLINE unsigned triangles_ahead(const float_shear& s, const At& at) noexcept {
+  const auto all = [](float x) { return lanes<F>::broadcast(x); };
+  const F origin[3] = {all(s.origin[0]), all(s.origin[1]), all(s.origin[2])};
+  const F corner[3][3] = {
+      {at(0, s.x), at(0, s.y), at(0, s.z)}, {at(1, s.x), at(1, s.y), at(1, s.z)}, {at(2, s.x), at(2, s.y), at(2, s.z)}};
+  const sheared_corners<F> c = corners_along<F>(origin, all(s.slope_x), all(s.slope_y), corner);
+  const sheared_sides<F> t = sides_of(c);
+  const auto largest = [](const F& a, const F& b, const F& d) {
+    return high_of(magnitude(a), high_of(magnitude(b), magnitude(d)));
+  };
+  const F size = high_of(largest(c.x[0], c.x[1], c.x[2]), largest(c.y[0], c.y[1], c.y[2]));
+  const F bound = (size + all(s.error)) * all(4 * s.error);
+  const F start = all(s.start), za = c.z[0] - start, zb = c.z[1] - start, zc = c.z[2] - start;
+  const F ahead = (t.bc * za + t.ca * zb + t.ab * zc) * all(s.along);
+  const F ahead_bound = bound * (largest(za, zb, zc) * all(4.0f) + size);
+  const auto negative = low_of(t.ab, low_of(t.bc, t.ca)) < -bound;
+  const auto positive = bound < high_of(t.ab, high_of(t.bc, t.ca));
+  const auto passed = both(negative, positive | (ahead_bound < ahead)) | both(positive, ahead < -ahead_bound);
+  constexpr unsigned full = (1u << lanes<F>::count) - 1;
+  return full & ~static_cast<unsigned>(mask_bits(passed));
+}
+
+// The same for the triangles of a leaf: a bit for each of up to eight.
+IRG_INLINE unsigned leaf_ahead(const std::same_as<triangle_block<float>> auto* blocks, std::uint32_t leaf,
+                               const float_shear& s) noexcept {
+  using half = pack<float, triangle_block<float>::width>;
+  const std::uint32_t count = bvh_node::count_of(leaf);
+  const auto* const first = blocks + bvh_node::number_of(leaf);
+  const auto* const second = first + (count > bvh_node::block ? 1 : 0);
+  const auto at = [&s](const triangle_block<float>& block) {
+    return triangles_ahead<half>(s, [&](int c, int axis) { return lanes<half>::load(block.v[c][axis]); });
+  };
+  unsigned bits = 0;
+  if constexpr (native_lanes<float> >= 8)
+    bits = triangles_ahead<pack<float, 8>>(s, [&](int c, int axis) {
+      return join_halves<float, 8>(lanes<half>::load(first->v[c][axis]), lanes<half>::load(second->v[c][axis]));
+    });
+  else
+    bits = at(*first) | (count > bvh_node::block ? at(*second) << bvh_node::block : 0u);
+  return bits & ((1u << count) - 1);
 }
 
 // The rays of a packet as triangles are seen from them, in floats and along one axis for all. With u = 2^-24 and m the

@@ -6,6 +6,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <span>
 
@@ -42,17 +43,42 @@ IRG_INLINE constexpr double bound_of(const bvh& tree, const space_point& origin)
   return m < largest ? side_bound(m) : std::numeric_limits<double>::infinity();
 }
 
-// What triangles need of a ray, made when it comes to the first of them: most rays come to none.
-template <class U>
+// A bit for each triangle of a leaf that is not certainly passed by.
+template <class T>
+IRG_INLINE constexpr unsigned leaf_met(std::span<const triangle_block<T>> blocks, std::uint32_t leaf,
+                                       const ray_shear& s, double bound) noexcept {
+  constexpr std::uint32_t width = bvh_node::block;
+  const std::uint32_t count = bvh_node::count_of(leaf), block = bvh_node::number_of(leaf);
+  unsigned bits = triangles_met(blocks[block], s, bound);
+  if (count > width) bits |= triangles_met(blocks[block + 1], s, bound) << width;
+  return bits & ((1u << count) - 1);
+}
+
+// What triangles need of a ray, made when it comes to the first of them: most rays come to none. Of floats, most rays
+// that come to some are told by floats to cross none.
+template <class T, class U>
 class late_triangle_ray {
 public:
+  static constexpr bool has_floats = std::is_same_v<T, float> && std::is_same_v<U, float>;
+
   IRG_INLINE constexpr late_triangle_ray(const bvh& tree, const ray<U, 3>& r) noexcept : tree_(tree), given_(r) {}
 
-  IRG_INLINE constexpr void prepare() noexcept {
+  IRG_INLINE constexpr const triangle_ray& prepared() noexcept {
     if (!made_) make();
+    return ray_;
   }
   IRG_INLINE constexpr const triangle_ray& ray_for_triangles() const noexcept { return ray_; }
-  IRG_INLINE constexpr double bound() const noexcept { return bound_; }
+
+  /// A bit for each triangle of a leaf that the ray does not certainly pass by.
+  IRG_INLINE constexpr unsigned open_triangles(std::span<const triangle_block<T>> blocks, std::uint32_t leaf) noexcept {
+    if constexpr (has_floats)
+      if (sees_in_floats()) {
+        if (!floats_made_) make_floats();
+        if (floats_.error > 0) return leaf_ahead(blocks.data(), leaf, floats_);
+      }
+    const triangle_ray& q = prepared();
+    return leaf_met(blocks, leaf, q.shear, bound_);
+  }
 
 private:
   constexpr void make() noexcept {
@@ -60,12 +86,18 @@ private:
     bound_ = bound_of(tree_, ray_.r.origin);
     made_ = true;
   }
+  IRG_INLINE void make_floats() noexcept {
+    set_float_shear(floats_, given_, reach_of(tree_, exactly_widened(given_.origin)));
+    floats_made_ = true;
+  }
 
   const bvh& tree_;
   const ray<U, 3>& given_;
-  triangle_ray ray_{};
-  double bound_ = 0;
-  bool made_ = false;
+  // None of these is zeroed, which would cost as much as a node.
+  triangle_ray ray_;
+  float_shear floats_;
+  double bound_;
+  bool made_ = false, floats_made_ = false;
 };
 
 template <class T>
@@ -119,21 +151,15 @@ IRG_INLINE constexpr bool cross_place(const bvh& tree, const space_triangle& t, 
   return found.hit && use(first_crossing{found.time, tree.order[place], place, found.turn});
 }
 
-// Calls use(crossing) for the triangles of a leaf that the ray crosses, until it gives true.
+// Calls use(crossing) for the triangles of a leaf that the ray crosses, of those whose bits are set, until it gives
+// true.
 template <class T, class Use>
 IRG_INLINE constexpr bool cross_leaf(const bvh& tree, std::span<const triangle_block<T>> blocks, std::uint32_t leaf,
-                                     const triangle_ray& q, double bound, const Use& use) {
-  constexpr std::uint32_t width = bvh_node::block;
-  const std::uint32_t count = bvh_node::count_of(leaf), place = bvh_node::first_place(leaf);
-  double sides[bvh_node::most / width][3][width];
-  unsigned bits = 0;
-  for (std::uint32_t i = 0; i < count; i += width)
-    bits |= triangles_met(blocks[(place + i) / width], q.shear, bound, sides[i / width]) << i;
-  for (bits &= (1u << count) - 1; bits != 0; bits &= bits - 1) {
-    const auto i = static_cast<std::uint32_t>(std::countr_zero(bits)), k = i % width;
-    const space_triangle t = triangle_at(blocks, place + i);
-    const auto& side = sides[i / width];
-    if (cross_place(tree, t, place + i, q, {side[0][k], side[1][k], side[2][k]}, use)) return true;
+                                     const triangle_ray& q, unsigned bits, const Use& use) {
+  for (; bits != 0; bits &= bits - 1) {
+    const std::uint32_t place = bvh_node::first_place(leaf) + static_cast<std::uint32_t>(std::countr_zero(bits));
+    const space_triangle t = triangle_at(blocks, place);
+    if (cross_place(tree, t, place, q, sides_round(q, t.a, t.b, t.c), use)) return true;
   }
   return false;
 }
@@ -151,14 +177,14 @@ constexpr ray_crossing finished_crossing(const std::same_as<triangle_ray> auto& 
 template <class T, class U, class Use>
 IRG_INLINE constexpr void find_first_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks,
                                               const ray<U, 3>& r, const Use& use) {
-  if (is_empty(r)) return;
-  late_triangle_ray<U> q(tree, r);
+  box_ray b;
+  if (!set_box_ray(b, r, tree.scale)) return;
+  late_triangle_ray<T, U> q(tree, r);
   std::optional<first_crossing> best;
-  box_ray b{};
-  set_box_ray(b, r, tree.scale);
   walk_near_to_far<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
-    q.prepare();
-    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(), [&](const first_crossing& x) {
+    const unsigned open = q.open_triangles(blocks, leaf);
+    if (open == 0) return;
+    cross_leaf(tree, blocks, leaf, q.prepared(), open, [&](const first_crossing& x) {
       if (!best || is_before(q.ray_for_triangles(), blocks, x, *best)) {
         best = x;
         b.high = later_time(b, x.time.t + x.time.error);
@@ -171,13 +197,18 @@ IRG_INLINE constexpr void find_first_crossing(const bvh& tree, std::span<const t
 
 // What the rays of a packet have met so far.
 struct packet_crossings {
-  triangle_ray rays[ray_packet::size];
-  first_crossing best[ray_packet::size];
+  // Each is made when its ray comes to a triangle, and crosses one: most packets come to none.
+  union {
+    triangle_ray rays[ray_packet::size];
+  };
+  union {
+    first_crossing best[ray_packet::size];
+  };
   double bound[ray_packet::size];
   packet_shear shear;
   unsigned ready = 0, hit = 0;  // a bit for each ray
 
-  packet_crossings() noexcept {}  // zeroes nothing that is written before it is read
+  packet_crossings() noexcept {}  // zeroes nothing
 };
 
 // The first crossings of 16 rays into use(k, triangle_ray, crossing); false where they do not go as one.
@@ -193,7 +224,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
     bool nearer = false;
     const auto prepare = [&](unsigned k) {
       if ((f.ready >> k & 1) == 0) {
-        set_triangle_ray(f.rays[k], rays[k]);
+        set_triangle_ray(*new (static_cast<void*>(&f.rays[k])) triangle_ray, rays[k]);
         f.bound[k] = bound_of(tree, f.rays[k].r.origin);
         f.ready |= 1u << k;
       }
@@ -201,7 +232,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
     const auto take = [&](unsigned k) {
       return [&, k](const first_crossing& x) {
         if ((f.hit >> k & 1) == 0 || is_before(f.rays[k], blocks, x, f.best[k])) {
-          f.best[k] = x;
+          new (static_cast<void*>(&f.best[k])) first_crossing(x);
           f.hit |= 1u << k;
           p.high[k] = lesser(p.high[k], later_time(p.whole, x.time.t + x.time.error));
           nearer = true;
@@ -226,7 +257,7 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
       for (; bits != 0; bits &= bits - 1) {
         const auto k = static_cast<unsigned>(std::countr_zero(bits));
         prepare(k);
-        cross_leaf(tree, blocks, leaf, f.rays[k], f.bound[k], take(k));
+        cross_leaf(tree, blocks, leaf, f.rays[k], leaf_met(blocks, leaf, f.rays[k].shear, f.bound[k]), take(k));
       }
     }
     if (nearer) p.whole.high = latest_of(p);
@@ -242,27 +273,26 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
 template <class T, class U, class Counts>
 constexpr bool crosses_any(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r,
                            const Counts& counts) {
-  if (is_empty(r)) return false;
-  late_triangle_ray<U> q(tree, r);
-  box_ray b{};
-  set_box_ray(b, r, tree.scale);
+  box_ray b;
+  if (!set_box_ray(b, r, tree.scale)) return false;
+  late_triangle_ray<T, U> q(tree, r);
   return walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
-    q.prepare();
-    return cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(),
-                      [&](const first_crossing& x) { return counts(x.number); });
+    const unsigned open = q.open_triangles(blocks, leaf);
+    return open != 0 && cross_leaf(tree, blocks, leaf, q.prepared(), open,
+                                   [&](const first_crossing& x) { return counts(x.number); });
   });
 }
 
 template <class T, class U, class Use>
 constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r,
                              const Use& use) {
-  if (is_empty(r)) return;
-  late_triangle_ray<U> q(tree, r);
-  box_ray b{};
-  set_box_ray(b, r, tree.scale);
+  box_ray b;
+  if (!set_box_ray(b, r, tree.scale)) return;
+  late_triangle_ray<T, U> q(tree, r);
   walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
-    q.prepare();
-    cross_leaf(tree, blocks, leaf, q.ray_for_triangles(), q.bound(), [&](const first_crossing& x) {
+    const unsigned open = q.open_triangles(blocks, leaf);
+    if (open == 0) return false;
+    cross_leaf(tree, blocks, leaf, q.prepared(), open, [&](const first_crossing& x) {
       if (is_first_met<box_arithmetic::fused>(tree, x.place, b)) use(q.ray_for_triangles(), x);
       return false;
     });

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <irg/core/lane_memory.hpp>
 #include <irg/spatial/detail/box_test_kernel.hpp>
 
 namespace irg::detail {
@@ -25,11 +26,12 @@ struct bvh_walk {
   std::uint64_t* top;
 };
 
-// The next leaf in the order of times; none at the end, and for an empty box that a ray meets whose times are not
-// numbers. It stands apart from what is done with leaves, so that a ray's
-// numbers stay in registers from node to node.
+// The leaf that comes next in the order of times, from `at` on; none at the end, and for an empty box that a ray meets
+// whose times are not numbers. It stands apart from what is done with leaves, so that a ray's numbers stay in registers
+// from node to node.
 template <class F, box_arithmetic A>
-IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r, bvh_walk& walk) noexcept {
+IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r, std::uint32_t at,
+                                             bvh_walk& walk) noexcept {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
   const float high = r.high;
   std::uint64_t* top = walk.top;
@@ -41,7 +43,6 @@ IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ra
     } while (high < std::bit_cast<float>(static_cast<std::uint32_t>(next >> 32)));
     return static_cast<std::uint32_t>(next);
   };
-  std::uint32_t at = pop();
   while (!bvh_node::is_leaf(at)) {
     const bvh_node& node = nodes[at];
     float times[bvh_node::width];
@@ -81,51 +82,61 @@ template <class F, box_arithmetic A, class Visit>
 IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
   bvh_walk walk;
   walk.top = walk.waiting;
-  *walk.top++ = 0;
+  std::uint32_t at = 0;
   for (;;) {
-    const std::uint32_t leaf = next_leaf<F, A>(nodes, r, walk);
-    if (leaf != bvh_node::none)
-      visit(leaf);
-    else if (walk.top == walk.waiting)
-      return;
+    const std::uint32_t leaf = next_leaf<F, A>(nodes, r, at, walk);
+    if (leaf != bvh_node::none) visit(leaf);
+    for (;;) {
+      if (walk.top == walk.waiting) return;
+      const std::uint64_t next = *--walk.top;
+      if (r.high < std::bit_cast<float>(static_cast<std::uint32_t>(next >> 32))) continue;
+      at = static_cast<std::uint32_t>(next);
+      break;
+    }
   }
 }
 
-// The children of a node that are leaves: a bit for each.
+// The children whose bits are set, one behind the other from `to` on, where there is room for all.
 template <class F>
-IRG_INLINE constexpr unsigned leaves_of(const bvh_node& node) noexcept {
-  using I = typename lanes<F>::template rebind<std::uint32_t>;
-  unsigned bits = 0;
-  for (int k = 0; k < bvh_node::width; k += lanes<F>::count)
-    if constexpr (lanes<F>::count == 1)
-      bits |= (node.child[k] >> 31) << k;
-    else
-      bits |= static_cast<unsigned>(mask_bits(bits_as<std::int32_t>(lanes<I>::load(node.child + k)) < 0)) << k;
-  return bits;
+IRG_INLINE constexpr void put_met(std::uint32_t* to, const bvh_node& node, unsigned bits) noexcept {
+  if constexpr (lanes<F>::count == bvh_node::width) {
+    store_compressed(to, lanes<pack<std::uint32_t, bvh_node::width>>::load(node.child), bits);
+  } else {
+    for (int k = 0; k < bvh_node::width; ++k) {
+      *to = node.child[k];
+      to += bits >> k & 1;
+    }
+  }
 }
 
-// Leaves at once, then nodes, of which one does not wait.
+// The last child that is met comes next, or what waits on top where none is: both are known without a branch, which
+// would be guessed wrong at most nodes. So all wait for a moment, and the next is taken from the node itself. Below
+// stands what tells the end; an empty box that a ray meets whose times are not numbers is told from that.
 template <class F, box_arithmetic A, class Visit>
 IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
-  std::uint32_t waiting[bvh_waiting];
-  std::uint32_t* top = waiting;
+  std::uint32_t waiting[bvh_waiting + bvh_node::width];
+  waiting[0] = bvh_node::none;
+  const float high = r.high;
+  std::uint32_t* top = waiting + 1;
   std::uint32_t at = 0;
   for (;;) {
-    const bvh_node& node = nodes[at];
-    const auto child = [&node](unsigned bits) { return node.child[static_cast<unsigned>(std::countr_zero(bits))]; };
-    float times[bvh_node::width];
-    const unsigned bits = meet_boxes(node, wide, r.high, times), leaves = leaves_of<F>(node);
-    for (unsigned rest = bits & leaves; rest != 0; rest &= rest - 1)
-      if (child(rest) != bvh_node::none && visit(child(rest))) return true;
-    unsigned rest = bits & ~leaves;
-    if (rest == 0) {
-      if (top == waiting) return false;
-      at = *--top;
-      continue;
+    while (!bvh_node::is_leaf(at)) {
+      const bvh_node& node = nodes[at];
+      const std::uint32_t waits = top[-1];
+      float times[bvh_node::width];
+      const unsigned bits = meet_boxes(node, wide, high, times);
+      const std::uint32_t met = node.child[static_cast<unsigned>(std::bit_width(bits | 1)) - 1];
+      put_met<F>(top, node, bits);
+      top += std::popcount(bits) - 1;
+      at = bits != 0 ? met : waits;
     }
-    at = child(rest);
-    for (rest &= rest - 1; rest != 0; rest &= rest - 1) *top++ = child(rest);
+    if (at != bvh_node::none) {
+      if (visit(at)) return true;
+    } else if (top == waiting) {
+      return false;
+    }
+    at = *--top;
   }
 }
 

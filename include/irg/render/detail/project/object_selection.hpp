@@ -22,9 +22,13 @@ struct objects_to_prepare {
   std::vector<std::uint8_t> is_made;
 
   constexpr explicit objects_to_prepare(std::span<const object<T>> objects)
-      : source(objects), made(objects.size(), prepared_object<T>{}), is_made(objects.size(), 0) {
+      : source(objects), is_made(objects.size(), 0) {
     extents.reserve(source.size());
-    for (const object<T>& o : source) extents.push_back(extent_of(o));
+    made.reserve(source.size());
+    for (const object<T>& o : source) {
+      extents.push_back(extent_of(o));
+      made.emplace_back();  // filling the vector would compile the copying of all that an object has
+    }
   }
   constexpr std::size_t size() const noexcept { return source.size(); }
   constexpr const object_extent<T>& extent(std::size_t i) const noexcept { return extents[i]; }
@@ -55,7 +59,7 @@ struct object_selection {
 
 inline namespace IRG_ABI {
 
-template <class Order, class T, class Objects>
+template <class T, class Objects>
 IRG_NOINLINE constexpr object_selection select_objects(Objects& objects, const mat<T, 4, 4>& to_clip, int width,
                                                        int height, const render_options& options) {
   object_selection result;
@@ -63,9 +67,8 @@ IRG_NOINLINE constexpr object_selection select_objects(Objects& objects, const m
   extents.reserve(objects.size());
   result.drawn.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) extents.push_back(objects.extent(i));
-  constexpr bool by_depth = !std::same_as<Order, drawing_order>;
-  occlusion_culling<T, std::conditional_t<by_depth, Order, nearer_is_greater>> boxes(to_clip, width, height);
-  if (by_depth && options.skip.occluded == skipping::on)
+  occlusion_culling<T> boxes(to_clip, width, height);
+  if (options.hidden != hidden_surface_method::none && options.skip.occluded == skipping::on)
     for (const std::uint32_t i : boxes.choose_occluders(extents)) {
       const drawable<T>& body = objects[i].body;
       boxes.add_occluder(body.positions, body.triangles, options.culling);

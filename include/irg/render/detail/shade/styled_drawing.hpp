@@ -73,7 +73,7 @@ constexpr render_stats draw_rescaled(const Method& method, const styled_objects<
   for (const float l : largest_of) largest = greater(l, largest);
   in_portions([&](std::size_t, int y) {
     for (int x = 0; x < width; ++x) {
-      const bool shown = get_pixel(to.depth, x, y) != Method::order::farthest;
+      const bool shown = get_pixel(to.depth, x, y) != method.farthest();
       const auto scaled = per_channel([&](float channel) { return channel / largest; }, light(x, y));
       set_pixel(to.colour, x, y, shown ? encode(scaled) : to.background);
     }

@@ -84,10 +84,11 @@ constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const 
 // method is not asked about tiles that show one convex body alone.
 template <class Order, class Method>
 struct method_tiles {
-  using order = Order;
   const Method& method;
   image<std::uint32_t>& ids;
   convex_bodies* bodies = nullptr;
+
+  static constexpr float farthest() noexcept { return Order::farthest; }
 
   // Object k is drawn, as `count` triangles that are numbered from `first` on.
   constexpr void note_object(std::uint32_t k, std::uint32_t first, std::size_t count) const {

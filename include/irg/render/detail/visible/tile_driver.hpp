@@ -206,7 +206,7 @@ IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_
 // The z-buffer, and drawing in the order given: what a tile shows by comparing depths.
 template <class Order, tile_test Test>
 struct zbuffer_tiles {
-  using order = Order;
+  static constexpr float farthest() noexcept { return Order::farthest; }  // the depth where nothing is
 
   // Tile i, which has a list: what is seen, and then finish(visible_window, finder).
   template <class T, class Depth>
@@ -255,7 +255,7 @@ constexpr render_stats draw_tiles(const Method& method, Depth& depth, const tile
     } else if (job.clear == clearing::before_drawing) {
       const cell_window w = empty_tiles(bins, grid, i);
       finish.clear(w);
-      if (job.depth == depth_result::kept) clear_window(depth, w, Method::order::farthest);
+      if (job.depth == depth_result::kept) clear_window(depth, w, method.farthest());
     }
   });
   render_stats stats;
