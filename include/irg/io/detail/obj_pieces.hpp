@@ -102,11 +102,11 @@ struct obj_pieces {
 
   /// A task must not throw: what fails for want of memory is tried in one go.
   static constexpr void read_piece(piece& p) {
-    p.is_sound = false;
 #ifdef __cpp_exceptions
     try {
       p.is_sound = p.reader.text() && !p.reader.has_zero;
     } catch (...) {
+      p.is_sound = false;
     }
 #else
     p.is_sound = p.reader.text() && !p.reader.has_zero;

@@ -4,7 +4,7 @@
 
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/core/lanes.hpp>
-#include <irg/math/detail/length_kernel.hpp>
+#include <irg/math/length.hpp>
 
 namespace irg::detail {
 
