@@ -46,7 +46,8 @@ TEST_CASE("snap: cells go to their centres, snapped positions stay; can_snap say
   using irg::cell, irg::subpixel, irg::snap_limit;
   static_assert(irg::ScreenPosition<cell> && irg::ScreenPosition<subpixel> &&
                 irg::ScreenPosition<irg::point<float, 2>>);
-  static_assert(!irg::ScreenPosition<irg::point<float, 3>> && !irg::ScreenPosition<irg::point<int, 2>>);
+  static_assert(!irg::ScreenPosition<irg::point<float, 3>> && !irg::ScreenPosition<irg::point<int, 3>>);
+  static_assert(irg::ScreenPosition<irg::point<int, 2>>);  // names a cell
   CHECK_BOTH(irg::snap(cell{3, -2}) == subpixel{3 * 256 + 128, -2 * 256 + 128});
   CHECK_BOTH(irg::snap(subpixel{3, -2}) == subpixel{3, -2});
   CHECK_BOTH(irg::can_snap(cell{snap_limit - 1, -snap_limit}));
