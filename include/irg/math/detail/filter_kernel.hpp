@@ -35,17 +35,16 @@ private:
 // in doubt.
 template <int Degree>
 class filter_range<double, Degree> {
-  static constexpr int reach = filter_reach<Degree>;
-  static constexpr double least = power_of_two(reach * (Degree - 1) - 990);
+  static constexpr double limit = power_of_two(filter_reach<Degree>);
+  static constexpr double least = power_of_two(filter_reach<Degree> * (Degree - 1) - 990);
 
 public:
   IRG_INLINE constexpr void include(double x) noexcept {
-    if (std::is_constant_evaluated() && !(magnitude(x) < power_of_two(reach)))
-      sum_ = power_of_two(reach);  // constant evaluation refuses sums that overflow or are NaN
-    else
-      sum_ = sum_ + magnitude(x);
+    const double size = magnitude(x);
+    // Constant evaluation refuses sums that overflow or are NaN.
+    sum_ = std::is_constant_evaluated() && !(size < limit) ? limit : sum_ + size;
   }
-  [[nodiscard]] IRG_INLINE constexpr bool suits() const noexcept { return sum_ < power_of_two(reach); }
+  [[nodiscard]] IRG_INLINE constexpr bool suits() const noexcept { return sum_ < limit; }
   [[nodiscard]] IRG_INLINE static constexpr int sign_of(const filtered_number& x) noexcept {
     return sign_beyond(polynomial_filter_bound * x.size + least, x.value, 2);
   }
