@@ -71,7 +71,7 @@ struct curve_sample {
   using vector = typename detail::displacement_of<P>::type;
   P point{};
   vector derivative{};
-  constexpr bool operator==(const curve_sample&) const = default;
+  bool operator==(const curve_sample&) const = default;
 };
 
 inline namespace IRG_ABI {
@@ -161,7 +161,8 @@ template <ControlPoints R>
 constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, parameter_of<R> t,
                                                                std::span<detail::control_point<R>> scratch) noexcept {
   const auto work = detail::copied(points, scratch);
-  if (work.size() == 1) return {work[0], {}};
+  using vector = typename curve_sample<detail::control_point<R>>::vector;
+  if (work.size() == 1) return {work[0], zero_coordinates<vector>()};
   detail::reduce(work, 2, t);
   return {detail::blend(work[0], work[1], t),
           detail::scaled_difference(work[0], work[1], static_cast<int>(work.size()) - 1)};

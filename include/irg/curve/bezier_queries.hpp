@@ -26,7 +26,7 @@ struct nearest_place {
   scalar_of<P> t = 0;
   P point{};
   scalar_of<P> distance = 0;
-  constexpr bool operator==(const nearest_place&) const = default;
+  bool operator==(const nearest_place&) const = default;
 };
 
 namespace detail {

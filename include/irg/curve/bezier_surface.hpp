@@ -19,7 +19,7 @@ template <Coordinates P, int U = 3, int V = U>
   requires(U >= 1 && V >= 1)
 struct bezier_patch {
   std::array<std::array<P, static_cast<std::size_t>(V) + 1>, static_cast<std::size_t>(U) + 1> points{};
-  constexpr bool operator==(const bezier_patch&) const = default;
+  bool operator==(const bezier_patch&) const = default;
 };
 
 /// Control points of a surface in rows, referring to yours: points[i * columns + j], i along u, j along v.
@@ -38,7 +38,7 @@ struct surface_sample {
   using vector = typename detail::displacement_of<P>::type;
   P point{};
   vector du{}, dv{}, duv{};
-  constexpr bool operator==(const surface_sample&) const = default;
+  bool operator==(const surface_sample&) const = default;
 };
 
 namespace detail {

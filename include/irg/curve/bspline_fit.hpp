@@ -67,7 +67,7 @@ class banded_rows {
 public:
   using T = scalar_of<P>;
   constexpr banded_rows(std::size_t size, std::size_t order)
-      : size_(size), order_(order), r_(size * order, T(0)), right_(size, P{}) {}
+      : size_(size), order_(order), r_(size * order, T(0)), right_(size, zero_coordinates<P>()) {}
 
   // Row `values` from column `first` on; its values are lost.
   constexpr void add(std::vector<T>& values, std::size_t first, P right) {
@@ -104,14 +104,12 @@ public:
 
 private:
   static constexpr P turned(const givens_rotation<T>& turn, P& kept, P& added) noexcept {
-    P rest{};
     const P first = generate_coordinates<P>([&](int axis) {
       return product(turn.cosine, coordinate(kept, axis)) + product(turn.sine, coordinate(added, axis));
     });
-    rest = generate_coordinates<P>([&](int axis) {
+    added = generate_coordinates<P>([&](int axis) {
       return product(turn.cosine, coordinate(added, axis)) - product(turn.sine, coordinate(kept, axis));
     });
-    added = rest;
     return first;
   }
   std::size_t size_, order_;
@@ -135,7 +133,7 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
                        counts_at(knots, size - 1, places[places.size() - 1]) && knots[0] == knots.first() &&
                        knots[knots.list().size() - 1] == knots.last() && places[0] == knots.first() &&
                        places[places.size() - 1] == knots.last();
-  for (std::size_t k = 0; k < size; ++k) result[k] = P{};
+  for (std::size_t k = 0; k < size; ++k) result[k] = zero_coordinates<P>();
   if (through) {
     result[0] = points[0];
     result[size - 1] = points[points.size() - 1];

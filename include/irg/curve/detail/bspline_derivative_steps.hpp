@@ -35,7 +35,7 @@ constexpr void derivatives_in_stretch(const bspline_knots<T, Degree>& knots, std
   const auto local = local_and_work.first(order), work = local_and_work.subspan(order, order);
   for (std::size_t k = 0; k < derivatives.size(); ++k) {
     if (k >= order) {
-      derivatives[k] = V{};
+      derivatives[k] = zero_coordinates<V>();
       continue;
     }
     const std::size_t degree = order - 1 - k;  // of this derivative; its control points are local[0 ... degree]
