@@ -210,11 +210,5 @@ IRG_INLINE constexpr T generate_coordinates(F&& f) {
   }(std::make_integer_sequence<int, size_of<T>>{});
 }
 
-/// The T whose coordinates are all 0. T{} of another library may leave them as they were in memory.
-template <Coordinates T>
-[[nodiscard]] IRG_INLINE constexpr T zero_coordinates() {
-  return generate_coordinates<T>([](int) { return scalar_of<T>(0); });
-}
-
 }  // namespace IRG_ABI
 }  // namespace irg

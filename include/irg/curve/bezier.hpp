@@ -90,6 +90,12 @@ template <Real T>
 namespace detail {
 inline namespace IRG_ABI {
 
+// All coordinates 0. P{} of another library may leave them as they were in memory.
+template <Coordinates P>
+[[nodiscard]] IRG_INLINE constexpr P zero_coordinates() {
+  return generate_coordinates<P>([](int) { return scalar_of<P>(0); });
+}
+
 /// (1 - t)*a + t*b; exactly a for t = 0 and b for t = 1, whatever the other is.
 template <Coordinates P>
 IRG_INLINE constexpr P blend(const P& a, const P& b, const curve_parameter<scalar_of<P>>& at) noexcept {
@@ -162,7 +168,7 @@ constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, 
                                                                std::span<detail::control_point<R>> scratch) noexcept {
   const auto work = detail::copied(points, scratch);
   using vector = typename curve_sample<detail::control_point<R>>::vector;
-  if (work.size() == 1) return {work[0], zero_coordinates<vector>()};
+  if (work.size() == 1) return {work[0], detail::zero_coordinates<vector>()};
   detail::reduce(work, 2, t);
   return {detail::blend(work[0], work[1], t),
           detail::scaled_difference(work[0], work[1], static_cast<int>(work.size()) - 1)};
