@@ -56,6 +56,8 @@ TEST_CASE("polygon_area: degenerate and hostile input") {
     CHECK(std::isnan(irg::polygon_area(V{{0, 0}, {1, 0}, {bad, 1}})));
     CHECK(std::isnan(irg::polygon_area_exact(V{{bad, 0}, {1, 0}, {1, 1}})));
   }
+  CHECK_BOTH(irg::polygon_area(std::array{P{0, 0}, P{1e120, 0}, P{1, 1e300}}) > most);
+  CHECK_BOTH(irg::polygon_area(std::array{P{0, 0}, P{1, 0}, P{1, 1e300}}) == 5e299);
   CHECK_BOTH(irg::polygon_area(std::array{P{-most, 0}, P{most, 0}, P{0, least}}) ==
              0x1p-50 - 0x1p-103);  // most * least
   CHECK(irg::polygon_area(V{{-most, -most}, {most, -most}, {0, most}}) == std::numeric_limits<double>::infinity());

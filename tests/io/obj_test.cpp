@@ -501,17 +501,23 @@ TEST_CASE("obj: memory is bounded by the text, time by its length") {
       repeat("#", 1'000'000),
       repeat("\\\n", 500'000),
       "v 0 0 0",
+      repeat("g\nf 1 1 1\ng a\nf 1 1 1\n", 32'769,
+             "v 0 0 0\no " + std::string(129, 'x') + "\nusemtl " + std::string(33, 'm') + "\n"),
   };
-  for (const std::string& s : texts) {
+  const auto check = [](const std::string& s, auto&& read) {
     INFO(s.substr(s.size() > 40 ? s.size() - 40 : 0));
     const std::size_t before = test::bytes_now;
     test::bytes_most = before;
     {
-      const auto r = read_obj(s);
+      const auto r = read(s);
       CHECK(test::bytes_most - before <= 64 * s.size() + (std::size_t{1} << 20));
       if (r) CHECK(irg::validate(*r) == irg::mesh_finding{});
     }
     CHECK(test::bytes_now == before);
+  };
+  for (const std::string& s : texts) {
+    check(s, [](const std::string& text) { return read_obj(text); });
+    check(s, [](const std::string& text) { return read_obj(text, {}, irg::parallel{2}); });
   }
 }
 

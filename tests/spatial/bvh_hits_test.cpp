@@ -180,4 +180,25 @@ static_assert([] {
          irg::closest_hit(tree, R{boxes[5].low, {1, 2, 3}}, always)->t == 0;
 }());
 
+TEST_CASE("bvh: rays from nowhere meet nothing, and nothing is asked") {
+  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<irg::box<float, 3>> boxes{{{-1, -1, -1}, {1, 1, 1}}};
+  const irg::bvh tree = irg::build_bvh(std::span<const irg::box<float, 3>>(boxes));
+  for (const float d : {1.0f, 0.5f, 0.7f, -1.0f, 0x1p-70f, 0x1p30f, nowhere})
+    for (unsigned mask = 0; mask < 8; ++mask) {
+      irg::ray<float, 3> ray{{0.1f, 0.1f, -1}, {d, d, d}};
+      for (int axis = 0; axis < 3; ++axis)
+        if ((mask >> axis & 1) != 0) ray.origin[axis] = nowhere;
+      if (mask == 0 && d == d) continue;
+      int asked = 0;
+      const auto test = [&](std::uint32_t, const irg::ray<float, 3>&) {
+        ++asked;
+        return std::optional<float>(1.0f);
+      };
+      CHECK(!irg::any_hit(tree, ray, test));
+      CHECK(!irg::closest_hit(tree, ray, test));
+      CHECK(asked == 0);
+    }
+}
+
 }  // namespace

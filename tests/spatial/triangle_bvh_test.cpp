@@ -405,4 +405,61 @@ TEST_CASE("triangle_bvh: executors, moved triangles, any_hit that passes some ov
   CHECK(!irg::any_hit(tree, ray, [&](std::uint32_t t) { return t != hit->triangle; }));
 }
 
+// What the only triangle of a tree is met by, in all three ways, and by itself.
+template <class T>
+void check_met(const std::array<irg::point<T, 3>, 3>& triangle, const irg::ray<T, 3>& ray) {
+  REQUIRE(irg::cross_triangle(ray, triangle[0], triangle[1], triangle[2]));
+  const auto tree = build(triangles_of<T>{triangle});
+  CHECK(irg::closest_hit(tree, ray).has_value());
+  CHECK(irg::any_hit(tree, ray));
+  int hits = 0;
+  irg::all_hits(tree, ray, [&](const irg::triangle_hit&) { ++hits; });
+  CHECK(hits == 1);
+}
+
+TEST_CASE("triangle_bvh: sizes, distances and directions near the ends of their types") {
+  using PF = irg::point<float, 3>;
+  using RF = irg::ray<float, 3>;
+  for (const float m : {0x1p39f, 0x1p41f, 7.2e12f, 0x1p45f, 0x1p59f, 0x1p61f, 0x1p100f})
+    check_met<float>(
+        {PF{m, 0, -1.1f * m}, PF{-0.5f * m, 0.8660254f * m, 0.9f * m}, PF{-0.5f * m, -0.8660254f * m, 0.9f * m}},
+        RF{{0, 0, 0}, {0, 0, 1}});
+  for (const float z : {0x1p-30f, 0x1.cp-41f, 0x1p-46f, 0x1p-80f})
+    for (const float s : {0x1p-5f, 0x1p-15f, 0x1p-30f}) {
+      const float r = z * s;
+      check_met<float>({PF{r, 0, -z}, PF{-0.5f * r, 0.866f * r, 0.67f * z}, PF{-0.5f * r, -0.866f * r, 0.67f * z}},
+                       RF{{0, 0, 0}, {0, 0, 1}});
+    }
+  for (const double far : {0x1p100, 0x1p126, 0x1p128, 0x1p130, 0x1p200, 0x1p900})
+    check_met<double>({P{-1, -1, 0.1}, P{1, -1, 0.1}, P{0, 1, -0.3}},
+                      R{{-1.75 * far, -0.5 * far, -0.25 * far}, {1.75, 0.5, 0.25}});
+  constexpr double k = 0x1p-60;
+  for (const double slow : {5e-324, 0x1p-1070, 0x1p-1060, 0x1p-1023, 0x1p-1022, 1e-300})
+    check_met<double>({P{0, -k, k}, P{k * 0x1p-75, -k, k}, P{0, k, k}}, R{{k * 0x1p-78, 0, -k}, {0, 0, slow}});
+}
+
+TEST_CASE("triangle_bvh: which is first where all parameters round to nothing") {
+  test::random r(27);
+  int met = 0;
+  for (const int exponent : {996, 664, 80, 77, 74}) {
+    for (int trial = 0; trial < 60; ++trial) {
+      constexpr double s = 1e-300;
+      triangles_of<double> all(20);
+      for (auto& t : all)
+        for (P& p : t) p = {(r.unit() * 2 - 1) * s, (r.unit() * 2 - 1) * s, r.unit() * 2 * s};
+      const auto tree = build(all);
+      R ray{{(r.unit() - 0.5) * 0.2 * s, (r.unit() - 0.5) * 0.2 * s, -s},
+            {(r.unit() - 0.5) * 0.2, (r.unit() - 0.5) * 0.2, 1}};
+      const auto slow = irg::closest_hit(tree, ray);
+      for (int axis = 0; axis < 3; ++axis) ray.direction[axis] = std::ldexp(ray.direction[axis], exponent);
+      const auto fast = irg::closest_hit(tree, ray);
+      REQUIRE(fast.has_value() == slow.has_value());
+      if (!fast) continue;
+      CHECK(fast->triangle == slow->triangle);
+      ++met;
+    }
+  }
+  CHECK(met > 100);
+}
+
 }  // namespace

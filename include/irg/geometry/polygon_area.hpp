@@ -66,7 +66,9 @@ struct bounded_area {
 IRG_INLINE constexpr void add_product(bounded_area& area, const exact_sum<double>& a,
                                       const exact_sum<double>& b) noexcept {
   const exact_sum<double> head = fast_two_product(a.value, b.value), total = two_sum(area.sum.value, head.value);
-  const double rest = head.error + (product(a.value, b.error) + product(a.error, b.value));
+  // What is lost of tiny products depends on the instruction set, and counts nothing beside a sum of more than 2^-400.
+  const double lost = magnitude(head.value) < 0x1p-900 ? 0.0 : head.error;
+  const double rest = lost + (product(a.value, b.error) + product(a.error, b.value));
   area.sum = {total.value, area.sum.error + (total.error + rest)};
   area.size = area.size + magnitude(head.value);
 }
@@ -89,9 +91,11 @@ constexpr void add_ring_area(bounded_area& area, const R& ring) noexcept {
   const vertex first = at(0);
   vertex before = first, here = at(1);
   area.is_moderate = area.is_moderate && moderate(first) && moderate(here);
-  for (std::size_t i = 1; i < n && area.is_moderate; ++i) {
+  if (!area.is_moderate) return;
+  for (std::size_t i = 1; i < n; ++i) {
     const vertex next = i + 1 < n ? at(i + 1) : first;
     area.is_moderate = moderate(next);
+    if (!area.is_moderate) return;
     add_product(area, two_sum(here.x, -first.x), two_sum(next.y, -before.y));
     before = here, here = next;
   }

@@ -26,7 +26,7 @@ struct projected_vertices {
   std::vector<clip_code_pair> codes;  // the planes that each vertex is beyond
   clip_code_pair any;  // the planes that some vertex is beyond
   std::vector<point<T, 3>>
-      converted{};  // what `positions` shows where they were of another type, in copies of this too
+      converted{};  // what `positions` shows where they were of another type, in copies too: move it
 };
 
 inline namespace IRG_ABI {

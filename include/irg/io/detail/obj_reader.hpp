@@ -271,7 +271,7 @@ struct obj_reader {
       s.push_back(length != 0 ? ' ' : *p);
       p += length != 0 ? length : 1;
     }
-    return s;
+    return part_name(std::string_view(s.data(), s.size()));  // with no room to spare: budgets count what is kept
   }
 
   /// Opens a part for the next face unless the last one has the same names. Every part holds its names, so a long name

@@ -30,7 +30,8 @@ constexpr double hypotenuse_of_sizes(Sizes... sizes) noexcept {
     const double result = round(length_of((sizes * 0x1p-540)...));
     return result >= 0x1p484 ? infinity<double> : result * 0x1p540;
   }
-  const unrounded result = length_of((sizes * 0x1p600)...);
+  // The root is off by some last places, so its nearest double is taken before it is asked on which side it lies.
+  const unrounded result = renormalised(length_of((sizes * 0x1p600)...));
   constexpr double first_normal =
       0x1p-422;  // whose last place is 2^-474: what becomes subnormal is rounded by it, once
   if (result.value >= first_normal) return round(result) * 0x1p-600;

@@ -36,10 +36,10 @@ inline namespace IRG_ABI {
 
 IRG_INLINE constexpr float float_above(double x) noexcept { return 0.0f - float_below(-x); }
 
-// A time of the ray as one of its boxes', not before it.
+// A time of the ray as one of its boxes', not before it. What is subnormal is off by more than its slack.
 IRG_INLINE constexpr float later_time(const box_ray& b, double t) noexcept {
   constexpr double slack = 1 + 0x1p-20, most = 0x1p100;
-  const double late = times_power_of_two(t * slack, b.unit);
+  const double late = times_power_of_two(t * slack + 0x1p-1022, b.unit);
   return late < most ? float_above(late) : std::numeric_limits<float>::infinity();
 }
 IRG_INLINE constexpr float earlier_time(const box_ray& b, double t) noexcept {
@@ -50,16 +50,17 @@ IRG_INLINE constexpr float earlier_time(const box_ray& b, double t) noexcept {
 
 // An axis along which the ray goes nowhere lets it through for all times or for none, which a large number tells as
 // well as an infinite one: times that are asked are below 2^42, and its slack is worth 2^46. Along one that floats take
-// for such, and for origins that are far off, it is not asked.
+// for such, for origins that are far off and for directions so small that times are longer, it is not asked; nor is any
+// axis for origins beyond the floats.
 constexpr void turn_standing_axes(std::same_as<box_ray> auto& b, const double (&origin)[3],
-                                  const double (&direction)[3]) noexcept {
+                                  const double (&direction)[3], bool is_slow) noexcept {
   constexpr float infinite = std::numeric_limits<float>::infinity(), large = 0x1p120f;
   double most = 0;
   for (const double o : origin) most = greater(most, magnitude(o));
   for (int i = 0; i < 3; ++i) {
-    if (magnitude(direction[i]) >= widened(standing_direction)) continue;
+    if (most <= 0x1p127 && magnitude(direction[i]) >= widened(standing_direction)) continue;
     const bool goes = (std::bit_cast<std::uint64_t>(direction[i]) << 1) != 0;
-    if (goes || most > 0x1p40) {
+    if (goes || most > 0x1p40 || is_slow) {
       b.near_gain[i] = b.far_gain[i] = 0;
       b.near_offset[i] = -infinite;
       b.far_offset[i] = infinite;
@@ -92,9 +93,9 @@ IRG_NOINLINE constexpr void set_any_box_ray(std::same_as<box_ray> auto& b, const
   const double size = power_of_two(exponent);
   const double origin[3] = {r.origin.x * scale, r.origin.y * scale, r.origin.z * scale};
   const double direction[3] = {d.x * size, d.y * size, d.z * size};
-  const bool stands = set_up_box_ray(origin, direction, b);
+  set_up_box_ray(origin, direction, b);
   set_faces(b, d);
-  if (stands) turn_standing_axes(b, origin, direction);
+  turn_standing_axes(b, origin, direction, reach < 0x1p-1022);
   b.unit = exponent_of(scale) - exponent;
   b.low = r.low > 0 ? earlier_time(b, r.low) : 0.0f;
   constexpr float infinite = std::numeric_limits<float>::infinity();

@@ -48,11 +48,12 @@ IRG_INLINE constexpr box_ray_axes<F> set_up_axes(const D& origin, const D& direc
   return {gain, gain * longer, (-to_origin) - slack, (slack - to_origin) * longer, any_lane(stands)};
 }
 
-// Whether origins in the tree's units and directions are such that they need no scaling; NaN is not.
+// Whether origins in the tree's units and directions are such that they need no scaling; NaN is not: high_of gives its
+// second number where either is NaN.
 template <class F>
 IRG_INLINE constexpr auto middling_axes(const F& origin, const F& direction) noexcept {
   const auto all = [](float x) { return lanes<F>::broadcast(x); };
-  return both(high_of(magnitude(origin), magnitude(direction)) <= all(0x1p20f), magnitude(direction) >= all(0x1p-60f));
+  return both(high_of(magnitude(direction), magnitude(origin)) <= all(0x1p20f), magnitude(direction) >= all(0x1p-60f));
 }
 IRG_INLINE constexpr bool are_middling(const float (&origin)[3], const float (&direction)[3]) noexcept {
   if (std::is_constant_evaluated())

@@ -68,7 +68,8 @@ IRG_INLINE constexpr unsigned triangles_met(const triangle_block<T>& block, cons
 // With z counted from where the ray begins and W the largest of these, of at most 2m, the sum of sides times the
 // opposite corners' z has the sign of the crossing's z times that of the sides. z is off by 4u m, so the sum by 3 W
 // times what sides are off by, by 24u m S^2 and by roundings of 18u S^2 W: less than (4 W + S) times what is asked of
-// sides.
+// sides. Its terms are of the third degree: m is below 2^40, so that none overflows, and what underflows is less than
+// 2^-120.
 struct float_shear {
   float origin[3], slope_x, slope_y;
   float start, along;  // where the ray begins along z, or less; 1 or -1 as it goes
@@ -90,7 +91,7 @@ IRG_INLINE void set_float_shear(std::same_as<float_shear> auto& s, const ray<flo
   s.origin[0] = r.origin[s.x];
   s.origin[1] = r.origin[s.y];
   s.origin[2] = r.origin[s.z];
-  const bool middling = 0x1p-40 < m && m < 0x1p60 && magnitude(dz) >= 0x1p-60f;
+  const bool middling = 0x1p-40 < m && m < 0x1p40 && magnitude(dz) >= 0x1p-60f;
   s.error = middling ? converted<float>(m * (0x1p-20 * (1 + 0x1p-20))) : 0.0f;
   if (!middling) return;
   s.slope_x = d[s.x] / dz;
@@ -116,7 +117,7 @@ IRG_INLINE unsigned triangles_ahead(const float_shear& s, const At& at) noexcept
   const F bound = (size + all(s.error)) * all(4 * s.error);
   const F start = all(s.start), za = c.z[0] - start, zb = c.z[1] - start, zc = c.z[2] - start;
   const F ahead = (t.bc * za + t.ca * zb + t.ab * zc) * all(s.along);
-  const F ahead_bound = bound * (largest(za, zb, zc) * all(4.0f) + size);
+  const F ahead_bound = bound * (largest(za, zb, zc) * all(4.0f) + size) + all(0x1p-120f);
   const auto negative = low_of(t.ab, low_of(t.bc, t.ca)) < -bound;
   const auto positive = bound < high_of(t.ab, high_of(t.bc, t.ca));
   const auto passed = both(negative, positive | (ahead_bound < ahead)) | both(positive, ahead < -ahead_bound);
