@@ -60,6 +60,9 @@ TEST_CASE("compare: distances") {
   CHECK(compare_distance(P2{0, 0}, P2{3, 4}, P2{five, 0}) == 0);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CHECK_BOTH(compare_distance(P2{0, 0}, P2{infinity, 0}, P2{1, 0}) == 0);  // a broken precondition, and no harm
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  using F2 = irg::point<float, 2>;
+  CHECK_BOTH(compare_distance(F2{0, 0}, F2{infinite, 0}, F2{1, 0}) == 0);
 }
 
 TEST_CASE("compare: ahead of an eye, level with it, behind") {

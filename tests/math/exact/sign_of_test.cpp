@@ -37,6 +37,10 @@ TEST_CASE("sign_of: plain, tied, of all sizes, none") {
   CHECK_BOTH(irg::sign_of<2>(area, std::array<double, 8>{1e300, -1e300, 5e-324, 0, 1e-20, 0, 1, 0}) == -1);
   CHECK_BOTH(irg::sign_of<6>(deep, std::array<double, 6>{1e-300, 0, -1e-300, 5e-324, 0, -5e-324}) == -1);
   CHECK_BOTH(irg::sign_of<2>(area, std::array<double, 8>{infinite, 1, 3, 1, 1, 0, 1, 0}) == 0);
+  constexpr float infinite_float = std::numeric_limits<float>::infinity(), largest = std::numeric_limits<float>::max();
+  CHECK_BOTH(irg::sign_of<2>(area, std::array<float, 8>{infinite_float, 1, 3, 1, 1, 0, 1, 0}) == 0);
+  CHECK_BOTH(irg::sign_of<2>(area, std::array<float, 8>{3, 1, 3, 1, 1, 0, 1, -infinite_float}) == 0);
+  CHECK_BOTH(irg::sign_of<2>(area, std::array<float, 8>{largest, -largest, largest, 0, largest, -1, largest, 0}) == 1);
 }
 
 TEST_CASE("quotient_of: the nearest double, none where the divisor is zero") {

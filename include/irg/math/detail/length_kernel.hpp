@@ -5,6 +5,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>

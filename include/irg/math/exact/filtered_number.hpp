@@ -82,9 +82,10 @@ IRG_INLINE constexpr bool suits_filter(double x) noexcept {
 }
 template <int Degree>
 IRG_INLINE constexpr bool suits_filter(float x) noexcept {
-  const std::uint32_t size = std::bit_cast<std::uint32_t>(x) << 1, least_normal = std::uint32_t{1} << 24;
+  constexpr std::uint32_t least_normal = std::uint32_t{1} << 24, infinite = std::uint32_t{255} << 24;
+  const std::uint32_t size = std::bit_cast<std::uint32_t>(x) << 1;
   if constexpr (Degree <= 2)
-    return size - 1 >= least_normal - 1;
+    return (size - 1 >= least_normal - 1) & (size < infinite);
   else
     return size - 1 >= least_normal - 1 && suits_filter<Degree>(widened(x));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Unit vectors by the block, in loops that compilers turn into lanes: bit for bit what newell_sum of a triangle's edges
-// and try_normalize give one by one.
+// and try_normalize give one by one, but for the signs of zeros, which sums that begin at 0 do not keep.
 #pragma once
 
 #include <cstddef>
