@@ -171,6 +171,40 @@ TEST_CASE("bsp_scene_painter: one tree for all eyes, in windows, with an eye in 
   CHECK((d.near_depths + d.at_borders) * 500 < d.shown);
 }
 
+TEST_CASE("bsp_scene_painter: the same pictures of scenes that are hundreds of decades smaller or larger") {
+  const test::space_scene rods = test::three_rods();
+  const P target{0.5, -0.25, 0.125};
+  for (const bool parallel : {false, true})
+    for (const bool mirrored : {false, true})
+      for (const double size : {1.0, 0x1p-900, 0x1p-400, 0x1p400, 0x1p900}) {
+        const auto scaled = [size](const P& p) { return P{p.x * size, p.y * size, p.z * size}; };
+        const P eye = scaled({6, 1, 3});
+        test::space_scene s = rods;
+        for (P& p : s.vertices) p = scaled(p);
+        matrix project =
+            parallel ? irg::orthographic(irg::view_window<double>{-8 * size, 8 * size, -6 * size, 6 * size},
+                                         -100 * size, 100 * size)
+                     : irg::perspective(0.9, double{width} / height, 0.05 * size, 1e3 * size);
+        if (mirrored)
+          for (double& entry : project.m[0]) entry = -entry;
+        const view_of_space v{project * irg::look_at(eye, scaled(target), irg::vec<double, 3>{0.1, 0.2, 1}),
+                              irg::map_to_screen<double>(width, height)};
+        const auto faces = faces_of(s, v);
+        const irg::bsp_tree_3d<double> tree(s.vertices, s.triangles);
+        test::id_image ids(width, height, irg::no_face);
+        irg::draw_counts counts;
+        if (parallel)
+          irg::bsp_scene_painter<double>(tree, eye - scaled(target), v.to_clip, v.mapping)(faces, picture, ids, counts);
+        else
+          irg::bsp_scene_painter<double>(tree, eye, v.to_clip, v.mapping)(faces, picture, ids, counts);
+        difference d;
+        compare(faces, ids, d);
+        CHECK(d.shown > 100);
+        CHECK(d.wrong == 0);
+        CHECK((d.near_depths + d.at_borders) * 100 < d.shown);
+      }
+}
+
 TEST_CASE("bsp_scene_painter: in constant evaluation") {
   constexpr auto drawn = [] {
     // A floor that a wall cuts, seen from above by a matrix that keeps x and y.

@@ -163,9 +163,17 @@ TEST_CASE("horizon_curves: gaps, eyes that see nothing, in constant evaluation")
   for (const irg::edge_part& p : seen_of(c)) CHECK(std::isfinite(c.heights[p.edge] + c.heights[p.edge + 1]));
   const auto level = [](double, double) { return 0.0; };
   for (const irg::point<double, 3> eye :
-       {irg::point<double, 3>{0.5, 2, 0.5}, {0.5, nan, -1}, {inf, 0, 0}, {-1e300, 0, 1e300}, {0.1, 9, 0.9}})
+       {irg::point<double, 3>{0.5, 2, 0.5}, {0.5, nan, -1}, {inf, 0, 0}, {-inf, 0, 1}, {0.1, 9, 0.9}})
     CHECK(horizon_curves_from(level, v, eye).points.empty());
   CHECK(!horizon_curves_from(level, v, {0.9, 1, -0.01}).points.empty());  // a part of which is behind the eye
+  // From as far as doubles go what is seen is flat, but it is there.
+  for (const double far_off : {-1e150, -1e200, -0x1.fffffffffffffp1023})
+    for (const irg::point<double, 3>& eye :
+         {irg::point<double, 3>{far_off, 0, 0.5}, {0.5, 0, far_off}, {far_off, 0, far_off}}) {
+      const auto curves = horizon_curves_from(level, v, eye);
+      CHECK(curves.points.size() == horizon_curves_from(level, v, {-2, 0, -2}).points.size());
+      CHECK(std::abs(curves.points[0].x) <= 1e-100);
+    }
   CHECK_BOTH(horizon_curves_of([](double x, double z) { return x * z; }, horizon_view{4, 3, 0, 0, 2}).points.size() ==
              17);
   CHECK_BOTH(horizon_curves_from([](double x, double z) { return x * z; }, horizon_view{2, 3, 0, 0, 2}, {-1, 2, -1})

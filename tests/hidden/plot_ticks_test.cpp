@@ -63,4 +63,7 @@ TEST_CASE("axis_ticks: one number, no numbers, the ends of the doubles") {
   CHECK(irg::axis_ticks(0, least, 5).size() == 2);
   CHECK(irg::axis_ticks(1e15, 1e15 + 1, 5).size() == 2);  // too close to be told apart in a few digits
   CHECK(irg::axis_ticks(0, most, 5).size() >= 2);
+  CHECK(irg::axis_ticks(1e15, 1e15 + 40, 30).size() == 21);
+  CHECK(irg::axis_ticks(1e15, 1e15 + 40, 1000000).size() == 2);  // more than there are doubles
+  CHECK(irg::axis_ticks(-1e15 - 40, -1e15, 1000).size() == 2);
 }

@@ -291,6 +291,30 @@ TEST_CASE("affine: degenerate and hostile") {
     const V expected = normalized(transform_normal(rotation(V{1, 2, 3}, 2.0) * scaling(V{1, 2, -1}), V{1, 1, 0}));
     CHECK(distance(n, expected) <= 1e-15);
   }
+  // Where they cancel, and where entries of one matrix differ by hundreds of decades.
+  for (const V& size : {V{1e300, -1e-10, 1e-300}, V{1e-200, 1e-200, -1e200}, V{-1e200, 1e-200, 1e-200},
+                        V{5e-324, -5e-324, 5e-324}, V{1e150, 1e-150, -1e-300}}) {
+    CHECK(orientation_of(scaling(size)) == map_orientation::reversing);
+    const V n = normalized(transform_normal(scaling(size), V{0, size.y, size.z}));
+    CHECK(distance(n, V{0, std::sqrt(0.5), std::sqrt(0.5)}) <= 1e-15);
+  }
+  // Nearly flat: the sign is that of the entries as they are.
+  test::random r(6);
+  for (int i = 0; i < 200; ++i) {
+    mat<float, 4, 4> m = identity<float, 4>();
+    auto exact = identity<rational, 4>();
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) {
+        m(y, x) = static_cast<float>(3 * y + x + 1) * 0.1f + static_cast<float>(r.integer(-1, 1)) * 0x1p-23f;
+        exact(y, x) = rational::of(static_cast<double>(m(y, x)));
+      }
+    CHECK(orientation_of(m) == orientation_of(exact));
+  }
+  CHECK(orientation_of(scaling(V{1, inf, 1})) == map_orientation::singular);
+  mesh<double> body;
+  body.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  body.normals = {{0, 0, 1e300}, {0, 0, 1e-300}};
+  for (const V& n : transform_mesh(body, scaling(1e70)).normals) CHECK(n == V{0, 0, 1});
   CHECK(orientation_of(scaling(-1e-30f)) == map_orientation::reversing);
   CHECK(orientation_of(scaling(1e30f)) == map_orientation::preserving);
 }

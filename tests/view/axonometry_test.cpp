@@ -116,6 +116,19 @@ TEST_CASE("axonometry: impossible and degenerate input, in every life") {
   CHECK_BOTH(axonometry_by_ratios(1.0, 1, 0).to_viewer == V{0, 0, 1});  // seen from the front
   CHECK_BOTH(axonometry_by_ratios(1e300, 1e300, 1e300).kind == axonometry_kind::isometric);
   CHECK_BOTH(axonometry_by_ratios(1e300, 1e300, 1e300).to_viewer == irg::isometric<double>().to_viewer);
+  // Right on the border and beside it: the axis across is seen in its full length, or hardly more than that.
+  CHECK_BOTH(axonometry_by_ratios(3.0, 4, 5).to_viewer.z == 0);
+  for (int m = 2; m < 60; ++m)
+    for (int k = 1; k < m; ++k) {
+      const double a = m * m - k * k, b = 2 * m * k, c = m * m + k * k;
+      const auto seen = axonometry_by_ratios(a, b, c);
+      CHECK((seen.kind != axonometry_kind::impossible && seen.to_viewer.z == 0));
+      CHECK(axonometry_by_ratios(a, b, std::nextafter(c, inf)) == none);
+      // (a a + b b - d d) / (a a + b b + d d) with d = c - e: e (2 c - e) / (2 c c - e (2 c - e)).
+      const double e = 0x1p-30, part = e * (2 * c - e), z = std::sqrt(part / (2 * c * c - part));
+      CHECK(std::abs(axonometry_by_ratios(a, b, c - e).to_viewer.z - z) <= 0x1p-51 * z);
+    }
+  CHECK_BOTH(axonometry_by_ratios(1e-320, 1e300, 1e300).to_viewer == V{1, 0, 0});
   CHECK_BOTH(foreshortening(V{0, 0, 0}) == V{0, 0, 0});
   CHECK_BOTH(foreshortening(V{nan, 0, 1}) == V{0, 0, 0});
   CHECK_BOTH(foreshortening(V{0, 0, 5}) == V{1, 1, 0});

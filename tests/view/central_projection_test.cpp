@@ -94,7 +94,10 @@ TEST_CASE("central projection: bad distances and numbers, in every life") {
     CHECK(!project_central(D3{1, 1, 1}, 0, o));
     CHECK(!project_central(D3{1, 1, 1}, -1, o));
     CHECK(!project_central(D3{1, 1, 1}, nan, o));
+    CHECK(!project_central(D3{1, 1, 1}, inf, o));
     CHECK(!project_central(D3{1, 1, nan}, 1, o));
+    CHECK(!project_central(D3{nan, 1, 0.5}, 1, o));
+    CHECK(!project_central(D3{1, nan, 0.5}, 1, o));
   }
   constexpr auto at_compile_time = project_central(D3{0.1, 0.7, 0.3}, 1.3, plane);
   volatile double x = 0.1;

@@ -310,6 +310,15 @@ TEST_CASE("frustum: hostile input") {
   // Entries from one end of the range to the other.
   const auto tiny = frustum_of(right_angle * 0x1p-1000), huge = frustum_of(right_angle * 0x1p1000);
   for (int k = 0; k < 6; ++k) CHECK((tiny.planes[k] == f.planes[k] && huge.planes[k] == f.planes[k]));
+  // A far plane next to the largest number, and one beyond it when its normal has length 1.
+  for (const double z_near : {0.1, 1e306}) {
+    const auto deep = frustum_of(irg::perspective(1.0, 1.0, z_near, 1e308));
+    CHECK(std::abs(deep[frustum_plane::z_far].d / 1e308 - 1) <= 1e-12);
+    const auto ends = frustum_corners(deep);
+    CHECK((ends && std::abs(ends->at[7].z / -1e308 - 1) <= 1e-12));
+  }
+  const mat<double, 4, 4> beyond{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1e-300, 1e10}, {0, 0, -1, 0}}};
+  CHECK(frustum_of(beyond)[frustum_plane::z_far] == plane<double>{0, 0, 0, 0});
   constexpr auto at_compile_time = frustum_of(irg::perspective(0.7f, 1.5f, 0.1f, 10.0f));
   volatile float angle = 0.7f;
   CHECK(frustum_of(irg::perspective<float>(angle, 1.5f, 0.1f, 10.0f)) == at_compile_time);

@@ -164,6 +164,7 @@ TEST_CASE("plane_projection: singular and hostile cases, each one classified") {
   CHECK(status({3, 1, 0, -6}, {2, 0, 5, 1}) == eye_in_plane);
   CHECK(status({3, 1, 0, -6}, {1, -3, 5, 0}) == direction_parallel);
   CHECK(status(z0, {1e160, 0, 1e-150, 1}) == not_representable);
+  CHECK(status({0, 1, 1e-200, 0}, {0, 0, 1e-200, 1}) == not_representable);  // not in the plane
   CHECK(status(z0, {1, 1, 1e-300, 1}) == ordinary);
   CHECK(status({0, 0, 1e-320, 0}, {1, 1, 1, 1}) == ordinary);
   CHECK(status({0, 0, 1e308, 1e308}, {1, 1, 1e308, 1}) == ordinary);

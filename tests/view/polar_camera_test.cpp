@@ -131,6 +131,8 @@ TEST_CASE("polar_camera: coordinates there and back") {
   CHECK_BOTH(cartesian_to_polar(V{}) == polar{0, 0, 0});
   CHECK_BOTH(cartesian_to_polar(V{-0.0, -0.0, -0.0}) == polar{0, 0, 0});
   CHECK_BOTH(cartesian_to_polar(V{1e300, 0, 1e300}).azimuth == pi / 4);
+  CHECK_BOTH(cartesian_to_polar(V{1.5e308, 1.5e308, 1.5e308}) ==
+             polar{std::numeric_limits<double>::infinity(), pi / 4, cartesian_to_polar(V{1, 1, 1}).elevation});
   test::random r(1);
   double back = 0, forth = 0;
   for (int i = 0; i < 20000; ++i) {

@@ -269,6 +269,14 @@ TEST_CASE("projections: what is refused, and extreme ranges") {
   CHECK(status(1, 1, 1e-3, 1e9) == ordinary);
   CHECK(status(1, 1, 1e-320, 1e308) == ordinary);
   CHECK(status(1, 1, 1, std::nextafter(1.0, 2.0)) == ordinary);
+  // Windows of a few subnormal numbers, and entries next to the largest number.
+  constexpr double d = std::numeric_limits<double>::denorm_min();
+  const auto fine = irg::perspective_checked(irg::view_window<double>{0, 3 * d, -d, 4 * d}, 3 * d, 1, 2);
+  CHECK((fine.status == ordinary && fine.value(0, 0) == 2 && fine.value(0, 2) == 1));
+  CHECK((fine.value(1, 1) == 6.0 / 5 && fine.value(1, 2) == 3.0 / 5));
+  CHECK(irg::perspective_checked(irg::view_window<double>{-1e-308, 1e-308, -1, 1}, 1, 1, 2).value(0, 0) == 1e308);
+  CHECK(irg::perspective_checked(irg::view_window<double>{-1e-308, 1e-308, -1, 1}, 2, 1, 2).status ==
+        not_representable);
   // near 1e-3, far 1e9: both ends where they belong.
   const auto m = perspective(1.0, 1.0, 1e-3, 1e9);
   CHECK(near(projected(m, P{0, 0, -1e-3}), P{0, 0, 1}, 1e-15));

@@ -84,6 +84,27 @@ TEST_CASE("cover_by_guards: rings that touch, whichever way they run; a room in 
   }
 }
 
+TEST_CASE("cover_by_guards: rings may touch in a corner, but not cross there") {
+  const std::vector<place> through_wall{{0, -1}, {0, 3}, {1, 1}, {0, 0}, {-3, -1}, {0, -3}};
+  const std::vector<place> beside_wall{{0, -3}, {0, 3}, {-3, 1}, {0, 0}, {-3, -1}};  // two rooms
+  const std::vector<place> through_corner{{0, 0}, {3, 1}, {3, -1}, {0, 0}, {1, 3}, {4, 0}, {1, -3}};
+  const std::vector<place> beside_corner{{0, 0}, {3, -1}, {3, 1}, {0, 0}, {-1, 3}, {-1, -3}};
+  for (int flip = 0; flip < 2; ++flip) {
+    const auto status_of = [flip](std::vector<place> ring) {
+      if (flip == 1) std::reverse(ring.begin(), ring.end());
+      return guarded({ring}).status;
+    };
+    CHECK(status_of(through_wall) == guard_status::rings_cross);
+    CHECK(status_of(beside_wall) == guard_status::done);
+    CHECK(status_of(through_corner) == guard_status::rings_cross);
+    CHECK(status_of(beside_corner) == guard_status::done);
+  }
+  // Two rings through each other in two corners of one, on walls of the other.
+  CHECK(guarded({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 1}, {6, 2}, {4, 3}, {2, 2}}}).status ==
+        guard_status::rings_cross);
+  CHECK(guarded({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 1}, {6, 2}, {4, 3}, {5, 2}}}).status == guard_status::done);
+}
+
 // What lies behind a wall that a hole touches is not in the plan, though it sees the hole's corner.
 TEST_CASE("cover_by_guards: holes that touch each wall") {
   const plan p{{{0, 0}, {8, 0}, {8, 8}, {0, 8}},

@@ -217,4 +217,18 @@ TEST_CASE("sight in space: error bars hold the true share as often as they say")
   CHECK(all.low > 0.99);
 }
 
+TEST_CASE("sight in space: places are as evenly spread in squares of every size") {
+  const auto seen_at = [](double size) {
+    const auto at = [size](double x, double y, double z) { return place{x * size, y * size, z * size}; };
+    body m;
+    m.positions = {at(-0.5, -0.5, 0.25), at(0.5, -0.5, 0.25), at(0.5, 0.5, 0.25)};
+    add_face(m, std::array{0, 1, 2});
+    const region square{{at(-0.5, -0.5, 0), at(0.5, -0.5, 0), at(0.5, 0.5, 0), at(-0.5, 0.5, 0)}};
+    return irg::sample_sight(square, region{{at(0, 0, 0.5)}}, m, {2000, 7}).seen;
+  };
+  const auto seen = seen_at(1);
+  CHECK((900 < seen && seen < 1100));
+  for (const double size : {0x1p-1000, 0x1p-300, 0x1p300, 0x1p1000, 0x1p1023, 0x1.8p1023}) CHECK(seen_at(size) == seen);
+}
+
 }  // namespace

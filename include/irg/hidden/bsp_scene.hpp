@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/math/determinant_exact.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/image.hpp>
@@ -87,7 +88,7 @@ private:
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) m(i, k) = widened(to_clip(i, k));
     // (p, 1), (a, 1), (u, 0) and (v, 0) have the determinant (u x v) . (p - a), and to_clip multiplies it by its own.
-    const bool turned = determinant(m) < 0.0;
+    const bool turned = determinant_sign(m) < 0;
     const auto put = [&](const double(&a)[3], const double(&u)[3], const double(&v)[3]) {
       const detail::plane_on_screen p = detail::to_plane_on_screen(a, u, v, m, mapping);
       return turned ? detail::plane_on_screen{-p.right, -p.down, -p.depth, -p.rest} : p;

@@ -76,9 +76,9 @@ template <class Height>
   const auto over = [](double v) { return v > 0 && v < 1; };
   if (!(detail::is_finite(eye.x) && detail::is_finite(eye.y) && detail::is_finite(eye.z))) return {};
   if (over(eye.x) && over(eye.z)) return {};
-  const double ahead_x = 0.5 - eye.x, ahead_z = 0.5 - eye.z;
+  const double scale = magnitude(eye.x) < 0x1p500 && magnitude(eye.z) < 0x1p500 ? 1 : 0x1p-550;  // for the squares
+  const double ahead_x = (0.5 - eye.x) * scale, ahead_z = (0.5 - eye.z) * scale;
   const double size = sqrt(product(ahead_x, ahead_x) + product(ahead_z, ahead_z));
-  if (!detail::is_finite(size)) return {};
   const double x_ahead = ahead_x / size, z_ahead = ahead_z / size;
   const detail::turned_view t{detail::limited_view(view), 1, 1, 1, 0, 0};
   return detail::curve_points(height, t, {eye.x, eye.z}, [&](double x, double y, double z) {

@@ -38,7 +38,8 @@ inline namespace IRG_ABI {
 
 /// The z at which a plane is met above (x, y): (-D - A x - B y) / C.
 /// gives   nothing when C is 0: the plane is seen edge on
-/// exact   for rationals; in floats off by at most 5u (|D| + |A x| + |B y|) / |C|
+/// exact   for rationals; in floats, where no term leaves the range or is subnormal, off by at most
+///         5u (|D| + |A x| + |B y|) / |C|
 /// source  Hidden-surface slides, the z-buffer algorithm
 template <Plane P>
   requires Real<plane_scalar<P>>
@@ -54,8 +55,8 @@ template <Plane P>
 /// The z at which the ray from the eye (0, 0, d) through (x', y', 0) meets a plane:
 /// d (A x' + B y' + D) / (A x' + B y' - C d).
 /// gives   nothing when the ray is parallel to the plane or meets it at the eye or behind it, and when d is 0
-/// exact   for rationals; in floats numerator and denominator are each off by at most 4u times the sum of the absolute
-///         values of their terms
+/// exact   for rationals; in floats, where no term leaves the range or is subnormal, numerator and denominator are each
+///         off by at most 4u times the sum of the absolute values of their terms
 /// source  Hidden-surface slides; not linear in x'
 template <Plane P>
   requires Real<plane_scalar<P>>

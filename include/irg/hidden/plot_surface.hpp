@@ -12,8 +12,8 @@ inline namespace IRG_ABI {
 /// A grid surface as a labelled picture: what is seen of it, coloured by height, with axes, ticks and texts.
 /// shape   heights that are NaN or infinite are gaps: their edges and facets are left out
 /// needs   a width and height of 1 or more
-/// gives   nothing but the status for what is no grid, has no height at all, or has the eye on it, and for options that
-///         are not finite, with a distance or tallness that is not positive
+/// gives   nothing but the status for what is no grid, has no height at all, has the eye on it or beyond the largest
+///         number, and for options that are not finite, with a distance or tallness that is not positive
 /// exact   with perimeter and lines what is seen is decided exactly, for the eye that the options give, rounded; places
 ///         are rounded
 /// cost    that of the method: visible_grid_edges, visible_curves, or a list of all facets

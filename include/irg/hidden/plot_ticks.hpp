@@ -66,7 +66,8 @@ inline namespace IRG_ABI {
 /// `most` and one more fit in.
 /// needs   low <= high; most at least 1
 /// gives   one tick where they are equal; both ends where their difference overflows, is below 1e-300, or has less than
-///         two digits of theirs; none for NaN and infinities. Texts are the shortest that read as the values
+///         two digits of theirs, and where such steps are finer than doubles are there; none for NaN and infinities.
+///         Texts are the shortest that read as the values
 /// exact   values: the doubles nearest to the decimals
 template <class Tick = axis_tick>
 [[nodiscard]] constexpr std::vector<Tick> axis_ticks(double low, double high, int most) {
@@ -92,6 +93,11 @@ template <class Tick = axis_tick>
   for (int d : {2, 5, 10})
     if (step_of(digit, exponent) * most < span) digit = d;
   const double step = step_of(digit, exponent);
+  if (!(size / step < 0x1p52)) {
+    detail::add_tick(ticks, low);
+    detail::add_tick(ticks, high);
+    return ticks;
+  }
   for (auto k = static_cast<std::int64_t>(low / step) - 1;; ++k) {
     const double value = detail::decimal_value(k * digit, exponent);
     if (value > high) break;

@@ -24,7 +24,7 @@ struct surface_camera {
   double distance = 1;  // of the picture plane
 
   /// Where a point is seen, right and up in the picture plane.
-  /// gives   nothing for a point that is not before the eye, or too far aside for doubles
+  /// gives   nothing for a point that is not before the eye, or is seen 2^500 or more aside
   constexpr std::optional<point<double, 2>> operator()(const point<double, 3>& p) const noexcept {
     const vec<double, 3> d{p.x - eye.x, p.y - eye.y, p.z - eye.z};
     const double depth = along(d, forward);

@@ -3,6 +3,10 @@
 // product composes them; in `c * b * a` the transformation a comes first. Surface normals, orientation and meshes.
 #pragma once
 
+#include <cstddef>
+
+#include <irg/core/conversion.hpp>
+#include <irg/math/exact/sign_of.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/trigonometry.hpp>
@@ -98,19 +102,42 @@ template <class T>
 namespace detail {
 inline namespace IRG_ABI {
 
-// The linear part; in floats, where the products of three entries would leave the range, divided by its largest entry.
+// Whether products of two entries are far from the ends of the range.
 template <class T>
-constexpr mat<T, 3, 3> scaled_linear_part(const mat<T, 4, 4>& m) noexcept {
-  const mat<T, 3, 3> a = linear_part(m);
-  if constexpr (Floating<T>) {
-    constexpr T ordinary = std::same_as<T, float> ? T(0x1p30f) : T(0x1p250);
-    T largest = T(0);
-    for (const auto& row : a.m)
-      for (const T& entry : row) largest = greater(largest, entry_size(entry));
-    if (T(0) < largest && (largest < T(1) / ordinary || ordinary < largest))
-      return filled_mat<T, 3, 3>([&](int r, int c) { return a(r, c) / largest; });
-  }
-  return a;
+constexpr bool has_ordinary_entries(const mat<T, 3, 3>& a) noexcept {
+  constexpr T most = std::same_as<T, float> ? T(0x1p30f) : T(0x1p250);
+  for (const auto& row : a.m)
+    for (const T& entry : row)
+      if (entry != T(0) && !(T(1) / most <= entry_size(entry) && entry_size(entry) <= most)) return false;
+  return true;
+}
+
+// The cofactors; where one of their products is near an end of the range, times a power of two that brings the largest
+// of them near to 2^500, or 2^60 in floats.
+template <Floating T>
+constexpr mat<T, 3, 3> scaled_cofactors(const mat<T, 3, 3>& a) noexcept {
+  constexpr bool single = std::same_as<T, float>;
+  constexpr int aim = single ? 60 : 500, least = single ? -100 : -960, none = -10000;
+  struct pair {
+    double significand = 0;
+    int exponent = none;
+  };
+  const auto times = [&](int r, int c, int q, int d) -> pair {
+    const double x = widened(a(r % 3, c % 3)), y = widened(a(q % 3, d % 3));
+    if (x == 0 || y == 0) return {};
+    const scaled_number u = decompose(x), v = decompose(y);
+    return {product(u.significand, v.significand), u.exponent + v.exponent};
+  };
+  int largest = none, smallest = aim;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      for (const pair& p : {times(r + 1, c + 1, r + 2, c + 2), times(r + 1, c + 2, r + 2, c + 1)})
+        largest = greater(largest, p.exponent), smallest = p.exponent == none ? smallest : lesser(smallest, p.exponent);
+  if (least <= smallest && largest < aim) return cofactor_matrix(a);
+  return filled_mat<T, 3, 3>([&](int r, int c) {
+    const auto value = [&](const pair& p) { return times_power_of_two(p.significand, p.exponent - largest + aim); };
+    return converted<T>(value(times(r + 1, c + 1, r + 2, c + 2)) - value(times(r + 1, c + 2, r + 2, c + 1)));
+  });
 }
 
 }  // namespace IRG_ABI
@@ -119,25 +146,32 @@ constexpr mat<T, 3, 3> scaled_linear_part(const mat<T, 4, 4>& m) noexcept {
 inline namespace IRG_ABI {
 
 /// Whether an affine map keeps the sense of rotation, by the sign of its determinant.
-/// exact   in rationals; in floats right where the determinant is larger than 5u times the sum of the absolute values
-///         of its six products, which any composition of rotations and scalings by moderate factors is
+/// gives   singular where an entry is NaN or infinite
+/// exact   in rationals, and for all finite floats and doubles
 template <class T>
 [[nodiscard]] constexpr map_orientation orientation_of(const mat<T, 4, 4>& m) noexcept {
-  const T d = determinant(detail::scaled_linear_part(m));
-  return T(0) < d ? map_orientation::preserving : d < T(0) ? map_orientation::reversing : map_orientation::singular;
+  const mat<T, 3, 3> a = linear_part(m);
+  const auto row = [&](int r) { return vec<T, 3>{a(r, 0), a(r, 1), a(r, 2)}; };
+  return static_cast<map_orientation>(irg::sign_of<3>(
+      [](const auto& x, const auto& y, const auto& z) { return dot(x, cross(y, z)); }, row(0), row(1), row(2)));
 }
 
 /// The matrix that takes surface normals along with an affine map: the inverse transpose times a positive factor.
 /// Normals that point outward stay so, under mirror images too; renormalise what comes out.
 /// gives   for a map that flattens space onto a plane, normals of that plane (or 0); for one onto a line or point, 0
-/// exact   in rationals; in floats each entry is off by at most 2u times the sum of its two products' absolute values
+/// exact   in rationals; in floats each entry is off by at most 2u times the sum of its two products' absolute values,
+///         where these are not 450 decades (float: 36) below the largest of all
 /// source  irg's own: the cofactor matrix times the sign of the determinant; no division, so singular maps need no
 ///         exception
 template <class T>
 [[nodiscard]] constexpr mat<T, 3, 3> normal_matrix(const mat<T, 4, 4>& m) noexcept {
-  const mat<T, 3, 3> a = detail::scaled_linear_part(m);
-  const mat<T, 3, 3> cofactors = cofactor_matrix(a);
-  return determinant(a) < T(0) ? -cofactors : cofactors;
+  const mat<T, 3, 3> a = linear_part(m);
+  const auto cofactors = [&] {
+    if constexpr (Floating<T>)
+      if (!detail::has_ordinary_entries(a) && is_finite(a)) return detail::scaled_cofactors(a);
+    return cofactor_matrix(a);
+  }();
+  return orientation_of(m) == map_orientation::reversing ? -cofactors : cofactors;
 }
 
 /// The direction of a surface normal after an affine map, not of length 1. For many normals, keep normal_matrix(m).
@@ -155,7 +189,10 @@ template <Floating T>
 [[nodiscard]] constexpr mesh<T> transform_mesh(mesh<T> body, const mat<T, 4, 4>& m) {
   for (auto& p : body.positions) p = transform_point(m, p);
   const mat<T, 3, 3> normals = normal_matrix(m);
-  for (auto& n : body.normals) n = normalized(normals * n);
+  for (auto& n : body.normals) {
+    const auto s = detail::scaled(n);
+    n = normalized(normals * vec<T, 3>{converted<T>(s.c[0]), converted<T>(s.c[1]), converted<T>(s.c[2])});
+  }
   if (orientation_of(m) != map_orientation::reversing) return body;
   for (std::size_t f = 0; f < body.face_count(); ++f) {
     std::size_t first = body.face_starts[f] + 1, last = body.face_starts[f + 1];

@@ -8,7 +8,13 @@
 //          z _/ \_ x            trimetric   0.9 : 1 : 0.5     x at 5.18, z at 17.81 degrees
 #pragma once
 
+#include <array>
+#include <limits>
+#include <type_traits>
+
+#include <irg/math/exact/quotients_of.hpp>
 #include <irg/math/length.hpp>
+#include <irg/math/sqrt.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/view/look_at.hpp>
 
@@ -44,21 +50,25 @@ template <Floating T>
 /// The axonometry that draws lengths along x, y and z in given proportions, seen from x, y, z >= 0.
 /// gives   impossible, with the direction 0, 0, 1, unless the numbers are finite and none is negative, and the square
 ///         of none is larger than the sum of the squares of the other two
-/// exact   coordinates within 4u where the three are of ordinary size (1e-30 to 1e30)
+/// exact   which are impossible; coordinates within 1 ulp, for all finite floats and doubles
 /// source  irg's own: a direction (a, b, c) of length 1 shortens x by sqrt(1 - a^2), so that the squares of the three
 ///         factors add up to 2
 template <Floating T>
 [[nodiscard]] constexpr axonometry<T> axonometry_by_ratios(T x, std::type_identity_t<T> y,
                                                            std::type_identity_t<T> z) noexcept {
   const auto usable = [](T r) { return T(0) <= r && r <= (std::numeric_limits<T>::max)(); };
-  const T largest = greater(greater(x, y), z);
-  if (!usable(x) || !usable(y) || !usable(z) || !(T(0) < largest)) return {};
-  const auto square = [&](T r) { return product(r / largest, r / largest); };
-  const T xx = square(x), yy = square(y), zz = square(z), sum = xx + yy + zz;
-  const T a = yy + zz - xx, b = xx + zz - yy, c = xx + yy - zz;
+  if (!usable(x) || !usable(y) || !usable(z)) return {};
+  const auto squares = quotients_of<2>(
+      [](const auto& p, const auto& q, const auto& r) {
+        const auto pp = p * p, qq = q * q, rr = r * r;
+        return std::array{pp + qq + rr, qq + rr - pp, pp + rr - qq, pp + qq - rr};
+      },
+      x, y, z);
+  if (!squares) return {};
+  const auto& [a, b, c] = *squares;
   if (a < T(0) || b < T(0) || c < T(0)) return {};
   const int alike = (x == y ? 1 : 0) + (y == z ? 1 : 0) + (x == z ? 1 : 0);
-  return {{sqrt(a / sum), sqrt(b / sum), sqrt(c / sum)},
+  return {{sqrt(a), sqrt(b), sqrt(c)},
           alike == 3   ? axonometry_kind::isometric
           : alike == 1 ? axonometry_kind::dimetric
                        : axonometry_kind::trimetric};

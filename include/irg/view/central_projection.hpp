@@ -37,7 +37,7 @@ constexpr bool is_distance(const T& d) noexcept {
 inline namespace IRG_ABI {
 
 /// The picture of a point on a plane at a distance from the eye.
-/// gives   nothing for a point beside or behind the eye, for a distance that is not positive and for NaN
+/// gives   nothing for a point beside or behind the eye, for a distance that is not positive and finite, and for NaN
 /// exact   in rationals; in floats (x * d) / depth with each operation rounded once
 /// source  Hidden-surface slides; Hank n.d., 4.1.6.2
 template <Real T>
@@ -45,7 +45,7 @@ template <Real T>
                                                                    const std::type_identity_t<T>& distance,
                                                                    projection_origin origin) noexcept {
   const T depth = origin == projection_origin::eye ? p.z : distance - p.z;
-  if (!(T(0) < distance && T(0) < depth)) return std::nullopt;
+  if (!(detail::is_distance(distance) && T(0) < depth && p.x == p.x && p.y == p.y)) return std::nullopt;
   return point<T, 2>{product(p.x, distance) / depth, product(p.y, distance) / depth};
 }
 

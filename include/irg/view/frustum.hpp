@@ -59,7 +59,8 @@ inline namespace IRG_ABI {
 /// shape   in order: near, far, left, right, bottom, top; near is w - z >= 0 and far z >= 0 with reversed depth, the
 ///         other way round with the standard one; left is w + x >= 0, and so on. In floats normals have length 1, so
 ///         that a plane's value is the distance from it
-/// gives   for an infinite far plane 0, 0, 0, 1; for coefficients that are NaN or infinite 0, 0, 0, 0
+/// gives   for an infinite far plane 0, 0, 0, 1; for coefficients that are NaN or infinite, or become so with the
+///         normal's length, 0, 0, 0, 0
 /// exact   in rationals, where normals keep their length; in floats each coefficient within 3u of the sum of the
 ///         absolute values it is made of
 /// source  Gribb and Hartmann 2001

@@ -32,7 +32,7 @@ inline namespace IRG_ABI {
 /// projection along z then shows it obliquely; or why there is none. Depth z stays.
 /// shape   factor 0 moves nothing, a negative one moves the other way
 /// gives   bad_angle, bad_factor, bad_depth (plane_z) for numbers that are not finite, not_representable
-/// exact   entries within 2 ulp, the last column's within 3
+/// exact   entries within 2 ulp, the last column's within 3 unless the one of the same row is subnormal
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> oblique_shear_checked(
     const oblique_depth<T>& how) noexcept {

@@ -84,7 +84,7 @@ inline namespace IRG_ABI {
 /// R (cos b sin a, sin b, cos b cos a).
 /// units   radians
 /// gives   coordinates that are NaN or infinite where the angles or the distance are
-/// exact   each coordinate within 4.5 ulp
+/// exact   each coordinate within 4.5 ulp, where sines and cosines have no subnormal product
 template <Floating T>
 [[nodiscard]] constexpr vec<T, 3> polar_to_cartesian(const polar_coordinates<T>& p,
                                                      polar_axis axis = polar_axis::y_up) noexcept {
@@ -93,13 +93,17 @@ template <Floating T>
 
 /// The length, azimuth and elevation of a displacement: the inverse of polar_to_cartesian.
 /// units   radians, azimuth in [-pi, pi], elevation in [-pi/2, pi/2]
-/// gives   azimuth 0 on the pole's axis, 0 for all of the zero vector
+/// gives   azimuth 0 on the pole's axis, 0 for all of the zero vector; an infinite distance where it is beyond the
+///         largest number
 /// exact   distance within 0.501 ulp, angles within 2 ulp (elevation where the coordinates are not subnormal)
 template <Floating T>
 [[nodiscard]] constexpr polar_coordinates<T> cartesian_to_polar(const vec<T, 3>& v,
                                                                 polar_axis axis = polar_axis::y_up) noexcept {
+  constexpr T large = (std::numeric_limits<T>::max)() / 4;
   const vec<T, 3> d = detail::to_y_up(v, axis);
-  return {hypot(d.x, d.y, d.z), detail::angle_or_zero(d.x, d.z), detail::angle_or_zero(d.y, hypot(d.x, d.z))};
+  const bool halved = large < detail::magnitude(d.x) || large < detail::magnitude(d.z);
+  const T level = halved ? hypot(d.x / 2, d.z / 2) : hypot(d.x, d.z);
+  return {hypot(d.x, d.y, d.z), detail::angle_or_zero(d.x, d.z), detail::angle_or_zero(halved ? d.y / 2 : d.y, level)};
 }
 
 /// The frame of a camera about a target, from sines and cosines: with sin_cos_degrees, multiples of 30 degrees have no

@@ -44,8 +44,16 @@ constexpr checked<mat<T, 4, 4>, projection_status> refused(projection_status why
 // a/b, or infinity where that would overflow (which constant evaluation has no word for).
 template <class T>
 constexpr T quotient(T a, T b) noexcept {
-  const bool fits = T(1) <= magnitude(b) || magnitude(a) <= magnitude(b) * ((std::numeric_limits<T>::max)() / 2);
+  constexpr T most = (std::numeric_limits<T>::max)() * (T(1) - std::numeric_limits<T>::epsilon());
+  const bool fits = T(1) <= magnitude(b) || magnitude(a) <= magnitude(b) * most;
   return b != T(0) && fits ? a / b : infinity<T>;
+}
+
+// 2a/b, or infinity: a/(b/2), but among subnormal numbers a half is rounded.
+template <class T>
+constexpr T twice_quotient(T a, T b) noexcept {
+  const T q = quotient(a, b);
+  return magnitude(q) <= (std::numeric_limits<T>::max)() / 2 ? 2 * q : infinity<T>;
 }
 
 template <class T>
@@ -136,14 +144,13 @@ template <Floating T>
     return detail::refused<T>(projection_status::bad_window);
   if (!(T(0) < distance && distance <= largest)) return detail::refused<T>(projection_status::bad_distance);
   if (!(T(0) < z_near && z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
-  const T half_width = (window.right - window.left) / T(2), half_height = (window.top - window.bottom) / T(2);
+  const T width = window.right - window.left, height = window.top - window.bottom;
   const auto z = detail::depth_of_perspective(z_near, z_far, depth);
-  return detail::unless_infinite(mat<T, 4, 4>{{{detail::quotient(distance, half_width), 0,
-                                                detail::quotient((window.left + window.right) / T(2), half_width), 0},
-                                               {0, detail::quotient(distance, half_height),
-                                                detail::quotient((window.bottom + window.top) / T(2), half_height), 0},
-                                               {0, 0, z.scale, z.offset},
-                                               {0, 0, -1, 0}}});
+  return detail::unless_infinite(
+      mat<T, 4, 4>{{{detail::twice_quotient(distance, width), 0, detail::quotient(window.left + window.right, width), 0},
+                    {0, detail::twice_quotient(distance, height), detail::quotient(window.bottom + window.top, height), 0},
+                    {0, 0, z.scale, z.offset},
+                    {0, 0, -1, 0}}});
 }
 
 /// The central projection of a window; see perspective_checked.

@@ -96,7 +96,7 @@ template <Real T>
 
 /// The six planes of the pyramid in camera space, normals inward: those of the sides through the eye and two corners of
 /// the screen, so that their normals are as long as the parallelogram of the two rays.
-/// exact   in integers and rationals
+/// exact   in rationals; in integers for an even width and height
 /// source  Hank n.d., 4.1.5.2: a plane from three points each
 template <Scalar T>
 [[nodiscard]] constexpr frustum<T> pyramid_planes(const view_pyramid<T>& p,

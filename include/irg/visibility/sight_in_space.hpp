@@ -73,7 +73,8 @@ template <Floating T>
 /// or none any. Nothing where that is not known.
 /// shape   faces as for see. Regions may touch and overlap; they stop no sight
 /// needs   finite coordinates; a region with a corner at least
-/// gives   `all` whenever it is so but for faces in one plane with both regions; `some` when one of 64 random lines
+/// gives   `all` whenever it is so but for faces in one plane with both regions, single lines along the border of all
+///         between them not counted: those faces beside a region touch; `some` when one of 64 random lines
 ///         between places in the regions is free; `none` when a single face parts the regions and every line between
 ///         corners meets it. What several faces hide together is not known. A face that has a flat region in its plane
 ///         does not hide it, so that regions may be faces of the mesh

@@ -2,6 +2,7 @@
 // Planes of space on the screen, for bsp_scene_painter.
 #pragma once
 
+#include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/raster/screen_mapping.hpp>
 
@@ -25,15 +26,18 @@ inline namespace IRG_ABI {
 template <class T>
 constexpr plane_on_screen to_plane_on_screen(const double (&a)[3], const double (&u)[3], const double (&v)[3],
                                              const mat<double, 4, 4>& to_clip, const screen_mapping<T>& mapping) {
-  double p[4], q[4], r[4];
+  vec<double, 4> at, along, across;
   for (int i = 0; i < 4; ++i) {
     const auto moved = [&](const double(&w)[3]) {
       return product(to_clip(i, 0), w[0]) + product(to_clip(i, 1), w[1]) + product(to_clip(i, 2), w[2]);
     };
-    p[i] = moved(a) + to_clip(i, 3);
-    q[i] = moved(u);
-    r[i] = moved(v);
+    at[i] = moved(a) + to_clip(i, 3);
+    along[i] = moved(u);
+    across[i] = moved(v);
   }
+  // Their sizes are free, and products of three must stay within the range.
+  const auto ordinary_at = scaled(at), ordinary_along = scaled(along), ordinary_across = scaled(across);
+  const auto &p = ordinary_at.c, &q = ordinary_along.c, &r = ordinary_across.c;
   // What is perpendicular to all three.
   double k[4];
   for (int i = 0; i < 4; ++i) {

@@ -30,7 +30,8 @@ inline namespace IRG_ABI {
 template <class Scale>
 constexpr point<double, 3> boxed(const Scale& s, const point<double, 3>& p) noexcept {
   const auto share = [](double v, double low, double high) {
-    return high > low ? (v / 2 - low / 2) / (high / 2 - low / 2) : 0.5;
+    const double half = high / 2 - low / 2;
+    return half > 0 ? (v / 2 - low / 2) / half : 0.5;
   };
   return {share(p.x, s.data.low.x, s.data.high.x), share(p.y, s.data.low.y, s.data.high.y) * s.tallness,
           share(p.z, s.data.low.z, s.data.high.z)};

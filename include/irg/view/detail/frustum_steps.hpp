@@ -25,8 +25,8 @@ IRG_INLINE constexpr T coefficient_of(const plane<T>& p, int i) noexcept {
 template <class T>
 constexpr void normalise_frustum_plane(plane<T>& p, plane<T>& weight) noexcept {
   const T length_of_normal = length(normal_of(p));
-  if (T(0) < length_of_normal && is_finite(length_of_normal) && is_finite(p.d)) {
-    const auto over = [&](T x) { return quotient(x, length_of_normal); };
+  const auto over = [&](T x) { return quotient(x, length_of_normal); };
+  if (T(0) < length_of_normal && is_finite(length_of_normal) && is_finite(p.d) && is_finite(over(p.d))) {
     p = {over(p.a), over(p.b), over(p.c), over(p.d)};
     weight = {over(weight.a), over(weight.b), over(weight.c), over(weight.d)};
   } else {

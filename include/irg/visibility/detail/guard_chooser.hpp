@@ -30,6 +30,10 @@ public:
     out.status = read(rings);
     if (out.status != guard_status::done || corners_.empty()) return out;
     note_neighbours();
+    if (cross_in_corners()) {
+      out.status = guard_status::rings_cross;
+      return out;
+    }
     cut();
     find_parts();
     choose(out);
@@ -140,6 +144,23 @@ private:
         if (!(w.a == c.at) && !(w.b == c.at) && orient2d(w.a, w.b, c.at) == 0 && lies_within(w.a, w.b, c.at))
           c.touched.push_back(w);
     }
+  }
+
+  // Whether the direction from the corner to p lies to the left of the way in and out.
+  static constexpr bool is_on_left(const corner& c, const point<T, 2>& p) noexcept {
+    const bool left_of_in = orient2d(c.before, c.at, p) > 0, left_of_out = orient2d(c.at, c.after, p) > 0;
+    return is_reflex(c) ? left_of_in || left_of_out : left_of_in && left_of_out;
+  }
+  // Whether two ways through one corner lead over each other. Walls that meet elsewhere than in corners do not cross,
+  // and none run along each other.
+  constexpr bool cross_in_corners() const noexcept {
+    for (const corner& c : corners_) {
+      for (const std::uint32_t i : c.here)
+        if (is_on_left(c, corners_[i].before) != is_on_left(c, corners_[i].after)) return true;
+      for (const auto& w : c.touched)
+        if (is_on_left(c, w.a) != is_on_left(c, w.b)) return true;
+    }
+    return false;
   }
 
   // Whether the way to a place leaves the corner into the plan.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -218,35 +219,60 @@ struct place_chooser {
     if (s + t > 1) s = 1 - s, t = 1 - t;
     for (int i = 0; i < 3; ++i) {
       const T along = between(origin[i], corners[k][i], s);
-      out[i] = n == 2 ? along : along + (between(origin[i], corners[k + 1][i], t) - origin[i]);
+      out[i] = n == 2 ? along : plus(along, between(origin[i], corners[k + 1][i], t), origin[i]);
     }
     return out;
   }
 
 private:
+  // Whether sums and differences of coordinates may overflow.
+  template <Floating T>
+  static constexpr bool is_huge(T v) noexcept {
+    constexpr T most = (std::numeric_limits<T>::max)() / 4;
+    return v < -most || most < v;
+  }
   // a + t (b - a), not beyond the two.
   template <Floating T>
   static constexpr T between(T a, T b, double t) noexcept {
+    if (is_huge(a) || is_huge(b)) return 4 * between(a / 4, b / 4, t);
     const T v = a + product(converted<T>(t), b - a);
     const T low = a < b ? a : b, high = a < b ? b : a;
     return v < low ? low : high < v ? high : v;
   }
 
+  // a + (b - from), which numbers can hold but for the rounding.
+  template <Floating T>
+  static constexpr T plus(T a, T b, T from) noexcept {
+    if (!is_huge(a) && !is_huge(b) && !is_huge(from)) return a + (b - from);
+    constexpr T most = (std::numeric_limits<T>::max)() / 4;
+    const T v = a / 4 + (b / 4 - from / 4);
+    return 4 * (v < -most ? -most : most < v ? most : v);
+  }
+
   // One of the triangles from the first corner, as likely as it is large: its second corner.
   template <Floating T>
   constexpr std::size_t triangle_of(std::span<const point<T, 3>> corners) noexcept {
+    double size = 0;
+    for (const auto& p : corners)
+      for (int i = 0; i < 3; ++i) size = greater(size, magnitude(half_way(corners[0], p, i)));
+    // Areas are products of four ways, which have to be near 1 for that.
+    const double scale = size > 0 ? power_of_two(lesser(1023, -exponent_of(size))) : 1;
     double whole = 0;
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) whole += area(corners, k);
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) whole += area(corners, k, scale);
     double rest = whole * unit();
     for (std::size_t k = 1; k + 2 < corners.size(); ++k) {
-      rest -= area(corners, k);
+      rest -= area(corners, k, scale);
       if (rest < 0) return k;
     }
     return corners.size() - 2;
   }
   template <Floating T>
-  static constexpr double area(std::span<const point<T, 3>> corners, std::size_t k) noexcept {
-    const auto way = [&](std::size_t i, int axis) { return widened(corners[i][axis]) - widened(corners[0][axis]); };
+  static constexpr double half_way(const point<T, 3>& from, const point<T, 3>& to, int axis) noexcept {
+    return widened(to[axis]) / 2 - widened(from[axis]) / 2;
+  }
+  template <Floating T>
+  static constexpr double area(std::span<const point<T, 3>> corners, std::size_t k, double scale) noexcept {
+    const auto way = [&](std::size_t i, int axis) { return half_way(corners[0], corners[i], axis) * scale; };
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
       const int u = (i + 1) % 3, v = (i + 2) % 3;
