@@ -200,7 +200,7 @@ TEST_CASE("channels that no pixel needs are left out, and one pixel brings them 
 
 TEST_CASE("each filter is found where it is best, and undone") {
   constexpr int n = 32;
-  test::random random(5);
+  test::random random(5, test::in_every_round{});
   const auto noise = [&] { return static_cast<std::uint8_t>(random.next()); };
   image<std::uint8_t> p(n, 5 * 2);
   const auto row = [&](int y, auto f) {

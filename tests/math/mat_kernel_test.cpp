@@ -95,7 +95,7 @@ int differences(int rounds, bool hostile) {
 
 template <class T>
 constexpr auto computed(std::uint64_t seed) {
-  test::random r(seed);
+  test::random r(seed, test::in_every_round{});
   const auto a = matrix<T>(r), b = matrix<T>(r);
   const vec<T, 4> v{number<T>(r, false), number<T>(r, false), number<T>(r, false), number<T>(r, false)};
   struct {

@@ -377,7 +377,7 @@ TEST_CASE("fill_convex_aa: any pixel type, and a function called once for each p
 }
 
 constexpr std::uint64_t hash_of(int rounds) {
-  test::random r(8);
+  test::random r(8, test::in_every_round{});
   std::uint64_t h = 1;
   for (int i = 0; i < rounds; ++i) {
     subpixel t[3];

@@ -290,7 +290,7 @@ TEST_CASE("fill_polygon_aa: any pixel type, a function once for each pixel, and 
 }
 
 constexpr std::uint64_t hash_of(int rounds) {
-  test::random r(8);
+  test::random r(8, test::in_every_round{});
   std::uint64_t h = 1;
   for (int i = 0; i < rounds; ++i) {
     ring q;

@@ -201,7 +201,7 @@ TEST_CASE("line_thick: strokes side by side and end to end share no pixel and le
 }
 
 TEST_CASE("line_thick: as many pixels as length times width; mirrored lines are mirrored") {
-  test::random r(63);
+  test::random r(63, test::in_every_round{});
   const cell_window w{-1100, -1100, 1100, 1100};
   for (int i = 0; i < 100; ++i) {
     const double angle = r.unit();

@@ -15,12 +15,17 @@ inline std::uint64_t seed_of_round() {
   return round == nullptr ? 0 : (std::strtoull(round, nullptr, 10) - 1) * 0xd1342543de82ef95u;
 }
 
+/// Marks input that is the same in every round of a soak: what constant evaluation made too, or what a share was
+/// measured on.
+struct in_every_round {};
+
 /// SplitMix64 (Steele, Lea, Flood 2014).
 struct random {
   std::uint64_t state;
   constexpr explicit random(std::uint64_t seed) : state(seed) {
     if (!std::is_constant_evaluated()) state += seed_of_round();
   }
+  constexpr random(std::uint64_t seed, in_every_round) : state(seed) {}
   constexpr std::uint64_t next() {
     std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
