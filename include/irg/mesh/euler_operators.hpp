@@ -203,7 +203,7 @@ constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t 
   return ring;
 }
 
-/// Undoes kill_edge_make_ring (mekr): an edge from the vertex that `from` leaves to the one that `to` leaves, of
+/// Undoes kill_edge_make_ring where it has left no lone vertex (mekr): an edge from the vertex that `from` leaves to the one that `to` leaves, of
 /// another loop of the same face, which becomes part of the loop of `from`.
 /// gives   the new half-edge, of which `to` comes next; none, and b as it was, when the two are of one loop or of two
 ///         faces
