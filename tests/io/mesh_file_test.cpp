@@ -45,6 +45,8 @@ std::vector<std::string> files_of(const irg::mesh<float>& m) {
 TEST_CASE("mesh files: the format is known by the content, at compile time, too") {
   CHECK_BOTH(mesh_format_of("ply\nformat ascii 1.0\n") == mesh_format::ply);
   CHECK_BOTH(mesh_format_of("ply\r") == mesh_format::ply);
+  CHECK_BOTH(mesh_format_of("ply \t\nformat ascii 1.0\n") == mesh_format::ply);  // as read_ply takes it
+  CHECK_BOTH(mesh_format_of("ply") == mesh_format::ply);
   CHECK_BOTH(mesh_format_of("# by hand\n\n STCNOFF 1 0 0") == mesh_format::off);
   CHECK_BOTH(mesh_format_of("\xEF\xBB\xBFOFF3 1 0") == mesh_format::off);
   CHECK_BOTH(mesh_format_of(" Solid x\n") == mesh_format::stl);

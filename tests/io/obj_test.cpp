@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include <irg/core/threads.hpp>
@@ -407,6 +408,8 @@ TEST_CASE("obj: objects, groups and materials by name; no file is opened") {
   CHECK(outcome(repeated).find(" long names are repeated over too many parts") != std::string::npos);
   CHECK(outcome(std::string_view(repeated).substr(0, before + 12 * 12)).empty());
   static_assert(read_obj("v 0 0 0\ng a\\\nb\nf 1 1 1")->parts[0].group == "a b");
+  // 16 times a text of 256 MiB is more than 32 bits hold: not for an address to count.
+  static_assert(std::is_same_v<decltype(irg::detail::obj_reader<double>::name_budget), std::uint64_t>);
 }
 
 TEST_CASE("obj: blanks") {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/memory_in_use.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 
@@ -67,4 +68,16 @@ TEST_CASE("read_terrain: torn and changed files end with an error or a grid") {
     else
       CHECK(g.error().line >= 1);
   }
+}
+
+TEST_CASE("read_terrain: memory is bounded by the file, whatever its counts claim") {
+  for (const std::string shape : {"ncols 1 nrows 500000", "ncols 1 nrows 999000", "ncols 999000 nrows 1", "ncols 700 nrows 700"}) {
+    std::string text = shape + " cellsize 1\n";
+    text.resize(1'000'000, ' ');
+    test::bytes_most = test::bytes_now;
+    const std::size_t before = test::bytes_now;
+    CHECK(!irg::read_terrain(text));
+    CHECK(test::bytes_most - before <= 8 * text.size() + (std::size_t{1} << 20));
+  }
+  CHECK(place_of("ncols 1 nrows 400000 cellsize 1\n1") == "2:1 the file is too short for so many heights");
 }

@@ -82,6 +82,7 @@ TEST_CASE("fit: classified") {
 
 TEST_CASE("fit: ends of the range") {
   CHECK_BOTH(fitted_points({{-0x1p1023, 0, 0}, {0x1p1023, 0, 0}}) == points({{-1, 0, 0}, {1, 0, 0}}));
+  CHECK_BOTH(fitted_points({{0x1p53, 0, 0}, {0x1p53 + 2, 0, 0}}) == points({{0, 0, 0}, {2, 0, 0}}));  // no middle
   CHECK_BOTH(fitted_points({{0, 0, 0}, {0x1p-1021, 0, 0}}) == points({{-1, 0, 0}, {1, 0, 0}}));
   CHECK_BOTH(status({{-largest, 0, 0}, {largest, largest, 0}}) == fit_status::fitted);
   CHECK_BOTH(status({{0, 0, 0}, {5e-324, 0, 0}}) == fit_status::all_sizes_zero);

@@ -96,3 +96,19 @@ TEST_CASE("shells_of: faces of two bodies, and of a face with a ring") {
   CHECK(irg::shells_of(b).count == 2);
   CHECK(irg::counts_of(b) == irg::half_edge_counts{9, 12, 7, 0, 2, 0, 0});
 }
+
+TEST_CASE("from_half_edges: as many parts as faces take linear time; faces of no part come last") {
+  irg::mesh<double> m = irg::shape_grid<double>({400, 250});
+  for (std::size_t f = 0; f < m.face_count(); ++f)
+    m.parts.push_back({f % 2 == 0 ? "even" : "odd", {}, {}, f, 1});
+  auto b = irg::to_half_edges(m).value;
+  CHECK(irg::from_half_edges(b) == m);
+  std::swap(b.face_parts[0], b.face_parts[2]);
+  b.face_parts[1] = irg::half_edge::none;
+  const auto turned = irg::from_half_edges(b);
+  CHECK(turned.corners[0] == m.corners[6]);
+  CHECK(turned.parts.size() == m.parts.size() + 1);
+  CHECK(turned.parts[1].face_count == 0);
+  CHECK(turned.parts.back().face_count == 1);
+  CHECK(turned.corners.back() == m.corners[5]);
+}

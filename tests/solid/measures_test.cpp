@@ -79,6 +79,29 @@ TEST_CASE("measures: nothing, a sheet, positions that are not finite") {
   CHECK(irg::surface_area(sheet) == 0);
 }
 
+TEST_CASE("measures: the same bits at every size, down to the least normal number") {
+  test::random random(52);
+  for (int i = 0; i < 300; ++i) {
+    solid_mesh m;
+    for (int k = 0; k < 4; ++k) m.positions.push_back({random.unit(), random.unit(), random.unit()});
+    for (const auto& f : {std::array<std::size_t, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) irg::add_face(m, f);
+    const double volume = irg::solid_volume(m);
+    solid_mesh small = m, least = m;
+    const int cubed = -1022 - std::ilogb(volume), a = cubed / 3, b = (cubed - a) / 2, c = cubed - a - b;
+    for (auto& p : small.positions) p = {std::ldexp(p.x, a), std::ldexp(p.y, b), std::ldexp(p.z, c)};
+    CHECK(irg::solid_volume(small) == std::ldexp(volume, cubed));
+    // Whole numbers of the least one.
+    for (auto& p : least.positions)
+      for (int j = 0; j < 3; ++j) p[j] = std::floor(p[j] * 0x1p20);
+    const auto whole = irg::centre_of_mass(least);
+    for (auto& p : least.positions)
+      for (int j = 0; j < 3; ++j) p[j] *= 0x1p-1074;
+    const auto denormal = irg::centre_of_mass(least);
+    REQUIRE((whole && denormal));
+    for (int j = 0; j < 3; ++j) CHECK(std::fabs(std::ldexp((*denormal)[j], 1074) - (*whole)[j]) < 1);
+  }
+}
+
 #ifdef IRG_HAVE_MPFR
 using rational = test::big_rational;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/solid/orient_outward.hpp>
 
+#include <array>
 #include <initializer_list>
 
 #include <irg/mesh/shapes.hpp>
@@ -60,4 +61,79 @@ TEST_CASE("orient_outward: shells in shells, faces turned at random") {
     const double centre_is_inside = depth % 2;
     CHECK((irg::point_in_solid(m, {0, 0, 0}) == irg::location::inside) == (centre_is_inside != 0));
   }
+}
+
+TEST_CASE("orient_outward: bodies whose volume is too small or too large for a number") {
+  for (const double scale : {0x1p-1074, 0x1p-400, 0x1p400, 0x1p1023}) {
+    body m;
+    append(m, irg::shape_cube<double>(), scale);
+    const body before = m;
+    for (std::size_t f = 0; f < m.face_count(); ++f) irg::turn_face(m, f);
+    CHECK(irg::orient_outward(m) == irg::outward_status::done);
+    CHECK(m == before);
+  }
+}
+
+TEST_CASE("orient_outward: cavities that touch the shell round them, with a corner or with all") {
+  const auto turned_at_random = [](const body& m, std::uint64_t seed) {
+    body t = m;
+    test::random r(seed);
+    for (std::size_t f = 0; f < t.face_count(); ++f)
+      if (r.integer(0, 1) == 1) irg::turn_face(t, f);
+    return t;
+  };
+  const auto cube_from = [](double low, double size) {
+    body m;
+    append(m, irg::shape_cube<double>(), size);
+    for (auto& p : m.positions) p = {p.x + low, p.y + low, p.z + low};
+    return m;
+  };
+  body tip;  // its first corner is on a side of the cube
+  tip.positions = {{0, 2, 2}, {2, 1, 1}, {2, 3, 1}, {2, 2, 3}};
+  for (const auto& f : {std::array{0, 1, 2}, std::array{0, 2, 3}, std::array{0, 3, 1}, std::array{1, 3, 2}})
+    irg::add_face(tip, f);
+  body in_cube;
+  append(in_cube, tip, 1);
+  append(in_cube, cube_from(0, 4), 1);
+  body inscribed;  // all corners of the octahedron are on sides of the cube, all of the tetrahedron on its corners
+  append(inscribed, irg::shape_octahedron<double>(), 1);
+  append(inscribed, cube_from(-1, 2), 1);
+  body in_corners;
+  append(in_corners, cube_from(0, 1), 1);
+  body tetrahedron;
+  tetrahedron.positions = {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const auto& f : {std::array{0, 1, 2}, std::array{0, 2, 3}, std::array{0, 3, 1}, std::array{1, 3, 2}})
+    irg::add_face(tetrahedron, f);
+  append(in_corners, tetrahedron, 1);
+  body beside = cube_from(0, 1);  // with a side in common
+  append(beside, cube_from(0, 1), 1);
+  for (std::size_t v = 8; v < 16; ++v) beside.positions[v].x += 1;
+  body twice = cube_from(0, 1);
+  append(twice, cube_from(0, 1), 1);
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const auto volume = [&](const body& m) {
+      body t = turned_at_random(m, seed);
+      CHECK(irg::orient_outward(t) == irg::outward_status::done);
+      return irg::solid_volume(t);
+    };
+    CHECK(volume(in_cube) == doctest::Approx(64 - 4 / 3.0));
+    CHECK(volume(inscribed) == doctest::Approx(8 - 4 / 3.0));
+    CHECK(volume(in_corners) == doctest::Approx(1 - 1 / 3.0));
+    CHECK(volume(beside) == 2);
+    CHECK(volume(twice) == 2);
+  }
+}
+
+TEST_CASE("orient_outward: thousands of shells side by side, a shell in each") {
+  body m;
+  const int count = 3000;
+  for (int i = 0; i < count; ++i)
+    for (const double size : {1.0, 0.5}) {
+      const std::size_t first = m.positions.size();
+      append(m, irg::shape_tetrahedron<double>(), size);
+      for (std::size_t v = first; v < m.positions.size(); ++v) m.positions[v].x += 4.0 * i;
+    }
+  CHECK(irg::orient_outward(m) == irg::outward_status::done);
+  CHECK(irg::solid_volume(m) ==
+        doctest::Approx(count * 0.875 * irg::solid_volume(irg::shape_tetrahedron<double>())).epsilon(1e-9));
 }

@@ -28,7 +28,7 @@ TEST_CASE("winding_number_rounded: whole numbers for closed bodies, the share of
   }
   CHECK(worst < 1e-12);
   // One of six equal faces, seen from the middle, at sizes to the ends of the range.
-  for (const double size : {1.0, 0x1p1000, 0x1p-1000}) {
+  for (const double size : {1.0, 0x1p1000, 0x1p-1000, 0x1p1022, 0x1p-1074}) {
     solid_mesh face;
     face.positions = {{size, size, size}, {-size, size, size}, {-size, -size, size}, {size, -size, size}};
     irg::add_face(face, std::array<std::size_t, 4>{0, 1, 2, 3});

@@ -36,7 +36,7 @@ inline namespace IRG_ABI {
 [[nodiscard]] constexpr mesh_format mesh_format_of(std::string_view bytes) noexcept {
   if (detail::has_length_of_binary_stl(bytes)) return mesh_format::stl;
   bytes = detail::without_byte_order_mark(bytes);
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return mesh_format::ply;
+  if (detail::text_cursor(bytes, '\0').word() == "ply") return mesh_format::ply;
   detail::text_cursor text(bytes, '#');
   if (text.skip_space() && *text.at == '<') return mesh_format::body_xml;
   const detail::off_header off = detail::off_header_of(bytes.substr(static_cast<std::size_t>(text.at - bytes.data())));

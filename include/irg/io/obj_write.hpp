@@ -19,8 +19,8 @@ inline namespace IRG_ABI {
 /// The bytes of an OBJ text that describes the mesh.
 /// gives   an error when the mesh does not pass validate()
 /// exact   read_obj<T> of the bytes gives the same mesh again: every position, normal and texture coordinate, used or
-///         not, every face and every part, if neighbouring parts differ in a name, a single part has one, and names
-///         have no line breaks (which become blanks) and no blanks at their ends
+///         not, every face and every part, if all parts have faces, neighbouring ones differ in a name, a single part
+///         has one, and names have no line breaks and bytes 0 (which become blanks) and no blanks at their ends
 /// cost    linear
 /// source  Wavefront
 template <Floating T>

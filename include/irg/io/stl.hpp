@@ -133,11 +133,13 @@ constexpr std::optional<encode_error> write_binary_stl(Bytes& out, const mesh<T>
 inline namespace IRG_ABI {
 
 /// The bytes of an STL file that describes the mesh; polygons become triangles (triangulate).
-/// gives   an error when the mesh does not pass validate(), when there are 2^32 triangles or more, and for binary files
-///         when a position is beyond the range of float. Little endian is STL's only binary order, big is refused
+/// gives   an error when the mesh does not pass validate(), when there are more than 1,431,655,765 triangles, and for
+///         binary files when a position is beyond the range of float. Little endian is STL's only binary order, big is
+///         refused
 /// exact   read_stl of the ASCII bytes gives the same mesh again, if positions are distinct and stand in the order of
-///         their first use, and all parts have names without line breaks; of the binary bytes, if T is float and
-///         there are no parts. Normals are written for other readers: zero where a triangle has none
+///         their first use, and all parts have faces and an object's name alone, without line breaks and without blanks
+///         at its ends; of the binary bytes, if T is float and there are no parts. Normals are written for other
+///         readers: zero where a triangle has none
 /// cost    linear, after triangulate
 /// source  StereoLithography
 template <Floating T>

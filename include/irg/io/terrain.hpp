@@ -34,13 +34,15 @@ template <class Grid = height_grid>
   if (!detail::read_terrain_head(cursor, head)) return failed();
   const auto columns = static_cast<std::size_t>(head.columns), rows = static_cast<std::size_t>(head.rows);
   Grid g;
-  if (columns * rows > text.size()) {
+  if (columns * rows > text.size() / 2) {  // each height takes a digit and a blank, the head more than the last blank
     cursor.fail(cursor.at, "the file is too short for so many heights");
     return failed();
   }
   const auto place = [&](double first, bool is_border, std::size_t k) {
     return product(static_cast<double>(k) + (is_border ? 0.5 : 0), head.cell) + first;
   };
+  g.x.reserve(columns);
+  g.z.reserve(rows);
   for (std::size_t i = 0; i < columns; ++i) g.x.push_back(place(head.left, head.left_is_border, i));
   for (std::size_t j = 0; j < rows; ++j) g.z.push_back(place(head.bottom, head.bottom_is_border, j));
   g.heights.resize(columns * rows, 0.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Euler operators: the steps by which a boundary representation is built and changed. Each keeps vertices - edges +
-// faces - rings = 2 (shells - genus), and each has one that undoes it. What an operator cannot do it refuses, and
-// changes nothing.
+// faces - rings = 2 (shells - genus), and each has one that undoes it, but for rings that are lone vertices. What an
+// operator cannot do it refuses, and changes nothing.
 #pragma once
 
 #include <cstddef>
@@ -203,8 +203,8 @@ constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t 
   return ring;
 }
 
-/// Undoes kill_edge_make_ring (mekr): an edge from the vertex that `from` leaves to the one that `to` leaves, of
-/// another loop of the same face, which becomes part of the loop of `from`.
+/// Undoes kill_edge_make_ring where that has left no lone vertex (mekr): an edge from the vertex that `from` leaves to
+/// the one that `to` leaves, of another loop of the same face, which becomes part of the loop of `from`.
 /// gives   the new half-edge, of which `to` comes next; none, and b as it was, when the two are of one loop or of two
 ///         faces
 template <Scalar T>

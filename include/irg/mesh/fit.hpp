@@ -74,7 +74,9 @@ template <Mesh M>
 
 /// Where a fit takes a point.
 /// exact   difference and product rounded once each: points of the fitted box come within 4u of [-1, 1], u = 2^-53 or
-///         2^-24 (two bits worse where the box is wider than half the largest number: the scale is subnormal there)
+///         2^-24 (two bits worse where the box is wider than half the largest number: the scale is subnormal there).
+///         The rounded centre adds u times its largest coordinate over half the longest edge: 1 at most, where the box
+///         is from a number to the next
 template <Floating T>
 [[nodiscard]] constexpr point<T, 3> fitted(const point<T, 3>& p, const fit<T>& f) noexcept {
   return to_point((p - f.centre) * f.scale);

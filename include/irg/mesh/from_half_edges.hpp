@@ -38,7 +38,7 @@ inline namespace IRG_ABI {
 ///         corners are left out
 /// needs   plane faces where there are rings
 /// exact   positions and attributes are copied; rings are cut as triangulate_monotone does
-/// cost    linear
+/// cost    linear, but for the faces with rings, which cost as triangulate_monotone
 template <Floating T>
 [[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
   mesh<T> m;
@@ -53,20 +53,26 @@ template <Floating T>
     const half_edge_attributes a = h < b.attributes.size() ? b.attributes[h] : half_edge_attributes{};
     return mesh_corner{number[b.origin(h)], a.normal, a.texcoord};
   };
-  const auto append_part = [&](std::uint32_t part) {
-    for (std::uint32_t f = 0; f < b.faces.size(); ++f) {
-      const std::uint32_t of_face = f < b.face_parts.size() ? b.face_parts[f] : half_edge::none;
-      if (b.faces[f] != half_edge::none && of_face == part) detail::append_face(m, b, f, corner);
-    }
+  // The faces of one part after the other, those of none last.
+  const std::size_t parts = b.parts.size();
+  const auto part_of = [&](std::size_t f) {
+    return f < b.face_parts.size() && b.face_parts[f] < parts ? std::size_t{b.face_parts[f]} : parts;
   };
-  for (std::uint32_t i = 0; i < b.parts.size(); ++i) {
+  std::vector<std::size_t> start(parts + 2, 0);
+  for (std::size_t f = 0; f < b.faces.size(); ++f) ++start[part_of(f) + 1];
+  for (std::size_t i = 0; i <= parts; ++i) start[i + 1] += start[i];
+  std::vector<std::uint32_t> order(b.faces.size(), 0);
+  for (std::uint32_t f = 0; f < b.faces.size(); ++f) order[start[part_of(f)]++] = f;  // start tells the ends then
+  for (std::size_t i = 0, k = 0; i <= parts; ++i) {
     const std::size_t first = m.face_count();
-    append_part(i);
-    m.parts.push_back({b.parts[i].object, b.parts[i].group, b.parts[i].material, first, m.face_count() - first});
+    for (; k < start[i]; ++k)
+      if (b.faces[order[k]] != half_edge::none) detail::append_face(m, b, order[k], corner);
+    const std::size_t count = m.face_count() - first;
+    if (i < parts)
+      m.parts.push_back({b.parts[i].object, b.parts[i].group, b.parts[i].material, first, count});
+    else if (parts != 0 && count != 0)
+      m.parts.push_back({{}, {}, {}, first, count});
   }
-  const std::size_t named = m.face_count();
-  append_part(half_edge::none);
-  if (!b.parts.empty() && m.face_count() > named) m.parts.push_back({{}, {}, {}, named, m.face_count() - named});
   return m;
 }
 

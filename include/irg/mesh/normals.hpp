@@ -74,7 +74,8 @@ inline namespace IRG_ABI {
 /// shape   one vector per position, in the positions' order
 /// gives   the zero vector where there is no direction: at positions that no face uses, and where the sum is exactly
 ///         zero, as on both sides of a thin sheet; never NaN
-/// exact   each coordinate of the sum rounded once per face; areas smaller than 2^-1000 of the mesh's count nothing
+/// exact   each coordinate of the sum rounded once per face; areas smaller than 2^-1000 of the mesh's count nothing, of
+///         floats those smaller than 2^-149
 /// cost    one pass over the corners; allocates the result
 /// source  Mihajlovic 2016, 7.3 (average; its division by the count is left out as it keeps the direction); Thuermer
 ///         and Wuethrich 1998 (angle); area: the length of Newell's vector

@@ -34,6 +34,16 @@ constexpr double quotient_of_parts(const exact_sum<double>& n, const exact_sum<d
   return quotient + rest / d.value;
 }
 
+// sum times 2^shift over a divisor; lifted where it is so small that parts of it would be subnormal.
+template <int K>
+constexpr double quotient_of_sum(const exact_accumulator<K>& sum, int shift, const exact_sum<double>& d) noexcept {
+  if (sum.sign() == 0) return 0;
+  const bool is_small = sum.exponent() + shift < -900;
+  const exact_sum<double> parts = sum.rounded_parts(is_small ? shift + 512 : shift);
+  const double quotient = is_finite(parts.value) ? quotient_of_parts(parts, d) : parts.value;
+  return is_small ? quotient * 0x1p-512 : quotient;
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -55,9 +65,7 @@ template <detail::mesh_in_space M>
   detail::each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
     detail::add_volume(six_volumes, a, b, c);
   });
-  if (six_volumes.sign() == 0) return T(0);
-  const exact_sum<double> parts = six_volumes.rounded_parts(-3);
-  return converted<T>(detail::is_finite(parts.value) ? detail::quotient_of_parts(parts, {0.75, 0.0}) : parts.value);
+  return converted<T>(detail::quotient_of_sum(six_volumes, -3, {0.75, 0.0}));
 }
 
 /// The area of all faces.
@@ -100,9 +108,7 @@ template <detail::mesh_in_space M>
   // Brought to a volume near 1, so that quotients are in range wherever the centre is.
   const int shift = -six_volumes.exponent() - 2;
   const exact_sum<double> volume = six_volumes.rounded_parts(shift);
-  const auto along = [&](int i) {
-    return converted<T>(detail::quotient_of_parts(moments[i].rounded_parts(shift - 2), volume));
-  };
+  const auto along = [&](int i) { return converted<T>(detail::quotient_of_sum(moments[i], shift - 2, volume)); };
   return point<T, 3>{along(0), along(1), along(2)};
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,8 +11,7 @@
 #include <irg/mesh/from_half_edges.hpp>
 #include <irg/mesh/orient_faces.hpp>
 #include <irg/mesh/to_half_edges.hpp>
-#include <irg/solid/measures.hpp>
-#include <irg/solid/point_in_solid.hpp>
+#include <irg/solid/detail/orient_outward_steps.hpp>
 
 namespace irg {
 
@@ -29,7 +27,8 @@ inline namespace IRG_ABI {
 /// Turns the faces of a closed surface so that they are counter-clockwise seen from outside, whichever way each of them
 /// ran before: those of shells within others so that what lies between is inside.
 /// shape   faces keep their numbers; normals of corners stay
-/// needs   a mesh in which validate() finds no defect, with finite positions; shells that do not cut each other
+/// needs   a mesh in which validate() finds no defect, with finite positions; shells that do not cut each other, but
+///         may touch
 /// gives   for `no_surface` the mesh as it was
 /// exact   always, for the triangles that triangulate() makes of the faces
 /// cost    O(n log n), and for each shell a pass over the others: exact volumes and one ray
@@ -44,21 +43,16 @@ constexpr outward_status orient_outward(mesh<T>& m) {
     return outward_status::open;
   }
   const half_edge_shells shells = shells_of(half_edges.value);
-  std::vector<mesh<T>> each(shells.count, mesh<T>{});
-  for (mesh<T>& shell : each) shell.positions = turned.positions;
-  std::vector<std::uint32_t> corners;
-  for (std::size_t f = 0; f < turned.face_count(); ++f) {
-    corners.clear();
-    for (std::size_t k = 0; k < turned.face_size(f); ++k) corners.push_back(turned.corner(f, k).position);
-    add_face(each[shells.of_face[f]], corners);
-  }
+  const std::vector<mesh<T>> each = detail::meshes_of_shells(turned, shells);
+  std::vector<detail::space_box> boxes;
+  for (const mesh<T>& shell : each) boxes.push_back(detail::box_round(shell));
   std::vector<unsigned char> turn(shells.count, 0);
   for (std::uint32_t s = 0; s < shells.count; ++s) {
     bool is_cavity = false;
-    const point<T, 3> p = turned.positions[each[s].corners[0].position];
     for (std::uint32_t t = 0; t < shells.count; ++t)
-      if (t != s && point_in_solid(each[t], p) == location::inside) is_cavity = !is_cavity;
-    turn[s] = (solid_volume(each[s]) < 0) != is_cavity ? 1 : 0;
+      if (t != s && detail::is_within(boxes[s], boxes[t]) && detail::lies_within(each[s], each[t]))
+        is_cavity = !is_cavity;
+    turn[s] = (detail::sign_of_volume(each[s]) < 0) != is_cavity ? 1 : 0;
   }
   for (std::size_t f = 0; f < turned.face_count(); ++f)
     if (turn[shells.of_face[f]] != 0) turn_face(turned, f);

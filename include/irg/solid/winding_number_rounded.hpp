@@ -25,12 +25,16 @@ constexpr double half_solid_angle(const vec<double, 3>& to_a, const vec<double, 
   return volume == 0 ? 0 : atan2(volume, rest);
 }
 
-// From p to q, halved so that it is finite.
+// The way from p to q, halved where it could be infinite.
 template <class P>
-constexpr vec<double, 3> half_way_to(const P& p, const P& q) noexcept {
-  const auto half = [](const auto& x) { return widened(x) * 0.5; };
-  return {half(coordinate(q, 0)) - half(coordinate(p, 0)), half(coordinate(q, 1)) - half(coordinate(p, 1)),
-          half(coordinate(q, 2)) - half(coordinate(p, 2))};
+constexpr vec<double, 3> way_to(const P& p, const P& q) noexcept {
+  double reach = 0;
+  for (int i = 0; i < 3; ++i)
+    reach = greater(reach, greater(magnitude(widened(coordinate(p, i))), magnitude(widened(coordinate(q, i)))));
+  const double factor = reach < 0x1p1022 ? 1 : 0.5;
+  const auto part = [factor](const auto& x) { return product(widened(x), factor); };
+  return {part(coordinate(q, 0)) - part(coordinate(p, 0)), part(coordinate(q, 1)) - part(coordinate(p, 1)),
+          part(coordinate(q, 2)) - part(coordinate(p, 2))};
 }
 
 }  // namespace IRG_ABI
@@ -54,8 +58,8 @@ template <detail::mesh_in_space M>
   const point<T, 3> from{coordinate(p, 0), coordinate(p, 1), coordinate(p, 2)};
   double sum = 0, error = 0;
   detail::each_solid_triangle(triangulate(to_mesh<T>(surface)), [&](const auto& a, const auto& b, const auto& c) {
-    const auto next = two_sum(sum, detail::half_solid_angle(detail::half_way_to(from, a), detail::half_way_to(from, b),
-                                                            detail::half_way_to(from, c)));
+    const auto next = two_sum(
+        sum, detail::half_solid_angle(detail::way_to(from, a), detail::way_to(from, b), detail::way_to(from, c)));
     sum = next.value, error = error + next.error;
   });
   return (sum + error) / two_pi<double>;

@@ -67,7 +67,7 @@ struct obj_reader {
   obj_unused unused;
   obj_counts counts;  // as many as indices may name
   bool is_piece;
-  std::size_t name_budget;
+  std::uint64_t name_budget;
   obj_content<T> content{};
   const char* place = nullptr;
   const char* message = nullptr;
@@ -82,7 +82,7 @@ struct obj_reader {
 
   constexpr obj_reader(std::string_view text, obj_unused how, obj_counts known = {}, bool piece = false)
       : at(text.data()), last(text.data() + text.size()), unused(how), counts(known), is_piece(piece),
-        name_budget(16 * text.size() + 65536),
+        name_budget(std::uint64_t{16} * text.size() + 65536),
         plain_bytes(piece || known == obj_counts{} ? obj_line::readable
                                                    : static_cast<std::ptrdiff_t>(text.size()) + 1) {}
 

@@ -15,22 +15,17 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// The vertices of a loop, in its direction.
-template <Scalar T>
-constexpr std::vector<std::uint32_t> loop_vertices(const half_edge_mesh<T>& b, std::uint32_t loop) {
-  std::vector<std::uint32_t> vertices;
-  each_half_edge_of(b, loop, [&](std::uint32_t h) { vertices.push_back(b.origin(h)); });
-  return vertices;
-}
-
 // The triangles of a face with rings, as half-edges that leave their corners.
 template <Scalar T>
 constexpr std::vector<std::uint32_t> triangles_of_ringed_face(const half_edge_mesh<T>& b, std::uint32_t face) {
   std::vector<std::uint32_t> corners, triangles;
   std::vector<std::vector<point<T, 2>>> rings;
   mesh<T> outer;  // by itself, for its normal
-  outer.positions = b.positions;
-  add_face(outer, loop_vertices(b, b.faces[face]));
+  each_half_edge_of(b, b.faces[face], [&](std::uint32_t h) {
+    outer.corners.push_back({static_cast<std::uint32_t>(outer.positions.size())});
+    outer.positions.push_back(b.positions[b.origin(h)]);
+  });
+  outer.face_starts.push_back(static_cast<std::uint32_t>(outer.corners.size()));
   const vec<T, 3> normal = face_normal(outer, 0).value_or(vec<T, 3>{});
   const auto size = [&](int i) { return normal[i] < T(0) ? T(0) - normal[i] : normal[i]; };
   const int axis = size(0) < size(1) ? (size(1) < size(2) ? 2 : 1) : (size(0) < size(2) ? 2 : 0);
