@@ -112,6 +112,19 @@ TEST_CASE("bezier queries: a single point, coincident points, huge and not finit
   CHECK(crossings(bad, P{0, 0}, P{1, 0}) == std::vector<Z>{Z{0, 1, 0, 0}});
 }
 
+TEST_CASE("bezier_nearest: distances beyond the largest number") {
+  constexpr double most = std::numeric_limits<double>::max();
+  const std::array<P, 2> line{P{-most, -most}, P{most, -most}};
+  const auto place = [&](const P& p) {
+    std::array<C, 16> scratch{};
+    std::array<P, 2> work{};
+    return irg::bezier_nearest(line, p, scratch, work).t;
+  };
+  CHECK(place({most, most}) >= 1 - 0x1p-24);
+  CHECK(place({-most, most}) == 0);
+  CHECK(std::abs(place({most / 2, most}) - 0.75) <= 0x1p-24);
+}
+
 TEST_CASE("bezier_box and bezier_nearest: against a thousand points of each curve") {
   test::random r(41);
   long outside = 0, loose = 0, farther = 0, false_place = 0;

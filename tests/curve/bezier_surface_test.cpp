@@ -117,6 +117,14 @@ TEST_CASE("bezier surface: no normal") {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) line.points[i][j] = {static_cast<double>(i + j), 0, 0};
   CHECK(!patch_normal(line, 0.5, 0.5));
+  const auto flat = [](const V3& du, const V3& dv) {
+    return surface_normal(surface_sample<P3>{{}, du, dv, {0, 0, 1}}, curve_parameter<double>(0.5),
+                          curve_parameter<double>(0.5));
+  };
+  // Parallel derivatives, whose rounded directions differ.
+  CHECK_BOTH(!flat({1, 2, 3}, {3, 6, 9}));
+  for (int i = 1; i < 40; ++i) CHECK(!flat(V3{1, 2, 3} * (0x1p-1000 * i), V3{-7, -14, -21}));
+  CHECK(flat({1, 2, 3}, {3, 6, std::nextafter(9.0, 10.0)}).has_value());
 }
 
 TEST_CASE("bezier surface: tessellation visits the lattice in order") {

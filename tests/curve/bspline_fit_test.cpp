@@ -143,6 +143,11 @@ TEST_CASE("fits that there are not") {
   CHECK(status({0, 0, 0.3, 1}) == bspline_fit_status::undetermined);
   CHECK(status({0, 0.1, 0.2, 0.3}) == bspline_fit_status::undetermined);  // the last function is 0 at all of them
   CHECK(status({0.1, 0.2, 0.6, 0.9}) == bspline_fit_status::done);
+  constexpr double most = std::numeric_limits<double>::max();
+  const std::vector<P> usual = points;
+  points = {{most, most}, {-most, most}, {most, -most}, {-most, most}};
+  CHECK(status({0, 0.3, 0.7, 1}) == bspline_fit_status::not_finite);  // control points would be beyond all numbers
+  points = usual;
   points[1].x = none;
   CHECK(status({0, 0.3, 0.7, 1}) == bspline_fit_status::not_finite);
   std::vector<double> places(3);

@@ -93,6 +93,11 @@ TEST_CASE("bspline_basis: outside, at the ends, next to them; bad weights") {
   CHECK(!irg::nurbs_point(circle, arc_points, std::span<const double>(std::array<double, 3>{0, 1, 0}), 0));
   CHECK(
       irg::nurbs_point(circle, arc_points, std::span<const double>(std::array<double, 3>{1e300, 1e-300, 1e300}), 0.5));
+  // At an end one weight counts, however far it is from those that do not.
+  for (const std::array<double, 3>& w : {std::array<double, 3>{1e-300, 1e300, 1}, {0x1p-1074, 0x1p1023, 0x1p1023}}) {
+    CHECK(*irg::nurbs_point(circle, arc_points, std::span<const double>(w), 0) == P{1, 0});
+    CHECK(*irg::nurbs_point(circle, arc_points, std::span<const double>(w), 1) == P{0, 1});
+  }
 }
 
 namespace {

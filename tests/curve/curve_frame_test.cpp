@@ -94,3 +94,35 @@ TEST_CASE("curve frame: degenerate and hostile input") {
   CHECK(is_orthonormal(rotation_minimising_frame(start, frame_vector{}, {-1, 0, 0})));
   CHECK(is_orthonormal(rotation_minimising_frame(start, {1e300, 1e300, 0}, {1e-300, 0, 1e-300})));
 }
+
+TEST_CASE("curve frame: parallel derivatives are told from nearly parallel ones") {
+  CHECK_BOTH(!frenet_frame(frame_vector{1, 2, 3}, frame_vector{3, 6, 9}));
+  CHECK_BOTH(!torsion(frame_vector{1, 2, 3}, frame_vector{3, 6, 9}, frame_vector{1, 0, 0}));
+  for (int i = 1; i < 40; ++i)
+    for (const double size : {1.0, 0x1p-1000, 0x1p1000}) {
+      const double k = i, scaled = i * size;
+      CHECK(!frenet_frame(frame_vector{size, 2 * size, 3 * size} * k, frame_vector{-7, -14, -21}));
+      // Where `up` is no help, the axis that is farthest from the tangent takes its place.
+      const frame_vector tangent{k, 2 * k, 3 * k};
+      CHECK(*frame_with_up(tangent, frame_vector{5 * scaled, 10 * scaled, 15 * scaled}) ==
+            *frame_with_up(tangent, frame_vector{}));
+    }
+  const double next = std::nextafter(9.0, 10.0);
+  CHECK(is_orthonormal(*frenet_frame(frame_vector{1, 2, 3}, frame_vector{3, 6, next})));
+  CHECK_BOTH(!frenet_frame(vec<float, 3>{1, 2, 3}, vec<float, 3>{5, 10, 15}));
+}
+
+TEST_CASE("curve frame: torsion of derivatives of any size") {
+  const auto of = [](double a, double b, double c) {
+    return torsion(frame_vector{a, 0, 0}, frame_vector{0, b, 0}, frame_vector{1, 1, c});
+  };
+  CHECK(*of(0x1p700, 0x1p600, 0x1p1000) == 0x1p-300);
+  CHECK(*of(0x1p-700, 0x1p-600, 0x1p-400) == 0x1p900);
+  CHECK(*of(0x1p-1074, 0x1p1000, 0x1p-74) == 1);
+  CHECK(*of(0x1p-1000, 0x1p-1000, 0x1p-900) == std::numeric_limits<double>::infinity());
+  CHECK(*of(1, 1, 0) == 0);
+  CHECK(*torsion(frame_vector{1, 0, 0}, frame_vector{0, 1, 0}, frame_vector{}) == 0);
+  CHECK(*torsion(vec<float, 3>{0x1p100f, 0, 0}, vec<float, 3>{0, 0x1p100f, 0}, vec<float, 3>{0, 0, 0x1p120f}) ==
+        0x1p-80f);
+  CHECK(!torsion(frame_vector{1, 0, 0}, frame_vector{0, 1, 0}, frame_vector{0, 0, std::nan("")}));
+}

@@ -63,4 +63,26 @@ TEST_CASE("keyframes: what cannot be followed") {
   CHECK(!followed({{1, {1, 1}}, {0, {1, 1}}}));
   CHECK(!followed({{std::nan(""), {1, 1}}}));
   CHECK(!followed({{0, {1, 1}}, {std::numeric_limits<double>::infinity(), {1, 1}}}));
+  constexpr double most = std::numeric_limits<double>::max();
+  CHECK(followed({{-most / 2, {1, 1}}, {most / 2, {1, 1}}}));
+  CHECK(!followed({{-most, {1, 1}}, {most, {1, 1}}}));  // the time between is not finite
+}
+
+TEST_CASE("keyframes: times and places of any size") {
+  // Both scaled by powers of two: the places, scaled likewise.
+  for (const double time : {1.0, 0x1p-1070, 0x1p-900, 0x1p900})
+    for (const double size : {1.0, 0x1p-900, 0x1p1000}) {
+      std::vector<key> frames;
+      for (const key& k : keys) frames.push_back({k.time * time, {k.place.x * size, k.place.y * size}});
+      for (int k = 1; k < 16; ++k) {
+        const key_place usual = key_at(0.25 * k), p = place_at(std::span<const key>(frames), 0.25 * k * time);
+        CHECK(p == key_place{usual.x * size, usual.y * size});
+      }
+    }
+  // Beside stretches of quite another length.
+  const std::vector<key> uneven{{0, {0, 0}}, {0x1p-1000, {0, 1}}, {0x1p1000, {1, 1}}};
+  const key_place in_the_first = place_at(std::span<const key>(uneven), 0x1p-1001);
+  CHECK(in_the_first.x == 0);
+  CHECK((in_the_first.y > 0 && in_the_first.y < 1));
+  CHECK(place_at(std::span<const key>(uneven), 0x1p999).x == 0.375);
 }

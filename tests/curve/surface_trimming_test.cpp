@@ -122,6 +122,15 @@ TEST_CASE("tessellate_trimmed: refused") {
   CHECK(run(bad, std::vector<P2>{{0, 0}, {1, 0}, {1, 1}}, 0.01).done == irg::surface_tessellation{0, 0, false});
 }
 
+TEST_CASE("tessellate_trimmed: a net of one row or column is no surface") {
+  const std::vector<P3> curve{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 1, 0}};
+  const std::vector<P2> slanted{{0.1, 0.1}, {0.5, 0.2}, {0.3, 0.9}};
+  const auto ignore = [](const auto&, const auto&, const auto&) {};
+  for (const std::size_t columns : {1u, 4u})
+    CHECK(irg::tessellate_trimmed(irg::control_net<P3>{curve, columns}, slanted, 10, ignore) ==
+          irg::surface_tessellation{});
+}
+
 TEST_CASE("tessellate_trimmed: in constant evaluation") {
   constexpr auto count = [] {
     constexpr std::array<P3, 4> square{P3{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};

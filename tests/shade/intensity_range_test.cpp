@@ -54,3 +54,17 @@ TEST_CASE("intensity_range: nothing over the range, nothing at all, and what is 
   CHECK(fitted(std::array<float, 3>{no_number, 4.0f, 2.0f}, 1.0f, by_rescale)[1] == 1.0f);
   CHECK(fitted(std::array<float, 3>{4.0f, no_number, 2.0f}, 1.0f, by_rescale)[2] == 0.5f);
 }
+
+TEST_CASE("intensity_range: rescaled intensities are within the range, whatever their size") {
+  using colour = irg::rgb<double>;
+  CHECK_BOTH(fitted(std::array<colour, 2>{colour{0x1p1023, 0x1p1022, 0}, colour{0x1p1000, 1, 2}}, 256.0, by_rescale) ==
+             std::array<colour, 2>{colour{256, 128, 0}, colour{0x1p-15, 0x1p-1015, 0x1p-1014}});
+  CHECK_BOTH(fitted(std::array<float, 2>{0x1p127f, 0x1p126f}, 255.0f, by_rescale) ==
+             std::array<float, 2>{255.0f, 127.5f});
+  int over = 0;
+  for (int k = 1; k <= 1000; ++k) {
+    const double maximum = 1 + k / 700.0, largest = maximum * (1 + k * 0.37);
+    over += fitted(std::array<double, 1>{largest}, maximum, by_rescale)[0] > maximum ? 1 : 0;
+  }
+  CHECK(over == 0);
+}

@@ -194,9 +194,16 @@ constexpr nearest_place<detail::control_point<R>> bezier_nearest(
     return nearest_place<P>{t, q, length(detail::scaled_difference(p, q, 1))};
   };
   nearest_place<P> best = at(T(0));
+  // Of distances beyond the largest number a quarter is compared.
+  const auto quarter = [&](const P& q) {
+    return length(generate_coordinates<typename curve_sample<P>::vector>(
+        [&](int i) { return product(detail::half_difference(coordinate(q, i), coordinate(p, i)), T(0.5)); }));
+  };
   const auto compare = [&](T t) {
     const auto place = at(t);
-    if (place.distance < best.distance) best = place;
+    const bool is_nearer = detail::is_finite(best.distance) ? place.distance < best.distance
+                                                            : quarter(place.point) < quarter(best.point);
+    if (is_nearer) best = place;
   };
   if (degree > 0) {
     const auto c = scratch.first(2 * degree);

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <type_traits>
 
 #include <irg/curve/bezier.hpp>
+#include <irg/curve/detail/parallel_vectors.hpp>
 #include <irg/math/length.hpp>
 
 namespace irg {
@@ -124,7 +126,8 @@ template <Coordinates P, int U, int V>
 
 /// The normal of length 1 at (u, v): the direction of du x dv, seen from whose tip v lies counter-clockwise of u. Where
 /// one derivative is zero, as along a border that has shrunk to a point, it is the limit from inside the patch.
-/// gives   nothing where that limit needs derivatives beyond the mixed one, or a derivative is not finite
+/// gives   nothing where that limit needs derivatives beyond the mixed one, the two derivatives are parallel, or one is
+///         not finite
 /// exact   a cross product and try_normalize of the derivatives in s
 template <Coordinates P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
@@ -142,7 +145,12 @@ template <Coordinates P>
   const vector along_u = is_zero(s.du) ? inward(v) : s.du;
   const vector along_v = is_zero(s.dv) ? inward(u) : s.dv;
   const auto first = try_normalize(along_u), second = try_normalize(along_v);
-  return first && second ? try_normalize(cross(*first, *second)) : std::optional<vector>(std::nullopt);
+  if (!first || !second) return std::nullopt;
+  const vector across = cross(*first, *second);
+  // So small it may be what the directions were rounded by.
+  if (length_squared(across) <= std::numeric_limits<scalar_of<P>>::epsilon() && detail::are_parallel(along_u, along_v))
+    return std::nullopt;
+  return try_normalize(across);
 }
 
 /// The normal of length 1 of the patch at (u, v).

@@ -69,7 +69,7 @@ constexpr bool make_rational(V& value, std::span<const T> weights) noexcept {
   if (largest == 0) return false;
   T sum = 0;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    value[i] = product(value[i], weights[i] / largest);
+    value[i] = value[i] > 0 ? product(value[i], weights[i] / largest) : T(0);  // elsewhere the quotient may overflow
     sum = sum + value[i];
   }
   if (!(sum > 0)) return false;

@@ -23,8 +23,9 @@ enum class fit_spacing { uniform, chord_length, centripetal };
 /// The ends of a fitted curve: through the first and the last point, or free as all others.
 enum class fit_ends { through, free };
 
-/// What became of a fit: `not_rising` where a parameter is less than the one before it (for interpolation: not more) or
-/// outside of the knots' range, `undetermined` where some control point is not determined by the points.
+/// What became of a fit: `not_rising` where a parameter is less than the one before it or outside of the knots' range,
+/// `undetermined` where some control point is not determined by the points (as when two are to be interpolated at one
+/// place), `not_finite` where a number is not finite, be it given or one of a control point.
 enum class [[nodiscard]] bspline_fit_status { done, not_rising, undetermined, not_finite };
 
 namespace detail {
@@ -153,6 +154,9 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
     rows.add(values, first, right);
   }
   rows.solve(result);
+  for (std::size_t k = 0; k < size; ++k)
+    for (int axis = 0; axis < size_of<P>; ++axis)
+      if (!is_finite(coordinate(result[k], axis))) return {T(0), bspline_fit_status::not_finite};
   checked<T, bspline_fit_status> fit;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const P at = *bspline_point(knots, result, places[k], std::span<T>(values));
@@ -169,8 +173,8 @@ inline namespace IRG_ABI {
 
 /// Parameters from 0 to 1 for points, one after the other.
 /// needs   two points or more, places as long
-/// gives   false, and places of no use, where all points are equal or a distance is not finite. Equal successive points
-///         have equal places, but for uniform spacing
+/// gives   false, and places of no use, where all points are equal or a distance or the sum of all is not finite. Equal
+///         successive points have equal places. But for uniform spacing, which looks at no point
 /// exact   sums of rounded distances over their sum; the first 0, the last 1
 /// source  Piegl and Tiller 1997, 9.2.1; Lee 1989 (centripetal)
 template <Coordinates P>

@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <irg/curve/detail/parallel_vectors.hpp>
 #include <irg/math/length.hpp>
 
 namespace irg {
@@ -68,15 +69,24 @@ template <Vector V>
 
 /// The torsion of a curve in space: how fast it leaves its plane, positive to the right-handed side.
 /// gives   nothing where the first two derivatives are parallel or one is not finite
+/// exact   a cross product, its direction and length, a dot product and a quotient, of derivatives of any size
 /// source  Farin 2002, 10.6
 template <Vector V>
   requires(size_of<V> == 3 && Floating<scalar_of<V>>)
 [[nodiscard]] constexpr std::optional<scalar_of<V>> torsion(const V& first, const V& second,
                                                             const std::type_identity_t<V>& third) noexcept {
-  const V turn = cross(first, second);
+  using T = scalar_of<V>;
+  const auto a = detail::scaled(first), b = detail::scaled(second), c = detail::scaled(third);
+  if (!(a.scale > 0 && b.scale > 0 && c.scale >= 0)) return std::nullopt;
+  const auto moderate = [](const auto& s) {
+    return generate_coordinates<V>([&](int i) { return static_cast<T>(s.c[i]); });
+  };
+  const V turn = cross(moderate(a), moderate(b));
   const auto axis = try_normalize(turn);
   if (!axis) return std::nullopt;
-  return dot(*axis, third) / length(turn);
+  if (c.scale == 0) return T(0);
+  const int places = detail::exponent_of(a.scale) + detail::exponent_of(b.scale) - detail::exponent_of(c.scale);
+  return static_cast<T>(detail::times_power_of_two(dot(*axis, moderate(c)) / length(turn), places));
 }
 
 /// Frenet's frame: the normal points to where the curve bends.
@@ -88,7 +98,7 @@ template <Vector V>
 [[nodiscard]] constexpr std::optional<curve_frame<V>> frenet_frame(const V& first, const V& second) noexcept {
   const auto tangent = try_normalize(first);
   const auto bend = try_normalize(second);
-  if (!tangent || !bend) return std::nullopt;
+  if (!tangent || !bend || detail::are_parallel(first, second)) return std::nullopt;
   return detail::frame_towards(*tangent, *bend);
 }
 
@@ -102,7 +112,7 @@ template <Vector V>
   const auto along = try_normalize(tangent);
   if (!along) return std::nullopt;
   const auto above = try_normalize(up);
-  if (above)
+  if (above && !detail::are_parallel(tangent, up))
     if (const auto frame = detail::frame_towards(*along, *above)) return frame;
   int axis = 0;
   for (int i = 1; i < 3; ++i)

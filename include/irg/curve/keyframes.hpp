@@ -28,18 +28,15 @@ constexpr typename curve_sample<P>::vector third_of_way(std::span<const keyframe
                                                         scalar_of<P> span) noexcept {
   using T = scalar_of<P>;
   const std::size_t before = k > 0 ? k - 1 : k, after = k + 1 < frames.size() ? k + 1 : k;
-  const auto slope = [&](std::size_t i, std::size_t j, int axis) {
-    return (coordinate(frames[j].place, axis) - coordinate(frames[i].place, axis)) / (frames[j].time - frames[i].time);
+  // As a share of the distance: a velocity may overflow where the way does not.
+  const auto way = [&](std::size_t i, std::size_t j, int axis) {
+    const T distance = coordinate(frames[j].place, axis) - coordinate(frames[i].place, axis);
+    return distance == T(0) ? distance : product(distance, span / (frames[j].time - frames[i].time));
   };
   return generate_coordinates<typename curve_sample<P>::vector>([&](int axis) {
-    T velocity;
-    if (before == k || after == k) {
-      velocity = slope(before, after, axis);
-    } else {
-      const T in = frames[k].time - frames[before].time, out = frames[after].time - frames[k].time;
-      velocity = (product(slope(before, k, axis), out) + product(slope(k, after, axis), in)) / (in + out);
-    }
-    return product(velocity, span) / T(3);
+    if (before == k || after == k) return way(before, after, axis) / T(3);
+    const T in = frames[k].time - frames[before].time, out = frames[after].time - frames[k].time, all = in + out;
+    return (product(way(before, k, axis), out / all) + product(way(k, after, axis), in / all)) / T(3);
   });
 }
 
@@ -48,19 +45,23 @@ constexpr typename curve_sample<P>::vector third_of_way(std::span<const keyframe
 
 inline namespace IRG_ABI {
 
-/// Whether keyframes can be followed: one or more, with finite times that rise.
+/// Whether keyframes can be followed: one or more, with finite times that rise, the time from the first to the last one
+/// finite, too.
 template <Coordinates P>
 [[nodiscard]] constexpr bool can_be_followed(std::span<const keyframe<P>> frames) noexcept {
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!(frames[k].time - frames[k].time == 0)) return false;
     if (k > 0 && !(frames[k - 1].time < frames[k].time)) return false;
   }
-  return !frames.empty();
+  if (frames.empty()) return false;
+  const scalar_of<P> all = frames[frames.size() - 1].time - frames[0].time;
+  return all - all == 0;
 }
 
 /// Where something is at `time` on its way through all keyframes.
 /// needs   can_be_followed
-/// gives   the first place before the first time (and for NaN), the last one after the last
+/// gives   the first place before the first time (and for NaN), the last one after the last. Beside a keyframe whose
+///         velocity leads beyond the largest number before the next one, no finite places
 /// exact   each keyframe's place bit for bit at its time; the velocity has no jumps between the first time and the last
 /// source  Farin 2002, 9.8 (Bessel's tangents)
 template <Coordinates P>

@@ -38,6 +38,7 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
   if (parts.state != triangulation_state::complete) return std::nullopt;
   surface_tessellation done;
   if (!detail::has_finite_bends(net)) return surface_tessellation{0, 0, false};
+  if (net.rows() < 2 || net.columns < 2) return done;
   detail::patch_bends<P> bends(net);
   const auto along_u = detail::cuts_of_patch(bends, tolerance, true),
              along_v = detail::cuts_of_patch(bends, tolerance, false);

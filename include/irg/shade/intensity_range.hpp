@@ -3,9 +3,11 @@
 // range, or scale the whole picture down.
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include <irg/core/contraction.hpp>
+#include <irg/core/scalar.hpp>
 #include <irg/shade/detail/per_channel.hpp>
 
 namespace irg {
@@ -26,7 +28,7 @@ template <class I, Scalar T>
 
 /// Brings all intensities within 0 to maximum. rescale leaves them as they are when none is over it.
 /// needs   for rescale: finite intensities, none negative
-/// exact   rescale: intensity * maximum / largest, rounded twice
+/// exact   rescale: intensity * maximum / largest, rounded twice, but never over the maximum
 /// cost    one pass to clamp, two to rescale
 template <class I, Scalar T>
 constexpr void fit_intensities(std::span<I> intensities, const T& maximum,
@@ -38,8 +40,19 @@ constexpr void fit_intensities(std::span<I> intensities, const T& maximum,
   T largest = maximum;
   for (const I& i : intensities) largest = detail::largest_channel(largest, i);
   if (!(maximum < largest)) return;
+  const auto scaled = [&](const T& channel) -> T {
+    if constexpr (Floating<T>)
+      if (T(1) < maximum && (std::numeric_limits<T>::max)() / maximum <= largest)  // the product may overflow
+        return product(channel / largest, maximum);
+    return product(channel, maximum) / largest;
+  };
   for (I& i : intensities)
-    i = detail::per_channel([&](const T& channel) { return product(channel, maximum) / largest; }, i);
+    i = detail::per_channel(
+        [&](const T& channel) {
+          const T within = scaled(channel);  // but for its roundings
+          return maximum < within ? maximum : within;
+        },
+        i);
 }
 
 }  // namespace IRG_ABI

@@ -140,6 +140,7 @@ inline namespace IRG_ABI {
 /// shape   values are light, rgb<float>, for encoded texels and rgb<float>; float for float
 /// units   u and v from 0 to 1 across the texture; v runs down: for coordinates whose v runs up, as in OBJ files, give
 ///         1 - v
+/// needs   width, height <= 2^29, which texel indices of 32 bits take as floats
 /// gives   `border` for a texture without texels; u and v that are NaN or infinite, and those from 2^24 on, where
 ///         neighbouring floats are more than a texture apart: as 0 for repeat and mirrored; NaN as 0 for clamp, outside
 ///         for border. A border begins at the outermost texels' edges for nearest, and is mixed in from their centres
