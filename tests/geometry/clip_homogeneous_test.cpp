@@ -89,6 +89,21 @@ int side_in_weights(const Polygon& polygon, T b0, T b1) {
   return zero > 0 ? 0 : 1;
 }
 
+// Whether a side passes through 0, 0, 0, 0, which is no position: its two ends are opposite. What is left of such a
+// triangle is the cone's share of the picture, not of the weights.
+bool passes_through_no_position(const triangle<R>& t) {
+  for (int i = 0; i < 3; ++i) {
+    const auto &p = t.v[i].position, &q = t.v[(i + 1) % 3].position;
+    bool opposite = true;
+    for (int j = 0; j < 4; ++j)
+      for (int k = 0; k < j; ++k) opposite = opposite && p[j] * q[k] == p[k] * q[j];
+    R along = 0;
+    for (int k = 0; k < 4; ++k) along = along + p[k] * q[k];
+    if (opposite && along < R(0)) return true;
+  }
+  return false;
+}
+
 // Every sample of a fine grid over the triangle is strictly inside the volume exactly when it is strictly inside what
 // is left of the triangle.
 template <class Polygon>
@@ -249,7 +264,7 @@ TEST_CASE("clip_homogeneous: samples decide alike, in front of, behind and throu
     const auto t = drawn<R>([&] { return lattice_point<R>(r, 4, -2, 4); });
     const R guard = r.integer(0, 1) ? R(1) : R(3, 2);
     const auto left_over = clip_homogeneous(t.v, {clip_planes::all, guard, guard});
-    CHECK(agrees_with_samples(t, left_over, guard));
+    if (!passes_through_no_position(t)) CHECK(agrees_with_samples(t, left_over, guard));
     kept += left_over.empty() ? 0 : 1;
     most = std::max(most, left_over.count);
     for (const auto& v : left_over) {

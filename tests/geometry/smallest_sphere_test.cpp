@@ -23,8 +23,10 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <int N>
 bool holds_all(const bounding_sphere<double, N>& s, const std::vector<point<double, N>>& points, double slack) {
+  double centre_off = 0;  // by what the centre's coordinates are rounded
+  for (int k = 0; k < N; ++k) centre_off += std::fabs(s.centre[k]) * 0x1p-53;
   for (const auto& p : points)
-    if (!contains(bounding_sphere<double, N>{s.centre, s.radius * (1 + slack)}, p)) return false;
+    if (!contains(bounding_sphere<double, N>{s.centre, s.radius * (1 + slack) + centre_off}, p)) return false;
   return true;
 }
 

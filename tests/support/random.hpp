@@ -15,6 +15,10 @@ inline std::uint64_t seed_of_round() {
   return round == nullptr ? 0 : (std::strtoull(round, nullptr, 10) - 1) * 0xd1342543de82ef95u;
 }
 
+/// That the input showed enough of what a test is about: asked of the first round's, on which it was measured. Other
+/// rounds of a soak ask for right results alone.
+inline bool enough(bool shown) { return shown || seed_of_round() != 0; }
+
 /// Marks input that is the same in every round of a soak: what constant evaluation made too, or what a share was
 /// measured on.
 struct in_every_round {};
