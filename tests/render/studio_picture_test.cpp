@@ -110,6 +110,37 @@ TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading
   CHECK(count(plain, {250, 20, 90, 255}) + count(plain, colours.background) == 96 * 72);
 }
 
+TEST_CASE("studio picture: bodies with Phong shading, whose shaders move as they become more, are the renderer's") {
+  studio s = studio_of({});
+  irg::scene<double> world;
+  world.ambient = {0.25, 0.25, 0.25};
+  const irg::rgb<float> decoded = irg::decode({250, 20, 90, 255});
+  const irg::rgb<double> light{irg::widened(decoded.r), irg::widened(decoded.g), irg::widened(decoded.b)};
+  const char* const names[] = {"cube", "cube(2)", "cube(3)", "cube(4)", "cube(5)"};
+  for (int i = 0; i < 5; ++i) {
+    const irg::vec<double, 3> to{1.5 * i - 3, 0.5 * i, -0.25 * i};
+    CHECK(apply_event(s, load("cube", irg::shape_cube<double>())) == irg::studio_status::done);
+    CHECK(apply_event(s, irg::colour_body{names[i], {250, 20, 90, 255}}) == irg::studio_status::done);
+    CHECK(apply_event(s, moved(names[i], to.x, to.y, to.z)) == irg::studio_status::done);
+    irg::object<double> o{irg::shape_cube<double>(), irg::translation(to)};
+    o.shape.normals.clear();
+    for (auto& c : o.shape.corners) c.normal = irg::mesh_corner::none;
+    o.surface = {light, light, {}, 1};
+    world.objects.push_back(o);
+  }
+  CHECK(apply_event(s, irg::shade_body{{}, irg::studio_shading::phong}) == irg::studio_status::done);
+  world.view = irg::camera_of(s.of(studio_view::main));
+  world.lights = {{s.lamp, {0.75, 0.75, 0.75}}};
+  pixels expected(96, 72);
+  irg::image<float> depth(96, 72);
+  irg::render(world, {expected, depth},
+              {.style = irg::picture_style::phong,
+               .culling = irg::face_culling::back,
+               .colours = {.background = colours.background}});
+  CHECK(same(view_of(s), expected));
+  CHECK(count(expected, colours.background) < 96 * 72 - 500);
+}
+
 TEST_CASE(
     "studio picture: the same bytes whatever the order of events that do not meet, and whatever was drawn before") {
   std::vector<event> changes{irg::colour_body{"teapot", {200, 120, 60, 255}},

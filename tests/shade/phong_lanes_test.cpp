@@ -91,6 +91,19 @@ TEST_CASE("phong_lanes: sizes of all magnitudes, points in the light and in the 
   }
 }
 
+TEST_CASE("phong_lanes: what becomes of the shader later does not matter") {
+  test::random r(73);
+  any_shader s(r);
+  const irg::phong_shader<double> kept = s.shader;
+  const irg::phong_lanes made(s.shader);
+  const irg::phong_lanes lanes = made;
+  s.shader = {};
+  const triple p = generate([&](int i) { return 0.25 * i; }), n = generate([](int i) { return i == 1 ? 1e200 : 1.0; });
+  const rgb<F> light = lanes(p, n);
+  for (int i = 0; i < count; ++i)
+    CHECK(same(kept({p.x[i], p.y[i], p.z[i]}, {n.x[i], n.y[i], n.z[i]}), light, i));
+}
+
 TEST_CASE("phong_lanes: lanes that are not needed do not send the others the slow way, nor change them") {
   test::random r(23);
   const any_shader s(r);

@@ -13,7 +13,7 @@
 namespace irg {
 
 /// phong_shader made ready for registers: what is the same at all points is worked out once.
-/// needs   a shader of doubles that outlives it, and does not change
+/// needs   a shader of doubles, whose lights outlive it and do not change
 template <Floating T>
 class phong_lanes {
 public:
@@ -152,7 +152,7 @@ private:
     return light;
   }
 
-  const phong_shader<T>& shader_;
+  phong_shader<T> shader_;
   rgb<T> ambient_{};
   std::vector<prepared_light> lights_{};
   int exponent_ = 0;
