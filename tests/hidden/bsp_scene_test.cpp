@@ -181,10 +181,10 @@ TEST_CASE("bsp_scene_painter: the same pictures of scenes that are hundreds of d
         const P eye = scaled({6, 1, 3});
         test::space_scene s = rods;
         for (P& p : s.vertices) p = scaled(p);
-        matrix project =
-            parallel ? irg::orthographic(irg::view_window<double>{-8 * size, 8 * size, -6 * size, 6 * size},
-                                         -100 * size, 100 * size)
-                     : irg::perspective(0.9, double{width} / height, 0.05 * size, 1e3 * size);
+        matrix project = parallel
+                             ? irg::orthographic(irg::view_window<double>{-8 * size, 8 * size, -6 * size, 6 * size},
+                                                 -100 * size, 100 * size)
+                             : irg::perspective(0.9, double{width} / height, 0.05 * size, 1e3 * size);
         if (mirrored)
           for (double& entry : project.m[0]) entry = -entry;
         const view_of_space v{project * irg::look_at(eye, scaled(target), irg::vec<double, 3>{0.1, 0.2, 1}),

@@ -71,7 +71,8 @@ TEST_CASE("read_terrain: torn and changed files end with an error or a grid") {
 }
 
 TEST_CASE("read_terrain: memory is bounded by the file, whatever its counts claim") {
-  for (const std::string shape : {"ncols 1 nrows 500000", "ncols 1 nrows 999000", "ncols 999000 nrows 1", "ncols 700 nrows 700"}) {
+  for (const std::string shape :
+       {"ncols 1 nrows 500000", "ncols 1 nrows 999000", "ncols 999000 nrows 1", "ncols 700 nrows 700"}) {
     std::string text = shape + " cellsize 1\n";
     text.resize(1'000'000, ' ');
     test::bytes_most = test::bytes_now;

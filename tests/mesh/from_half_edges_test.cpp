@@ -99,8 +99,7 @@ TEST_CASE("shells_of: faces of two bodies, and of a face with a ring") {
 
 TEST_CASE("from_half_edges: as many parts as faces take linear time; faces of no part come last") {
   irg::mesh<double> m = irg::shape_grid<double>({400, 250});
-  for (std::size_t f = 0; f < m.face_count(); ++f)
-    m.parts.push_back({f % 2 == 0 ? "even" : "odd", {}, {}, f, 1});
+  for (std::size_t f = 0; f < m.face_count(); ++f) m.parts.push_back({f % 2 == 0 ? "even" : "odd", {}, {}, f, 1});
   auto b = irg::to_half_edges(m).value;
   CHECK(irg::from_half_edges(b) == m);
   std::swap(b.face_parts[0], b.face_parts[2]);

@@ -100,8 +100,7 @@ TEST_CASE("phong_lanes: what becomes of the shader later does not matter") {
   s.shader = {};
   const triple p = generate([&](int i) { return 0.25 * i; }), n = generate([](int i) { return i == 1 ? 1e200 : 1.0; });
   const rgb<F> light = lanes(p, n);
-  for (int i = 0; i < count; ++i)
-    CHECK(same(kept({p.x[i], p.y[i], p.z[i]}, {n.x[i], n.y[i], n.z[i]}), light, i));
+  for (int i = 0; i < count; ++i) CHECK(same(kept({p.x[i], p.y[i], p.z[i]}, {n.x[i], n.y[i], n.z[i]}), light, i));
 }
 
 TEST_CASE("phong_lanes: lanes that are not needed do not send the others the slow way, nor change them") {

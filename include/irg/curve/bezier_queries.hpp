@@ -201,8 +201,8 @@ constexpr nearest_place<detail::control_point<R>> bezier_nearest(
   };
   const auto compare = [&](T t) {
     const auto place = at(t);
-    const bool is_nearer = detail::is_finite(best.distance) ? place.distance < best.distance
-                                                            : quarter(place.point) < quarter(best.point);
+    const bool is_nearer =
+        detail::is_finite(best.distance) ? place.distance < best.distance : quarter(place.point) < quarter(best.point);
     if (is_nearer) best = place;
   };
   if (degree > 0) {

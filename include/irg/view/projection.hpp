@@ -146,11 +146,11 @@ template <Floating T>
   if (!(T(0) < z_near && z_near < z_far)) return detail::refused<T>(projection_status::bad_depth);
   const T width = window.right - window.left, height = window.top - window.bottom;
   const auto z = detail::depth_of_perspective(z_near, z_far, depth);
-  return detail::unless_infinite(
-      mat<T, 4, 4>{{{detail::twice_quotient(distance, width), 0, detail::quotient(window.left + window.right, width), 0},
-                    {0, detail::twice_quotient(distance, height), detail::quotient(window.bottom + window.top, height), 0},
-                    {0, 0, z.scale, z.offset},
-                    {0, 0, -1, 0}}});
+  return detail::unless_infinite(mat<T, 4, 4>{
+      {{detail::twice_quotient(distance, width), 0, detail::quotient(window.left + window.right, width), 0},
+       {0, detail::twice_quotient(distance, height), detail::quotient(window.bottom + window.top, height), 0},
+       {0, 0, z.scale, z.offset},
+       {0, 0, -1, 0}}});
 }
 
 /// The central projection of a window; see perspective_checked.
