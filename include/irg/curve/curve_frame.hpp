@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <irg/core/conversion.hpp>
 #include <irg/curve/detail/parallel_vectors.hpp>
 #include <irg/math/length.hpp>
 
@@ -79,14 +80,14 @@ template <Vector V>
   const auto a = detail::scaled(first), b = detail::scaled(second), c = detail::scaled(third);
   if (!(a.scale > 0 && b.scale > 0 && c.scale >= 0)) return std::nullopt;
   const auto moderate = [](const auto& s) {
-    return generate_coordinates<V>([&](int i) { return static_cast<T>(s.c[i]); });
+    return generate_coordinates<V>([&](int i) { return converted<T>(s.c[i]); });
   };
   const V turn = cross(moderate(a), moderate(b));
   const auto axis = try_normalize(turn);
   if (!axis) return std::nullopt;
   if (c.scale == 0) return T(0);
   const int places = detail::exponent_of(a.scale) + detail::exponent_of(b.scale) - detail::exponent_of(c.scale);
-  return static_cast<T>(detail::times_power_of_two(dot(*axis, moderate(c)) / length(turn), places));
+  return converted<T>(detail::times_power_of_two(widened(dot(*axis, moderate(c)) / length(turn)), places));
 }
 
 /// Frenet's frame: the normal points to where the curve bends.
