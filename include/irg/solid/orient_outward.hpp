@@ -45,6 +45,7 @@ constexpr outward_status orient_outward(mesh<T>& m) {
   const half_edge_shells shells = shells_of(half_edges.value);
   const std::vector<mesh<T>> each = detail::meshes_of_shells(turned, shells);
   std::vector<detail::space_box> boxes;
+  boxes.reserve(each.size());
   for (const mesh<T>& shell : each) boxes.push_back(detail::box_round(shell));
   std::vector<unsigned char> turn(shells.count, 0);
   for (std::uint32_t s = 0; s < shells.count; ++s) {

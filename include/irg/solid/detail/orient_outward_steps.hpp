@@ -2,6 +2,7 @@
 // The steps of orient_outward.hpp: which way shells look, and which lie within which, where they may touch.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -84,7 +85,8 @@ constexpr bool encloses_less(const mesh<T>& shell, const mesh<T>& other) {
 }
 
 // Where a point without rounding lies against a closed surface.
-constexpr location place_of_exact(const exact_point& p, const std::vector<point<double, 3>>& positions,
+template <std::same_as<double> T>
+constexpr location place_of_exact(const exact_point& p, const std::vector<point<T, 3>>& positions,
                                   const std::vector<triangle_indices>& surface) {
   const point<double, 3> nearby = p.rounded();
   const double slack =
