@@ -108,6 +108,18 @@ constexpr location place_of_exact(const exact_point& p, const std::vector<point<
   return count.winding != 0 ? location::inside : location::outside;
 }
 
+// As the first middle of a triangle does that is not on the other shell.
+template <class M>
+constexpr bool middle_lies_within(const M& shell, const M& other) {
+  const auto surface = list_triangles(other);
+  for (const auto& t : list_triangles(shell)) {
+    const auto at = [&](std::size_t k) { return exact_point(shell.positions[t.v[k]]); };
+    const location where = place_of_exact(exact_point::mean_of(at(0), at(1), at(2)), other.positions, surface);
+    if (where != location::boundary) return where == location::inside;
+  }
+  return false;
+}
+
 // Whether a closed shell lies within another that it does not cut: as the first corner does that is not on the other,
 // or, where all are, the first middle of a triangle.
 template <Floating T>
@@ -119,14 +131,7 @@ constexpr bool lies_within(const mesh<T>& shell, const mesh<T>& other) {
   for (std::size_t i = 1; i < shell.corners.size(); ++i)
     if (const location where = locate(corner(i)); where != location::boundary) return where == location::inside;
   if (!encloses_less(shell, other)) return false;
-  const mesh<double> mine = to_mesh<double>(shell), theirs = to_mesh<double>(other);
-  const std::vector<triangle_indices> surface = list_triangles(theirs);
-  for (const triangle_indices& t : list_triangles(mine)) {
-    const auto at = [&](std::size_t k) { return exact_point(mine.positions[t.v[k]]); };
-    const location where = place_of_exact(exact_point::mean_of(at(0), at(1), at(2)), theirs.positions, surface);
-    if (where != location::boundary) return where == location::inside;
-  }
-  return false;
+  return middle_lies_within(to_mesh<double>(shell), to_mesh<double>(other));
 }
 
 }  // namespace IRG_ABI
