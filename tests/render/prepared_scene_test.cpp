@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/render/prepared_scene.hpp>
 
+#include <utility>
 #include <vector>
 
 #include <irg/core/threads.hpp>
@@ -96,6 +97,41 @@ TEST_CASE("prepared_scene: colours stay as long as light and eye do") {
   ready.view.eye.x = 2.5;
   test::render(ready, 64, 32);
   CHECK(ready.objects[0].frame.vertex_colours[0][0][0] < 9);
+}
+
+// Memory that gives out does the same.
+TEST_CASE("prepared_scene: an executor that throws leaves no colours that seem ready") {
+  irg::scene<double> world;
+  world.objects.push_back({irg::shape_cube<double>()});
+  world.lights = {{{1, 2, 3, 0}, {1, 1, 1}}};
+  world.view.eye = {2, 3, 5};
+  for (const picture_style style : {picture_style::flat, picture_style::gouraud}) {
+    irg::render_options options;
+    options.style = style;
+    options.culling = irg::face_culling::none;
+    for (int calls = 0, ended = 0; ended == 0; ++calls) {
+      auto ready = irg::prepare_scene(world);
+      auto lit = ready.lights;
+      const auto before = test::render(ready, 32, 32, options);
+      ready.lights[0].position.x = -4;
+      int left = calls;
+      const test::any_executor throwing([&](std::size_t count, const auto& task) {
+        if (left-- == 0) throw 1;
+        for (std::size_t i = 0; i < count; ++i) task(i);
+      });
+      try {
+        test::render(ready, 32, 32, options, throwing);
+        ended = 1;
+      } catch (int) {
+      }
+      std::swap(ready.lights, lit);
+      REQUIRE(same(test::render(ready, 32, 32, options), before));
+      std::swap(ready.lights, lit);
+      auto fresh = irg::prepare_scene(world);
+      fresh.lights = ready.lights;
+      REQUIRE(same(test::render(ready, 32, 32, options), test::render(fresh, 32, 32, options)));
+    }
+  }
 }
 
 TEST_CASE("extent_of: a box around the placed positions, and the triangles of all faces") {

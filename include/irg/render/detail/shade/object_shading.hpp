@@ -162,16 +162,15 @@ struct object_shading {
     if constexpr (std::same_as<T, double>)
       if (style == picture_style::phong || style == picture_style::gouraud) phong_in_lanes.emplace(phong);
     if (frame.key == key) return;
-    frame.key = std::move(key);
+    frame.key.style = picture_style::wire;  // no colours: what is thrown from here on leaves none that seem ready
     if (style == picture_style::flat) {
       frame.face_colours.resize(made.shape.face_count(), rgb<float>{});
       for_portions(executor, made.shape.face_count(), [&](std::size_t first, std::size_t last) {
         for (std::size_t f = first; f < last; ++f) frame.face_colours[f] = face_colour(f, facing::front);
       });
     }
-    if (style != picture_style::gouraud) return;
     for (const facing side : {facing::front, facing::back}) {
-      if (side == facing::back && culling == face_culling::back) continue;
+      if (style != picture_style::gouraud || (side == facing::back && culling == face_culling::back)) continue;
       auto& colours = frame.vertex_colours[side == facing::back ? 1 : 0];
       colours.resize(made.body.positions.size(), std::array<float, 3>{});
       const lit_vertices<T> to{made.body, side == facing::front ? T(1) : T(-1), colours};
@@ -179,6 +178,7 @@ struct object_shading {
         light_vertices(to, first, last, phong, shared_light());
       });
     }
+    frame.key = std::move(key);
   }
 
 private:
