@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <irg/render/window_faces.hpp>
 
+#include <array>
+
 #include <irg/core/threads.hpp>
 #include <irg/hidden/bsp_faces.hpp>
 #include <irg/hidden/painter_newell.hpp>
+#include <irg/hidden/ray_casting.hpp>
 #include <irg/hidden/warnock.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/render/render.hpp>
@@ -89,6 +92,25 @@ TEST_CASE("hidden-surface methods: what covers nothing is not drawn, whatever a 
   CHECK(one.drawn > 0);
   CHECK(one.drawn < 1000);
   CHECK(irg::render(nothing_at_all{}, irg::scene<double>{}, {nothing.colour, nothing.depth}) == irg::render_stats{});
+}
+
+TEST_CASE("hidden-surface methods: what lies in the far plane is not drawn, as by the z-buffer") {
+  irg::scene<double> world;
+  world.view = {{0, 0, 0}, {0, 0, -1}};
+  world.view.near_distance = 1;
+  world.view.far_distance = 64;
+  world.ambient = {1, 1, 1};
+  irg::object<double> o;
+  o.shape.positions = {{-40, -40, -64}, {40, -40, -64}, {0, 40, -64}, {0, 0, -32}};
+  irg::add_face(o.shape, std::array{0, 1, 2});
+  irg::add_face(o.shape, std::array{0, 1, 3});
+  world.objects.push_back(o);
+  const irg::render_options options{.style = irg::picture_style::flat};
+  const auto expected = test::render(world, 40, 30, options);
+  CHECK(expected.stats.drawn > 0);
+  test::canvas drawn(40, 30);
+  CHECK(irg::render(irg::ray_casting<>{}, world, {drawn.colour, drawn.depth}, options).drawn == expected.stats.drawn);
+  CHECK(drawn == expected.picture);
 }
 
 constexpr bool same_in_constant_evaluation() {

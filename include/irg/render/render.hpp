@@ -148,8 +148,9 @@ inline namespace IRG_ABI {
 /// shape   into {picture, depth}, of one size, at most 65536 x 65536
 /// needs   meshes whose faces have no defect that validate (mesh/validate.hpp) knows, no index out of range above all:
 ///         a contract, checked in constant evaluation and in debug builds; a camera in its domain
-/// gives   the background alone for a scene without objects; of equal depths the first object and face wins; with
-///         hidden_surface_method::none, what is drawn later covers what was drawn before
+/// gives   the background alone for a scene without objects; of equal depths the first object and face wins; what lies
+///         in the far plane, at the farthest depth itself, is not seen; with hidden_surface_method::none, what is drawn
+///         later covers what was drawn before
 /// exact   the same bytes for every executor, compiler, instruction set and for skipping on and off
 /// cost    the vertices and triangles once, then the pixels
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, Executor E = sequential,

@@ -56,9 +56,9 @@ constexpr std::uint32_t place_of(std::uint32_t id, int x, int y, std::span<const
   return no_face;
 }
 
-// The places of the faces that ids name in a window, and their depths. Ids of faces that do not cover the pixel, or are
-// not on the window's list, count as none.
-template <class T, class Ids>
+// The places of the faces that ids name in a window, and their depths. Ids of faces that do not cover the pixel, are not
+// on the window's list, or are no nearer there than the farthest depth, count as none.
+template <class Order, class T, class Ids>
 constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const std::uint32_t> numbers,
                            const triangle_finder<T>& find, const cell_window& w) {
   std::uint32_t last_id = no_face, place = no_face;
@@ -74,9 +74,11 @@ constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const 
         const triangle_corners c = find.corners(numbers[place]);
         t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
       }
+      const float depth = depth_at(t.setup, x, y);
+      if (!Order::nearer(depth, Order::farthest)) continue;
       const std::size_t at = visible_pixels::at(w, x, y);
       out.place[at] = place;
-      out.key[at] = depth_at(t.setup, x, y);
+      out.key[at] = depth;
     }
 }
 
@@ -114,7 +116,7 @@ struct method_tiles {
     }
     mark_all_seen(job, numbers);
     visible_pixels pixels(w);
-    find_places(pixels, ids, numbers, find, w);
+    find_places<Order>(pixels, ids, numbers, find, w);
     if (job.clear == clearing::before_drawing) clear_window(depth, w, Order::farthest);
     for (int y = w.y_first; y < w.y_last; ++y)
       for (int x = w.x_first; x < w.x_last; ++x) {
