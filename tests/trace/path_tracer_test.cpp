@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/trace/path_tracer.hpp>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -47,6 +48,22 @@ TEST_CASE("path_tracer: a floor under a panel, whose light is known; the error f
   CHECK(trace(R{{0, 0, 0.5}, {0, 0, 1}}, {4, 1}, 0).r == 3);          // the panel itself
   CHECK(trace(R{{0, 0, 2}, {0, 0, -1}}, {4, 0}, 0).r == 0);           // its back
   CHECK(trace(down, {64, 3, 5}, 9) == trace(down, {64, 3, 5}, 9));
+}
+
+TEST_CASE("path_tracer: the same light at every scale, and past triangles with corners that are no numbers") {
+  const auto light_at = [](double s, double corner) {
+    irg::mesh<double> shape = test::rectangle({-1, 1, 1}, {2, 0, 0}, {0, -2, 0});
+    shape.positions.push_back({corner, 1, 1});
+    irg::add_face(shape, std::array{0, 1, 4});
+    const test::kept_body floor(test::rectangle({-9, -9, 0}, {18, 0, 0}, {0, 18, 0}), {}, s), panel(shape, {}, s);
+    const world w({floor.body({{}, {0.5, 0.5, 0.5}, {}, 1}), shining(panel, 3)}, {});
+    return irg::path_tracer<double>(w)(R{{0, 0, 0.5 * s}, {0, 0, -s}}, {64, 1}, 3).r;
+  };
+  const double light = light_at(1, -1);  // a triangle without area
+  CHECK(light == doctest::Approx(expected).epsilon(0.2));
+  for (const double s : {0x1p-300, 0x1p-900, 0x1p300, 0x1p900}) CHECK(light_at(s, -1) == light);
+  CHECK(light_at(1, std::nan("")) == light);
+  CHECK(light_at(1, HUGE_VAL) == light);
 }
 
 TEST_CASE("path_tracer: light between walls: the series of a closed room") {

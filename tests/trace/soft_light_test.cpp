@@ -34,6 +34,14 @@ TEST_CASE("lit_share_of_rod: a shutter that covers a half, several of them, none
   CHECK(irg::lit_share_of_rod(world(), P{0, 0, 0}, P{-1, 0, 2}, P{1, 0, 2}) == 1);
 }
 
+TEST_CASE("lit_share_of_rod: the same share at every scale") {
+  for (const double s : {1.0, 0x1p-300, 0x1p-900, 0x1p300, 0x1p900}) {
+    const test::kept_body half(test::rectangle({0, -1, 1}, {9, 0, 0}, {0, 2, 0}), {}, s);
+    CHECK(irg::lit_share_of_rod(world({half.body(white)}, {}), P{0.25 * s, 0, 0}, P{-s, 0, 2 * s}, P{s, 0, 2 * s}) ==
+          0.375);
+  }
+}
+
 TEST_CASE("lit_share_of_rod: against four thousand rays, among random triangles") {
   test::random r(81);
   for (int round = 0; round < 20; ++round) {

@@ -100,7 +100,7 @@ TEST_CASE("trace_ray: rays that are none, worlds that are empty, scales") {
   const world empty({}, {}, sky);
   CHECK(irg::trace_ray(empty, R{{0, 0, 0}, {0, 0, 1}}) == sky);
   CHECK(irg::trace_ray(empty, R{{0, 0, 0}, {0, 0, 0}}) == sky);
-  for (const double s : {1.0, 0x1p-40, 0x1p40, 0x1p-300, 0x1p300}) {
+  for (const double s : {1.0, 0x1p-40, 0x1p40, 0x1p-300, 0x1p300, 0x1p-700, 0x1p700}) {
     const test::kept_body ball(irg::shape_sphere<double>({.slices = 16, .stacks = 8}), {}, s);
     const std::vector<light> lights{{{0, 0, 1, 0}, {1, 1, 1}}};
     const world w({ball.body(white)}, {{}, lights}, sky);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -66,16 +67,27 @@ template <Floating T>
 class path_tracer {
 public:
   constexpr explicit path_tracer(const ray_world<T>& world) : world_(world) {
-    for (std::uint32_t b = 0; b < world.body_count(); ++b) {
-      const traced_body<T>& body = world.body(b);
-      if (!(T(0) < detail::greatest_channel(body.emitted))) continue;
-      for (std::size_t i = 0; i < body.triangles.size(); ++i) {
-        const std::uint32_t t = world.first_triangle(b) + static_cast<std::uint32_t>(i);
-        const auto c = world.corners(t);
-        area_ = area_ + length(cross(c[1] - c[0], c[2] - c[0])) / T(2);
-        shining_.push_back({area_, t});
+    const auto each_shining = [&world](const auto& use) {
+      for (std::uint32_t b = 0; b < world.body_count(); ++b) {
+        const traced_body<T>& body = world.body(b);
+        if (!(T(0) < detail::greatest_channel(body.emitted))) continue;
+        for (std::size_t i = 0; i < body.triangles.size(); ++i) {
+          const std::uint32_t t = world.first_triangle(b) + static_cast<std::uint32_t>(i);
+          const auto c = world.corners(t);
+          use(t, c[1] - c[0], c[2] - c[0]);
+        }
       }
-    }
+    };
+    each_shining([this](std::uint32_t, const vec<T, 3>& u, const vec<T, 3>& v) {
+      const T scale = detail::scale_of(u, v);
+      if (T(0) < scale) scale_ = T(0) < scale_ ? lesser(scale, scale_) : scale;
+    });
+    each_shining([this](std::uint32_t t, const vec<T, 3>& u, const vec<T, 3>& v) {
+      const T area = length(cross(u * scale_, v * scale_)) / T(2);
+      if (!(area <= (std::numeric_limits<T>::max)())) return;  // a corner is no number: the triangle is not there
+      area_ = area_ + area;
+      shining_.push_back({area_, t});
+    });
   }
 
   /// The light along a ray: the mean of its paths.
@@ -121,16 +133,19 @@ private:
     const T root = sqrt(numbers.next<T>()), v = numbers.next<T>();
     const surface_point<T> y = world_.point_of(triangle, root * (T(1) - v), root * v, facing::front);
     const vec<T, 3> way = detail::beside(y, y.face) - from;
-    const T distance = dot(way, way), cosine = dot(way, normal), back = -dot(way, y.face);
+    const T scale = detail::scale_of(way, way), larger = scale / scale_;  // than that of areas
+    const vec<T, 3> near_one = way * scale;
+    const T distance = dot(near_one, near_one), cosine = dot(near_one, normal), back = -dot(near_one, y.face);
     if (!(T(0) < cosine) || !(T(0) < back) || any_hit(world_.triangles(), ray<T, 3>{from, way, T(0), T(1)})) return {};
-    const T weight = product(product(cosine, back), area_) / product(product(distance, distance), pi<T>);
+    const T weight = product(product(product(cosine, back), area_) / product(product(distance, distance), pi<T>),
+                             product(larger, larger));
     const rgb<T>& light = world_.body(y.body).emitted;
     return {product(light.r, weight), product(light.g, weight), product(light.b, weight)};
   }
 
   const ray_world<T>& world_;
   std::vector<std::pair<T, std::uint32_t>> shining_{};  // the area up to and with each triangle
-  T area_ = T(0);
+  T area_ = T(0), scale_ = T(0);  // areas are times scale^2
 };
 
 }  // namespace irg

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -50,6 +51,23 @@ struct surface_point {
   std::uint32_t body = 0;
   T reach{};  // the largest coordinate near by, which `at` is rounded by
 };
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// A power of two that brings the largest coordinate of two vectors near 1, so that products of them neither overflow
+// nor vanish at any scale; 0 where there is none.
+template <class T>
+IRG_INLINE constexpr T scale_of(const vec<T, 3>& a, const vec<T, 3>& b) noexcept {
+  constexpr T least = (std::numeric_limits<T>::min)(), most = (std::numeric_limits<T>::max)();
+  T largest = T(0);
+  for (int axis = 0; axis < 3; ++axis) largest = greater(largest, greater(magnitude(a[axis]), magnitude(b[axis])));
+  if (!(T(0) < largest && largest <= most)) return T(0);
+  return converted<T>(power_of_two_for(widened(greater(largest, least))));
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
 
 /// Bodies, the light on them, and what rays see that meet none.
 /// needs   lights that outlive the world
@@ -118,7 +136,8 @@ public:
       s.reach = greater(s.reach, greater(detail::magnitude(a[axis]),
                                          greater(detail::magnitude(b[axis]), detail::magnitude(c[axis]))));
     const bool front = side == facing::front;
-    const vec<T, 3> face = normalized(cross(ab, ac));
+    const T scale = detail::scale_of(ab, ac);
+    const vec<T, 3> face = normalized(cross(ab * scale, ac * scale));
     s.face = front ? face : -face;
     s.normal = s.face;
     if (body.normals.empty()) return s;

@@ -27,15 +27,16 @@ inline namespace IRG_ABI {
 
 // What a triangle hides of the rod ab from p: the parts of it, 0 to 1. In the plane of p, a and b, with q = p + s (a -
 // p) + t (b - p), a triangle is a piece of a line, of which the part with s, t >= 0 and s + t <= 1 hides t / (s + t).
+// Vectors from p are times `scale`.
 template <class T>
-constexpr std::pair<T, T> hidden_part(const point<T, 3>& p, const vec<T, 3>& a, const vec<T, 3>& b,
+constexpr std::pair<T, T> hidden_part(const point<T, 3>& p, const vec<T, 3>& a, const vec<T, 3>& b, T scale,
                                       const std::array<point<T, 3>, 3>& corner) noexcept {
   const vec<T, 3> n = cross(a, b);
   const T size = dot(n, n);
   vec<T, 3> from_p[3];
   T height[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    from_p[i] = corner[i] - p;
+    from_p[i] = (corner[i] - p) * scale;
     height[i] = dot(n, from_p[i]);
   }
   T s[2]{}, t[2]{};
@@ -85,11 +86,12 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr T lit_share_of_rod(const ray_world<T>& world, const point<T, 3>& p, const point<T, 3>& a,
                                            const point<T, 3>& b) {
-  const vec<T, 3> to_a = a - p, to_b = b - p, n = cross(to_a, to_b);
+  const T scale = detail::scale_of(a - p, b - p);
+  const vec<T, 3> to_a = (a - p) * scale, to_b = (b - p) * scale, n = cross(to_a, to_b);
   if (!(T(0) < dot(n, n))) return T(1);
   std::vector<std::pair<T, T>> hidden;
   each_in_box(world.triangles().tree(), enclosing_box(enclosing_box(box<T, 3>{p, p}, a), b), [&](std::uint32_t i) {
-    const std::pair<T, T> part = detail::hidden_part(p, to_a, to_b, world.corners(i));
+    const std::pair<T, T> part = detail::hidden_part(p, to_a, to_b, scale, world.corners(i));
     if (part.first < part.second) hidden.push_back(part);
   });
   std::sort(hidden.begin(), hidden.end());
