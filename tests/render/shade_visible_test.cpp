@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <irg/render/shade_visible.hpp>
 
+#include <vector>
+
 #include <irg/colour/srgb.hpp>
+#include <irg/raster/screen_pieces.hpp>
 #include <irg/render/drawable.hpp>
 #include <irg/render/visibility_buffer.hpp>
 
@@ -48,6 +51,43 @@ TEST_CASE("shade_visible: the ids of draw_visibility become the picture of draw_
     REQUIRE(depth == expected_depth);
     REQUIRE(depth == id_depth);
   }
+}
+
+// In clip space, seen nearly from the edge and cut by the near plane: snapping turns one of the pieces round, and two
+// others cover a centre, at different depths.
+TEST_CASE("shade_visible: where two pieces of a triangle cover a pixel, the nearer one is shaded") {
+  const irg::hpoint<double, 3> corner[3] = {
+      {-0x1.c39b7d11fd578p+2, 0x1.48ebb7e4b83e8p+1, 0x1.f8dac1babcbe1p-1, 0x1.786328396305cp-1},
+      {0x1.071e609ef85c8p+3, -0x1.790924337c468p+1, 0x1.8353407a2bf37p-9, 0x1.5e0f6d32187dbp+1},
+      {0x1.67225638ad958p+4, -0x1.032436efccfcap+3, -0x1.29c856144ef76p+0, 0x1.a0db6687da553p+1}};
+  irg::mat<double, 4, 4> to_clip{};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 4; ++k) to_clip(k, i) = corner[i][k];
+  const std::vector<irg::point<double, 3>> units{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<irg::triangle_indices> triangle{{{0, 1, 2}}};
+  const auto mapping = irg::map_to_screen<double>(74, 1);
+  const auto vertices = irg::project_vertices<double>(units, to_clip, mapping);
+  const auto pieces = irg::clip_to_screen(corner, mapping, 0);
+  int most = 0;
+  for (int x = 0; x < 74; ++x) {
+    int covering = 0;
+    for (const auto& p : pieces) covering += irg::covers(p.face, x, 0) ? 1 : 0;
+    most = covering > most ? covering : most;
+  }
+  CHECK(most == 2);
+  const irg::triangle_batch<double> batches[] = {{&vertices, triangle, 0, 0}};
+  const irg::draw_settings<irg::rgb<float>> settings{irg::face_culling::none, {}, irg::clearing::before_drawing};
+  irg::image<irg::rgb<float>> expected(74, 1), colour(74, 1);
+  irg::image<float> expected_depth(74, 1), depth(74, 1);
+  irg::image<std::uint32_t> ids(74, 1);
+  const auto weights = [](const auto&, std::uint32_t, irg::facing) {
+    return [](const irg::pixel_weights<float>& at) { return irg::rgb<float>{at.weight1, at.weight2, at.depth}; };
+  };
+  irg::draw_batches(irg::render_target{expected, expected_depth}, {batches, mapping}, weights, settings);
+  irg::draw_visibility({ids, depth}, {batches, mapping}, {irg::face_culling::none, {}, irg::clearing::before_drawing});
+  irg::shade_visible(irg::render_target{colour, depth}, {ids, {batches, mapping}}, weights, settings);
+  CHECK(colour == expected);
+  CHECK(depth == expected_depth);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ struct screen_piece {
 
 /// What clipping leaves of a triangle on the screen.
 /// shape   size() pieces, a fan about its first corner, all with the winding of `double_area`, which is that of the
-///         whole: positive where corners run clockwise as seen with y down. A piece may have no area
+///         whole: positive where corners run clockwise as seen with y down. A piece may have no area. Those of a
+///         triangle thinner than 1/256 pixel may lie on each other in part, where snapping turned one round
 struct screen_pieces {
   screen_piece piece[7]{};
   int count = 0;

@@ -147,7 +147,8 @@ inline namespace IRG_ABI {
 ///         was there; of equal ones the first given first; those whose centroid is not in front of the eye last. With
 ///         drawing_order, in the order given. Test says which depths are seen: by default those nearer than the opaque
 ///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that
-///         is not finite are left out, and those that name a vertex that is not there
+///         is not finite are left out, and those that name a vertex that is not there. Where pieces of a clipped
+///         triangle lie on each other (raster/screen_pieces.hpp), it is blended twice
 /// exact   the same bytes for every executor, all skips on and off; depths by draw_triangle's arithmetic; centroids
 ///         rounded in T
 /// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates

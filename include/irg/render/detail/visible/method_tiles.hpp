@@ -33,11 +33,17 @@ struct convex_bodies {
 
 inline namespace IRG_ABI {
 
-// The place in a tile's list of the triangle, or the piece of one, that has this number and covers a pixel; no_face
-// where there is none. Lists are in the order of sources.
-template <class T>
-constexpr std::uint32_t place_of(std::uint32_t id, int x, int y, std::span<const std::uint32_t> numbers,
-                                 const triangle_finder<T>& find) noexcept {
+// The place in a tile's list of the triangle that has this number and covers a pixel, and its depth there; no_face
+// where there is none. Of pieces the nearest: where snapping turned one round, two others may cover a centre. Lists are
+// in the order of sources.
+struct place_and_depth {
+  std::uint32_t place = no_face;
+  float depth = 0;
+  covered_triangle t{};
+};
+template <class Order, class T>
+constexpr place_and_depth place_of(std::uint32_t id, int x, int y, std::span<const std::uint32_t> numbers,
+                                   const triangle_finder<T>& find) noexcept {
   std::size_t first = 0;
   for (std::size_t size = numbers.size(); size > 0;) {
     const std::size_t half = size / 2;
@@ -48,37 +54,39 @@ constexpr std::uint32_t place_of(std::uint32_t id, int x, int y, std::span<const
       size = half;
     }
   }
+  place_and_depth nearest;
   for (; first < numbers.size() && find.source(numbers[first]) == id; ++first) {
     const triangle_corners c = find.corners(numbers[first]);
-    if (covers(cover_triangle(c.v[0]->position, c.v[1]->position, c.v[2]->position), x, y))
-      return static_cast<std::uint32_t>(first);
+    const covered_triangle t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
+    if (!covers(t.coverage, x, y)) continue;
+    const float depth = depth_at(t.setup, x, y);
+    if (nearest.place == no_face || Order::nearer(depth, nearest.depth))
+      nearest = {static_cast<std::uint32_t>(first), depth, t};
   }
-  return no_face;
+  return nearest;
 }
 
-// The places of the faces that ids name in a window, and their depths. Ids of faces that do not cover the pixel, are not
-// on the window's list, or are no nearer there than the farthest depth, count as none.
+// The places of the faces that ids name in a window, and their depths. Ids of faces that do not cover the pixel, are
+// not on the window's list, or are no nearer there than the farthest depth, count as none.
 template <class Order, class T, class Ids>
 constexpr void find_places(visible_pixels& out, const Ids& ids, std::span<const std::uint32_t> numbers,
                            const triangle_finder<T>& find, const cell_window& w) {
-  std::uint32_t last_id = no_face, place = no_face;
-  covered_triangle t{};
+  std::uint32_t last_id = no_face;
+  place_and_depth last;
   for (int y = w.y_first; y < w.y_last; ++y)
     for (int x = w.x_first; x < w.x_last; ++x) {
       const std::uint32_t id = get_pixel(ids, x, y);
       if (id == no_face) continue;
-      if (id != last_id || place == no_face || !covers(t.coverage, x, y)) {
-        last_id = id;
-        place = place_of(id, x, y, numbers, find);
-        if (place == no_face) continue;
-        const triangle_corners c = find.corners(numbers[place]);
-        t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
-      }
-      const float depth = depth_at(t.setup, x, y);
-      if (!Order::nearer(depth, Order::farthest)) continue;
+      if (id == last_id && last.place != no_face && !find.is_piece(numbers[last.place]) &&
+          covers(last.t.coverage, x, y))
+        last.depth = depth_at(last.t.setup, x, y);
+      else
+        last = place_of<Order>(id, x, y, numbers, find);
+      last_id = id;
+      if (last.place == no_face || !Order::nearer(last.depth, Order::farthest)) continue;
       const std::size_t at = visible_pixels::at(w, x, y);
-      out.place[at] = place;
-      out.key[at] = depth;
+      out.place[at] = last.place;
+      out.key[at] = last.depth;
     }
 }
 

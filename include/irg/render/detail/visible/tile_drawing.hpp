@@ -101,9 +101,10 @@ struct tile_painter {
     }
   }
 
-  // Which of two equally near triangles is seen.
+  // Which of two equally near triangles, or pieces of one, is seen.
   IRG_INLINE bool comes_before(std::uint32_t a, std::uint32_t b) const noexcept {
-    return find.source(numbers[a]) < find.source(numbers[b]);
+    const std::uint32_t i = numbers[a], k = numbers[b], first = find.source(i), second = find.source(k);
+    return first != second ? first < second : i < k;
   }
 
   // What is left to do of a group: a bit for each triangle whose sides are too long for 32-bit lanes, and for each one
