@@ -91,6 +91,25 @@ TEST_CASE("phong_lanes: sizes of all magnitudes, points in the light and in the 
   }
 }
 
+TEST_CASE("phong_lanes: light without bounds, of which nothing falls on what is turned away") {
+  test::random r(8);
+  for (const double most : {1e200, 1e308, std::numeric_limits<double>::infinity()})
+    for (int k = 0; k < 100; ++k) {
+      any_shader s(r);
+      for (auto& l : s.lights) l.intensity.g *= most, l.intensity.b *= -most;
+      s.shader.surface.diffuse.r *= most;
+      const auto moderate = [&](int) { return 2 * r.unit() - 1; };
+      const triple p = generate(moderate);
+      REQUIRE(wrong(s, p, generate(moderate)) == 0);
+    }
+  constexpr static irg::light<double> behind[] = {{{0, 0, -1, 0}, {1e308, std::numeric_limits<double>::infinity(), 1}}};
+  constexpr auto seen = [] {
+    const irg::phong_shader<double> shader{{{1, 1, 1}, {1e308, 1, 1}, {1, 1, 1}, 3}, {{1, 1, 1}, behind}, {0, 0, 9}};
+    return shader({0, 0, 0}, {0, 0, 1});
+  };
+  CHECK_BOTH(seen() == irg::rgb<double>{1, 1, 1});
+}
+
 TEST_CASE("phong_lanes: what becomes of the shader later does not matter") {
   test::random r(73);
   any_shader s(r);

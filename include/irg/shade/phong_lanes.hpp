@@ -27,6 +27,8 @@ public:
       const rgb<T> specular = share(source.intensity, shader.surface.specular);
       const bool at_infinity = source.position.w == 0;
       const vec<T, 3> direction = normalized(direction_to_light(source, point<T, 3>{0, 0, 0}));
+      for (const rgb<T>* c : {&source.intensity, &shader.surface.diffuse, &shader.surface.specular})
+        is_bounded_ = is_bounded_ && is_bounded(c->r) && is_bounded(c->g) && is_bounded(c->b);
       lights_.push_back({source, direction, share(source.intensity, shader.surface.diffuse), specular, at_infinity,
                          specular == rgb<T>{0, 0, 0} && !(shader.light.distance == distance_term::viewer)});
     }
@@ -35,7 +37,8 @@ public:
   /// The light at N points with normals of any length. Of points that are not needed, by a bit each, anything.
   /// exact   the shader's own for each of them
   /// cost    two roots and eight divisions a register for one light at infinity, and a few dozen products; N calls of
-  ///         the shader where a vector's greatest coordinate is not from 2^-100 to 2^100
+  ///         the shader where a vector's greatest coordinate is not from 2^-100 to 2^100, and where an intensity or a
+  ///         share that is reflected is more than 2^200
   template <int N>
     requires std::same_as<T, double>
   IRG_INLINE rgb<pack<double, N>> operator()(const triple_lanes<double, N>& p, const triple_lanes<double, N>& normal,
@@ -61,10 +64,13 @@ public:
       }
       add_light(sum, l, to_light, seen);
     }
-    return (~mask_bits(moderate) & needed & ((1u << N) - 1)) == 0 ? sum : one_by_one<N>(p, normal);
+    return is_bounded_ && (~mask_bits(moderate) & needed & ((1u << N) - 1)) == 0 ? sum : one_by_one<N>(p, normal);
   }
 
 private:
+  // Of a number that is, no product with others becomes infinite, which 0 would not take out again.
+  IRG_INLINE static constexpr bool is_bounded(T x) noexcept { return T(-0x1p200) <= x && x <= T(0x1p200); }
+
   struct prepared_light {
     light<T> source;
     vec<T, 3> direction;  // of length 1, where it is at infinity
@@ -156,6 +162,7 @@ private:
   rgb<T> ambient_{};
   std::vector<prepared_light> lights_{};
   int exponent_ = 0;
+  bool is_bounded_ = true;  // intensities and what is reflected of them
 };
 
 }  // namespace irg

@@ -78,8 +78,9 @@ template <class I>
 template <class I, Scalar T>
 [[nodiscard]] IRG_INLINE constexpr I diffuse_term(const I& light, const I& diffuse, const vec<T, 3>& to_light,
                                                   const vec<T, 3>& normal) noexcept {
-  const T ln = dot(to_light, normal), cosine = T(0) < ln ? ln : T(0);
-  return detail::per_channel([&](auto ii, auto kd) { return product(product(ii, kd), cosine); }, light, diffuse);
+  const T ln = dot(to_light, normal);
+  return detail::per_channel(
+      [&](auto ii, auto kd) { return T(0) < ln ? product(product(ii, kd), ln) : decltype(ii)(0); }, light, diffuse);
 }
 
 /// (R.V)^n: how near the viewer is to the reflected ray, 1 on it.
@@ -109,8 +110,9 @@ template <class T, class I>
                                                    const vec<T, 3>& to_light, const vec<T, 3>& normal,
                                                    const vec<T, 3>& to_viewer) noexcept {
   const T factor = specular_factor(to_light, normal, to_viewer, surface.shininess);
-  return detail::per_channel([&](auto ii, auto ks) { return product(product(ii, ks), factor); }, light,
-                             surface.specular);
+  return detail::per_channel(
+      [&](auto ii, auto ks) { return factor == T(0) ? decltype(ii)(0) : product(product(ii, ks), factor); }, light,
+      surface.specular);
 }
 
 /// What one source of intensity Ii adds: Ii (kd (L.N) + ks (R.V)^n), the bracket of (7.9).
