@@ -65,6 +65,28 @@ TEST_CASE("render_traced: the bytes of render() where rays add nothing, in every
   }
 }
 
+TEST_CASE("render_traced: where normals are 0, those of the triangles") {
+  irg::scene<double> s;
+  s.objects.push_back({irg::shape_cube<double>()});
+  irg::mesh<double>& shape = s.objects[0].shape;
+  s.view.eye = {2, 3, 5};
+  s.lights = {{{1, 2, 3, 0}, {1, 1, 1}}};
+  shape.normals = {{0, 0, 0}};
+  for (auto& c : shape.corners) c.normal = 0;
+  const picture by_triangles = traced(s, {}, plain());
+  picture dark(width, height);
+  irg::image<float> depth(width, height);
+  irg::render(s, {dark, depth}, {.style = irg::picture_style::phong});
+  CHECK_FALSE((by_triangles == dark));
+  shape.normals.clear();
+  for (std::size_t f = 0; f < shape.face_count(); ++f) {
+    shape.normals.push_back(irg::face_normal(shape, f).value());
+    for (std::size_t k = 0; k < shape.face_size(f); ++k)
+      shape.corners[shape.face_starts[f] + k].normal = static_cast<std::uint32_t>(f);
+  }
+  CHECK((traced(s, {}, plain()) == by_triangles));
+}
+
 TEST_CASE("render_traced: threads, samples, shadows, mirrors and glass") {
   const irg::scene<double> s = world();
   std::vector<irg::optics<double>> optics(1);
