@@ -131,6 +131,25 @@ TEST_CASE("bvh: closest, any and all hits of primitives of the caller's, against
   }
 }
 
+// Sheets across z, and rays so fast that times are subnormal: many are one number, and as many come out as zero.
+TEST_CASE("bvh: of what is met at times that underflow to one number, the lowest number") {
+  test::random r(31);
+  for (const float fast : {0x1p100f, 0x1p96f, 0x1p90f, 0x1p80f}) {
+    std::vector<irg::box<float, 3>> boxes;
+    for (int i = 0; i < 60; ++i) {
+      const float z = static_cast<float>(r.unit() + 0.01) * 0x1p-50f;
+      boxes.push_back({{-1, -1, z}, {1, 1, z}});
+    }
+    const irg::bvh tree = irg::build_bvh(std::span<const irg::box<float, 3>>(boxes));
+    const irg::ray<float, 3> ray{{0.25f, 0.5f, 0}, {0, 0, fast}};
+    const auto test = [&](std::uint32_t i, const auto&) { return std::optional<float>(boxes[i].low.z / fast); };
+    irg::primitive_hit<float> first{0, *test(0, ray)};
+    for (std::uint32_t i = 1; i < 60; ++i)
+      if (*test(i, ray) < first.t) first = {i, *test(i, ray)};
+    CHECK((irg::closest_hit(tree, ray, test) == first));
+  }
+}
+
 TEST_CASE("bvh: what stands in a box, against all boxes") {
   test::random r(13);
   const auto boxes = test::lattice_boxes<double>(r, 500, 0.25, 30);

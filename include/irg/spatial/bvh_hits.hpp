@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include <irg/spatial/bvh_node.hpp>
@@ -71,7 +72,8 @@ template <Floating T, RayTest<T> Test>
           if (!best || t < best->t || number < best->primitive) {
             best = {number, t};
             rest.high = t;
-            b.high = detail::later_time(b, detail::exactly_widened(t));
+            // What is subnormal in T is off by more than later_time's slack.
+            b.high = detail::later_time(b, detail::exactly_widened(t) + widened((std::numeric_limits<T>::min)()));
           }
           return false;
         },
