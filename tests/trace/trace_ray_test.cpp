@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/trace/trace_ray.hpp>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <irg/mesh/shapes.hpp>
 
+#include "support/random.hpp"
 #include "trace/worlds.hpp"
 
 namespace {
@@ -108,6 +110,40 @@ TEST_CASE("trace_ray: rays that are none, worlds that are empty, scales") {
     CHECK(lit > 0.9);
     CHECK(irg::trace_ray(w, R{{0.1 * s, 0.1 * s, -9 * s}, {0, 0, s}}).r == 0);
   }
+}
+
+TEST_CASE("trace_ray: never NaN where light does not overflow, whatever the shapes") {
+  test::random r(77);
+  const auto any = [&] { return std::ldexp(2 * r.unit() - 1, static_cast<int>(r.integer(-1070, 1022))); };
+  const auto colour = [&] { return irg::rgb<double>{r.unit(), r.unit(), r.integer(0, 1) == 0 ? 0 : r.unit()}; };
+  for (int i = 0; i < 40; ++i) {
+    irg::mesh<double> m;
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      for (int c = 0; c < 3; ++c) m.positions.push_back({any(), any(), any()});
+      irg::add_face(m, std::array{3 * k, 3 * k + 1, 3 * k + 2});
+    }
+    const test::kept_body body(m, {});
+    const std::vector<light> lights{{{any(), any(), any(), any()}, colour()},
+                                    {{m.positions[0].x, m.positions[0].y, m.positions[0].z, 1}, colour()}};
+    const world w({body.body({colour(), colour(), colour(), 7}, {colour(), colour(), r.unit()})}, {colour(), lights});
+    for (int k = 0; k < 10; ++k) {
+      const P from{any(), any(), any()};
+      const irg::rgb<double> seen = irg::trace_ray(w, R{from, m.positions[static_cast<std::size_t>(k)] - from});
+      REQUIRE(0 <= seen.r);
+      REQUIRE(0 <= seen.g);
+      REQUIRE(0 <= seen.b);
+    }
+  }
+}
+
+TEST_CASE("trace_ray: what overflows is NaN in a mirror without a channel") {
+  const test::kept_body floor(test::rectangle({-9, -9, 0}, {18, 0, 0}, {0, 18, 0}), {}),
+      mirror(test::rectangle({-9, 9, 5}, {18, 0, 0}, {0, -18, 0}), {});
+  const std::vector<light> lamp{{{0, 0, 1, 1}, {1e200, 1e200, 1e200}}};
+  const world w({floor.body({{}, {1e200, 1e200, 1e200}, {}, 1}), mirror.body(dark, {{1, 1, 0}, {}})}, {{}, lamp});
+  const irg::rgb<double> seen = irg::trace_ray(w, R{{0, 0, 3}, {0.125, 0, 1}});
+  CHECK(seen.r == HUGE_VAL);
+  CHECK(std::isnan(seen.b));
 }
 
 TEST_CASE("trace_from: the light of phong_model, bit by bit, where nothing is in the way") {

@@ -179,8 +179,10 @@ template <Floating T>
 }
 
 /// The light that comes along a ray to its origin.
-/// gives   the background where it meets nothing; never NaN for finite worlds. A ray that begins within glass leaves it
-///         as one from outside would have entered. Behind the last bounce a surface shows its own light alone
+/// gives   the background where it meets nothing; never NaN for finite worlds, unless light times what surfaces leave
+///         of it overflows: a lamp of 10^200 on a surface that reflects 10^200 of it, in a mirror without blue. A ray
+///         that begins within glass leaves it as one from outside would have entered. Behind the last bounce a surface
+///         shows its own light alone
 /// exact   which triangles are met, in every order of bodies; light is made of + - * / and square roots in one order:
 ///         the same bits everywhere
 /// cost    at most 2^(bounces + 1) rays, and for each one to every lamp; nothing allocated
