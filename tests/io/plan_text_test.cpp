@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <irg/io/plan_text.hpp>
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "support/check_both.hpp"
 #include "support/house_plans.hpp"
@@ -83,6 +87,65 @@ TEST_CASE("plan_text: errors with their places") {
   CHECK(refused(std::string(rooms) + "portal hall study 4 1 4 2", 6, 1, "overlaps"));
   CHECK(refused(std::string(rooms) + "portal hall study 4 1 4 1", 6, 1, "one point"));
   CHECK(refused(std::string(rooms) + "portal hall study 3 1 4 1", 6, 1, "side of both"));
+}
+
+// A name that counts how often one is looked at.
+struct watched_name {
+  static inline std::size_t looks = 0;
+  std::string text;
+  explicit watched_name(std::string_view t) : text(t) {}
+  operator std::string_view() const {
+    ++looks;
+    return text;
+  }
+};
+
+// Two hundred names which the hash that once kept them put into one slot.
+std::vector<std::string> colliding_names() {
+  std::vector<std::string> names;
+  for (int i = 0; names.size() < 200; ++i) {
+    const std::string name = std::to_string(i);
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char c : name) hash = (hash ^ static_cast<std::uint8_t>(c)) * 1099511628211u;
+    if (((hash ^ hash >> 32) & 511) == 0) names.push_back(name);
+  }
+  return names;
+}
+
+TEST_CASE("plan_text: names are found among any others") {
+  test::random r(11);
+  std::vector<std::string> names = colliding_names();
+  for (int i = 0; i < 400; ++i) {  // of few letters, so that most begin alike or are the beginning of another
+    std::string name;
+    for (std::int64_t k = r.integer(1, 12); k > 0; --k) name += "\1a\377\0"[r.integer(0, 3)];
+    names.push_back(name);
+  }
+  std::string text;
+  for (const std::string& name : names) text += name + '\n';
+  irg::detail::plan_lines<watched_name> lines(text);
+  std::map<std::string, std::uint32_t> known;
+  for (const std::string& name : names) {
+    REQUIRE(lines.cursor.skip_space());
+    const char* const at = lines.cursor.at;
+    std::uint32_t cell = 0;
+    const bool is_old = known.contains(name);
+    CHECK(lines.known_cell(cell) == is_old);
+    CHECK((!is_old || cell == known[name]));
+    lines.cursor.at = at;
+    watched_name::looks = 0;
+    CHECK(lines.new_cell() == !is_old);
+    CHECK(watched_name::looks <= 1);
+    if (!is_old) known[name] = static_cast<std::uint32_t>(known.size());
+    for (const auto& [old, number] : known) {
+      if (known.size() % 50 != 0) break;
+      irg::detail::plan_lines<watched_name>& same = lines;
+      const irg::detail::text_cursor before = same.cursor;
+      same.cursor = irg::detail::text_cursor(old, '#');
+      CHECK(same.known_cell(cell));
+      CHECK(cell == number);
+      same.cursor = before;
+    }
+  }
 }
 
 TEST_CASE("plan_text: visible sets as bytes") {
