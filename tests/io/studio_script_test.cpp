@@ -114,6 +114,8 @@ TEST_CASE("studio script: files are the caller's, lines and columns known") {
 }
 
 TEST_CASE("studio script: what is wrong, and where") {
+  CHECK(irg::read_studio_script<double>("\xEF\xBB\xBFsave s.xml")->size() == 1);  // a byte order mark
+  CHECK(error_of("\xEF\xBB\xBF jump") == "1:2 line begins with a word that is not known");
   CHECK(error_of("shw kocka") == "1:1 line begins with a word that is not known");
   CHECK(error_of("drop a\n\n  drop") == "3:7 expected the name of a body, or * for all");
   CHECK(error_of("drop a b") == "1:8 line goes on behind its end");

@@ -42,6 +42,8 @@ TEST_CASE("read_terrain: rows from the north, places of samples, gaps") {
 }
 
 TEST_CASE("read_terrain: errors with their place") {
+  CHECK(place_of("\xEF\xBB\xBF" + std::string(small)) == "read");  // a byte order mark
+  CHECK(place_of("\xEF\xBB\xBFncols x") == "1:7 expected a decimal number");
   CHECK(place_of("") == "1:1 the head lacks ncols, nrows or cellsize");
   CHECK(place_of("ncols 2\nrows 2\n") == "2:1 expected ncols, nrows, xllcorner, yllcorner, cellsize or nodata_value");
   CHECK(place_of("ncols 0\n") == "1:7 number is out of range");

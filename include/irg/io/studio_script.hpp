@@ -259,6 +259,7 @@ inline namespace IRG_ABI {
 template <Floating T = double>
 [[nodiscard]] constexpr result<std::vector<studio_command<T>>> read_studio_script(std::string_view text) {
   std::vector<studio_command<T>> commands;
+  text = detail::without_byte_order_mark(text);
   detail::studio_script_reader<T> reader(text);
   detail::text_cursor& cursor = reader.cursor;
   for (const char* last = cursor.at; cursor.skip_space(); last = cursor.at) {
