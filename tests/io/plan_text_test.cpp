@@ -166,7 +166,7 @@ TEST_CASE("plan_text: visible sets as bytes") {
   CHECK(irg::read_visible_sets("visible cells 1 unfinished 0\n\3").error().column == 30);
   CHECK(irg::read_visible_sets("visible cells 2147483647 unfinished 0\n").error().line == 0);
   CHECK(irg::read_visible_sets("visible cells -1 unfinished 0\n").error().line == 1);
-  CHECK(irg::read_visible_sets("visible rooms 1 unfinished 0\n").error().column == 8);
+  CHECK(irg::read_visible_sets("visible  rooms 1 unfinished 0\n").error().column == 10);
 }
 
 }  // namespace

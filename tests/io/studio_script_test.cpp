@@ -140,5 +140,6 @@ TEST_CASE("studio script: what is wrong, and where") {
   CHECK(error_of("helper main lens on") == "1:13 helper is none of axes, camera-axes, camera, pyramid");
   CHECK(error_of("picture a.png left") == "1:15 view is neither main nor outer");
   CHECK(error_of("load") == "1:5 expected the name of a file");
+  CHECK(error_of("load a \"\"") == "1:8 expected the name of a body");
   CHECK(error_of("drop a\n\x01\xff") == "2:1 line begins with a word that is not known");
 }

@@ -48,6 +48,8 @@ TEST_CASE("read_terrain: errors with their place") {
   CHECK(place_of("ncols 2\nrows 2\n") == "2:1 expected ncols, nrows, xllcorner, yllcorner, cellsize or nodata_value");
   CHECK(place_of("ncols 0\n") == "1:7 number is out of range");
   CHECK(place_of("ncols 2.5\n") == "1:7 number is out of range");
+  CHECK(place_of("ncols         0\n") == "1:15 number is out of range");
+  CHECK(place_of("ncols\n 0\n") == "2:2 number is out of range");
   CHECK(place_of("ncols 2 nrows 2 cellsize -1\n") == "1:26 number is out of range");
   CHECK(place_of("ncols 1 nrows 2 cellsize 1\n1 x") == "2:3 expected a decimal number");
   CHECK(place_of("ncols 1 nrows 2 cellsize 1\n1") == "2:2 text ends where a number is expected");

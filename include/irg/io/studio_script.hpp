@@ -180,7 +180,8 @@ struct studio_script_reader {
       c.action = action;
       return text(c.file, "expected the name of a file");
     };
-    if (word == "load") return file(studio_action::load) && (!cursor.skip_blanks() || text(c.name, ""));
+    if (word == "load")
+      return file(studio_action::load) && (!cursor.skip_blanks() || text(c.name, "expected the name of a body"));
     if (word == "save") return file(studio_action::save);
     if (word == "restore") return file(studio_action::restore);
     if (word == "picture") {
