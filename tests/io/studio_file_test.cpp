@@ -152,4 +152,9 @@ TEST_CASE("studio file: no part of a broken state comes out") {
   CHECK(error_of("<!DOCTYPE bodies [<!ENTITY a \"b\">]><bodies/>") != "none");
   CHECK(error_of("<bodies><studio:event/></bodies>") == "1:10 line is not one event");
   CHECK(error_of("<bodies/>") == "none");
+  CHECK(error_of("<body><points/><faces/></body>") == "1:2 body has no name");
+  CHECK(error_of("\xEF\xBB\xBF<bodies><x:y><body/></x:y>\n <body name='a'><points/><faces/></body>\n"
+                 "<body><points/><faces/></body></bodies>") == "3:2 body has no name");
+  CHECK(error_of("<bodies>\n<body name='a'><surfaces><surface ambient='1.7e308 1.7e308 1'/></surfaces><points/><faces/>"
+                 "</body></bodies>") == "2:2 body has a surface that is none");
 }

@@ -77,6 +77,14 @@ struct studio_writer {
   }
 };
 
+/// Where the name of a body's element stands in the text.
+/// needs   a text that read_body_xml reads, with more bodies than `number`
+constexpr const char* place_of_body(std::string_view text, std::size_t number) noexcept {
+  xml_reader xml(text);
+  for (;;)
+    if (xml.next() == xml_event::begin && xml.name == "body" && xml.depth <= 2 && number-- == 0) return xml.name.data();
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
