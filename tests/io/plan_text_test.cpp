@@ -31,6 +31,10 @@ TEST_CASE("plan_text: what is read is written, and read again") {
   CHECK_BOTH(irg::read_plan(rooms)->plan.cells[0].ceiling == 2.5);
   CHECK_BOTH(irg::read_plan(rooms)->plan.portals.size() == 1);
   CHECK_BOTH(irg::read_plan("")->plan.cells.empty());
+  const auto zero = irg::read_plan(std::string_view("cell a\0b 0 0 1 0 0 1\n", 21));  // any byte but blanks and #
+  REQUIRE(zero.has_value());
+  const auto with_zero = irg::encode_plan(*zero);
+  CHECK(*irg::read_plan(std::string(with_zero.begin(), with_zero.end())) == *zero);
   CHECK_BOTH(irg::read_plan(" # nothing")->plan.cells.empty());
   CHECK_BOTH([] {
     const auto plan = *irg::read_plan(rooms);

@@ -69,7 +69,7 @@ template <Floating T>
   }
   for (std::size_t c = 0; c < plan.cells.size(); ++c) {
     detail::append_text(out, "cell ");
-    detail::append_line_of(out, named.names[c]);
+    detail::append_text(out, named.names[c]);
     for (const space_face& face : plan.faces[c]) {
       detail::append_text(out, "\nface");
       for (const std::uint32_t v : face) add_number_of(plan.cells[c][v]);
@@ -78,9 +78,9 @@ template <Floating T>
   }
   for (const auto& p : plan.portals) {
     detail::append_text(out, "portal ");
-    detail::append_line_of(out, named.names[p.first]);
+    detail::append_text(out, named.names[p.first]);
     detail::append_text(out, " ");
-    detail::append_line_of(out, named.names[p.second]);
+    detail::append_text(out, named.names[p.second]);
     for (const auto& v : p.ring) add_number_of(v);
     detail::append_text(out, "\n");
   }
