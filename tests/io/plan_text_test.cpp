@@ -74,6 +74,7 @@ TEST_CASE("plan_text: every text cut short or with a byte changed is read or ref
 TEST_CASE("plan_text: errors with their places") {
   CHECK_BOTH(refused("room a 0 0", 1, 1, "none of cell"));
   CHECK_BOTH(refused("cell", 1, 5, "name"));
+  CHECK_BOTH(refused("\xEF\xBB\xBF cell", 1, 6, "name"));  // a byte order mark does not count
   CHECK_BOTH(refused("cell a 0 0 1 0 1", 1, 17, "a number is expected"));
   CHECK_BOTH(refused("cell a 0 0 1 0 1 x", 1, 18, "decimal number"));
   CHECK_BOTH(refused("cell a 0 0 1 0 nan 1", 1, 16, "not finite"));

@@ -27,6 +27,7 @@ inline namespace IRG_ABI {
 /// cost    linear, and validate(); memory at most 64 times the text
 template <Floating T = double>
 [[nodiscard]] constexpr result<named_plan<cell_plan<T>>> read_plan(std::string_view text) {
+  text = detail::without_byte_order_mark(text);
   detail::plan_reader<T> reader(text);
   if (reader.read()) return named_plan<cell_plan<T>>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);

@@ -36,6 +36,7 @@ inline namespace IRG_ABI {
 ///         text
 template <Floating T = double>
 [[nodiscard]] constexpr result<named_plan<space_plan<T>>> read_space_plan(std::string_view text) {
+  text = detail::without_byte_order_mark(text);
   detail::space_plan_reader<T> reader(text);
   if (reader.read()) return named_plan<space_plan<T>>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);

@@ -31,7 +31,7 @@ struct plan_lines {
   std::vector<Name> names{};  // of cells
   text_cursor cursor;
 
-  constexpr explicit plan_lines(std::string_view text) : cursor(without_byte_order_mark(text), '#') {}
+  constexpr explicit plan_lines(std::string_view text) : cursor(text, '#') {}
 
   template <class T>
   constexpr bool number(T& into) {
