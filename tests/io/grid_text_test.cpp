@@ -37,11 +37,13 @@ TEST_CASE("read_grid: comments stand between the parts, and rows may begin with 
   CHECK(r->units.size() == 1);
   CHECK(irg::read_grid("1 1 1\r\n.\r\n0 0\r\n"));
   CHECK(irg::read_grid("1 1 1\n#"));
+  CHECK(irg::read_grid("\xEF\xBB\xBF 1 1 1\n."));  // a byte order mark
 }
 
 TEST_CASE("read_grid: what is wrong, and where") {
   refused("", 1, 1, "width");
   refused("3 x 1", 1, 3, "width");
+  refused("\xEF\xBB\xBF 3 x 1", 1, 4, "width");
   refused("0 1 1\n\n", 1, 1, "from 1");
   refused("2147483648 1 1", 1, 1, "from 1");
   refused("1 1", 1, 4, "width");

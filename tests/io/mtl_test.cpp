@@ -63,6 +63,7 @@ TEST_CASE("mtl: what is wrong is said where it stands") {
 TEST_CASE("mtl: libraries are named, and opened by the caller alone, beside the model alone") {
   CHECK_BOTH(irg::material_libraries("# mtllib no\nmtllib a b.mtl \nv 0 0 0\r\n mtllib\tc.mtl\nmtllib\nmtllibs d") ==
              std::vector<std::string_view>{"a b.mtl", "c.mtl"});
+  CHECK_BOTH(irg::material_libraries("\xEF\xBB\xBFmtllib a.mtl") == std::vector<std::string_view>{"a.mtl"});
   for (const char* name : {"a.mtl", "a b", "..a", "a..mtl", "\xc3\xa9"}) CHECK(irg::is_plain_file_name(name));
   for (const char* name : {"", ".", "..", "/etc/passwd", "../a", "a/b", "a\\b", "C:a", "..\\a"})
     CHECK(!irg::is_plain_file_name(name));

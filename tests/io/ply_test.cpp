@@ -153,8 +153,9 @@ TEST_CASE("ply: what is wrong is said where it stands") {
   CHECK(outcome("\xEF\xBB\xBFplyx\n") == "1:1 file does not begin with the word ply");
   CHECK(outcome("ply x\n") == "1:5 expected the end of the line");
   CHECK(outcome("ply\n") == "2:1 expected the format in the second line");
+  CHECK(outcome("ply\n form ascii 1.0\n") == "2:2 expected the format in the second line");
   CHECK(damaged("ascii", "text") == "2:8 format is none of ascii and the two binary ones");
-  CHECK(damaged("1.0", "2.0") == "2:17 version of the format is not 1.0");
+  CHECK(damaged("1.0", "2.0") == "2:14 version of the format is not 1.0");
   CHECK(damaged("comment", "remark") == "3:1 expected element, property or end_header");
   CHECK(damaged("vertex 4", "vertex") == "4:15 element has no count");
   CHECK(damaged("vertex 4", "vertex -4") == "4:16 count of an element is negative");

@@ -71,6 +71,7 @@ TEST_CASE("space_plan_text: what is read is written, and read again") {
 TEST_CASE("space_plan_text: what is refused, and where") {
   CHECK_BOTH(is_refused("room a", 1, 1, "none of point, cell, face and portal"));
   CHECK_BOTH(is_refused("point 1 2", 1, 10, "line ends where a number"));
+  CHECK_BOTH(is_refused("\xEF\xBB\xBFpoint 1 2", 1, 10, "line ends where a number"));  // a mark of UTF-8
   CHECK_BOTH(is_refused("point 1 2 3 4", 1, 13, "nothing more"));
   CHECK_BOTH(is_refused("point 1 nan 3", 1, 9, "not finite"));
   CHECK_BOTH(is_refused("point 1 1e999 3", 1, 9, "too large"));

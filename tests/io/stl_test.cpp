@@ -84,6 +84,9 @@ TEST_CASE("stl: bytes are told from text by the length they state, whatever the 
   CHECK(read_stl(bytes)->face_count() == 1);
   bytes.pop_back();
   CHECK(outcome(bytes) == "0:82 byte 0 stands in text, and binary STL would have another length");
+  // In bytes that are no text a byte order mark counts.
+  CHECK(outcome("\xEF\xBB\xBF" + bytes) == "0:85 byte 0 stands in text, and binary STL would have another length");
+  CHECK(outcome("\xEF\xBB\xBFno text") == "0:11 file is too short for STL, or no STL at all");
 }
 
 TEST_CASE("stl: several solids, names, case and odd blanks") {

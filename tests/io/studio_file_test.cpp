@@ -112,6 +112,31 @@ TEST_CASE("studio file: after any events the state reads back the same, refused 
   CHECK(bodies > 60);
 }
 
+TEST_CASE("studio file: cameras that no other projection or distance has read back, too") {
+  const auto main = irg::studio_view::main;
+  const auto same = [](const studio& s) { return irg::read_studio<double>(text_of(s)); };
+  const auto parallel = [&](double away, const irg::view_pyramid<double>& p) {
+    studio s;
+    const irg::aim_camera<double> aim{main, {0, 0, away}, {0, 0, 0}};
+    CHECK(apply_event(s, irg::set_projection<double>{main, irg::projection_kind::orthographic}) ==
+          irg::studio_status::done);
+    if (away < 1) CHECK(apply_event(s, aim) == irg::studio_status::done);
+    CHECK(apply_event(s, irg::set_pyramid<double>{main, p}) == irg::studio_status::done);
+    CHECK(apply_event(s, aim) == irg::studio_status::done);
+    return s;
+  };
+  // Screens that perspective has no angle for: too near, too low and far away.
+  for (const studio& s : {parallel(1, {1e-300, 1, 1, 1, 2}), parallel(1e-300, {1e-300, 1, 1, 1, 2}),
+                          parallel(1e300, {1, 1e-310, 1e-310, 1, 2})})
+    CHECK((same(s).has_value() && *same(s) == s));
+  studio s = parallel(0.5, {1, 8, 8, 1, 2});  // a factor that greater distances have no room for
+  CHECK(apply_event(s, irg::set_projection<double>{main, irg::projection_kind::oblique, 30, 1.5e308}) ==
+        irg::studio_status::done);
+  CHECK((same(s).has_value() && *same(s) == s));
+  CHECK(apply_event(s, irg::set_projection<double>{main}) == irg::studio_status::done);
+  CHECK((same(s).has_value() && *same(s) == s));
+}
+
 TEST_CASE("studio file: it is a file of bodies, and a file of bodies is one") {
   studio s;
   CHECK(apply_event(s, irg::load_body<double>{irg::store_body("kocka", irg::shape_cube<double>())}) ==
@@ -152,4 +177,9 @@ TEST_CASE("studio file: no part of a broken state comes out") {
   CHECK(error_of("<!DOCTYPE bodies [<!ENTITY a \"b\">]><bodies/>") != "none");
   CHECK(error_of("<bodies><studio:event/></bodies>") == "1:10 line is not one event");
   CHECK(error_of("<bodies/>") == "none");
+  CHECK(error_of("<body><points/><faces/></body>") == "1:2 body has no name");
+  CHECK(error_of("\xEF\xBB\xBF<bodies><x:y><body/></x:y>\n <body name='a'><points/><faces/></body>\n"
+                 "<body><points/><faces/></body></bodies>") == "3:2 body has no name");
+  CHECK(error_of("<bodies>\n<body name='a'><surfaces><surface ambient='1.7e308 1.7e308 1'/></surfaces><points/><faces/>"
+                 "</body></bodies>") == "2:2 body has a surface that is none");
 }

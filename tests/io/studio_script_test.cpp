@@ -114,6 +114,8 @@ TEST_CASE("studio script: files are the caller's, lines and columns known") {
 }
 
 TEST_CASE("studio script: what is wrong, and where") {
+  CHECK(irg::read_studio_script<double>("\xEF\xBB\xBFsave s.xml")->size() == 1);  // a byte order mark
+  CHECK(error_of("\xEF\xBB\xBF jump") == "1:2 line begins with a word that is not known");
   CHECK(error_of("shw kocka") == "1:1 line begins with a word that is not known");
   CHECK(error_of("drop a\n\n  drop") == "3:7 expected the name of a body, or * for all");
   CHECK(error_of("drop a b") == "1:8 line goes on behind its end");
@@ -138,5 +140,6 @@ TEST_CASE("studio script: what is wrong, and where") {
   CHECK(error_of("helper main lens on") == "1:13 helper is none of axes, camera-axes, camera, pyramid");
   CHECK(error_of("picture a.png left") == "1:15 view is neither main nor outer");
   CHECK(error_of("load") == "1:5 expected the name of a file");
+  CHECK(error_of("load a \"\"") == "1:8 expected the name of a body");
   CHECK(error_of("drop a\n\x01\xff") == "2:1 line begins with a word that is not known");
 }

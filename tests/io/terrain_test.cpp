@@ -42,10 +42,14 @@ TEST_CASE("read_terrain: rows from the north, places of samples, gaps") {
 }
 
 TEST_CASE("read_terrain: errors with their place") {
+  CHECK(place_of("\xEF\xBB\xBF" + std::string(small)) == "read");  // a byte order mark
+  CHECK(place_of("\xEF\xBB\xBFncols x") == "1:7 expected a decimal number");
   CHECK(place_of("") == "1:1 the head lacks ncols, nrows or cellsize");
   CHECK(place_of("ncols 2\nrows 2\n") == "2:1 expected ncols, nrows, xllcorner, yllcorner, cellsize or nodata_value");
   CHECK(place_of("ncols 0\n") == "1:7 number is out of range");
   CHECK(place_of("ncols 2.5\n") == "1:7 number is out of range");
+  CHECK(place_of("ncols         0\n") == "1:15 number is out of range");
+  CHECK(place_of("ncols\n 0\n") == "2:2 number is out of range");
   CHECK(place_of("ncols 2 nrows 2 cellsize -1\n") == "1:26 number is out of range");
   CHECK(place_of("ncols 1 nrows 2 cellsize 1\n1 x") == "2:3 expected a decimal number");
   CHECK(place_of("ncols 1 nrows 2 cellsize 1\n1") == "2:2 text ends where a number is expected");

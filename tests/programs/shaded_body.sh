@@ -159,6 +159,8 @@ check "statistics without a picture" test -s only.json
 
 # ---- refusals
 refused "no model" "no model"
+refused "an empty picture name" "-o needs" cube -o ""
+refused "an empty name of statistics" "--stats needs" cube --stats ""
 refused "two models" "torus" cube torus
 refused "a missing file" "missing.obj" missing.obj
 refused "an empty file" "empty" empty.obj --list

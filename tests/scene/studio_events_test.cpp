@@ -53,6 +53,26 @@ TEST_CASE("studio events: equal names are numbered; what is dropped makes room")
   CHECK(names(s).ends_with("kocka(22) kocka(23) "));
 }
 
+TEST_CASE("studio events: the first free number, whatever names there are, many of one name too") {
+  const std::string_view wanted[] = {"a",    "a(2)",    "a(02)", "a(1)", "a(3)", "a()",
+                                     "a(9)", "a(2)(2)", "a(2",   "b",    "a(x)"};
+  studio s;
+  irg::stored_body<double> small;
+  for (int i = 0; i < 300; ++i) {
+    small.name = wanted[(i * i + i / 7) % 11];
+    std::string free(small.name);
+    for (int n = 2; irg::find_body(s, free) != s.bodies.size(); ++n)
+      free = std::string(small.name) + '(' + std::to_string(n) + ')';
+    CHECK(apply_event(s, irg::load_body<double>{small}) == done);
+    CHECK(s.bodies.back().body.name == irg::part_name(free));
+    if (s.bodies.size() > 40) CHECK(apply_event(s, irg::drop_body{s.bodies[9].body.name}) == done);
+  }
+  s = {};
+  small.name = "a";
+  for (int i = 0; i < 1500; ++i) CHECK(apply_event(s, irg::load_body<double>{small}) == done);
+  CHECK(s.bodies.back().body.name == irg::part_name("a(1500)"));
+}
+
 TEST_CASE("studio events: at compile time") {
   CHECK_BOTH([] {
     irg::studio<double> s;

@@ -15,6 +15,7 @@
 
 #include <irg/core/result.hpp>
 #include <irg/io/detail/grid_text_steps.hpp>
+#include <irg/io/detail/text_place.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/math/decimal.hpp>
 #include <irg/spatial/walled_grid.hpp>
@@ -35,7 +36,7 @@ inline namespace IRG_ABI {
 /// cost    memory bounded by the text's size
 template <class Map = grid_text>
 [[nodiscard]] constexpr result<Map> read_grid(std::string_view text, const wall_rules& rules = {}) {
-  return detail::grid_reader<Map>(text, rules).read();
+  return detail::grid_reader<Map>(detail::without_byte_order_mark(text), rules).read();
 }
 
 /// The text of a map and its units, which read_grid reads back.

@@ -126,7 +126,7 @@ template <Floating T = double>
 template <class Text = std::string_view>
 [[nodiscard]] constexpr std::vector<Text> material_libraries(std::type_identity_t<Text> obj) {
   std::vector<Text> names;
-  detail::text_cursor text(obj, '#');
+  detail::text_cursor text(detail::without_byte_order_mark(obj), '#');
   for (; text.skip_space(); text.skip_to_line_end())
     if (text.word() == "mtllib")
       if (const Text name = text.rest_of_line(); !name.empty()) names.push_back(name);

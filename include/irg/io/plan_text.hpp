@@ -27,6 +27,7 @@ inline namespace IRG_ABI {
 /// cost    linear, and validate(); memory at most 64 times the text
 template <Floating T = double>
 [[nodiscard]] constexpr result<named_plan<cell_plan<T>>> read_plan(std::string_view text) {
+  text = detail::without_byte_order_mark(text);
   detail::plan_reader<T> reader(text);
   if (reader.read()) return named_plan<cell_plan<T>>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);
@@ -41,19 +42,19 @@ template <Floating T>
   const cell_plan<T>& plan = named.plan;
   for (std::size_t c = 0; c < plan.cells.size(); ++c) {
     detail::append_text(out, "cell ");
-    detail::append_line_of(out, named.names[c]);
+    detail::append_text(out, named.names[c]);
     for (const point<T, 2>& p : plan.cells[c].corners) detail::append_numbers(out, p, 2);
     detail::append_text(out, "\nheights ");
-    detail::append_line_of(out, named.names[c]);
+    detail::append_text(out, named.names[c]);
     const T heights[] = {plan.cells[c].floor, plan.cells[c].ceiling};
     detail::append_numbers(out, heights, 2);
     detail::append_text(out, "\n");
   }
   for (const plan_portal<T>& p : plan.portals) {
     detail::append_text(out, "portal ");
-    detail::append_line_of(out, named.names[p.first]);
+    detail::append_text(out, named.names[p.first]);
     detail::append_text(out, " ");
-    detail::append_line_of(out, named.names[p.second]);
+    detail::append_text(out, named.names[p.second]);
     for (const point<T, 2>& end : {p.a, p.b}) detail::append_numbers(out, end, 2);
     detail::append_text(out, "\n");
   }

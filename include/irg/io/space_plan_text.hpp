@@ -36,6 +36,7 @@ inline namespace IRG_ABI {
 ///         text
 template <Floating T = double>
 [[nodiscard]] constexpr result<named_plan<space_plan<T>>> read_space_plan(std::string_view text) {
+  text = detail::without_byte_order_mark(text);
   detail::space_plan_reader<T> reader(text);
   if (reader.read()) return named_plan<space_plan<T>>{std::move(reader.plan), std::move(reader.names)};
   return detail::error_at(text, reader.cursor.place, reader.cursor.message);
@@ -69,7 +70,7 @@ template <Floating T>
   }
   for (std::size_t c = 0; c < plan.cells.size(); ++c) {
     detail::append_text(out, "cell ");
-    detail::append_line_of(out, named.names[c]);
+    detail::append_text(out, named.names[c]);
     for (const space_face& face : plan.faces[c]) {
       detail::append_text(out, "\nface");
       for (const std::uint32_t v : face) add_number_of(plan.cells[c][v]);
@@ -78,9 +79,9 @@ template <Floating T>
   }
   for (const auto& p : plan.portals) {
     detail::append_text(out, "portal ");
-    detail::append_line_of(out, named.names[p.first]);
+    detail::append_text(out, named.names[p.first]);
     detail::append_text(out, " ");
-    detail::append_line_of(out, named.names[p.second]);
+    detail::append_text(out, named.names[p.second]);
     for (const auto& v : p.ring) add_number_of(v);
     detail::append_text(out, "\n");
   }

@@ -45,16 +45,18 @@ inline namespace IRG_ABI {
 template <Floating T = double>
 [[nodiscard]] constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options = {}) {
   if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
-  if (!detail::has_length_of_binary_stl(bytes)) bytes = detail::without_byte_order_mark(bytes);
+  const std::string_view text =
+      detail::has_length_of_binary_stl(bytes) ? bytes : detail::without_byte_order_mark(bytes);
   mesh<T> read;
-  if (detail::is_binary_stl(bytes)) {
-    if (const auto wrong = detail::read_binary_stl(bytes, read)) return *wrong;
+  if (detail::is_binary_stl(text)) {
+    if (const auto wrong = detail::read_binary_stl(text, read))
+      return parse_error{0, wrong->column + (bytes.size() - text.size()), wrong->message};
   } else {
     if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos)
       return detail::error_at_byte(bytes, bytes.data() + nul,
                                    "byte 0 stands in text, and binary STL would have another length");
-    detail::stl_text_reader<T> reader(bytes);
-    if (!reader.text()) return detail::error_at(bytes, reader.cursor.place, reader.cursor.message);
+    detail::stl_text_reader<T> reader(text);
+    if (!reader.text()) return detail::error_at(text, reader.cursor.place, reader.cursor.message);
     read = std::move(reader.read);
   }
   if (options.positions == stl_positions::shared) read = merge_positions(std::move(read));

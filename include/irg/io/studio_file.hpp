@@ -50,10 +50,10 @@ template <Floating T = double>
   auto bodies = read_body_xml<T>(text);
   if (!bodies) return bodies.error();
   studio<T> s;
-  for (stored_body<T>& b : *bodies)
-    if (const studio_status bad = apply_event(s, load_body<T>{std::move(b)}); bad != studio_status::done)
-      return parse_error{0, 0, sentence_of(bad)};
   text = detail::without_byte_order_mark(text);
+  for (std::size_t i = 0; i < bodies->size(); ++i)
+    if (const studio_status bad = apply_event(s, load_body<T>{std::move((*bodies)[i])}); bad != studio_status::done)
+      return detail::error_at(text, detail::place_of_body(text, i), sentence_of(bad));
   detail::xml_reader xml(text);
   for (detail::xml_event e = xml.next(); e != detail::xml_event::done; e = xml.next()) {
     if (e == detail::xml_event::error) return detail::error_at(text, xml.cursor.place, xml.cursor.message);

@@ -180,7 +180,8 @@ struct studio_script_reader {
       c.action = action;
       return text(c.file, "expected the name of a file");
     };
-    if (word == "load") return file(studio_action::load) && (!cursor.skip_blanks() || text(c.name, ""));
+    if (word == "load")
+      return file(studio_action::load) && (!cursor.skip_blanks() || text(c.name, "expected the name of a body"));
     if (word == "save") return file(studio_action::save);
     if (word == "restore") return file(studio_action::restore);
     if (word == "picture") {
@@ -259,6 +260,7 @@ inline namespace IRG_ABI {
 template <Floating T = double>
 [[nodiscard]] constexpr result<std::vector<studio_command<T>>> read_studio_script(std::string_view text) {
   std::vector<studio_command<T>> commands;
+  text = detail::without_byte_order_mark(text);
   detail::studio_script_reader<T> reader(text);
   detail::text_cursor& cursor = reader.cursor;
   for (const char* last = cursor.at; cursor.skip_space(); last = cursor.at) {

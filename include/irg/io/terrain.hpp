@@ -28,6 +28,7 @@ inline namespace IRG_ABI {
 /// source  Esri
 template <class Grid = height_grid>
 [[nodiscard]] constexpr result<Grid> read_terrain(std::string_view text) {
+  text = detail::without_byte_order_mark(text);
   detail::text_cursor cursor(text, '\0');
   const auto failed = [&] { return detail::error_at(text, cursor.place, cursor.message); };
   detail::terrain_head head;

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include <irg/mesh/validate.hpp>
+#include <irg/scene/detail/free_name.hpp>
 #include <irg/scene/studio.hpp>
 #include <irg/view/axonometry.hpp>
 #include <irg/view/polar_camera.hpp>
@@ -186,25 +187,6 @@ constexpr studio_status status_of_body(const stored_body<T>& b) noexcept {
   return studio_status::done;
 }
 
-// Names are words of scripts in quotes and values of XML: quotes and control characters become question marks.
-template <class T>
-constexpr part_name free_name(const studio<T>& s, const part_name& wanted) {
-  part_name plain;
-  for (const char c : std::string_view(wanted))
-    plain.push_back(static_cast<unsigned char>(c) < 32 || c == 127 || c == '"' ? '?' : c);
-  part_name name = plain;
-  for (std::size_t n = 2; find_body(s, name) != s.bodies.size(); ++n) {
-    char digits[20] = {};
-    std::size_t first = sizeof digits;
-    for (std::size_t rest = n; rest != 0; rest /= 10) digits[--first] = static_cast<char>('0' + rest % 10);
-    name = plain;
-    name.push_back('(');
-    for (; first < sizeof digits; ++first) name.push_back(digits[first]);
-    name.push_back(')');
-  }
-  return name;
-}
-
 // Calls change(body) for the bodies that a name stands for; its status is that of the last.
 template <class T, class Change>
 constexpr studio_status change_bodies(studio<T>& s, const part_name& name, const Change& change) {
@@ -245,7 +227,7 @@ inline namespace IRG_ABI {
 /// What an event makes of the studio.
 /// gives   a status; when it is not `done` the studio is as it was. Events about all bodies leave out those that cannot
 ///         follow
-/// cost    that of the body for load_body, constant otherwise
+/// cost    at most the number of bodies, and for load_body that of the body
 template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, load_body<T> e) {
   if (const studio_status bad = detail::status_of_body(e.body); bad != studio_status::done) return bad;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What readers of plans share: lines of words and numbers, and cells' names by a table of their hashes.
+// What readers of plans share: lines of words and numbers, and cells' names by a tree of their bits, which no names
+// make slow.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +31,7 @@ struct plan_lines {
   std::vector<Name> names{};  // of cells
   text_cursor cursor;
 
-  constexpr explicit plan_lines(std::string_view text) : cursor(without_byte_order_mark(text), '#') {}
+  constexpr explicit plan_lines(std::string_view text) : cursor(text, '#') {}
 
   template <class T>
   constexpr bool number(T& into) {
@@ -49,20 +50,31 @@ struct plan_lines {
     if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a cell's name is expected");
     const char* const at = cursor.at;
     const std::string_view name = cursor.word();
-    if (names.size() * 2 >= table_.size()) grow();
-    std::uint32_t& slot = slot_of(name);
-    if (slot != 0) return cursor.fail(at, "the cell's name is taken");
+    if (names.empty()) return names.push_back(Name(name)), true;
+    const std::string_view like = names[cell_like(name)];
+    if (like == name) return cursor.fail(at, "the cell's name is taken");
+    std::size_t bit = 0;
+    while (bit / 9 < name.size() && bit / 9 < like.size() && name[bit / 9] == like[bit / 9]) bit += 9;
+    while (bit_of(name, bit) == bit_of(like, bit)) ++bit;
+    std::uint32_t* place = &root_;
+    while (*place % 2 == 1 && forks_[*place / 2].bit < bit) {
+      fork& f = forks_[*place / 2];
+      place = &f.next[bit_of(name, f.bit)];
+    }
+    fork f{bit, {*place, *place}};
+    f.next[bit_of(name, bit)] = static_cast<std::uint32_t>(2 * names.size());
+    *place = static_cast<std::uint32_t>(2 * forks_.size() + 1);
+    forks_.push_back(f);
     names.push_back(Name(name));
-    slot = static_cast<std::uint32_t>(names.size());
     return true;
   }
   constexpr bool known_cell(std::uint32_t& cell) {
     if (!cursor.skip_blanks()) return cursor.fail(cursor.at, "the line ends where a cell's name is expected");
     const char* const at = cursor.at;
     const std::string_view name = cursor.word();
-    cell = table_.empty() ? 0 : slot_of(name);
-    if (cell == 0) return cursor.fail(at, "no cell of this name stands before");
-    --cell;
+    cell = cell_like(name);
+    if (names.empty() || std::string_view(names[cell]) != name)
+      return cursor.fail(at, "no cell of this name stands before");
     return true;
   }
   constexpr bool line_ends() {
@@ -70,20 +82,27 @@ struct plan_lines {
   }
 
 private:
-  std::vector<std::uint32_t> table_{};
+  // Where names part: at a bit of theirs. Next is twice a cell's number, or twice a fork's and 1.
+  struct fork {
+    std::size_t bit;
+    std::uint32_t next[2];
+  };
+  std::vector<fork> forks_{};
+  std::uint32_t root_ = 0;
 
-  // Where the number of a name stands, counted from 1, or would.
-  constexpr std::uint32_t& slot_of(std::string_view name) {
-    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-    for (const char c : name) hash = (hash ^ static_cast<std::uint8_t>(c)) * 1099511628211u;
-    std::size_t i = static_cast<std::size_t>(hash ^ hash >> 32) & (table_.size() - 1);
-    while (table_[i] != 0 && std::string_view(names[table_[i] - 1]) != name) i = (i + 1) & (table_.size() - 1);
-    return table_[i];
+  // Each byte has nine bits, the first of which says that it is there.
+  static constexpr unsigned bit_of(std::string_view name, std::size_t bit) noexcept {
+    if (bit / 9 >= name.size()) return 0;
+    return bit % 9 == 0 ? 1 : static_cast<unsigned char>(name[bit / 9]) >> (8 - bit % 9) & 1u;
   }
-  constexpr void grow() {
-    table_.assign(table_.empty() ? 16 : 2 * table_.size(), 0);
-    for (std::size_t i = 0; i < names.size(); ++i)
-      slot_of(std::string_view(names[i])) = static_cast<std::uint32_t>(i + 1);
+  // The one cell that may have the name; 0 when there is none. No more steps than the name has bits.
+  constexpr std::uint32_t cell_like(std::string_view name) const noexcept {
+    std::uint32_t next = root_;
+    while (next % 2 == 1) {
+      const fork& f = forks_[next / 2];
+      next = f.next[bit_of(name, f.bit)];
+    }
+    return next / 2;
   }
 };
 

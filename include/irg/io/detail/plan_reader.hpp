@@ -103,8 +103,8 @@ template <class Cursor>
 constexpr bool visible_sets_header(Cursor& cursor, std::int64_t& cells, std::int64_t& unfinished) {
   const char* const first = cursor.at;
   const auto word_is = [&](std::string_view expected) {
-    const char* const at = cursor.at;
-    return cursor.word_in_line() == expected || cursor.fail(at, "expected visible cells N unfinished U");
+    const std::string_view word = cursor.word_in_line();
+    return word == expected || cursor.fail(cursor.at - word.size(), "expected visible cells N unfinished U");
   };
   if (!word_is("visible") || !word_is("cells") || !cursor.integer(cells) || !word_is("unfinished") ||
       !cursor.integer(unfinished))

@@ -105,16 +105,17 @@ struct ply_header {
   }
 
   constexpr bool format() noexcept {
-    if (cursor.word_in_line() != "format") return cursor.fail(cursor.at, "expected the format in the second line");
-    const std::string_view word = cursor.word_in_line();
+    std::string_view word = cursor.word_in_line();
+    if (word != "format") return cursor.fail(cursor.at - word.size(), "expected the format in the second line");
+    word = cursor.word_in_line();
     if (word == "binary_little_endian")
       encoding = mesh_encoding::little_endian;
     else if (word == "binary_big_endian")
       encoding = mesh_encoding::big_endian;
     else if (word != "ascii")
       return cursor.fail(cursor.at - word.size(), "format is none of ascii and the two binary ones");
-    if (cursor.word_in_line() != "1.0") return cursor.fail(cursor.at, "version of the format is not 1.0");
-    return true;
+    word = cursor.word_in_line();
+    return word == "1.0" || cursor.fail(cursor.at - word.size(), "version of the format is not 1.0");
   }
 
   constexpr bool element() {

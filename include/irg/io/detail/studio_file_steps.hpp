@@ -63,19 +63,33 @@ struct studio_writer {
       for (const studio_transformation<T>& t : b.transformations[i]) line("add", name, studio_stage_names[i], t);
   }
 
-  // The oblique projection first, while the eye is where every projection is possible; the one that is used, last.
+  // The camera must be one behind each line. So the oblique projection comes first, before an eye and a pyramid that
+  // make every factor possible, and a pyramid that no perspective has comes behind a parallel projection, at the
+  // smaller of two distances. The projection that is used comes last.
   constexpr void camera(std::string_view view, const studio_camera<T>& c) {
     const view_pyramid<T>& p = c.pyramid;
+    const auto aim = [&] { line("aim", view, c.eye, c.target, c.up); };
+    const bool is_near = length(c.target - c.eye) < T(1);
+    line("aim", view, point<T, 3>{T(0), T(0), T(1)}, point<T, 3>{});
+    line("pyramid", view, T(1), T(4), T(4), T(1), T(2));
     line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
-    line("project", view, "perspective");
-    line("aim", view, c.eye, c.target, c.up);
+    line("project", view, c.projection == projection_kind::perspective ? "perspective" : "orthographic");
+    if (is_near) aim();
     line("pyramid", view, p.distance, p.width, p.height, p.near_distance, p.far_distance);
-    if (c.projection == projection_kind::orthographic) line("project", view, "orthographic");
+    if (!is_near) aim();
     if (c.projection == projection_kind::oblique) line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
     for (std::size_t i = 0; i < c.helpers.size(); ++i)
       line("helper", view, studio_helper_names[i], name_of(display_names, c.helpers[i]));
   }
 };
+
+/// Where the name of a body's element stands in the text.
+/// needs   a text that read_body_xml reads, with more bodies than `number`
+constexpr const char* place_of_body(std::string_view text, std::size_t number) noexcept {
+  xml_reader xml(text);
+  for (;;)
+    if (xml.next() == xml_event::begin && xml.name == "body" && xml.depth <= 2 && number-- == 0) return xml.name.data();
+}
 
 }  // namespace IRG_ABI
 }  // namespace detail

@@ -30,7 +30,8 @@ constexpr bool read_terrain_head(Cursor& cursor, Head& head) {
          ((*cursor.at >= 'a' && *cursor.at <= 'z') || (*cursor.at >= 'A' && *cursor.at <= 'Z'))) {
     const char* const start = cursor.at;
     const std::string_view name = cursor.word();
-    const char* const behind = cursor.at;
+    cursor.skip_space();
+    const char* const place = cursor.at;
     double number = 0;
     if (!cursor.number(number)) return false;
     const auto count = [&](std::int64_t& into) {
@@ -52,7 +53,7 @@ constexpr bool read_terrain_head(Cursor& cursor, Head& head) {
       head.no_data = number;
     else
       return cursor.fail(start, "expected ncols, nrows, xllcorner, yllcorner, cellsize or nodata_value");
-    if (!good) return cursor.fail(behind + 1, "number is out of range");
+    if (!good) return cursor.fail(place, "number is out of range");
   }
   if (head.columns < 1 || head.rows < 1 || !(head.cell > 0))
     return cursor.fail(cursor.at, "the head lacks ncols, nrows or cellsize");
