@@ -81,3 +81,19 @@ TEST_CASE("sure_mandelbrot_count: as in doubles where nothing is rounded; what n
   draw_mandelbrot(one, irg::precise_escape_job{nan, 0, 1, limit});
   CHECK(one(0, 0) == 0);
 }
+
+TEST_CASE("draw_mandelbrot in double_doubles: steps out of a disc so large that their squares fit no fixed_point") {
+  using stats = irg::precise_escape_stats;
+  image<int> one(1, 1);
+  // c lies within the disc by less than 106 bits tell; its square plus c is near 2^38, and that one's square modulo
+  // 2^64 is negative.
+  const double_double c(600001.0, -0x1p-86);
+  CHECK(draw_mandelbrot(one, irg::precise_escape_job{c, 0, 0x1p-90, {600001.0 * 600001.0, 40}}) == stats{1, 1, 0});
+  CHECK(one(0, 0) == 1);
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double square : {inf, -inf, 0x1p70, std::numeric_limits<double>::quiet_NaN()}) {
+    const stats s = draw_mandelbrot(one, irg::precise_escape_job{0.25, 0, 1, {square, 40}});
+    CHECK(s.again == 0);
+    CHECK(one(0, 0) == (square == 0x1p70 ? 40 : 0));
+  }
+}

@@ -178,6 +178,22 @@ drift measure_drift(int size, int planes) {
   return found;
 }
 
+// From one end of the ints to the other: the difference of two columns needs one bit more than they have.
+template <class T>
+constexpr T across_all_ints() {
+  constexpr int low = std::numeric_limits<int>::min(), high = std::numeric_limits<int>::max();
+  depth_walk<T> walk(depth_steps<T>{T(0), T(1), T(2)});
+  walk.start(low, low);
+  walk.start(high, high);
+  return walk.value();
+}
+
+TEST_CASE("depth_walk: columns and rows at both ends of the ints") {
+  CHECK_BOTH(across_all_ints<double>() == 3.0 * 0x7fffffff);
+  CHECK_BOTH(across_all_ints<float>() == 3.0f * 0x80000000u);
+  CHECK_BOTH(across_all_ints<rational>() == rational(3) * rational(0x7fffffff));
+}
+
 TEST_CASE("depth_walk: drift against the plane stays below its bound, and so does the plane's own error") {
   const bool release = std::getenv("IRG_RELEASE_TIER") != nullptr;
   for (const int size : {16, 128, 512}) {

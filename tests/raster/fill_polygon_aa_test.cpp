@@ -231,6 +231,20 @@ TEST_CASE("polygon_coverage: a convex ring goes as in convex_coverage; cut up, i
   }
 }
 
+TEST_CASE("polygon_coverage: a ring is as convex as it is, whichever vertex stands last, and stands there twice") {
+  ring r{{3072, 5888}, {5632, 6144}, {3584, 0}, {1280, 2304}, {4608, 2304}};  // turns the other way at the last one
+  const coverages plain = by_spans(r, fill_rule::non_zero, 24, 24);
+  CHECK(worst_error({r}, fill_rule::non_zero, plain) < 0.00198);
+  for (std::size_t first = 0; first < 5; ++first) {
+    ring turned;
+    for (std::size_t i = 0; i < 5; ++i) turned.push_back(r[(first + i) % 5]);
+    for (int repeated = 0; repeated < 3; ++repeated) {
+      turned.push_back(turned.back());
+      CHECK(same(by_spans(turned, fill_rule::non_zero, 24, 24), plain));
+    }
+  }
+}
+
 TEST_CASE("polygon_coverage: degenerate rings and empty windows") {
   int calls = 0;
   const auto count = [&](const irg::coverage_span&) { ++calls; };

@@ -111,6 +111,8 @@ TEST_CASE("classify: the picture's planes, and the guard band 2^15 pixels about 
   CHECK_BOTH(code<double>(0, 0, 1.01, 1).cut != 0);  // beyond a depth plane is cut always
   CHECK_BOTH(code<double>(0, 0, -0.01, 1).cut != 0);
   CHECK_BOTH(code<double>(0, 0, 0.5, -1).cut != 0);  // behind the eye
+  CHECK_BOTH(code<double>(0, 0, -2, -1).cut_planes() == code<double>(0, 0, -2, -1).outside_planes());  // not z_near
+  CHECK_BOTH(code<double>(0, 0, 0, 0) == irg::clip_code_pair{0, static_cast<std::uint8_t>(clip_planes::z_near)});
   CHECK_BOTH(code<double>(1, 0, 0, 0).cut != 0);
   CHECK_BOTH(code<double>(1, 0.1, 0.5, 1, 65536, 65536).cut == 0);  // no room beside the widest picture
   CHECK_BOTH(code<double>(1.001, 0.1, 0.5, 1, 65536, 65536).cut != 0);

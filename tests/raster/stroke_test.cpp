@@ -140,6 +140,31 @@ TEST_CASE("with round joins and caps a pixel is covered as far as it is within h
   }
 }
 
+TEST_CASE("a turn straight back has half a disc with round joins, nothing otherwise, whichever way the line runs") {
+  for (const position& way : {position{4, 0}, {-4, 0}, {0, 4}, {0, -4}, {3, 1}, {-2, -3}}) {
+    const path back = {{0, 0}, way, {0.5 * way.x, 0.5 * way.y}};
+    const double area = 2 * 1.5 * std::hypot(way.x, way.y);
+    const outline_facts round = facts(back, {.width = 2}), bevel = facts(back, {2, stroke_joins::bevel});
+    CHECK(round.rings == 3);
+    CHECK(std::fabs(round.area - area - 1.5707963) < 0.02);
+    CHECK(bevel.rings == 2);
+    CHECK(std::fabs(bevel.area - area) < 1e-13);
+    CHECK(facts(back, {2, stroke_joins::mitre, line_caps::butt, 1e100}).rings == 2);
+  }
+}
+
+TEST_CASE("the tip of a mitre is where the edges meet, however far away that is") {
+  for (const double slope : {0.5, 0x1p-4, 0x1p-10, 0x1p-17, 0x1p-26}) {
+    const path turn = {{1, -slope}, {0, 0}, {1, slope}};
+    irg::stroke_outline(turn, {2, stroke_joins::mitre, line_caps::butt, 0x1p40}, [&](std::span<const position> ring) {
+      if (ring.size() != 4) return;
+      const double distance = std::sqrt(1 + slope * slope) / slope;  // of the tip, on the axis
+      CHECK(std::fabs(ring[2].x + distance) <= distance * distance * 0x1p-51);
+      CHECK(std::fabs(ring[2].y) <= distance * distance * 0x1p-51);
+    });
+  }
+}
+
 TEST_CASE("crossings and bends are mixed once; what cannot be snapped paints nothing") {
   irg::image<std::uint8_t> picture(20, 20, 0);
   const path back{{10, 5}, {10, 15}, {10, 5}, {10, 15}};

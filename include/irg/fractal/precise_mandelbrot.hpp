@@ -39,6 +39,9 @@ struct precise_escape_stats {
 namespace detail {
 inline namespace IRG_ABI {
 
+// What a radius of 2^20 makes, which orbits in fixed_points are made for.
+inline constexpr double largest_square = 0x1p40;
+
 // The orbit of 0 in numbers of type T. `rounded` bounds what a step rounds off, for |z|^2 + |z| + |c| of 1.
 template <class T>
 constexpr sure_count sure_orbit(const T& cx, const T& cy, const escape_limit<double>& limit, double rounded) noexcept {
@@ -53,11 +56,13 @@ constexpr sure_count sure_orbit(const T& cx, const T& cy, const escape_limit<dou
     const T xy = x * y;
     x = xx - yy + cx;
     y = xy + xy + cy;
+    error = (2 * z_size + error) * error + rounded * (z_size * z_size + z_size + c_size);
+    z_size = size_of(x, y);
+    // So far outside of the disc that the square may not fit a fixed_point.
+    if (z_size > 0x1p30 && limit.square <= largest_square) return {k, error < 0.5 * z_size};
     xx = x * x;
     yy = y * y;
     const T beyond = xx + yy - square;
-    error = (2 * z_size + error) * error + rounded * (z_size * z_size + z_size + c_size);
-    z_size = size_of(x, y);
     const auto distant = static_cast<double>(beyond);
     const bool sure = magnitude(distant) >
                       ((2 * z_size + error) * error + rounded * (z_size * z_size + limit.square)) * (1 + 0x1p-30);
@@ -100,12 +105,13 @@ template <class T = double_double>
 ///         ((x - (width - 1)/2) pixel, ((height - 1)/2 - y) pixel), each product rounded to a double
 /// gives   the same for every executor; how many pixels took 448 binary places, and of how many the count may yet be
 ///         wrong: orbits of thousands of steps beside the border
-/// exact   sure_mandelbrot_count, with 448 binary places where 106 bits are unsure
+/// exact   sure_mandelbrot_count, with 448 binary places where 106 bits are unsure and the radius is at most 2^20
 /// cost    some 15 times as long as in doubles, ten times that for what is computed again; allocates a number per row
 template <CountRaster R, Executor E = sequential>
 constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_job& job, const E& executor = {}) {
   const int width = width_of(counts), height = height_of(counts);
   if (width < 1 || height < 1) return {};
+  const bool in_reach = magnitude(job.limit.square) <= detail::largest_square;
   std::vector<precise_escape_stats> of_row(static_cast<std::size_t>(height), precise_escape_stats{});
   executor(of_row.size(), [&](std::size_t i) {
     const int y = static_cast<int>(i);
@@ -115,7 +121,7 @@ constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_j
       const double right = product(x - (width - 1) * 0.5, job.pixel);
       const point<double_double, 2> c{job.re + right, im};  // the sum's rounding is less than a step's
       sure_count k = sure_mandelbrot_count(c, job.limit);
-      if (!k.is_sure && magnitude(c.x.high) < 0x1p20 && magnitude(c.y.high) < 0x1p20) {
+      if (!k.is_sure && in_reach && magnitude(c.x.high) < 0x1p20 && magnitude(c.y.high) < 0x1p20) {
         ++of_row[i].again;
         using fixed = fixed_point<detail::more_digits>;
         k = detail::sure_orbit(detail::fixed_of(job.re) + fixed(right), detail::fixed_of(job.im) + fixed(up), job.limit,

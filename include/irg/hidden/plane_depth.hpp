@@ -5,6 +5,7 @@
 // d < 0 away from him: z then grows with the distance.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <irg/geometry/plane.hpp>
@@ -117,8 +118,8 @@ public:
   /// Goes to a pixel. From the start of the row before it gets there by adding: per_row once, and per_column times the
   /// number of columns between, the row's end being where the polygon's side has moved.
   IRG_INLINE constexpr void start(int column, int row) noexcept {
-    const T columns = static_cast<T>(under_way_ ? column - column_ : column);
-    const T rows = static_cast<T>(under_way_ ? row - row_ : row);
+    const T columns = under_way_ ? steps_between(column_, column) : static_cast<T>(column);
+    const T rows = under_way_ ? steps_between(row_, row) : static_cast<T>(row);
     first_ = (under_way_ ? first_ : steps_.origin) + product(rows, steps_.per_row);
     first_ = first_ + product(columns, steps_.per_column);
     value_ = first_;
@@ -130,6 +131,14 @@ public:
   IRG_INLINE constexpr void next() noexcept { value_ = value_ + steps_.per_column; }
 
 private:
+  // to - from, which an int may be too small for.
+  IRG_INLINE static constexpr T steps_between(int from, int to) noexcept {
+    if constexpr (Floating<T>)
+      return static_cast<T>(std::int64_t{to} - from);
+    else
+      return static_cast<T>(to) - static_cast<T>(from);
+  }
+
   depth_steps<T> steps_;
   T first_{}, value_{};
   int column_ = 0, row_ = 0;

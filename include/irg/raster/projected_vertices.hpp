@@ -39,7 +39,7 @@ template <Floating T>
 
 /// Projects all positions into `out`: classified, and on the screen where they are inside the guard band.
 /// needs   positions that outlive `out`
-/// exact   as to_screen; positions that are not finite are outside of every plane
+/// exact   as to_screen and classify; NaN is beyond every plane, what else is not finite beyond a depth plane
 /// cost    linear, in lanes; allocates what `out` lacks
 template <Floating T, Executor E = sequential>
 constexpr void project_vertices(projected_vertices<T>& out, std::span<const point<T, 3>> positions,

@@ -71,8 +71,10 @@ template <Floating T>
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr clip_code_pair classify(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
-  const clip_planes eye = T(0) < p.w ? clip_planes::none : clip_planes::z_near;
-  return {static_cast<std::uint8_t>(clip_code(p, m.picture)), static_cast<std::uint8_t>(clip_code(p, m.guard) | eye)};
+  const clip_planes beyond = clip_code(p, m.guard);
+  const bool is_no_position = beyond == clip_planes::none && !(T(0) < p.w);
+  return {static_cast<std::uint8_t>(clip_code(p, m.picture)),
+          static_cast<std::uint8_t>(is_no_position ? clip_planes::z_near : beyond)};
 }
 
 }  // namespace IRG_ABI

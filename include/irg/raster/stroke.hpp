@@ -24,7 +24,8 @@ inline namespace IRG_ABI {
 /// gives   false and no ring otherwise, and for NaN. No ring for no points or a width of 0 or less. Repeated points
 ///         count once; points that are all equal give a disc with round caps, a level square with square ones, nothing
 ///         with butt ones. A turn of 180 degrees has half a disc with round joins, nothing otherwise
-/// exact   every vertex within a few roundings of its coordinates
+/// exact   every vertex within a few roundings of its coordinates; the tip of a mitre, which lies up to the limit away,
+///         within as many as the limit says where that is more
 /// cost    a root and two divisions per segment; a sine and a cosine per vertex of an arc; allocates one ring
 template <class Sink>
   requires requires(Sink& sink, std::span<const point<double, 2>> ring) { sink(ring); }

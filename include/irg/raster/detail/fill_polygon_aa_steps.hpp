@@ -19,7 +19,9 @@ constexpr bool is_convex_ring(const R& ring) {
   if (n <= 3) return true;
   if (!goes_down_and_up_once(ring)) return false;
   int sense = 0;
-  subpixel a = near_vertex(ring, n - 2), b = near_vertex(ring, n - 1);
+  std::size_t before = n - 2;
+  subpixel a = near_vertex(ring, before), b = near_vertex(ring, n - 1);
+  while (before > 0 && a == b) a = near_vertex(ring, --before);  // the turn at the last vertex counts, too
   for (std::size_t i = 0; i < n; ++i) {
     const subpixel c = near_vertex(ring, i);
     if (c == b) continue;

@@ -65,18 +65,19 @@ struct stroke_pieces {
     hand_over();
   }
 
-  // The piece between segments of directions d and e that meet at p; nothing where they go straight on.
+  // The piece between segments of directions d and e that meet at p; nothing where they go straight on, nor, unless
+  // the join is round, straight back.
   constexpr void join(const position& p, const direction& d, const direction& e) {
     const double turn = product(d.x, e.y) - product(d.y, e.x), along = dot(d, e);
-    if (turn == 0 && along > 0) return;
+    if (turn == 0 && (along > 0 || style.joins != stroke_joins::round)) return;
+    const double size = turn > 0 ? turn : 0 - turn;  // 0 of -0
     const direction one = to_left(d) * (turn < 0 ? half : -half), two = to_left(e) * (turn < 0 ? half : -half);
     const direction from = turn < 0 ? two : one, to = turn < 0 ? one : two;
-    if (style.joins == stroke_joins::round) return sector(p, from, to, irg::atan2(turn < 0 ? -turn : turn, along));
-    const double opening = 1 + along;  // the square of twice the cosine of half the turn, halved
+    if (style.joins == stroke_joins::round) return sector(p, from, to, irg::atan2(size, along));
+    const double opening = along < 0 ? product(size, size) / (1 - along) : 1 + along;  // 2 cos^2 of half the turn
     ring = {p, p + from, p + to};
-    if (style.joins == stroke_joins::mitre && opening > 0 &&
-        2 <= product(product(style.mitre_limit, style.mitre_limit), opening))
-      ring.insert(ring.begin() + 2, p + (from + to) / opening);
+    if (style.joins == stroke_joins::mitre && 2 <= product(product(style.mitre_limit, style.mitre_limit), opening))
+      ring.insert(ring.begin() + 2, p + (along < 0 ? (d - e) * (half / size) : (from + to) / opening));
     hand_over();
   }
 
