@@ -52,6 +52,7 @@ struct bsp_of_faces {
 namespace detail {
 
 // Parts that a subtree is made of, and where it is hung.
+template <DepthOrder Order>
 struct bsp_task {
   std::vector<bsp_of_faces::node> parts;
   std::int32_t parent = -1;
@@ -90,14 +91,15 @@ constexpr std::size_t best_plane(const std::vector<bsp_of_faces::node>& parts) {
 
 // Parts the others of a task by the plane of one of its parts, which becomes a node.
 template <DepthOrder Order>
-constexpr void part_by_plane(bsp_of_faces& tree, bsp_task& task, std::vector<bsp_task>& left) {
+constexpr void part_by_plane(bsp_of_faces& tree, bsp_task<Order>& task, std::vector<bsp_task<Order>>& left) {
   const std::size_t k = best_plane<Order>(task.parts);
   const auto id = static_cast<std::int32_t>(tree.nodes.size());
   if (task.parent >= 0) {
     bsp_of_faces::node& parent = tree.nodes[static_cast<std::size_t>(task.parent)];
     (task.side == face_part::nearer ? parent.nearer : parent.farther) = id;
   }
-  bsp_task nearer{{}, id, face_part::nearer, task.depth + 1}, farther{{}, id, face_part::farther, task.depth + 1};
+  bsp_task<Order> nearer{{}, id, face_part::nearer, task.depth + 1},
+      farther{{}, id, face_part::farther, task.depth + 1};
   const screen_face& plane = *task.parts[k].part.face;
   for (std::size_t i = 0; i < task.parts.size(); ++i) {
     if (i == k) continue;
@@ -105,7 +107,7 @@ constexpr void part_by_plane(bsp_of_faces& tree, bsp_task& task, std::vector<bsp
     const window_order order = p.part.face == &plane ? window_order::farther : order_of_part<Order>(p, plane);
     if (order == window_order::crossing) {
       fragment_parts both = split_fragment(p.part, plane);
-      const auto add = [](bsp_task& to, face_fragment&& part, const cell_window& of) {
+      const auto add = [](bsp_task<Order>& to, face_fragment&& part, const cell_window& of) {
         const cell_window box = trimmed_box<Order>(part, of);
         if (!has_no_pixel<Order>(part, box)) to.parts.push_back({std::move(part), box});
       };
@@ -137,11 +139,11 @@ template <DepthOrder Order = nearer_is_greater, class Faces>
   bsp_of_faces tree;
   tree.faces = detail::copied_faces(faces, window);
   tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
-  std::vector<detail::bsp_task> left(1, detail::bsp_task{});
+  std::vector<detail::bsp_task<Order>> left(1, detail::bsp_task<Order>{});
   for (const screen_face& f : tree.faces) left[0].parts.push_back({{&f, {}}, intersect(f.coverage.bounds, window)});
   if (tree.faces.empty()) left.clear();
   while (!left.empty()) {
-    detail::bsp_task task = std::move(left.back());
+    detail::bsp_task<Order> task = std::move(left.back());
     left.pop_back();
     detail::part_by_plane<Order>(tree, task, left);
   }

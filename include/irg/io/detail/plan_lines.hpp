@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <irg/io/detail/text_cursor.hpp>
@@ -25,6 +26,10 @@ struct named_plan {
 
 namespace irg::detail {
 inline namespace IRG_ABI {
+
+// Where a part of a plan of T's stands in the text.
+template <class T>
+using text_place = std::conditional_t<true, const char*, T>;
 
 template <class Name = part_name>
 struct plan_lines {

@@ -96,7 +96,7 @@ private:
     return true;
   }
 
-  std::vector<const char*> cells_, heights_, portals_;  // where they stand
+  std::vector<text_place<T>> cells_, heights_, portals_;  // where they stand
 };
 
 template <class Cursor>

@@ -134,8 +134,8 @@ private:
 
   std::vector<point<T, 3>> points_;
   std::vector<corner_of_cell> corners_;       // what each point is
-  std::vector<const char*> cells_, portals_;  // where they stand
-  std::vector<std::vector<const char*>> faces_;
+  std::vector<text_place<T>> cells_, portals_;  // where they stand
+  std::vector<std::vector<text_place<T>>> faces_;
 };
 
 }  // namespace IRG_ABI
