@@ -49,7 +49,7 @@ void run(program::command_line& line) {
   while (!line.done()) {
     const std::string_view word = line.take();
     if (word == "-o")
-      out = line.value_of(word);
+      out = line.file_of(word);
     else if (word == "--move") {
       const auto n = line.numbers(word, 3);
       move = {n[0], n[1], n[2]};

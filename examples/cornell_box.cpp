@@ -33,7 +33,7 @@ void run(program::command_line& line) {
   while (!line.done()) {
     const std::string_view word = line.take();
     if (word == "-o")
-      out = line.value_of(word);
+      out = line.file_of(word);
     else if (word == "--size")
       size = program::read_size(line);
     else if (word == "--paths")

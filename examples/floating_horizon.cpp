@@ -89,10 +89,9 @@ settings read_settings(program::command_line& line) {
     const std::string_view word = line.take();
     if (word == "--function")
       line.choice(word, {"ripple"});
-    else if (word == "--table") {
-      s.table = line.value_of(word);
-      if (s.table.empty()) line.fail("option --table needs a file's name");
-    } else if (word == "--curves")
+    else if (word == "--table")
+      s.table = line.file_of(word);
+    else if (word == "--curves")
       s.view.curves = line.integer(word, 2, 10000);
     else if (word == "--samples")
       s.view.samples = line.integer(word, 2, 10000000);

@@ -69,9 +69,9 @@ settings read_settings(program::command_line& line) {
   while (!line.done()) {
     const std::string_view word = line.take();
     if (word == "--frames")
-      s.frames = line.value_of(word);
+      s.frames = line.file_of(word);
     else if (word == "--input")
-      s.input = line.value_of(word);
+      s.input = line.file_of(word);
     else if (word == "--list")
       s.list = true;
     else if (word == "--move")

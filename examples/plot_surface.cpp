@@ -68,9 +68,9 @@ settings read_settings(program::command_line& line) {
       s.function =
           std::array{"ripple", "saddle", "peaks", "crater"}[line.choice(word, {"ripple", "saddle", "peaks", "crater"})];
     else if (word == "--terrain")
-      s.terrain = line.value_of(word);
+      s.terrain = line.file_of(word);
     else if (word == "--image")
-      s.image = line.value_of(word);
+      s.image = line.file_of(word);
     else if (word == "--samples")
       s.samples = line.integer(word, 2, 2000);
     else if (word == "--style")

@@ -64,7 +64,7 @@ settings read_settings(program::command_line& line) {
     else if (word == "--look")
       s.look = line.numbers(word, 3);
     else if (word == "--sets")
-      s.sets = line.value_of(word);
+      s.sets = line.file_of(word);
     else if (word == "--skip")
       s.skip = line.choice(word, {"on", "off"}) == 0 ? irg::skipping::on : irg::skipping::off;
     else if (word == "--list")

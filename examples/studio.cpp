@@ -61,7 +61,7 @@ settings read_settings(program::command_line& line) {
   while (!line.done()) {
     const std::string_view word = line.take();
     if (word == "--input")
-      s.input = line.value_of(word);
+      s.input = line.file_of(word);
     else if (word == "--size")
       s.size = program::read_size(line);
     else if (word == "--window")

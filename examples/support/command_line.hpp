@@ -44,6 +44,13 @@ public:
     return take();
   }
 
+  /// The value of an option that names a file.
+  std::string file_of(std::string_view option) {
+    const std::string_view name = value_of(option);
+    if (name.empty()) fail("option " + std::string(option) + " needs a file's name");
+    return std::string(name);
+  }
+
   /// The name of a file, which is no option.
   std::string take_file() {
     const std::string_view word = take();

@@ -65,8 +65,7 @@ struct drawing_options {
   /// Reads the value of the option `word`, which has to be one of these.
   void read(command_line& line, std::string_view word) {
     if (word == "--input") {
-      input = line.value_of(word);
-      if (input.empty()) line.fail("option --input needs a file's name");
+      input = line.file_of(word);
     } else if (word == "-o") {
       out = line.value_of(word);
       expect_picture_name(line, out);

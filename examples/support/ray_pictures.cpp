@@ -19,7 +19,7 @@ void draw_rays(command_line& line, ray_scene (*make)()) {
   while (!line.done()) {
     const std::string_view word = line.take();
     if (word == "-o")
-      out = line.value_of(word);
+      out = line.file_of(word);
     else if (word == "--size")
       size = read_size(line);
     else if (word == "--samples")

@@ -92,11 +92,11 @@ struct render_settings {
       const auto n = line.numbers(word, 3);
       return irg::point<double, 3>{n[0], n[1], n[2]};
     };
-    if (word == "-o" || word == "--stats") {
-      std::string& file = word == "-o" ? out : stats;
-      file = line.value_of(word);
-      if (file.empty()) line.fail("option " + std::string(word) + " needs a file's name");
-    } else if (word == "--size")
+    if (word == "-o")
+      out = line.file_of(word);
+    else if (word == "--stats")
+      stats = line.file_of(word);
+    else if (word == "--size")
       size = read_size(line);
     else if (word == "--eye")
       eye = triple();

@@ -81,6 +81,8 @@ TEST_CASE("body xml: a triangle by hand, at compile time, too") {
 
 TEST_CASE("body xml: several bodies make one mesh of parts") {
   const std::string one(triangle.substr(triangle.find("<body")));
+  CHECK(read_body_xml("<body name='a\r\nb\rc\nd\t&#13;&#10;e'><points/><faces/></body>")->front().name ==
+        irg::part_name("a b c d \r\ne"));
   const auto r = read_body_xml("<bodies>" + one + one + "<body name='none'><points/><faces/></body></bodies>");
   REQUIRE(r);
   REQUIRE(r->size() == 3);
@@ -136,7 +138,15 @@ TEST_CASE("body xml: what is not well-formed is said where it stands") {
   CHECK(outcome("<?a b") == "1:6 instruction does not end");
   CHECK(outcome("<? a?>") == "1:3 expected a name");
   CHECK(outcome(" <?xml version='1.0'?><body/>") == "1:4 declaration is not at the head");
-  CHECK(outcome("<?xml version='2.0'?><body/>") == "1:22 version of XML is not 1");
+  CHECK(outcome("<?xml version='2.0'?><body/>") == "1:16 version of XML is not 1");
+  CHECK(outcome("<?xml version='1.x'?><body/>") == "1:16 version of XML is not 1");
+  CHECK(outcome("<?xml?><body/>") == "1:8 version of XML is not 1");
+  CHECK(outcome("<?xml version='1.0' coding='UTF-8'?><body/>") ==
+        "1:21 declaration has version, encoding and standalone, in this order");
+  CHECK(outcome("<?xml encoding='UTF-8' version='1.0'?><body/>") ==
+        "1:24 declaration has version, encoding and standalone, in this order");
+  CHECK(outcome("<?xml version='1.0' standalone='y'?><body/>") == "1:33 standalone is neither yes nor no");
+  CHECK(outcome("<?a&b?><body/>") == "1:4 expected a blank behind the name of an instruction");
   CHECK(outcome("<?xml version='1.0' encoding='latin1'?><body/>") == "1:31 encoding is not UTF-8");
   CHECK(outcome(around("]]>")) == "1:15 text stands where only elements may stand");
   CHECK(outcome(std::string_view("<body\0/>", 8)) == "1:6 byte is no part of a character of UTF-8 that XML allows");

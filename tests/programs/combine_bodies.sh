@@ -45,6 +45,7 @@ fails "no such file" "" cube union none.obj
 fails "no such operation" "" cube minus cube
 fails "one body" "" cube union
 fails "another ending" "" cube union cube -o made.png
+fails "an empty name of the result" "" cube union cube -o ""
 fails "an unknown option" "" cube union cube --turn
 fails "a folder that is not there" "" cube union cube -o none/a.obj
 fails "writing over what is read" "" made.obj union cube -o made.obj

@@ -52,6 +52,7 @@ check "a path without length: exit 0, $err" is "$status" 0
 check "of length 0: $out" is "$(tail -n 1 <<<"$out")" "length: 0"
 
 fails "no model" "$arch" -o fly2.png
+fails "an empty name of frames" "$arch" cube --frames ""
 fails "nothing to write" "$arch" cube
 fails "no such model" "$arch" none.obj -o fly2.png
 fails "another ending" "$arch" cube -o fly2.ppm

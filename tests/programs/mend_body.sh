@@ -34,6 +34,7 @@ run "" fan.obj
 check "three faces at an edge: $out" ends "$out" "turned: no-surface"
 
 fails "no model" ""
+fails "an empty name of the result" "" cube -o ""
 fails "no such file" "" none.obj
 fails "another ending" "" torn.obj -o mended.png
 fails "writing over what is read" "" torn.obj -o torn.obj

@@ -42,6 +42,7 @@ check "an image: $err" is "$status" 0
 check "its facets: $out" has "$out" "facets: 76241"
 
 fails "no such function" "" --function hills
+fails "an empty name of the terrain" "" --terrain ""
 fails "one sample" "" --samples 1
 fails "too high" "" --elevation 91
 fails "two labels" "" --labels a,b

@@ -80,6 +80,7 @@ fails "a word that is none" 'load cube\nshw cube\n'
 check "where: $err" ends "$err" ": stdin:2:1"
 fails "an unknown part" 'show cube skin on'
 check "where: $err" ends "$err" ": stdin:1:11"
+fails "an empty name of the script" "" --input ""
 fails "a number missing" 'pyramid main 1 2 3 4'
 fails "a folder that is not there" 'load cube\nsave kept.xml\npicture none/a.png\n'
 fails "a file that is not there" '' --input none.txt

@@ -64,7 +64,7 @@ constexpr xml_reference reference_at(std::string_view text) noexcept {
   return {c, at + 1};
 }
 
-/// The value of an attribute with its references resolved, blanks for line breaks and tabs.
+/// The value of an attribute with its references resolved, a blank for each line break, of which CR LF is one, and tab.
 constexpr part_name resolved_value(std::string_view value) {
   part_name out;
   for (std::size_t i = 0; i < value.size(); ++i) {
@@ -73,7 +73,7 @@ constexpr part_name resolved_value(std::string_view value) {
       const xml_reference r = reference_at(value.substr(i + 1));
       append_character(out, r.character);
       i += r.length;
-    } else {
+    } else if (c != '\r' || !value.substr(i + 1).starts_with('\n')) {
       out.push_back(is_line_break(c) || c == '\t' ? ' ' : c);
     }
   }
@@ -158,6 +158,8 @@ private:
     const std::string_view target = word_of_name();
     if (target.empty()) return cursor.fail(start, "expected a name");
     if (is_word(target, "xml")) return at_head ? declaration() : cursor.fail(start, "declaration is not at the head");
+    if (!cursor.at_word_end() && !rest().starts_with("?>"))
+      return cursor.fail(cursor.at, "expected a blank behind the name of an instruction");
     const std::size_t end = rest().find("?>");
     if (end == std::string_view::npos) return cursor.fail(cursor.last, "instruction does not end");
     cursor.at += end + 2;
@@ -166,8 +168,18 @@ private:
   constexpr bool declaration() noexcept {
     if (!read_attributes()) return false;
     if (!take("?>")) return cursor.fail(cursor.at, "declaration does not end");
+    std::size_t known = 0;
+    for (const std::string_view wanted : {"version", "encoding", "standalone"})
+      if (known < attribute_count && attributes[known].name == wanted) ++known;
+    if (known < attribute_count)
+      return cursor.fail(attributes[known].name.data(),
+                         "declaration has version, encoding and standalone, in this order");
     const std::string_view version = attribute("version"), encoding = attribute("encoding");
-    if (!version.starts_with("1.")) return cursor.fail(cursor.at, "version of XML is not 1");
+    const std::string_view standalone = attribute("standalone");
+    if (version.size() < 3 || !version.starts_with("1.") || version.find_first_not_of("0123456789", 2) != version.npos)
+      return cursor.fail(version.data() != nullptr ? version.data() : cursor.at, "version of XML is not 1");
+    if (standalone.data() != nullptr && standalone != "yes" && standalone != "no")
+      return cursor.fail(standalone.data(), "standalone is neither yes nor no");
     return encoding.data() == nullptr || is_word(encoding, "utf-8") || is_word(encoding, "us-ascii") ||
            cursor.fail(encoding.data(), "encoding is not UTF-8");
   }
