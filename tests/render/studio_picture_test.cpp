@@ -72,6 +72,22 @@ std::vector<event> four_bodies() {
 
 }  // namespace
 
+TEST_CASE("studio picture: a body of many surfaces is kept in parts of its size") {
+  irg::mesh<double> m = irg::shape_sphere<double>({.slices = 24, .stacks = 24});
+  irg::stored_body<double> b = irg::store_body("ball", m);
+  b.surfaces.assign(m.face_count(), b.surfaces[0]);
+  for (std::uint32_t f = 0; f < m.face_count(); f += 2)
+    b.surface_of_face[f] = static_cast<std::uint32_t>(m.face_count()) - f - 1;
+  const studio s = studio_of({irg::load_body<double>{b}});
+  memory kept;
+  pixels many(96, 72);
+  irg::draw_studio_view(many.view(), s, studio_view::main, kept);
+  CHECK(same(many, view_of(studio_of({load("ball", m)}))));
+  std::size_t positions = 0;
+  for (const auto& part : kept.views[0].bodies[0].parts) positions += part.shape.positions.size();
+  CHECK(positions <= m.corners.size());
+}
+
 TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading and projection") {
   studio s =
       studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}}});

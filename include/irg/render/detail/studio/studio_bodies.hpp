@@ -50,41 +50,63 @@ constexpr bool place_shape(mesh<T>& shape, const mat<T, 4, 4>& placement) {
   return good;
 }
 
-// The faces that have a surface, corners and positions as they are.
+// The faces of a body put together by their surfaces, those without one last: of surface s from first[s] on.
+struct faces_by_surface {
+  std::vector<std::uint32_t> first, face;
+
+  constexpr faces_by_surface(std::span<const std::uint32_t> surface_of_face, std::uint32_t surfaces)
+      : first(surfaces + std::size_t{2}, 0u), face(surface_of_face.size(), 0u) {
+    for (const std::uint32_t s : surface_of_face) ++first[lesser(s, surfaces) + std::size_t{1}];
+    for (std::size_t s = 0; s <= surfaces; ++s) first[s + 1] += first[s];
+    std::vector<std::uint32_t> next = first;
+    for (std::uint32_t f = 0; f < face.size(); ++f) face[next[lesser(surface_of_face[f], surfaces)]++] = f;
+  }
+  constexpr std::span<const std::uint32_t> of(std::uint32_t surface) const noexcept {
+    return {face.data() + first[surface], first[surface + 1] - first[surface]};
+  }
+};
+
+// Some faces of a mesh that has a normal for each position, and the positions that they name. `number` has none for
+// each position, before and after.
 template <class T>
-constexpr mesh<T> faces_of_surface(const mesh<T>& m, std::span<const std::uint32_t> surface_of_face,
-                                   std::uint32_t surface, std::size_t surfaces) {
+constexpr mesh<T> part_of_mesh(const mesh<T>& m, std::span<const std::uint32_t> faces,
+                               std::vector<std::uint32_t>& number) {
   mesh<T> out;
-  for (std::size_t f = 0; f < m.face_count(); ++f) {
-    const bool without = surfaces <= surface_of_face[f];
-    if (without ? surface != surfaces : surface_of_face[f] != surface) continue;
-    for (std::size_t k = 0; k < m.face_size(f); ++k) out.corners.push_back(m.corner(f, k));
+  for (const std::uint32_t f : faces) {
+    for (std::size_t k = 0; k < m.face_size(f); ++k) {
+      const std::uint32_t p = m.corner(f, k).position;
+      if (number[p] == mesh_corner::none) {
+        number[p] = static_cast<std::uint32_t>(out.positions.size());
+        out.positions.push_back(m.positions[p]);
+        out.normals.push_back(m.normals[p]);
+      }
+      out.corners.push_back({number[p], number[p], mesh_corner::none});
+    }
     out.face_starts.push_back(static_cast<std::uint32_t>(out.corners.size()));
   }
-  if (out.face_count() == 0) return out;
-  out.positions = m.positions;
-  out.normals = m.normals;
+  for (const std::uint32_t f : faces)
+    for (std::size_t k = 0; k < m.face_size(f); ++k) number[m.corner(f, k).position] = mesh_corner::none;
   return out;
 }
 
 template <class T>
 constexpr void place_body(placed_body<T>& p, const stored_body<T>& b, const mat<T, 4, 4>& placement) {
   if (p.source == b && p.placement == placement) return;
-  p = {};
-  p.source = b;
-  p.placement = placement;
-  p.shape = b.shape;
-  p.can_be_seen = place_shape(p.shape, placement);
-  if (!p.can_be_seen) return;
-  mesh<T> smooth = p.shape;
-  assign_vertex_normals(smooth, normal_weight::average);
+  placed_body<T> made{b, placement, false, b.shape, {}, {}};  // `p` stays as it is if memory gives out
+  made.can_be_seen = place_shape(made.shape, placement);
   const auto surfaces = static_cast<std::uint32_t>(b.surfaces.size());
-  for (std::uint32_t s = 0; s <= surfaces; ++s) {
-    object<T> o{faces_of_surface<T>(smooth, b.surface_of_face, s, surfaces)};
-    if (o.shape.face_count() == 0) continue;
-    p.parts.push_back(prepare_object(o));
-    p.surface_of_part.push_back(s);
+  if (made.can_be_seen) {
+    mesh<T> smooth = made.shape;
+    assign_vertex_normals(smooth, normal_weight::average);
+    const faces_by_surface faces(b.surface_of_face, surfaces);
+    std::vector<std::uint32_t> number(smooth.positions.size(), mesh_corner::none);
+    for (std::uint32_t s = 0; s <= surfaces; ++s) {
+      if (faces.of(s).empty()) continue;
+      made.parts.push_back(prepare_object(object<T>{part_of_mesh(smooth, faces.of(s), number)}));
+      made.surface_of_part.push_back(s);
+    }
   }
+  p = std::move(made);
 }
 
 // What light does on a surface of a body, its colour in it.
