@@ -111,6 +111,16 @@ TEST_CASE("tessellate_trimmed: corners on lines of cells, parts outside, nothing
   CHECK(run(points, std::vector<P2>{{0, 0}, {1, 1}}, 0.01).done == irg::surface_tessellation{});
 }
 
+TEST_CASE("tessellate_trimmed: a polygon whose sides are longer than the largest number") {
+  test::random r(8);
+  const std::vector<P3> net = random_net(r);
+  for (const double far : {1e300, 1.7e308}) {
+    const trimmed t = run(net, std::vector<P2>{{-far, -far}, {far, -far}, {far, far}, {-far, far}}, 0.25);
+    CHECK(t.done.has_value());
+    CHECK(std::fabs(t.area - 1) < 1e-14);
+  }
+}
+
 TEST_CASE("tessellate_trimmed: refused") {
   test::random r(63);
   const auto points = random_net(r);
