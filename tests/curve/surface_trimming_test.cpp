@@ -111,12 +111,27 @@ TEST_CASE("tessellate_trimmed: corners on lines of cells, parts outside, nothing
   CHECK(run(points, std::vector<P2>{{0, 0}, {1, 1}}, 0.01).done == irg::surface_tessellation{});
 }
 
+TEST_CASE("tessellate_trimmed: a polygon whose sides are longer than the largest number") {
+  test::random r(8);
+  const std::vector<P3> net = random_net(r);
+  for (const double far : {1e300, 1.7e308}) {
+    const trimmed t = run(net, std::vector<P2>{{-far, -far}, {far, -far}, {far, far}, {-far, far}}, 0.25);
+    CHECK(t.done.has_value());
+    CHECK(std::fabs(t.area - 1) < 1e-14);
+  }
+}
+
 TEST_CASE("tessellate_trimmed: refused") {
   test::random r(63);
   const auto points = random_net(r);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   CHECK(!run(points, std::vector<P2>{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 0.01).done);  // crosses itself
   CHECK(!run(points, std::vector<P2>{{0, 0}, {1, none}, {1, 0}}, 0.01).done);
+  const std::vector<irg::point<float, 3>> single{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+  const irg::control_net<irg::point<float, 3>> net{single, 2};
+  const auto ignore = [](const auto&, const auto&, const auto&) {};
+  CHECK(irg::tessellate_trimmed(net, std::vector<P2>{{0, 0}, {1e30, 0}, {0, 1e30}}, 1, ignore));
+  CHECK(!irg::tessellate_trimmed(net, std::vector<P2>{{0, 0}, {1e300, 0}, {0, 1e300}}, 1, ignore));  // no float
   auto bad = points;
   bad[3].x = none;
   CHECK(run(bad, std::vector<P2>{{0, 0}, {1, 0}, {1, 1}}, 0.01).done == irg::surface_tessellation{0, 0, false});

@@ -150,6 +150,7 @@ int differences(int positions) {
   int wrong = 0;
   for (const auto& to_clip : {irg::perspective(T(1.2), T(1.5), T(0.01), T(30)), irg::identity<T, 4>(),
                               irg::perspective(T(1.2), T(1.5), (std::numeric_limits<T>::min)(), T(30)),
+                              irg::mat<T, 4, 4>{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, T(0x1p127f)}},
                               // z and w independent of each other: behind the eye on either side of the depth planes
                               irg::mat<T, 4, 4>{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}}) {
     const auto mapping = irg::map_to_screen<T>(640, 480);

@@ -126,6 +126,15 @@ TEST_CASE("classify: the picture's planes, and the guard band 2^15 pixels about 
   }
 }
 
+TEST_CASE("to_screen: 1/w stays a positive float, however far away") {
+  constexpr auto m = irg::map_to_screen<double>(64, 64);
+  CHECK_BOTH(irg::to_screen(H{0, 0, 0, 0x1p125}, m).inverse_w == 0x1p-125f);
+  for (const double w : {0x1p127, 0x1p200, 0x1p1000, std::numeric_limits<double>::infinity()})
+    CHECK(irg::to_screen(H{0, 0, 0, w}, m).inverse_w == 0x1p-126f);
+  CHECK(irg::to_screen(irg::hpoint<float, 3>{0, 0, 0, 0x1p127f}, irg::map_to_screen<float>(64, 64)).inverse_w ==
+        0x1p-126f);
+}
+
 TEST_CASE("clip_code_pair: or, and, member by member") {
   constexpr irg::clip_code_pair a{5, 4}, b{6, 1};
   CHECK_BOTH((a | b) == irg::clip_code_pair{7, 5});

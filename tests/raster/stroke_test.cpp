@@ -50,6 +50,7 @@ static_assert(facts({{0, 0}, {4, 0}, {4, 4}}, {.width = 2, .joins = stroke_joins
 // The limit is that of SVG: the right angle's tip is the root of 2 widths away.
 static_assert(facts({{0, 0}, {4, 0}, {4, 4}}, {2, stroke_joins::mitre, line_caps::butt, 1.4143}).area == 17);
 static_assert(facts({{0, 0}, {4, 0}, {4, 4}}, {2, stroke_joins::mitre, line_caps::butt, 1.4142}).area == 16.5);
+static_assert(facts({{0, 0}, {4, 0}, {4, 4}}, {2, stroke_joins::mitre, line_caps::butt, -4}).area == 16.5);
 static_assert(facts({{0, 0}, {4, 0}}, {.width = 2, .caps = line_caps::square}).area == 12);
 static_assert(facts({{1, 1}, {1, 1}}, {.width = 2, .caps = line_caps::square}).area == 4);
 static_assert(facts({{1, 1}, {1, 1}}, {.width = 2}).rings == 0);

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/curve/surface_tessellation.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/triangulate_monotone.hpp>
@@ -22,7 +24,8 @@ inline namespace IRG_ABI {
 /// shape   a ring or rings, those inside others holes (even-odd); parts outside of the unit square are left out. Edges
 ///         of the polygon are curves on the surface, cut where they leave a cell. Triangles counter-clockwise as u x v
 ///         for a polygon whose first ring is; corners are numbered one by one, also those of one place
-/// gives   nothing where edges of the polygon cross or a coordinate is not finite; else as tessellate_within
+/// gives   nothing where edges of the polygon cross or a coordinate is not finite, or is not as a number of the
+///         surface's type; else as tessellate_within
 /// exact   triangles that touch share their corners bit for bit: no cracks within the surface. Neighbours' borders are
 ///         not looked at
 /// cost    for each triangle of the polygon the cells it meets, for each part three samples or more
@@ -44,16 +47,19 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
              along_v = detail::cuts_of_patch(bends, tolerance, false);
   done.within_tolerance = along_u.within && along_v.within;
   std::vector<point<T, 2>> places;
+  bool all_finite = true;
   const auto add = [&](const auto& ring) {
     for (std::size_t k = 0; k < ring_size(ring); ++k) {
       const auto p = ring_vertex(ring, k);
-      places.push_back({static_cast<T>(coordinate(p, 0)), static_cast<T>(coordinate(p, 1))});
+      places.push_back({converted<T>(coordinate(p, 0)), converted<T>(coordinate(p, 1))});
+      all_finite = all_finite && is_finite(places.back());
     }
   };
   if constexpr (PlaneRing<R>)
     add(polygon);
   else
     for (const auto& ring : polygon) add(ring);
+  if (!all_finite) return std::nullopt;
   std::vector<P> room(2 * net.columns + net.rows(), P{});
   std::vector<corner> corners;
   const auto put = [&](const std::vector<point<T, 2>>& part) {

@@ -54,7 +54,7 @@ template <Floating T>
 
 /// Where a clip-space position stands on the screen.
 /// needs   a position inside the guard band, w > 0
-/// gives   at most 2^126 for 1/w
+/// gives   at most 2^126 and at least 2^-126 for 1/w
 /// exact   each product, sum and quotient rounded once in T, then snapped; depth and 1/w rounded to float
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr screen_vertex to_screen(const hpoint<T, 3>& p, const screen_mapping<T>& m) noexcept {
@@ -64,8 +64,9 @@ template <Floating T>
   const T x = product(product(p.x * up, inverse), m.half_width) + m.centre_x;
   const T y = m.centre_y - product(product(p.y * up, inverse), m.half_height);
   const T most = T(0x1p126) / up;
-  return {
-      {snap(x), snap(y)}, converted<float>(product(p.z * up, inverse)), converted<float>(lesser(inverse, most) * up)};
+  return {{snap(x), snap(y)},
+          converted<float>(product(p.z * up, inverse)),
+          converted<float>(greater(lesser(inverse, most) * up, T(0x1p-126)))};
 }
 
 /// The planes that a clip-space position is beyond; 0, 0, 0, 0, which is no position, counts as cut by the near one.

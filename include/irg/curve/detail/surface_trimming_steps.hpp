@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/curve/surface_tessellation.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/triangulate_monotone.hpp>
@@ -19,7 +20,9 @@ inline namespace IRG_ABI {
 // Where the edge from a to b meets the line on which the coordinate `axis` is `at`; from b to a the same bits.
 template <Floating T>
 constexpr point<T, 2> edge_at(const point<T, 2>& a, const point<T, 2>& b, int axis, T at) noexcept {
-  const curve_parameter<T> share{(b[axis] - at) / (b[axis] - a[axis]), (at - a[axis]) / (b[axis] - a[axis])};
+  const T scale = is_finite(b[axis] - a[axis]) ? T(1) : T(0.5);
+  const T length = b[axis] * scale - a[axis] * scale;  // exact products
+  const curve_parameter<T> share{(b[axis] - at) * scale / length, (at - a[axis]) * scale / length};
   point<T, 2> p = blend(a, b, share);
   p[axis] = at;
   return p;

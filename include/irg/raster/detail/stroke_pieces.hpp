@@ -74,9 +74,10 @@ struct stroke_pieces {
     const direction one = to_left(d) * (turn < 0 ? half : -half), two = to_left(e) * (turn < 0 ? half : -half);
     const direction from = turn < 0 ? two : one, to = turn < 0 ? one : two;
     if (style.joins == stroke_joins::round) return sector(p, from, to, irg::atan2(size, along));
+    const double limit = style.mitre_limit < 0 ? 0 : style.mitre_limit;
     const double opening = along < 0 ? product(size, size) / (1 - along) : 1 + along;  // 2 cos^2 of half the turn
     ring = {p, p + from, p + to};
-    if (style.joins == stroke_joins::mitre && 2 <= product(product(style.mitre_limit, style.mitre_limit), opening))
+    if (style.joins == stroke_joins::mitre && 2 <= product(product(limit, limit), opening))
       ring.insert(ring.begin() + 2, p + (along < 0 ? (d - e) * (half / size) : (from + to) / opening));
     hand_over();
   }

@@ -83,8 +83,8 @@ IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t fi
   const pack<T, N> sx = (cx * inverse) * F::broadcast(mapping.half_width) + F::broadcast(mapping.centre_x);
   const pack<T, N> sy = F::broadcast(mapping.centre_y) - (cy * inverse) * F::broadcast(mapping.half_height);
   const auto shown = converted<std::int32_t>(kept);
-  const pack<T, N> z_screen = select(kept, cz * inverse, zero),
-                   w_screen = select(kept, low_of(inverse, F::broadcast(T(0x1p126))), F::broadcast(1));
+  const pack<T, N> limited = high_of(F::broadcast(T(0x1p-126)), low_of(inverse, F::broadcast(T(0x1p126))));
+  const pack<T, N> z_screen = select(kept, cz * inverse, zero), w_screen = select(kept, limited, F::broadcast(1));
   store_vertices<N>(v.screen + first, {both(snap_lanes(sx), shown), both(snap_lanes(sy), shown),
                                        converted<float>(z_screen), converted<float>(w_screen)});
   static_assert(sizeof(clip_code_pair) == 2);
