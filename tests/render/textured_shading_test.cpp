@@ -86,6 +86,13 @@ TEST_CASE("textured_shading: no texture, no texels, numbers out of range") {
     CHECK(with.pixel({0.1f, 0.1f, 1, 1, 1, n}) == rgba8{0, 0, 0, 255});
 }
 
+// Of 2^24 + 4 textures the last has a number that no float is; the next float is one too many.
+TEST_CASE("textured_shading: the last of more textures than floats count") {
+  constexpr auto last_of = [](std::size_t count) { return irg::detail::texture_index(1e30f, count); };
+  CHECK_BOTH(last_of(3) == 2);
+  CHECK_BOTH(last_of((1 << 24) + 4) == (1 << 24) + 3);
+}
+
 TEST_CASE("textured_shading: a register of pixels has the bits of single ones") {
   constexpr int N = irg::native_lanes<float>;
   test::random r(51);

@@ -41,7 +41,8 @@ inline namespace IRG_ABI {
 // Which of the textures a number means.
 // needs   count > 0
 IRG_INLINE constexpr std::size_t texture_index(float number, std::size_t count) noexcept {
-  return static_cast<std::size_t>(clamp(number, 0.0f, static_cast<float>(count - 1)));
+  const float last = static_cast<float>(count - 1);  // rounded up, maybe, beyond 2^24
+  return lesser(static_cast<std::size_t>(clamp(number, 0.0f, last)), count - 1);
 }
 
 }  // namespace IRG_ABI
