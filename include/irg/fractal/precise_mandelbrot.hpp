@@ -39,8 +39,8 @@ struct precise_escape_stats {
 namespace detail {
 inline namespace IRG_ABI {
 
-// What a radius of 2^20 makes, which orbits in fixed_points are made for.
-inline constexpr double largest_compared_square = 0x1p40;
+// The square of 2^20, the largest radius that orbits in fixed_points are compared with.
+inline constexpr double largest_fixed_square = 0x1p40;
 
 // The orbit of 0 in numbers of type T. `rounded` bounds what a step rounds off, for |z|^2 + |z| + |c| of 1.
 template <class T>
@@ -59,7 +59,7 @@ constexpr sure_count sure_orbit(const T& cx, const T& cy, const escape_limit<dou
     error = (2 * z_size + error) * error + rounded * (z_size * z_size + z_size + c_size);
     z_size = size_of(x, y);
     // So far outside of the disc that the square may not fit a fixed_point.
-    if (z_size > 0x1p30 && limit.square <= largest_compared_square) return {k, error < 0.5 * z_size};
+    if (z_size > 0x1p30 && limit.square <= largest_fixed_square) return {k, error < 0.5 * z_size};
     xx = x * x;
     yy = y * y;
     const T beyond = xx + yy - square;
@@ -111,7 +111,7 @@ template <CountRaster R, Executor E = sequential>
 constexpr precise_escape_stats draw_mandelbrot(R& counts, const precise_escape_job& job, const E& executor = {}) {
   const int width = width_of(counts), height = height_of(counts);
   if (width < 1 || height < 1) return {};
-  const bool in_reach = magnitude(job.limit.square) <= detail::largest_compared_square;
+  const bool in_reach = magnitude(job.limit.square) <= detail::largest_fixed_square;
   std::vector<precise_escape_stats> of_row(static_cast<std::size_t>(height), precise_escape_stats{});
   executor(of_row.size(), [&](std::size_t i) {
     const int y = static_cast<int>(i);

@@ -96,8 +96,8 @@ inline namespace IRG_ABI {
 /// shape   optic i belongs to object i; objects beyond their number are opaque and mirror nothing
 /// needs   as render
 /// gives   the background alone for a scene without objects, and where rays leave the scene. Normals are those of the
-///         style phong, but where they come to 0, which here is the triangle's own and there ambient light alone; with
-///         shadows off and no optics, one sample, otherwise the bytes of render() in that style
+///         style phong; where they come to 0, the triangle's own, where render() has ambient light alone. But for such
+///         places it gives the bytes of render() in that style with shadows off, no optics and one sample
 /// exact   the triangle that each sample shows first, as render(); the same bytes for every executor and compiler
 /// cost    as trace_ray for each sample; allocates a picture of all samples, and a tree
 /// source  Whitted 1980
