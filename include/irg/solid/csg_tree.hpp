@@ -90,7 +90,7 @@ template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> mesh_of(const csg_tree<T>& tree) {
   if (tree.steps.empty()) return {};
   std::vector<unsigned char> is_used(tree.steps.size(), 0);
-  is_used.back() = 1;
+  is_used[tree.steps.size() - 1] = 1;
   const mesh<T> nothing;
   std::vector<const mesh<T>*> bodies(tree.bodies.size(), &nothing);
   for (std::size_t i = tree.steps.size(); i-- > 0;) {
