@@ -26,6 +26,19 @@ TEST_CASE("painter_once: parts of a face, and depths compared only where somethi
   CHECK_BOTH(seen_in_parts(0.5f) == std::pair{4u, std::int64_t{64}});  // equally near: the lower number
 }
 
+TEST_CASE("painter_once: of parts that lie on each other the nearest counts") {
+  const auto sheet = [](float depth, std::uint32_t number) {
+    return irg::make_screen_face({{0, 0}, depth}, {{5000, 0}, depth}, {{0, 5000}, depth}, number);
+  };
+  for (const auto& [first, second] : {std::pair{0.5f, 0.9f}, std::pair{0.9f, 0.5f}}) {
+    const std::vector<irg::screen_face> faces{sheet(first, 4), sheet(second, 4), sheet(0.75f, 7)};
+    irg::image<std::uint32_t> ids(8, 8, irg::no_face);
+    irg::draw_counts counts;
+    irg::painter_once<>{}(faces, irg::cell_window{0, 0, 8, 8}, ids, counts);
+    CHECK(ids(1, 6) == 4);
+  }
+}
+
 TEST_CASE("painter_once: ids that were there before count for nothing") {
   const std::vector<irg::screen_face> faces{
       irg::make_screen_face({{0, 0}, 0.5f}, {{1024, 0}, 0.5f}, {{0, 1024}, 0.5f}, 3),

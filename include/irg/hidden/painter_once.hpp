@@ -43,14 +43,16 @@ struct painter_once {
   }
 
 private:
-  // The face of a list, sorted by numbers, that has this one and covers a pixel: parts of a face share its number.
+  // Of a list sorted by numbers the face that has this one and covers a pixel: of its parts, which share the number and
+  // may lie on each other where they are thin, the nearest.
   [[nodiscard]] static constexpr const screen_face* find(const std::vector<screen_face>& list, std::uint32_t number,
                                                          int x, int y) {
     const auto is_before = [](const screen_face& f, std::uint32_t n) { return f.number < n; };
+    const screen_face* nearest = nullptr;
     for (auto f = std::lower_bound(list.begin(), list.end(), number, is_before); f != list.end() && f->number == number;
          ++f)
-      if (covers(*f, x, y)) return &*f;
-    return nullptr;
+      if (covers(*f, x, y) && (nearest == nullptr || is_nearer<Order>(*f, *nearest, x, y))) nearest = &*f;
+    return nearest;
   }
 };
 
