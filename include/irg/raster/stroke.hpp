@@ -46,6 +46,8 @@ constexpr bool stroke_outline(std::span<const point<double, 2>> points, const st
 /// gives   false and nothing painted when stroke_outline gives false or a vertex is beyond snap_limit
 /// exact   with round joins and caps, a pixel that lies within half the width less 1/64 pixel of the path is covered
 ///         whole, one beyond half the width and 1/64 pixel not at all; between, the area of the snapped outline
+/// cost    that of polygon_coverage for the rings of stroke_outline: each of their crossings counts, so a path of n
+///         segments that is scribbled into one spot costs their square
 template <WritableRaster R, CoveragePaintFor<R> Paint = pixel_of<R>>
 constexpr bool draw_stroke(R& raster, std::span<const point<double, 2>> points, const stroke_style& style,
                            const Paint& paint) {
