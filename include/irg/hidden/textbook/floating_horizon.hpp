@@ -22,16 +22,16 @@ enum class horizon_rule {
 template <class Column = horizon_column>
 class floating_horizon {
 public:
-  constexpr explicit floating_horizon(int columns, horizon_rule rule = horizon_rule::improved_step)
+  IRG_APART constexpr explicit floating_horizon(int columns, horizon_rule rule = horizon_rule::improved_step)
       : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), Column{}), rule_(rule) {}
 
-  [[nodiscard]] constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
-  constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
-  constexpr void begin_curve() noexcept { drawing_ = false; }
+  [[nodiscard]] IRG_APART constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
+  IRG_APART constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
+  IRG_APART constexpr void begin_curve() noexcept { drawing_ = false; }
 
   /// Adds a sample, and calls sink(from, to, side) for what the rule draws.
   template <class Sink>
-  constexpr void add(const cell& sample, Sink&& sink) {
+  IRG_APART constexpr void add(const cell& sample, Sink&& sink) {
     if (sample.x < 0 || sample.x >= columns()) return begin_curve();
     Column& here = columns_[static_cast<std::size_t>(sample.x)];
     const Column before = here;
