@@ -20,7 +20,7 @@ struct cyclic_palette {
   /// The colour of any integer: stops[k] for k * steps, mixed in between.
   /// gives   the same for i and i + N * steps
   /// exact   mix with the coverage 256 r / steps, rounded down, at r steps from a stop
-  constexpr P operator()(int i) const noexcept {
+  IRG_APART constexpr P operator()(int i) const noexcept {
     const std::int64_t period = static_cast<std::int64_t>(N) * steps;
     const std::int64_t place = (i % period + period) % period, step = place % steps;
     const auto stop = static_cast<std::size_t>(place / steps);

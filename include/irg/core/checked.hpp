@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// checked<T, Status>: a value and how it came about, for functions that give something harmless whatever they are asked
+// checked<T, S>: a value and how it came about, for functions that give something harmless whatever they are asked
 // for and say so.
 #pragma once
 
@@ -8,14 +8,14 @@
 namespace irg {
 
 /// A value, and what its arguments amounted to.
-/// shape   Status is an enum whose first value says that all is well
-template <class T, class Status>
+/// shape   S is an enum whose first value says that all is well
+template <class T, class S>
 struct [[nodiscard]] checked {
   T value{};
-  Status status{};
+  S status{};
 
   /// Whether the value is what was asked for.
-  [[nodiscard]] IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == Status{}; }
+  [[nodiscard]] IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == S{}; }
   constexpr bool operator==(const checked&) const = default;
 };
 

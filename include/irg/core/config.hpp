@@ -30,10 +30,11 @@
 #error "irg: x87 computes in wider registers: -msse2 -mfpmath=sse, or define IRG_ALLOW_EXCESS_PRECISION"
 #endif
 
-// Functions stand in an inline namespace that names the major version, the instruction set and whether preconditions
-// are checked, so that objects built with different -march flags, or with and without NDEBUG, never share a body. Types
-// and concepts stand in `irg` itself, so such objects can still hand each other meshes and images. Member functions of
-// types are therefore forced inline.
+// Functions stand in an inline namespace that names the major version, the instruction set, whether preconditions are
+// checked and whether exact decisions are given up, so that objects built with different -march flags, or with and
+// without NDEBUG, never share a body, as long as those flags differ in what is named here: x86-64-v2 to -v4 do, two
+// processors with AVX2 do not. Types and concepts stand in `irg` itself, so such objects can still hand each other
+// meshes and images. Member functions of types are therefore forced inline.
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define IRG_ISA avx512
 #elif defined(__AVX2__)
@@ -50,8 +51,12 @@
 #else
 #define IRG_ISA_FMA plain
 #endif
-#ifdef NDEBUG
+#if defined(NDEBUG) && defined(IRG_ALLOW_FAST_MATH)
+#define IRG_CHECKS release_fast
+#elif defined(NDEBUG)
 #define IRG_CHECKS release
+#elif defined(IRG_ALLOW_FAST_MATH)
+#define IRG_CHECKS checked_fast
 #else
 #define IRG_CHECKS checked
 #endif
@@ -62,15 +67,19 @@
 // Where a program is built for one instruction set, IRG_INLINE_AS_USUAL leaves it to the compiler what it inlines: for
 // stepping through with a debugger and for builds with sanitizers, which it makes several times quicker. Without
 // optimisation nothing is forced inline, either, which would only take time to compile: functions of types then carry
-// the instruction set and the checks in names of their own, but for one choice, the usual one, that needs no mark.
-#if defined(__GNUC__) && !defined(__OPTIMIZE__) && !defined(IRG_INLINE_AS_USUAL)
-#if defined(__SSE4_1__) || defined(__FMA__) || defined(NDEBUG)
+// the instruction set and the checks in names of their own, but for one choice, the usual one, that needs no mark. So
+// do, always, functions of types that are too large to be forced inline, by IRG_APART, and types that no two objects
+// hand each other.
 #define IRG_TEXT_EXPANDED(...) #__VA_ARGS__
 #define IRG_TEXT(...) IRG_TEXT_EXPANDED(__VA_ARGS__)
-#define IRG_INLINE [[gnu::abi_tag(IRG_TEXT(IRG_ABI))]] inline
+#if defined(__GNUC__) && !defined(IRG_INLINE_AS_USUAL) && \
+    (defined(__SSE4_1__) || defined(__FMA__) || defined(NDEBUG) || defined(IRG_ALLOW_FAST_MATH))
+#define IRG_APART [[gnu::abi_tag(IRG_TEXT(IRG_ABI))]]
 #else
-#define IRG_INLINE inline
+#define IRG_APART
 #endif
+#if defined(__GNUC__) && !defined(__OPTIMIZE__) && !defined(IRG_INLINE_AS_USUAL)
+#define IRG_INLINE IRG_APART inline
 #define IRG_INLINE_LAMBDA
 #define IRG_NOINLINE [[gnu::noinline]]
 #define IRG_NOINLINE_LAMBDA __attribute__((noinline))

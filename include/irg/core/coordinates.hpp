@@ -64,10 +64,10 @@ constexpr coordinate_kind kind_of() {
     return coordinate_kind::any;
 }
 
-template <class T, class Traits, class S, int... I>
-constexpr bool makes_from(std::integer_sequence<int, I...>) {
+template <class T, class Traits, class S, int... J>
+constexpr bool makes_from(std::integer_sequence<int, J...>) {
   return requires(const S c) {
-    { Traits::make((static_cast<void>(I), c)...) } -> std::convertible_to<T>;
+    { Traits::make((static_cast<void>(J), c)...) } -> std::convertible_to<T>;
   };
 }
 
@@ -205,8 +205,8 @@ template <Coordinates T, class... S>
 /// A T whose coordinate i is f(i); f is called once for each i, in no particular order.
 template <Coordinates T, class F>
 IRG_INLINE constexpr T generate_coordinates(F&& f) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) IRG_INLINE_LAMBDA {
-    return coordinate_traits<T>::make(f(I)...);
+  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
+    return coordinate_traits<T>::make(f(J)...);
   }(std::make_integer_sequence<int, size_of<T>>{});
 }
 

@@ -41,12 +41,12 @@ template <int G, class T, int N>
   return shuffled_by<N>(first, t.z, [](int i) { return (G * N + i) % 3 == 2 ? (G * N + i) / 3 + N : i; });
 }
 
-// The lanes I of a and b, 0 to 3 and 4 to 7, in each group of four lanes alike: none has to cross from one group into
+// The lanes J of a and b, 0 to 3 and 4 to 7, in each group of four lanes alike: none has to cross from one group into
 // another.
-template <int... I, class T, int N>
+template <int... J, class T, int N>
 [[nodiscard]] IRG_INLINE pack<T, N> in_fours(const pack<T, N>& a, const pack<T, N>& b) noexcept {
   return shuffled_by<N>(a, b, [](int i) {
-    constexpr int of[4] = {I...};
+    constexpr int of[4] = {J...};
     return (of[i % 4] < 4 ? of[i % 4] : of[i % 4] - 4 + N) + i / 4 * 4;
   });
 }

@@ -112,8 +112,8 @@ template <class To, class T, int N>
 }
 
 /// The integer, rounded to the nearest float, ties to even.
-template <class I>
-[[nodiscard]] IRG_INLINE constexpr float to_float(I i) noexcept {
+template <class J>
+[[nodiscard]] IRG_INLINE constexpr float to_float(J i) noexcept {
   return static_cast<float>(i);
 }
 template <int N>

@@ -10,29 +10,29 @@
 namespace irg {
 inline namespace IRG_ABI {
 
-/// The lanes I, in this order, of a and b, one behind the other.
-template <int... I, class T, int N>
-[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled(const pack<T, N>& a,
+/// The lanes J, in this order, of a and b, one behind the other.
+template <int... J, class T, int N>
+[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(J))> shuffled(const pack<T, N>& a,
                                                                           const pack<T, N>& b) noexcept {
-  static_assert(((I >= 0 && I < 2 * N) && ...));
+  static_assert(((J >= 0 && J < 2 * N) && ...));
 #ifdef IRG_LANES_VECTOR
-  return {__builtin_shufflevector(a.v, b.v, I...)};
+  return {__builtin_shufflevector(a.v, b.v, J...)};
 #else
-  return {{(I < N ? a[I % N] : b[I % N])...}};
+  return {{(J < N ? a[J % N] : b[J % N])...}};
 #endif
 }
-/// The lanes I, in this order, of one pack.
-template <int... I, class T, int N>
-[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled(const pack<T, N>& a) noexcept {
-  return shuffled<I...>(a, a);
+/// The lanes J, in this order, of one pack.
+template <int... J, class T, int N>
+[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(J))> shuffled(const pack<T, N>& a) noexcept {
+  return shuffled<J...>(a, a);
 }
 
 namespace lanes_detail {
 
-template <class Index, int... I, class T, int N>
-[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(I))> shuffled_by(
-    const pack<T, N>& a, const pack<T, N>& b, std::integer_sequence<int, I...>) noexcept {
-  return shuffled<Index{}(I)...>(a, b);
+template <class Index, int... J, class T, int N>
+[[nodiscard]] IRG_INLINE pack<T, static_cast<int>(sizeof...(J))> shuffled_by(
+    const pack<T, N>& a, const pack<T, N>& b, std::integer_sequence<int, J...>) noexcept {
+  return shuffled<Index{}(J)...>(a, b);
 }
 
 }  // namespace lanes_detail

@@ -18,7 +18,7 @@ struct parallel {
   int threads = 1;
 
   template <class Task>
-  void operator()(std::size_t count, Task&& task) const {
+  IRG_APART void operator()(std::size_t count, Task&& task) const {
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
       for (std::size_t i = next.fetch_add(1); i < count; i = next.fetch_add(1)) task(i);
@@ -34,7 +34,7 @@ struct parallel {
 private:
   // Starts count - 1 threads, or as many as the system grants: the calling thread does what nobody else does.
   template <class Work>
-  static void start(std::vector<std::thread>& helpers, std::size_t count, const Work& work) {
+  IRG_APART static void start(std::vector<std::thread>& helpers, std::size_t count, const Work& work) {
 #ifdef __cpp_exceptions
     try {
       for (std::size_t i = 1; i < count; ++i) helpers.emplace_back(work);

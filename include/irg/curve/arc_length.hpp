@@ -19,7 +19,7 @@ template <Floating T>
 struct arc_length_table {
   T first = 0, last = 1;
   std::span<const T> lengths{};
-  [[nodiscard]] constexpr T length() const noexcept { return lengths[lengths.size() - 1]; }
+  [[nodiscard]] IRG_APART constexpr T length() const noexcept { return lengths[lengths.size() - 1]; }
 };
 
 namespace detail {

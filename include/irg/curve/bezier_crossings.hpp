@@ -21,8 +21,10 @@ namespace irg {
 template <Floating T>
 struct curve_meeting {
   T first_from = 0, first_to = 1, second_from = 0, second_to = 1;
-  [[nodiscard]] constexpr T first_middle() const noexcept { return first_from + (first_to - first_from) / 2; }
-  [[nodiscard]] constexpr T second_middle() const noexcept { return second_from + (second_to - second_from) / 2; }
+  [[nodiscard]] IRG_APART constexpr T first_middle() const noexcept { return first_from + (first_to - first_from) / 2; }
+  [[nodiscard]] IRG_APART constexpr T second_middle() const noexcept {
+    return second_from + (second_to - second_from) / 2;
+  }
   constexpr bool operator==(const curve_meeting&) const = default;
 };
 

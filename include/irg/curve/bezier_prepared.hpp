@@ -25,9 +25,9 @@ struct prepared_bezier {
   std::span<const scalar_of<P>> rows{};  // an expansion each: row_length / width coefficients
   std::size_t count = 1, pieces = 1, row_length = 4 * width;
 
-  [[nodiscard]] constexpr std::size_t degree() const noexcept { return count - 1; }
+  [[nodiscard]] IRG_APART constexpr std::size_t degree() const noexcept { return count - 1; }
   /// The space that a curve of so many control points takes.
-  [[nodiscard]] static constexpr std::size_t numbers_for(std::size_t count) noexcept {
+  [[nodiscard]] IRG_APART static constexpr std::size_t numbers_for(std::size_t count) noexcept {
     return (std::bit_ceil(count) + 1) * detail::expansion_size<scalar_of<P>>(count) * width;
   }
 };

@@ -30,8 +30,10 @@ template <Coordinates P>
 struct control_net {
   std::span<const P> points{};
   std::size_t columns = 1;
-  [[nodiscard]] constexpr std::size_t rows() const noexcept { return points.size() / columns; }
-  constexpr const P& operator()(std::size_t i, std::size_t j) const noexcept { return points[i * columns + j]; }
+  [[nodiscard]] IRG_APART constexpr std::size_t rows() const noexcept { return points.size() / columns; }
+  IRG_APART constexpr const P& operator()(std::size_t i, std::size_t j) const noexcept {
+    return points[i * columns + j];
+  }
 };
 
 /// A point of a surface with the first derivatives along u and v and the mixed second one.

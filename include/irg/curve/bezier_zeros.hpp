@@ -22,8 +22,8 @@ template <Floating T>
 struct zero_stretch {
   T from = 0, to = 0;
   int before = 0, behind = 0;
-  [[nodiscard]] constexpr T middle() const noexcept { return from + (to - from) / 2; }
-  [[nodiscard]] constexpr bool is_crossing() const noexcept { return before * behind < 0; }
+  [[nodiscard]] IRG_APART constexpr T middle() const noexcept { return from + (to - from) / 2; }
+  [[nodiscard]] IRG_APART constexpr bool is_crossing() const noexcept { return before * behind < 0; }
   constexpr bool operator==(const zero_stretch&) const = default;
 };
 

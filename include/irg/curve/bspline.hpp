@@ -119,7 +119,7 @@ public:
       : knots_(knots) {
     IRG_EXPECTS(check_knots(knots, Degree) == knots_error::none);
   }
-  constexpr bspline_knots(std::span<const T> knots, int degree) noexcept
+  IRG_APART constexpr bspline_knots(std::span<const T> knots, int degree) noexcept
     requires(Degree == degree_at_run_time)
       : detail::knots_degree<Degree>{degree}, knots_(knots) {
     IRG_EXPECTS(check_knots(knots, degree) == knots_error::none);

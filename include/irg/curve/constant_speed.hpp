@@ -19,27 +19,27 @@ class constant_speed {
 public:
   /// The motion from t = first to last; `lengths` is its table, as arc_lengths fills it, and stays yours.
   /// needs   two lengths or more, first < last
-  constexpr constant_speed(const Sample& sample, std::type_identity_t<T> first, std::type_identity_t<T> last,
-                           std::span<T> lengths)
+  IRG_APART constexpr constant_speed(const Sample& sample, std::type_identity_t<T> first, std::type_identity_t<T> last,
+                                     std::span<T> lengths)
       : sample_(sample), table_(arc_lengths<T>(speed(), first, last, lengths)) {}
 
-  [[nodiscard]] constexpr T length() const noexcept { return table_.length(); }
+  [[nodiscard]] IRG_APART constexpr T length() const noexcept { return table_.length(); }
 
   /// The parameter where this share of the length has been run.
   /// gives   the curve's beginning for shares up to 0 and NaN, its end for those from 1 on
   /// exact   as parameter_at_length: within some u of the whole length where the speed is smooth within a piece of the
   ///         table
-  [[nodiscard]] constexpr T parameter(std::type_identity_t<T> share) const {
+  [[nodiscard]] IRG_APART constexpr T parameter(std::type_identity_t<T> share) const {
     if (!(share > T(0))) return table_.first;
     if (!(share < T(1))) return table_.last;
     return parameter_at_length(speed(), table_, product(share, length()));
   }
 
   /// The point and the derivative there.
-  [[nodiscard]] constexpr auto at(std::type_identity_t<T> share) const { return sample_(parameter(share)); }
+  [[nodiscard]] IRG_APART constexpr auto at(std::type_identity_t<T> share) const { return sample_(parameter(share)); }
 
 private:
-  [[nodiscard]] constexpr auto speed() const {
+  [[nodiscard]] IRG_APART constexpr auto speed() const {
     return [this](T t) { return irg::length(sample_(t).derivative); };
   }
   Sample sample_;

@@ -86,9 +86,10 @@ struct lerp_clip_vertex {
   template <class T, int K>
   IRG_INLINE constexpr clip_vertex<T, K> operator()(const clip_vertex<T, K>& a, const clip_vertex<T, K>& b,
                                                     const T& t) const noexcept {
-    const auto lerp = [&](const T& from, const T& to) { return from + product(t, to - from); };
+    const auto lerp = [&](const T& from, const T& to) IRG_INLINE_LAMBDA { return from + product(t, to - from); };
     clip_vertex<T, K> between{};
-    between.position = generate_coordinates<hpoint<T, 3>>([&](int i) { return lerp(a.position[i], b.position[i]); });
+    between.position =
+        generate_coordinates<hpoint<T, 3>>([&](int i) IRG_INLINE_LAMBDA { return lerp(a.position[i], b.position[i]); });
     if constexpr (K > 0)
       for (int i = 0; i < K; ++i) between.attributes[i] = lerp(a.attributes[i], b.attributes[i]);
     return between;

@@ -19,7 +19,7 @@ struct clipped_line {
   P first{}, second{};
   parameter t_first = parameter(0), t_second = parameter(1);
   // Coordinate by coordinate: == of foreign points need not be constexpr.
-  constexpr bool operator==(const clipped_line& other) const {
+  IRG_APART constexpr bool operator==(const clipped_line& other) const {
     for (int i = 0; i < size_of<P>; ++i)
       if (coordinate(first, i) != coordinate(other.first, i) || coordinate(second, i) != coordinate(other.second, i))
         return false;

@@ -28,19 +28,19 @@ class basic_exact_point {
   };
 
   template <class Number>
-  [[nodiscard]] static constexpr std::array<Number, 3> vector_of(const point<double, 3>& p) noexcept {
+  [[nodiscard]] IRG_APART static constexpr std::array<Number, 3> vector_of(const point<double, 3>& p) noexcept {
     return {Number(p.x), Number(p.y), Number(p.z)};
   }
   template <class Number>
-  [[nodiscard]] static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a,
-                                                             const std::array<Number, 3>& b) noexcept {
+  [[nodiscard]] IRG_APART static constexpr std::array<Number, 3> minus(const std::array<Number, 3>& a,
+                                                                       const std::array<Number, 3>& b) noexcept {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
   // from + way t / divisor
   template <class Number>
-  [[nodiscard]] static constexpr basic_exact_point along(const std::array<Number, 3>& from,
-                                                         const std::array<Number, 3>& way, const Number& t,
-                                                         const Number& divisor) {
+  [[nodiscard]] IRG_APART static constexpr basic_exact_point along(const std::array<Number, 3>& from,
+                                                                   const std::array<Number, 3>& way, const Number& t,
+                                                                   const Number& divisor) {
     basic_exact_point p;
     if (divisor.sign() != 0)
       p.store(std::array{divisor, from[0] * divisor + way[0] * t, from[1] * divisor + way[1] * t,
@@ -49,13 +49,13 @@ class basic_exact_point {
   }
 
   template <class Number>
-  constexpr void store(const std::array<Number, 4>& v) {
+  IRG_APART constexpr void store(const std::array<Number, 4>& v) {
     for (std::size_t i = 0; i < 4; ++i) {
       parts_[i] = {static_cast<int>(words_.size()), v[i].size(), v[i].place(), v[i].sign() < 0};
       words_.insert(words_.end(), v[i].words(), v[i].words() + v[i].size());
     }
   }
-  [[nodiscard]] constexpr std::array<wide, 4> load() const noexcept {
+  [[nodiscard]] IRG_APART constexpr std::array<wide, 4> load() const noexcept {
     IRG_EXPECTS(is_known());
     const auto at = [this](std::size_t i) {
       return wide(words_.data() + parts_[i].first, parts_[i].size, parts_[i].place, parts_[i].negative);
@@ -65,10 +65,10 @@ class basic_exact_point {
 
 public:
   /// No point.
-  constexpr basic_exact_point() noexcept {}
+  IRG_APART constexpr basic_exact_point() noexcept {}
   /// The point p.
   /// needs   finite coordinates
-  constexpr explicit basic_exact_point(const point<double, 3>& p) {
+  IRG_APART constexpr explicit basic_exact_point(const point<double, 3>& p) {
     using number = exact_number<1>;
     store(std::array{number(1.0), number(p.x), number(p.y), number(p.z)});
   }
@@ -76,9 +76,11 @@ public:
   /// Where the line through a and b crosses the plane through p, q and r.
   /// needs   finite coordinates
   /// gives   no point when they are parallel, or a == b, or the three lie on a line
-  [[nodiscard]] static constexpr basic_exact_point on_plane(const point<double, 3>& p, const point<double, 3>& q,
-                                                            const point<double, 3>& r, const point<double, 3>& a,
-                                                            const point<double, 3>& b) {
+  [[nodiscard]] IRG_APART static constexpr basic_exact_point on_plane(const point<double, 3>& p,
+                                                                      const point<double, 3>& q,
+                                                                      const point<double, 3>& r,
+                                                                      const point<double, 3>& a,
+                                                                      const point<double, 3>& b) {
     using number = exact_number<4>;
     const auto base = vector_of<number>(p), u = minus(vector_of<number>(q), base),
                v = minus(vector_of<number>(r), base);
@@ -93,8 +95,10 @@ public:
   /// needs   finite coordinates
   /// gives   no point when they are parallel; where they pass each other, a point of the first that is a crossing as
   ///         seen along an axis
-  [[nodiscard]] static constexpr basic_exact_point on_lines(const point<double, 3>& a, const point<double, 3>& b,
-                                                            const point<double, 3>& c, const point<double, 3>& d) {
+  [[nodiscard]] IRG_APART static constexpr basic_exact_point on_lines(const point<double, 3>& a,
+                                                                      const point<double, 3>& b,
+                                                                      const point<double, 3>& c,
+                                                                      const point<double, 3>& d) {
     using number = exact_number<4>;
     const auto from = vector_of<number>(a), way = minus(vector_of<number>(b), from);
     const auto start = vector_of<number>(c), other = minus(vector_of<number>(d), start), between = minus(start, from);
@@ -109,7 +113,7 @@ public:
   /// Where three planes meet, each through three points.
   /// needs   finite coordinates
   /// gives   no point when they have more or less in common
-  [[nodiscard]] static constexpr basic_exact_point on_planes(
+  [[nodiscard]] IRG_APART static constexpr basic_exact_point on_planes(
       const std::array<std::array<point<double, 3>, 3>, 3>& planes) {
     using number = exact_number<9>;
     using three = std::array<number, 3>;
@@ -133,8 +137,9 @@ public:
 
   /// The mean of three points.
   /// needs   three points
-  [[nodiscard]] static constexpr basic_exact_point mean_of(const basic_exact_point& p, const basic_exact_point& q,
-                                                           const basic_exact_point& r) {
+  [[nodiscard]] IRG_APART static constexpr basic_exact_point mean_of(const basic_exact_point& p,
+                                                                     const basic_exact_point& q,
+                                                                     const basic_exact_point& r) {
     const auto a = p.load(), b = q.load(), c = r.load();
     const wide bc = b[0] * c[0], ca = c[0] * a[0], ab = a[0] * b[0];
     std::array<wide, 4> sum{ab * c[0] * wide(3.0), {}, {}, {}};
@@ -144,12 +149,12 @@ public:
     return mean;
   }
 
-  [[nodiscard]] constexpr bool is_known() const noexcept { return parts_[0].size > 0; }
+  [[nodiscard]] IRG_APART constexpr bool is_known() const noexcept { return parts_[0].size > 0; }
 
   /// The nearest doubles, nearly.
   /// needs   a point
   /// exact   within 0.501 ulp
-  [[nodiscard]] constexpr point<double, 3> rounded() const noexcept {
+  [[nodiscard]] IRG_APART constexpr point<double, 3> rounded() const noexcept {
     const auto v = load();
     point<double, 3> p{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -176,8 +181,8 @@ using exact_point = basic_exact_point<>;
 /// needs   two points
 /// exact   always
 template <class W>
-[[nodiscard]] constexpr int compare_along(int axis, const basic_exact_point<W>& p,
-                                          const basic_exact_point<W>& q) noexcept {
+[[nodiscard]] IRG_APART constexpr int compare_along(int axis, const basic_exact_point<W>& p,
+                                                    const basic_exact_point<W>& q) noexcept {
   const auto a = p.load(), b = q.load();
   const auto i = static_cast<std::size_t>(axis) + 1;
   return (a[i] * b[0] - b[i] * a[0]).sign() * a[0].sign() * b[0].sign();
@@ -187,8 +192,9 @@ template <class W>
 /// needs   three points
 /// exact   always
 template <class W>
-[[nodiscard]] constexpr int orientation_along(int axis, const basic_exact_point<W>& p, const basic_exact_point<W>& q,
-                                              const basic_exact_point<W>& r) noexcept {
+[[nodiscard]] IRG_APART constexpr int orientation_along(int axis, const basic_exact_point<W>& p,
+                                                        const basic_exact_point<W>& q,
+                                                        const basic_exact_point<W>& r) noexcept {
   const auto a = p.load(), b = q.load(), c = r.load();
   const std::size_t x = axis == 0 ? 2 : 1, y = axis == 2 ? 2 : 3;
   const auto area =
@@ -200,8 +206,8 @@ template <class W>
 /// needs   finite coordinates, a point
 /// exact   always
 template <class W>
-[[nodiscard]] constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b,
-                                          const point<double, 3>& c, const basic_exact_point<W>& p) noexcept {
+[[nodiscard]] IRG_APART constexpr int side_of_plane(const point<double, 3>& a, const point<double, 3>& b,
+                                                    const point<double, 3>& c, const basic_exact_point<W>& p) noexcept {
   using exact = basic_exact_point<W>;
   using number = typename exact::wide;
   const auto base = exact::template vector_of<number>(a);

@@ -16,10 +16,10 @@ namespace detail::inline IRG_ABI {
 /// The minors of the rows p, q, r that are the plane's coefficients.
 template <class N>
 constexpr std::array<N, 4> plane_minors(const hpoint<N, 3>& p, const hpoint<N, 3>& q, const hpoint<N, 3>& r) noexcept {
-  const auto minor = [&](int i, int j, int k) {
+  const auto det = [&](int i, int j, int k) {
     return p[i] * (q[j] * r[k] - q[k] * r[j]) - p[j] * (q[i] * r[k] - q[k] * r[i]) + p[k] * (q[i] * r[j] - q[j] * r[i]);
   };
-  return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
+  return {det(1, 2, 3), -det(0, 2, 3), det(0, 1, 3), -det(0, 1, 2)};
 }
 
 /// The four coefficients of the plane through three homogeneous points.

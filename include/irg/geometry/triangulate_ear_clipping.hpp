@@ -20,7 +20,7 @@ struct ear_clipping_options {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(i, j, k) for each triangle of a ring, as vertex numbers in the ring's own direction.
+/// Calls sink(i, j, k) for each triangle of a ring, as vertex numbers in the ring's own direction.
 /// shape   n - 2 triangles for n vertices
 /// needs   finite coordinates, fewer than 2^31 vertices
 /// gives   for a simple polygon, convex or not: triangles that cover it exactly once, none of them without area.
@@ -31,7 +31,7 @@ inline namespace IRG_ABI {
 /// cost    linear for strictly convex rings, else O(n log n) and up to tests_per_vertex * n tests
 /// source  Meisters 1975
 template <PlaneRing R, class Emit>
-constexpr bool triangulate_ear_clipping(const R& ring, const Emit& emit, ear_clipping_memory<ring_scalar<R>>& memory,
+constexpr bool triangulate_ear_clipping(const R& ring, const Emit& sink, ear_clipping_memory<ring_scalar<R>>& memory,
                                         ear_clipping_options options = {}) {
   const std::size_t n = ring_size(ring);
   memory.points.clear();
@@ -40,7 +40,7 @@ constexpr bool triangulate_ear_clipping(const R& ring, const Emit& emit, ear_cli
     const auto p = ring_vertex(ring, i);
     memory.points.push_back({coordinate(p, 0), coordinate(p, 1)});
   }
-  return detail::ear_clipper<ring_scalar<R>>(memory, options.tests_per_vertex)(emit);
+  return detail::ear_clipper<ring_scalar<R>>(memory, options.tests_per_vertex)(sink);
 }
 
 /// The triangles of a ring, as above.
@@ -52,10 +52,10 @@ template <PlaneRing R>
   const auto n = static_cast<std::uint32_t>(ring_size(ring));
   if (n < 3 || !is_finite(ring)) return triangles;
   triangles.reserve(n - 2);
-  const auto emit = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) { triangles.push_back({i, j, k}); };
+  const auto sink = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) { triangles.push_back({i, j, k}); };
   ear_clipping_memory<ring_scalar<R>> memory;
-  if (!triangulate_ear_clipping(ring, emit, memory, options))
-    for (std::uint32_t i = 2; i < n; ++i) emit(0, i - 1, i);
+  if (!triangulate_ear_clipping(ring, sink, memory, options))
+    for (std::uint32_t i = 2; i < n; ++i) sink(0, i - 1, i);
   return triangles;
 }
 

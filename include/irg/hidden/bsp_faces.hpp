@@ -233,11 +233,11 @@ constexpr void draw_by_trees(const std::vector<window_face>& list, const cell_wi
 template <DepthOrder Order = nearer_is_greater>
 struct bsp_painter {
   /// Whether the picture is the exact one.
-  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
 
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     const std::vector<screen_face> list = detail::copied_faces(faces, window);
     std::vector<detail::window_face> all;
     all.reserve(list.size());

@@ -31,8 +31,8 @@ template <Floating T>
 class bsp_scene_painter {
 public:
   template <class Eye>
-  constexpr bsp_scene_painter(const bsp_tree_3d<T>& tree, const Eye& eye, const mat<T, 4, 4>& to_clip,
-                              const screen_mapping<T>& mapping)
+  IRG_APART constexpr bsp_scene_painter(const bsp_tree_3d<T>& tree, const Eye& eye, const mat<T, 4, 4>& to_clip,
+                                        const screen_mapping<T>& mapping)
       : tree_(tree) {
     order_pieces(eye);
     put_planes_on_screen(to_clip, mapping);
@@ -46,8 +46,8 @@ public:
   /// cost    n log n in the pieces of the window's faces, then each pixel as often as it is covered; allocates 12 bytes
   ///         a piece, no depths
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     std::vector<part> parts;
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const std::uint32_t n = faces[i].number;
@@ -70,7 +70,7 @@ private:
   };
 
   template <class Eye>
-  constexpr void order_pieces(const Eye& eye) {
+  IRG_APART constexpr void order_pieces(const Eye& eye) {
     const bsp_data_3d<T>& d = tree_.data();
     starts_.assign(d.triangles.size() + 1, 0u);
     for (const bsp_piece_3d& p : d.pieces) ++starts_[p.triangle + 1];
@@ -82,7 +82,7 @@ private:
                 [&](const bsp_piece_3d& p) { placed_[next[p.triangle]++] = {rank++, p.limits}; });
   }
 
-  constexpr void put_planes_on_screen(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) {
+  IRG_APART constexpr void put_planes_on_screen(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) {
     const bsp_data_3d<T>& d = tree_.data();
     mat<double, 4, 4> m;
     for (int i = 0; i < 4; ++i)
@@ -120,8 +120,8 @@ private:
       if (p.limits != bsp_none) of_triangle_[p.triangle] = put_triangle(p.triangle);
   }
 
-  constexpr void paint(std::uint32_t limits, const screen_face& f, const cell_window& window,
-                       image<std::uint32_t>& ids) const {
+  IRG_APART constexpr void paint(std::uint32_t limits, const screen_face& f, const cell_window& window,
+                                 image<std::uint32_t>& ids) const {
     const bsp_data_3d<T>& d = tree_.data();
     covered_spans(f.coverage, window, [&](const span_of_cells& s) {
       const double y = s.y + 0.5;
@@ -140,7 +140,7 @@ private:
   }
   // Where the ray through a pixel meets the plane of a face, no farther than its corners: it may pass beside them by as
   // much as they were snapped.
-  [[nodiscard]] constexpr double depth_of(const screen_face& f, double x, double y) const noexcept {
+  [[nodiscard]] IRG_APART constexpr double depth_of(const screen_face& f, double x, double y) const noexcept {
     const detail::plane_on_screen& p = of_triangle_[f.number];
     const double z = -p.at(x, y) / p.depth, low = widened(f.depth_low), high = widened(f.depth_high);
     return !(low < z) ? low : high < z ? high : z;

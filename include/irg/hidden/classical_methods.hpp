@@ -21,13 +21,13 @@ struct hidden_surfaces_by {
   classical_method method = classical_method::ray_casting;
 
   /// Whether the picture is the exact one.
-  [[nodiscard]] constexpr bool finds_nearest() const noexcept {
+  [[nodiscard]] IRG_APART constexpr bool finds_nearest() const noexcept {
     return method != classical_method::painter_by_centroid;
   }
 
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     switch (method) {
       case classical_method::warnock: return warnock<>{}(faces, window, ids, counts);
       case classical_method::painter_newell: return painter_newell<>{}(faces, window, ids, counts);

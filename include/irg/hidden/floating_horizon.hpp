@@ -48,22 +48,22 @@ constexpr void extend_horizon(Column& c, int row) noexcept {
 template <class Column = horizon_column>
 class floating_horizon {
 public:
-  constexpr explicit floating_horizon(int columns)
+  IRG_APART constexpr explicit floating_horizon(int columns)
       : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), Column{}) {}
 
-  [[nodiscard]] constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
+  [[nodiscard]] IRG_APART constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
   /// needs   0 <= x < columns()
-  constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
+  IRG_APART constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
 
   /// The next sample begins a curve, or a part of one after a gap.
-  constexpr void begin_curve() noexcept { drawing_ = false; }
+  IRG_APART constexpr void begin_curve() noexcept { drawing_ = false; }
 
-  /// Adds a sample, and calls emit(from, to, side) for what is seen of the step that leads there: the upper part first.
+  /// Adds a sample, and calls sink(from, to, side) for what is seen of the step that leads there: the upper part first.
   /// gives   nothing for the first sample of a curve; a gap for a sample outside of the columns
   /// exact   integers; where the sample before lies in the same column, the step begins at the horizon as it was
   /// cost    constant
   template <class Sink>
-  constexpr void add(const cell& sample, Sink&& emit) {
+  IRG_APART constexpr void add(const cell& sample, Sink&& sink) {
     if (sample.x < 0 || sample.x >= columns()) return begin_curve();
     Column& here = columns_[static_cast<std::size_t>(sample.x)];
     const Column before = drawing_ && last_.x == sample.x ? here : Column{};
@@ -75,8 +75,8 @@ public:
       const auto is_drawn = [](const bool(&on)[2], const bool(&other)[2]) {
         return (on[0] && on[1]) || (on[0] && !other[0]) || (on[1] && !other[1]);
       };
-      if (is_drawn(upper, lower)) emit(cell{last_.x, there.upper}, cell{sample.x, here.upper}, horizon_side::upper);
-      if (is_drawn(lower, upper)) emit(cell{last_.x, there.lower}, cell{sample.x, here.lower}, horizon_side::lower);
+      if (is_drawn(upper, lower)) sink(cell{last_.x, there.upper}, cell{sample.x, here.upper}, horizon_side::upper);
+      if (is_drawn(lower, upper)) sink(cell{last_.x, there.lower}, cell{sample.x, here.lower}, horizon_side::lower);
     }
     last_ = sample;
     drawing_ = true;

@@ -88,7 +88,7 @@ constexpr int surface_over_eye(const Sight& s, const grid_covering& c) noexcept 
 
 inline namespace IRG_ABI {
 
-/// Sends the parts of the edges of a surface that are seen from `eye` to emit(grid_edge_part), in the order in which
+/// Sends the parts of the edges of a surface that are seen from `eye` to sink(grid_edge_part), in the order in which
 /// they are drawn: edges in line with the eye, the border that turns to it, then facet by facet in covering order.
 /// shape   an edge's parts follow each other; they are as long as can be, and edges that are hidden have none
 /// gives   nothing but the status where there is no picture
@@ -99,7 +99,7 @@ inline namespace IRG_ABI {
 template <class Emit>
 constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(const grid_surface& surface,
                                                                                const point<double, 3>& eye,
-                                                                               Emit&& emit) {
+                                                                               Emit&& sink) {
   grid_surface_counts counts;
   if (!detail::is_grid(surface) || !(detail::is_number(eye.x) && detail::is_number(eye.y) && detail::is_number(eye.z)))
     return {counts, grid_surface_status::not_a_grid};
@@ -124,12 +124,12 @@ constexpr checked<grid_surface_counts, grid_surface_status> visible_grid_edges(c
     const auto a = sight.low(g), b = sight.high(g), rows = sight.rows();
     const auto index = [](std::uint32_t n) { return static_cast<int>(n); };
     sent(parts.send([&](double from, double to) {
-      emit(grid_edge_part{index(a / rows), index(a % rows), index(b / rows), index(b % rows), from, to});
+      sink(grid_edge_part{index(a / rows), index(a % rows), index(b / rows), index(b % rows), from, to});
     }));
   };
   const detail::grid_sight_lines<detail::grid_sight<double>> lines{sight, outer_hides, inner_hides};
   lines.visit([&](const grid_edge_part& part, bool seen) {
-    if (seen) emit(part);
+    if (seen) sink(part);
     sent(seen ? 1 : 0);
   });
 

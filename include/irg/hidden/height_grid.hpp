@@ -17,7 +17,7 @@ namespace irg {
 struct height_grid {
   std::vector<double> x{}, z{}, heights{};
 
-  [[nodiscard]] constexpr grid_surface surface() const noexcept {
+  [[nodiscard]] IRG_APART constexpr grid_surface surface() const noexcept {
     return {{x.data(), x.size()}, {z.data(), z.size()}, {heights.data(), heights.size()}};
   }
 };

@@ -145,7 +145,7 @@ private:
 
 inline namespace IRG_ABI {
 
-/// Finds which parts of edges are seen and which are hidden behind faces, and calls emit(part) for each edge_part: the
+/// Finds which parts of edges are seen and which are hidden behind faces, and calls sink(part) for each edge_part: the
 /// edges in their order, the parts of each from its first end to the second. Returns what was done.
 /// shape   edges and faces are ranges with size() and [i], of screen_edge and screen_face
 /// needs   positions within snap_limit pixels of the origin, finite depths
@@ -159,7 +159,7 @@ inline namespace IRG_ABI {
 /// source  Roberts 1963; Appel 1967, for intervals along the edge
 template <DepthOrder Order = nearer_is_greater, class Faces, class Edges, class Emit>
   requires(detail::depth_sense<Order> != 0)
-constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& emit,
+constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges, Emit&& sink,
                                           face_search search = face_search::nearby) {
   constexpr int sense = detail::depth_sense<Order>;
   detail::hidden_part_finder<sense, Faces> finder(faces, edges, search);
@@ -168,7 +168,7 @@ constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges
   const auto give = [&](std::size_t edge, line_visibility visibility, double from, double to) {
     if (!(from < to)) return;
     ++(visibility == line_visibility::visible ? counts.visible : counts.hidden);
-    emit(edge_part{edge, visibility, from, to});
+    sink(edge_part{edge, visibility, from, to});
   };
   // What is hidden of edge i stands from starts[i] to starts[i + 1]; of one met before, it stands with the first one.
   struct hidden_places {

@@ -36,36 +36,36 @@ public:
   constexpr explicit line_horizons(const Sight& sight)
       : sight_(&sight), upper_(sight, perimeter_side::outer), lower_(sight, perimeter_side::inner), parts_(sight) {}
 
-  // Calls emit(from, to) for what is seen of a step, in order.
+  // Calls sink(from, to) for what is seen of a step, in order.
   // gives   how many parts that are
   template <class Emit>
-  constexpr std::int64_t add(grid_edge e, const Emit& emit) {
-    if (sight_->at(e).x == sight_->at(e + 1).x) return add_upright(e, emit);
+  constexpr std::int64_t add(grid_edge e, const Emit& sink) {
+    if (sight_->at(e).x == sight_->at(e + 1).x) return add_upright(e, sink);
     parts_.add(e, upper_.add(e));
     parts_.add(e, lower_.add(e));
-    return parts_.send(emit);
+    return parts_.send(sink);
   }
   constexpr std::int64_t pieces() const noexcept { return static_cast<std::int64_t>(upper_.size() + lower_.size()); }
 
 private:
   // An upright step hides nothing: curves through its ends do.
   template <class Emit>
-  constexpr std::int64_t add_upright(grid_edge e, const Emit& emit) {
+  constexpr std::int64_t add_upright(grid_edge e, const Emit& sink) {
     const bool rises = sight_->at(e).y < sight_->at(e + 1).y;
     const std::uint32_t bottom = rises ? e : e + 1, top = rises ? e + 1 : e;
     const grid_edge high = upper_.edge_at(e), low = lower_.edge_at(e);
     const bool is_hidden = high != no_grid_edge && low != no_grid_edge && sight_->compare_at(high, low, e) > 0 &&
                            sight_->above_vertex(high, bottom) > 0 && sight_->above_vertex(low, top) < 0;
     if (!is_hidden) {
-      emit(0.0, 1.0);
+      sink(0.0, 1.0);
       return 1;
     }
     const bool below = sight_->above_vertex(low, bottom) > 0, above = sight_->above_vertex(high, top) < 0;
     const double from_low = below ? sight_->place(e, low) : 0, from_high = above ? sight_->place(e, high) : 0;
-    if (below && rises) emit(0.0, from_low);
-    if (above && !rises) emit(0.0, from_high);
-    if (above && rises) emit(from_high, 1.0);
-    if (below && !rises) emit(from_low, 1.0);
+    if (below && rises) sink(0.0, from_low);
+    if (above && !rises) sink(0.0, from_high);
+    if (above && rises) sink(from_high, 1.0);
+    if (below && !rises) sink(from_low, 1.0);
     return (below ? 1 : 0) + (above ? 1 : 0);
   }
 
@@ -79,7 +79,7 @@ private:
 
 inline namespace IRG_ABI {
 
-/// Sends the parts of curves that nearer curves, and nearer steps of the same one, leave to be seen to emit(edge_part).
+/// Sends the parts of curves that nearer curves, and nearer steps of the same one, leave to be seen to sink(edge_part).
 /// shape   points: those of all curves, near ones first, y up; one that is not finite parts two curves, or two parts of
 ///         one. Edge k is the step from point k to k + 1; its parts follow each other, in order. With drawn_parts::all
 ///         what is hidden is sent as well, between them
@@ -89,7 +89,7 @@ inline namespace IRG_ABI {
 /// cost    some steps along the horizons for each step of a curve; memory for the horizons
 /// source  Special-cases chapter, 2, with horizons of lines in place of pixels
 template <class Emit>
-constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& emit,
+constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& sink,
                                              drawn_parts which = drawn_parts::visible) {
   const detail::curve_sight<double> sight{points};
   detail::line_horizons horizons(sight);
@@ -99,11 +99,11 @@ constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> p
     if (!is_point(points[k]) || !is_point(points[k + 1]) || points[k] == points[k + 1]) continue;
     double seen_to = 0;
     const auto hide = [&](double to) {
-      if (which == drawn_parts::all && seen_to < to) emit(edge_part{k, line_visibility::hidden, seen_to, to});
+      if (which == drawn_parts::all && seen_to < to) sink(edge_part{k, line_visibility::hidden, seen_to, to});
     };
     const std::int64_t parts = horizons.add(static_cast<detail::grid_edge>(k), [&](double from, double to) {
       hide(from);
-      emit(edge_part{k, line_visibility::visible, from, to});
+      sink(edge_part{k, line_visibility::visible, from, to});
       seen_to = to;
     });
     hide(1);

@@ -18,7 +18,7 @@ template <class View>
 }
 
 /// Draws a surface y = height(x, z) over the unit square: every curve's samples go to the horizon, and what is seen to
-/// emit(from, to, side).
+/// sink(from, to, side).
 /// shape   column floor(x' width + 1/2) + ceil(width sin yaw), row floor(y' height + 1/2), y up
 /// needs   a horizon of horizon_width(view) columns
 /// gives   a gap where a height is NaN or infinite, or its row beyond 2^30; widths, curves and samples count as 2^28 at
@@ -27,7 +27,7 @@ template <class View>
 /// cost    a call of height for each sample
 /// source  Special-cases chapter, 2.1 and 2.2
 template <class Horizon, class Height, class Sink>
-constexpr void draw_horizon_surface(Horizon& horizon, const Height& height, const horizon_view& given, Sink&& emit) {
+constexpr void draw_horizon_surface(Horizon& horizon, const Height& height, const horizon_view& given, Sink&& sink) {
   const detail::turned_view t = detail::turn_view(given);
   const auto add = [&](double x, double z) {
     const point<double, 2> at = detail::turned_place(t, x, height(x, z), z);
@@ -37,7 +37,7 @@ constexpr void draw_horizon_surface(Horizon& horizon, const Height& height, cons
       const auto i = static_cast<int>(v);
       return static_cast<double>(i) > v ? i - 1 : i;
     };
-    horizon.add(cell{rounded_down(at.x + 0.5) + t.offset, rounded_down(row)}, emit);
+    horizon.add(cell{rounded_down(at.x + 0.5) + t.offset, rounded_down(row)}, sink);
   };
   detail::visit_horizon_samples(t, detail::eye_at_infinity, [&] { horizon.begin_curve(); }, add);
 }

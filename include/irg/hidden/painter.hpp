@@ -25,8 +25,8 @@ namespace irg {
 template <DepthOrder Order = nearer_is_greater>
 struct painter_by_centroid_rounded {
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     std::vector<screen_face> list = detail::copied_faces(faces, window);
     const auto depth = [](const screen_face& f) {
       return static_cast<float>((widened(f.v[0].depth) + widened(f.v[1].depth)) + widened(f.v[2].depth));

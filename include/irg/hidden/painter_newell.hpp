@@ -48,11 +48,11 @@ constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_windo
 template <DepthOrder Order = nearer_is_greater>
 struct painter_newell {
   /// Whether the picture is the exact one.
-  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
 
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     counts.tested += draw_painter_newell<Order>(faces, window, ids)[newell_step::drawn];
   }
 };

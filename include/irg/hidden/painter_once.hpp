@@ -21,11 +21,11 @@ namespace irg {
 template <DepthOrder Order = nearer_is_greater>
 struct painter_once {
   /// Whether the picture is the exact one.
-  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
 
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     std::vector<screen_face> list = detail::copied_faces(faces, window);
     const auto by_number = [](const screen_face& a, const screen_face& b) { return a.number < b.number; };
     if (!std::is_sorted(list.begin(), list.end(), by_number)) std::sort(list.begin(), list.end(), by_number);
@@ -45,8 +45,8 @@ struct painter_once {
 private:
   // Of a list sorted by numbers the face that has this one and covers a pixel: of its parts, which share the number and
   // may lie on each other where they are thin, the nearest.
-  [[nodiscard]] static constexpr const screen_face* find(const std::vector<screen_face>& list, std::uint32_t number,
-                                                         int x, int y) {
+  [[nodiscard]] IRG_APART static constexpr const screen_face* find(const std::vector<screen_face>& list,
+                                                                   std::uint32_t number, int x, int y) {
     const auto is_before = [](const screen_face& f, std::uint32_t n) { return f.number < n; };
     const screen_face* nearest = nullptr;
     for (auto f = std::lower_bound(list.begin(), list.end(), number, is_before); f != list.end() && f->number == number;

@@ -20,11 +20,11 @@ public:
   constexpr plot_text() = default;
   template <class S>
     requires std::convertible_to<const S&, std::string_view>
-  constexpr plot_text(const S& text) {
+  IRG_APART constexpr plot_text(const S& text) {
     const std::string_view view = text;
     bytes_.assign(view.begin(), view.end());
   }
-  constexpr operator std::string_view() const noexcept { return {bytes_.data(), bytes_.size()}; }
+  IRG_APART constexpr operator std::string_view() const noexcept { return {bytes_.data(), bytes_.size()}; }
   constexpr bool operator==(const plot_text&) const = default;
 
 private:

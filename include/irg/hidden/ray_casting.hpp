@@ -23,11 +23,11 @@ namespace irg {
 template <DepthOrder Order = nearer_is_greater>
 struct ray_casting {
   /// Whether the picture is the exact one.
-  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
 
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     const std::vector<screen_face> list = detail::copied_faces(faces, window);
     for (int y = window.y_first; y < window.y_last; ++y)
       for (int x = window.x_first; x < window.x_last; ++x) {

@@ -25,7 +25,7 @@ struct surface_camera {
 
   /// Where a point is seen, right and up in the picture plane.
   /// gives   nothing for a point that is not before the eye, or is seen 2^500 or more aside
-  constexpr std::optional<point<double, 2>> operator()(const point<double, 3>& p) const noexcept {
+  IRG_APART constexpr std::optional<point<double, 2>> operator()(const point<double, 3>& p) const noexcept {
     const vec<double, 3> d{p.x - eye.x, p.y - eye.y, p.z - eye.z};
     const double depth = along(d, forward);
     if (!(depth > 0)) return std::nullopt;
@@ -35,7 +35,7 @@ struct surface_camera {
   }
 
 private:
-  [[nodiscard]] static constexpr double along(const vec<double, 3>& a, const vec<double, 3>& b) noexcept {
+  [[nodiscard]] IRG_APART static constexpr double along(const vec<double, 3>& a, const vec<double, 3>& b) noexcept {
     return product(a.x, b.x) + product(a.y, b.y) + product(a.z, b.z);
   }
 };

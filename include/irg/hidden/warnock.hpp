@@ -51,9 +51,10 @@ struct warnock_face {
 template <DepthOrder Order, class Observer>
 class warnock_division {
 public:
-  constexpr warnock_division(image<std::uint32_t>& ids, Observer& observer) : ids_(ids), observer_(observer) {}
+  IRG_APART constexpr warnock_division(image<std::uint32_t>& ids, Observer& observer)
+      : ids_(ids), observer_(observer) {}
 
-  constexpr warnock_counts operator()(const std::vector<screen_face>& faces, const cell_window& window) {
+  IRG_APART constexpr warnock_counts operator()(const std::vector<screen_face>& faces, const cell_window& window) {
     for (const screen_face& f : faces) lists_.push_back({&f, f.coverage.bounds, false});
     look_at(window, 0, lists_.size());
     return counts_;
@@ -61,7 +62,7 @@ public:
 
 private:
   // Draws a window, whose parent's list is [first, last). Its own list goes behind all others, and away at the end.
-  constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last) {
+  IRG_APART constexpr void look_at(const cell_window& w, std::size_t first, std::size_t last) {
     const std::size_t own = lists_.size();
     take(w, first, last);
     if (const std::size_t n = lists_.size() - own; n > 1 && n <= face_sets::most && face_sets::holds(w)) {
@@ -79,12 +80,12 @@ private:
     }
     lists_.resize(own, warnock_face{});
   }
-  constexpr void note(const cell_window& w, warnock_case ending) {
+  IRG_APART constexpr void note(const cell_window& w, warnock_case ending) {
     ++counts_.windows[static_cast<int>(ending)];
     observer_(w, ending);
   }
 
-  constexpr void take(const cell_window& w, std::size_t first, std::size_t last) {
+  IRG_APART constexpr void take(const cell_window& w, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       bool surrounds = lists_[i].surrounds;
       if (!surrounds) {
@@ -99,7 +100,7 @@ private:
 
   // Of the surrounding faces the one that is seen in the window's first pixel hides most: what lies behind it in all of
   // the window cannot be seen.
-  constexpr void leave_out_hidden(const cell_window& w, std::size_t own) {
+  IRG_APART constexpr void leave_out_hidden(const cell_window& w, std::size_t own) {
     const screen_face* front = nullptr;
     for (std::size_t i = own; i < lists_.size(); ++i)
       if (const warnock_face& f = lists_[i];
@@ -117,7 +118,7 @@ private:
     lists_.resize(kept, warnock_face{});
   }
 
-  constexpr warnock_case draw_if_easy(const cell_window& w, std::size_t own) {
+  IRG_APART constexpr warnock_case draw_if_easy(const cell_window& w, std::size_t own) {
     if (lists_.size() == own) return warnock_case::empty;
     const bool single = is_one_pixel(w);
     if (lists_.size() > own + 1 && !single) return warnock_case::divided;
@@ -131,7 +132,7 @@ private:
   }
 
   // A small window with few faces: from here on lists are sets, in which face i of the list has bit i.
-  constexpr void look_into(const cell_window& w, std::size_t own) {
+  IRG_APART constexpr void look_into(const cell_window& w, std::size_t own) {
     small_first_ = own;
     sets_.start(w);
     std::uint64_t listed = 0;
@@ -142,13 +143,13 @@ private:
     }
     look_at_set(w, listed, 0);
   }
-  constexpr const screen_face& first_of(std::uint64_t set) const noexcept {
+  IRG_APART constexpr const screen_face& first_of(std::uint64_t set) const noexcept {
     return *lists_[small_first_ + static_cast<std::size_t>(std::countr_zero(set))].face;
   }
-  static constexpr bool are_several(std::uint64_t set) noexcept { return (set & (set - 1)) != 0; }
+  IRG_APART static constexpr bool are_several(std::uint64_t set) noexcept { return (set & (set - 1)) != 0; }
 
   // The same as look_at: `listed` is the parent's list, of which `surrounding` surround the parent.
-  constexpr void look_at_set(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
+  IRG_APART constexpr void look_at_set(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
     counts_.classified += std::popcount(listed & ~surrounding);
     const face_sets::touching_window of = sets_.touching(w);
     const std::uint64_t inside = of.everywhere & listed;
@@ -169,7 +170,7 @@ private:
         look_at_set(part, touching, touching & inside);
   }
   // The same for a pixel: all that cover it but the nearest are hidden.
-  constexpr void look_at_pixel(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
+  IRG_APART constexpr void look_at_pixel(const cell_window& w, std::uint64_t listed, std::uint64_t surrounding) {
     counts_.classified += std::popcount(listed & ~surrounding);
     const int x = w.x_first, y = w.y_first;
     std::uint64_t covering = sets_(x, y) & listed;
@@ -182,7 +183,7 @@ private:
     ids_(x, y) = seen->number;
     note(w, warnock_case::single_pixel);
   }
-  constexpr std::uint64_t without_hidden(const cell_window& w, std::uint64_t touching, std::uint64_t inside) {
+  IRG_APART constexpr std::uint64_t without_hidden(const cell_window& w, std::uint64_t touching, std::uint64_t inside) {
     const auto lowest_bit = [](std::uint64_t set) { return set & (~set + 1); };
     std::uint64_t front = lowest_bit(inside);
     for (std::uint64_t rest = inside ^ front; rest != 0; rest &= rest - 1)
@@ -241,11 +242,11 @@ constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& win
 template <DepthOrder Order = nearer_is_greater>
 struct warnock {
   /// Whether the picture is the exact one.
-  [[nodiscard]] static constexpr bool finds_nearest() noexcept { return true; }
+  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
 
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     counts.tested += draw_warnock<Order>(faces, window, ids).classified;
   }
 };

@@ -78,10 +78,10 @@ template <Vector A, Vector B>
   if (std::is_same_v<T, double> &&
       detail::dot_range_of(3, detail::doubles_of(a), detail::doubles_of(b)) == detail::dot_range::finite)
     return detail::nearest_cross(a, b);
-  const auto minor = [&](int i, int j) {
+  const auto det = [&](int i, int j) {
     return difference_of_products(coordinate(a, i), coordinate(b, j), coordinate(a, j), coordinate(b, i));
   };
-  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+  return from_coordinates<A>(det(1, 2), det(2, 0), det(0, 1));
 }
 
 IRG_REFUSES_POINTS(cross_accurate);

@@ -93,16 +93,16 @@ template <Floating T>
 }
 
 /// The integer that the decimal digits at the head of [first, last) write.
-/// shape   [+-] digits; a minus sign only where I is signed
-/// gives   none, and end == first, when no digits stand there; overflow with the nearest I when it does not fit
+/// shape   [+-] digits; a minus sign only where J is signed
+/// gives   none, and end == first, when no digits stand there; overflow with the nearest J when it does not fit
 /// exact   always
-template <std::integral I>
-[[nodiscard]] constexpr decimal_result<I> parse_integer(const char* first, const char* last) noexcept {
+template <std::integral J>
+[[nodiscard]] constexpr decimal_result<J> parse_integer(const char* first, const char* last) noexcept {
   const char* p = first;
-  const bool negative = std::is_signed_v<I> && p != last && *p == '-';
+  const bool negative = std::is_signed_v<J> && p != last && *p == '-';
   if (negative || (p != last && *p == '+')) ++p;
-  if (p == last || !detail::is_digit(*p)) return {I{0}, first, decimal_status::none};
-  constexpr std::uint64_t max = static_cast<std::uint64_t>((std::numeric_limits<I>::max)());
+  if (p == last || !detail::is_digit(*p)) return {J{0}, first, decimal_status::none};
+  constexpr std::uint64_t max = static_cast<std::uint64_t>((std::numeric_limits<J>::max)());
   const std::uint64_t limit = negative ? max + 1 : max;
   std::uint64_t value = 0;
   bool fits = true;
@@ -113,7 +113,7 @@ template <std::integral I>
   }
   if (!fits) value = limit;
   // Through the unsigned type, where -2^63 has no overflow.
-  return {static_cast<I>(negative ? 0 - value : value), p, fits ? decimal_status::ok : decimal_status::overflow};
+  return {static_cast<J>(negative ? 0 - value : value), p, fits ? decimal_status::ok : decimal_status::overflow};
 }
 
 /// Writes the shortest decimal text that reads as `value` again; returns its end.
@@ -138,9 +138,9 @@ constexpr char* print_decimal(char* first, char* last, T value) noexcept {
 /// Writes an integer in decimal; returns the end of its text.
 /// gives   first, and nothing written, when there is not enough room; 20 bytes always are
 /// exact   always
-template <std::integral I>
-constexpr char* print_integer(char* first, char* last, I value) noexcept {
-  const bool negative = value < I{0};
+template <std::integral J>
+constexpr char* print_integer(char* first, char* last, J value) noexcept {
+  const bool negative = value < J{0};
   const std::uint64_t bits = static_cast<std::uint64_t>(value), magnitude = negative ? 0 - bits : bits;
   const int count = detail::digit_count(magnitude);
   if (last - first < count + (negative ? 1 : 0)) return first;

@@ -52,15 +52,15 @@ public:
   /// The number x.
   IRG_INLINE constexpr double_word(T x) noexcept : high(x) {}
   /// The integer i: exactly from up to 64 bits into doubles, up to 32 bits into floats.
-  template <std::integral I>
-    requires(!std::same_as<I, bool>)
-  IRG_INLINE constexpr double_word(I i) noexcept {
-    constexpr I half =
-        static_cast<I>(sizeof(I) == 8 ? I{1} << (sizeof(I) == 8 ? 32 : 0) : I{1} << (sizeof(I) == 4 ? 16 : 0));
-    if constexpr (sizeof(I) <= 2) {
+  template <std::integral J>
+    requires(!std::same_as<J, bool>)
+  IRG_INLINE constexpr double_word(J i) noexcept {
+    constexpr J half =
+        static_cast<J>(sizeof(J) == 8 ? J{1} << (sizeof(J) == 8 ? 32 : 0) : J{1} << (sizeof(J) == 4 ? 16 : 0));
+    if constexpr (sizeof(J) <= 2) {
       high = static_cast<T>(i);
     } else {
-      const I upper = static_cast<I>(i / half);
+      const J upper = static_cast<J>(i / half);
       const auto [value, error] =
           two_sum(product(static_cast<T>(upper), static_cast<T>(half)), static_cast<T>(i - upper * half));
       high = value;

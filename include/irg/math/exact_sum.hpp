@@ -53,7 +53,7 @@ public:
   /// needs   x finite
   template <int L>
     requires(L < K)
-  constexpr void add(const exact_accumulator<L>& v, double x) noexcept {
+  IRG_APART constexpr void add(const exact_accumulator<L>& v, double x) noexcept {
     const detail::integer_double factor = detail::integer_parts(x);
     const int sign = v.sign();
     if (sign == 0 || factor.significand == 0) return;

@@ -19,7 +19,7 @@ struct fixed_point {
   constexpr fixed_point() = default;
   /// The number x.
   /// exact   but for what lies below the last place, which is cut off
-  constexpr explicit fixed_point(double x) noexcept {
+  IRG_APART constexpr explicit fixed_point(double x) noexcept {
     double rest = x < 0 ? -x : x;
     for (int i = N - 1; i >= 0; --i, rest *= 0x1p64) {
       units.word[i] = static_cast<std::uint64_t>(rest);
@@ -28,15 +28,15 @@ struct fixed_point {
     if (x < 0) units = -units;
   }
 
-  friend constexpr fixed_point operator+(const fixed_point& a, const fixed_point& b) noexcept {
+  IRG_APART friend constexpr fixed_point operator+(const fixed_point& a, const fixed_point& b) noexcept {
     return made_of(a.units + b.units);
   }
-  friend constexpr fixed_point operator-(const fixed_point& a, const fixed_point& b) noexcept {
+  IRG_APART friend constexpr fixed_point operator-(const fixed_point& a, const fixed_point& b) noexcept {
     return made_of(a.units - b.units);
   }
-  constexpr fixed_point operator-() const noexcept { return made_of(-units); }
+  IRG_APART constexpr fixed_point operator-() const noexcept { return made_of(-units); }
   /// exact   rounded down to the last place
-  friend constexpr fixed_point operator*(const fixed_point& a, const fixed_point& b) noexcept {
+  IRG_APART friend constexpr fixed_point operator*(const fixed_point& a, const fixed_point& b) noexcept {
     const wide_int<2 * N> all = a.units * b.units;
     fixed_point p;
     for (int i = 0; i < N; ++i) p.units.word[i] = all.word[i + N - 1];
@@ -46,7 +46,7 @@ struct fixed_point {
 
   /// The number as a double.
   /// exact   relative error below 2^-52
-  constexpr explicit operator double() const noexcept {
+  IRG_APART constexpr explicit operator double() const noexcept {
     const bool negative = units.is_negative();
     const wide_int<N> size = negative ? -units : units;
     double sum = 0, place = 1;
@@ -58,7 +58,7 @@ struct fixed_point {
   }
 
   /// The number of those units.
-  [[nodiscard]] static constexpr fixed_point made_of(const wide_int<N>& units) noexcept {
+  [[nodiscard]] IRG_APART static constexpr fixed_point made_of(const wide_int<N>& units) noexcept {
     fixed_point p;
     p.units = units;
     return p;

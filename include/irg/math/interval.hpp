@@ -66,12 +66,12 @@ public:
   /// gives   what lies beyond the largest number for an infinity, the whole line for NaN
   IRG_INLINE constexpr interval(T x) noexcept : interval(x, x) {}
   /// The integer i, between two neighbouring numbers where it is none itself.
-  template <std::integral I>
-    requires(!std::same_as<I, bool>)
-  IRG_INLINE constexpr interval(I i) noexcept : interval(static_cast<T>(i)) {
-    if constexpr (std::numeric_limits<I>::digits > std::numeric_limits<T>::digits) {
-      constexpr I limit = I{1} << std::numeric_limits<T>::digits;
-      if (i <= limit && (std::unsigned_integral<I> || i >= I(0) - limit)) return;
+  template <std::integral J>
+    requires(!std::same_as<J, bool>)
+  IRG_INLINE constexpr interval(J i) noexcept : interval(static_cast<T>(i)) {
+    if constexpr (std::numeric_limits<J>::digits > std::numeric_limits<T>::digits) {
+      constexpr J limit = J{1} << std::numeric_limits<T>::digits;
+      if (i <= limit && (std::unsigned_integral<J> || i >= J(0) - limit)) return;
       lower_ = detail::next_down(lower_);
       upper_ = -detail::next_down(-upper_);
     }

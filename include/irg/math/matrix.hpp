@@ -50,7 +50,7 @@ public:
   constexpr bool operator==(const matrix&) const = default;
 
 private:
-  [[nodiscard]] static constexpr std::size_t size_of_entries(int rows, int columns) {
+  [[nodiscard]] IRG_APART static constexpr std::size_t size_of_entries(int rows, int columns) {
     IRG_EXPECTS(rows >= 0 && columns >= 0);
     return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
   }

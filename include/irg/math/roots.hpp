@@ -21,9 +21,9 @@ struct real_roots {
   int count = 0;
   T root[static_cast<std::size_t>(N)]{};
   int multiplicity[static_cast<std::size_t>(N)]{};
-  [[nodiscard]] constexpr const T* begin() const noexcept { return root; }
-  [[nodiscard]] constexpr const T* end() const noexcept { return root + count; }
-  [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
+  [[nodiscard]] IRG_APART constexpr const T* begin() const noexcept { return root; }
+  [[nodiscard]] IRG_APART constexpr const T* end() const noexcept { return root + count; }
+  [[nodiscard]] IRG_APART constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count); }
   friend constexpr bool operator==(const real_roots&, const real_roots&) = default;
 };
 

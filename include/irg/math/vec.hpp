@@ -235,10 +235,10 @@ template <Vector A, Vector B>
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>>)
 [[nodiscard]] IRG_INLINE constexpr A cross(const A& a, const B& b) noexcept(std::is_arithmetic_v<scalar_of<A>>) {
-  const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
+  const auto det = [&](int i, int j) IRG_INLINE_LAMBDA {
     return product(coordinate(a, i), coordinate(b, j)) - product(coordinate(a, j), coordinate(b, i));
   };
-  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+  return from_coordinates<A>(det(1, 2), det(2, 0), det(0, 1));
 }
 
 /// The area of the parallelogram of two vectors of the plane, positive where b lies counter-clockwise from a.
@@ -259,10 +259,10 @@ template <Vector A, Vector B>
 template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 [[nodiscard]] IRG_INLINE constexpr A cross_fast(const A& a, const B& b) noexcept {
-  const auto minor = [&](int i, int j) IRG_INLINE_LAMBDA {
+  const auto det = [&](int i, int j) IRG_INLINE_LAMBDA {
     return coordinate(a, i) * coordinate(b, j) - coordinate(a, j) * coordinate(b, i);
   };
-  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+  return from_coordinates<A>(det(1, 2), det(2, 0), det(0, 1));
 }
 
 /// The displacement from the origin to p.

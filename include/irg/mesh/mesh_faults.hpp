@@ -37,12 +37,12 @@ struct mesh_fault {
 /// A sentence without a full stop.
 class fault_sentence {
 public:
-  [[nodiscard]] constexpr const char* data() const noexcept { return characters_; }
-  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
-  constexpr void append(const char* text) noexcept {
+  [[nodiscard]] IRG_APART constexpr const char* data() const noexcept { return characters_; }
+  [[nodiscard]] IRG_APART constexpr std::size_t size() const noexcept { return size_; }
+  IRG_APART constexpr void append(const char* text) noexcept {
     while (*text != '\0' && size_ < sizeof(characters_)) characters_[size_++] = *text++;
   }
-  constexpr void append(std::uint32_t number) noexcept {
+  IRG_APART constexpr void append(std::uint32_t number) noexcept {
     char digits[11]{};
     int at = 10;
     do digits[--at] = static_cast<char>('0' + number % 10);
@@ -53,7 +53,7 @@ public:
   /// std::string_view, std::string, or what else is made of a pointer and a size.
   template <class String>
     requires std::constructible_from<String, const char*, std::size_t>
-  constexpr operator String() const {
+  IRG_APART constexpr operator String() const {
     return String(data(), size());
   }
 

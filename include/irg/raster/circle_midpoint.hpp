@@ -40,7 +40,7 @@ struct circle_shape {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell) for the cells of the circle around a cell that lie in the window, each once, in no stated order.
+/// Calls sink(cell) for the cells of the circle around a cell that lie in the window, each once, in no stated order.
 /// shape   8-connected, symmetric in x, in y and in x = y; where |x| <= |y| one cell per column, the nearest to the
 ///         true circle, elsewhere one per row
 /// gives   no call for a negative radius, the centre's cell for radius 0
@@ -48,7 +48,7 @@ inline namespace IRG_ABI {
 /// cost    one addition per visible cell and at most five square roots for each of eight octants, whatever the radius
 /// source  Bresenham 1977; the midpoint form after Pitteway 1967 and Van Aken 1984
 template <CellSink Sink>
-constexpr void circle_midpoint(const cell& centre, int radius, const cell_window& window, Sink&& emit) {
+constexpr void circle_midpoint(const cell& centre, int radius, const cell_window& window, Sink&& sink) {
   if (window.empty() || radius < 0) return;
   const detail::circle_shape circle{radius};
   const std::int64_t end = circle.octant_end();
@@ -56,20 +56,20 @@ constexpr void circle_midpoint(const cell& centre, int radius, const cell_window
   const std::int64_t upright_end = circle.height(end - 1) == end - 1 ? end - 1 : end;
   for (const bool upright : {false, true})
     detail::for_mirrored_arcs(centre, upright, [&](const detail::conic_arc& arc) {
-      detail::emit_arc(arc, circle, upright ? upright_end : end, window, emit);
+      detail::emit_arc(arc, circle, upright ? upright_end : end, window, sink);
     });
 }
 
-/// Calls emit(span) for the rows in the window of the disc around a cell, from top to bottom.
+/// Calls sink(span) for the rows in the window of the disc around a cell, from top to bottom.
 /// shape   the cells with x^2 + y^2 <= radius^2, counted from the centre
 /// gives   no call for a negative radius, the centre's cell for radius 0
 /// exact   for all int centres and radii
 /// cost    one square root per visible row
 template <SpanSink Sink>
-constexpr void circle_spans(const cell& centre, int radius, const cell_window& window, Sink&& emit) {
+constexpr void circle_spans(const cell& centre, int radius, const cell_window& window, Sink&& sink) {
   if (radius < 0) return;
   const std::int64_t r = radius;
-  detail::symmetric_spans(centre, r, window, emit,
+  detail::symmetric_spans(centre, r, window, sink,
                           [r](std::int64_t dy) { return detail::floor_sqrt(r * r - dy * dy); });
 }
 

@@ -31,14 +31,14 @@ struct depth_pixel<const no_depth> {
 };
 
 // Counts of pixels, lane by lane.
-template <class I>
+template <class J>
 struct lane_counts {
-  I tested, shaded, ties;
+  J tested, shaded, ties;
 };
 
 // Adds one to the counter in every lane where the mask holds.
-template <std::integral I>
-IRG_INLINE constexpr void count_up(I& counter, bool mask) noexcept {
+template <std::integral J>
+IRG_INLINE constexpr void count_up(J& counter, bool mask) noexcept {
   counter += mask ? 1 : 0;
 }
 template <int N>
@@ -80,19 +80,19 @@ struct triangle_row {
   P* colour;
 };
 
-// The pixels [x, x + count) of a row. F is float or a pack of them; I is the integer of the same shape, or int64 with a
+// The pixels [x, x + count) of a row. F is float or a pack of them; J is the integer of the same shape, or int64 with a
 // plain float. Returns early when nothing is left to do.
-template <class Kept, class Policy, class F, class I, class P, class Z, class Paint>
+template <class Kept, class Policy, class F, class J, class P, class Z, class Paint>
 IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, const triangle_row<P, Z>& row,
-                                          const Paint& paint, lane_counts<I>& counts) {
-  using integers = lanes<I>;
+                                          const Paint& paint, lane_counts<J>& counts) {
+  using integers = lanes<J>;
   using integer = typename integers::scalar;
   const auto at = [&](const triangle_edge& e) {
     return integers::broadcast(static_cast<integer>(e(x, row.y))) +
            integers::broadcast(static_cast<integer>(e.right)) * integers::ramp();
   };
-  const I zero = integers::broadcast(0), column = integers::broadcast(static_cast<integer>(x)) + integers::ramp();
-  const I f0 = at(s.edge[0]), f1 = at(s.edge[1]), f2 = at(s.edge[2]);
+  const J zero = integers::broadcast(0), column = integers::broadcast(static_cast<integer>(x)) + integers::ramp();
+  const J f0 = at(s.edge[0]), f1 = at(s.edge[1]), f2 = at(s.edge[2]);
   const auto in_range = both(column >= integers::broadcast(row.x_first), column < integers::broadcast(row.x_last));
   const auto covered = both((f0 | f1 | f2) >= zero, in_range);
   if (mask_bits(covered) == 0) return;
@@ -121,14 +121,14 @@ IRG_INLINE constexpr void triangle_pixels(const triangle_setup& s, int x, const 
 }
 
 // Walks over the rows of the triangle's part of the window; packs of F never leave the window.
-template <class How, class Policy, class F, class I, class Colour, class Depth, class Paint>
+template <class How, class Policy, class F, class J, class Colour, class Depth, class Paint>
 constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_triangle& t, const Paint& paint,
                                     const cell_window& window) {
   using Z = typename depth_pixel<Depth>::type;
   constexpr int count = lanes<F>::count;
   const cell_window w = intersect(t.coverage.bounds, window);
-  const I none = lanes<I>::broadcast(0);
-  lane_counts<I> counts{none, none, none};
+  const J none = lanes<J>::broadcast(0);
+  lane_counts<J> counts{none, none, none};
   for (int y = w.y_first; y < w.y_last; ++y) {
     span_of_cells span{y, w.x_first, w.x_last};
     if (w.x_last - w.x_first > 4 * count)  // finding the ends pays
@@ -136,7 +136,7 @@ constexpr draw_counts triangle_rows(Colour& colour, Depth& depth, const covered_
     triangle_row<pixel_of<Colour>, Z> row{y, span.x_first, span.x_last, nullptr, raster_traits<Colour>::row(colour, y)};
     if constexpr (!std::same_as<Depth, const no_depth>) row.depth = raster_traits<Depth>::row(depth, y);
     for (; row.x_first < row.x_last; row.x_first += count)
-      triangle_pixels<depth_kept<How, Z>, Policy, F, I>(t.setup, lesser(row.x_first, window.x_last - count), row, paint,
+      triangle_pixels<depth_kept<How, Z>, Policy, F, J>(t.setup, lesser(row.x_first, window.x_last - count), row, paint,
                                                         counts);
   }
   return {total(counts.tested), total(counts.shaded), total(counts.ties)};

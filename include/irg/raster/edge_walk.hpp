@@ -26,12 +26,12 @@ struct far_subpixel {
   constexpr bool operator==(const far_subpixel&) const = default;
 };
 
-/// An edge in one row; next() leads to the row below. I is std::int32_t for subpixel, std::int64_t for far_subpixel.
-template <class I>
+/// An edge in one row; next() leads to the row below. J is std::int32_t for subpixel, std::int64_t for far_subpixel.
+template <class J>
 struct edge_walk {
-  I column = 0;  // the first column whose centre is on or right of the edge
-  I rest = -1;  // -height <= rest < 0
-  I step = 0, rest_step = 0, height = 1;
+  J column = 0;  // the first column whose centre is on or right of the edge
+  J rest = -1;  // -height <= rest < 0
+  J step = 0, rest_step = 0, height = 1;
 
   /// needs   no more than one call beyond the edge's last row
   IRG_INLINE constexpr void next() noexcept {

@@ -18,7 +18,7 @@ namespace irg {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell) for the cells of the ellipse around a cell that lie in the window, each once, in no stated order.
+/// Calls sink(cell) for the cells of the ellipse around a cell that lie in the window, each once, in no stated order.
 /// shape   8-connected, symmetric in x and in y; one cell per column, the nearest to the true ellipse, where that is
 ///         flatter than 45 degrees, elsewhere one per row; equal radii give circle_midpoint
 /// gives   no call when a radius is negative; a line when one is 0, the centre's cell when both are
@@ -28,32 +28,32 @@ inline namespace IRG_ABI {
 /// source  Pitteway 1967 and Van Aken 1984 for the midpoint test
 template <CellSink Sink>
 constexpr void ellipse_midpoint(const cell& centre, int radius_x, int radius_y, const cell_window& window,
-                                Sink&& emit) {
+                                Sink&& sink) {
   if (window.empty() || radius_x < 0 || radius_y < 0) return;
   if (radius_x == 0 || radius_y == 0)
     detail::flat_ellipse_spans(centre, radius_x, radius_y, window, [&](const span_of_cells& s) {
-      for (int x = s.x_first; x < s.x_last; ++x) emit(cell{x, s.y});
+      for (int x = s.x_first; x < s.x_last; ++x) sink(cell{x, s.y});
     });
   else if (detail::is_small_ellipse(radius_x, radius_y))
-    detail::ellipse_outline<std::int64_t>(centre, radius_x, radius_y, window, emit);
+    detail::ellipse_outline<std::int64_t>(centre, radius_x, radius_y, window, sink);
   else
-    detail::ellipse_outline<int128>(centre, radius_x, radius_y, window, emit);
+    detail::ellipse_outline<int128>(centre, radius_x, radius_y, window, sink);
 }
 
-/// Calls emit(span) for the rows in the window of the filled ellipse around a cell, from top to bottom.
+/// Calls sink(span) for the rows in the window of the filled ellipse around a cell, from top to bottom.
 /// shape   the cells with (x / radius_x)^2 + (y / radius_y)^2 <= 1, counted from the centre
 /// gives   no call when a radius is negative; a line when one is 0, the centre's cell when both are
 /// exact   for all int centres and radii
 /// cost    one square root and one division per visible row, in 128 bits when a radius is 32768 or more
 template <SpanSink Sink>
-constexpr void ellipse_spans(const cell& centre, int radius_x, int radius_y, const cell_window& window, Sink&& emit) {
+constexpr void ellipse_spans(const cell& centre, int radius_x, int radius_y, const cell_window& window, Sink&& sink) {
   if (radius_x < 0 || radius_y < 0) return;
   if (radius_x == 0 || radius_y == 0)
-    detail::flat_ellipse_spans(centre, radius_x, radius_y, window, emit);
+    detail::flat_ellipse_spans(centre, radius_x, radius_y, window, sink);
   else if (detail::is_small_ellipse(radius_x, radius_y))
-    detail::full_ellipse_spans<std::int64_t>(centre, radius_x, radius_y, window, emit);
+    detail::full_ellipse_spans<std::int64_t>(centre, radius_x, radius_y, window, sink);
   else
-    detail::full_ellipse_spans<int128>(centre, radius_x, radius_y, window, emit);
+    detail::full_ellipse_spans<int128>(centre, radius_x, radius_y, window, sink);
 }
 
 /// Paints the pixels of the ellipse, each once.

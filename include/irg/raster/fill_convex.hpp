@@ -15,7 +15,7 @@
 namespace irg {
 inline namespace IRG_ABI {
 
-/// Calls emit(span) for every row of covered pixels in the window, from top to bottom, one span a row.
+/// Calls sink(span) for every row of covered pixels in the window, from top to bottom, one span a row.
 /// units   floating vertices in pixels, snapped to 1/256 as by snap(); subpixel vertices as they are
 /// needs   no level line crosses the ring more than twice, as with every convex ring; either orientation
 /// gives   false and no span when a vertex is NaN, infinite or more than far_limit pixels from the origin; else true.
@@ -24,8 +24,8 @@ inline namespace IRG_ABI {
 /// exact   coverage is decided without rounding after the vertices are snapped
 /// cost    one division per edge that crosses a row of the window; nothing is allocated
 template <FillableRing Ring, SpanSink Sink>
-constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& emit) {
-  return detail::walk_ring(ring, window, [&](int y, int first, int last) { emit(span_of_cells{y, first, last}); });
+constexpr bool convex_spans(const Ring& ring, const cell_window& window, Sink&& sink) {
+  return detail::walk_ring(ring, window, [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); });
 }
 
 /// Paints the pixels of a convex polygon, each once.

@@ -12,7 +12,7 @@
 namespace irg {
 inline namespace IRG_ABI {
 
-/// Calls emit(span) for runs of pixels of the window that a convex polygon covers, whole or in part, row by row from
+/// Calls sink(span) for runs of pixels of the window that a convex polygon covers, whole or in part, row by row from
 /// top to bottom, left to right, no pixel twice. How a row is cut into runs is not promised; a coverage may be 0.
 /// units   floating vertices in pixels, snapped to 1/256 as by snap(); subpixel vertices as they are
 /// needs   a convex ring of either orientation
@@ -25,8 +25,8 @@ inline namespace IRG_ABI {
 /// cost    two divisions per edge; per row, a closed form for the pixels that edges cross; nothing is allocated
 /// source  Catmull 1978 (areas add up); closed forms per edge and row
 template <FillableRing Ring, CoverageSink Sink>
-constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink&& emit) {
-  return detail::send_convex_areas(ring, window, emit);
+constexpr bool convex_coverage(const Ring& ring, const cell_window& window, Sink&& sink) {
+  return detail::send_convex_areas(ring, window, sink);
 }
 
 /// Paints a convex polygon, each pixel as far as it is covered.

@@ -22,11 +22,11 @@ struct fill_workspace {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <class I, FillablePolygon P, class Emit>
-constexpr void scan_polygon(const P& polygon, fill_rule rule, const cell_window& w, std::vector<polygon_edge<I>>& edges,
-                            std::vector<int>& turns, Emit& emit) {
+template <class J, FillablePolygon P, class Emit>
+constexpr void scan_polygon(const P& polygon, fill_rule rule, const cell_window& w, std::vector<polygon_edge<J>>& edges,
+                            std::vector<int>& turns, Emit& sink) {
   const auto vertex = [](const auto& ring, std::size_t i) {
-    if constexpr (sizeof(I) == 4)
+    if constexpr (sizeof(J) == 4)
       return near_vertex(ring, i);
     else
       return far_vertex(ring, i);
@@ -38,28 +38,28 @@ constexpr void scan_polygon(const P& polygon, fill_rule rule, const cell_window&
     auto a = vertex(ring, n - 1);
     for (std::size_t i = 0; i < n; ++i) {
       const auto b = vertex(ring, i);
-      add_edge<I>(edges, a, b, w);
+      add_edge<J>(edges, a, b, w);
       a = b;
     }
   });
-  scan_edges(edges, turns, rule, w, emit);
+  scan_edges(edges, turns, rule, w, sink);
 }
 
-// Calls emit(y, x_first, x_last) for the runs of covered pixels; false, and no call, when a vertex is refused.
+// Calls sink(y, x_first, x_last) for the runs of covered pixels; false, and no call, when a vertex is refused.
 template <FillablePolygon P, class Emit>
 constexpr bool walk_polygon(const P& polygon, fill_rule rule, const cell_window& w, fill_workspace& workspace,
-                            Emit&& emit) {
+                            Emit&& sink) {
   if constexpr (FillableRing<P>)
-    if (ring_size(polygon) <= 3) return walk_ring(polygon, w, emit);
+    if (ring_size(polygon) <= 3) return walk_ring(polygon, w, sink);
   const ring_reach reach = reach_of_polygon(polygon);
   if (reach == ring_reach::refused) return false;
   if (w.empty()) return true;
   if constexpr (FillableRing<P>)
-    if (reach == ring_reach::within_snap_limit && goes_down_and_up_once(polygon)) return walk_ring(polygon, w, emit);
+    if (reach == ring_reach::within_snap_limit && goes_down_and_up_once(polygon)) return walk_ring(polygon, w, sink);
   if (reach == ring_reach::within_snap_limit)
-    scan_polygon<std::int32_t>(polygon, rule, w, workspace.edges, workspace.turns, emit);
+    scan_polygon<std::int32_t>(polygon, rule, w, workspace.edges, workspace.turns, sink);
   else
-    scan_polygon<std::int64_t>(polygon, rule, w, workspace.far_edges, workspace.turns, emit);
+    scan_polygon<std::int64_t>(polygon, rule, w, workspace.far_edges, workspace.turns, sink);
   return true;
 }
 
@@ -68,7 +68,7 @@ constexpr bool walk_polygon(const P& polygon, fill_rule rule, const cell_window&
 
 inline namespace IRG_ABI {
 
-/// Calls emit(span) for the covered pixels in the window, ordered by y, then by x.
+/// Calls sink(span) for the covered pixels in the window, ordered by y, then by x.
 /// shape   one ring, or a container of rings; holes are rings
 /// units   floating vertices in pixels, snapped to 1/256 as by snap(); subpixel vertices as they are
 /// gives   spans that neither overlap nor touch. False and no span when a vertex is NaN, infinite or more than
@@ -79,10 +79,10 @@ inline namespace IRG_ABI {
 ///         for the edges; a single ring that no level line crosses more than twice needs none
 template <FillablePolygon P, SpanSink Sink, class Workspace = fill_workspace>
   requires std::same_as<Workspace&, fill_workspace&>
-constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,
+constexpr bool polygon_spans(const P& polygon, fill_rule rule, const cell_window& window, Sink&& sink,
                              Workspace&& workspace = Workspace{}) {
   return detail::walk_polygon(polygon, rule, window, workspace,
-                              [&](int y, int first, int last) { emit(span_of_cells{y, first, last}); });
+                              [&](int y, int first, int last) { sink(span_of_cells{y, first, last}); });
 }
 
 /// Paints the pixels of a polygon, each once.

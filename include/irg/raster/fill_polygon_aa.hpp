@@ -21,7 +21,7 @@ struct coverage_workspace {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(span) for runs of pixels of the window that the polygon's inside covers, whole or in part, row by row
+/// Calls sink(span) for runs of pixels of the window that the polygon's inside covers, whole or in part, row by row
 /// from top to bottom, left to right, no pixel twice. How a row is cut into runs is not promised; a coverage may be 0.
 /// shape   one ring, or a container of rings; holes are rings
 /// units   floating vertices in pixels, snapped to 1/256 as by snap(); subpixel vertices as they are
@@ -36,18 +36,18 @@ inline namespace IRG_ABI {
 /// source  Bentley and Ottmann 1979 (sweep and crossings), a pixel row at a time
 template <FillablePolygon P, CoverageSink Sink, class Workspace = coverage_workspace>
   requires std::same_as<Workspace&, coverage_workspace&>
-constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& emit,
+constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& sink,
                                 Workspace&& workspace = Workspace{}) {
   detail::area_memory& m = workspace.memory;
   if (detail::reach_of_polygon(polygon) != detail::ring_reach::within_snap_limit) return false;
   if constexpr (FillableRing<P>)
-    if (detail::is_convex_ring(polygon)) return convex_coverage(polygon, window, emit);
+    if (detail::is_convex_ring(polygon)) return convex_coverage(polygon, window, sink);
   m.lines.clear();
   detail::ring_extent<std::int32_t> extent;
   detail::for_each_ring(polygon, [&](const auto& ring) { detail::add_area_lines(m.lines, ring, extent); });
   if (m.lines.empty()) return true;
   const cell_window w = intersect(window, detail::cells_of_extent(extent));
-  if (!w.empty()) detail::polygon_sweep(m, rule, w, emit).all_rows();
+  if (!w.empty()) detail::polygon_sweep(m, rule, w, sink).all_rows();
   return true;
 }
 

@@ -14,7 +14,7 @@ namespace irg {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(coverage_span) for runs of pixels of the line's rectangle that lie in the window.
+/// Calls sink(coverage_span) for runs of pixels of the line's rectangle that lie in the window.
 /// shape   the rectangle from a to b, half the width to either side, with the caps that the options say; each pixel in
 ///         at most one run, runs of at most 256 pixels, row by row; pixels at a run's ends may have coverage 0
 /// needs   coordinates within snap_limit pixels, 0 < width <= max_line_aa_width
@@ -25,14 +25,14 @@ inline namespace IRG_ABI {
 /// cost    a square root and a few divisions; then rows and pixels in the window only
 /// source  Catmull 1978 for coverage as area; Green's theorem for the sum over edges
 template <CoverageSink Sink>
-constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& window, Sink&& emit,
+constexpr bool line_aa(const subpixel& a, const subpixel& b, const cell_window& window, Sink&& sink,
                        const line_aa_options& options = {}) {
   if (!detail::aa_can_draw(a, b, options.width)) return false;
   if (std::is_constant_evaluated()) {
-    detail::aa_span_writer<float, std::remove_reference_t<Sink>> writer{emit};
+    detail::aa_span_writer<float, std::remove_reference_t<Sink>> writer{sink};
     if (!detail::aa_draw_slender(a, b, options, window, writer)) detail::aa_line(a, b, options, window, writer);
   } else {
-    detail::aa_span_writer<detail::aa_lanes, std::remove_reference_t<Sink>> writer{emit};
+    detail::aa_span_writer<detail::aa_lanes, std::remove_reference_t<Sink>> writer{sink};
     if (!detail::aa_draw_slender(a, b, options, window, writer)) detail::aa_line(a, b, options, window, writer);
   }
   return true;

@@ -44,13 +44,13 @@ constexpr dda_walk dda_walk_from(const bresenham_frame& f, std::int64_t i) noexc
 }
 
 template <class Sink>
-constexpr void emit_dda(const bresenham_frame& f, const step_range& steps, Sink& emit) {
-  if (f.n == 0 && steps.first < steps.last) return static_cast<void>(emit(f.at(0, 0)));
+constexpr void emit_dda(const bresenham_frame& f, const step_range& steps, Sink& sink) {
+  if (f.n == 0 && steps.first < steps.last) return static_cast<void>(sink(f.at(0, 0)));
   for (std::int64_t i = steps.first; i < steps.last;) {
     dda_walk walk = dda_walk_from(f, i);
     const std::int64_t stop = lesser(steps.last, i + walk.room + 1);
     for (; i < stop; ++i) {
-      emit(f.at(i, walk.aside));
+      sink(f.at(i, walk.aside));
       walk.fraction += walk.slope;
       walk.aside += walk.fraction < walk.slope;  // the carry
     }
@@ -62,7 +62,7 @@ constexpr void emit_dda(const bresenham_frame& f, const step_range& steps, Sink&
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell) for the cells of the line from a to b, in this order, and says whether it did.
+/// Calls sink(cell) for the cells of the line from a to b, in this order, and says whether it did.
 /// shape   8-connected; max(|dx|, |dy|) + 1 cells, both ends among them; 45 degrees is y-driven
 /// needs   a Real made from std::int64_t
 /// gives   false, and no call, when the line has more than line_dda_steps<Number> steps
@@ -71,38 +71,38 @@ inline namespace IRG_ABI {
 ///         a tie may lie one aside, too
 /// cost    one addition and one rounding per cell; nothing is clipped
 template <Real Number = double, CellSink Sink>
-constexpr bool line_dda(cell a, cell b, Sink&& emit) {
+constexpr bool line_dda(cell a, cell b, Sink&& sink) {
   const detail::bresenham_frame f = detail::frame_of(a, b);
   if (f.n > line_dda_steps<Number>) return false;
-  if (f.n == 0) return emit(cell{a}), true;
+  if (f.n == 0) return sink(cell{a}), true;
   const Number slope = Number(f.m) / Number(f.n), half = Number(1) / Number(2);
   Number sum(0);
   std::int64_t aside = 0;  // sum, rounded to nearest, ties down: it grows by 0 or 1 per step
   for (std::int64_t i = 0; i < f.n; ++i) {
-    emit(f.at(i, aside));
+    sink(f.at(i, aside));
     sum = sum + slope;
     if (Number(aside) + half < sum) ++aside;
   }
-  emit(f.at(f.n, aside));
+  sink(f.at(f.n, aside));
   return true;
 }
 
-/// Calls emit(cell) for the cells of the line from a to b that lie in the window, in the order from a to b.
+/// Calls sink(cell) for the cells of the line from a to b that lie in the window, in the order from a to b.
 /// exact   the cells of line_bresenham with the same options, for all int coordinates
 /// cost    one addition and its carry per visible cell, without a branch; a few 128-bit divisions per line
 template <CellSink Sink>
-constexpr void line_dda_exact(cell a, cell b, const cell_window& window, Sink&& emit,
+constexpr void line_dda_exact(cell a, cell b, const cell_window& window, Sink&& sink,
                               const line_options& options = {}) {
   if (window.empty()) return;
   const detail::bresenham_frame f = detail::frame_of(a, b, options.ties);
-  detail::emit_dda(f, detail::visible_steps(f, window, options.ends), emit);
+  detail::emit_dda(f, detail::visible_steps(f, window, options.ends), sink);
 }
 
-/// Calls emit(cell) for all cells of the line, up to 2^32 of them.
+/// Calls sink(cell) for all cells of the line, up to 2^32 of them.
 template <CellSink Sink>
-constexpr void line_dda_exact(cell a, cell b, Sink&& emit, const line_options& options = {}) {
+constexpr void line_dda_exact(cell a, cell b, Sink&& sink, const line_options& options = {}) {
   const detail::bresenham_frame f = detail::frame_of(a, b, options.ties);
-  detail::emit_dda(f, {0, detail::steps_drawn(f, options.ends)}, emit);
+  detail::emit_dda(f, {0, detail::steps_drawn(f, options.ends)}, sink);
 }
 
 }  // namespace IRG_ABI

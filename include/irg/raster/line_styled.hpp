@@ -106,7 +106,7 @@ constexpr dash_mask_walk walk_of(const dash_mask& pattern) noexcept { return das
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell) for the drawn cells of the dashed line from a to b that lie in the window, in order from a on.
+/// Calls sink(cell) for the drawn cells of the dashed line from a to b that lie in the window, in order from a on.
 /// shape   cell i of the line, counted from a along the longer axis, is drawn as the pattern's position phase + i says
 /// gives   the phase at b, with which the next line of a polyline goes on (draw its lines half-open, or each shared
 ///         vertex is drawn twice)
@@ -114,7 +114,7 @@ inline namespace IRG_ABI {
 /// cost    an addition and a subtraction per visible cell; the pattern's runs are added up once per line
 template <class Pattern, CellSink Sink>
 constexpr std::uint64_t line_styled(cell a, cell b, const line_dashes<Pattern>& dashes, const cell_window& window,
-                                    Sink&& emit) {
+                                    Sink&& sink) {
   auto walk = detail::walk_of(dashes.pattern);
   const std::uint64_t phase = walk.reduced(dashes.phase);  // below 2^62 or so: a line's steps cannot overflow
   const detail::bresenham_frame f = detail::frame_of(a, b, dashes.options.ties);
@@ -125,7 +125,7 @@ constexpr std::uint64_t line_styled(cell a, cell b, const line_dashes<Pattern>& 
       line_bresenham(
           a, b, window,
           [&](cell c) {
-            if (walk.next()) emit(c);
+            if (walk.next()) sink(c);
           },
           dashes.options);
     }

@@ -129,7 +129,7 @@ constexpr void clip_walk(subpixel_walk& w, const cell_window& window) noexcept {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell) for the cells of the line from a to b that lie in the window, in the order from a to b.
+/// Calls sink(cell) for the cells of the line from a to b that lie in the window, in the order from a to b.
 /// shape   8-connected, one cell per column whose centre lies between the ends (per row, from 45 degrees up)
 /// units   points in pixels, snapped to 1/256 pixel once; pixel (0, 0) has its centre at (128, 128) of these
 /// gives   false, and no call, when a position cannot be snapped; else true. No call when the line misses the window,
@@ -139,7 +139,7 @@ inline namespace IRG_ABI {
 /// cost    one addition per visible cell and three divisions per line, whatever its length
 /// source  Vulkan 1.3, "Bresenham line segment rasterization", and OpenGL 4.6, 14.5.1, for diamond_exit
 template <ScreenPosition P, CellSink Sink>
-constexpr bool line_subpixel(const P& a, const P& b, const cell_window& window, Sink&& emit,
+constexpr bool line_subpixel(const P& a, const P& b, const cell_window& window, Sink&& sink,
                              const line_subpixel_options& options = {}) {
   if (!can_snap(a) || !can_snap(b)) return false;
   if (window.empty()) return true;
@@ -150,7 +150,7 @@ constexpr bool line_subpixel(const P& a, const P& b, const cell_window& window, 
   std::int64_t row = height >= 0 ? height / w.du : -((-height + w.du - 1) / w.du);
   std::int64_t rest = height - row * w.du;  // in [0, du)
   for (std::int64_t column = w.first; column < w.last; ++column) {
-    emit(w.at(column, row));
+    sink(w.at(column, row));
     rest += w.dv;
     if (rest >= w.du) {
       ++row;

@@ -25,7 +25,7 @@ constexpr thick_stroke<std::int64_t> thick_stroke_between(const subpixel& a, con
 
 inline namespace IRG_ABI {
 
-/// Calls emit(span) for the pixels in the window whose centres lie in the thick line from a to b, from top to bottom.
+/// Calls sink(span) for the pixels in the window whose centres lie in the thick line from a to b, from top to bottom.
 /// shape   one span per row: butt caps give the rectangle of the pen's width around the line, square caps one longer by
 ///         half the width at both ends, round caps all points within half the width of the line
 /// units   points in pixels, snapped to 1/256 pixel once; pixel (0, 0) has its centre at (128, 128) of these
@@ -38,19 +38,19 @@ inline namespace IRG_ABI {
 /// cost    some twenty divisions per line, a dozen additions and, with round caps, two square roots per visible row;
 ///         divides in 128 bits when the end cells are out of reach of snap()
 template <ScreenPosition P, SpanSink Sink>
-constexpr bool line_thick(const P& a, const P& b, const line_pen& pen, const cell_window& window, Sink&& emit) {
+constexpr bool line_thick(const P& a, const P& b, const line_pen& pen, const cell_window& window, Sink&& sink) {
   if (can_snap(a) && can_snap(b))
-    detail::stroke_spans(detail::thick_stroke_between(snap(a), snap(b), pen.width, pen.caps, pen.caps), window, emit);
+    detail::stroke_spans(detail::thick_stroke_between(snap(a), snap(b), pen.width, pen.caps, pen.caps), window, sink);
   else if constexpr (std::same_as<P, cell> || CellPosition<P>) {
     const cell from = as_cell(a), to = as_cell(b);
     detail::stroke_spans(
-        detail::thick_stroke_of<int128, 0>({from.x, from.y, to.x, to.y}, pen.width, pen.caps, pen.caps), window, emit);
+        detail::thick_stroke_of<int128, 0>({from.x, from.y, to.x, to.y}, pen.width, pen.caps, pen.caps), window, sink);
   } else
     return false;
   return true;
 }
 
-/// Calls emit(span) for the pixels in the window whose centres lie in the thick line through all points, each pixel
+/// Calls sink(span) for the pixels in the window whose centres lie in the thick line through all points, each pixel
 /// once, from top to bottom and from left to right.
 /// shape   the union of the thick lines between successive points, with a disc at every point between; the caps are
 ///         those of the first and the last point. Repeat the first point, with round caps, for a closed line.
@@ -60,7 +60,7 @@ constexpr bool line_thick(const P& a, const P& b, const line_pen& pen, const cel
 /// cost    allocates the visible spans of all parts and sorts them
 template <SpanSink Sink>
 constexpr void polyline_thick(std::span<const subpixel> points, const line_pen& pen, const cell_window& window,
-                              Sink&& emit) {
+                              Sink&& sink) {
   std::vector<span_of_cells> spans;
   const auto keep = [&](const span_of_cells& s) { spans.push_back(s); };
   std::size_t last = points.size();  // the end of the line's last part that is longer than a point
@@ -81,7 +81,7 @@ constexpr void polyline_thick(std::span<const subpixel> points, const line_pen& 
     span_of_cells merged = spans[i++];
     for (; i < spans.size() && spans[i].y == merged.y && spans[i].x_first <= merged.x_last; ++i)
       merged.x_last = greater(merged.x_last, spans[i].x_last);
-    emit(merged);
+    sink(merged);
   }
 }
 

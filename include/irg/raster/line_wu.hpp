@@ -23,7 +23,7 @@ concept CoveredCellSink = requires(S& sink, const cell c, std::uint8_t coverage)
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell, coverage) for the cells of the line from the middle of a to the middle of b that lie in the window.
+/// Calls sink(cell, coverage) for the cells of the line from the middle of a to the middle of b that lie in the window.
 /// shape   in every column from a's to b's (row, from 45 degrees up) one cell or two neighbours, from a to b; the
 ///         coverages of a column add up to 255, cells of coverage 0 are left out; both end cells are covered whole
 /// gives   no call when the line misses the window or the window is empty; the one cell of a zero-length line
@@ -32,12 +32,12 @@ inline namespace IRG_ABI {
 /// cost    up to five 128-bit divisions per line, then two additions and two comparisons per visible column
 /// source  Wu 1991
 template <CoveredCellSink Sink>
-constexpr void line_wu(cell a, cell b, const cell_window& window, Sink&& emit, const line_options& options = {}) {
+constexpr void line_wu(cell a, cell b, const cell_window& window, Sink&& sink, const line_options& options = {}) {
   const auto centre = [](int v) { return std::int64_t{v} * one_pixel + half_pixel; };
   const int beyond_b = options.ends == line_ends::closed ? half_pixel : -half_pixel;
   detail::wu_walk(
       detail::wu_frame_of(centre(a.x), centre(a.y), centre(b.x), centre(b.y), options.ties, half_pixel, beyond_b),
-      window, emit);
+      window, sink);
 }
 
 /// The same with ends between pixels: the line stops at a and b.
@@ -46,9 +46,9 @@ constexpr void line_wu(cell a, cell b, const cell_window& window, Sink&& emit, c
 /// gives   no call for a zero-length line; options.ends is not read
 /// exact   for all int coordinates; the line is taken in the middle of each column, also where it ends before that
 template <CoveredCellSink Sink>
-constexpr void line_wu(const subpixel& a, const subpixel& b, const cell_window& window, Sink&& emit,
+constexpr void line_wu(const subpixel& a, const subpixel& b, const cell_window& window, Sink&& sink,
                        const line_options& options = {}) {
-  detail::wu_walk(detail::wu_frame_of(a.x, a.y, b.x, b.y, options.ties, 0, 0), window, emit);
+  detail::wu_walk(detail::wu_frame_of(a.x, a.y, b.x, b.y, options.ties, 0, 0), window, sink);
 }
 
 /// Mixes the paint into the cells of line_wu, each as far as it is covered.

@@ -31,7 +31,7 @@ concept CellPredicate = requires(F& inside, const cell c) {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(span) for every run of the region: the cells of the window that can be reached from the seed over
+/// Calls sink(span) for every run of the region: the cells of the window that can be reached from the seed over
 /// neighbouring cells that are all inside. Returns the number of cells.
 /// shape   spans do not overlap; each is as long as the region and the window let it be; their order is not specified
 /// needs   nothing of inside: it is asked about each cell of the window at most once, and before that is emitted
@@ -41,12 +41,12 @@ inline namespace IRG_ABI {
 /// source  Smith 1979; Heckbert 1990: runs in place of cells
 template <CellPredicate Inside, SpanSink Sink>
 constexpr std::int64_t seed_fill_spans(const cell_window& window, Inside&& inside, cell seed, neighbours next_to,
-                                       Sink&& emit) {
+                                       Sink&& sink) {
   if (seed.x < window.x_first || seed.x >= window.x_last || seed.y < window.y_first || seed.y >= window.y_last)
     return 0;
   if (!static_cast<bool>(inside(seed))) return 0;
   detail::seed_filler<std::remove_reference_t<Inside>, std::remove_reference_t<Sink>> fill{
-      window, inside, emit, detail::seed_marks<>(window), {}};
+      window, inside, sink, detail::seed_marks<>(window), {}};
   const int reach = next_to == neighbours::eight ? 1 : 0;
   fill.take_run(fill.marks.row(seed.y), std::int64_t{seed.x} - window.x_first, seed.y);
   std::vector<span_of_cells> front;  // from front to front, not depth first: fronts are short, and stay in the caches

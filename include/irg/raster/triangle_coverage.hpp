@@ -74,12 +74,12 @@ IRG_INLINE constexpr triangle_edge make_edge(const subpixel& a, const subpixel& 
 }
 
 // The first pixel whose centre is at or after v; one past the last pixel whose centre is at or before v. Also of packs.
-template <class I>
-IRG_INLINE constexpr I first_centre(const I& v) noexcept {
+template <class J>
+IRG_INLINE constexpr J first_centre(const J& v) noexcept {
   return (v + (half_pixel - 1)) >> subpixel_bits;
 }
-template <class I>
-IRG_INLINE constexpr I last_centre(const I& v) noexcept {
+template <class J>
+IRG_INLINE constexpr J last_centre(const J& v) noexcept {
   return (v + (one_pixel - half_pixel)) >> subpixel_bits;
 }
 
@@ -146,15 +146,15 @@ inline namespace IRG_ABI {
   return {y, static_cast<int>(first), static_cast<int>(greater(first, last))};
 }
 
-/// Calls emit(span) for every row of covered pixels in the window, from top to bottom.
+/// Calls sink(span) for every row of covered pixels in the window, from top to bottom.
 /// gives   no call for a degenerate triangle or one outside the window
 /// cost    two divisions per row, sometimes three
 template <SpanSink Sink>
-constexpr void covered_spans(const triangle_coverage& t, const cell_window& window, Sink&& emit) {
+constexpr void covered_spans(const triangle_coverage& t, const cell_window& window, Sink&& sink) {
   const cell_window w = intersect(t.bounds, window);
   for (int y = w.y_first; y < w.y_last; ++y) {
     const span_of_cells span = covered_span(t, y, w.x_first, w.x_last);
-    if (span.x_first < span.x_last) emit(span);
+    if (span.x_first < span.x_last) sink(span);
   }
 }
 

@@ -44,8 +44,8 @@ struct triangle_setup {
   float inverse_w[3];
   depth_plane<float> depth;
 
-  template <class F, class I>
-  [[nodiscard]] IRG_INLINE constexpr F weight(int i, const I& f) const noexcept {
+  template <class F, class J>
+  [[nodiscard]] IRG_INLINE constexpr F weight(int i, const J& f) const noexcept {
     return product(to_float(f), lanes<F>::broadcast(scale)) + lanes<F>::broadcast(rest[i]);
   }
 };
@@ -54,8 +54,8 @@ struct triangle_setup {
 /// might leave. Turning a triangle round exchanges its second and third vertex, and changes no bit.
 /// shape   a depth_plane, or what has its members
 /// exact   within 4 ulp for depths of one sign and below 2^118; where they are tiny underflow adds up to 2^-72
-template <class F, class I>
-[[nodiscard]] IRG_INLINE constexpr F depth_at(const I (&f)[3], const auto& plane) noexcept {
+template <class F, class J>
+[[nodiscard]] IRG_INLINE constexpr F depth_at(const J (&f)[3], const auto& plane) noexcept {
   const F depth = (product(to_float(f[0]), plane.gain[0]) + plane.rest) +
                   (product(to_float(f[1]), plane.gain[1]) + product(to_float(f[2]), plane.gain[2]));
   return low_of(plane.high, high_of(plane.low, depth));

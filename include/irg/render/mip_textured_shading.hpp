@@ -29,7 +29,8 @@ struct mip_textured_pixels {
   using values = std::array<F, 10>;
 
   constexpr mip_textured_pixels() = default;
-  constexpr mip_textured_pixels(const std::convertible_to<std::span<const texture_pyramid>> auto& all) noexcept
+  IRG_APART constexpr mip_textured_pixels(
+      const std::convertible_to<std::span<const texture_pyramid>> auto& all) noexcept
       : textures(all) {}
 
   template <class F>
@@ -51,7 +52,7 @@ struct mip_textured_pixels {
     return encode({product(texel.r, at[2]), product(texel.g, at[3]), product(texel.b, at[4])});
   }
   template <int N>
-  pack<std::uint32_t, N> pixels(const values<pack<float, N>>& at) const {
+  IRG_APART pack<std::uint32_t, N> pixels(const values<pack<float, N>>& at) const {
     if (textures.empty()) return encode_lanes(at[2], at[3], at[4]);
     const texture_pyramid* const t = pyramid(at[5][0]);
     if (t == nullptr || !all_lanes(at[5] == lanes<pack<float, N>>::broadcast(at[5][0])))

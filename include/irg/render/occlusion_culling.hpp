@@ -48,7 +48,7 @@ public:
   /// gives   none among fewer than two objects; together at most a sixteenth of all triangles, though always up to 64,
   ///         and boxes of four times the picture's size, though always one
   /// cost    the boxes of objects of few triangles, and sorting those that qualify
-  [[nodiscard]] IRG_INLINE constexpr std::vector<std::uint32_t> choose_occluders(
+  [[nodiscard]] IRG_APART IRG_INLINE constexpr std::vector<std::uint32_t> choose_occluders(
       std::span<const object_extent<T>> objects) const {
     return detail::choose_occluders(view_, objects.size(), [&](std::size_t i) -> auto& { return objects[i]; });
   }

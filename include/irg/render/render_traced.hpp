@@ -34,7 +34,7 @@ struct reporting {
   const Report& report;
 
   template <class Task>
-  constexpr void operator()(std::size_t count, const Task& task) const {
+  IRG_APART constexpr void operator()(std::size_t count, const Task& task) const {
     executor(count, [&](std::size_t i) {
       task(i);
       report(i, count);

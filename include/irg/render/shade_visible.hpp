@@ -15,8 +15,8 @@ namespace detail {
 // Finds nothing: the ids are there.
 struct ids_as_they_are {
   template <class T>
-  constexpr void operator()(const window_faces<T>&, const cell_window&, image<std::uint32_t>&,
-                            draw_counts&) const noexcept {}
+  IRG_APART constexpr void operator()(const window_faces<T>&, const cell_window&, image<std::uint32_t>&,
+                                      draw_counts&) const noexcept {}
 };
 
 }  // namespace detail

@@ -82,7 +82,7 @@ struct textured_shading {
   }
 
   template <int N>
-  pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 6>& at) const noexcept {
+  IRG_APART pack<std::uint32_t, N> pixels(const std::array<pack<float, N>, 6>& at) const noexcept {
     const float number = at[5][0];
     if (textures.empty()) return encode_lanes(at[2], at[3], at[4]);
     if (!all_lanes(at[5] == lanes<pack<float, N>>::broadcast(number))) return detail::pixels_one_by_one<N>(*this, at);

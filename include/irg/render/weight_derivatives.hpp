@@ -48,7 +48,7 @@ struct weight_derivatives {
   template <class F = float>
   IRG_INLINE constexpr weight_changes<F> operator()(const pixel_weights<F>& at) const noexcept {
     const F here = at.interpolate(w[0], w[1], w[2]);
-    const auto change = [&](float own, const F& weight, float all) {
+    const auto change = [&](float own, const F& weight, float all) IRG_INLINE_LAMBDA {
       return product(here, lanes<F>::broadcast(own) - product(weight, lanes<F>::broadcast(all)));
     };
     return {change(right[0], at.weight1, right[2]), change(right[1], at.weight2, right[2]),

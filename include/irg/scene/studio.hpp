@@ -43,7 +43,7 @@ struct studio_body {
   std::array<std::vector<studio_transformation<T>>, 2> transformations{};  // by stage
   bool operator==(const studio_body&) const = default;
 
-  [[nodiscard]] constexpr bool shows(studio_part p) const noexcept {
+  [[nodiscard]] IRG_APART constexpr bool shows(studio_part p) const noexcept {
     return parts[static_cast<std::size_t>(p)] == display::shown;
   }
 };
@@ -61,7 +61,7 @@ struct studio_camera {
   std::array<display, 4> helpers{};
   bool operator==(const studio_camera&) const = default;
 
-  [[nodiscard]] constexpr bool shows(studio_helper h) const noexcept {
+  [[nodiscard]] IRG_APART constexpr bool shows(studio_helper h) const noexcept {
     return helpers[static_cast<std::size_t>(h)] == display::shown;
   }
 };
@@ -79,8 +79,10 @@ struct studio {
   T ambient = T(0.25);  // share of the light that comes from everywhere; the rest is the lamp's
   bool operator==(const studio&) const = default;
 
-  [[nodiscard]] constexpr studio_camera<T>& of(studio_view v) noexcept { return cameras[static_cast<std::size_t>(v)]; }
-  [[nodiscard]] constexpr const studio_camera<T>& of(studio_view v) const noexcept {
+  [[nodiscard]] IRG_APART constexpr studio_camera<T>& of(studio_view v) noexcept {
+    return cameras[static_cast<std::size_t>(v)];
+  }
+  [[nodiscard]] IRG_APART constexpr const studio_camera<T>& of(studio_view v) const noexcept {
     return cameras[static_cast<std::size_t>(v)];
   }
 };

@@ -21,8 +21,8 @@ inline namespace IRG_ABI {
 
 /// An intensity within 0 to maximum, each channel by itself.
 /// gives   0 for NaN
-template <class I, Scalar T>
-[[nodiscard]] IRG_INLINE constexpr I clamp_intensity(const I& intensity, const T& maximum) noexcept {
+template <class L, Scalar T>
+[[nodiscard]] IRG_INLINE constexpr L clamp_intensity(const L& intensity, const T& maximum) noexcept {
   return detail::per_channel([&](const T& i) { return clamp(i, T(0), maximum); }, intensity);
 }
 
@@ -30,15 +30,15 @@ template <class I, Scalar T>
 /// needs   for rescale: finite intensities, none negative
 /// exact   rescale: intensity * maximum / largest, rounded twice, but never over the maximum
 /// cost    one pass to clamp, two to rescale
-template <class I, Scalar T>
-constexpr void fit_intensities(std::span<I> intensities, const T& maximum,
+template <class L, Scalar T>
+constexpr void fit_intensities(std::span<L> intensities, const T& maximum,
                                intensity_range range = intensity_range::clamp) noexcept {
   if (range == intensity_range::clamp) {
-    for (I& i : intensities) i = clamp_intensity(i, maximum);
+    for (L& i : intensities) i = clamp_intensity(i, maximum);
     return;
   }
   T largest = maximum;
-  for (const I& i : intensities) largest = detail::largest_channel(largest, i);
+  for (const L& i : intensities) largest = detail::largest_channel(largest, i);
   if (!(maximum < largest)) return;
   const auto scaled = [&](const T& channel) -> T {
     if constexpr (Floating<T>)
@@ -46,7 +46,7 @@ constexpr void fit_intensities(std::span<I> intensities, const T& maximum,
         return product(channel / largest, maximum);
     return product(channel, maximum) / largest;
   };
-  for (I& i : intensities)
+  for (L& i : intensities)
     i = detail::per_channel(
         [&](const T& channel) {
           const T within = scaled(channel);  // but for its roundings

@@ -14,14 +14,14 @@ namespace irg {
 inline namespace IRG_ABI {
 
 /// A lamp at a position.
-template <Scalar T, class I>
-[[nodiscard]] constexpr light<T, I> light_at(const point<T, 3>& position, const I& intensity) {
+template <Scalar T, class L>
+[[nodiscard]] constexpr light<T, L> light_at(const point<T, 3>& position, const L& intensity) {
   return {to_homogeneous(position), intensity};
 }
 
 /// A lamp at infinity, in a direction.
-template <Scalar T, class I>
-[[nodiscard]] constexpr light<T, I> light_from(const vec<T, 3>& direction, const I& intensity) {
+template <Scalar T, class L>
+[[nodiscard]] constexpr light<T, L> light_from(const vec<T, 3>& direction, const L& intensity) {
   return {{direction.x, direction.y, direction.z, T(0)}, intensity};
 }
 
@@ -31,8 +31,8 @@ template <Scalar T, class I>
 ///         or -infinity, or the target or the distance beyond a quarter of the largest number
 /// exact   the polar camera's position, bit by bit
 /// source  Hank n.d., 4.1.3.2
-template <Floating T, class I>
-constexpr light<T, I> light_around(const point<T, 3>& target, const polar_coordinates<T>& p, const I& intensity,
+template <Floating T, class L>
+constexpr light<T, L> light_around(const point<T, 3>& target, const polar_coordinates<T>& p, const L& intensity,
                                    polar_axis axis = polar_axis::y_up) {
   const bool at_infinity = p.distance == std::numeric_limits<T>::infinity();
   const auto f = try_frame_of(polar_camera<T>{target, at_infinity ? T(1) : p.distance, p.azimuth, p.elevation}, axis);
@@ -44,8 +44,8 @@ constexpr light<T, I> light_around(const point<T, 3>& target, const polar_coordi
 /// units   radians
 /// needs   finite coordinates, and a weight by which they may be divided without overflow
 /// gives   nothing for a light with all coordinates 0; all 0 for a light in the target itself
-template <Floating T, class I>
-constexpr std::optional<polar_coordinates<T>> polar_of(const light<T, I>& source, const point<T, 3>& target,
+template <Floating T, class L>
+constexpr std::optional<polar_coordinates<T>> polar_of(const light<T, L>& source, const point<T, 3>& target,
                                                        polar_axis axis = polar_axis::y_up) noexcept {
   const hpoint<T, 3>& s = source.position;
   if (s == hpoint<T, 3>{}) return std::nullopt;

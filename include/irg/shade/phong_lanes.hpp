@@ -17,7 +17,7 @@ namespace irg {
 template <Floating T>
 class phong_lanes {
 public:
-  constexpr explicit phong_lanes(const phong_shader<T>& shader) : shader_(shader) {
+  IRG_APART constexpr explicit phong_lanes(const phong_shader<T>& shader) : shader_(shader) {
     const auto share = [](const rgb<T>& ii, const rgb<T>& k) {
       return detail::per_channel([](T i, T reflected) { return product(i, reflected); }, ii, k);
     };
@@ -97,8 +97,8 @@ private:
 
   // The bracket of reflected_light, times the light.
   template <int N>
-  IRG_INLINE void add_light(rgb<pack<double, N>>& sum, const prepared_light& l, const triple_lanes<double, N>& to_light,
-                            const view_of<N>& seen) const {
+  IRG_APART IRG_INLINE void add_light(rgb<pack<double, N>>& sum, const prepared_light& l,
+                                      const triple_lanes<double, N>& to_light, const view_of<N>& seen) const {
     const auto& [n, v, r] = seen;
     using F = pack<double, N>;
     using f = lanes<F>;
@@ -134,7 +134,7 @@ private:
 
   // As specular_factor's: squared again and again for whole numbers.
   template <class F>
-  [[nodiscard]] IRG_INLINE F power_of(F x) const {
+  [[nodiscard]] IRG_APART IRG_INLINE F power_of(F x) const {
     using f = lanes<F>;
     if (exponent_ < 0) return f::generate([&](int i) { return 0 < x[i] ? pow(x[i], shader_.surface.shininess) : 0.0; });
     F power = f::broadcast(1);
@@ -146,8 +146,8 @@ private:
   }
 
   template <int N>
-  IRG_NOINLINE rgb<pack<double, N>> one_by_one(const triple_lanes<double, N>& p,
-                                               const triple_lanes<double, N>& normal) const {
+  IRG_APART IRG_NOINLINE rgb<pack<double, N>> one_by_one(const triple_lanes<double, N>& p,
+                                                         const triple_lanes<double, N>& normal) const {
     rgb<pack<double, N>> light;
     for (int i = 0; i < N; ++i) {
       const rgb<T> one = shader_({p.x[i], p.y[i], p.z[i]}, {normal.x[i], normal.y[i], normal.z[i]});

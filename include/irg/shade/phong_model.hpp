@@ -2,7 +2,7 @@
 // Phong's reflection model: how bright a point of a surface looks. (Phong *shading* is another thing of the same
 // author, the interpolation of normals: shading.hpp.) Vectors are named as in the textbook: L from the point to the
 // light, N the surface normal, V from the point to the viewer, R the reflection of L in N; all of length 1.
-// An intensity I is a colour rgb<T> or one number T. The terms are exact on rationals.
+// An intensity L is a colour rgb<T> or one number T. The terms are exact on rationals.
 #pragma once
 
 #include <cstddef>
@@ -66,8 +66,8 @@ template <Scalar T>
 }
 
 /// Ia ka: the light that comes from everywhere (7.5).
-template <class I>
-[[nodiscard]] IRG_INLINE constexpr I ambient_term(const I& light, const I& ambient) noexcept {
+template <class L>
+[[nodiscard]] IRG_INLINE constexpr L ambient_term(const L& light, const L& ambient) noexcept {
   return detail::per_channel([](auto ia, auto ka) { return product(ia, ka); }, light, ambient);
 }
 
@@ -75,8 +75,8 @@ template <class I>
 /// at right angles (7.6).
 /// gives   0 where L.N <= 0, the light being behind the surface or grazing it
 /// source  Lambert 1760
-template <class I, Scalar T>
-[[nodiscard]] IRG_INLINE constexpr I diffuse_term(const I& light, const I& diffuse, const vec<T, 3>& to_light,
+template <class L, Scalar T>
+[[nodiscard]] IRG_INLINE constexpr L diffuse_term(const L& light, const L& diffuse, const vec<T, 3>& to_light,
                                                   const vec<T, 3>& normal) noexcept {
   const T ln = dot(to_light, normal);
   return detail::per_channel(
@@ -105,8 +105,8 @@ template <Scalar T>
 /// Ii ks (R.V)^n: the highlight (7.8).
 /// gives   0 where R.V <= 0 or L.N <= 0
 /// needs   as specular_factor
-template <class T, class I>
-[[nodiscard]] IRG_INLINE constexpr I specular_term(const material<T, I>& surface, const I& light,
+template <class T, class L>
+[[nodiscard]] IRG_INLINE constexpr L specular_term(const material<T, L>& surface, const L& light,
                                                    const vec<T, 3>& to_light, const vec<T, 3>& normal,
                                                    const vec<T, 3>& to_viewer) noexcept {
   const T factor = specular_factor(to_light, normal, to_viewer, surface.shininess);
@@ -117,8 +117,8 @@ template <class T, class I>
 
 /// What one source of intensity Ii adds: Ii (kd (L.N) + ks (R.V)^n), the bracket of (7.9).
 /// needs   L, N and V of length 1, or 0 where there is none: no L no light, no V no highlight
-template <class T, class I>
-[[nodiscard]] IRG_INLINE constexpr I reflected_light(const material<T, I>& surface, const I& light,
+template <class T, class L>
+[[nodiscard]] IRG_INLINE constexpr L reflected_light(const material<T, L>& surface, const L& light,
                                                      const vec<T, 3>& to_light, const vec<T, 3>& normal,
                                                      const vec<T, 3>& to_viewer) noexcept {
   return diffuse_term(light, surface.diffuse, to_light, normal) +
@@ -127,8 +127,8 @@ template <class T, class I>
 
 /// Ii / (r + k): a source's intensity, weakened by the distance r (7.10).
 /// needs   r + k > 0
-template <class I, Scalar T>
-[[nodiscard]] IRG_INLINE constexpr I weakened_by_distance(const I& light, const T& r, const T& k) noexcept {
+template <class L, Scalar T>
+[[nodiscard]] IRG_INLINE constexpr L weakened_by_distance(const L& light, const T& r, const T& k) noexcept {
   return detail::per_channel([&](auto ii) { return ii / (r + k); }, light);
 }
 
@@ -147,17 +147,17 @@ struct surface_place {
 ///         itself, no highlight when the eye does; the ambient term where the normal is 0
 /// exact   written from + - * / sqrt and pow in one order: the same bits everywhere
 /// source  Phong 1975
-template <Floating T, class I, class Arriving>
-[[nodiscard]] constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light,
+template <Floating T, class L, class Arriving>
+[[nodiscard]] constexpr L phong_model(const material<T, L>& surface, const lighting<T, L>& light,
                                       const point<T, 3>& eye, const surface_place<T>& place, const Arriving& arriving) {
   const auto& [p, normal] = place;
   const bool weakened = light.distance == distance_term::viewer;
   const vec<T, 3> to_viewer = normalized(eye - p);
   const T r = weakened ? length(eye - p) : T(0);
-  I sum = ambient_term(light.ambient, surface.ambient);
+  L sum = ambient_term(light.ambient, surface.ambient);
   for (std::size_t i = 0; i < light.lights.size(); ++i) {
     const auto& source = light.lights[i];
-    const I emitted = weakened ? weakened_by_distance(source.intensity, r, light.k) : source.intensity;
+    const L emitted = weakened ? weakened_by_distance(source.intensity, r, light.k) : source.intensity;
     const vec<T, 3> to_light = normalized(direction_to_light(source, p));
     sum = sum + reflected_light(surface, arriving(i, emitted), to_light, normal, to_viewer);
   }
@@ -165,10 +165,10 @@ template <Floating T, class I, class Arriving>
 }
 
 /// The same with nothing between the lights and p.
-template <Floating T, class I>
-[[nodiscard]] constexpr I phong_model(const material<T, I>& surface, const lighting<T, I>& light,
+template <Floating T, class L>
+[[nodiscard]] constexpr L phong_model(const material<T, L>& surface, const lighting<T, L>& light,
                                       const point<T, 3>& eye, const surface_place<T>& place) noexcept {
-  return phong_model(surface, light, eye, place, [](std::size_t, const I& emitted) { return emitted; });
+  return phong_model(surface, light, eye, place, [](std::size_t, const L& emitted) { return emitted; });
 }
 
 }  // namespace IRG_ABI

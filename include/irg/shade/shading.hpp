@@ -38,20 +38,20 @@ template <PolygonRing R>
 /// Constant shading: one intensity for a whole face, from its centre and its normal.
 /// needs   lights that outlive the shader
 /// source  Bouknight 1970
-template <Floating T, class I = rgb<T>>
+template <Floating T, class L = rgb<T>>
 struct flat_shader {
-  material<T, I> surface;
-  lighting<T, I> light;
+  material<T, L> surface;
+  lighting<T, L> light;
   point<T, 3> eye;
 
   /// The intensity of a face.
   /// needs   an outward normal, of any length; where it is 0, the ambient term comes out
   template <PolygonRing R>
-  IRG_INLINE constexpr I operator()(const R& face, const vec<T, 3>& normal) const noexcept {
+  IRG_INLINE constexpr L operator()(const R& face, const vec<T, 3>& normal) const noexcept {
     return (*this)(vertex_mean(face), normal);
   }
   /// The intensity of a face whose centre is known.
-  IRG_INLINE constexpr I operator()(const point<T, 3>& centre, const vec<T, 3>& normal) const noexcept {
+  IRG_INLINE constexpr L operator()(const point<T, 3>& centre, const vec<T, 3>& normal) const noexcept {
     return phong_model(surface, light, eye, {centre, normalized(normal)});
   }
 };
@@ -59,15 +59,15 @@ struct flat_shader {
 /// Gouraud shading: the intensity at a vertex; the rasterizer interpolates intensities.
 /// needs   lights that outlive the shader
 /// source  Gouraud 1971
-template <Floating T, class I = rgb<T>>
+template <Floating T, class L = rgb<T>>
 struct gouraud_shader {
-  material<T, I> surface;
-  lighting<T, I> light;
+  material<T, L> surface;
+  lighting<T, L> light;
   point<T, 3> eye;
 
   /// The intensity at a vertex.
   /// needs   the vertex's outward normal, of any length; where it is 0, the ambient term comes out
-  IRG_INLINE constexpr I operator()(const point<T, 3>& vertex, const vec<T, 3>& normal) const noexcept {
+  IRG_INLINE constexpr L operator()(const point<T, 3>& vertex, const vec<T, 3>& normal) const noexcept {
     return phong_model(surface, light, eye, {vertex, normalized(normal)});
   }
 };
@@ -75,15 +75,15 @@ struct gouraud_shader {
 /// Phong shading: the intensity at a pixel; the rasterizer interpolates positions and normals.
 /// needs   lights that outlive the shader
 /// source  Phong 1975
-template <Floating T, class I = rgb<T>>
+template <Floating T, class L = rgb<T>>
 struct phong_shader {
-  material<T, I> surface;
-  lighting<T, I> light;
+  material<T, L> surface;
+  lighting<T, L> light;
   point<T, 3> eye;
 
   /// The intensity at a point inside a face.
   /// needs   the interpolated normal, of any length: interpolation shortens normals, here they are renormalised
-  IRG_INLINE constexpr I operator()(const point<T, 3>& p, const vec<T, 3>& interpolated_normal) const noexcept {
+  IRG_INLINE constexpr L operator()(const point<T, 3>& p, const vec<T, 3>& interpolated_normal) const noexcept {
     return phong_model(surface, light, eye, {p, normalized(interpolated_normal)});
   }
 };

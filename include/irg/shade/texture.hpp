@@ -100,23 +100,23 @@ struct texel_pair {
 // The texel that holds a coordinate.
 template <class F>
 IRG_INLINE constexpr auto nearest_texel(const F& u, int count, texture_wrap wrap) noexcept {
-  using I = typename lanes<F>::template rebind<std::int32_t>;
+  using J = typename lanes<F>::template rebind<std::int32_t>;
   const F along = wrapped_coordinate(u, wrap);
-  const I i = texture_floor(product(along, lanes<F>::broadcast(static_cast<float>(count))));
-  const I limited = limited_coordinate(i, 0, count - 1);  // the product may have been rounded up to `count`
+  const J i = texture_floor(product(along, lanes<F>::broadcast(static_cast<float>(count))));
+  const J limited = limited_coordinate(i, 0, count - 1);  // the product may have been rounded up to `count`
   if (wrap != texture_wrap::border) return limited;
   return select(both(along >= lanes<F>::broadcast(0.0f), along < lanes<F>::broadcast(1.0f)), limited,
-                lanes<I>::broadcast(-1));
+                lanes<J>::broadcast(-1));
 }
 
 // The texels on both sides of a coordinate.
 template <class F>
 IRG_INLINE constexpr texel_pair<F> neighbouring_texels(const F& u, int count, texture_wrap wrap) noexcept {
-  using I = typename lanes<F>::template rebind<std::int32_t>;
-  using i = lanes<I>;
+  using J = typename lanes<F>::template rebind<std::int32_t>;
+  using i = lanes<J>;
   const F x =
       product(wrapped_coordinate(u, wrap), lanes<F>::broadcast(static_cast<float>(count))) - lanes<F>::broadcast(0.5f);
-  const I first = texture_floor(x), second = first + i::broadcast(1);
+  const J first = texture_floor(x), second = first + i::broadcast(1);
   const F fraction = x - to_float(first);
   if (wrap == texture_wrap::border) return {first, second, fraction};
   if (wrap == texture_wrap::repeat)

@@ -27,9 +27,9 @@ struct csg_tree {
   std::vector<mesh<T>> bodies;
   std::vector<csg_step> steps;
 
-  constexpr csg_tree() {}
+  IRG_APART constexpr csg_tree() {}
   /// A body by itself.
-  constexpr explicit csg_tree(mesh<T> body) : steps{{0, {}, csg_step::none, csg_step::none}} {
+  IRG_APART constexpr explicit csg_tree(mesh<T> body) : steps{{0, {}, csg_step::none, csg_step::none}} {
     bodies.push_back(std::move(body));
   }
 };

@@ -30,7 +30,7 @@ public:
   /// cost    sorts the triangles by place, O(n log n); allocates some 130 bytes a triangle of doubles
   template <detail::mesh_in_space M>
     requires std::same_as<scalar_of<mesh_point<M>>, T>
-  constexpr explicit solid_locator(const M& body) {
+  IRG_APART constexpr explicit solid_locator(const M& body) {
     detail::each_solid_triangle(triangulate(to_mesh<T>(body)), [&](const auto& a, const auto& b, const auto& c) {
       triangles_.push_back({{a, b, c}});
     });
@@ -40,7 +40,8 @@ public:
   /// winding_number of the body; counts what it asks in `counts`, where that is given.
   /// gives, exact   as winding_number
   /// cost    some log n boxes and the triangles above and beside p; nothing allocated
-  constexpr std::optional<int> winding_number(const point<T, 3>& p, solid_locator_counts* counts = nullptr) const {
+  IRG_APART constexpr std::optional<int> winding_number(const point<T, 3>& p,
+                                                        solid_locator_counts* counts = nullptr) const {
     const detail::upward_crossings count = cross(p, counts);
     if (count.on_surface) return std::nullopt;
     return count.winding;
@@ -49,8 +50,8 @@ public:
   /// point_in_solid of the body.
   /// gives, exact   as point_in_solid
   /// cost    as winding_number
-  constexpr location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
-                                solid_locator_counts* counts = nullptr) const {
+  IRG_APART constexpr location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
+                                          solid_locator_counts* counts = nullptr) const {
     return detail::location_by_winding(cross(p, counts), rule);
   }
 
@@ -59,14 +60,14 @@ private:
   using block = detail::box_block<T>;
   static constexpr std::uint32_t width = block::width;
 
-  [[nodiscard]] static constexpr T centre(const triangle& t, int axis) noexcept {
+  [[nodiscard]] IRG_APART static constexpr T centre(const triangle& t, int axis) noexcept {
     const T a = t[0][axis] * T(0.25), b = t[1][axis] * T(0.25), c = t[2][axis] * T(0.25);
     return lesser(lesser(a, b), c) + greater(greater(a, b), c);
   }
 
   // Divides runs of triangles along the longer side of the box round them, seen from above, until they are short; the
   // first part has a power of two of them, so that eight by eight they are near each other on every level.
-  constexpr void sort() {
+  IRG_APART constexpr void sort() {
     struct run {
       std::uint32_t first, last;
     };
@@ -90,7 +91,7 @@ private:
   }
 
   // Boxes of triangles on level 0, of the blocks of the level below on the others, up to one block.
-  constexpr void build() {
+  IRG_APART constexpr void build() {
     if (triangles_.empty()) return;
     sort();
     const auto blocks_for = [](std::size_t n) { return std::vector<block>((n + width - 1) / width, block{}); };
@@ -106,7 +107,7 @@ private:
     }
   }
 
-  constexpr detail::upward_crossings cross(const point<T, 3>& p, solid_locator_counts* counts) const {
+  IRG_APART constexpr detail::upward_crossings cross(const point<T, 3>& p, solid_locator_counts* counts) const {
     detail::upward_crossings out;
     solid_locator_counts asked{1, 0, 0};
     struct step {

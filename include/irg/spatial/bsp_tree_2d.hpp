@@ -41,7 +41,7 @@ public:
   /// gives   segments without length, or with NaN or infinity, are left out and counted
   /// cost    allocates; every line meets every piece in its cell: O(n log n) where sides are alike, n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
-  constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
+  IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
       : segments_(segments.begin(), segments.end()) {
     IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
     std::vector<cell> open;
@@ -54,18 +54,20 @@ public:
   }
 
   /// The first one is the root; a node stands before those below it.
-  [[nodiscard]] constexpr std::span<const bsp_node_2d> nodes() const noexcept { return {nodes_.data(), nodes_.size()}; }
-  [[nodiscard]] constexpr std::span<const bsp_piece_2d> pieces() const noexcept {
+  [[nodiscard]] IRG_APART constexpr std::span<const bsp_node_2d> nodes() const noexcept {
+    return {nodes_.data(), nodes_.size()};
+  }
+  [[nodiscard]] IRG_APART constexpr std::span<const bsp_piece_2d> pieces() const noexcept {
     return {pieces_.data(), pieces_.size()};
   }
   /// How often a line cut a segment in two.
-  [[nodiscard]] constexpr std::size_t splits() const noexcept { return splits_; }
+  [[nodiscard]] IRG_APART constexpr std::size_t splits() const noexcept { return splits_; }
   /// Segments without length, or with NaN or infinity.
-  [[nodiscard]] constexpr std::size_t left_out() const noexcept { return left_out_; }
+  [[nodiscard]] IRG_APART constexpr std::size_t left_out() const noexcept { return left_out_; }
 
   /// A piece with its ends as points, to draw it.
   /// exact   ends of segments are given points; cuts are within 0.501 ulp of where the lines cross
-  [[nodiscard]] constexpr segment<T, 2> rounded(const bsp_piece_2d& p) const noexcept {
+  [[nodiscard]] IRG_APART constexpr segment<T, 2> rounded(const bsp_piece_2d& p) const noexcept {
     const segment<T, 2>& s = segments_[p.segment];
     const auto end = [&](std::uint32_t cut, const point<T, 2>& given) {
       return cut == bsp_none ? given : intersect_lines(s.a, s.b, segments_[cut].a, segments_[cut].b).at;
@@ -78,7 +80,7 @@ public:
   /// needs   a finite eye
   /// cost    one side of a line for each node
   template <class Sink>
-  constexpr void visit(const point<T, 2>& eye, bsp_order order, Sink&& sink) const {
+  IRG_APART constexpr void visit(const point<T, 2>& eye, bsp_order order, Sink&& sink) const {
     std::vector<visit_step> open;
     if (!nodes_.empty()) open.push_back({0, false});
     while (!open.empty()) {
@@ -105,7 +107,7 @@ public:
 
   /// The cell that holds a point, or the first node whose line does.
   /// needs   a finite point
-  [[nodiscard]] constexpr bsp_place locate(const point<T, 2>& p) const noexcept {
+  [[nodiscard]] IRG_APART constexpr bsp_place locate(const point<T, 2>& p) const noexcept {
     bsp_place place;
     for (std::uint32_t i = nodes_.empty() ? bsp_none : 0; i != bsp_none;) {
       place = {i, side(nodes_[i], p)};
@@ -126,17 +128,17 @@ private:
     int side;
   };
 
-  [[nodiscard]] constexpr int side(const bsp_node_2d& n, const point<T, 2>& p) const noexcept {
+  [[nodiscard]] IRG_APART constexpr int side(const bsp_node_2d& n, const point<T, 2>& p) const noexcept {
     return orient2d(segments_[n.segment].a, segments_[n.segment].b, p);
   }
-  [[nodiscard]] constexpr int end_side(std::uint32_t line, const bsp_piece_2d& p, bool at_a) const noexcept {
+  [[nodiscard]] IRG_APART constexpr int end_side(std::uint32_t line, const bsp_piece_2d& p, bool at_a) const noexcept {
     const segment<T, 2>&s = segments_[p.segment], &l = segments_[line];
     const std::uint32_t cut = at_a ? p.from : p.to;
     if (cut == line) return 0;
     if (cut == bsp_none) return orient2d(l.a, l.b, at_a ? s.a : s.b);
     return side_of_crossing(s, segments_[cut], l).value_or(0);
   }
-  constexpr std::vector<bsp_piece_2d> usable() {
+  IRG_APART constexpr std::vector<bsp_piece_2d> usable() {
     std::vector<bsp_piece_2d> all;
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
       const segment<T, 2>& s = segments_[i];
@@ -149,8 +151,8 @@ private:
     }
     return all;
   }
-  [[nodiscard]] constexpr std::uint32_t dividing_line(const std::vector<bsp_piece_2d>& pieces,
-                                                      const bsp_choice& choice) const {
+  [[nodiscard]] IRG_APART constexpr std::uint32_t dividing_line(const std::vector<bsp_piece_2d>& pieces,
+                                                                const bsp_choice& choice) const {
     const std::size_t n = pieces.size(), candidates = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
     std::uint32_t best = pieces.front().segment;
     std::size_t least = ~std::size_t{0};
@@ -170,7 +172,7 @@ private:
     }
     return best;
   }
-  constexpr void divide(const cell& c, std::vector<cell>& open, const bsp_choice& choice) {
+  IRG_APART constexpr void divide(const cell& c, std::vector<cell>& open, const bsp_choice& choice) {
     const auto here = static_cast<std::uint32_t>(nodes_.size());
     if (c.parent != bsp_none) (c.side > 0 ? nodes_[c.parent].left : nodes_[c.parent].right) = here;
     const std::uint32_t line = dividing_line(c.pieces, choice);

@@ -30,8 +30,8 @@ public:
   ///         sides more alike, by one across an axis through a corner, so that convex bodies make no chains; every
   ///         plane meets every piece in its cell. O(n log n) where little is cut, n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
-  constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                        const bsp_choice& choice = {}) {
+  IRG_APART constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
+                                  const bsp_choice& choice = {}) {
     IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
     add(vertices, triangles, choice);
     fixed_ = sizes();
@@ -39,7 +39,7 @@ public:
 
   /// A tree from what data() gave.
   /// needs   find_bsp_fault(data).defect == bsp_defect::none
-  constexpr explicit bsp_tree_3d(bsp_data_3d<T> data) : data_(std::move(data)) {
+  IRG_APART constexpr explicit bsp_tree_3d(bsp_data_3d<T> data) : data_(std::move(data)) {
     IRG_EXPECTS(find_bsp_fault(data_).defect == bsp_defect::none);
     for (const bsp_node_3d& n : data_.nodes) planes_.push_back(detail::plane_of(data_, n.plane));
     for (std::uint32_t i = 0; i < data_.nodes.size(); ++i) steps_.push_back(step_at(i));
@@ -47,17 +47,17 @@ public:
   }
 
   /// What the tree consists of. Node 0 is the root.
-  [[nodiscard]] constexpr const bsp_data_3d<T>& data() const noexcept { return data_; }
+  [[nodiscard]] IRG_APART constexpr const bsp_data_3d<T>& data() const noexcept { return data_; }
   /// How often a plane cut a triangle, or a piece of one, in two.
-  [[nodiscard]] constexpr std::size_t splits() const noexcept { return splits_; }
+  [[nodiscard]] IRG_APART constexpr std::size_t splits() const noexcept { return splits_; }
   /// Triangles without area, or with NaN or infinity.
-  [[nodiscard]] constexpr std::size_t left_out() const noexcept { return left_out_; }
+  [[nodiscard]] IRG_APART constexpr std::size_t left_out() const noexcept { return left_out_; }
 
   /// The corners of a piece as points, to draw it or hand it on: counter-clockwise as those of its triangle.
   /// exact   the triangle's corners are given points; others are rounded, by about as much as the planes are steep to
   ///         each other. Fewer than three where rounding leaves no area
   /// cost    the corners times the limits; allocates
-  [[nodiscard]] constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
+  [[nodiscard]] IRG_APART constexpr std::vector<point<T, 3>> rounded(const bsp_piece_3d& p) const {
     std::vector<point<T, 3>> ring, kept;
     for (const std::uint32_t v : data_.triangles[p.triangle].v) ring.push_back(data_.vertices[v]);
     for (std::uint32_t l = p.limits; l != bsp_none && !ring.empty(); l = data_.limits[l].next, std::swap(ring, kept)) {
@@ -81,13 +81,13 @@ public:
   /// numbers follow those of the triangles before.
   /// shape   indices count from the vertices given here
   /// cost    as building the tree, of these triangles alone
-  constexpr void merge(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                       const bsp_choice& choice = {}) {
+  IRG_APART constexpr void merge(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
+                                 const bsp_choice& choice = {}) {
     add(vertices, triangles, choice);
   }
   /// Takes away all triangles that were merged in: the tree is what it was.
   /// cost    linear in what was added
-  constexpr void remove_merged() {
+  IRG_APART constexpr void remove_merged() {
     for (; !links_.empty(); links_.pop_back()) {
       link_of(links_.back()) = bsp_none;
       steps_[links_.back().node] = step_at(links_.back().node);
@@ -108,7 +108,7 @@ public:
   /// needs   a finite eye
   /// cost    one side of a plane for each node
   template <class Sink>
-  constexpr void visit(const point<T, 3>& eye, bsp_order order, Sink&& sink) const {
+  IRG_APART constexpr void visit(const point<T, 3>& eye, bsp_order order, Sink&& sink) const {
     const double at[3] = {widened(eye[0]), widened(eye[1]), widened(eye[2])};
     const double reach = greater(greater(detail::magnitude(at[0]), detail::magnitude(at[1])), detail::magnitude(at[2]));
     walk(order, sink, [&](std::uint32_t i) {
@@ -119,13 +119,13 @@ public:
   /// The same from infinitely far away, in the direction to the eye: for parallel projections.
   /// needs   a finite direction
   template <class Sink>
-  constexpr void visit(const vec<T, 3>& to_eye, bsp_order order, Sink&& sink) const {
+  IRG_APART constexpr void visit(const vec<T, 3>& to_eye, bsp_order order, Sink&& sink) const {
     walk(order, sink, [&](std::uint32_t i) { return detail::side_of_direction(data_, data_.nodes[i].plane, to_eye); });
   }
 
   /// The cell that holds a point, or the first node whose plane does.
   /// needs   a finite point
-  [[nodiscard]] constexpr bsp_place locate(const point<T, 3>& p) const noexcept {
+  [[nodiscard]] IRG_APART constexpr bsp_place locate(const point<T, 3>& p) const noexcept {
     const double at[3] = {widened(p[0]), widened(p[1]), widened(p[2])};
     bsp_place place;
     for (std::uint32_t i = data_.nodes.empty() ? bsp_none : 0; i != bsp_none;) {
@@ -152,7 +152,7 @@ private:
     std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0;
   };
 
-  [[nodiscard]] constexpr size_of_tree sizes() const noexcept {
+  [[nodiscard]] IRG_APART constexpr size_of_tree sizes() const noexcept {
     return {data_.vertices.size(),
             data_.triangles.size(),
             data_.nodes.size(),
@@ -162,13 +162,13 @@ private:
             left_out_};
   }
 
-  constexpr std::uint32_t& link_of(const link& l) noexcept {
+  IRG_APART constexpr std::uint32_t& link_of(const link& l) noexcept {
     bsp_node_3d& n = data_.nodes[l.node];
     return l.where == hung::in_front ? n.front : l.where == hung::behind ? n.back : n.beside;
   }
 
-  constexpr void add(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
-                     const bsp_choice& choice) {
+  IRG_APART constexpr void add(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
+                               const bsp_choice& choice) {
     const auto base = static_cast<std::uint32_t>(data_.vertices.size());
     data_.vertices.insert(data_.vertices.end(), vertices.begin(), vertices.end());
     detail::bsp_cells_3d<T> cells{data_};
@@ -205,25 +205,25 @@ private:
     for (const link& l : links_) steps_[l.node] = step_at(l.node);
     for (auto i = static_cast<std::uint32_t>(steps_.size()); i < data_.nodes.size(); ++i) steps_.push_back(step_at(i));
   }
-  constexpr std::uint32_t make_node(bsp_plane_3d plane) {
+  IRG_APART constexpr std::uint32_t make_node(bsp_plane_3d plane) {
     const auto here = static_cast<std::uint32_t>(data_.nodes.size());
     const auto end = static_cast<std::uint32_t>(data_.pieces.size());
     data_.nodes.push_back({plane, end, end, bsp_none, bsp_none, bsp_none});
     planes_.push_back(detail::plane_of(data_, plane));
     return here;
   }
-  constexpr void hang(std::uint32_t node, const link& at) {
+  IRG_APART constexpr void hang(std::uint32_t node, const link& at) {
     link_of(at) = node;
     if (at.node < fixed_.nodes) links_.push_back(at);
   }
   // A new node for pieces in the plane of one that is there.
-  constexpr std::uint32_t beside(std::uint32_t node) {
+  IRG_APART constexpr std::uint32_t beside(std::uint32_t node) {
     while (data_.nodes[node].beside != bsp_none) node = data_.nodes[node].beside;
     const std::uint32_t here = make_node(data_.nodes[node].plane);
     hang(here, {node, hung::beside});
     return here;
   }
-  constexpr void put_pieces(std::uint32_t node, const std::vector<detail::open_piece>& on) {
+  IRG_APART constexpr void put_pieces(std::uint32_t node, const std::vector<detail::open_piece>& on) {
     for (const detail::open_piece& p : on) data_.pieces.push_back({p.triangle, p.limits});
     data_.nodes[node].last = static_cast<std::uint32_t>(data_.pieces.size());
   }
@@ -235,7 +235,7 @@ private:
   };
   static constexpr std::uint32_t several = bsp_none - 1;
 
-  [[nodiscard]] constexpr walk_step step_at(std::uint32_t i) const {
+  [[nodiscard]] IRG_APART constexpr walk_step step_at(std::uint32_t i) const {
     const bsp_node_3d& n = data_.nodes[i];
     const bool has_one = n.beside == bsp_none && n.last - n.first <= 1;
     return {detail::walked_plane(planes_[i]),
@@ -246,7 +246,7 @@ private:
   }
 
   template <class Sink, class Side>
-  constexpr void walk(bsp_order order, Sink& sink, const Side& side_of_eye) const {
+  IRG_APART constexpr void walk(bsp_order order, Sink& sink, const Side& side_of_eye) const {
     const bool to_back = order == bsp_order::front_to_back;
     struct left_open {
       std::uint32_t own, late;  // what is left: a node's own pieces, and what lies beyond them
@@ -272,7 +272,7 @@ private:
   }
   // The pieces in a node's plane: those of nodes beside it have higher numbers.
   template <class Sink>
-  constexpr void give(std::uint32_t node, bool to_back, Sink& sink) const {
+  IRG_APART constexpr void give(std::uint32_t node, bool to_back, Sink& sink) const {
     if (const walk_step& n = steps_[node]; n.piece != several) {
       if (n.piece != bsp_none) sink(data_.pieces[n.piece]);
       return;

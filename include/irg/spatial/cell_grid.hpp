@@ -80,14 +80,14 @@ public:
   }
   constexpr bool operator==(const cell_grid&) const = default;
 
-  /// Calls emit(cell3) for the full cells, ordered by z, y and x.
+  /// Calls sink(cell3) for the full cells, ordered by z, y and x.
   template <Cell3Sink Sink>
-  IRG_INLINE constexpr void for_each(Sink&& emit) const {
+  IRG_INLINE constexpr void for_each(Sink&& sink) const {
     for (int z = 0; z < extent_.depth; ++z)
       for (int y = 0; y < extent_.height; ++y)
         for (int i = 0; i < words_per_row_; ++i)
           for (std::uint64_t rest = row(y, z)[i]; rest != 0; rest &= rest - 1)
-            emit(cell3{i * 64 + std::countr_zero(rest), y, z});
+            sink(cell3{i * 64 + std::countr_zero(rest), y, z});
   }
 
   /// The words of a row: bit x % 64 of word x / 64 is the cell x.

@@ -37,15 +37,16 @@ public:
   /// exact, cost   as build_bvh; 160 bytes a triangle of floats, 270 of doubles. Spatial splits cut the triangles
   ///         themselves, not their boxes
   template <Executor E = sequential>
-  constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_config& config = {},
-                                  const E& executor = {})
+  IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_config& config = {},
+                                            const E& executor = {})
       : triangle_bvh(
             triangles.size(), [triangles](std::size_t i) -> const triangle& { return triangles[i]; }, config,
             executor) {}
 
   /// The same of count triangles that at(i) gives.
   template <class At, Executor E = sequential>
-  constexpr triangle_bvh(std::size_t count, const At& at, const bvh_config& config = {}, const E& executor = {}) {
+  IRG_APART constexpr triangle_bvh(std::size_t count, const At& at, const bvh_config& config = {},
+                                   const E& executor = {}) {
     const std::vector<box<T, 3>> boxes = boxes_of(count, at, executor);
     tree_ = detail::build_tree(std::span<const box<T, 3>>(boxes), config, executor,
                                [&at](double scale) { return detail::triangle_cut<At>{at, scale}; });
@@ -55,7 +56,7 @@ public:
   /// The same triangles with their corners moved.
   /// needs   as many triangles as the tree was built of
   /// gives, exact, cost   as refit of a bvh
-  constexpr void refit(std::span<const triangle> triangles) {
+  IRG_APART constexpr void refit(std::span<const triangle> triangles) {
     const auto at = [triangles](std::size_t i) -> const triangle& { return triangles[i]; };
     const std::vector<box<T, 3>> boxes = boxes_of(triangles.size(), at, sequential{});
     irg::refit(tree_, std::span<const box<T, 3>>(boxes));
@@ -71,7 +72,7 @@ private:
   static constexpr std::size_t portion = 16384;
 
   template <class E, class Task>
-  static constexpr void in_portions(std::size_t count, const E& executor, const Task& task) {
+  IRG_APART static constexpr void in_portions(std::size_t count, const E& executor, const Task& task) {
     executor((count + portion - 1) / portion, [&](std::size_t p) {
       const std::size_t last = (p + 1) * portion < count ? (p + 1) * portion : count;
       for (std::size_t i = p * portion; i < last; ++i) task(i);
@@ -79,7 +80,8 @@ private:
   }
 
   template <class At, class E>
-  [[nodiscard]] static constexpr std::vector<box<T, 3>> boxes_of(std::size_t count, const At& at, const E& executor) {
+  [[nodiscard]] IRG_APART static constexpr std::vector<box<T, 3>> boxes_of(std::size_t count, const At& at,
+                                                                           const E& executor) {
     std::vector<box<T, 3>> boxes(count, box<T, 3>{});
     in_portions(count, executor, [&](std::size_t i) {
       const triangle& t = at(i);
@@ -94,7 +96,7 @@ private:
   }
 
   template <class At, class E>
-  constexpr void fill_blocks(const At& at, const E& executor) {
+  IRG_APART constexpr void fill_blocks(const At& at, const E& executor) {
     constexpr std::size_t width = bvh_node::block;
     blocks_.resize(tree_.order.size() / width, detail::triangle_block<T>{});
     in_portions(blocks_.size(), executor, [&](std::size_t b) {

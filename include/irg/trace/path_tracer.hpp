@@ -66,7 +66,7 @@ constexpr vec<T, 3> dull_direction(const vec<T, 3>& n, T u, T v) noexcept {
 template <Floating T>
 class path_tracer {
 public:
-  constexpr explicit path_tracer(const ray_world<T>& world) : world_(world) {
+  IRG_APART constexpr explicit path_tracer(const ray_world<T>& world) : world_(world) {
     const auto each_shining = [&world](const auto& use) {
       for (std::uint32_t b = 0; b < world.body_count(); ++b) {
         const traced_body<T>& body = world.body(b);
@@ -96,7 +96,8 @@ public:
   /// exact   the same bits for every compiler and executor, given seed and stream
   /// cost    2 (bounces + 1) rays for a path
   /// source  Kajiya 1986
-  constexpr rgb<T> operator()(const ray<T, 3>& r, const path_options& options, std::uint64_t stream) const noexcept {
+  IRG_APART constexpr rgb<T> operator()(const ray<T, 3>& r, const path_options& options,
+                                        std::uint64_t stream) const noexcept {
     rgb<T> sum{};
     const int paths = options.paths < 1 ? 1 : options.paths;
     detail::path_numbers numbers(options.seed * 0xd1342543de82ef95u + stream * 0x2545f4914f6cdd1du);
@@ -106,7 +107,7 @@ public:
   }
 
 private:
-  constexpr rgb<T> light_of_path(ray<T, 3> r, int bounces, detail::path_numbers& numbers) const noexcept {
+  IRG_APART constexpr rgb<T> light_of_path(ray<T, 3> r, int bounces, detail::path_numbers& numbers) const noexcept {
     rgb<T> sum{}, share{T(1), T(1), T(1)};
     for (int depth = 0;; ++depth) {
       const auto s = world_.meet(r);
@@ -123,8 +124,8 @@ private:
   }
 
   // What arrives of a place chosen on all that shines, over pi and over the chance of its choice.
-  constexpr rgb<T> light_of_place(const point<T, 3>& from, const vec<T, 3>& normal,
-                                  detail::path_numbers& numbers) const noexcept {
+  IRG_APART constexpr rgb<T> light_of_place(const point<T, 3>& from, const vec<T, 3>& normal,
+                                            detail::path_numbers& numbers) const noexcept {
     if (shining_.empty()) return {};
     const T where = numbers.next<T>() * area_;
     const auto found = std::upper_bound(shining_.begin(), shining_.end() - 1, where,

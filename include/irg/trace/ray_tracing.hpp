@@ -26,8 +26,8 @@ namespace irg {
 template <DepthOrder Order = nearer_is_greater>
 struct ray_tracing {
   template <class Faces>
-  constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                            draw_counts& counts) const {
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
     std::vector<screen_face> list;
     std::vector<box<double, 3>> boxes;
     for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -79,8 +79,8 @@ public:
   /// gives   a world in which triangles with a corner that is NaN or infinite are not there
   /// exact, cost   as build_bvh
   template <Executor E = sequential>
-  constexpr ray_world(std::vector<traced_body<T>> bodies, const lighting<T>& light, const rgb<T>& background = {},
-                      const E& executor = {})
+  IRG_APART constexpr ray_world(std::vector<traced_body<T>> bodies, const lighting<T>& light,
+                                const rgb<T>& background = {}, const E& executor = {})
       : light_(light), background_(background), bodies_(std::move(bodies)) {
     std::size_t count = 0;
     for (const traced_body<T>& b : bodies_) {
@@ -109,12 +109,12 @@ public:
   }
 
   /// The body of a triangle.
-  [[nodiscard]] constexpr std::uint32_t body_of(std::uint32_t triangle) const noexcept {
+  [[nodiscard]] IRG_APART constexpr std::uint32_t body_of(std::uint32_t triangle) const noexcept {
     const auto after = std::upper_bound(first_.begin(), first_.end(), triangle);
     return static_cast<std::uint32_t>(after - first_.begin()) - 1;
   }
 
-  [[nodiscard]] constexpr std::array<point<T, 3>, 3> corners(std::uint32_t triangle) const noexcept {
+  [[nodiscard]] IRG_APART constexpr std::array<point<T, 3>, 3> corners(std::uint32_t triangle) const noexcept {
     const std::uint32_t b = body_of(triangle);
     const auto [i, j, k] = bodies_[b].triangles[triangle - first_[b]].v;
     const auto& p = bodies_[b].positions;
@@ -122,8 +122,8 @@ public:
   }
 
   /// The point of a triangle with the weights of its second and third corner, seen from the side that is given.
-  [[nodiscard]] constexpr surface_point<T> point_of(std::uint32_t triangle, T weight1, T weight2,
-                                                    facing side) const noexcept {
+  [[nodiscard]] IRG_APART constexpr surface_point<T> point_of(std::uint32_t triangle, T weight1, T weight2,
+                                                              facing side) const noexcept {
     surface_point<T> s;
     s.body = body_of(triangle);
     s.side = side;
@@ -149,7 +149,7 @@ public:
   }
 
   /// What a ray meets first.
-  [[nodiscard]] constexpr std::optional<surface_point<T>> meet(const ray<T, 3>& r) const noexcept {
+  [[nodiscard]] IRG_APART constexpr std::optional<surface_point<T>> meet(const ray<T, 3>& r) const noexcept {
     const auto hit = closest_hit(tree_, r);
     if (!hit) return std::nullopt;
     return point_of(hit->triangle, static_cast<T>(hit->at.weight_b), static_cast<T>(hit->at.weight_c), hit->at.side);

@@ -35,7 +35,7 @@ struct frustum {
   }
   /// Sets a plane; its coefficients are taken to be rounded once at most.
   IRG_INLINE constexpr void set(frustum_plane which, const plane<T>& p) noexcept {
-    const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
+    const auto size = [](const T& x) IRG_INLINE_LAMBDA { return x < T(0) ? T(-x) : x; };
     planes[static_cast<int>(which)] = p;
     weights[static_cast<int>(which)] = {size(p.a), size(p.b), size(p.c), size(p.d)};
   }

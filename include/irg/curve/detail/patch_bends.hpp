@@ -32,7 +32,7 @@ struct surface_place<hpoint<T, N>> {
 
 /// Bounds of the second derivatives over a box that is the unit square: along u, mixed, along v.
 template <class T>
-struct surface_bends {
+struct IRG_APART surface_bends {
   T uu = 0, uv = 0, vv = 0;
   constexpr T error() const noexcept { return (uu + (uv + uv) + vv) / T(8); }
 };

@@ -13,7 +13,7 @@
 namespace irg::detail {
 
 /// Places from 0 to patch_steps, rising; whether each stretch is within its part of the tolerance.
-struct patch_cuts {
+struct IRG_APART patch_cuts {
   std::vector<int> places{0};
   bool within = true;
   constexpr std::size_t last() const noexcept { return places.size() - 1; }

@@ -18,7 +18,7 @@ namespace detail {
 /// What an empty box starts from: every number is below `low` or equal to it, and above `high` or equal to it. Numbers
 /// without limits (rationals) have no such bounds; there 1 and 0 merely say "empty".
 template <class T>
-struct empty_extent {
+struct IRG_APART empty_extent {
   using limits = std::numeric_limits<T>;
   IRG_INLINE static constexpr T low() noexcept {
     if constexpr (!limits::is_specialized)
@@ -40,7 +40,7 @@ struct empty_extent {
 
 template <class T, int N>
 IRG_INLINE constexpr point<T, N> diagonal_point(T x) noexcept {
-  return generate_coordinates<point<T, N>>([&](int) { return x; });
+  return generate_coordinates<point<T, N>>([&](int) IRG_INLINE_LAMBDA { return x; });
 }
 
 }  // namespace detail

@@ -24,7 +24,7 @@ struct point_table {
 
 // value * 2^exponent, rounded; `size` is what the value would be if all products in it were positive, at least 1 unless
 // everything in it is zero. What becomes smaller than 2^-1000 beside the rest is lost, which does not count.
-struct ranged_number {
+struct IRG_APART ranged_number {
   double value, size;
   int exponent;
 

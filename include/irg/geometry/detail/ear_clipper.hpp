@@ -36,13 +36,13 @@ public:
 
   // False, with nothing emitted, for a ring without area that turns both ways.
   template <class Emit>
-  constexpr bool operator()(const Emit& emit) {
+  constexpr bool operator()(const Emit& sink) {
     if (turns_one_way()) {
-      for (std::uint32_t i = 2; i < size_; ++i) emit(0u, i - 1, i);
+      for (std::uint32_t i = 2; i < size_; ++i) sink(0u, i - 1, i);
       return true;
     }
     direction_ = shoelace_sign(m_->points);
-    if (direction_ != 0) clip(emit);
+    if (direction_ != 0) clip(sink);
     return direction_ != 0;
   }
 
@@ -92,7 +92,7 @@ private:
 
   // Cuts off tips until a triangle is left; what no rule lets go is a fan.
   template <class Emit>
-  constexpr void clip(const Emit& emit) {
+  constexpr void clip(const Emit& sink) {
     link();
     std::uint32_t left = size_, any = 0;
     auto& queue = m_->queue;
@@ -103,7 +103,7 @@ private:
         const std::uint32_t tip = queue[head];
         if (m_->gone[tip] || !may_go(tip, rule)) continue;
         const std::uint32_t before = m_->previous[tip], after = m_->next[tip];
-        emit(before, tip, after);
+        sink(before, tip, after);
         remove(tip);
         --left;
         any = after;
@@ -111,7 +111,7 @@ private:
         queue.push_back(after);
       }
     }
-    for (std::uint32_t i = m_->next[any]; left > 2; --left, i = m_->next[i]) emit(any, i, m_->next[i]);
+    for (std::uint32_t i = m_->next[any]; left > 2; --left, i = m_->next[i]) sink(any, i, m_->next[i]);
   }
 
   constexpr void remove(std::uint32_t tip) {

@@ -92,7 +92,7 @@ private:
     links_.push_back({v, below});
     return static_cast<std::uint32_t>(links_.size() - 1);
   }
-  constexpr void emit(bool chain_on_right, std::uint32_t lower, std::uint32_t upper, std::uint32_t v) {
+  constexpr void give(bool chain_on_right, std::uint32_t lower, std::uint32_t upper, std::uint32_t v) {
     if (chain_on_right)
       out_->push_back({lower, upper, v});
     else
@@ -101,7 +101,7 @@ private:
   // The triangles of v with every edge of the chain.
   constexpr void fan(const open_chain& chain, std::uint32_t v) {
     for (std::uint32_t upper = chain.top; links_[upper].below != none; upper = links_[upper].below)
-      emit(chain.on_right, links_[links_[upper].below].vertex, links_[upper].vertex, v);
+      give(chain.on_right, links_[links_[upper].below].vertex, links_[upper].vertex, v);
   }
   // Whether the chain turns towards the inside at `upper`, so that a triangle can be cut off there. Vertices at one
   // place turn nowhere; they go at once, lest a corner that is made of several be taken for none.
@@ -121,7 +121,7 @@ private:
     for (std::uint32_t below = links_[top].below; below != none; top = below, below = links_[top].below) {
       const std::uint32_t lower = links_[below].vertex, upper = links_[top].vertex;
       if (!can_cut(lower, upper, v, on_right)) break;
-      emit(on_right, lower, upper, v);
+      give(on_right, lower, upper, v);
     }
     chain = {push(v, top), on_right};
   }

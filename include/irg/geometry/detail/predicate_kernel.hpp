@@ -34,24 +34,24 @@ template <class N, Point P, std::same_as<P>... Ps>
 IRG_INLINE constexpr auto table_of(const P& first, const Ps&... others) {
   constexpr int count = 1 + static_cast<int>(sizeof...(Ps)), size = size_of<P>;
   const P* const points[] = {&first, &others...};
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return point_table<N, count, size>{{converted<N>(coordinate(*points[I / size], I % size))...}};
+  return [&]<int... J>(std::integer_sequence<int, J...>) {
+    return point_table<N, count, size>{{converted<N>(coordinate(*points[J / size], J % size))...}};
   }(std::make_integer_sequence<int, count * size>{});
 }
 
 // The points but the last, seen from the last one.
 template <class T, int M, int D>
 IRG_INLINE constexpr point_table<T, M - 1, D> relative_to_last(const point_table<T, M, D>& t) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return point_table<T, M - 1, D>{{(t.v[I] - t.v[(M - 1) * D + I % D])...}};
+  return [&]<int... J>(std::integer_sequence<int, J...>) {
+    return point_table<T, M - 1, D>{{(t.v[J] - t.v[(M - 1) * D + J % D])...}};
   }(std::make_integer_sequence<int, (M - 1) * D>{});
 }
 
 // The same coordinates as numbers N.
 template <class N, class T, int M, int D>
 IRG_INLINE constexpr point_table<N, M, D> as_numbers(const point_table<T, M, D>& t) {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return point_table<N, M, D>{{N(t.v[I])...}};
+  return [&]<int... J>(std::integer_sequence<int, J...>) {
+    return point_table<N, M, D>{{N(t.v[J])...}};
   }(std::make_integer_sequence<int, M * D>{});
 }
 
@@ -189,8 +189,8 @@ IRG_NOINLINE constexpr int exact_predicate(X... x) noexcept {
 }
 template <Floating T, int M, int D>
 IRG_INLINE constexpr int exact_predicate_of(const point_table<T, M, D>& t) noexcept {
-  return [&]<int... I>(std::integer_sequence<int, I...>) {
-    return exact_predicate<M, D>(t.v[I]...);
+  return [&]<int... J>(std::integer_sequence<int, J...>) {
+    return exact_predicate<M, D>(t.v[J]...);
   }(std::make_integer_sequence<int, M * D>{});
 }
 

@@ -49,7 +49,7 @@ struct alignas(8) edge_kind {
 
 // By role, place of the stage's last vertex and place of the cut in x. Places behind the result are counted in numbers;
 // what is not to be written goes behind what is.
-struct alignas(8) edge_output {
+struct IRG_APART alignas(8) edge_output {
   std::uint8_t corner, second_corner;  // where their y stands among the corners' numbers
   std::uint8_t cut_x, cut_y;  // where the cuts go
   std::uint8_t advance;  // the numbers that were written
@@ -58,11 +58,11 @@ struct alignas(8) edge_output {
 };
 inline constexpr unsigned takes_again = 1, has_two_corners = 2, gives_up = 4, outputs_per_role = 32;
 
-constexpr std::uint16_t row_of(edge_role role) noexcept {
+IRG_APART constexpr std::uint16_t row_of(edge_role role) noexcept {
   return static_cast<std::uint16_t>(outputs_per_role * static_cast<unsigned>(role));
 }
 
-constexpr edge_kind kind_of_edge(unsigned from, unsigned to, bool second) noexcept {
+IRG_APART constexpr edge_kind kind_of_edge(unsigned from, unsigned to, bool second) noexcept {
   using enum edge_role;
   const unsigned xa = from & 5, xb = to & 5, ya = from >> 1 & 5, yb = to >> 1 & 5;
   edge_kind kind{0, 0, row_of(left_to_pipe), static_cast<std::int8_t>(from == 0 ? -1 : 0)};
@@ -86,7 +86,7 @@ constexpr edge_kind kind_of_edge(unsigned from, unsigned to, bool second) noexce
   return kind;
 }
 
-constexpr edge_output output_of_edge(edge_role role, y_place last, bool at_corner, y_place cut) noexcept {
+IRG_APART constexpr edge_output output_of_edge(edge_role role, y_place last, bool at_corner, y_place cut) noexcept {
   using enum edge_role;
   const auto y_of = [](y_place at) { return static_cast<std::uint8_t>(at == y_place::above ? 5 : 1); };
   constexpr std::uint8_t behind = 6;

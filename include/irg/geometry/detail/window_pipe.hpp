@@ -35,7 +35,7 @@ struct pipe_stage {
 
 // edge(i) is the first end of the polygon's edge i. Sink: put(v), and enter(v) where the polygon was outside before.
 template <class V, class F, class Edge, class Sink>
-class window_pipe {
+class IRG_APART window_pipe {
 public:
   using T = vertex_scalar<V>;
   using P = vertex_position<V>;

@@ -15,12 +15,12 @@ constexpr std::optional<lines_meeting<P>> cross_in_two(const P& a, const P& b, c
                                                        const scalar_of<P>& zero) noexcept {
   using T = scalar_of<P>;
   const auto way = [](const P& from, const P& to, int k) { return coordinate(to, k) - coordinate(from, k); };
-  const auto minor = [&](const P& p, const P& q, const P& r, const P& s) {
+  const auto det = [&](const P& p, const P& q, const P& r, const P& s) {
     return product(way(p, q, i), way(r, s, j)) - product(way(p, q, j), way(r, s, i));
   };
-  const T n = minor(a, b, c, d);
+  const T n = det(a, b, c, d);
   if (!(zero < n || n < -zero)) return std::nullopt;
-  const T t = minor(a, c, c, d) / n, s = minor(a, c, a, b) / n;
+  const T t = det(a, c, c, d) / n, s = det(a, c, a, b) / n;
   const auto at = [&](int k) { return coordinate(a, k) + product(t, way(a, b, k)); };
   return lines_meeting<P>{flat_relation::crossing, generate_coordinates<P>(at), t, s};
 }

@@ -21,7 +21,7 @@ struct outline_part {
   std::uint32_t line = 0, from = 0, to = 0;
   std::uint64_t number[2] = {beside_window, beside_window};  // of which it is part of a ring from `from` to `to`; back
 };
-struct outline_step {
+struct IRG_APART outline_step {
   std::uint32_t number, from, to;
   friend constexpr bool operator<(const outline_step& a, const outline_step& b) noexcept {
     return a.number != b.number ? a.number < b.number : a.from != b.from ? a.from < b.from : a.to < b.to;

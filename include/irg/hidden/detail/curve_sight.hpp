@@ -23,7 +23,7 @@ constexpr auto plane_turn(const X& x, std::size_t a, std::size_t b, std::size_t 
 
 // Edge e joins points e and e + 1.
 template <class T>
-struct curve_sight {
+struct IRG_APART curve_sight {
   std::span<const point<T, 2>> points;
 
   constexpr const point<T, 2>& at(std::uint32_t v) const noexcept { return points[v]; }

@@ -14,7 +14,7 @@ namespace irg {
 namespace detail {
 
 // A face that hides what is behind it: clockwise on the screen (y down), depths such that the greater is the nearer.
-struct hiding_face {
+struct IRG_APART hiding_face {
   subpixel p[3];
   float depth[3];
   friend constexpr bool operator==(const hiding_face& a, const hiding_face& b) noexcept {

@@ -69,7 +69,7 @@ struct listed_face {
 
 // The faces of a picture by their numbers, with their grids.
 template <int Sense, class Faces>
-class face_grids {
+class IRG_APART face_grids {
 public:
   // Without grids yet: for `face` alone.
   constexpr explicit face_grids(const Faces& faces) : faces_(faces), place_(faces.size(), no_face) {

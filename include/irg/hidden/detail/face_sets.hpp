@@ -10,7 +10,7 @@
 
 namespace irg::detail {
 
-class face_sets {
+class IRG_APART face_sets {
 public:
   static constexpr int side = 16;
   static constexpr std::size_t most = 64;  // faces

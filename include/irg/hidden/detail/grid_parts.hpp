@@ -29,11 +29,11 @@ public:
     merge(g);
   }
 
-  // Calls emit(from, to) for each part of the edge.
+  // Calls sink(from, to) for each part of the edge.
   // gives   how many they are
   template <class Emit>
-  constexpr std::int64_t send(const Emit& emit) {
-    for (const run& r : runs_) emit(r.from, r.to);
+  constexpr std::int64_t send(const Emit& sink) {
+    for (const run& r : runs_) sink(r.from, r.to);
     const auto count = static_cast<std::int64_t>(runs_.size());
     runs_.clear();
     return count;

@@ -31,7 +31,7 @@ struct grid_run {
 enum class perimeter_side : std::int8_t { inner = -1, outer = 1 };
 
 template <class Sight>
-class grid_perimeter {
+class IRG_APART grid_perimeter {
 public:
   constexpr grid_perimeter(const Sight& sight, perimeter_side side) : sight_(&sight), side_(static_cast<int>(side)) {
     constexpr std::uint32_t n = Sight::axes;

@@ -50,7 +50,7 @@ constexpr auto grid_normal_at(const X& x, std::size_t k) noexcept {
 }  // namespace IRG_ABI
 
 template <class T>
-struct grid_sight {
+struct IRG_APART grid_sight {
   std::span<const T> x, z, heights;
   point<T, 3> eye;
 

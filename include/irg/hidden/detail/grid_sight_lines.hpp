@@ -16,7 +16,7 @@ struct grid_edge_part;
 namespace irg::detail {
 
 template <class Sight>
-struct grid_sight_lines {
+struct IRG_APART grid_sight_lines {
   const Sight& sight;
   bool outer_hides, inner_hides;
 

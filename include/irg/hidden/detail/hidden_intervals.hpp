@@ -53,7 +53,7 @@ constexpr std::optional<hidden_interval> interval_hidden_by(const Face& f, const
 
 // Intervals of one edge, apart from each other and in order: those that touch are one.
 template <class Interval>
-class interval_union {
+class IRG_APART interval_union {
 public:
   constexpr void clear() noexcept { list_.clear(); }
 

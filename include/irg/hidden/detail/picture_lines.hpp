@@ -25,7 +25,7 @@ struct picture_line {
   std::int32_t at = 0;
   double a = 0, b = 0, c = 0;
 };
-constexpr bool is_one_line(const picture_line& p, const picture_line& q) noexcept {
+IRG_APART constexpr bool is_one_line(const picture_line& p, const picture_line& q) noexcept {
   return p.kind == q.kind && p.part == q.part && p.f == q.f && p.g == q.g && p.at == q.at;
 }
 

@@ -22,32 +22,32 @@ enum class horizon_rule {
 template <class Column = horizon_column>
 class floating_horizon {
 public:
-  constexpr explicit floating_horizon(int columns, horizon_rule rule = horizon_rule::improved_step)
+  IRG_APART constexpr explicit floating_horizon(int columns, horizon_rule rule = horizon_rule::improved_step)
       : columns_(static_cast<std::size_t>(columns < 0 ? 0 : columns), Column{}), rule_(rule) {}
 
-  [[nodiscard]] constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
-  constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
-  constexpr void begin_curve() noexcept { drawing_ = false; }
+  [[nodiscard]] IRG_APART constexpr int columns() const noexcept { return static_cast<int>(columns_.size()); }
+  IRG_APART constexpr const Column& operator[](int x) const noexcept { return columns_[static_cast<std::size_t>(x)]; }
+  IRG_APART constexpr void begin_curve() noexcept { drawing_ = false; }
 
-  /// Adds a sample, and calls emit(from, to, side) for what the rule draws.
+  /// Adds a sample, and calls sink(from, to, side) for what the rule draws.
   template <class Sink>
-  constexpr void add(const cell& sample, Sink&& emit) {
+  IRG_APART constexpr void add(const cell& sample, Sink&& sink) {
     if (sample.x < 0 || sample.x >= columns()) return begin_curve();
     Column& here = columns_[static_cast<std::size_t>(sample.x)];
     const Column before = here;
     detail::extend_horizon(here, sample.y);
     if (rule_ == horizon_rule::points) {
       if (!before.is_set || here.upper != before.upper)
-        emit(sample, sample, horizon_side::upper);
+        sink(sample, sample, horizon_side::upper);
       else if (here.lower != before.lower)
-        emit(sample, sample, horizon_side::lower);
+        sink(sample, sample, horizon_side::lower);
     } else if (drawing_) {
       const Column& there = columns_[static_cast<std::size_t>(last_.x)];
       const bool all = rule_ == horizon_rule::simple_step;
       if (all || last_.y == there.upper || sample.y == here.upper)
-        emit(cell{last_.x, there.upper}, cell{sample.x, here.upper}, horizon_side::upper);
+        sink(cell{last_.x, there.upper}, cell{sample.x, here.upper}, horizon_side::upper);
       if (all || last_.y == there.lower || sample.y == here.lower)
-        emit(cell{last_.x, there.lower}, cell{sample.x, here.lower}, horizon_side::lower);
+        sink(cell{last_.x, there.lower}, cell{sample.x, here.lower}, horizon_side::lower);
     }
     last_ = sample;
     drawing_ = true;

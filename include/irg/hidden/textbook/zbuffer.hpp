@@ -125,15 +125,15 @@ public:
 
   /// Every pixel of the screen becomes the background, every depth that of the back plane: Zmin where nearer is
   /// greater. Without a back plane it is the farthest depth of the order or the format, as draw_depth clears to.
-  constexpr void clear(const pixel_of<Screen>& background,
-                       const stored_type& back_plane = static_cast<stored_type>(kept::farthest)) const
+  IRG_APART constexpr void clear(const pixel_of<Screen>& background,
+                                 const stored_type& back_plane = static_cast<stored_type>(kept::farthest)) const
     requires(!has_references)
   {
     irg::clear(*screen_, background);
     irg::clear(*depth_, back_plane);
   }
-  constexpr void clear(const pixel_of<Screen>& background, const stored_type& back_plane,
-                       const reference_type& nothing) const
+  IRG_APART constexpr void clear(const pixel_of<Screen>& background, const stored_type& back_plane,
+                                 const reference_type& nothing) const
     requires has_references
   {
     irg::clear(*screen_, background);

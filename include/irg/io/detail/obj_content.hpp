@@ -13,7 +13,7 @@
 namespace irg::detail {
 
 /// How many of each kind of vertex data there are; until the end of the text is reached, as many as indices can name.
-struct obj_counts {
+struct IRG_APART obj_counts {
   std::size_t positions = mesh_corner::none, texcoords = mesh_corner::none, normals = mesh_corner::none;
   constexpr bool operator==(const obj_counts&) const = default;
 

@@ -28,7 +28,7 @@ struct ply_property {
 enum class ply_kind { vertex, face, other };
 
 template <class Property = ply_property>
-struct ply_element {
+struct IRG_APART ply_element {
   ply_kind kind = ply_kind::other;
   std::uint64_t count = 0;
   std::vector<Property> properties;

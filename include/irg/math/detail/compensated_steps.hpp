@@ -119,11 +119,11 @@ template <Vector A, Vector B>
   requires(size_of<A> == 3 && size_of<B> == 3 && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 constexpr A nearest_cross(const A& a, const B& b) noexcept {
   const auto x = doubles_of(a), y = doubles_of(b);
-  const auto minor = [&](std::size_t i, std::size_t j) {
+  const auto det = [&](std::size_t i, std::size_t j) {
     return nearest_dot<scalar_of<A>>(
         2, [&](std::size_t k) { return k == 0 ? x(i) : -x(j); }, [&](std::size_t k) { return k == 0 ? y(j) : y(i); });
   };
-  return from_coordinates<A>(minor(1, 2), minor(2, 0), minor(0, 1));
+  return from_coordinates<A>(det(1, 2), det(2, 0), det(0, 1));
 }
 
 }  // namespace irg::detail::inline IRG_ABI

@@ -20,11 +20,11 @@ constexpr exact_accumulator<K> exact_determinant(const E& entry) noexcept {
   int order[static_cast<std::size_t>(K)]{}, turn[static_cast<std::size_t>(K)]{};
   for (int i = 0; i < K; ++i) order[i] = i;
   bool is_odd = false;
-  const auto add_term = [&]<std::size_t... I>(std::index_sequence<I...>) {
+  const auto add_term = [&]<std::size_t... J>(std::index_sequence<J...>) {
     if (is_odd)
-      sum.subtract(entry(static_cast<int>(I), order[I])...);
+      sum.subtract(entry(static_cast<int>(J), order[J])...);
     else
-      sum.add(entry(static_cast<int>(I), order[I])...);
+      sum.add(entry(static_cast<int>(J), order[J])...);
   };
   constexpr std::make_index_sequence<static_cast<std::size_t>(K)> all{};
   add_term(all);

@@ -54,9 +54,8 @@ IRG_INLINE void inverse4_by_fours(const T (&a)[4][4], T (&out)[4][4], T least) n
     y[k] = shuffled<3, 3, 1, 1>(c.column[k]);
     p[k] = shuffled<1, 0, 3, 2>(c.column[k]);
   }
-  const auto minor = [&](int k, int l) { return x[k] * y[l] - x[l] * y[k]; };
-  const F m01 = minor(0, 1), m02 = minor(0, 2), m03 = minor(0, 3), m12 = minor(1, 2), m13 = minor(1, 3),
-          m23 = minor(2, 3);
+  const auto det = [&](int k, int l) { return x[k] * y[l] - x[l] * y[k]; };
+  const F m01 = det(0, 1), m02 = det(0, 2), m03 = det(0, 3), m12 = det(1, 2), m13 = det(1, 3), m23 = det(2, 3);
   const F e0 = (p[1] * m23 - p[2] * m13) + p[3] * m12, e1 = (p[0] * m23 - p[2] * m03) + p[3] * m02,
           e2 = (p[0] * m13 - p[1] * m03) + p[3] * m01, e3 = (p[0] * m12 - p[1] * m02) + p[2] * m01;
   const F terms = e0 * c.column[0];

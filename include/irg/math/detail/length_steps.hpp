@@ -56,15 +56,15 @@ IRG_INLINE constexpr T length_of(const C& c) noexcept {
   if constexpr (N == 1)
     return magnitude(c(0));
   else
-    return [&]<int... I>(std::integer_sequence<int, I...>)
-               IRG_INLINE_LAMBDA { return hypot_of<T>(c(I)...); }(std::make_integer_sequence<int, N>{});
+    return [&]<int... J>(std::integer_sequence<int, J...>)
+               IRG_INLINE_LAMBDA { return hypot_of<T>(c(J)...); }(std::make_integer_sequence<int, N>{});
 }
 
 /// The same for coordinates of moderate size, the sum of whose squares is known.
 template <int N, class C>
 IRG_INLINE constexpr double moderate_length_of(double square, const C& c) noexcept {
-  return [&]<int... I>(std::integer_sequence<int, I...>) IRG_INLINE_LAMBDA {
-    return round(length_of_moderate(square, magnitude(c(I))...));
+  return [&]<int... J>(std::integer_sequence<int, J...>) IRG_INLINE_LAMBDA {
+    return round(length_of_moderate(square, magnitude(c(J))...));
   }(std::make_integer_sequence<int, N>{});
 }
 

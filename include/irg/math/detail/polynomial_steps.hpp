@@ -88,8 +88,8 @@ IRG_NOINLINE constexpr exact_accumulator<static_cast<int>(N)> exact_horner(const
   const auto add = [&]<std::size_t... J>(double coefficient, std::index_sequence<J...>) {
     sum.add(coefficient, (static_cast<void>(J), x)...);
   };
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (add(c[I], std::make_index_sequence<I>{}), ...);
+  [&]<std::size_t... K>(std::index_sequence<K...>) {
+    (add(c[K], std::make_index_sequence<K>{}), ...);
   }(std::make_index_sequence<N>{});
   return sum;
 }

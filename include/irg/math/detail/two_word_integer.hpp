@@ -17,7 +17,7 @@ namespace irg::detail {
 enum class number_sign { none, twos_complement };
 
 template <number_sign Sign>
-class two_word_integer {
+class IRG_APART two_word_integer {
 public:
   static constexpr bool is_signed = Sign == number_sign::twos_complement;
 

@@ -30,8 +30,8 @@ IRG_INLINE constexpr auto for_numbers(const vec<N, D>& v, const F& each) noexcep
 }
 template <class N, std::size_t D, class F>
 IRG_INLINE constexpr auto for_numbers(const std::array<N, D>& v, const F& each) noexcept {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) IRG_INLINE_LAMBDA {
-    return std::array<decltype(each(v[0])), D>{each(v[I])...};
+  return [&]<std::size_t... J>(std::index_sequence<J...>) IRG_INLINE_LAMBDA {
+    return std::array<decltype(each(v[0])), D>{each(v[J])...};
   }(std::make_index_sequence<D>{});
 }
 template <class... N, class F>

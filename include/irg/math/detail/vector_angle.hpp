@@ -48,8 +48,8 @@ IRG_INLINE constexpr unrounded crossed_length(const double (&a)[2], const double
 }
 template <Floating T>
 IRG_INLINE constexpr unrounded crossed_length(const double (&a)[3], const double (&b)[3]) noexcept {
-  const auto minor = [&](int i, int j) { return minor_of<T>(a[i], b[j], a[j], b[i]).value; };
-  return plain_length(minor(1, 2), minor(2, 0), minor(0, 1));
+  const auto det = [&](int i, int j) { return minor_of<T>(a[i], b[j], a[j], b[i]).value; };
+  return plain_length(det(1, 2), det(2, 0), det(0, 1));
 }
 
 template <Floating T>

@@ -49,18 +49,18 @@ public:
 
   /// What words() gave of another.
   /// needs   size <= Words
-  constexpr dyadic(const std::uint64_t* words, int size, int place, bool negative) noexcept {
+  IRG_APART constexpr dyadic(const std::uint64_t* words, int size, int place, bool negative) noexcept {
     for (int i = 0; i < size; ++i) word_[i] = words[i];
     size_ = size, place_ = place, negative_ = negative;
   }
   [[nodiscard]] IRG_INLINE constexpr const std::uint64_t* words() const noexcept { return word_; }
   [[nodiscard]] IRG_INLINE constexpr int size() const noexcept { return size_; }
   [[nodiscard]] IRG_INLINE constexpr int place() const noexcept { return place_; }
-  friend constexpr bool operator==(const dyadic& a, const dyadic& b) noexcept { return (a - b).sign() == 0; }
+  IRG_APART friend constexpr bool operator==(const dyadic& a, const dyadic& b) noexcept { return (a - b).sign() == 0; }
 
   [[nodiscard]] IRG_INLINE constexpr int sign() const noexcept { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
 
-  friend constexpr dyadic operator+(const dyadic& a, const dyadic& b) noexcept {
+  IRG_APART friend constexpr dyadic operator+(const dyadic& a, const dyadic& b) noexcept {
     if (a.size_ == 0) return b;
     if (b.size_ == 0) return a;
     dyadic sum;
@@ -81,14 +81,14 @@ public:
     sum.trim();
     return sum;
   }
-  friend constexpr dyadic operator-(const dyadic& a) noexcept {
+  IRG_APART friend constexpr dyadic operator-(const dyadic& a) noexcept {
     dyadic negated = a;
     negated.negative_ = !a.negative_;
     return negated;
   }
-  friend constexpr dyadic operator-(const dyadic& a, const dyadic& b) noexcept { return a + -b; }
+  IRG_APART friend constexpr dyadic operator-(const dyadic& a, const dyadic& b) noexcept { return a + -b; }
 
-  friend constexpr dyadic operator*(const dyadic& a, const dyadic& b) noexcept {
+  IRG_APART friend constexpr dyadic operator*(const dyadic& a, const dyadic& b) noexcept {
     dyadic product;
     if (a.size_ == 0 || b.size_ == 0) return product;
     product.place_ = a.place_ + b.place_;
@@ -109,7 +109,7 @@ public:
 
   /// The number to 106 bits or more.
   /// exact   relative error at most 2^-105
-  [[nodiscard]] constexpr known_number rounded() const noexcept {
+  [[nodiscard]] IRG_APART constexpr known_number rounded() const noexcept {
     if (size_ == 0) return {};
     const int top = end() - 1, zeros = std::countl_zero(at(top));
     const auto window = [&](int place) {  // 64 bits from the highest one down, then the 64 below
@@ -131,11 +131,11 @@ private:
   IRG_INLINE constexpr void put(std::uint64_t word) noexcept {
     if (size_ < Words) word_[size_++] = word;  // a sum's last word is a carry of 0 where no room is left
   }
-  constexpr void take(const dyadic& other) noexcept {
+  IRG_APART constexpr void take(const dyadic& other) noexcept {
     for (int i = 0; i < other.size_; ++i) word_[i] = other.word_[i];
     place_ = other.place_, size_ = other.size_, negative_ = other.negative_;
   }
-  constexpr void trim() noexcept {
+  IRG_APART constexpr void trim() noexcept {
     while (size_ > 0 && word_[size_ - 1] == 0) --size_;
     int zeros = 0;
     while (zeros < size_ && word_[zeros] == 0) ++zeros;
@@ -144,7 +144,7 @@ private:
     size_ -= zeros;
     place_ += zeros;
   }
-  [[nodiscard]] static constexpr bool is_smaller(const dyadic& a, const dyadic& b) noexcept {  // in magnitude
+  [[nodiscard]] IRG_APART static constexpr bool is_smaller(const dyadic& a, const dyadic& b) noexcept {  // in magnitude
     if (a.end() != b.end()) return a.end() < b.end();
     const int last = lesser(a.place_, b.place_);
     for (int place = a.end() - 1; place >= last; --place)

@@ -20,9 +20,9 @@ inline namespace IRG_ABI {
 /// The number of x among the floating-point numbers in order: zero (either) is 0, its neighbours are 1 and -1.
 template <Floating T>
 [[nodiscard]] constexpr float_ordinal<T> ordinal_of(T x) noexcept {
-  using I = float_ordinal<T>;
-  const auto bits = std::bit_cast<I>(x);
-  return bits < 0 ? (std::numeric_limits<I>::min)() - bits : bits;
+  using J = float_ordinal<T>;
+  const auto bits = std::bit_cast<J>(x);
+  return bits < 0 ? (std::numeric_limits<J>::min)() - bits : bits;
 }
 
 /// The floating-point number with this number.
@@ -36,19 +36,19 @@ template <Floating T>
 /// needs   low <= y <= high
 template <Floating T, class Side>
 [[nodiscard]] constexpr T nearest_by_sign(T low, T high, T guess, const Side& side) noexcept {
-  using I = float_ordinal<T>;
-  I floor = ordinal_of(low), ceiling = ordinal_of(high);  // floor's number <= y <= ceiling's
-  I at = low <= guess && guess <= high ? ordinal_of(guess) : floor + (ceiling / 2 - floor / 2);
-  for (I step = 1; floor < ceiling;) {
+  using J = float_ordinal<T>;
+  J floor = ordinal_of(low), ceiling = ordinal_of(high);  // floor's number <= y <= ceiling's
+  J at = low <= guess && guess <= high ? ordinal_of(guess) : floor + (ceiling / 2 - floor / 2);
+  for (J step = 1; floor < ceiling;) {
     const int s = side(float_at<T>(at), float_at<T>(at));
     if (s == 0) return float_at<T>(at);
     (s > 0 ? floor : ceiling) = at;
     const bool wide = ceiling / 2 - floor / 2 > step;
     if (!wide && ceiling - floor <= 1) break;
-    at = !wide   ? static_cast<I>(floor + (ceiling - floor) / 2)
-         : s > 0 ? static_cast<I>(floor + step)
-                 : static_cast<I>(ceiling - step);
-    if (wide && step <= (std::numeric_limits<I>::max)() / 2) step = static_cast<I>(step * 2);
+    at = !wide   ? static_cast<J>(floor + (ceiling - floor) / 2)
+         : s > 0 ? static_cast<J>(floor + step)
+                 : static_cast<J>(ceiling - step);
+    if (wide && step <= (std::numeric_limits<J>::max)() / 2) step = static_cast<J>(step * 2);
   }
   const int s = side(float_at<T>(floor), float_at<T>(ceiling));
   return float_at<T>(s < 0 || (s == 0 && floor % 2 == 0) ? floor : ceiling);

@@ -14,7 +14,7 @@ namespace irg {
 namespace detail {
 
 /// Corners of a mesh in groups, each known by its lowest corner.
-class corner_groups {
+class IRG_APART corner_groups {
 public:
   constexpr explicit corner_groups(std::size_t count) : above_(count, 0) {
     std::iota(above_.begin(), above_.end(), std::uint32_t{0});

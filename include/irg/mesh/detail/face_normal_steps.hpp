@@ -23,7 +23,7 @@ using mesh_normal = vec<scalar_of<typename mesh_traits<M>::point>, 3>;
 /// of two that brings the largest near 1, so that products of them stay in range for any finite positions.
 /// shape   after is 0 when all vertices coincide or one is not finite
 template <class Position>
-struct polygon_edges {
+struct IRG_APART polygon_edges {
   std::size_t count;
   Position position;
   double before = 1, after = 0;  // the factors of a difference's terms and of the difference

@@ -13,9 +13,9 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // The pixels that a ring of this extent may cover in part.
-template <class I>
-constexpr cell_window cells_of_extent(const ring_extent<I>& e) noexcept {
-  const auto above = [](I v) { return (v + (one_pixel - 1)) >> subpixel_bits; };
+template <class J>
+constexpr cell_window cells_of_extent(const ring_extent<J>& e) noexcept {
+  const auto above = [](J v) { return (v + (one_pixel - 1)) >> subpixel_bits; };
   return {e.left >> subpixel_bits, e.top >> subpixel_bits, above(e.right), above(e.bottom)};
 }
 
@@ -66,8 +66,8 @@ bool mix_convex_ring(R& raster, const Ring& ring, const pixel_of<R>& value, cons
 
 // Sends the coverages of a convex ring to a sink.
 template <FillableRing Ring, class Sink>
-constexpr bool send_convex_areas(const Ring& ring, const cell_window& w, Sink& emit) {
-  area_span_target<Sink> target{emit};
+constexpr bool send_convex_areas(const Ring& ring, const cell_window& w, Sink& sink) {
+  area_span_target<Sink> target{sink};
   if (!std::is_constant_evaluated()) return area_of_ring<pack<float, native_lanes<float>>>(ring, w, target);
   return area_of_ring<float>(ring, w, target);
 }

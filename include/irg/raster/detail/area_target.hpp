@@ -18,13 +18,13 @@ template <class Sink>
 struct area_span_target {
   static constexpr bool takes_uncovered = false;  // columns without coverage
   static constexpr int most = 256;
-  Sink& emit;
+  Sink& sink;
   int y = 0, x = 0, count = 0;
   std::uint8_t coverage[most] = {};
 
   IRG_INLINE constexpr void begin(int row) noexcept { y = row; }
   IRG_INLINE constexpr void end() {
-    if (count > 0) emit(coverage_span{y, x - count, x, coverage});
+    if (count > 0) sink(coverage_span{y, x - count, x, coverage});
     count = 0;
   }
   // The first n coverages of a number or a pack, for the columns from `at` on.
@@ -61,7 +61,7 @@ struct area_span_target {
   }
   IRG_INLINE constexpr void fill(int at, int n) {
     end();
-    emit(coverage_span{y, at, at + n, nullptr});
+    sink(coverage_span{y, at, at + n, nullptr});
   }
 };
 

@@ -47,7 +47,7 @@ constexpr void for_mirrored_arcs(const cell& centre, bool upright, Body&& body) 
 // how many k >= 0 have a height of m or more; and excess(k, m), negative when it passes below m - 1/2 at k, which loses
 // step * (2k + 1) from k to k + 1 and gains drop * (m - 1) from m to m - 1.
 template <class Shape, CellSink Sink>
-constexpr void emit_arc(const conic_arc& arc, const Shape& shape, std::int64_t end, const cell_window& w, Sink& emit) {
+constexpr void emit_arc(const conic_arc& arc, const Shape& shape, std::int64_t end, const cell_window& w, Sink& sink) {
   const step_range along = arc.along(w), aside = arc.aside(w);
   std::int64_t first = along.first, last = lesser(along.last, end);
   if (first >= last || aside.first >= aside.last) return;
@@ -58,7 +58,7 @@ constexpr void emit_arc(const conic_arc& arc, const Shape& shape, std::int64_t e
   std::int64_t m = shape.height(first);
   auto excess = shape.excess(first, m);
   for (std::int64_t k = first; k < last; ++k) {
-    emit(arc.at(k, m));
+    sink(arc.at(k, m));
     excess -= step * (2 * k + 1);
     if (excess < 0 && m > 0) {
       --m;
@@ -67,10 +67,10 @@ constexpr void emit_arc(const conic_arc& arc, const Shape& shape, std::int64_t e
   }
 }
 
-// Calls emit(span) for the rows of the window that are at most radius_y away from the centre, half_width(dy) being the
+// Calls sink(span) for the rows of the window that are at most radius_y away from the centre, half_width(dy) being the
 // reach to both sides of it.
 template <class HalfWidth, SpanSink Sink>
-constexpr void symmetric_spans(const cell& centre, std::int64_t radius_y, const cell_window& w, Sink&& emit,
+constexpr void symmetric_spans(const cell& centre, std::int64_t radius_y, const cell_window& w, Sink&& sink,
                                HalfWidth&& half_width) {
   if (w.empty()) return;
   const std::int64_t first = greater(centre.y - radius_y, std::int64_t{w.y_first});
@@ -79,7 +79,7 @@ constexpr void symmetric_spans(const cell& centre, std::int64_t radius_y, const 
     const std::int64_t half = half_width(y - centre.y);
     const std::int64_t x_first = greater(centre.x - half, std::int64_t{w.x_first});
     const std::int64_t x_last = lesser(centre.x + half + 1, std::int64_t{w.x_last});
-    if (x_first < x_last) emit(span_of_cells{static_cast<int>(y), static_cast<int>(x_first), static_cast<int>(x_last)});
+    if (x_first < x_last) sink(span_of_cells{static_cast<int>(y), static_cast<int>(x_first), static_cast<int>(x_last)});
   }
 }
 

@@ -82,11 +82,11 @@ IRG_INLINE constexpr void lead_on(ring_side<Edge>& side, std::size_t n, const Ve
   side.row_last = static_cast<int>(lesser(reaches, std::int64_t{y_last}));
 }
 
-// Calls emit(y, x_first, x_last) for each row of w that has columns between the two sides of the ring.
+// Calls sink(y, x_first, x_last) for each row of w that has columns between the two sides of the ring.
 // needs   w not empty and within the rows that the ring's extent crosses; vertex(i) for i < n
 template <class Edge, class Vertices, class Emit>
 IRG_INLINE constexpr void walk_sides(std::size_t n, std::size_t topmost, const Vertices& vertex, const cell_window& w,
-                                     Emit&& emit) {
+                                     Emit&& sink) {
   int y = w.y_first;
   ring_side<Edge> one{topmost, vertex(topmost), {}, y};
   ring_side<Edge> other = one;
@@ -98,7 +98,7 @@ IRG_INLINE constexpr void walk_sides(std::size_t n, std::size_t topmost, const V
       const std::int64_t a = one.edge.column(), b = other.edge.column();
       const std::int64_t first = greater(lesser(a, b), std::int64_t{w.x_first});
       const std::int64_t last = lesser(greater(a, b), std::int64_t{w.x_last});
-      if (first < last) emit(y, static_cast<int>(first), static_cast<int>(last));
+      if (first < last) sink(y, static_cast<int>(first), static_cast<int>(last));
       one.edge.next();
       other.edge.next();
     } while (++y < stop);
@@ -139,7 +139,7 @@ IRG_INLINE constexpr void columns_of_side(std::size_t n, std::size_t i, std::siz
 // walk_sides() for rings of few rows, whose edges would keep a walk from row to row guessing.
 template <class Vertices, class Emit>
 IRG_INLINE constexpr void walk_low_ring(std::size_t n, const ring_extent<std::int32_t>& extent, const Vertices& vertex,
-                                        const cell_window& w, Emit&& emit) {
+                                        const cell_window& w, Emit&& sink) {
   std::int32_t one[low_rows + 4], other[low_rows + 4];
   const int rows = w.y_last - w.y_first;
   columns_of_side<true>(n, extent.topmost, extent.lowest, vertex, w.y_first, rows, one);
@@ -147,14 +147,14 @@ IRG_INLINE constexpr void walk_low_ring(std::size_t n, const ring_extent<std::in
   for (int row = 0; row < rows; ++row) {
     const int first = greater(lesser(one[row], other[row]), w.x_first),
               last = lesser(greater(one[row], other[row]), w.x_last);
-    if (first < last) emit(w.y_first + row, first, last);
+    if (first < last) sink(w.y_first + row, first, last);
   }
 }
 
 // The same for a triangle. Its three edges are made ready without a branch; the side of two edges goes over from the
 // one to the other on the way. An edge that crosses no row of w is never walked, but its numbers must not overflow.
 template <class Emit>
-IRG_INLINE constexpr void walk_triangle(const subpixel (&corner)[3], const cell_window& w, Emit&& emit) {
+IRG_INLINE constexpr void walk_triangle(const subpixel (&corner)[3], const cell_window& w, Emit&& sink) {
   const auto key = [](const subpixel& v) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(std::int64_t{v.y}) << 32 |
                                      static_cast<std::uint32_t>(v.x));
@@ -175,15 +175,15 @@ IRG_INLINE constexpr void walk_triangle(const subpixel (&corner)[3], const cell_
     part = y == turn ? lower : part;
     const int one = static_cast<int>(whole.column()), other = static_cast<int>(part.column());
     const int first = greater(lesser(one, other), w.x_first), last = lesser(greater(one, other), w.x_last);
-    if (first < last) emit(y, first, last);
+    if (first < last) sink(y, first, last);
     whole.next();
     part.next();
   } while (++y < w.y_last);
 }
 
 // The part of w that a ring of this extent can have pixels in.
-template <class I>
-IRG_INLINE constexpr cell_window window_of_extent(const ring_extent<I>& e, const cell_window& w) noexcept {
+template <class J>
+IRG_INLINE constexpr cell_window window_of_extent(const ring_extent<J>& e, const cell_window& w) noexcept {
   const auto within = [](std::int64_t v, int low, int high) {
     return static_cast<int>(clamp(v, std::int64_t{low}, std::int64_t{high}));
   };
@@ -194,28 +194,28 @@ IRG_INLINE constexpr cell_window window_of_extent(const ring_extent<I>& e, const
 
 // The same for a ring that is too large for fixed_edge, or not to be filled at all: false then.
 template <FillableRing R, class Emit>
-IRG_NOINLINE constexpr bool walk_far_ring(const R& ring, const cell_window& window, Emit&& emit) {
+IRG_NOINLINE constexpr bool walk_far_ring(const R& ring, const cell_window& window, Emit&& sink) {
   if (reach_of(ring) == ring_reach::refused) return false;
   const std::size_t n = ring_size(ring);
   ring_extent<std::int64_t> extent;
   for (std::size_t i = 0; i < n; ++i) extent.add(far_vertex(ring, i), i);
   if (n < 3) return true;
   const cell_window w = window_of_extent(extent, window);
-  if (!w.empty()) walk_sides<far_edge>(n, extent.topmost, [&](std::size_t i) { return far_vertex(ring, i); }, w, emit);
+  if (!w.empty()) walk_sides<far_edge>(n, extent.topmost, [&](std::size_t i) { return far_vertex(ring, i); }, w, sink);
   return true;
 }
 
-// Calls emit(y, x_first, x_last), x_first < x_last, for at most one run in each row of the window.
+// Calls sink(y, x_first, x_last), x_first < x_last, for at most one run in each row of the window.
 // gives   false, and no call, when a vertex is refused (see ring_reach)
 template <FillableRing R, class Emit>
-IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Emit&& emit) {
+IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Emit&& sink) {
   constexpr std::size_t kept = is_snapped_ring<R> ? 1 : 32;  // vertices snapped once; longer rings are snapped twice
   std::int32_t kept_x[kept], kept_y[kept];
   const std::size_t n = ring_size(ring);
   ring_extent<std::int32_t> extent;
   for (std::size_t i = 0; i < n; ++i) {
     if constexpr (!is_snapped_ring<R>)
-      if (reach_of_vertex(ring, i) != ring_reach::within_snap_limit) return walk_far_ring(ring, window, emit);
+      if (reach_of_vertex(ring, i) != ring_reach::within_snap_limit) return walk_far_ring(ring, window, sink);
     const subpixel v = near_vertex(ring, i);
     if constexpr (!is_snapped_ring<R>) {
       if (i < kept) {
@@ -228,20 +228,20 @@ IRG_INLINE constexpr bool walk_ring(const R& ring, const cell_window& window, Em
   if (n < 3) return true;
   if (extent.left < -fixed_edge_reach || extent.right > fixed_edge_reach || extent.top < -fixed_edge_reach ||
       extent.bottom > fixed_edge_reach || extent.bottom - extent.top > fixed_edge_height)
-    return walk_far_ring(ring, window, emit);
+    return walk_far_ring(ring, window, sink);
   const cell_window w = window_of_extent(extent, window);
   if (w.empty()) return true;
   if (n == 3) {
     const subpixel corner[3] = {near_vertex(ring, 0), near_vertex(ring, 1), near_vertex(ring, 2)};
-    walk_triangle(corner, w, emit);
+    walk_triangle(corner, w, sink);
     return true;
   }
   const auto walk = [&](const auto& vertex) {
     const int rows = w.y_last - w.y_first;
     if (rows <= low_rows && static_cast<std::size_t>(rows) <= low_rows_per_vertex * n)
-      walk_low_ring(n, extent, vertex, w, emit);
+      walk_low_ring(n, extent, vertex, w, sink);
     else
-      walk_sides<fixed_edge>(n, extent.topmost, vertex, w, emit);
+      walk_sides<fixed_edge>(n, extent.topmost, vertex, w, sink);
   };
   if constexpr (!is_snapped_ring<R>) {
     if (n <= kept) {

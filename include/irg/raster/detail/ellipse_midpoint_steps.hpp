@@ -9,23 +9,23 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// The ellipse with radius p along and q aside, both positive; I holds 4 * p^2 * q^2.
-template <class I>
+// The ellipse with radius p along and q aside, both positive; J holds 4 * p^2 * q^2.
+template <class J>
 struct ellipse_radii {
   std::int64_t p, q;
 
   // 4 q^2 (p^2 - k^2) - (2m - 1)^2 p^2: positive when the ellipse at k is above m - 1/2.
-  constexpr I excess(std::int64_t k, std::int64_t m) const noexcept {
-    const I odd = 2 * m - 1, along = static_cast<I>(p) * p;
-    return 4 * (static_cast<I>(q) * q) * (along - static_cast<I>(k) * k) - odd * odd * along;
+  constexpr J excess(std::int64_t k, std::int64_t m) const noexcept {
+    const J odd = 2 * m - 1, along = static_cast<J>(p) * p;
+    return 4 * (static_cast<J>(q) * q) * (along - static_cast<J>(k) * k) - odd * odd * along;
   }
-  constexpr I step() const noexcept { return 4 * (static_cast<I>(q) * q); }
-  constexpr I drop() const noexcept { return 8 * (static_cast<I>(p) * p); }
+  constexpr J step() const noexcept { return 4 * (static_cast<J>(q) * q); }
+  constexpr J drop() const noexcept { return 8 * (static_cast<J>(p) * p); }
   // The nearest height at k, 0 <= k <= p.
   constexpr std::int64_t height(std::int64_t k) const noexcept {
-    const I along = static_cast<I>(p) * p;
+    const J along = static_cast<J>(p) * p;
     const std::int64_t m =
-        floor_sqrt(static_cast<std::int64_t>(static_cast<I>(q) * q * (along - static_cast<I>(k) * k) / along));
+        floor_sqrt(static_cast<std::int64_t>(static_cast<J>(q) * q * (along - static_cast<J>(k) * k) / along));
     return excess(k, m + 1) > 0 ? m + 1 : m;
   }
   // How many k >= 0 have a height of m or more.
@@ -35,24 +35,24 @@ struct ellipse_radii {
   }
   // One past the last k of the flat part.
   constexpr std::int64_t flat_end() const noexcept {
-    const I pp = static_cast<I>(p) * p, qq = static_cast<I>(q) * q;
+    const J pp = static_cast<J>(p) * p, qq = static_cast<J>(q) * q;
     return floor_sqrt(static_cast<std::int64_t>(pp * pp / (pp + qq))) + 1;
   }
 };
 
-template <class I, CellSink Sink>
-constexpr void ellipse_outline(const cell& centre, std::int64_t a, std::int64_t b, const cell_window& w, Sink&& emit) {
-  const ellipse_radii<I> columns{a, b}, rows{b, a};
+template <class J, CellSink Sink>
+constexpr void ellipse_outline(const cell& centre, std::int64_t a, std::int64_t b, const cell_window& w, Sink&& sink) {
+  const ellipse_radii<J> columns{a, b}, rows{b, a};
   const std::int64_t x = columns.flat_end(), y = rows.flat_end();  // the first ones that the arcs leave out
   const bool same_last_cell = columns.height(x - 1) == y - 1 && rows.height(y - 1) == x - 1;
   const bool corner = (x <= a && columns.height(x) == y) || (y <= b && rows.height(y) == x);
   for_mirrored_arcs(centre, false, [&](const conic_arc& arc) {
-    emit_arc(arc, columns, x, w, emit);
+    emit_arc(arc, columns, x, w, sink);
     const step_range along = arc.along(w), aside = arc.aside(w);
-    if (corner && x >= along.first && x < along.last && y >= aside.first && y < aside.last) emit(arc.at(x, y));
+    if (corner && x >= along.first && x < along.last && y >= aside.first && y < aside.last) sink(arc.at(x, y));
   });
   for_mirrored_arcs(centre, true,
-                    [&](const conic_arc& arc) { emit_arc(arc, rows, same_last_cell ? y - 1 : y, w, emit); });
+                    [&](const conic_arc& arc) { emit_arc(arc, rows, same_last_cell ? y - 1 : y, w, sink); });
 }
 
 // Radii for which 64 bits hold 4 * a^2 * b^2.
@@ -61,16 +61,16 @@ IRG_INLINE constexpr bool is_small_ellipse(int a, int b) noexcept { return a < (
 // An ellipse with a radius of 0 is a line along an axis.
 template <SpanSink Sink>
 constexpr void flat_ellipse_spans(const cell& centre, std::int64_t a, std::int64_t b, const cell_window& w,
-                                  Sink&& emit) {
-  symmetric_spans(centre, b, w, emit, [a](std::int64_t) { return a; });
+                                  Sink&& sink) {
+  symmetric_spans(centre, b, w, sink, [a](std::int64_t) { return a; });
 }
 
-template <class I, SpanSink Sink>
+template <class J, SpanSink Sink>
 constexpr void full_ellipse_spans(const cell& centre, std::int64_t a, std::int64_t b, const cell_window& w,
-                                  Sink&& emit) {
-  const I aa = static_cast<I>(a) * a, bb = static_cast<I>(b) * b;
-  symmetric_spans(centre, b, w, emit, [&](std::int64_t dy) {
-    return floor_sqrt(static_cast<std::int64_t>(aa * (bb - static_cast<I>(dy) * dy) / bb));
+                                  Sink&& sink) {
+  const J aa = static_cast<J>(a) * a, bb = static_cast<J>(b) * b;
+  symmetric_spans(centre, b, w, sink, [&](std::int64_t dy) {
+    return floor_sqrt(static_cast<std::int64_t>(aa * (bb - static_cast<J>(dy) * dy) / bb));
   });
 }
 

@@ -9,17 +9,17 @@ namespace irg::detail {
 
 inline namespace IRG_ABI {
 
-// The greatest integer that is not above n / d; d > 0. I is a signed integer of any width.
-template <class I>
-IRG_INLINE constexpr I floor_div(I n, I d) noexcept {
-  const I q = n / d;
+// The greatest integer that is not above n / d; d > 0. J is a signed integer of any width.
+template <class J>
+IRG_INLINE constexpr J floor_div(J n, J d) noexcept {
+  const J q = n / d;
   return q * d > n ? q - 1 : q;
 }
 
 // The least integer that is not below n / d; d > 0.
-template <class I>
-IRG_INLINE constexpr I ceil_div(I n, I d) noexcept {
-  const I q = n / d;
+template <class J>
+IRG_INLINE constexpr J ceil_div(J n, J d) noexcept {
+  const J q = n / d;
   return q * d < n ? q + 1 : q;
 }
 

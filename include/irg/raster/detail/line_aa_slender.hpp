@@ -28,8 +28,8 @@ IRG_INLINE constexpr auto aa_truncate(const F& x) noexcept {
 }
 
 // Four bytes in one word, a the lowest.
-template <class I>
-IRG_INLINE constexpr I aa_word(const I& a, const I& b, const I& c, const I& d) noexcept {
+template <class J>
+IRG_INLINE constexpr J aa_word(const J& a, const J& b, const J& c, const J& d) noexcept {
   return (a | (b << 8)) | ((c << 16) | (d << 24));
 }
 

@@ -14,7 +14,7 @@ namespace irg {
 namespace detail {
 
 template <class P>
-struct line_allocator {
+struct IRG_APART line_allocator {
   using value_type = P;
   static constexpr std::align_val_t alignment{alignof(P) > 64 ? alignof(P) : 64};
 

@@ -94,11 +94,11 @@ IRG_INLINE constexpr std::uint32_t cells_to_border(std::uint32_t r, int bits, bo
   return last + 1 - ((backwards ? r ^ last : r) & last);
 }
 
-// Calls emit(piece, tile) for the pieces of a walk, from its start to its end.
+// Calls sink(piece, tile) for the pieces of a walk, from its start to its end.
 // needs   a walk in the grid's window
 template <class Emit>
 IRG_INLINE constexpr void cut_walk(const line_walk<std::uint32_t>& walk, const tile_grid& grid, std::uint32_t line,
-                                   Emit&& emit) {
+                                   Emit&& sink) {
   const unsigned octant = octant_number(walk.octant);
   const bool left = octant & 1, up = octant & 2, steep = octant & 4;
   const std::uint64_t slope = walk.slope;
@@ -113,7 +113,7 @@ IRG_INLINE constexpr void cut_walk(const line_walk<std::uint32_t>& walk, const t
     std::uint32_t count = lesser(cells, along);
     if ((part + (count - 1) * slope) >> 32 >= aside)  // the border aside comes first: where part + i * slope reaches it
       count = static_cast<std::uint32_t>(((std::uint64_t{aside} << 32) - part + slope - 1) / slope);
-    emit(line_piece{part,
+    sink(line_piece{part,
                     walk.slope,
                     {static_cast<int>(x), static_cast<int>(y)},
                     static_cast<std::uint16_t>(count),

@@ -69,14 +69,14 @@ constexpr step_range steps_within(std::int64_t start, int sign, std::int64_t low
 }
 
 // The first step whose aside is >= k, for k >= 1 and m >= 1: i*m/n > k - 1/2, or equal to it where ties go there.
-template <class I>
+template <class J>
 constexpr std::int64_t first_step_aside(const bresenham_frame& f, std::int64_t k) noexcept {
-  return static_cast<std::int64_t>(((I{2} * k - 1) * f.n - f.tie) / (I{2} * f.m)) + 1;
+  return static_cast<std::int64_t>(((J{2} * k - 1) * f.n - f.tie) / (J{2} * f.m)) + 1;
 }
 
-// The steps [first, last) of a line that lie in a window: a run, because a line is monotone in both axes. I holds
+// The steps [first, last) of a line that lie in a window: a run, because a line is monotone in both axes. J holds
 // 2 * n * m.
-template <class I = int128>
+template <class J = int128>
 constexpr step_range visible_steps(const bresenham_frame& f, const cell_window& w,
                                    line_ends ends = line_ends::closed) noexcept {
   const step_range x = steps_within(f.start.x, f.steep ? f.sign_aside : f.sign_along, w.x_first, w.x_last);
@@ -84,8 +84,8 @@ constexpr step_range visible_steps(const bresenham_frame& f, const cell_window& 
   const step_range along = f.steep ? y : x, aside = f.steep ? x : y;
   step_range steps{along.first, lesser(along.last, steps_drawn(f, ends))};
   if (aside.first > f.m || aside.last <= 0) return {0, 0};
-  if (aside.first > 0) steps.first = greater(steps.first, first_step_aside<I>(f, aside.first));
-  if (aside.last <= f.m) steps.last = lesser(steps.last, first_step_aside<I>(f, aside.last));
+  if (aside.first > 0) steps.first = greater(steps.first, first_step_aside<J>(f, aside.first));
+  if (aside.last <= f.m) steps.last = lesser(steps.last, first_step_aside<J>(f, aside.last));
   return steps;
 }
 

@@ -85,7 +85,7 @@ constexpr wu_range wu_visible(const wu_frame& f, const cell_window& w) noexcept 
 }
 
 template <class Sink>
-constexpr void wu_walk(const wu_frame& f, const cell_window& w, Sink& emit) {
+constexpr void wu_walk(const wu_frame& f, const cell_window& w, Sink& sink) {
   if (w.empty() || f.u_first >= f.u_last) return;
   const wu_range columns = wu_visible(f, w);
   if (columns.first >= columns.last) return;
@@ -93,7 +93,7 @@ constexpr void wu_walk(const wu_frame& f, const cell_window& w, Sink& emit) {
     const cell c = f.at(column, row);
     const int aside = f.steep ? c.x : c.y;
     if (coverage > 0 && aside >= (f.steep ? w.x_first : w.y_first) && aside < (f.steep ? w.x_last : w.y_last))
-      emit(c, static_cast<std::uint8_t>(coverage));
+      sink(c, static_cast<std::uint8_t>(coverage));
   };
   const std::int64_t d = f.denominator(), quotient = f.change() / d, rest = f.change() % d;
   const int128 numerator = f.numerator(columns.first), value = floor_div(numerator, int128{d});

@@ -85,13 +85,13 @@ struct area_memory {
 
 inline namespace IRG_ABI {
 
-// Calls emit(coverage_span) for the rows of the lines in memory.
+// Calls sink(coverage_span) for the rows of the lines in memory.
 template <class Emit>
 class polygon_sweep {
 public:
   // needs   w not empty
-  constexpr polygon_sweep(area_memory& memory, fill_rule rule, const cell_window& w, Emit& emit)
-      : m_(memory), inside_bits_(rule == fill_rule::even_odd ? 1 : -1), w_(w), emit_(emit) {
+  constexpr polygon_sweep(area_memory& memory, fill_rule rule, const cell_window& w, Emit& sink)
+      : m_(memory), inside_bits_(rule == fill_rule::even_odd ? 1 : -1), w_(w), emit_(sink) {
     const auto width = static_cast<std::size_t>(std::int64_t{w.x_last} - w.x_first);
     m_.change.assign(width + 1, 0);
     m_.coverage.assign(width, 0);

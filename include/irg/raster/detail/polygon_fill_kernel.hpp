@@ -15,9 +15,9 @@
 namespace irg {
 namespace detail {
 
-template <class I>
+template <class J>
 struct polygon_edge {
-  edge_walk<I> walk;
+  edge_walk<J> walk;
   int row_first = 0, row_last = 0;  // within the window
   int direction = 0;  // 1 downwards, -1 upwards
 
@@ -27,23 +27,23 @@ struct polygon_edge {
   }
 };
 
-template <class I>
-using edge_vertex = std::conditional_t<sizeof(I) == 4, subpixel, far_subpixel>;
+template <class J>
+using edge_vertex = std::conditional_t<sizeof(J) == 4, subpixel, far_subpixel>;
 
 inline namespace IRG_ABI {
 
 // Adds the edge from a to b to the list unless it crosses no row of the window or leaves its pixels alone.
-template <class I>
-constexpr void add_edge(std::vector<polygon_edge<I>>& edges, const edge_vertex<I>& a, const edge_vertex<I>& b,
+template <class J>
+constexpr void add_edge(std::vector<polygon_edge<J>>& edges, const edge_vertex<J>& a, const edge_vertex<J>& b,
                         const cell_window& w) {
   const bool down = a.y < b.y;
-  const edge_vertex<I>&upper = down ? a : b, &lower = down ? b : a;
+  const edge_vertex<J>&upper = down ? a : b, &lower = down ? b : a;
   const row_range rows = rows_of_edge(upper, lower);
   const std::int64_t first = greater(rows.first, std::int64_t{w.y_first}),
                      last = lesser(rows.last, std::int64_t{w.y_last});
   if (first >= last) return;
   if (row_from(lesser(a.x, b.x)) >= w.x_last) return;
-  polygon_edge<I> e;
+  polygon_edge<J> e;
   e.row_first = static_cast<int>(first);
   e.row_last = static_cast<int>(last);
   e.direction = down ? 1 : -1;
@@ -55,13 +55,13 @@ constexpr void add_edge(std::vector<polygon_edge<I>>& edges, const edge_vertex<I
 }
 
 // Orders the edges by column; false when that takes more than a few moves per edge, with the edges in some order.
-template <class I>
-constexpr bool order_nearly_ordered(polygon_edge<I>* first, polygon_edge<I>* last) noexcept {
+template <class J>
+constexpr bool order_nearly_ordered(polygon_edge<J>* first, polygon_edge<J>* last) noexcept {
   std::ptrdiff_t moves_left = 8 * (last - first) + 64;
-  for (polygon_edge<I>* next = first; next < last; ++next) {
+  for (polygon_edge<J>* next = first; next < last; ++next) {
     if (next == first || next[-1].walk.column <= next->walk.column) continue;
-    const polygon_edge<I> e = *next;
-    polygon_edge<I>* hole = next;
+    const polygon_edge<J> e = *next;
+    polygon_edge<J>* hole = next;
     do {
       *hole = hole[-1];
       --hole;
@@ -77,8 +77,8 @@ constexpr bool order_nearly_ordered(polygon_edge<I>* first, polygon_edge<I>* las
 template <class Emit>
 class span_maker {
 public:
-  IRG_INLINE constexpr span_maker(fill_rule rule, const cell_window& w, Emit& emit) noexcept
-      : inside_bits_(rule == fill_rule::even_odd ? 1 : -1), window_(w), emit_(emit) {}
+  IRG_INLINE constexpr span_maker(fill_rule rule, const cell_window& w, Emit& sink) noexcept
+      : inside_bits_(rule == fill_rule::even_odd ? 1 : -1), window_(w), emit_(sink) {}
 
   IRG_INLINE constexpr void start_row(int y) noexcept {
     y_ = y;
@@ -115,8 +115,8 @@ private:
 };
 
 // The row of edges that are in no order: their turns are added up column by column.
-template <class I, class Emit>
-constexpr void emit_unordered(const polygon_edge<I>* first, const polygon_edge<I>* last, const cell_window& w,
+template <class J, class Emit>
+constexpr void emit_unordered(const polygon_edge<J>* first, const polygon_edge<J>* last, const cell_window& w,
                               std::vector<int>& turns, span_maker<Emit>& spans) {
   const std::size_t width = static_cast<std::size_t>(std::int64_t{w.x_last} - w.x_first);
   turns.assign(width + 1, 0);
@@ -130,13 +130,13 @@ constexpr void emit_unordered(const polygon_edge<I>* first, const polygon_edge<I
 
 // Walks all edges down the window. The active ones are [active, waiting): those that end are closed up towards the
 // waiting ones, which stand in the order of their first rows.
-template <class I, class Emit>
-constexpr void scan_edges(std::vector<polygon_edge<I>>& edges, std::vector<int>& turns, fill_rule rule,
-                          const cell_window& w, Emit& emit) {
+template <class J, class Emit>
+constexpr void scan_edges(std::vector<polygon_edge<J>>& edges, std::vector<int>& turns, fill_rule rule,
+                          const cell_window& w, Emit& sink) {
   std::sort(edges.begin(), edges.end());
-  using edge = polygon_edge<I>;
+  using edge = polygon_edge<J>;
   edge *active = edges.data(), *waiting = active, *const end = active + edges.size();
-  span_maker<Emit> spans(rule, w, emit);
+  span_maker<Emit> spans(rule, w, sink);
   int y = w.y_first, change_at = w.y_first;  // the row of the next change of the list
   while (true) {
     if (active == waiting) {

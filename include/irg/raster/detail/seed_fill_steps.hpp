@@ -66,7 +66,7 @@ template <class Inside, class Sink>
 struct seed_filler {
   const cell_window& window;
   Inside& inside;
-  Sink& emit;
+  Sink& sink;
   seed_marks<> marks;
   std::vector<span_of_cells> found;  // runs whose neighbours are not searched yet
   std::int64_t cells = 0;
@@ -88,7 +88,7 @@ struct seed_filler {
     const span_of_cells run{y, static_cast<int>(first + window.x_first), static_cast<int>(last + window.x_first)};
     found.push_back(run);
     cells += last - first;
-    emit(run);
+    sink(run);
     return asked_last;
   }
 

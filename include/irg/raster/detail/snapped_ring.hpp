@@ -15,10 +15,10 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // What must be known of a ring before it is walked. The extent is in 1/256 pixel.
-template <class I>
+template <class J>
 struct ring_extent {
-  I left = (std::numeric_limits<I>::max)(), top = (std::numeric_limits<I>::max)();
-  I right = (std::numeric_limits<I>::min)(), bottom = (std::numeric_limits<I>::min)();
+  J left = (std::numeric_limits<J>::max)(), top = (std::numeric_limits<J>::max)();
+  J right = (std::numeric_limits<J>::min)(), bottom = (std::numeric_limits<J>::min)();
   std::size_t topmost = 0, lowest = 0;  // the first of the uppermost vertices, and of the lowest ones
 
   template <class V>

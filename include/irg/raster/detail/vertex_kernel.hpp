@@ -52,7 +52,7 @@ IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t fi
                                         const pack<T, N> (&m)[16]) noexcept {
   using F = lanes<pack<T, N>>;
   using pack_i = typename F::mask;
-  using I = lanes<pack_i>;
+  using J = lanes<pack_i>;
   const screen_mapping<T>& mapping = v.mapping;
   static_assert(sizeof *v.positions == 3 * sizeof(T));
   const auto at = load_triples<N>(&v.positions[first].x);
@@ -60,7 +60,7 @@ IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t fi
   const pack<T, N> cx = row(0), cy = row(4), cz = row(8), cw = row(12), zero = F::broadcast(0);
 
   const auto beyond = [&](const pack<T, N>& distance, clip_planes plane) {
-    const auto bit = I::broadcast(static_cast<int>(plane));
+    const auto bit = J::broadcast(static_cast<int>(plane));
     return bit - both(bit, distance >= zero);  // the bit where the distance is negative or NaN
   };
   const auto sides = [&](const pack<T, N>& across, const pack<T, N>& up) {
@@ -71,7 +71,7 @@ IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t fi
   const pack_i outside =
       depth | sides(F::broadcast(mapping.picture.guard_x) * cw, F::broadcast(mapping.picture.guard_y) * cw);
   const pack_i cut = depth | sides(F::broadcast(mapping.guard.guard_x) * cw, F::broadcast(mapping.guard.guard_y) * cw);
-  const auto kept = cut == I::broadcast(0);
+  const auto kept = cut == J::broadcast(0);
 
   // Where 1/w would overflow, one by one.
   clip_code_pair any;
@@ -90,7 +90,7 @@ IRG_INLINE clip_code_pair project_lanes(const vertex_range<T>& v, std::size_t fi
   static_assert(sizeof(clip_code_pair) == 2);
   const pack_i pairs = (outside << byte_shift<2>(0)) | (cut << byte_shift<2>(1));
   lanes<pack<std::uint16_t, N>>::store_bytes(v.codes + first, converted<std::uint16_t>(converted<std::int32_t>(pairs)));
-  if (!all_lanes(pairs == I::broadcast(0)))
+  if (!all_lanes(pairs == J::broadcast(0)))
     for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) any = any | v.codes[first + i];
   return any;
 }

@@ -114,7 +114,7 @@ namespace irg::textbook {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(span) for every row of the convex polygon's cells that lie in the window, by rising y.
+/// Calls sink(span) for every row of the convex polygon's cells that lie in the window, by rising y.
 /// needs   a convex ring, either way round, of any vertices of the type; of one that is not convex the common part of
 ///         its edges' half-planes comes out, within its extents
 /// gives   no call for an empty ring. Rings without area: a level segment has the row from x_min to x_max (not with
@@ -124,7 +124,7 @@ inline namespace IRG_ABI {
 /// source  Mihajlovic 2016, 3.4: L is the maximum over left edges (y_i < y_i+1 when clockwise, y up), D the minimum
 ///         over right edges, edges taken as endless lines, horizontal ones skipped
 template <LatticeRing Ring, SpanSink Sink>
-constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_window& window, Sink&& emit) {
+constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_window& window, Sink&& sink) {
   const std::size_t n = ring_size(ring);
   if (n == 0 || window.empty()) return;
   const detail::textbook_extents e = detail::textbook_extents_of(ring);
@@ -146,7 +146,7 @@ constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_windo
     const detail::textbook_run run = detail::textbook_cells(l, d, rule);
     const std::int64_t first = greater<std::int64_t>(run.first, window.x_first);
     const std::int64_t last = lesser<std::int64_t>(run.last, window.x_last);
-    if (first < last) emit(span_of_cells{static_cast<int>(y), static_cast<int>(first), static_cast<int>(last)});
+    if (first < last) sink(span_of_cells{static_cast<int>(y), static_cast<int>(first), static_cast<int>(last)});
   }
 }
 

@@ -39,8 +39,8 @@ inline constexpr std::int64_t line_bresenham_steps = detail::proven_steps<T>(3, 
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell) for the cells of the line from a to b, in this order, and says whether it did; emit(cell, D) where
-/// emit takes two arguments, D being the distance with which the step to the next cell is decided.
+/// Calls sink(cell) for the cells of the line from a to b, in this order, and says whether it did; sink(cell, D) where
+/// sink takes two arguments, D being the distance with which the step to the next cell is decided.
 /// shape   8-connected; max(|dx|, |dy|) + 1 cells, both ends among them; 45 degrees is y-driven
 /// needs   a Real made from std::int64_t
 /// gives   false, and no call, when the line has more than line_bresenham_steps<Number> steps
@@ -49,14 +49,14 @@ inline namespace IRG_ABI {
 /// source  Bresenham 1965; Mihajlovic 2016, 2.4.1, for every direction and with the last cell
 template <Real Number = double, class Sink>
   requires CellSink<Sink> || requires(Sink& sink, const cell c, const Number& d) { sink(c, d); }
-constexpr bool line_bresenham(cell a, cell b, Sink&& emit) {
+constexpr bool line_bresenham(cell a, cell b, Sink&& sink) {
   const detail::bresenham_frame f = detail::frame_of(a, b);
   if (f.n > line_bresenham_steps<Number>) return false;
   const auto plot = [&](std::int64_t along, std::int64_t aside, const Number& distance) {
-    if constexpr (requires(cell c) { emit(c, distance); })
-      emit(f.at(along, aside), distance);
+    if constexpr (requires(cell c) { sink(c, distance); })
+      sink(f.at(along, aside), distance);
     else
-      emit(f.at(along, aside));
+      sink(f.at(along, aside));
   };
   const Number one(1);
   if (f.n == 0) return plot(0, 0, -one / Number(2)), true;

@@ -44,20 +44,20 @@ namespace irg::textbook {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell) for the cells of the line from a to b but the last, and says whether it did.
+/// Calls sink(cell) for the cells of the line from a to b but the last, and says whether it did.
 /// needs   0 to 45 degrees: 0 <= b.y - a.y <= b.x - a.x and a.x < b.x
 /// gives   false, and no call, outside that domain or beyond line_bresenham_steps<Number> steps
 /// exact   in exact numbers the cells of the half-open line_bresenham
 /// source  Mihajlovic 2016, 2.6.1 steps 1 to 8: "for D > 0" is a loop, and the end point is not plotted
 template <Real Number = double, CellSink Sink>
-constexpr bool line_bresenham_printed(cell a, cell b, Sink&& emit) {
+constexpr bool line_bresenham_printed(cell a, cell b, Sink&& sink) {
   const std::int64_t x0 = std::int64_t{b.x} - a.x, y0 = std::int64_t{b.y} - a.y;
   if (x0 <= 0 || y0 < 0 || y0 > x0 || x0 > line_bresenham_steps<Number>) return false;
   const Number slope = Number(y0) / Number(x0);
   Number distance = slope - Number(1) / Number(2);
   int x = a.x, y = a.y;
   for (std::int64_t i = 0; i < x0; ++i) {
-    emit(cell{x, y});
+    sink(cell{x, y});
     while (detail::seed_step_aside(distance)) ++y;
     ++x;
     distance = distance + slope;
@@ -65,33 +65,33 @@ constexpr bool line_bresenham_printed(cell a, cell b, Sink&& emit) {
   return true;
 }
 
-/// Calls emit(cell) for the line from (0, 0) to `to`, corrected before it is plotted, and says whether it did.
+/// Calls sink(cell) for the line from (0, 0) to `to`, corrected before it is plotted, and says whether it did.
 /// needs   to.x > to.y >= 0
 /// gives   false, and no call, outside that domain or beyond line_bresenham_steps<Number> steps
 /// exact   never meant to be: each cell lies where line_bresenham has the next one, so the line to (5, 3) begins at
 ///         (0, 1); the line to (8, 4) is that of the opposite direction
 /// source  Fabris 2012, 3.1
 template <Real Number = double, CellSink Sink>
-constexpr bool line_octant(cell to, Sink&& emit) {
+constexpr bool line_octant(cell to, Sink&& sink) {
   if (to.y < 0 || to.x <= to.y || to.x > line_bresenham_steps<Number>) return false;
-  detail::seed_corrected_before_plotted<Number>(to.x, to.y, [&](int x, int y) { emit(cell{x, y}); });
+  detail::seed_corrected_before_plotted<Number>(to.x, to.y, [&](int x, int y) { sink(cell{x, y}); });
   return true;
 }
 
-/// Calls emit(cell) for the line from (0, 0) to `to` in the first quadrant, as line_octant does, and says whether
+/// Calls sink(cell) for the line from (0, 0) to `to` in the first quadrant, as line_octant does, and says whether
 /// it did.
 /// needs   to.x >= 0 and to.y >= 0, not both 0
 /// gives   false, and no call, outside that domain or beyond line_bresenham_steps<Number> steps
 /// source  Fabris 2012, 3.2, first listing, D moved on in every pass (its indentation is lost in print)
 template <Real Number = double, CellSink Sink>
-constexpr bool line_quadrant(cell to, Sink&& emit) {
-  if (to.x > to.y) return line_octant<Number>(to, emit);
+constexpr bool line_quadrant(cell to, Sink&& sink) {
+  if (to.x > to.y) return line_octant<Number>(to, sink);
   if (to.x < 0 || to.y <= 0 || to.y > line_bresenham_steps<Number>) return false;
-  detail::seed_corrected_before_plotted<Number>(to.y, to.x, [&](int y, int x) { emit(cell{x, y}); });
+  detail::seed_corrected_before_plotted<Number>(to.y, to.x, [&](int y, int x) { sink(cell{x, y}); });
   return true;
 }
 
-/// Calls emit(cell) for the cells of the line from a to b, in any direction, and says whether it did.
+/// Calls sink(cell) for the cells of the line from a to b, in any direction, and says whether it did.
 /// needs   two different ends
 /// gives   false, and no call, outside that domain, beyond line_bresenham_steps<Number> steps, or where the fault below
 ///         would leave int. Lines driven by x move y by the sign of x: those with b.x > a.x and b.y < a.y go up instead
@@ -99,7 +99,7 @@ constexpr bool line_quadrant(cell to, Sink&& emit) {
 /// exact   in exact numbers all other lines have the cells of line_bresenham
 /// source  Fabris 2012, 3.2, last listing (`linija`)
 template <Real Number = double, CellSink Sink>
-constexpr bool line_plane(cell a, cell b, Sink&& emit) {
+constexpr bool line_plane(cell a, cell b, Sink&& sink) {
   const detail::bresenham_frame f = detail::frame_of(a, b);
   const int sign_x = b.x < a.x ? -1 : 1, sign_aside = sign_x;  // of y in the listing's first branch, of x in its second
   const std::int64_t last_aside = (f.steep ? a.x : a.y) + sign_aside * f.m;
@@ -108,12 +108,12 @@ constexpr bool line_plane(cell a, cell b, Sink&& emit) {
   Number distance = slope - Number(1) / Number(2);
   cell c = a;
   int &along = f.steep ? c.y : c.x, &aside = f.steep ? c.x : c.y;
-  emit(cell{c});
+  sink(cell{c});
   for (std::int64_t i = 0; i < f.n; ++i) {
     if (detail::seed_step_aside(distance)) aside += sign_aside;
     along += f.sign_along;
     distance = distance + slope;
-    emit(cell{c});
+    sink(cell{c});
   }
   return true;
 }

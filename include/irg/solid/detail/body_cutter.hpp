@@ -242,7 +242,7 @@ private:
       cuts.push_back({u, v, first + p});
     } else if (piece.beside[k] != no_index) {
       join(first + p, first + piece.beside[k]);
-    } else if (b_.twin[3 * std::size_t{t} + static_cast<std::size_t>(cutter_.border(from, to))] != no_index) {
+    } else if (b_.twin[3 * std::size_t{t} + static_cast<std::size_t>(cutter_.rim_of(from, to))] != no_index) {
       sides_.push_back({lesser(u, v), greater(u, v), first + p});
     }
   }

@@ -19,7 +19,7 @@ namespace irg::detail {
 /// What stands against a mesh as the boundary of a body.
 enum class surface_fault { none, not_finite, open_edge, edge_of_many_faces };
 
-struct body_triangles {
+struct IRG_APART body_triangles {
   std::vector<point<double, 3>> positions;  // of one body after another
   std::vector<triangle_indices> triangles;  // equal positions are named by the first of them
   std::vector<std::uint32_t> face;  // of the body that the triangle is of

@@ -11,7 +11,7 @@
 namespace irg::detail {
 
 template <Floating T>
-struct box_block {
+struct IRG_APART box_block {
   static constexpr int width = 8;
   T low[2][width], high[2][width], top[width];
 

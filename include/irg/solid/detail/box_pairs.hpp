@@ -14,7 +14,7 @@
 namespace irg::detail {
 
 /// A box along the axes.
-struct space_box {
+struct IRG_APART space_box {
   double low[3], high[3];
 
   constexpr void add(const point<double, 3>& p) noexcept {

@@ -69,7 +69,7 @@ public:
   /// The vertex that a corner of a piece is.
   constexpr std::uint32_t vertex(std::uint32_t l) const noexcept { return local_[l]; }
   /// The side of the triangle that an edge of a piece lies on; 3 when none.
-  constexpr int border(std::uint32_t l, std::uint32_t m) const noexcept {
+  constexpr int rim_of(std::uint32_t l, std::uint32_t m) const noexcept {
     const unsigned common = sides_[l] & sides_[m];
     return common == 0 ? 3 : common == 1 ? 0 : common == 2 ? 1 : 2;
   }

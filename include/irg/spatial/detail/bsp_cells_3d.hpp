@@ -129,7 +129,7 @@ struct cell_sides {
 };
 
 template <class T>
-class bsp_cells_3d {
+class IRG_APART bsp_cells_3d {
 public:
   constexpr explicit bsp_cells_3d(bsp_data_3d<T>& d) : d_(d) {}
 

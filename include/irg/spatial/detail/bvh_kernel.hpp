@@ -40,11 +40,11 @@ IRG_INLINE constexpr void centre_kernel(float* centre, const float* item) noexce
 template <class F>
 IRG_INLINE constexpr void bins_by(std::int32_t* bin, const float* item, const float* least, const float* gain,
                                   std::int32_t last) noexcept {
-  using I = typename lanes<F>::template rebind<std::int32_t>;
+  using J = typename lanes<F>::template rebind<std::int32_t>;
   for (int i = 0; i < 4; i += lanes<F>::count) {
     const F at = (lanes<F>::load(item + i) - lanes<F>::load(item + 4 + i)) - lanes<F>::load(least + i);
     const F place = low_of(at * lanes<F>::load(gain + i), lanes<F>::broadcast(static_cast<float>(last)));
-    lanes<I>::store(bin + i, converted<std::int32_t>(place));
+    lanes<J>::store(bin + i, converted<std::int32_t>(place));
   }
 }
 IRG_INLINE constexpr void bins_kernel(std::int32_t* bin, const float* item, const float* least, const float* gain,

@@ -51,13 +51,13 @@ constexpr T frustum_margin(const plane<T>& weight, const point<T, 3>& size) noex
 // The position that three planes have in common, homogeneous; all zero when there is none or more than one.
 template <class T>
 constexpr hpoint<T, 3> common_position(const plane<T>& p, const plane<T>& q, const plane<T>& r) noexcept {
-  const auto minor = [&](int i, int j, int k) {
+  const auto det = [&](int i, int j, int k) {
     const mat<T, 3, 3> m{{{coefficient_of(p, i), coefficient_of(p, j), coefficient_of(p, k)},
                           {coefficient_of(q, i), coefficient_of(q, j), coefficient_of(q, k)},
                           {coefficient_of(r, i), coefficient_of(r, j), coefficient_of(r, k)}}};
     return determinant(m);
   };
-  return {minor(1, 2, 3), T(0) - minor(0, 2, 3), minor(0, 1, 3), T(0) - minor(0, 1, 2)};
+  return {det(1, 2, 3), T(0) - det(0, 2, 3), det(0, 1, 3), T(0) - det(0, 1, 2)};
 }
 
 }  // namespace IRG_ABI

@@ -88,8 +88,8 @@ public:
     std::int64_t radius;
   };
 
-  constexpr row_sweep(const task& t, std::vector<sweep_gap>& now, std::vector<sweep_gap>& next, Emit& emit)
-      : task_(t), walled_(t.map->walled()), now_(now), next_(next), emit_(emit) {
+  constexpr row_sweep(const task& t, std::vector<sweep_gap>& now, std::vector<sweep_gap>& next, Emit& sink)
+      : task_(t), walled_(t.map->walled()), now_(now), next_(next), emit_(sink) {
     const grid_extent e = t.map->extent();
     right_ = t.sign_x > 0 ? e.width - 1 - t.viewer.x : t.viewer.x;
     rows_ = t.sign_y > 0 ? e.height - 1 - t.viewer.y : t.viewer.y;
@@ -168,7 +168,7 @@ private:
     return !stops_at_corner(*task_.map, {{column(x), line(y), 0}, {task_.sign_x, task_.sign_y, 1}, 3}, task_.corners);
   }
 
-  constexpr void emit(std::int64_t y, std::int64_t first, std::int64_t last) {
+  constexpr void give(std::int64_t y, std::int64_t first, std::int64_t last) {
     if (first <= last) emit_.centres(y, first, last);
   }
   constexpr void keep(const sweep_end& low, const sweep_end& high) {
@@ -182,7 +182,7 @@ private:
     if constexpr (has_light)
       emit_.light(0, 0, lesser(b, right_), sweep_slope{}, sweep_slope{1, 0, true});
     else
-      emit(0, 0, lesser(b, right_));
+      give(0, 0, lesser(b, right_));
     if (b <= right_) {
       const bool cell_blocks = is_full_at(0, b);
       high = {cell_blocks ? 2 * b - 1 : 2 * b + 1, 1, corner_lets(cell_blocks ? b - 1 : b, 0)};
@@ -201,14 +201,14 @@ private:
     } else {
       last = lesser(last, last_column(high));
       if (first > last) return;
-      if (counted) return emit(y, greater(first, first_column(low)), last);
+      if (counted) return give(y, greater(first, first_column(low)), last);
       const sweep_slope centre{first, y, true};
       const std::int64_t c = compare(low.slope, centre);
       if (c > 0 || (c == 0 && !low.slope.closed)) {
         if (first == last) return;
         first = greater(first, first_column(end_at(low.slope, y)));
       }
-      emit(y, first, last);
+      give(y, first, last);
     }
   }
 

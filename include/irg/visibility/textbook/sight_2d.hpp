@@ -36,12 +36,12 @@ struct sight_step {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(step) for the steps between the cells of a line, in canonical direction: x rising where |dx| > |dy|, y
-/// rising otherwise. Ends when emit returns false, and returns whether it never did.
+/// Calls sink(step) for the steps between the cells of a line, in canonical direction: x rising where |dx| > |dy|, y
+/// rising otherwise. Ends when sink returns false, and returns whether it never did.
 /// exact   for int coordinates; D and half the slope are compared in whole numbers
 /// source  Fabris 2012, 4.3.1 and 4.3.2
 template <class Emit>
-constexpr bool sight_steps(cell a, cell b, Emit&& emit) {
+constexpr bool sight_steps(cell a, cell b, Emit&& sink) {
   const auto apart = [](int p, int q) { return p < q ? std::int64_t{q} - p : std::int64_t{p} - q; };
   const std::int64_t dx = apart(a.x, b.x), dy = apart(a.y, b.y);
   const bool flat = dx > dy;
@@ -62,7 +62,7 @@ constexpr bool sight_steps(cell a, cell b, Emit&& emit) {
     }
     d += 2 * m;
     at = step.next;
-    if (!emit(static_cast<const sight_step&>(step))) return false;
+    if (!sink(static_cast<const sight_step&>(step))) return false;
   }
   return true;
 }

@@ -20,12 +20,12 @@ enum class three_axis_rule {
 
 inline namespace IRG_ABI {
 
-/// Calls emit(cell3) for the cells of a line in space from a to b, all coordinates advanced in one pass.
+/// Calls sink(cell3) for the cells of a line in space from a to b, all coordinates advanced in one pass.
 /// shape   as many steps as along the longest axis; the same cells both ways
 /// exact   for int coordinates
 /// source  Fabris 2012, 5.1.1, with z advanced by |dz| over the number of steps
 template <Cell3Sink Sink>
-constexpr void sight_cells_one_pass(const cell3& a, const cell3& b, Sink&& emit) {
+constexpr void sight_cells_one_pass(const cell3& a, const cell3& b, Sink&& sink) {
   std::int64_t d[3], error[3];
   bool falling[3];
   for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ constexpr void sight_cells_one_pass(const cell3& a, const cell3& b, Sink&& emit)
   for (int k = 0; k < 3; ++k) error[k] = 2 * d[k] - n + tie;
   cell3 c = a;
   int* const at[] = {&c.x, &c.y, &c.z};
-  emit(static_cast<const cell3&>(c));
+  sink(static_cast<const cell3&>(c));
   for (std::int64_t i = 0; i < n; ++i) {
     for (int k = 0; k < 3; ++k) {
       if (k == main || error[k] > 0) {
@@ -49,7 +49,7 @@ constexpr void sight_cells_one_pass(const cell3& a, const cell3& b, Sink&& emit)
       }
       error[k] += 2 * d[k];
     }
-    emit(static_cast<const cell3&>(c));
+    sink(static_cast<const cell3&>(c));
   }
 }
 
@@ -79,18 +79,18 @@ template <std::same_as<cell3> Cell = cell3>
   return out;
 }
 
-/// Calls emit(z) for the heights that the printed procedure reaches after each of its steps, which is not always b's.
+/// Calls sink(z) for the heights that the printed procedure reaches after each of its steps, which is not always b's.
 /// exact   to the roundings of T: the slope is |dz| over the distance of the projections
 /// source  Fabris 2012, 5.3 as printed
 template <class T = double, class Emit>
-constexpr void sight_heights_as_printed(const cell3& a, const cell3& b, Emit&& emit) {
+constexpr void sight_heights_as_printed(const cell3& a, const cell3& b, Emit&& sink) {
   const T dx = T(b.x) - T(a.x), dy = T(b.y) - T(a.y), rise = T(b.z) - T(a.z);
   const T width = dx < 0 ? -dx : dx, height = dy < 0 ? -dy : dy, up = rise < 0 ? -rise : rise;
   const T distance = irg::sqrt(T(width * width) + T(height * height)), sign = rise < 0 ? T(-1) : T(1);
-  if (!(distance > 0)) return emit(T(a.z));  // the printed slope is 0/0 or x/0
+  if (!(distance > 0)) return sink(T(a.z));  // the printed slope is 0/0 or x/0
   const T slope = up / distance;
   T z = T(a.z), d = slope - T(0.5);
-  emit(z);
+  sink(z);
   for (T i = 0; i < (width > height ? width : height); i += 1) {
     if (distance > up) {
       if (d > 0) z += sign, d -= 1;
@@ -98,7 +98,7 @@ constexpr void sight_heights_as_printed(const cell3& a, const cell3& b, Emit&& e
     } else {
       z += sign * slope;
     }
-    emit(z);
+    sink(z);
   }
 }
 

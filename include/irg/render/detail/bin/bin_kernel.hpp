@@ -241,14 +241,14 @@ struct group_tiles {
 
   IRG_INLINE group_tiles(const culled_group<N>& group, int across) noexcept {
     using integers = pack<std::int32_t, N>;
-    using I = lanes<integers>;
+    using J = lanes<integers>;
     constexpr int shift = std::countr_zero(static_cast<unsigned>(tile_size));
-    const integers x_first = I::load(group.x_first), y_first = I::load(group.y_first), x_last = I::load(group.x_last),
-                   y_last = I::load(group.y_last), tile_x = x_first >> shift, tile_y = y_first >> shift;
+    const integers x_first = J::load(group.x_first), y_first = J::load(group.y_first), x_last = J::load(group.x_last),
+                   y_last = J::load(group.y_last), tile_x = x_first >> shift, tile_y = y_first >> shift;
     one = group.listed & mask_bits(both((x_last - 1) >> shift == tile_x, (y_last - 1) >> shift == tile_y));
-    const integers place = tile_y * I::broadcast(across) + tile_x, pixels = (x_last - x_first) * (y_last - y_first);
-    I::store_bytes(tile, place);
-    I::store_bytes(area, pixels);
+    const integers place = tile_y * J::broadcast(across) + tile_x, pixels = (x_last - x_first) * (y_last - y_first);
+    J::store_bytes(tile, place);
+    J::store_bytes(area, pixels);
   }
 };
 

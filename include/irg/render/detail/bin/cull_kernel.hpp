@@ -72,17 +72,17 @@ struct cull_kernel {
 
   // Whether all corners of N triangles name vertices.
   IRG_INLINE bool indices_valid(const triangle_indices* t) const noexcept {
-    using I = lanes<integers>;
-    integers valid = I::broadcast(-1);
+    using J = lanes<integers>;
+    integers valid = J::broadcast(-1);
     for (int k = 0; k < 3; ++k) {
-      const integers w = I::load_bytes(reinterpret_cast<const char*>(t) + k * static_cast<int>(sizeof w));
+      const integers w = J::load_bytes(reinterpret_cast<const char*>(t) + k * static_cast<int>(sizeof w));
       valid = both(valid, both(w >= 0, w < vertices));
     }
     return mask_bits(valid) == (1u << N) - 1;
   }
 
   IRG_INLINE culled_group<N> operator()(const triangle_indices* t, const skip_options& skip) const noexcept {
-    using I = lanes<integers>;
+    using J = lanes<integers>;
     culled_group<N> group;
     if (!indices_valid(t)) {  // some name vertices that are not there
       group.special = (1u << N) - 1;
@@ -113,7 +113,7 @@ struct cull_kernel {
 
     const triangle_boxes<N> boxes(x, y);
     const unsigned narrow = mask_bits(boxes.narrow);
-    const integers &area = boxes.double_area, zero = I::broadcast(0);
+    const integers &area = boxes.double_area, zero = J::broadcast(0);
     group.special |= alive & ~narrow;
     alive &= narrow;
     if (culling == face_culling::back) {
@@ -127,10 +127,10 @@ struct cull_kernel {
     const integers y_first = first_centre(boxes.top), y_last = last_centre(boxes.bottom);
     const unsigned tiny =
         alive & (mask_bits(area == zero) | mask_bits(x_first >= x_last) | mask_bits(y_first >= y_last));
-    const integers seen_x_first = high_of(x_first, I::broadcast(picture.x_first)),
-                   seen_x_last = low_of(x_last, I::broadcast(picture.x_last)),
-                   seen_y_first = high_of(y_first, I::broadcast(picture.y_first)),
-                   seen_y_last = low_of(y_last, I::broadcast(picture.y_last));
+    const integers seen_x_first = high_of(x_first, J::broadcast(picture.x_first)),
+                   seen_x_last = low_of(x_last, J::broadcast(picture.x_last)),
+                   seen_y_first = high_of(y_first, J::broadcast(picture.y_first)),
+                   seen_y_last = low_of(y_last, J::broadcast(picture.y_last));
     const unsigned unseen =
         alive & ~tiny & (mask_bits(seen_x_first >= seen_x_last) | mask_bits(seen_y_first >= seen_y_last));
     if (skip.tiny == skipping::on)
@@ -139,10 +139,10 @@ struct cull_kernel {
       group.special |= tiny;
     if (skip.frustum == skipping::on) group.skipped.frustum += std::popcount(unseen);
     group.listed = alive & ~tiny & ~unseen;
-    I::store(group.x_first, seen_x_first);
-    I::store(group.x_last, seen_x_last);
-    I::store(group.y_first, seen_y_first);
-    I::store(group.y_last, seen_y_last);
+    J::store(group.x_first, seen_x_first);
+    J::store(group.x_last, seen_x_last);
+    J::store(group.y_first, seen_y_first);
+    J::store(group.y_last, seen_y_last);
     return group;
   }
 };

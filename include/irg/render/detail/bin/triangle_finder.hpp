@@ -61,13 +61,13 @@ struct corner_lanes {
   // gives   the batch that all are of, with their indices of vertices; null when there is a piece, or several batches
   template <class T>
   IRG_INLINE const triangle_batch<T>* collect(const triangle_finder<T>& find, const integers& number) noexcept {
-    using I = lanes<integers>;
+    using J = lanes<integers>;
     const auto first = static_cast<std::uint32_t>(number[0]);
     if (!find.is_piece(first)) {
       const triangle_batch<T>& batch = find.batch_of(first);
       const auto base = static_cast<std::int32_t>(batch.first_number);
       const integers i = number - base;
-      if (mask_bits(both(i >= I::broadcast(0), i < I::broadcast(static_cast<std::int32_t>(batch.triangles.size())))) ==
+      if (mask_bits(both(i >= J::broadcast(0), i < J::broadcast(static_cast<std::int32_t>(batch.triangles.size())))) ==
           (1u << N) - 1) {
         collect_indexed(batch, i);
         return &batch;

@@ -15,7 +15,7 @@ namespace detail {
 
 // The objects of a scene, prepared when they are asked for: those that are not seen never are.
 template <class T>
-struct objects_to_prepare {
+struct IRG_APART objects_to_prepare {
   std::span<const object<T>> source;
   std::vector<object_extent<T>> extents;
   std::vector<prepared_object<T>> made;
@@ -42,7 +42,7 @@ struct objects_to_prepare {
 
 // The objects of a scene that are prepared already.
 template <class T>
-struct prepared_objects {
+struct IRG_APART prepared_objects {
   std::span<prepared_object<T>> made;
 
   constexpr std::size_t size() const noexcept { return made.size(); }

@@ -26,7 +26,7 @@ template <class T, int N>
 struct small_lanes {
   using integers = pack<std::int32_t, N>;
   using floats = pack<float, N>;
-  using I = lanes<integers>;
+  using J = lanes<integers>;
   using F = lanes<floats>;
 
   corner_lanes<N> c;
@@ -40,10 +40,10 @@ struct small_lanes {
     if (batch == nullptr) return false;
     const integers width = high_of(high_of(c.x[0], c.x[1]), c.x[2]) - low_of(low_of(c.x[0], c.x[1]), c.x[2]);
     const integers height = high_of(high_of(c.y[0], c.y[1]), c.y[2]) - low_of(low_of(c.y[0], c.y[1]), c.y[2]);
-    const integers limit = I::broadcast(1 << 15);
+    const integers limit = J::broadcast(1 << 15);
     if (mask_bits(both(width < limit, height < limit)) != (1u << N) - 1) return false;
     const integers area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.y[1] - c.y[0]) * (c.x[2] - c.x[0]);
-    flip = area < I::broadcast(0);
+    flip = area < J::broadcast(0);
     const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
     scale = F::broadcast(one_pixel) / to_float(turned(area));
     unit = scale * F::broadcast(1.0f / one_pixel);
@@ -62,10 +62,10 @@ struct small_lanes {
   };
   IRG_INLINE edge_at edge(int k, const integers& column, const integers& row) const noexcept {
     const int p = (k + 1) % 3;
-    const integers zero = I::broadcast(0), pixel = I::broadcast(one_pixel), half = I::broadcast(half_pixel);
+    const integers zero = J::broadcast(0), pixel = J::broadcast(one_pixel), half = J::broadcast(half_pixel);
     const integers e = dx[k] * (row * pixel + half - c.y[p]) - dy[k] * (column * pixel + half - c.x[p]);
     const integers owns = (dy[k] < zero) | both(dy[k] == zero, zero < dx[k]);
-    const integers f = ((e - I::broadcast(1)) - owns) >> subpixel_bits;
+    const integers f = ((e - J::broadcast(1)) - owns) >> subpixel_bits;
     return {f, to_float(e - f * pixel) * unit};
   }
 
@@ -94,7 +94,7 @@ struct attribute_setup {
   using floats = pack<float, lane_count>;
   using integers = pack<std::int32_t, lane_count>;
   using values = std::array<floats, value_count>;
-  using I = lanes<integers>;
+  using J = lanes<integers>;
   using F = lanes<floats>;
 
   triangle_finder<T> find;
@@ -151,16 +151,16 @@ struct attribute_setup {
     // F at the first pixel of the box, where nothing overflows, and from there at the tile's first.
     const auto first_of = [](const integers(&v)[3], int least, int most) {
       const integers low = low_of(low_of(v[0], v[1]), v[2]);
-      return low_of(high_of(low >> subpixel_bits, I::broadcast(least)), I::broadcast(most));
+      return low_of(high_of(low >> subpixel_bits, J::broadcast(least)), J::broadcast(most));
     };
     const integers column = first_of(s.c.x, window.x_first, window.x_last),
                    row = first_of(s.c.y, window.y_first, window.y_last);
     F::store(out.scale, s.scale);
     for (int k = 0; k < 3; ++k) {
       const auto [f, rest] = s.edge(k, column, row);
-      F::store(out.f[k], to_float(f + s.dy[k] * (column - I::broadcast(window.x_first)) -
-                                  s.dx[k] * (row - I::broadcast(window.y_first))));
-      F::store(out.right[k], to_float(I::broadcast(0) - s.dy[k]));
+      F::store(out.f[k], to_float(f + s.dy[k] * (column - J::broadcast(window.x_first)) -
+                                  s.dx[k] * (row - J::broadcast(window.y_first))));
+      F::store(out.right[k], to_float(J::broadcast(0) - s.dy[k]));
       F::store(out.down[k], to_float(s.dx[k]));
       F::store(out.rest[k], rest);
       F::store(out.inverse_w[k], s.c.inverse_w[k]);
@@ -178,11 +178,11 @@ struct attribute_setup {
   // gives   false when they are not all small triangles of one batch
   IRG_INLINE bool of_many(const integers& ids, unsigned shown, int x_first, int y, values& out) const noexcept {
     // A pixel that shows nothing takes another's triangle, which it may be far from: any finite number will do there.
-    const integers some = I::broadcast(ids[std::countr_zero(shown)]);
+    const integers some = J::broadcast(ids[std::countr_zero(shown)]);
     small_lanes<T, lane_count> s;
-    if (!s.collect(find, gather<std::int32_t>(numbers.data(), select(ids == I::broadcast(-1), some, ids))))
+    if (!s.collect(find, gather<std::int32_t>(numbers.data(), select(ids == J::broadcast(-1), some, ids))))
       return false;
-    const integers column = I::ramp() + I::broadcast(x_first), row = I::broadcast(y);
+    const integers column = J::ramp() + J::broadcast(x_first), row = J::broadcast(y);
     floats b[3];
     for (int k = 0; k < 3; ++k) {
       const auto [f, rest] = s.edge(k, column, row);

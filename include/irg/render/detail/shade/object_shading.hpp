@@ -31,7 +31,7 @@ struct light_itself {
 
 // Phong shading of one triangle.
 template <Floating T, class Output>
-struct phong_pixel_shader {
+struct IRG_APART phong_pixel_shader {
   const phong_shader<T>& shader;
   const phong_lanes<T>* in_lanes;  // of doubles
   point<T, 3> position;

@@ -94,7 +94,7 @@ struct shade_by_triangle {
   template <class F, class Colour>
   constexpr std::int64_t in_lanes(Colour& colour) const {
     using integers = typename lanes<F>::template rebind<std::int32_t>;
-    using I = lanes<integers>;
+    using J = lanes<integers>;
     constexpr int count = lanes<F>::count;
     std::int64_t shaded = 0;
     kept_setups kept;
@@ -104,7 +104,7 @@ struct shade_by_triangle {
         for (int y = by; y < lesser(by + block_size, w.y_last); ++y) {
           const int at = (y - w.y_first) * tile_stride + (x - w.x_first);
           const integers places = load_places<integers>(v.place + at);
-          unsigned pending = ~mask_bits(places == I::broadcast(-1)) & ((1u << count) - 1);
+          unsigned pending = ~mask_bits(places == J::broadcast(-1)) & ((1u << count) - 1);
           shaded += std::popcount(pending);
           const F depth = product(lanes<F>::load(v.key + at), lanes<F>::broadcast(v.sign));
           auto* const row = raster_traits<Colour>::row(colour, y) + x;
@@ -112,7 +112,7 @@ struct shade_by_triangle {
           while (pending != 0) {
             const auto place = static_cast<std::uint32_t>(lane(places, std::countr_zero(pending)));
             const shading_setup<shader_type>& setup = kept.of(*this, place);
-            const auto shown = places == I::broadcast(static_cast<std::int32_t>(place));
+            const auto shown = places == J::broadcast(static_cast<std::int32_t>(place));
             const unsigned same = mask_bits(shown) & pending;
             pixel_weights<F> where = weights_from<F>(setup.s, setup.narrow, x, y, depth);
             if (setup.piece != nullptr) where = in_source(where, *setup.piece);
@@ -146,12 +146,12 @@ private:
     }
   };
 
-  template <class I>
-  IRG_INLINE static constexpr I load_places(const std::uint32_t* from) noexcept {
-    if constexpr (lanes<I>::count == 1)
-      return static_cast<I>(*from);
+  template <class J>
+  IRG_INLINE static constexpr J load_places(const std::uint32_t* from) noexcept {
+    if constexpr (lanes<J>::count == 1)
+      return static_cast<J>(*from);
     else
-      return bits_as<std::int32_t>(lanes<typename lanes<I>::template rebind<std::uint32_t>>::load(from));
+      return bits_as<std::int32_t>(lanes<typename lanes<J>::template rebind<std::uint32_t>>::load(from));
   }
 };
 

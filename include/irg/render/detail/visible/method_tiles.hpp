@@ -16,7 +16,7 @@ namespace irg {
 namespace detail {
 
 // Which objects of a picture are convex bodies of which only front faces are drawn, and their triangles' numbers.
-struct convex_bodies {
+struct IRG_APART convex_bodies {
   struct range {
     std::uint32_t first, end;
   };

@@ -50,28 +50,28 @@ struct tile_painter {
   // order of the list.
   template <tile_test Test>
   IRG_INLINE void draw_dots(const dots& d, const std::uint32_t* place, unsigned which) noexcept {
-    using I = lanes<integers>;
+    using J = lanes<integers>;
     for (unsigned bits = which; bits != 0; bits &= bits - 1) note_seen(place[std::countr_zero(bits)]);
     constexpr int across = 4;  // a pixel's number is across * row + column
     float key[dots::most * across][count];
-    integers covered = I::broadcast(0), row[3] = {d.f[0], d.f[1], d.f[2]};
-    const bool third_column = mask_bits(I::broadcast(2) < d.columns) != 0,
-               third_row = mask_bits(I::broadcast(2) < d.rows) != 0;
+    integers covered = J::broadcast(0), row[3] = {d.f[0], d.f[1], d.f[2]};
+    const bool third_column = mask_bits(J::broadcast(2) < d.columns) != 0,
+               third_row = mask_bits(J::broadcast(2) < d.rows) != 0;
     for (int y = 0; y < (third_row ? 3 : 2); ++y) {
       integers f[3] = {row[0], row[1], row[2]};
       for (int x = 0; x < (third_column ? 3 : 2); ++x) {
         const int pixel = across * y + x;
         const integers here =
-            both(none_negative(f[0], f[1], f[2]), both(I::broadcast(x) < d.columns, I::broadcast(y) < d.rows));
+            both(none_negative(f[0], f[1], f[2]), both(J::broadcast(x) < d.columns, J::broadcast(y) < d.rows));
         counts.tested = counts.tested - here;
-        covered = covered | both(here, I::broadcast(1 << pixel));
+        covered = covered | both(here, J::broadcast(1 << pixel));
         lanes<floats>::store(key[pixel], depth_at<floats>(f, d));
         for (int k = 0; k < 3; ++k) f[k] = f[k] + d.right[k];
       }
       for (int k = 0; k < 3; ++k) row[k] = row[k] + d.down[k];
     }
     std::int32_t at[count];
-    I::store(at, d.at);
+    J::store(at, d.at);
     // 16 bits to a triangle, four triangles to a word.
     std::uint64_t words[count / 4];
     lanes<pack<std::uint16_t, count>>::store_bytes(words, converted<std::uint16_t>(covered));
@@ -116,7 +116,7 @@ struct tile_painter {
   // Sets up `used` triangles, and draws those whose boxes have two columns and rows at most.
   template <tile_test Test>
   IRG_INLINE group_state set_up_group(tile_triangles& g, std::size_t first, int used) noexcept {
-    using I = lanes<integers>;
+    using J = lanes<integers>;
     using F = lanes<floats>;
     corner_lanes<count> c;
     c.collect(find, numbers.data() + first, used);
@@ -124,11 +124,11 @@ struct tile_painter {
     const auto& depth = c.depth;
     for (int i = 0; i < count; ++i) g.place[i] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i);
     const triangle_boxes<count> boxes(x, y);
-    const integers &narrow = boxes.narrow, &area = boxes.double_area, zero = I::broadcast(0), one = I::broadcast(1);
+    const integers &narrow = boxes.narrow, &area = boxes.double_area, zero = J::broadcast(0), one = J::broadcast(1);
     const unsigned everyone = (1u << used) - 1, large = ~mask_bits(narrow) & everyone;
 
     const auto within = [&](const integers& v, int least, int end) {
-      return low_of(high_of(v, I::broadcast(least)), I::broadcast(end));
+      return low_of(high_of(v, J::broadcast(least)), J::broadcast(end));
     };
     const integers x_first = within(first_centre(boxes.left), window.x_first, window.x_last),
                    x_last = within(last_centre(boxes.right), window.x_first, window.x_last),
@@ -139,8 +139,8 @@ struct tile_painter {
     const auto turned = [&](const integers& v) { return (v ^ flip) - flip; };
     const floats scale = F::broadcast(one_pixel) / to_float(turned(area)),
                  unit = scale * F::broadcast(1.0f / one_pixel);
-    const integers centre_x = x_first * I::broadcast(one_pixel) + I::broadcast(half_pixel),
-                   centre_y = y_first * I::broadcast(one_pixel) + I::broadcast(half_pixel);
+    const integers centre_x = x_first * J::broadcast(one_pixel) + J::broadcast(half_pixel),
+                   centre_y = y_first * J::broadcast(one_pixel) + J::broadcast(half_pixel);
     floats part[3];
     dots d;
     for (int k = 0; k < 3; ++k) {
@@ -151,7 +151,7 @@ struct tile_painter {
       d.f[k] = ((e - one) - owns) >> subpixel_bits;
       d.right[k] = zero - dy;
       d.down[k] = dx;
-      part[k] = (to_float(e - d.f[k] * I::broadcast(one_pixel)) * unit) * depth[k];
+      part[k] = (to_float(e - d.f[k] * J::broadcast(one_pixel)) * unit) * depth[k];
       d.gain[k] = (scale * depth[k]) * F::broadcast(order.sign);
     }
     d.rest = (part[0] + (part[1] + part[2])) * F::broadcast(order.sign);
@@ -162,38 +162,38 @@ struct tile_painter {
     d.columns = select(area == zero, zero, x_last - x_first);
     d.rows = y_last - y_first;
     // Where rejection pays, only the smallest do without it.
-    const integers end = I::broadcast(order.front_to_back ? dots::most : dots::most + 1);
+    const integers end = J::broadcast(order.front_to_back ? dots::most : dots::most + 1);
     // They are drawn before the others of their group, which is of no account unless the later one always wins.
-    const integers is_dot = both(both(d.columns < end, d.rows < end), both(narrow, I::ramp() < I::broadcast(used)));
+    const integers is_dot = both(both(d.columns < end, d.rows < end), both(narrow, J::ramp() < J::broadcast(used)));
     const unsigned few = Test == tile_test::always ? 0u : mask_bits(is_dot);
     const integers columns = d.columns;
     if (few != 0) {
       d.columns = both(d.columns, is_dot);
-      d.at = (y_first - I::broadcast(window.y_first)) * I::broadcast(tile_stride) +
-             (x_first - I::broadcast(window.x_first));
+      d.at = (y_first - J::broadcast(window.y_first)) * J::broadcast(tile_stride) +
+             (x_first - J::broadcast(window.x_first));
       draw_dots<Test>(d, g.place, few);
     }
     if (few != everyone) {
       for (int k = 0; k < 3; ++k) {
-        I::store(g.f[k], d.f[k]);
-        I::store(g.right[k], d.right[k]);
-        I::store(g.down[k], d.down[k]);
+        J::store(g.f[k], d.f[k]);
+        J::store(g.right[k], d.right[k]);
+        J::store(g.down[k], d.down[k]);
         F::store(g.gain[k], d.gain[k]);
       }
       F::store(g.rest, d.rest);
       F::store(g.low, d.low);
       F::store(g.high, d.high);
-      I::store(g.x_first, x_first - I::broadcast(window.x_first));
-      I::store(g.x_last, x_first + columns - I::broadcast(window.x_first));
-      I::store(g.y_first, y_first - I::broadcast(window.y_first));
-      I::store(g.y_last, y_last - I::broadcast(window.y_first));
+      J::store(g.x_first, x_first - J::broadcast(window.x_first));
+      J::store(g.x_last, x_first + columns - J::broadcast(window.x_first));
+      J::store(g.y_first, y_first - J::broadcast(window.y_first));
+      J::store(g.y_last, y_last - J::broadcast(window.y_first));
     }
     return {large, few};
   }
 
   // Draws a triangle that is ready: its box row by row when it is small, else block by block.
-  template <tile_test Test, class I>
-  IRG_INLINE void draw_ready(const tile_triangle<I>& t, const cell_window& box) noexcept {
+  template <tile_test Test, class J>
+  IRG_INLINE void draw_ready(const tile_triangle<J>& t, const cell_window& box) noexcept {
     constexpr int small_box = 2 * block_size;
     const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
     const tile_ties<decltype(before)> rule{counts, before};
@@ -216,8 +216,8 @@ struct tile_painter {
     tile_rows<Test>(out, t, box, rule);
   }
 
-  template <class I>
-  IRG_INLINE static void broadcast_depths(tile_triangle<I>& t, const tile_triangles& g, int i) noexcept {
+  template <class J>
+  IRG_INLINE static void broadcast_depths(tile_triangle<J>& t, const tile_triangles& g, int i) noexcept {
     using F = lanes<floats>;
     for (int k = 0; k < 3; ++k) t.gain[k] = F::broadcast(g.gain[k][i]);
     t.rest = F::broadcast(g.rest[i]);
@@ -229,7 +229,7 @@ struct tile_painter {
   // Triangle i of a group.
   template <tile_test Test>
   IRG_INLINE void draw_small(const tile_triangles& g, int i) noexcept {
-    using I = lanes<integers>;
+    using J = lanes<integers>;
     if (g.x_first[i] >= g.x_last[i] || g.y_first[i] >= g.y_last[i]) return;
     if (order.front_to_back && g.high[i] < out.farthest) return;
     tile_triangle<integers> t;
@@ -237,7 +237,7 @@ struct tile_painter {
       t.f[k] = g.f[k][i];
       t.right[k] = g.right[k][i];
       t.down[k] = g.down[k][i];
-      t.ramp[k] = I::ramp() * I::broadcast(g.right[k][i]);
+      t.ramp[k] = J::ramp() * J::broadcast(g.right[k][i]);
     }
     broadcast_depths(t, g, i);
     draw_ready<Test>(t, {g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]});
@@ -256,14 +256,14 @@ struct tile_painter {
     tile_triangles one = g;
     for (int k = 0; k < 3; ++k) one.gain[k][i] = product(s.depth.gain[k], order.sign);
     one.rest[i] = product(s.depth.rest, order.sign);
-    const auto draw = [&]<class I>(I) {
-      tile_triangle<I> t;
-      using integer = typename tile_triangle<I>::integer;
+    const auto draw = [&]<class J>(J) {
+      tile_triangle<J> t;
+      using integer = typename tile_triangle<J>::integer;
       for (int k = 0; k < 3; ++k) {
         t.f[k] = static_cast<integer>(s.edge[k](w.x_first, w.y_first));
         t.right[k] = static_cast<integer>(s.edge[k].right);
         t.down[k] = static_cast<integer>(s.edge[k].down);
-        t.ramp[k] = lanes<I>::ramp() * lanes<I>::broadcast(t.right[k]);
+        t.ramp[k] = lanes<J>::ramp() * lanes<J>::broadcast(t.right[k]);
       }
       broadcast_depths(t, one, i);
       draw_ready<Test>(t, {w.x_first - window.x_first, w.y_first - window.y_first, w.x_last - window.x_first,

@@ -48,15 +48,16 @@ render_target(Colour&, Depth&) -> render_target<Colour, Depth>;
 template <Floating T>
 class projected_triangles {
 public:
-  constexpr projected_triangles(std::type_identity_t<std::span<const triangle_batch<T>>> batches,
-                                const screen_mapping<T>& mapping) noexcept
+  IRG_APART constexpr projected_triangles(std::type_identity_t<std::span<const triangle_batch<T>>> batches,
+                                          const screen_mapping<T>& mapping) noexcept
       : mapping_(&mapping), batches_(batches) {}
-  constexpr projected_triangles(const projected_vertices<T>& vertices, std::span<const triangle_indices> triangles,
-                                const screen_mapping<T>& mapping) noexcept
+  IRG_APART constexpr projected_triangles(const projected_vertices<T>& vertices,
+                                          std::span<const triangle_indices> triangles,
+                                          const screen_mapping<T>& mapping) noexcept
       : mapping_(&mapping), alone_{&vertices, triangles} {}
 
-  [[nodiscard]] constexpr const screen_mapping<T>& mapping() const noexcept { return *mapping_; }
-  [[nodiscard]] constexpr std::span<const triangle_batch<T>> batches() const& noexcept {
+  [[nodiscard]] IRG_APART constexpr const screen_mapping<T>& mapping() const noexcept { return *mapping_; }
+  [[nodiscard]] IRG_APART constexpr std::span<const triangle_batch<T>> batches() const& noexcept {
     return alone_.vertices == nullptr ? batches_ : std::span<const triangle_batch<T>>(&alone_, 1);
   }
 
@@ -70,7 +71,7 @@ namespace detail {
 
 // What is drawn, and how, whatever becomes of it.
 template <class T>
-struct tile_job {
+struct IRG_APART tile_job {
   std::span<const triangle_batch<T>> batches;
   const screen_mapping<T>& mapping;
   draw_workspace& workspace;
@@ -84,8 +85,8 @@ struct tile_job {
 
 // The job that settings describe; `own` serves where they bring no workspace.
 template <class T>
-constexpr tile_job<T> job_of(const projected_triangles<T>& triangles, const auto& settings,
-                             draw_workspace& own) noexcept {
+IRG_APART constexpr tile_job<T> job_of(const projected_triangles<T>& triangles, const auto& settings,
+                                       draw_workspace& own) noexcept {
   tile_job<T> job{triangles.batches(), triangles.mapping(), settings.workspace != nullptr ? *settings.workspace : own,
                   settings.culling,    settings.skip,       settings.clear};
   if constexpr (requires { settings.depth; }) job.depth = settings.depth;

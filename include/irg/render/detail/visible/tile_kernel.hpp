@@ -27,12 +27,12 @@ struct tile_triangles {
 };
 
 // What the pixels of one triangle share, broadcast.
-template <class I>
+template <class J>
 struct tile_triangle {
-  static constexpr int count = lanes<I>::count;
+  static constexpr int count = lanes<J>::count;
   using floats = pack<float, count>;
-  using integer = typename lanes<I>::scalar;
-  I ramp[3];  // 0, right, 2 * right, ...
+  using integer = typename lanes<J>::scalar;
+  J ramp[3];  // 0, right, 2 * right, ...
   integer f[3], right[3], down[3];
   floats gain[3], rest, low, high;
   std::uint32_t place;  // in the tile's list
@@ -59,11 +59,11 @@ struct tile_ties {
 // One register of pixels: those covered and nearer than what is there become the triangle's. Where it is exactly as
 // near, `tied` is set and the pixel kept: see tied_pixels.
 // gives   the keys that are there now
-template <tile_test Test, class I>
-IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, const I (&f)[3],
+template <tile_test Test, class J>
+IRG_INLINE pack<float, lanes<J>::count> tile_pixels(const tile_triangle<J>& t, const J (&f)[3],
                                                     const pixels_of_tile& at, tile_counts& counts,
-                                                    pack<std::int32_t, lanes<I>::count>& tied) noexcept {
-  constexpr int lane_count = lanes<I>::count;
+                                                    pack<std::int32_t, lanes<J>::count>& tied) noexcept {
+  constexpr int lane_count = lanes<J>::count;
   using F = lanes<pack<float, lane_count>>;
   typedef pack<std::int32_t, lane_count> mask;
   const mask inside = none_negative(f[0], f[1], f[2]);
@@ -90,10 +90,10 @@ IRG_INLINE pack<float, lanes<I>::count> tile_pixels(const tile_triangle<I>& t, c
 
 // The pixels of a register that tile_pixels found tied: the triangle's if before(a, b) says of it and the other that it
 // comes first. Keys stay as they are.
-template <class I, class Before>
-IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I (&f)[3], const pixels_of_tile& at, tile_counts& counts,
+template <class J, class Before>
+IRG_INLINE void tied_pixels(const tile_triangle<J>& t, const J (&f)[3], const pixels_of_tile& at, tile_counts& counts,
                             const Before& before) noexcept {
-  constexpr int lane_count = lanes<I>::count;
+  constexpr int lane_count = lanes<J>::count;
   using F = lanes<pack<float, lane_count>>;
   typedef pack<std::int32_t, lane_count> mask;
   const auto key = depth_at<pack<float, lane_count>>(f, t);
@@ -108,19 +108,19 @@ IRG_INLINE void tied_pixels(const tile_triangle<I>& t, const I (&f)[3], const pi
 }
 
 // The rows of a box, from its first column on; `steps` are taken to the right, each of a register.
-template <tile_test Test, class I, class Before>
-IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, const cell_window& box,
+template <tile_test Test, class J, class Before>
+IRG_INLINE void tile_rows(tile& out, const tile_triangle<J>& t, const cell_window& box,
                           const tile_ties<Before>& ties) noexcept {
   tile_counts counts = ties.counts;
-  constexpr int lane_count = lanes<I>::count;
-  using J = lanes<I>;
+  constexpr int lane_count = lanes<J>::count;
+  using K = lanes<J>;
   using mask = pack<std::int32_t, lane_count>;
   const auto for_each_register = [&](const auto& pixels) {
     for (int x = box.x_first; x < box.x_last; x += lane_count) {
-      const auto steps = static_cast<typename tile_triangle<I>::integer>(x - box.x_first);
-      I f[3];
-      for (int i = 0; i < 3; ++i) f[i] = t.ramp[i] + J::broadcast(t.f[i] + t.right[i] * steps);
-      const I down0 = J::broadcast(t.down[0]), down1 = J::broadcast(t.down[1]), down2 = J::broadcast(t.down[2]);
+      const auto steps = static_cast<typename tile_triangle<J>::integer>(x - box.x_first);
+      J f[3];
+      for (int i = 0; i < 3; ++i) f[i] = t.ramp[i] + K::broadcast(t.f[i] + t.right[i] * steps);
+      const J down0 = K::broadcast(t.down[0]), down1 = K::broadcast(t.down[1]), down2 = K::broadcast(t.down[2]);
       int at = box.y_first * tile_stride + x;
       for (int y = box.y_first; y < box.y_last; ++y, at += tile_stride) {
         pixels(f, at);
@@ -132,22 +132,22 @@ IRG_INLINE void tile_rows(tile& out, const tile_triangle<I>& t, const cell_windo
   };
   mask tied = lanes<mask>::broadcast(0);
   for_each_register(
-      [&](const I(&f)[3], int at) { tile_pixels<Test>(t, f, {out.key + at, out.id + at}, counts, tied); });
+      [&](const J(&f)[3], int at) { tile_pixels<Test>(t, f, {out.key + at, out.id + at}, counts, tied); });
   if (Test == tile_test::nearer && mask_bits(tied) != 0) [[unlikely]]
     for_each_register(
-        [&](const I(&f)[3], int at) { tied_pixels(t, f, {out.key + at, out.id + at}, counts, ties.before); });
+        [&](const J(&f)[3], int at) { tied_pixels(t, f, {out.key + at, out.id + at}, counts, ties.before); });
   ties.counts = counts;
 }
 
 // The blocks of a box that the edges let in and, `by_depth`, whose pixels are not all nearer than the triangle: a bit
 // each.
-template <class I>
-IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>& t, const cell_window& box,
+template <class J>
+IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>& t, const cell_window& box,
                                         bool by_depth) noexcept {
-  constexpr int lane_count = lanes<I>::count, chunks = blocks_across / lane_count;
-  using J = lanes<I>;
+  constexpr int lane_count = lanes<J>::count, chunks = blocks_across / lane_count;
+  using K = lanes<J>;
   using F = lanes<pack<float, lane_count>>;
-  using integer = typename tile_triangle<I>::integer;
+  using integer = typename tile_triangle<J>::integer;
   const int bx_first = box.x_first / block_size, bx_last = (box.x_last - 1) / block_size + 1;
   const int by_first = box.y_first / block_size, by_last = (box.y_last - 1) / block_size + 1;
   const auto zero = F::broadcast(0), last = F::broadcast(block_size - 1);
@@ -155,7 +155,7 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>&
   const auto across = F::broadcast(static_cast<float>((bx_last - bx_first) * block_size)),
              along = F::broadcast(static_cast<float>((by_last - by_first) * block_size));
   // The greatest F in each block of a row; and the depth at the first block's first pixel, and its slopes.
-  I greatest[static_cast<unsigned>(chunks)][3], down[3];
+  J greatest[static_cast<unsigned>(chunks)][3], down[3];
   pack<float, lane_count> start[3], slope_right = zero, slope_down = zero, size = absolute(t.rest);
   for (int i = 0; i < 3; ++i) {
     const integer corner = t.f[i] + t.right[i] * static_cast<integer>(bx_first * block_size - box.x_first) +
@@ -163,10 +163,10 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>&
     const integer reach = (t.right[i] > 0 ? t.right[i] : integer(0)) * (block_size - 1) +
                           (t.down[i] > 0 ? t.down[i] : integer(0)) * (block_size - 1);
     const integer first = corner + reach - t.right[i] * static_cast<integer>(bx_first * block_size);
-    const I step = J::ramp() * J::broadcast(t.right[i] * block_size);
+    const J step = K::ramp() * K::broadcast(t.right[i] * block_size);
     for (int c = 0; c < chunks; ++c)
-      greatest[c][i] = J::broadcast(first + t.right[i] * static_cast<integer>(c * lane_count * block_size)) + step;
-    down[i] = J::broadcast(t.down[i] * block_size);
+      greatest[c][i] = K::broadcast(first + t.right[i] * static_cast<integer>(c * lane_count * block_size)) + step;
+    down[i] = K::broadcast(t.down[i] * block_size);
     const auto gain_right = F::broadcast(static_cast<float>(t.right[i])) * t.gain[i],
                gain_down = F::broadcast(static_cast<float>(t.down[i])) * t.gain[i];
     start[i] = F::broadcast(static_cast<float>(corner)) * t.gain[i];
@@ -201,25 +201,25 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<I>&
 
 // A box block by block. Blocks that no edge lets in, or that lie behind what is drawn there, are passed over.
 // gives   whether any block was gone into
-template <tile_test Test, class I, class Before>
-IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, const cell_window& box, const tile_ties<Before>& ties,
+template <tile_test Test, class J, class Before>
+IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<J>& t, const cell_window& box, const tile_ties<Before>& ties,
                             bool by_depth) noexcept {
   const std::uint64_t blocks = blocks_to_draw(out, t, box, by_depth);
   if (blocks == 0) return false;
   tile_counts counts = ties.counts;
-  constexpr int lane_count = lanes<I>::count, parts = block_size / lane_count;
-  using J = lanes<I>;
+  constexpr int lane_count = lanes<J>::count, parts = block_size / lane_count;
+  using K = lanes<J>;
   using F = lanes<pack<float, lane_count>>;
-  using integer = typename tile_triangle<I>::integer;
+  using integer = typename tile_triangle<J>::integer;
   using mask = pack<std::int32_t, lane_count>;
-  const I down[3] = {J::broadcast(t.down[0]), J::broadcast(t.down[1]), J::broadcast(t.down[2])};
+  const J down[3] = {K::broadcast(t.down[0]), K::broadcast(t.down[1]), K::broadcast(t.down[2])};
   const auto for_each_register = [&](int bx, int by, const auto& pixels) {
-    I f[static_cast<unsigned>(parts)][3];
+    J f[static_cast<unsigned>(parts)][3];
     for (int i = 0; i < 3; ++i)
       for (int part = 0; part < parts; ++part)
         f[part][i] =
             t.ramp[i] +
-            J::broadcast(t.f[i] + t.right[i] * static_cast<integer>(bx * block_size + part * lane_count - box.x_first) +
+            K::broadcast(t.f[i] + t.right[i] * static_cast<integer>(bx * block_size + part * lane_count - box.x_first) +
                          t.down[i] * static_cast<integer>(by * block_size - box.y_first));
     int at = by * block_size * tile_stride + bx * block_size;
     for (int y = 0; y < block_size; ++y, at += tile_stride)
@@ -232,12 +232,12 @@ IRG_INLINE bool tile_blocks(tile& out, const tile_triangle<I>& t, const cell_win
     const int block = std::countr_zero(bits), bx = block % blocks_across, by = block / blocks_across;
     auto least = F::broadcast(beyond_everything);
     mask tied = lanes<mask>::broadcast(0);
-    for_each_register(bx, by, [&](const I(&f)[3], int at) {
+    for_each_register(bx, by, [&](const J(&f)[3], int at) {
       least = low_of(tile_pixels<Test>(t, f, {out.key + at, out.id + at}, counts, tied), least);
     });
     if (Test == tile_test::nearer && mask_bits(tied) != 0) [[unlikely]]
       for_each_register(
-          bx, by, [&](const I(&f)[3], int at) { tied_pixels(t, f, {out.key + at, out.id + at}, counts, ties.before); });
+          bx, by, [&](const J(&f)[3], int at) { tied_pixels(t, f, {out.key + at, out.id + at}, counts, ties.before); });
     if (by_depth) out.farthest_key[block] = least_of(least);
   }
   ties.counts = counts;
