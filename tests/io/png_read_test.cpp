@@ -215,6 +215,12 @@ TEST_CASE("png_read: what is wrong is said where it stands") {
   put_chunk(f, "ABcD", {});
   CHECK(outcome(f) == "38 chunk is needed for the picture, but not known");
   f = begin(gray);
+  put_chunk(f, "\xfeHDR", {});  // a name is of letters, also of a chunk that may be skipped
+  CHECK(outcome(f) == "38 chunk has a name that is not of letters");
+  f = begin(gray);
+  put_chunk(f, "tE[t", {});
+  CHECK(outcome(f) == "40 chunk has a name that is not of letters");
+  f = begin(gray);
   put_chunk(f, "IDAT", {});
   put_chunk(f, "tEXt", {});
   CHECK(outcome(finish(f, stored({0, 5, 6}))) == "66 data of the picture are interrupted");
