@@ -58,6 +58,9 @@ struct derived : base {
 struct rectangle {  // as SDL_Rect: w is a width
   int x, y, w, h;
 };
+struct extended {  // as GdkRectangle, and Rectangle of raylib
+  float x, y, width, height;
+};
 struct weighted {  // as a homogeneous point of the plane, perhaps: to be said, not guessed
   float x, y, w;
 };
@@ -100,7 +103,7 @@ static_assert(irg::Point<marked_point> && !irg::Vector<marked_point>);
 static_assert(irg::coordinate_traits<vertex>::kind == coordinate_kind::any);
 static_assert(irg::coordinate_traits<tagged>::kind == coordinate_kind::any);
 
-static_assert(!irg::Coordinates<rectangle> && !irg::Coordinates<weighted>);
+static_assert(!irg::Coordinates<rectangle> && !irg::Coordinates<extended> && !irg::Coordinates<weighted>);
 static_assert(!irg::Coordinates<mixed> && !irg::Coordinates<mixed4>);
 static_assert(!irg::Coordinates<flags2> && !irg::Coordinates<std::array<bool, 3>>);
 static_assert(!irg::Coordinates<only_x> && !irg::Coordinates<methods> && !irg::Coordinates<unmakeable>);

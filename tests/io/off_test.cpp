@@ -132,6 +132,21 @@ TEST_CASE_TEMPLATE("off: what was written reads as the same mesh", T, float, dou
   CHECK(!irg::encode_off(broken));
 }
 
+TEST_CASE("off: a cloud of points keeps its normals and texture coordinates, if they are as many") {
+  irg::mesh<double> cloud;
+  cloud.positions = {{1, 2, 3}, {4, 5, 6}};
+  cloud.normals = {{0, 0, 1}, {0, 1, 0}};
+  cloud.texcoords = {{0.5, 1}, {0, 0.25}};
+  const auto again = read_off<double>(as_text(*irg::encode_off(cloud)));
+  REQUIRE(test::outcome_of(again) == "");
+  CHECK(*again == cloud);
+  cloud.normals.pop_back();
+  const auto without = read_off<double>(as_text(*irg::encode_off(cloud)));
+  REQUIRE(test::outcome_of(without) == "");
+  CHECK(without->normals.empty());
+  CHECK(without->texcoords == cloud.texcoords);
+}
+
 TEST_CASE("off: damage is noticed or leaves a sound mesh") {
   const auto read = [](std::string_view s) { return read_off<float>(s); };
   test::damage(std::string(square), read, 3000, 1);

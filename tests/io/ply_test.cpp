@@ -233,6 +233,21 @@ TEST_CASE("ply: corners that differ split their vertex, and keep what they name"
   CHECK(std::string(irg::encode_ply(m).error().message) == "mesh has a position that is not finite");
 }
 
+TEST_CASE("ply: a cloud of points keeps its normals and texture coordinates, if they are as many") {
+  irg::mesh<double> cloud;
+  cloud.positions = {{1, 2, 3}, {4, 5, 6}};
+  cloud.normals = {{0, 0, 1}, {0, 1, 0}};
+  cloud.texcoords = {{0.5, 1}, {0, 0.25}};
+  const auto again = read_ply<double>(as_text(*irg::encode_ply(cloud)));
+  REQUIRE(test::outcome_of(again) == "");
+  CHECK(*again == cloud);
+  cloud.normals.pop_back();
+  const auto without = read_ply<double>(as_text(*irg::encode_ply(cloud)));
+  REQUIRE(test::outcome_of(without) == "");
+  CHECK(without->normals.empty());
+  CHECK(without->texcoords == cloud.texcoords);
+}
+
 TEST_CASE("ply: damage is noticed or leaves a sound mesh") {
   const auto read = [](std::string_view s) { return read_ply<float>(s); };
   test::damage(std::string(square), read, 3000, 1);

@@ -215,6 +215,12 @@ TEST_CASE("png_read: what is wrong is said where it stands") {
   put_chunk(f, "ABcD", {});
   CHECK(outcome(f) == "38 chunk is needed for the picture, but not known");
   f = begin(gray);
+  put_chunk(f, "\xfeHDR", {});  // a name is of letters, also of a chunk that may be skipped
+  CHECK(outcome(f) == "38 chunk has a name that is not of letters");
+  f = begin(gray);
+  put_chunk(f, "tE[t", {});
+  CHECK(outcome(f) == "40 chunk has a name that is not of letters");
+  f = begin(gray);
   put_chunk(f, "IDAT", {});
   put_chunk(f, "tEXt", {});
   CHECK(outcome(finish(f, stored({0, 5, 6}))) == "66 data of the picture are interrupted");
@@ -261,6 +267,44 @@ TEST_CASE("inflate: streams of disorder end with a reason") {
         in.message != nullptr && std::string_view(in.message).find("after their end") != std::string::npos;
     CHECK(good == (in.message == nullptr || longer));
 #endif
+  }
+}
+
+TEST_CASE("inflate: blocks of fixed codes, and of others between them") {
+  test::random r(9);
+  for (int trial = 0; trial < 200; ++trial) {
+    file z = {0x78, 0x01}, data;
+    std::uint64_t pending = 0;
+    int count = 0;
+    const auto put = [&](std::uint64_t bits, int n) {
+      for (pending |= bits << count, count += n; count >= 8; count -= 8, pending >>= 8)
+        z.push_back(static_cast<std::uint8_t>(pending));
+    };
+    for (std::int64_t left = r.integer(1, 40); left >= 0; --left) {
+      put(left == 0 ? 1 : 0, 1);
+      if (r.integer(0, 2) != 0) {  // fixed: 0x30 + a number below 144, its highest bit first; then the end, 7 zeros
+        put(1, 2);
+        for (std::int64_t i = r.integer(0, 2); i > 0; --i) {
+          const auto byte = static_cast<std::uint8_t>(r.integer(0, 143));
+          for (int bit = 7; bit >= 0; --bit) put((byte + 0x30u) >> bit & 1, 1);
+          data.push_back(byte);
+        }
+        put(0, 7);
+        continue;
+      }
+      put(2, 2);  // 257 symbols and one distance: 138 + 118 words of no bits, then two of one; the end is a 0
+      put(0, 5), put(0, 5), put(14, 4);
+      for (int i = 0; i < 18; ++i) put(i == 2 || i == 17 ? 1 : 0, 3);
+      put(1, 1), put(127, 7), put(1, 1), put(107, 7), put(0, 1), put(0, 1);
+      put(0, 1);
+    }
+    put(0, (8 - count) % 8);
+    std::uint32_t a = 1, b = 0;
+    for (const std::uint8_t byte : data) a += byte, b += a;
+    put_big_endian(z, b % 65521 << 16 | a % 65521);
+    irg::detail::inflater<file> in(z, 100);
+    CHECK(in.zlib());
+    CHECK(in.out == data);
   }
 }
 

@@ -57,6 +57,20 @@ TEST_CASE("svg_drawing: lines, dashes, regions") {
   }));
 }
 
+TEST_CASE("svg_drawing: lines have their opacity, and are left out where none of their width is in the picture") {
+  CHECK_BOTH(
+      gives("<g stroke=\"#102030\" stroke-opacity=\"0.501\" stroke-linecap=\"round\" stroke-width=\"6\">\n"
+            "<line x1=\"-2\" y1=\"0\" x2=\"-3\" y2=\"9\"/>\n<line x1=\"0\" y1=\"13\" x2=\"9\" y2=\"14\"/>\n"
+            "</g>\n</svg>\n",
+            [](auto& d) {
+              d.begin_lines({.colour = irg::rgba8{16, 32, 48, 128}, .width = 6});
+              d.add_line({-2, 0}, {-3, 9});
+              d.add_line({-3.5, 0}, {-4, 9});
+              d.add_line({0, 13}, {9, 14});
+              d.add_line({0, 13.5}, {9, 14});
+            }));
+}
+
 TEST_CASE("svg_drawing: coordinates to the nearest millionth") {
   CHECK_BOTH(is_written(0, "0"));
   CHECK_BOTH(is_written(-0.0000001, "0"));
@@ -65,6 +79,13 @@ TEST_CASE("svg_drawing: coordinates to the nearest millionth") {
   CHECK_BOTH(is_written(-120.05, "-120.05"));
   CHECK_BOTH(is_written(1e300, "1099511627776"));
   CHECK_BOTH(is_written(5e-324, "0"));
+  CHECK_BOTH(is_written(0x1p-7, "0.007813"));  // half-way
+  CHECK_BOTH(is_written(-0x1p-7, "-0.007813"));
+  CHECK_BOTH(is_written(0x1.cd9a0f0a5efe9p-3, "0.225391"));  // times a million, half-way but for less than an ulp
+  CHECK_BOTH(is_written(0x1.cd9a0f0a5efeap-3, "0.225392"));
+  CHECK_BOTH(is_written(0x1.ffb480a5accd9p-16, "0.000031"));
+  CHECK_BOTH(is_written(0x1.ffb480a5accd5p-16, "0.00003"));
+  CHECK_BOTH(is_written(0x1.fffffffffffffp-1, "1"));
   test::random r(3);
   for (int i = 0; i < 2000; ++i) {
     const double v =

@@ -2,6 +2,7 @@
 #include <irg/mesh/fit.hpp>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <irg/mesh/shape_polyhedra.hpp>
@@ -86,6 +87,28 @@ TEST_CASE("fit: ends of the range") {
   CHECK_BOTH(fitted_points({{0, 0, 0}, {0x1p-1021, 0, 0}}) == points({{-1, 0, 0}, {1, 0, 0}}));
   CHECK_BOTH(status({{-largest, 0, 0}, {largest, largest, 0}}) == fit_status::fitted);
   CHECK_BOTH(status({{0, 0, 0}, {5e-324, 0, 0}}) == fit_status::all_sizes_zero);
+}
+
+// Next to the smallest normal number the middle and the scale have fewer digits: 8u here, where others keep to 5u.
+TEST_CASE("fit: boxes of subnormal numbers, within 16u and what the middle adds") {
+  const box<float, 3> small{{-0x1.092fap-128f, 0, 0}, {0x1.f9559p-129f, 0, 0}};
+  CHECK(fitted(small.high, fit_of(small)).x == 1 + 0x8p-24f);
+  test::random r(6);
+  for (int k = 0; k < 20000; ++k) {
+    const auto number = [&] {
+      return std::ldexp(static_cast<float>(r.integer(-(1 << 23), 1 << 23)), static_cast<int>(r.integer(-149, -136)));
+    };
+    const float a = number(), b = number();
+    const box<float, 3> extents{{lesser(a, b), 0, 0}, {greater(a, b), 0, 0}};
+    const auto f = fit_of(extents);
+    if (f.status != fit_status::fitted) continue;
+    const double low = static_cast<double>(extents.low.x), high = static_cast<double>(extents.high.x),
+                 half = high / 2 - low / 2;
+    const double middle = greater(-low, high) / half;
+    CHECK(static_cast<double>(fitted(extents.high, f).x) <= 1 + (16 + middle) * 0x1p-24);
+    CHECK(static_cast<double>(fitted(extents.low, f).x) >= -1 - (16 + middle) * 0x1p-24);
+    CHECK(std::fabs(static_cast<double>(f.scale) * half - 1) <= 9 * 0x1p-24);
+  }
 }
 
 TEST_CASE("fit: several bodies, each fitted, then scaled and placed") {

@@ -5,8 +5,8 @@
 //   * types with members x and y, or x, y and z, or x, y, z and w, of one type     (plain structs, GLM),
 //   * std::array and other tuple-like types with operator[],
 //   * fixed-size column vectors with RowsAtCompileTime and operator[] (Eigen).
-// each where T{c...} makes one from its coordinates. Rectangles with x, y, w and h are refused, not mistaken for
-// points. Any other type is admitted by specialising it:
+// each where T{c...} makes one from its coordinates. Rectangles with x, y, w and h, or width and height, are refused,
+// not mistaken for points. Any other type is admitted by specialising it:
 //
 //   template <> struct irg::coordinate_traits<my::vector> {
 //     using scalar = float;
@@ -40,10 +40,15 @@ template <class T>
 concept has_z = requires(const T& v) { v.z; };
 template <class T>
 concept has_w = requires(const T& v) { v.w; };
+template <class T>
+concept has_extent = requires(const T& v) {
+  v.width;
+  v.height;
+};
 // x and y; x, y and z; or x, y, z and w, all of one type. A w without z may be a width or a weight: it is not guessed.
 template <class T>
 concept has_named_coordinates =
-    has_xy<T> && (has_z<T> || !has_w<T>) && (!has_z<T> || requires(const T& v) {
+    has_xy<T> && !has_extent<T> && (has_z<T> || !has_w<T>) && (!has_z<T> || requires(const T& v) {
       requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.z)>>;
     }) && (!has_w<T> || requires(const T& v) {
       requires std::same_as<std::remove_cvref_t<decltype(v.x)>, std::remove_cvref_t<decltype(v.w)>>;

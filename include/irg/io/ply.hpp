@@ -105,10 +105,12 @@ inline namespace IRG_ABI {
 
 /// The bytes of a PLY file that describes the mesh.
 /// shape   a vertex for each position, more where its corners differ in normal or texture coordinate; an attribute that
-///         some corner lacks is left out, and so are the names of parts, for which PLY has no place
+///         some corner lacks is left out, and so are the names of parts, for which PLY has no place. Without faces,
+///         normals are those of the positions if they are as many, and so are texture coordinates
 /// gives   an error when the mesh does not pass validate()
-/// exact   read_ply<T> of the bytes gives the same mesh again, if every corner names the normal and the texture
-///         coordinate of its position's number, or none does, and there are no parts: in all three encodings
+/// exact   read_ply<T> of the bytes gives the same mesh again, in all three encodings, if there are no parts, and as
+///         many normals as positions, each corner naming that of its position's number, or none, and so texture
+///         coordinates
 /// cost    linear; O(n log n) where there are normals or texture coordinates
 /// source  Turk 1994
 template <Floating T>

@@ -78,6 +78,8 @@ private:
     c = {big_endian(at_ + 4), at_ + 8, file_.subspan(at_ + 8, length)};
     if (crc32(file_.subspan(at_ + 4, length + 4)) != big_endian(at_ + 8 + length))
       return fail(at_ + 8 + length, "checksum of a chunk is wrong");
+    for (std::size_t i = at_ + 4; i < at_ + 8; ++i)
+      if (((file_[i] | 32u) - 'a') > 25u) return fail(i, "chunk has a name that is not of letters");
     at_ += length + 12;
     return true;
   }

@@ -23,14 +23,21 @@ struct svg_stroke {
 namespace detail {
 inline namespace IRG_ABI {
 
-// A number to the nearest millionth, without trailing zeros; those beyond 2^40 as 2^40.
+// A number to the nearest millionth, of two the greater size, without trailing zeros; those beyond 2^40 as 2^40.
 template <class Bytes>
 constexpr void append_millionths(Bytes& out, double v) {
   constexpr double limit = 0x1p40;
   const double size = v < 0 ? -v : v, bounded = size < limit ? size : limit;
   const auto whole = static_cast<std::int64_t>(bounded);
+  // What is behind the point, in 2^-64ths or, where those do not hold it, in 2^-75ths, times a million: all its bits,
+  // but for what is nearer to 0 than 2^-22.
+  const double behind = bounded - static_cast<double>(whole);
+  const bool is_small = behind < 0x1p-11;
+  const auto bits = static_cast<std::uint64_t>(behind * (is_small ? 0x1p75 : 0x1p64));
+  const std::uint64_t millionths = (bits >> 32) * 1000000 + ((bits & 0xffffffff) * 1000000 >> 32);
+  const int shift = is_small ? 43 : 32;
   const std::int64_t parts =
-      whole * 1000000 + static_cast<std::int64_t>((bounded - static_cast<double>(whole)) * 1000000 + 0.5);
+      whole * 1000000 + static_cast<std::int64_t>((millionths + (std::uint64_t{1} << (shift - 1))) >> shift);
   if (v < 0 && parts != 0) append_text(out, "-");
   char digits[20] = {};
   int count = 0;
@@ -61,7 +68,7 @@ public:
       : sink_(sink), width_(width), height_(height) {
     put("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").put(width).put("\" height=\"").put(height);
     put("\" viewBox=\"0 0 ").put(width).put(" ").put(height).put("\">\n<rect width=\"100%\" height=\"100%\" ");
-    detail::append_fill(text_, background);
+    detail::append_paint(text_, "fill", background);
     put("/>\n").flush();
   }
 
@@ -69,15 +76,19 @@ public:
   constexpr void begin_lines(const svg_stroke& stroke) {
     end_lines();
     lines_ = true;
-    put("<g stroke=\"").put_colour(stroke.colour).put("\" stroke-linecap=\"round\"");
+    reach_ = stroke.width / 2;
+    put("<g ");
+    detail::append_paint(text_, "stroke", stroke.colour);
+    put(" stroke-linecap=\"round\"");
     if (stroke.width != 1) put(" stroke-width=\"").put(stroke.width).put("\"");
     if (stroke.dash > 0) put(" stroke-dasharray=\"").put(stroke.dash).put("\"");
     put(">\n").flush();
   }
-  /// A line; nothing where it lies beside the picture.
+  /// A line; nothing where it lies beside the picture, in all its width.
   constexpr void add_line(const point<double, 2>& a, const point<double, 2>& b) {
-    if ((a.x < 0 && b.x < 0) || (a.y < 0 && b.y < 0) || (a.x > width_ && b.x > width_) ||
-        (a.y > height_ && b.y > height_))
+    const double left = -reach_, right = width_ + reach_, bottom = height_ + reach_;
+    if ((a.x < left && b.x < left) || (a.y < left && b.y < left) || (a.x > right && b.x > right) ||
+        (a.y > bottom && b.y > bottom))
       return;
     put("<line x1=\"").put(a.x).put("\" y1=\"").put(a.y).put("\" x2=\"").put(b.x).put("\" y2=\"").put(b.y);
     put("\"/>\n").flush();
@@ -97,7 +108,7 @@ public:
       if (!first) put("Z");
     }
     put("\" ");
-    detail::append_fill(text_, colour);
+    detail::append_paint(text_, "fill", colour);
     put("/>\n").flush();
   }
   constexpr void finish() {
@@ -122,13 +133,6 @@ private:
     detail::append_millionths(text_, v);
     return *this;
   }
-  constexpr svg_drawing& put_colour(const rgba8& c) {
-    constexpr std::string_view hex = "0123456789abcdef";
-    put("#");
-    for (const unsigned channel : {c.r, c.g, c.b})
-      for (const unsigned digit : {channel >> 4, channel & 15u}) put(hex.substr(digit, 1));
-    return *this;
-  }
   constexpr void flush() {
     piece_.clear();
     for (const std::uint8_t byte : text_) piece_.push_back(static_cast<char>(byte));
@@ -139,6 +143,7 @@ private:
   Sink& sink_;
   int width_, height_;
   bool lines_ = false;
+  double reach_ = 0;  // of a line to either side
   std::vector<std::uint8_t> text_{};
   std::vector<char> piece_{};
 };

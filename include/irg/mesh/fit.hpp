@@ -43,7 +43,8 @@ inline namespace IRG_ABI {
 
 /// The map that fits a box into [-1, 1]^3.
 /// gives   a map that does nothing for a box that is empty or not finite; a scale of 1 when all sizes are zero
-/// exact   centre and scale rounded once each (two to three times for boxes wider than half the range)
+/// exact   the centre rounded once, the scale twice: within 2u (once more each for boxes wider than half the range; the
+///         scale within 9u where the longest edge is within 1024 times the smallest normal number)
 /// source  Mihajlovic 2016, 7.2: centre (max + min)/2, scale 2/max(size)
 template <Floating T>
 [[nodiscard]] constexpr fit<T> fit_of(const box<T, 3>& extents) noexcept {
@@ -74,9 +75,9 @@ template <Mesh M>
 
 /// Where a fit takes a point.
 /// exact   difference and product rounded once each: points of the fitted box come within 4u of [-1, 1], u = 2^-53 or
-///         2^-24 (two bits worse where the box is wider than half the largest number: the scale is subnormal there).
-///         The rounded centre adds u times its largest coordinate over half the longest edge: 1 at most, where the box
-///         is from a number to the next
+///         2^-24 (two bits worse where the box is wider than half the largest number, or its longest edge is within
+///         1024 times the smallest normal one: subnormal numbers have fewer digits). The rounded centre adds u times
+///         its largest coordinate over half the longest edge: 1 at most, where the box is from a number to the next
 template <Floating T>
 [[nodiscard]] constexpr point<T, 3> fitted(const point<T, 3>& p, const fit<T>& f) noexcept {
   return to_point((p - f.centre) * f.scale);

@@ -153,10 +153,11 @@ private:
   constexpr bool block(std::uint32_t kind) {
     if (kind == 0) return stored();
     if (kind == 3) return fail("compressed data hold a block of no known kind");
-    if (kind == 1)
+    if (kind == 1 && !codes_are_fixed_)  // made once for all blocks that follow each other: a block may have ten bits
       fixed_codes();
-    else if (!sent_codes())
+    else if (kind == 2 && !sent_codes())
       return false;
+    codes_are_fixed_ = kind == 1;
     return body();
   }
 
@@ -259,6 +260,7 @@ private:
 
   bit_reader in_;
   std::size_t most_, size_ = 0;
+  bool codes_are_fixed_ = false;
   prefix_decoder<288> literals_{};
   prefix_decoder<32> distances_{};
 };

@@ -13,17 +13,20 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// fill="#rrggbb", and the opacity where it is not full.
+// fill="#rrggbb" or stroke="#rrggbb", and the opacity where it is not full.
 template <class Bytes>
-constexpr void append_fill(Bytes& out, const rgba8& p) {
+constexpr void append_paint(Bytes& out, std::string_view what, const rgba8& p) {
   constexpr std::string_view hex = "0123456789abcdef";
-  append_text(out, "fill=\"#");
+  append_text(out, what);
+  append_text(out, "=\"#");
   for (const std::uint8_t channel : {p.r, p.g, p.b})
     for (const int digit : {channel >> 4, channel & 15})
       out.push_back(static_cast<std::uint8_t>(hex[static_cast<std::size_t>(digit)]));
   append_text(out, "\"");
   if (p.a == 255) return;
-  append_text(out, " fill-opacity=\"0.");  // rounded down to a thousandth; no opacity below 255 comes to 1
+  append_text(out, " ");
+  append_text(out, what);
+  append_text(out, "-opacity=\"0.");  // rounded down to a thousandth; no opacity below 255 comes to 1
   const int thousandths = p.a * 1000 / 255;
   for (const int digit : {thousandths / 100, thousandths / 10 % 10, thousandths % 10})
     out.push_back(static_cast<std::uint8_t>('0' + digit));
@@ -41,7 +44,7 @@ constexpr void append_run(Bytes& out, int x, int y, int width, int height, const
   append_text(out, "\" height=\"");
   append_number(out, height);
   append_text(out, "\" ");
-  append_fill(out, p);
+  append_paint(out, "fill", p);
   append_text(out, "/>\n");
 }
 

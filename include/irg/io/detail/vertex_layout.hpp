@@ -23,13 +23,15 @@ struct vertex_layout {
 inline namespace IRG_ABI {
 
 /// The layout of a mesh: its positions in their order, those whose corners differ in normal or texture coordinate once
-/// for each pair of them. An attribute that some corner lacks is left out.
+/// for each pair of them. An attribute that some corner lacks is left out; without corners, one of which there are not
+/// as many as positions.
 /// cost    O(n log n) where corners have attributes, else linear
 template <Scalar T, class Corner = mesh_corner>
 constexpr vertex_layout<Corner> vertices_to_write(const mesh<T>& m) {
   vertex_layout<Corner> out;
-  out.normals = !m.corners.empty();
-  out.texcoords = !m.corners.empty();
+  const auto belong = [&](std::size_t n) { return n != 0 && (!m.corners.empty() || n == m.positions.size()); };
+  out.normals = belong(m.normals.size());
+  out.texcoords = belong(m.texcoords.size());
   for (const mesh_corner& c : m.corners) {
     out.normals = out.normals && c.normal != mesh_corner::none;
     out.texcoords = out.texcoords && c.texcoord != mesh_corner::none;
