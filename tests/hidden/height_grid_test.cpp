@@ -38,3 +38,12 @@ TEST_CASE("heights of functions, arrays and images: which is where") {
   const auto none = irg::heights_of_image(irg::image<std::uint8_t>(0, 0), [](std::uint8_t v) { return v; });
   CHECK(visible_grid_edges(none.surface(), {-1, 4, -1}, [](auto&&) {}).status == irg::grid_surface_status::not_a_grid);
 }
+
+TEST_CASE("heights of arrays and images: whole places, which even steps miss from 23 on") {
+  const std::vector<int> numbers(50 * 50, 0);
+  const irg::image<std::uint8_t> image(50, 50);
+  for (const auto& g :
+       {irg::heights_of_rows(numbers, 50), irg::heights_of_image(image, [](std::uint8_t v) { return v; })})
+    for (std::size_t i = 0; i < 50; ++i) CHECK((g.x[i] == static_cast<double>(i) && g.z[i] == g.x[i]));
+  CHECK(irg::places_of(sample_range{0, 49, 50})[1] != 1);
+}

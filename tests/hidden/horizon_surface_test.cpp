@@ -93,6 +93,12 @@ TEST_CASE("horizon_view: numbers out of range") {
   CHECK(columns(1e300) == columns(0x1p28));
   CHECK(columns(std::numeric_limits<double>::quiet_NaN()) == 1);
   CHECK(columns(-5) == 1);
+  for (const double yaw : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const horizon_view turned{9, 1, yaw, 0, 3};
+    CHECK(irg::horizon_width(turned) == 1);
+    irg::floating_horizon h(irg::horizon_width(turned));
+    draw_horizon_surface(h, arch, turned, [](auto&&...) { FAIL("a line from nowhere"); });
+  }
   constexpr int most = std::numeric_limits<int>::max();
   CHECK_BOTH(irg::sample_steps(horizon_view{9, 1, 0, 0, most, most}, 1.0) > 0);
   CHECK_BOTH(irg::sample_steps(horizon_view{1e300, 1, 0, 0, 3}, 1.0) == 1 << 28);

@@ -112,6 +112,37 @@ TEST_CASE("plot_surface: what is no surface, options out of range") {
   CHECK(refused({}) == grid_surface_status::not_a_grid);
 }
 
+TEST_CASE("plot_surface: a level surface from straight above and below") {
+  for (const double height : {0.0, 7.0, -3.3, 1e16, 1e300, 1e-300})
+    for (const double elevation : {90.0, -90.0, 60.0}) {
+      const irg::height_grid level =
+          irg::sample_heights([&](double, double) { return height; }, sample_range{0, 2, 3}, sample_range{0, 2, 3});
+      const auto p = plot_surface(level.surface(), {.elevation = elevation, .distance = 0.9});
+      CHECK(p.is_ordinary());
+      CHECK(p.value.lines.size() == 12);
+    }
+}
+
+TEST_CASE("plot_surface: an eye near the largest number is one, one beyond it has no picture by any method") {
+  const auto plot = [](double from, double to, surface_style style, bool has_gap) {
+    irg::height_grid g = irg::sample_heights([](double x, double z) { return std::fmod(x, 3) + z; },
+                                             sample_range{0, 2, 3}, sample_range{0, 2, 3});
+    g.x = {from, from / 2 + to / 2, to};
+    if (has_gap) g.heights[0] = gap;
+    return plot_surface(g.surface(), {.style = style});
+  };
+  for (const surface_style style : {surface_style::lines, surface_style::facets})
+    for (const bool has_gap : {false, true}) {
+      const auto far = plot(1e308, 1.1e308, style, has_gap), near = plot(10, 11, style, has_gap);
+      CHECK(far.is_ordinary());
+      CHECK(far.value.lines.size() == near.value.lines.size());
+      REQUIRE(far.value.facets.size() == near.value.facets.size());
+      for (std::size_t i = 0; i < far.value.facets.size(); ++i)
+        CHECK(std::abs(far.value.facets[i].corners[0].x - near.value.facets[i].corners[0].x) < 0.01);
+      CHECK(plot(-1.5e308, 1.5e308, style, has_gap).status == grid_surface_status::not_a_grid);
+    }
+}
+
 // The perimeter in space and the floating horizon of the same edges, projected and rounded: their visible lengths.
 TEST_CASE("perimeter and floating horizon: one picture, apart from roundings") {
   test::random r(18);

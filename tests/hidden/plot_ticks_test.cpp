@@ -28,6 +28,7 @@ TEST_CASE("axis_ticks: round numbers, as a person writes them") {
   CHECK(texts(0, 1e9, 5) == "0 2e+08 4e+08 6e+08 8e+08 1e+09");
   CHECK(texts(0, 3e-7, 3) == "0 1e-07 2e-07 3e-07");
   CHECK(texts(0, 0.3, 3) == "0 0.1 0.2 0.3");  // 3 * 0.1 is another double
+  CHECK(texts(0, 5e-6, 5) == "0 1e-06 2e-06 3e-06 4e-06 5e-06");  // 5 * 1e-6 is less
   CHECK(texts(-1e-3, 1e-3, 2) == "-0.001 0 0.001");
 }
 

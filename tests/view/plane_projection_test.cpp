@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <irg/view/plane_projection.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "support/check_both.hpp"
@@ -123,6 +125,37 @@ TEST_CASE("plane_projection: in doubles close to rationals, the plane's points s
     for (const double s : {0x1p-600, 0x1p600, -0x1p-1000})
       CHECK(central_projection_onto_checked(plane<double>{a * s, b * s, c * s, d * s}, D{x, y, z}) == m);
   }
+}
+
+TEST_CASE("plane_projection: an eye close to the plane, the bound of large entries") {
+  test::random r(12);
+  double beyond = 0;  // how far entries are off, in 6u s
+  for (int i = 0; i < 3000; ++i) {
+    const auto n = [&] { return r.integer(-(std::int64_t{1} << 30), std::int64_t{1} << 30); };
+    const std::int64_t eye[] = {n(), n(), n()}, normal[] = {n(), n(), n()};
+    std::int64_t height = 0, left = 0;
+    double sizes = 0;
+    for (int k = 0; k < 3; ++k) {
+      left += eye[k] * normal[k];
+      sizes += std::abs(static_cast<double>(eye[k] * normal[k]));
+    }
+    const double d = -static_cast<double>(left) * (1 + r.unit() / static_cast<double>(1 << i % 30));
+    height = left + static_cast<std::int64_t>(d);
+    if (height == 0 || std::abs(d) >= 0x1p61 || std::abs(d) < 0x1p53) continue;
+    sizes = (sizes + std::abs(d)) / std::abs(static_cast<double>(height));
+    const auto f = [](std::int64_t v) { return static_cast<double>(v); };
+    const auto m = central_projection_onto_checked(plane<double>{f(normal[0]), f(normal[1]), f(normal[2]), d},
+                                                   D{f(eye[0]), f(eye[1]), f(eye[2])});
+    REQUIRE(m.status == ordinary);
+    for (int row = 0; row < 3; ++row)
+      for (int col = 0; col < 3; ++col) {
+        const std::int64_t over = (row == col ? height : 0) - eye[row] * normal[col];
+        const double e = f(over) / f(height), off = std::abs(m.value(row, col) - e) - 2 * 0x1p-53 * std::abs(e);
+        CHECK(off <= 6 * 0x1p-53 * sizes * (1 + std::abs(e)));
+        beyond = std::max(beyond, off / (6 * 0x1p-53 * sizes));
+      }
+  }
+  CHECK(beyond > 100);  // so that the size of an entry counts
 }
 
 TEST_CASE("shadow_matrix: what is between light and floor throws a shadow, nothing else does") {

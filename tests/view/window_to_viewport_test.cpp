@@ -130,6 +130,9 @@ TEST_CASE("window_to_viewport: refusals and extremes, in every life") {
   static_assert(window_to_viewport(w, {0, 0, not_a_number, 6}).value == irg::window_mapping<double>{});
   static_assert(window_to_viewport(view_window<double>{0, 1e-320, -3, 3}, {0, 0, 8, 6}).status == not_representable);
   CHECK(status({-8e307, 8e307, -3, 3}, {0, 0, 1e-5, 6}) == not_representable);
+  // A subnormal scale would be off by 4u.
+  CHECK(status({-8e307, 8e307, -3, 3}, {0, 0, 1, 6}) == not_representable);
+  CHECK(status({-8e307, 8e307, -3, 3}, {0, 0, 4, 6}) == ordinary);
   CHECK(status(w, {0, 0, 1, 1}) == ordinary);
   // The filling picture would reach beyond the numbers; the whole one vanishes in one direction only.
   constexpr view_window<double> needle{0, 1e-200, 0, 1e200};

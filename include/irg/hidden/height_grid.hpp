@@ -54,15 +54,31 @@ template <class Height, class Range = sample_range>
   return g;
 }
 
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// 0, 1, 2 and on: even steps from 0 to count - 1 would be rounded.
+template <class Int>
+constexpr std::vector<double> whole_places(Int count) {
+  std::vector<double> places;
+  for (Int k = 0; k < count; ++k) places.push_back(static_cast<double>(k));
+  return places;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
 /// The heights of an array, its rows one after another: row k stands at z = k, column i at x = i.
 /// needs   columns of 1 or more that divide the array's size
 template <class Numbers>
 [[nodiscard]] constexpr height_grid heights_of_rows(const Numbers& rows, int columns) {
   const auto width = static_cast<std::size_t>(columns);
   const int count = static_cast<int>(rows.size() / width);
-  height_grid g{places_of(sample_range{0, static_cast<double>(columns - 1), columns}),
-                places_of(sample_range{0, static_cast<double>(count - 1), count}),
-                {}};
+  height_grid g{detail::whole_places(columns), detail::whole_places(count), {}};
   for (std::size_t i = 0; i < width; ++i)
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
       g.heights.push_back(static_cast<double>(rows[k * width + i]));
@@ -74,9 +90,7 @@ template <class Numbers>
 template <ReadableRaster R, class HeightAt>
 [[nodiscard]] constexpr height_grid heights_of_image(const R& image, const HeightAt& height_at) {
   const int width = width_of(image), height = height_of(image);
-  height_grid g{places_of(sample_range{0, static_cast<double>(width - 1), width}),
-                places_of(sample_range{0, static_cast<double>(height - 1), height}),
-                {}};
+  height_grid g{detail::whole_places(width), detail::whole_places(height), {}};
   for (int i = 0; i < width; ++i)
     for (int k = 0; k < height; ++k)
       g.heights.push_back(static_cast<double>(height_at(get_pixel(image, i, height - 1 - k))));

@@ -11,10 +11,12 @@ namespace irg {
 inline namespace IRG_ABI {
 
 /// How many columns the horizon of a view needs.
+/// gives   1 where the yaw is no number, with which nothing is drawn
 template <class View>
 [[nodiscard]] constexpr int horizon_width(const View& view) noexcept {
   const detail::turned_view t = detail::turn_view(view);
-  return static_cast<int>(product(t.view.width, t.cos_yaw) + 0.5) + t.offset + 1;
+  const double level = product(t.view.width, t.cos_yaw);
+  return (level == level ? static_cast<int>(level + 0.5) : 0) + t.offset + 1;
 }
 
 /// Draws a surface y = height(x, z) over the unit square: every curve's samples go to the horizon, and what is seen to

@@ -62,13 +62,13 @@ constexpr void add_tick(std::vector<Tick>& ticks, double value) {
 
 inline namespace IRG_ABI {
 
-/// Round numbers from low to high: the multiples of the least step of 1, 2 or 5 times a power of ten of which at most
-/// `most` and one more fit in.
+/// Round numbers from low to high: the multiples of the least step of 1, 2 or 5 times a power of ten that is a
+/// `most`th of their difference or longer, so that at most `most` and one more fit in.
 /// needs   low <= high; most at least 1
 /// gives   one tick where they are equal; both ends where their difference overflows, is below 1e-300, or has less than
 ///         two digits of theirs, and where such steps are finer than doubles are there; none for NaN and infinities.
 ///         Texts are the shortest that read as the values
-/// exact   values: the doubles nearest to the decimals
+/// exact   values, and `most` steps, which the rounded difference is held against: the doubles nearest to the decimals
 template <class Tick = axis_tick>
 [[nodiscard]] constexpr std::vector<Tick> axis_ticks(double low, double high, int most) {
   std::vector<Tick> ticks;
@@ -85,13 +85,14 @@ template <class Tick = axis_tick>
   }
   int digit = 1, exponent = -310;
   const auto step_of = [](int d, int e) { return detail::decimal_value(d, e); };
+  const auto falls_short = [&](int d, int e) { return detail::decimal_value(std::int64_t{d} * most, e) < span; };
   int above = 308;
   while (exponent + 1 < above) {  // the greatest power of ten that is too small
     const int half = (exponent + above) / 2;
-    (step_of(1, half) * most < span ? exponent : above) = half;
+    (falls_short(1, half) ? exponent : above) = half;
   }
   for (int d : {2, 5, 10})
-    if (step_of(digit, exponent) * most < span) digit = d;
+    if (falls_short(digit, exponent)) digit = d;
   const double step = step_of(digit, exponent);
   if (!(size / step < 0x1p52)) {
     detail::add_tick(ticks, low);

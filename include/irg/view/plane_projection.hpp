@@ -78,9 +78,10 @@ inline namespace IRG_ABI {
 ///         behind it. Points of the plane stay
 /// gives   eye_in_plane, direction_parallel, no_plane, no_eye, not_finite, not_representable. In floats the eye is in
 ///         the plane when its distance comes out as 0; otherwise a near miss gives large entries
-/// exact   in rationals; in floats each entry is within 6u (u = 2^-53; then rounded to T) times the sum of the absolute
-///         values of the products in the distance, over the distance, as long as the numbers of the eye, and those of
-///         the plane, differ by less than a factor of 2^900. The rounding does not depend on scale
+/// exact   in rationals; in floats an entry e is off by at most 6u s (1 + |e|) (u = 2^-53; then rounded to T), s being
+///         the sum of the absolute values of the products in the distance over the distance, as long as s is below
+///         2^48, and the numbers of the eye, and those of the plane, differ by less than a factor of 2^900. The
+///         rounding does not depend on scale
 /// source  Blinn 1988
 template <Plane P>
 [[nodiscard]] constexpr checked<mat<typename plane_traits<P>::scalar, 4, 4>, plane_projection_status>

@@ -49,13 +49,13 @@ constexpr bool all_at_most_half(std::initializer_list<T> numbers) noexcept {
   return true;
 }
 
-// a/b where that is neither infinite nor 0; else 0.
+// a/b where that is neither infinite nor subnormal; else 0.
 template <class T>
 constexpr T representable_scale(const T& a, const T& b) noexcept {
   if constexpr (Floating<T>) {
     constexpr T largest = (std::numeric_limits<T>::max)() / 4, least = (std::numeric_limits<T>::min)();
     if (magnitude(b) < T(1) && !(magnitude(a) <= magnitude(b) * largest)) return T(0);
-    if (magnitude(a) < T(1) && !(magnitude(b) * least <= magnitude(a))) return T(0);
+    if (!(magnitude(b) * least <= magnitude(a))) return T(0);
   }
   return a / b;
 }

@@ -38,7 +38,11 @@ constexpr point<double, 3> boxed(const Scale& s, const point<double, 3>& p) noex
 }
 template <class Scale>
 constexpr point<double, 3> unboxed(const Scale& s, const point<double, 3>& p) noexcept {
-  const auto number = [](double t, double low, double high) { return product(low, 1 - t) + product(high, t); };
+  const auto number = [](double t, double low, double high) {
+    if (low == high) return low + product(t - 0.5, 1 + magnitude(low) * 0x1p-20);  // level: above or below, as seen
+    const double v = product(low, 1 - t) + product(high, t);
+    return is_number(v) ? v : 2 * (low / 2 + product(high / 2 - low / 2, t));  // where the products alone overflow
+  };
   return {number(p.x, s.data.low.x, s.data.high.x), number(p.y / s.tallness, s.data.low.y, s.data.high.y),
           number(p.z, s.data.low.z, s.data.high.z)};
 }
@@ -61,6 +65,7 @@ public:
   }
 
   constexpr grid_surface_status make(Plot& plot) {
+    if (!is_number(eye_.x) || !is_number(eye_.y) || !is_number(eye_.z)) return grid_surface_status::not_a_grid;
     choose();
     const grid_surface_status status = out_.method == surface_method::facets_far_to_near ? draw_facets()
                                        : out_.method == surface_method::perimeter        ? draw_perimeter()
