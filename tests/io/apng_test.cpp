@@ -2,10 +2,12 @@
 #include <irg/io/apng.hpp>
 
 #include <bit>
+#include <new>
 #include <string_view>
 
 #include <irg/raster/image.hpp>
 
+#include "memory_in_use.hpp"
 #include "support/check_both.hpp"
 #include "support/png_oracle.hpp"
 #include "support/random.hpp"
@@ -114,3 +116,27 @@ TEST_CASE("png_animation: what is refused, and changes nothing") {
   file.insert(file.end(), rest->begin(), rest->end());
   CHECK(test::decode_png(file).error == nullptr);
 }
+
+#ifdef __cpp_exceptions
+TEST_CASE("png_animation: where memory gives out, the next try gives the same file") {
+  const std::vector<frame> frames{moving_dot(5, 4, 0), moving_dot(5, 4, 1), moving_dot(5, 4, 2)};
+  const auto whole = encode_animation(std::span<const frame>(frames));
+  REQUIRE(whole);
+  png_animation<frame> animation(3);
+  std::vector<std::uint8_t> file, part;
+  for (const frame& f : frames) {
+    bool failed = true;
+    for (long left = 0; failed && left < 1000; ++left) {
+      test::allocations_left = left;
+      try {
+        part = *animation.add(f);
+        failed = false;
+      } catch (const std::bad_alloc&) {
+      }
+      test::allocations_left = -1;
+    }
+    file.insert(file.end(), part.begin(), part.end());
+  }
+  CHECK(file == *whole);
+}
+#endif

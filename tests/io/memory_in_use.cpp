@@ -7,6 +7,7 @@
 
 namespace test {
 std::size_t bytes_now = 0, bytes_most = 0;
+long allocations_left = -1;
 }  // namespace test
 
 namespace {
@@ -15,6 +16,10 @@ constexpr std::size_t header = alignof(std::max_align_t);
 
 // Not inlined: compilers that see through one of the two warn that it does not fit the other.
 [[gnu::noinline]] void* operator new(std::size_t size) {
+#ifdef __cpp_exceptions
+  if (test::allocations_left == 0) throw std::bad_alloc();
+  if (test::allocations_left > 0) --test::allocations_left;
+#endif
   void* const block = std::malloc(size + header);
   if (block == nullptr) std::abort();
   *static_cast<std::size_t*>(block) = size;

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <vector>
 
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/validate.hpp>
 
+#include "short_memory.hpp"
 #include "support/check_both.hpp"
 #include "support/mesh_facts.hpp"
 #include "support/random.hpp"
@@ -152,6 +154,26 @@ TEST_CASE("crease normals: only corners without a normal get one") {
   for (std::size_t c = 0; c < with.corners.size(); ++c)
     if (c != 0 && c != 7) CHECK(with.corners[c].normal > 0);
 }
+
+#ifdef __cpp_exceptions
+TEST_CASE("crease normals: where memory gives out, the mesh is as it was") {
+  const mesh<double> cube = test::without_normals(irg::shape_cube<double>());
+  for (long left = 0;; ++left) {
+    REQUIRE(left < 1000);
+    mesh<double> m = cube;
+    test::allocations_left = left;
+    bool failed = false;
+    try {
+      irg::assign_crease_normals(m, 0.5);
+    } catch (const std::bad_alloc&) {
+      failed = true;
+    }
+    test::allocations_left = -1;
+    if (!failed) break;
+    CHECK(m == cube);
+  }
+}
+#endif
 
 TEST_CASE_TEMPLATE("crease normals: hostile meshes", T, float, double) {
   constexpr T largest = std::numeric_limits<T>::max(), smallest = std::numeric_limits<T>::denorm_min();

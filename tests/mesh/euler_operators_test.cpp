@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <irg/mesh/euler_operators.hpp>
 
+#include <new>
 #include <vector>
 
 #include <irg/mesh/from_half_edges.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 
+#include "short_memory.hpp"
 #include "support/check_both.hpp"
 #include "support/half_edge_facts.hpp"
 #include "support/random.hpp"
@@ -74,6 +76,42 @@ TEST_CASE("Euler operators: what cannot be done is refused and changes nothing")
   CHECK(b.half_edges == before.half_edges);
   CHECK(b.faces == before.faces);
 }
+
+#ifdef __cpp_exceptions
+TEST_CASE("Euler operators: where memory gives out, nothing has changed") {
+  irg::mesh<double> m = irg::shape_cube<double>();
+  m.parts = {{"a", {}, {}, 0, 5}, {"b", {}, {}, 5, 7}};
+  body b = irg::to_half_edges(m).value;
+  const auto lone = irg::make_shell<double>(b, {1, 2, 3});
+  const auto free = irg::make_edge_vertex<double>(b, 0u, 0u, {0.5, 0.5, 0.5});
+  const auto unchanged = [&](const body& x) {
+    return x.positions == b.positions && x.half_edge_at == b.half_edge_at && x.half_edges == b.half_edges &&
+           x.faces == b.faces && x.loops.size() == b.loops.size() && x.face_parts == b.face_parts &&
+           x.attributes.size() == b.attributes.size() && x.lone_vertices.size() == b.lone_vertices.size();
+  };
+  const auto try_each = [&](const auto& change) {
+    for (long left = 0;; ++left) {
+      body x = b;  // without room for more
+      test::allocations_left = left;
+      bool failed = false;
+      try {
+        change(x);
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+      test::allocations_left = -1;
+      REQUIRE(left < 20);
+      CHECK(unchanged(x) == failed);
+      if (!failed) return;
+    }
+  };
+  try_each([](body& x) { static_cast<void>(irg::make_shell<double>(x, {0, 0, 0})); });
+  try_each([](body& x) { irg::make_edge_vertex<double>(x, 0u, x.next_around(0), {0, 0, 0}); });
+  try_each([&](body& x) { irg::make_edge_vertex<double>(x, lone, {0, 0, 0}); });
+  try_each([](body& x) { irg::make_edge_face(x, 0u, x.next(x.next(0))); });
+  try_each([&](body& x) { irg::kill_edge_make_ring(x, free); });
+}
+#endif
 
 TEST_CASE("Euler operators: 20,000 steps at random, each sound and true to Euler's formula") {
   test::random r(20);

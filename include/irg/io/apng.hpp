@@ -41,21 +41,24 @@ public:
     const auto pixels = detail::read_pixels(picture, width, height, png_options::channels::rgba);
     const auto stream = detail::compress_rows(pixels, options_.effort);
     std::vector<std::uint8_t> bytes;
+    std::uint32_t number = sequence_;  // kept when all is made: where memory gives out, nothing has changed
     if (added_ == 0) {
       bytes = detail::begin_png(pixels);
       append_animation_control(bytes);
-      width_ = width;
-      height_ = height;
     }
-    append_frame_control(bytes);
+    append_frame_control(bytes, number++, width, height);
     detail::append_in_chunks(stream, [&](std::span<const std::uint8_t> part) {
       if (added_ == 0) return detail::append_chunk(bytes, "IDAT", part);
       std::vector<std::uint8_t> numbered;
-      append_sequence(numbered);
+      detail::append_big_endian(numbered, number++);
       numbered.insert(numbered.end(), part.begin(), part.end());
       detail::append_chunk(bytes, "fdAT", numbered);
     });
-    if (++added_ == pictures_) detail::append_chunk(bytes, "IEND", {});
+    if (added_ + 1 == pictures_) detail::append_chunk(bytes, "IEND", {});
+    ++added_;
+    width_ = width;
+    height_ = height;
+    sequence_ = number;
     return bytes;
   }
 
@@ -77,17 +80,14 @@ private:
     detail::append_chunk(bytes, "acTL", control);
   }
   // Number, size, place, time as a fraction of a second; what is done with the picture after and before: nothing.
-  constexpr void append_frame_control(std::vector<std::uint8_t>& bytes) {
+  constexpr void append_frame_control(std::vector<std::uint8_t>& bytes, std::uint32_t number, int width,
+                                      int height) const {
     std::vector<std::uint8_t> control;
-    append_sequence(control);
-    for (const int n : {width_, height_, 0, 0}) detail::append_big_endian(control, static_cast<std::size_t>(n));
+    detail::append_big_endian(control, number);
+    for (const int n : {width, height, 0, 0}) detail::append_big_endian(control, static_cast<std::size_t>(n));
     detail::append_big_endian(control, static_cast<std::size_t>(options_.milliseconds) << 16 | 1000u);
     control.insert(control.end(), 2, std::uint8_t{0});
     detail::append_chunk(bytes, "fcTL", control);
-  }
-  constexpr void append_sequence(std::vector<std::uint8_t>& bytes) {
-    detail::append_big_endian(bytes, sequence_);
-    ++sequence_;
   }
 
   int pictures_, added_ = 0, width_ = 0, height_ = 0;

@@ -138,10 +138,10 @@ inline namespace IRG_ABI {
 /// gives   an error when the mesh does not pass validate(), when there are more than 1,431,655,765 triangles, and for
 ///         binary files when a position is beyond the range of float. Little endian is STL's only binary order, big is
 ///         refused
-/// exact   read_stl of the ASCII bytes gives the same mesh again, if positions are distinct and stand in the order of
-///         their first use, and all parts have faces and an object's name alone, without line breaks and without blanks
-///         at its ends; of the binary bytes, if T is float and there are no parts. Normals are written for other
-///         readers: zero where a triangle has none
+/// exact   read_stl of the ASCII bytes gives the same mesh again, if it is of triangles, without normals and texture
+///         coordinates, positions are distinct and stand in the order of their first use, and all parts have faces and
+///         an object's name alone, without line breaks and bytes 0 and without blanks at its ends; of the binary bytes,
+///         if T is float and there are no parts. Normals are written for other readers: zero where a triangle has none
 /// cost    linear, after triangulate
 /// source  StereoLithography
 template <Floating T>

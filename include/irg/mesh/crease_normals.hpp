@@ -52,16 +52,17 @@ constexpr void assign_crease_normals(mesh<T>& m, T crease, normal_weight weight 
   std::vector<vec<double, 3>> sum(count, vec<double, 3>{});
   for (std::uint32_t c = 0; c < count; ++c) sum[groups.of(c)] += weighted[c];
   std::vector<std::uint32_t> normal_of(count, mesh_corner::none);
+  std::vector<vec<T, 3>> added;  // the mesh is touched where there is memory for all of them
   for (std::uint32_t c = 0; c < count; ++c) {
-    if (m.corners[c].normal != mesh_corner::none) continue;
     std::uint32_t& normal = normal_of[groups.of(c)];
-    if (normal == mesh_corner::none) {
-      const vec<double, 3> n = normalized(sum[groups.of(c)]);
-      normal = static_cast<std::uint32_t>(m.normals.size());
-      m.normals.push_back(generate_coordinates<vec<T, 3>>([&](int i) { return converted<T>(n[i]); }));
-    }
-    m.corners[c].normal = normal;
+    if (m.corners[c].normal != mesh_corner::none || normal != mesh_corner::none) continue;
+    const vec<double, 3> n = normalized(sum[groups.of(c)]);
+    normal = static_cast<std::uint32_t>(m.normals.size() + added.size());
+    added.push_back(generate_coordinates<vec<T, 3>>([&](int i) { return converted<T>(n[i]); }));
   }
+  m.normals.insert(m.normals.end(), added.begin(), added.end());
+  for (std::uint32_t c = 0; c < count; ++c)
+    if (m.corners[c].normal == mesh_corner::none) m.corners[c].normal = normal_of[groups.of(c)];
 }
 
 }  // namespace IRG_ABI

@@ -14,7 +14,17 @@ inline namespace IRG_ABI {
 template <Scalar T>
 class euler_editor {
 public:
-  constexpr explicit euler_editor(half_edge_mesh<T>& b) noexcept : b_(b) {}
+  /// Makes room for what one operator adds: where there is no memory, nothing has changed yet.
+  constexpr explicit euler_editor(half_edge_mesh<T>& b) : b_(b) {
+    make_room(b.positions, b.positions.size() + 1);
+    make_room(b.half_edge_at, b.half_edge_at.size() + 1);
+    make_room(b.half_edges, b.half_edges.size() + 2);
+    make_room(b.loops, b.loops.size() + 1);
+    make_room(b.faces, b.faces.size() + 1);
+    make_room(b.lone_vertices, b.lone_vertices.size() + 2);
+    if (!b.attributes.empty()) make_room(b.attributes, b.half_edges.size() + 2);
+    if (!b.parts.empty()) make_room(b.face_parts, b.faces.size() + 1);
+  }
   static constexpr std::uint32_t none = half_edge::none;
 
   constexpr bool is_edge(std::uint32_t h) const noexcept {
@@ -93,6 +103,11 @@ public:
   }
 
 private:
+  template <class Elements>
+  static constexpr void make_room(Elements& elements, std::size_t count) {
+    if (elements.capacity() < count) elements.reserve(2 * count);
+  }
+
   half_edge_mesh<T>& b_;
 };
 
