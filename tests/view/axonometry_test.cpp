@@ -157,3 +157,14 @@ TEST_CASE("with_axis_up: y up changes nothing; z up keeps x to the right; any ot
     CHECK((std::abs(up.z) >= std::max(std::abs(up.x), std::abs(up.y)) || z.z > 0));
   }
 }
+
+TEST_CASE("axonometry_by_ratios: axes that are hardly seen, whose squares no number is small enough for") {
+  constexpr auto d = irg::axonometry_by_ratios(1.0, 1.0, 0x1p-1000).to_viewer;
+  static_assert(d.x == 0x1p-1000 * 0.70710678118654752 && d.y == d.x && d.z == 1);
+  constexpr auto f = irg::axonometry_by_ratios(4.0f, 0x1p115f, 0x1p115f).to_viewer;
+  static_assert(f.x == 1 && f.y == 0x1p-113f * 0.70710678f && f.z == f.y);
+  const auto beyond = irg::axonometry_by_ratios(0x1p1000, 0x1p1000, 0x1p-1000);
+  CHECK(beyond.to_viewer == irg::vec<double, 3>{0, 0, 1});
+  CHECK(beyond.kind == irg::axonometry_kind::dimetric);
+  CHECK(irg::axonometry_by_ratios(3.0, 4.0, 5.0).to_viewer.z == 0);
+}

@@ -323,3 +323,11 @@ TEST_CASE("frustum: hostile input") {
   volatile float angle = 0.7f;
   CHECK(frustum_of(irg::perspective<float>(angle, 1.5f, 0.1f, 10.0f)) == at_compile_time);
 }
+
+TEST_CASE("side_of: clip coordinates that vanish have no codes, the planes know") {
+  irg::mat<float, 4, 4> m{};
+  m(0, 0) = m(1, 1) = m(3, 2) = 0x1p-100f;
+  const irg::point<float, 3> p{-0x1p-60f, 0, 0x1p-61f};
+  CHECK(side_of(irg::frustum_of(m), p) == irg::containment::outside);
+  CHECK(m * irg::hpoint<float, 3>{p.x, p.y, p.z, 1} == irg::hpoint<float, 3>{0, 0, 0, 0});
+}

@@ -107,3 +107,12 @@ TEST_CASE("oblique: what is refused") {
   static_assert(oblique_checked(oblique_depth<double>{not_a_number, 1.0}, window, 1, 5).status == bad_angle);
   static_assert(oblique_checked(oblique_depth<double>{0.0, 1e200, 1e200}, window, 1, 5).status == not_representable);
 }
+
+TEST_CASE("oblique: a subnormal shear has lost what the window's scale makes visible") {
+  constexpr double least = std::numeric_limits<double>::denorm_min(), angle = 45 * irg::pi<double> / 180;
+  const auto scaled = [](double factor) {
+    return irg::oblique_checked(irg::oblique_depth<double>{angle, factor, 0}, {-0x1p-1000, 0x1p-1000, -1, 1}, 1, 9);
+  };
+  CHECK(scaled(least).value(0, 2) == -0x1p1000 * least);  // not times the cosine
+  CHECK(scaled(0x1p-1000).value(0, 2) == doctest::Approx(-0.7071067811865476).epsilon(1e-15));
+}

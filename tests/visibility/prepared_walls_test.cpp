@@ -90,4 +90,11 @@ TEST_CASE("prepared_walls: far from the origin, and of all sizes side by side") 
   CHECK(wrong == 0);
 }
 
+TEST_CASE("prepared_walls: walls that are not finite, in a box without inside") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<wall> walls{{{nan, 0}, {1, 1}}};
+  for (const irg::box<double, 2>& domain : {irg::box<double, 2>{{1, 1}, {0, 0}}, {{nan, 0}, {1, 1}}, {{0, 0}, {1, 1}}})
+    for (const place from : {place{0.5, 0.25}, place{7, 7}, place{nan, 0}}) CHECK(same(walls, from, domain));
+}
+
 }  // namespace

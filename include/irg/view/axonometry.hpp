@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -67,11 +68,24 @@ template <Floating T>
   if (!squares) return {};
   const auto& [a, b, c] = *squares;
   if (a < T(0) || b < T(0) || c < T(0)) return {};
+  // Of an axis that is hardly seen the square would be rounded to 0, or among subnormal numbers.
+  constexpr bool single = std::is_same_v<T, float>;
+  constexpr T up = single ? T(0x1p120f) : T(0x1p1000), tiny = 64 * (std::numeric_limits<T>::min)();
+  vec<T, 3> d{sqrt(a), sqrt(b), sqrt(c)};
+  if (a < tiny || b < tiny || c < tiny) {
+    const auto scaled = quotients_of<4>(
+        [](const auto& p, const auto& q, const auto& r, const auto& f) {
+          const auto pp = p * p, qq = q * q, rr = r * r, ff = f * f;
+          return std::array{pp + qq + rr, (qq + rr - pp) * ff, (pp + rr - qq) * ff, (pp + qq - rr) * ff};
+        },
+        x, y, z, up);
+    for (int i = 0; i < 3; ++i)
+      if (squares->at(static_cast<std::size_t>(i)) < tiny) d[i] = sqrt(scaled->at(static_cast<std::size_t>(i))) / up;
+  }
   const int alike = (x == y ? 1 : 0) + (y == z ? 1 : 0) + (x == z ? 1 : 0);
-  return {{sqrt(a), sqrt(b), sqrt(c)},
-          alike == 3   ? axonometry_kind::isometric
-          : alike == 1 ? axonometry_kind::dimetric
-                       : axonometry_kind::trimetric};
+  return {d, alike == 3   ? axonometry_kind::isometric
+             : alike == 1 ? axonometry_kind::dimetric
+                          : axonometry_kind::trimetric};
 }
 
 /// The axonometries of technical drawing: isometric and dimetric as in ISO 5456-3; the trimetric one, for which there

@@ -126,7 +126,8 @@ template <Real T>
 ///         A box beside an edge or corner of the frustum may be below no single plane: then it is called crossing
 ///         though it has no point in common. Crossing also for NaN planes and infinite boxes
 /// exact   in rationals. In floats the margin of 16u covers the rounding of the planes, of this test and of the clip
-///         coordinates: for every position of a box called outside, m * p has the clip code of the same plane
+///         coordinates: for every position of a box called outside, m * p has the clip code of the same plane, unless
+///         products in m * p are subnormal
 /// cost    per plane two scalar products
 /// source  Assarsson and Moller 2000: the corner nearest to the plane and the one farthest from it
 template <Real T>

@@ -56,7 +56,8 @@ template <Floating T>
 /// shape   camera space to clip space with w = 1; the window lies in the plane z = plane_z, whose points come out as
 ///         orthographic_checked has them
 /// gives   as oblique_shear_checked and orthographic_checked
-/// exact   entries within 4 ulp of the true ones, but for cancellation between window and shear in the last column
+/// exact   entries within 4 ulp of the true ones, unless those of the shear are subnormal, and but for cancellation
+///         between window and shear in the last column
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> oblique_checked(
     const oblique_depth<T>& how, const view_window<T>& window, std::type_identity_t<T> z_near,

@@ -40,7 +40,7 @@ public:
   /// cost    the tiles that are seen, and a visibility polygon of the walls in them that no nearer tiles hide; where
   ///         these are more than a sixteenth of all, visibility_polygon and as much again at most
   [[nodiscard]] constexpr visible_region<T> seen_from(const point<T, 2>& source) const {
-    if (!is_finite_) return {visibility_status::not_finite, {}};
+    if (!is_finite_) return visibility_polygon(source, domain_, walls_);  // says what comes first
     visible_region<T> seen = visibility_polygon(source, domain_);
     if (seen.ring.empty()) return seen;
     std::vector<std::uint32_t> nearby;
