@@ -147,6 +147,12 @@ TEST_CASE("back_faces: random triangles of integers, exactly") {
 
 static_assert(irg::side_by_angle(vec3{1e-300, 1e300, 1}, point3{1, 1, 1}, point3{1e300, 1, -1}) == facing::back);
 
+// A vector is no eye: it is refused in a question, too.
+template <class Eye>
+concept sees_by_plane = requires(const irg::plane<double>& face, const Eye& eye) { irg::side_by_plane(face, eye); };
+static_assert(sees_by_plane<irg::point<double, 3>> && sees_by_plane<irg::hpoint<double, 3>>);
+static_assert(!sees_by_plane<irg::vec<double, 3>>);
+
 #ifdef IRG_HAVE_MPFR
 // Sides by rationals: Newell's normal as the sum of the cross products of neighbouring vertices themselves.
 TEST_CASE_TEMPLATE("back_faces: every form is exact, for coordinates of every size", T, double, float) {

@@ -14,9 +14,9 @@ namespace irg {
 enum class segment_relation { none, point, overlap };
 
 /// What two segments have in common: nothing, the point `first`, or the segment from `first` to `last`.
-/// shape   first and last run in the direction of the first segment; first == last for a point. t and s are the
-///         parameters of `first` on the two segments where they cross in one point and neither is collinear to the
-///         other, 0 elsewhere
+/// shape   first and last run in the direction of the first segment; first == last for a point. Of nothing they have no
+///         meaning: Eigen's are what was in memory. t and s are the parameters of `first` on the two segments where
+///         they cross in one point and neither is collinear to the other, 0 elsewhere
 template <Point P>
 struct segments_meeting {
   segment_relation relation = segment_relation::none;

@@ -55,6 +55,7 @@ inline namespace IRG_ABI {
 /// exact   for every finite float, double and integer, as side_of
 /// source  Mihajlovic 2016, 7.1; the same as the angle's form
 template <Plane P, Coordinates Q>
+  requires requires(const P& face, const Q& eye) { side_of(face, eye); }
 [[nodiscard]] constexpr facing side_by_plane(const P& face, const Q& eye) noexcept {
   return static_cast<facing>(static_cast<int>(side_of(face, eye)));
 }

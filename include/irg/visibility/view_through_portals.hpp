@@ -192,16 +192,16 @@ template <Floating T = double, class Sink>
   requires std::invocable<Sink&, std::uint32_t, const view_wedge<T>&>
 constexpr void view_through_openings(const plan_with_portals<std::type_identity_t<T>>& building, std::uint32_t cell,
                                      const view_wedge<T>& view, std::type_identity_t<T> eye_height, Sink&& sink) {
-  const auto& [plan, graph] = building;
+  const portal_graph<T>& graph = building.graph;
   const point<T, 3> eye{view.eye.x, view.eye.y, eye_height};
   const point<T, 2> places[] = {view.eye, {eye_height, eye_height}};  // convex when all are finite
   if (cell >= graph.cell_count() || !is_convex(places)) return;
   detail::portal_walk<T> walk(graph);
   const auto has_room = [&](const auto& passed, const doorway<T>& d) {
-    const auto ahead = opening_of(plan, d);
+    const auto ahead = opening_of(building.plan, d);
     if (!(ahead[0].z < ahead[2].z)) return false;
     for (const doorway<T>* const before : passed)
-      if (!seen_through_both(eye, opening_of(plan, *before), ahead)) return false;
+      if (!seen_through_both(eye, opening_of(building.plan, *before), ahead)) return false;
     return true;
   };
   for (const std::uint32_t c : walk.cells_at(cell, view.eye)) walk.from(c, view, has_room, sink);
