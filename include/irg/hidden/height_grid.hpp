@@ -62,8 +62,8 @@ inline namespace IRG_ABI {
 // 0, 1, 2 and on: even steps from 0 to count - 1 would be rounded.
 template <class Int>
 constexpr std::vector<double> whole_places(Int count) {
-  std::vector<double> places;
-  for (Int k = 0; k < count; ++k) places.push_back(static_cast<double>(k));
+  std::vector<double> places(count > 0 ? static_cast<std::size_t>(count) : 0, 0.0);
+  for (std::size_t k = 0; k < places.size(); ++k) places[k] = static_cast<double>(k);
   return places;
 }
 
