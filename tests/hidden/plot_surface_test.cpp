@@ -31,7 +31,7 @@ irg::height_grid ripples(int n) {
                              sample_range{-4, 4, n});
 }
 
-// Which of a plot's labels lie outside of it, or on each other.
+// How many of a plot's labels lie outside of it, or on each other, or so near in a row that they read as one.
 int unreadable(const irg::surface_plot& p) {
   int wrong = 0;
   const auto box = [](const irg::plot_label& l) {
@@ -43,7 +43,8 @@ int unreadable(const irg::surface_plot& p) {
     wrong += a[0] < 0 || a[1] < 0 || a[2] > p.width || a[3] > p.height;
     for (std::size_t k = 0; k < i; ++k) {
       const auto b = box(p.labels[k]);
-      wrong += a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+      const double gap = 0.25 * p.labels[i].style.size;
+      wrong += a[0] < b[2] + gap && b[0] < a[2] + gap && a[1] < b[3] && b[1] < a[3];
     }
   }
   return wrong;

@@ -305,7 +305,7 @@ private:
       if (add_label(*a.name, {middle->x + away * d.x, middle->y + away * d.y}, d, text * 1.1)) break;
     }
   }
-  // A text that begins at a place and lies beyond it in a direction; none where it would lie on another.
+  // A text that begins at a place and lies beyond it in a direction; none where it would lie on another or touch it.
   constexpr bool add_label(const plot_text& text, const point<double, 2>& at, const vec<double, 2>& d, double size) {
     const double width = measure_text(text, size).width;
     const double x = at.x + product(d.x - 1, width / 2), y = at.y + product(d.y, size / 2);
@@ -313,7 +313,8 @@ private:
     const double middle = clamp(y, size / 2 + 1, greater(size, out_.height - size / 2 - 1));
     for (const auto& l : out_.labels) {
       const double other = measure_text(l.text, l.style.size).width, apart = (size + l.style.size) * 0.45;
-      if (left < l.at.x + other && l.at.x < left + width && magnitude(middle - l.at.y) < apart) return false;
+      const double gap = size * 0.3, right = left + width;
+      if (left < l.at.x + other + gap && l.at.x < right + gap && magnitude(middle - l.at.y) < apart) return false;
     }
     out_.labels.push_back({text, {left, middle}, {.size = size, .across = text_across::middle}});
     return true;
