@@ -79,34 +79,38 @@ double embree_ray_seconds(const std::vector<Triangle>& triangles, const std::vec
   if (task == embree_task::packets) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   alignas(64) int valid[16];
   for (int& v : valid) v = -1;
+  const auto trace_all = [&] {
+    if (task == embree_task::packets) {
+      for (std::size_t i = 0; i + 16 <= rays.size(); i += 16) {
+        RTCRayHit16 p;
+        for (std::size_t k = 0; k < 16; ++k) {
+          const camera_ray& r = rays[i + k];
+          p.ray.org_x[k] = r.origin[0], p.ray.org_y[k] = r.origin[1], p.ray.org_z[k] = r.origin[2];
+          p.ray.dir_x[k] = r.direction[0], p.ray.dir_y[k] = r.direction[1], p.ray.dir_z[k] = r.direction[2];
+          p.ray.tnear[k] = r.low, p.ray.tfar[k] = r.high;
+          p.ray.mask[k] = ~0u, p.ray.flags[k] = 0, p.ray.time[k] = 0;
+          p.hit.geomID[k] = p.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+        }
+        rtcIntersect16(valid, scene, &context, &p);
+      }
+    } else {
+      for (const camera_ray& r : rays) {
+        if (task == embree_task::any) {
+          RTCRay one;
+          set_ray(one, r);
+          rtcOccluded1(scene, &context, &one);
+        } else {
+          RTCRayHit one;
+          set_ray(one.ray, r);
+          one.hit.geomID = one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+          rtcIntersect1(scene, &context, &one);
+        }
+      }
+    }
+  };
+  trace_all();  // a process of its own sees each page of the rays for the first time: not the tree's time
   const double start = now();
-  if (task == embree_task::packets) {
-    for (std::size_t i = 0; i + 16 <= rays.size(); i += 16) {
-      RTCRayHit16 p;
-      for (std::size_t k = 0; k < 16; ++k) {
-        const camera_ray& r = rays[i + k];
-        p.ray.org_x[k] = r.origin[0], p.ray.org_y[k] = r.origin[1], p.ray.org_z[k] = r.origin[2];
-        p.ray.dir_x[k] = r.direction[0], p.ray.dir_y[k] = r.direction[1], p.ray.dir_z[k] = r.direction[2];
-        p.ray.tnear[k] = r.low, p.ray.tfar[k] = r.high;
-        p.ray.mask[k] = ~0u, p.ray.flags[k] = 0, p.ray.time[k] = 0;
-        p.hit.geomID[k] = p.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-      }
-      rtcIntersect16(valid, scene, &context, &p);
-    }
-  } else {
-    for (const camera_ray& r : rays) {
-      if (task == embree_task::any) {
-        RTCRay one;
-        set_ray(one, r);
-        rtcOccluded1(scene, &context, &one);
-      } else {
-        RTCRayHit one;
-        set_ray(one.ray, r);
-        one.hit.geomID = one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene, &context, &one);
-      }
-    }
-  }
+  trace_all();
   return now() - start;
 }
 
