@@ -27,7 +27,7 @@ struct painter_by_centroid_rounded {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    std::vector<screen_face> list = detail::copied_faces(faces, window);
+    std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
     const auto depth = [](const screen_face& f) {
       return static_cast<float>((widened(f.v[0].depth) + widened(f.v[1].depth)) + widened(f.v[2].depth));
     };
