@@ -104,6 +104,24 @@ TEST_CASE("hostile faces: equal ones, whichever corner comes first and whichever
   for_each_method([&](const auto& method) { CHECK(test::differing(test::ids_of(method, faces, 32, 32), exact) == 0); });
 }
 
+TEST_CASE("hostile faces: many layers over each other, each of them twice") {
+  test::face_list faces;
+  for (std::uint32_t i = 0; i < 12000; ++i) {
+    const float depth = 0.25f + static_cast<float>(i / 2 * 7 % 6000) * 0x1p-20f;
+    faces.push_back(irg::make_screen_face(at(0, 0, depth), at(2048, 0, depth), at(0, 2048, depth), i));
+  }
+  const auto sees = [&]<class Order>(Order) {
+    const std::uint32_t seen = irg::picture_face_at<Order>(faces, 1, 1);
+    const auto see = [&](const auto& method) {
+      return test::ids_of(method, faces, 2, 2) == test::id_image(2, 2, seen);
+    };
+    return see(irg::ray_casting<Order>{}) && see(irg::painter_once<Order>{}) && see(irg::warnock<Order>{}) &&
+           see(irg::bsp_painter<Order>{});
+  };
+  CHECK(sees(irg::nearer_is_greater{}));
+  CHECK(sees(irg::drawing_order{}));
+}
+
 TEST_CASE("hostile faces: many through one line") {
   const bool release = std::getenv("IRG_RELEASE_TIER") != nullptr;
   const int size = 24, all = size * 256;

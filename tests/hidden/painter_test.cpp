@@ -23,6 +23,16 @@ TEST_CASE("painter_by_centroid: right where depths do not overlap, wrong where t
   CHECK(test::exact_ids(wrong, 16, 16)(0, 0) == 0);
 }
 
+TEST_CASE("painter_by_centroid: in drawing order the last number is seen, whatever the depths") {
+  test::face_list faces;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const float depth = static_cast<float>(i * 37 % 100) * 0x1p-7f;
+    faces.push_back(irg::make_screen_face({{0, 0}, depth}, {{2048, 0}, depth}, {{0, 2048}, depth}, i * 71 % 100));
+  }
+  const test::id_image ids = test::ids_of(irg::painter_by_centroid_rounded<irg::drawing_order>{}, faces, 4, 4);
+  CHECK(ids == test::id_image(4, 4, 99u));
+}
+
 TEST_CASE("painter_by_centroid: how often it is wrong") {
   CHECK(test::differing_pixels(irg::painter_by_centroid_rounded<>{}, 1604, 18) > 1000);
 }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <new>
 #include <set>
 #include <vector>
 
+#include "mesh/short_memory.hpp"
 #include "space_scenes.hpp"
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
@@ -181,6 +183,54 @@ TEST_CASE("bsp_tree_3d: what is merged in stands where it belongs, and goes agai
   CHECK(none.data().nodes.empty());
 }
 
+TEST_CASE("bsp_tree_3d: what is merged in time after time is visited, too") {
+  test::random r(19);
+  for (const int fixed : {0, 12}) {
+    const test::space_scene s = test::whole_numbers(r, fixed, false);
+    tree t(s.vertices, s.triangles);
+    const auto before = t.data();
+    for (int times = 0; times < 4; ++times) {
+      const test::space_scene more = test::whole_numbers(r, 3, false);
+      t.merge(more.vertices, more.triangles);
+      const auto near = triangles_from(t, {3, 20, 7}, bsp_order::front_to_back);
+      CHECK(near.size() == t.data().pieces.size());
+      CHECK(std::set(near.begin(), near.end()).size() + t.left_out() == t.data().triangles.size());
+    }
+    t.remove_merged();
+    CHECK(t.data() == before);
+  }
+}
+
+#ifdef __cpp_exceptions
+TEST_CASE("bsp_tree_3d: where memory gives out while triangles are merged in, the tree is as it was") {
+  test::random r(20);
+  const test::space_scene s = test::whole_numbers(r, 12, false), one = test::whole_numbers(r, 4, false),
+                          two = test::whole_numbers(r, 4, false);
+  tree whole(s.vertices, s.triangles);
+  whole.merge(one.vertices, one.triangles);
+  const auto before = whole.data();
+  const auto seen_before = seen_from(whole, P{3, 20, 7}, bsp_order::back_to_front);
+  for (long left = 0;; ++left) {
+    REQUIRE(left < 1000);
+    tree t = whole;
+    test::allocations_left = left;
+    bool failed = false;
+    try {
+      t.merge(two.vertices, two.triangles);
+    } catch (const std::bad_alloc&) {
+      failed = true;
+    }
+    test::allocations_left = -1;
+    if (!failed) break;
+    CHECK(t.data() == before);
+    CHECK(t.splits() == whole.splits());
+    CHECK(seen_from(t, P{3, 20, 7}, bsp_order::back_to_front) == seen_before);
+    t.remove_merged();
+    CHECK(t.data() == tree(s.vertices, s.triangles).data());
+  }
+}
+#endif
+
 TEST_CASE("bsp_tree_3d: a tree from its data is the same; what is wrong with data is told") {
   test::random r(4);
   const test::space_scene s = test::whole_numbers(r, 20, false);
@@ -279,8 +329,8 @@ TEST_CASE("bsp_tree_3d: pieces tile their triangles, and lie on every ray in the
   for (int scene = 0; scene < scenes; ++scene) {
     const test::space_scene s = test::whole_numbers(r, 14, scene % 3 == 0);
     tree t(s.vertices, s.triangles, {.candidates = scene % 2 == 0 ? std::size_t{1} : std::size_t{3}});
-    if (scene % 4 == 3) {
-      const test::space_scene more = test::whole_numbers(r, 6, false);
+    for (int times = 0; scene % 4 == 3 && times < 3; ++times) {
+      const test::space_scene more = test::whole_numbers(r, 3, false);
       t.merge(more.vertices, more.triangles);
     }
     cut += static_cast<int>(t.splits());

@@ -137,7 +137,7 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, class Faces>
 [[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
   bsp_of_faces tree;
-  tree.faces = detail::copied_faces(faces, window);
+  tree.faces = detail::copied_faces<Order>(faces, window);
   tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
   std::vector<detail::bsp_task<Order>> left(1, detail::bsp_task<Order>{});
   for (const screen_face& f : tree.faces) left[0].parts.push_back({{&f, {}}, intersect(f.coverage.bounds, window)});
@@ -238,7 +238,7 @@ struct bsp_painter {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    const std::vector<screen_face> list = detail::copied_faces(faces, window);
+    const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
     std::vector<detail::window_face> all;
     all.reserve(list.size());
     for (const screen_face& f : list) all.push_back(detail::window_face_of<Order>(f));

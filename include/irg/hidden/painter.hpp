@@ -16,7 +16,7 @@
 namespace irg {
 
 /// A hidden-surface method that is often wrong: faces are drawn in the order of their centroids' depths, far ones
-/// first, of equal depths those with the higher number first.
+/// first, of equal depths those with the higher number first; in drawing_order those with the lower number.
 /// gives   into each pixel that some face covers the number of the last one drawn there: not always the nearest;
 ///         counts.tested counts the pixels drawn
 /// exact   centroids are sums of three floats in double, rounded twice; what hides what is not decided at all
@@ -27,11 +27,12 @@ struct painter_by_centroid_rounded {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    std::vector<screen_face> list = detail::copied_faces(faces, window);
+    std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
     const auto depth = [](const screen_face& f) {
       return static_cast<float>((widened(f.v[0].depth) + widened(f.v[1].depth)) + widened(f.v[2].depth));
     };
     std::sort(list.begin(), list.end(), [&](const screen_face& a, const screen_face& b) {
+      if (detail::depth_sense<Order> == 0) return a.number < b.number;
       const float da = depth(a), db = depth(b);
       return da != db ? Order::nearer(db, da) : b.number < a.number;
     });

@@ -35,7 +35,7 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no_newell_observer>
 constexpr newell_counts draw_painter_newell(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                             Observer&& observer = {}) {
-  const std::vector<screen_face> list = detail::copied_faces(faces, window);
+  const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
   detail::newell_painter<Order, std::remove_reference_t<Observer>> painter(ids, observer);
   painter.paint(detail::sorted_by_depth<Order>(list), window);
   return painter.counts();

@@ -26,7 +26,7 @@ struct painter_once {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    std::vector<screen_face> list = detail::copied_faces(faces, window);
+    std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
     const auto by_number = [](const screen_face& a, const screen_face& b) { return a.number < b.number; };
     if (!std::is_sorted(list.begin(), list.end(), by_number)) std::sort(list.begin(), list.end(), by_number);
     for (const screen_face& f : list)

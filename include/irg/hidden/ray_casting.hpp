@@ -28,7 +28,7 @@ struct ray_casting {
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       draw_counts& counts) const {
-    const std::vector<screen_face> list = detail::copied_faces(faces, window);
+    const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
     for (int y = window.y_first; y < window.y_last; ++y)
       for (int x = window.x_first; x < window.x_last; ++x) {
         const screen_face* nearest = nullptr;

@@ -220,7 +220,7 @@ template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no
 constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
                                       Observer&& observer = {}) {
   if (window.empty()) return {};
-  const std::vector<screen_face> list = detail::copied_faces(faces, window);
+  const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
   return detail::warnock_division<Order, std::remove_reference_t<Observer>>(ids, observer)(list, window);
 }
 

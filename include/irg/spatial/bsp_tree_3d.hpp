@@ -32,7 +32,6 @@ public:
   /// source  Fuchs, Kedem and Naylor 1980
   IRG_APART constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
                                   const bsp_choice& choice = {}) {
-    IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
     add(vertices, triangles, choice);
     fixed_ = sizes();
   }
@@ -78,29 +77,27 @@ public:
   }
 
   /// Adds triangles that move: they are cut by the planes that are there, and divide the cells that they come to. Their
-  /// numbers follow those of the triangles before.
+  /// numbers follow those of the triangles before, fixed ones and merged ones.
   /// shape   indices count from the vertices given here
+  /// needs   arrays that are not the tree's own; else as the tree
+  /// gives   the tree as it was where memory gives out
   /// cost    as building the tree, of these triangles alone
   IRG_APART constexpr void merge(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
                                  const bsp_choice& choice = {}) {
+    struct undo {
+      bsp_tree_3d* tree;
+      size_of_tree before;
+      IRG_APART constexpr ~undo() {
+        if (tree != nullptr) tree->shrink_to(before);
+      }
+    };
+    undo guard{this, sizes()};
     add(vertices, triangles, choice);
+    guard.tree = nullptr;
   }
   /// Takes away all triangles that were merged in: the tree is what it was.
   /// cost    linear in what was added
-  IRG_APART constexpr void remove_merged() {
-    for (; !links_.empty(); links_.pop_back()) {
-      link_of(links_.back()) = bsp_none;
-      steps_[links_.back().node] = step_at(links_.back().node);
-    }
-    data_.vertices.resize(fixed_.vertices, point<T, 3>{});
-    data_.triangles.resize(fixed_.triangles, triangle_indices{});
-    data_.nodes.resize(fixed_.nodes, bsp_node_3d{});
-    planes_.erase(planes_.begin() + static_cast<std::ptrdiff_t>(fixed_.nodes), planes_.end());
-    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(fixed_.nodes), steps_.end());
-    data_.pieces.resize(fixed_.pieces, bsp_piece_3d{});
-    data_.limits.resize(fixed_.limits, bsp_limit_3d{});
-    splits_ = fixed_.splits, left_out_ = fixed_.left_out;
-  }
+  IRG_APART constexpr void remove_merged() { shrink_to(fixed_); }
 
   /// Calls sink(piece) for all pieces, so that of two that a ray from the eye crosses the farther one comes first, or
   /// the nearer; of those in one plane the lower number counts as the nearer. Pieces in a plane that holds the eye are
@@ -149,9 +146,23 @@ private:
     link at;
   };
   struct size_of_tree {
-    std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0;
+    std::size_t vertices = 0, triangles = 0, nodes = 0, pieces = 0, limits = 0, splits = 0, left_out = 0, links = 0;
   };
 
+  IRG_APART constexpr void shrink_to(const size_of_tree& to) {
+    for (; links_.size() > to.links; links_.pop_back()) {
+      link_of(links_.back()) = bsp_none;
+      steps_[links_.back().node] = step_at(links_.back().node);
+    }
+    data_.vertices.resize(to.vertices, point<T, 3>{});
+    data_.triangles.resize(to.triangles, triangle_indices{});
+    data_.nodes.resize(to.nodes, bsp_node_3d{});
+    planes_.erase(planes_.begin() + static_cast<std::ptrdiff_t>(to.nodes), planes_.end());
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(to.nodes), steps_.end());
+    data_.pieces.resize(to.pieces, bsp_piece_3d{});
+    data_.limits.resize(to.limits, bsp_limit_3d{});
+    splits_ = to.splits, left_out_ = to.left_out;
+  }
   [[nodiscard]] IRG_APART constexpr size_of_tree sizes() const noexcept {
     return {data_.vertices.size(),
             data_.triangles.size(),
@@ -159,7 +170,8 @@ private:
             data_.pieces.size(),
             data_.limits.size(),
             splits_,
-            left_out_};
+            left_out_,
+            links_.size()};
   }
 
   IRG_APART constexpr std::uint32_t& link_of(const link& l) noexcept {
@@ -169,6 +181,8 @@ private:
 
   IRG_APART constexpr void add(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
                                const bsp_choice& choice) {
+    IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
+    const std::size_t links_before = links_.size();
     const auto base = static_cast<std::uint32_t>(data_.vertices.size());
     data_.vertices.insert(data_.vertices.end(), vertices.begin(), vertices.end());
     detail::bsp_cells_3d<T> cells{data_};
@@ -202,8 +216,8 @@ private:
       if (!back.pieces.empty()) open.push_back(std::move(back));
       if (!front.pieces.empty()) open.push_back(std::move(front));
     }
-    for (const link& l : links_) steps_[l.node] = step_at(l.node);
     for (auto i = static_cast<std::uint32_t>(steps_.size()); i < data_.nodes.size(); ++i) steps_.push_back(step_at(i));
+    for (std::size_t i = links_before; i < links_.size(); ++i) steps_[links_[i].node] = step_at(links_[i].node);
   }
   IRG_APART constexpr std::uint32_t make_node(bsp_plane_3d plane) {
     const auto here = static_cast<std::uint32_t>(data_.nodes.size());
@@ -213,8 +227,8 @@ private:
     return here;
   }
   IRG_APART constexpr void hang(std::uint32_t node, const link& at) {
+    if (at.node < steps_.size()) links_.push_back(at);  // it was there before
     link_of(at) = node;
-    if (at.node < fixed_.nodes) links_.push_back(at);
   }
   // A new node for pieces in the plane of one that is there.
   IRG_APART constexpr std::uint32_t beside(std::uint32_t node) {
@@ -294,7 +308,7 @@ private:
   bsp_data_3d<T> data_{};
   std::vector<detail::rounded_plane> planes_{};  // of the nodes
   std::vector<walk_step> steps_{};
-  std::vector<link> links_{};  // from what is fixed to what was merged in
+  std::vector<link> links_{};  // from what was there to what was merged in
   size_of_tree fixed_{};
   std::size_t splits_ = 0, left_out_ = 0;
 };

@@ -13,21 +13,23 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// Of equal faces, whose corners are the same in the same order, the one of the lowest number: the others are never
-// seen.
-template <class Face>
+// Of equal faces, whose corners are the same bits in the same order, the one of the lowest number, or the highest in
+// drawing order: the others are never seen.
+template <DepthOrder Order, class Face>
 constexpr void leave_out_equal_faces(std::vector<Face>& list) {
-  const auto is_same = [](const Face& a, const Face& b) {
+  const auto bits_of = [](float depth) { return std::bit_cast<std::uint32_t>(depth); };
+  const auto is_same = [&](const Face& a, const Face& b) {
     for (int i = 0; i < 3; ++i)
-      if (a.v[i].position != b.v[i].position || a.v[i].depth != b.v[i].depth) return false;
+      if (a.v[i].position != b.v[i].position || bits_of(a.v[i].depth) != bits_of(b.v[i].depth)) return false;
     return true;
   };
-  const auto hash_of = [](const Face& f) {
+  const auto hash_of = [&](const Face& f) {
     std::uint64_t h = 0;
     for (const screen_vertex& v : f.v) {
       h = (h ^ static_cast<std::uint32_t>(v.position.x)) * 0x9e3779b97f4a7c15u;
       h = (h ^ (h >> 32) ^ static_cast<std::uint32_t>(v.position.y)) * 0xd1b54a32d192ed03u;
-      h ^= h >> 29;  // equal depths may differ in their bits: 0 and -0
+      h = (h ^ (h >> 29) ^ bits_of(v.depth)) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 32;
     }
     return h;
   };
@@ -39,7 +41,7 @@ constexpr void leave_out_equal_faces(std::vector<Face>& list) {
     while (met[at] != no_face && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
     if (met[at] != no_face) {
       Face& first = list[met[at]];
-      if (list[i].number < first.number) first.number = list[i].number;
+      if (comes_first<Order>(0, list[i], first)) first.number = list[i].number;
       continue;
     }
     met[at] = static_cast<std::uint32_t>(kept);
@@ -50,7 +52,7 @@ constexpr void leave_out_equal_faces(std::vector<Face>& list) {
 }
 
 // The faces with an area that touch a window, side by side.
-template <class Faces>
+template <DepthOrder Order, class Faces>
 constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_window& window) {
   constexpr std::size_t many = 10000;
   std::vector<screen_face> list;
@@ -59,7 +61,7 @@ constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_w
     const screen_face f = faces[i];
     if (f.coverage.double_area != 0 && !intersect(f.coverage.bounds, window).empty()) list.push_back(f);
   }
-  if (list.size() > many) leave_out_equal_faces(list);
+  if (list.size() > many) leave_out_equal_faces<Order>(list);
   return list;
 }
 
