@@ -62,6 +62,12 @@ struct settings : program::render_settings {
   int pictures = 60, delay = 40;
 };
 
+std::string frame_name(const settings& s, std::size_t k) {
+  std::string number = std::to_string(k);
+  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+  return s.frames + number + ".png";
+}
+
 settings read_settings(program::command_line& line) {
   settings s;
   s.size = {320, 240};
@@ -95,6 +101,12 @@ settings read_settings(program::command_line& line) {
   if (!s.out.empty() && irg::picture_format_of(s.out) != irg::picture_format::png)
     line.fail("the animation's name must end in .png, not: " + s.out);
   if (program::one_file(s.out, s.input)) line.fail("the input would be overwritten: " + s.input);
+  for (int k = 1; !s.frames.empty() && k <= s.pictures; ++k) {
+    const std::string file = frame_name(s, static_cast<std::size_t>(k));
+    if (program::one_file(file, s.input)) line.fail("the input would be overwritten: " + file);
+    if (program::one_file(file, s.model)) line.fail("the model would be overwritten: " + file);
+    if (program::one_file(file, s.out)) line.fail("the animation and a picture need two files, not both: " + file);
+  }
   s.finish(line);
   return s;
 }
@@ -179,14 +191,15 @@ irg::camera<double> camera_at(const settings& s, irg::camera<double> view, const
   return view;
 }
 
-// The numbered files, removed again where not all of them can be written.
+// The numbered files, removed again where not all of them can be written, for want of memory, too.
 class numbered_files {
 public:
-  explicit numbered_files(std::string name) : name_(std::move(name)) {}
+  explicit numbered_files(const settings& s) : settings_(s) {}
+  numbered_files(const numbered_files&) = delete;
+  numbered_files& operator=(const numbered_files&) = delete;
+  ~numbered_files() { remove(); }
   void write(const program::command_line& line, const irg::image<irg::rgba8>& picture) {
-    std::string number = std::to_string(names_.size() + 1);
-    number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-    const std::string file = name_ + number + ".png";
+    const std::string file = frame_name(settings_, names_.size() + 1);
     if (const auto error = irg::write_image(file, picture)) fail(line, std::string(error->message) + ": " + file);
     names_.push_back(file);
   }
@@ -195,11 +208,12 @@ public:
     line.fail(what);
   }
   void remove() const {
-    for (const std::string& file : names_) std::remove(file.c_str());
+    for (const std::string& file : names_) program::remove_written(file);
   }
+  void keep() { names_.clear(); }
 
 private:
-  std::string name_;
+  const settings& settings_;
   std::vector<std::string> names_{};
 };
 
@@ -245,7 +259,7 @@ void run(program::command_line& line) {
   places.reserve(static_cast<std::size_t>(s.pictures));
   for (int k = 0; k < s.pictures; ++k)
     places.push_back(motion.at(s.pictures > 1 ? static_cast<double>(k) / (s.pictures - 1) : 0));
-  numbered_files files(s.frames);
+  numbered_files files(s);
   if (!s.out.empty() || !s.frames.empty()) {
     irg::scene<double> world;
     world.objects.push_back({load_model(line, s.model)});
@@ -261,6 +275,7 @@ void run(program::command_line& line) {
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) files.remove();
   program::finish_output(line, s.out);
+  files.keep();
 }
 
 }  // namespace

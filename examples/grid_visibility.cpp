@@ -165,14 +165,16 @@ irg::image<irg::rgba8> picture_of(const irg::grid_text& map, const irg::cell_gri
                                   const program::picture_size& size) {
   irg::image<irg::rgba8> p(size.width, size.height, paper);
   const map_layout at(map.grid.extent(), size);
+  irg::cell_grid stood_on(map.grid.extent());
+  for (const irg::cell3& u : map.units) stood_on.set(u);
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
       const irg::cell3 c = at.cell_at(x, y);
       if (!at.extent.holds(c) || (at.side > 2 && (x % at.side == 0 || y % at.side == 0))) continue;
-      p(x, y) = std::ranges::find(map.units, c) != map.units.end() ? unit
-                : map.grid.is_full(c)                              ? (seen.is_full(c) ? seen_full : full)
-                : seen.is_full(c)                                  ? lit
-                                                                   : dark;
+      p(x, y) = stood_on.is_full(c)   ? unit
+                : map.grid.is_full(c) ? (seen.is_full(c) ? seen_full : full)
+                : seen.is_full(c)     ? lit
+                                      : dark;
     }
   if (at.side > 2 && map.grid.walled()) draw_walls(p, map.grid, at);
   return p;

@@ -107,8 +107,10 @@ std::string names_of(const std::vector<irg::part_name>& names, const irg::visibl
 
 void write_sets(const program::command_line& line, const settings& s, const irg::visible_sets& sets) {
   if (s.sets.empty()) return;
-  if (const auto error = irg::write_file_atomically(s.sets, irg::encode_visible_sets(sets)))
+  if (const auto error = irg::write_file_atomically(s.sets, irg::encode_visible_sets(sets))) {
+    program::remove_written(s.out);
     line.fail(std::string(error->message) + ": " + s.sets);
+  }
 }
 
 place place_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
@@ -194,7 +196,7 @@ void run_in_space(program::command_line& line, const settings& s, std::string_vi
   const std::string text = s.eye.empty() ? names_of(house.names, sets) : seen_by_eye(line, house, place_of(s.eye));
   write_sets(line, s, sets);
   std::fwrite(text.data(), 1, text.size(), stdout);
-  program::finish_output(line, s.out);
+  program::finish_output(line, s.out, s.sets);
 }
 
 void run(program::command_line& line) {
@@ -209,7 +211,7 @@ void run(program::command_line& line) {
   if (!s.out.empty()) program::write_picture(line, s.out, picture_of(house.plan, camera_of(line, s), s, text));
   write_sets(line, s, sets);
   std::fwrite(text.data(), 1, text.size(), stdout);
-  program::finish_output(line, s.out);
+  program::finish_output(line, s.out, s.sets);
 }
 
 }  // namespace

@@ -108,8 +108,7 @@ void run(program::command_line& line) {
   const std::string report = report_of(world, list);
   if (!s.out.empty() || !s.stats.empty()) program::draw_scene(line, s, world, ms);
   std::fwrite(report.data(), 1, report.size(), stdout);
-  if (std::fflush(stdout) != 0 && !s.stats.empty()) std::remove(s.stats.c_str());
-  program::finish_output(line, s.out);
+  program::finish_output(line, s.out, s.stats);
 }
 
 }  // namespace

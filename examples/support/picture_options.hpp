@@ -84,10 +84,17 @@ struct drawing_options {
   }
 };
 
-/// Ends standard output. Where it cannot be written the program ends, and the picture, written by then, is removed.
-inline void finish_output(const command_line& line, const std::string& picture) {
+/// Removes a file that was written, but no device or pipe that stands for one.
+inline void remove_written(const std::string& path) {
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(path, failed)) std::remove(path.c_str());
+}
+
+/// Ends standard output. Where it cannot be written the program ends, and the files written by then are removed.
+inline void finish_output(const command_line& line, const std::string& picture, const std::string& other = {}) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-  if (!picture.empty()) std::remove(picture.c_str());
+  remove_written(picture);
+  remove_written(other);
   line.fail("standard output cannot be written");
 }
 

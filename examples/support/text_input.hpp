@@ -27,6 +27,7 @@ inline std::string read_text(const command_line& line, const std::string& path, 
     if (text.size() > (std::size_t{1} << 31))
       line.fail("the " + std::string(what) + " has more than 2147483648 bytes: stdin");
   }
+  if (std::ferror(stdin) != 0) line.fail("input cannot be read: stdin");
   return text;
 }
 

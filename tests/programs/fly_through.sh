@@ -72,4 +72,12 @@ run "$arch" cube -o none/fly.png --frames kept --pictures 2 --size 8x8
 check "a folder that is not there: exit 2" is "$status" 2
 check "takes its numbered pictures with it: $(ls)" is "$(ls kept* 2>/dev/null)" ""
 
+echo "$arch" >own0002.png
+fails "a picture over its input" "" cube --frames own --input own0002.png --pictures 2
+check "the input is as it was" is "$(cat own0002.png)" "$arch"
+fails "a picture over the animation" "$arch" cube --frames own -o ./own0001.png --pictures 2 --size 8x8
+mv own0002.png own0003.png
+run "" cube --frames own --input own0003.png --pictures 2 --size 8x8
+check "beside its input: exit 0: $err" is "$status" 0
+
 conclude

@@ -71,5 +71,15 @@ refused "a portal beyond the wall" "in a face of both of its cells" "${hut/point
 refused "a mirror in space" "mirrors are not supported" "${hut}portal room room 14 15 16\n"
 refused "a picture of a plan in space" "no picture" "$hut$doors" --eye 2,2,2 -o p.ppm
 refused "an eye outside of all cells" "the eye is in no cell" "$hut$doors" --eye 9,9,9
+refused "sets in no folder" "folder of the file does not exist: nowhere/sets" "$rooms" --eye 0.5,1.5,0.5 -o p.ppm \
+  --sets nowhere/sets
+"$program" <. >.out 2>.err
+check "standard input that is a folder: exit 2" is "$?" 2
+check "standard input that is a folder: says so" is "$(cat .err)" "portal_house: input cannot be read: stdin"
+if [ -e /dev/full ]; then
+  printf '%b' "$rooms" | "$program" --eye 0.5,1.5,0.5 -o full.ppm --sets full.bin >/dev/full 2>.err
+  check "a full disk: exit 2" is "$?" 2
+  check "a full disk: leaves no picture and no sets" is "$(ls full* 2>/dev/null)" ""
+fi
 
 conclude

@@ -192,6 +192,9 @@ if [ -e /dev/full ]; then
   check "a full disk: exit 2" is "$?" 2
   check "a full disk: leaves no picture" test ! -e full.png
   check "a full disk: leaves no statistics" test ! -e full.json
+  "$program" sphere $small --list --stats full.json >/dev/full 2>.err # more than standard output holds back
+  check "a full disk, a long list: exit 2" is "$?" 2
+  check "a full disk, a long list: leaves no statistics" test ! -e full.json
 fi
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0

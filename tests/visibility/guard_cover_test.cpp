@@ -118,6 +118,36 @@ TEST_CASE("cover_by_guards: holes that touch each wall") {
   CHECK(std::fabs(area / 2 - 60) < 1e-9);
 }
 
+double area_of(const irg::guard_cover<double>& c) {
+  double area = 0;
+  for (const auto& part : c.parts) area += twice_area_of(part.ring) / 2;
+  return area;
+}
+
+TEST_CASE("cover_by_guards: all corners of a ring touch another one, from inside or outside") {
+  const std::vector<place> square{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, diamond{{4, 0}, {8, 4}, {4, 8}, {0, 4}},
+      star{{0, 0}, {4, 3}, {8, 0}, {5, 4}, {8, 8}, {4, 5}, {0, 8}, {3, 4}},
+      notched{{0, 0}, {8, 0}, {8, 8}, {6, 8}, {6, 4}, {2, 4}, {2, 8}, {0, 8}}, guest{{2, 6}, {4, 4}, {6, 6}};
+  const auto four = guarded({square, diamond});
+  CHECK(area_of(four) == 32);
+  CHECK(four.at_least == 2);
+  CHECK(guarded({diamond, square}).parts.size() == four.parts.size());
+  CHECK(std::fabs(area_of(guarded({square, star})) - 48) < 1e-9);
+  CHECK(std::fabs(area_of(guarded({notched, guest})) - (48 + 4)) < 1e-9);
+}
+
+TEST_CASE("cover_by_guards: one guard where rooms touch in a corner of both, or a corner touches a wall") {
+  const std::vector<place> room{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, corner_to_corner{{4, 4}, {8, 4}, {8, 8}, {4, 8}},
+      corner_to_wall{{4, 2}, {8, 0}, {8, 4}};
+  const auto both = guarded({room, corner_to_corner});
+  CHECK(both.guards == std::vector<std::size_t>{2});
+  CHECK(both.at_least == 1);
+  CHECK(area_of(both) == 32);
+  const auto beside = guarded({room, corner_to_wall});
+  CHECK(beside.guards == std::vector<std::size_t>{4});
+  CHECK(area_of(beside) == 24);
+}
+
 // Powers of two stretch the plane without rounding: all comes out the same, stretched.
 TEST_CASE("cover_by_guards: plans of all sizes, and such as are much wider than high") {
   const plan p = {{{0, 0}, {8, 0}, {8, 4}, {4, 4}, {5, 8}, {0, 7}}, {{6, 3}, {5, 2}, {7, 2}}};

@@ -48,6 +48,28 @@ TEST_CASE("space portals: an eye in front of a portal, behind it, in its plane")
   CHECK(irg::potentially_visible(plan{}).seen.count() == 0);
 }
 
+TEST_CASE("space portals: corners that repeat, and straight ones, from both sides") {
+  const std::array<std::array<double, 2>, 4> square{{{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.75, 0.25}}};
+  int tried = 0, wrong = 0;
+  for (const bool is_straight : {false, true})
+    for (std::size_t at = 0; at < 4; ++at)
+      for (std::size_t turn = 0; turn < 5; ++turn) {
+        plan p = two_cubes();
+        auto& ring = p.portals[0].ring;
+        const auto& [y, z] = square[at];
+        const auto& [next_y, next_z] = square[(at + 1) % 4];
+        const place more = is_straight ? place{1, (y + next_y) / 2, (z + next_z) / 2} : place{1, y, z};
+        ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(at) + 1, more);
+        std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(turn), ring.end());
+        if (irg::validate(p).defect != irg::space_plan_defect::none) continue;
+        ++tried;
+        wrong += cells_seen(p, 0, {0.5, 0.5, 0.5}) != 2 || cells_seen(p, 1, {1.5, 0.5, 0.5}) != 2;
+        wrong += irg::potentially_visible(p).seen.count() != 4;
+      }
+  CHECK(tried == 28);
+  CHECK(wrong == 0);
+}
+
 // Each cube of a bent grid as six tetrahedra round a diagonal, some of the faces between them open.
 plan tetrahedra(test::random& r, int size, int open_of_ten) {
   std::vector<place> at;

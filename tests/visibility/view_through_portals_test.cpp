@@ -154,6 +154,12 @@ TEST_CASE("seen_through_both: squares one behind the other") {
   CHECK(!irg::seen_through_both(eye, square(0, -1), square(1.5, -2)));  // edges touch
   CHECK(!irg::seen_through_both(eye, square(0, -1), square(1.75, -2)));
   CHECK(irg::seen_through_both(eye, square(0, -1), square(1.5 - 0x1p-50, -2)));
+  const std::array<at3, 5> repeated{at3{0, 0, -1}, at3{1, 0, -1}, at3{1, 0, -1}, at3{1, 1, -1}, at3{0, 1, -1}};
+  CHECK(irg::seen_through_both(eye, repeated, square(0, -2)));
+  CHECK(irg::seen_through_both(eye, square(0, -0.5), repeated));
+  CHECK(!irg::seen_through_both(eye, repeated, square(1.5, -2)));
+  const std::array<at3, 4> flat{at3{0, 0.5, -1}, at3{1, 0.5, -1}, at3{1, 0.5, -1}, at3{0, 0.5, -1}};
+  CHECK(!irg::seen_through_both(eye, square(0, -2), flat));
 }
 
 // Two triangles in the picture part when all corners of the one are on one side, or on, a line through two of the six

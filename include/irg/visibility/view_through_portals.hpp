@@ -150,12 +150,23 @@ constexpr void view_through_portals(const portal_graph<T>& graph, std::uint32_t 
 template <PolygonRing P, PolygonRing Q, Point Eye>
   requires(size_of<Eye> == 3)
 [[nodiscard]] constexpr bool seen_through_both(const Eye& eye, const P& first, const Q& second) noexcept {
+  const auto has_corner_within = [&](const auto& p, std::size_t i) {
+    bool any = false;
+    for (std::size_t k = 0; k < ring_size(p) && !any; ++k)
+      any = orient3d(eye, ring_vertex(p, i + 1), ring_vertex(p, i), ring_vertex(p, k)) > 0;
+    return any;
+  };
+  const auto has_area = [&](const auto& p) {
+    bool any = false;
+    for (std::size_t i = 0; i < ring_size(p) && !any; ++i) any = has_corner_within(p, i);
+    return any;
+  };
   const auto parts = [&](const auto& p, const auto& q) {
     for (std::size_t i = 0; i < ring_size(p); ++i) {
       bool outside = true;
       for (std::size_t k = 0; k < ring_size(q) && outside; ++k)
         outside = orient3d(eye, ring_vertex(p, i + 1), ring_vertex(p, i), ring_vertex(q, k)) <= 0;
-      if (outside) return true;
+      if (outside && (has_corner_within(p, i) || !has_area(p))) return true;  // no corner that repeats
     }
     return false;
   };

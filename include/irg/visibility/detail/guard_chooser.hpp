@@ -29,7 +29,7 @@ public:
     guard_cover<T> out;
     out.status = read(rings);
     if (out.status != guard_status::done || corners_.empty()) return out;
-    note_neighbours();
+    for (corner& c : corners_) note_bends(c, corners_);
     if (cross_in_corners()) {
       out.status = guard_status::rings_cross;
       return out;
@@ -41,12 +41,14 @@ public:
   }
 
 private:
-  // A corner with the way in and the way out, the inside on the left of both.
-  struct corner {
+  // A way in and a way out, the inside on the left of both.
+  struct bend {
     point<T, 2> before, at, after;
+  };
+  struct corner : bend {
     std::size_t number;
-    std::vector<std::uint32_t> here{};  // all corners at this place, itself among them
-    std::vector<segment<T, 2>> touched{};  // walls that pass here, the inside on their left
+    std::vector<bend> here{};  // all at this place, itself and walls that pass among them
+    std::size_t most = 0;      // of them that lie on the left of one direction; where so many do is the inside
   };
   struct part {
     std::uint32_t edge;  // a half-edge along it
@@ -63,11 +65,13 @@ private:
     for (const auto& r : rings)
       for (const auto& p : r)
         if (!is_finite_sight_point(p)) return guard_status::not_finite;
+    std::vector<std::vector<corner>> list;
     std::size_t number = 0;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      if (!add_ring(rings, i, number)) return guard_status::rings_cross;
-      number += rings[i].size();
+    for (const auto& r : rings) {
+      if (!add_ring(r, number, list)) return guard_status::rings_cross;
+      number += r.size();
     }
+    for (std::size_t i = 0; i < list.size(); ++i) add_corners(list, i);
     for (std::size_t i = 0; i < walls_.size(); ++i)
       for (std::size_t k = 0; k < i; ++k)
         if (disturb(walls_[i], walls_[k])) return guard_status::rings_cross;
@@ -82,46 +86,51 @@ private:
     return sa * sb < 0 && orient2d(s.a, s.b, t.a) * orient2d(s.a, s.b, t.b) < 0;
   }
 
-  // Adds the corners of a ring without repeated ones; false when it has corners on a line only.
-  constexpr bool add_ring(std::span<const std::vector<point<T, 2>>> rings, std::size_t index, std::size_t number) {
+  // Adds a ring without repeated corners, counter-clockwise; false when it has corners on a line only.
+  static constexpr bool add_ring(const std::vector<point<T, 2>>& given, std::size_t number,
+                                 std::vector<std::vector<corner>>& list) {
     std::vector<corner> ring;
-    for (std::size_t i = 0; i < rings[index].size(); ++i) {
-      const point<T, 2>& p = rings[index][i];
-      if (ring.empty() || !(ring.back().at == p)) ring.push_back({p, p, p, number + i});
-    }
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (ring.empty() || !(ring.back().at == given[i])) ring.push_back({{given[i], given[i], given[i]}, number + i});
     while (ring.size() > 1 && ring.back().at == ring[0].at) ring.pop_back();
     const std::size_t n = ring.size();
     if (n < 3) return n < 2;  // a point is no part of a plan
-    const orientation way = orientation_of(rings[index]);
-    if (way == orientation::degenerate) return false;
-    const bool inside_left = (way == orientation::counter_clockwise) == (depth_of(rings, index) % 2 == 0);
+    const orientation way = orientation_of(given);
     for (std::size_t i = 0; i < n; ++i) {
-      ring[i].before = ring[inside_left ? (i + n - 1) % n : (i + 1) % n].at;
-      ring[i].after = ring[inside_left ? (i + 1) % n : (i + n - 1) % n].at;
-      walls_.push_back({ring[i].before, ring[i].at});
-      corners_.push_back(ring[i]);
-      extent_ = enclosing_box(extent_, ring[i].at);
+      ring[i].before = ring[(i + n - 1) % n].at;
+      ring[i].after = ring[(i + 1) % n].at;
+      if (way == orientation::clockwise) std::swap(ring[i].before, ring[i].after);
     }
-    return true;
+    list.push_back(std::move(ring));
+    return way != orientation::degenerate;
   }
 
-  // How many other rings a ring lies in: told by a corner or, where all corners touch, by nothing.
-  static constexpr std::size_t depth_of(std::span<const std::vector<point<T, 2>>> rings, std::size_t index) {
+  // The corners and walls of a ring, the inside of the plan on their left.
+  constexpr void add_corners(const std::vector<std::vector<corner>>& list, std::size_t index) {
     std::size_t depth = 0;
-    for (std::size_t k = 0; k < rings.size(); ++k) {
-      if (k == index) continue;
-      for (const auto& p : rings[index]) {
-        const location where = point_in_polygon(rings[k], p, fill_rule::even_odd);
-        if (where == location::boundary) continue;
-        depth += where == location::inside ? 1 : 0;
-        break;
-      }
+    for (std::size_t k = 0; k < list.size(); ++k) depth += k != index && lies_in(list[index], list[k]) ? 1 : 0;
+    for (corner c : list[index]) {
+      if (depth % 2 != 0) std::swap(c.before, c.after);
+      walls_.push_back({c.before, c.at});
+      corners_.push_back(c);
+      extent_ = enclosing_box(extent_, c.at);
     }
-    return depth;
+  }
+
+  // Whether a ring lies in another one: told by a corner or, where all corners touch it, by the way to the next one.
+  static constexpr bool lies_in(const std::vector<corner>& ring, const std::vector<corner>& other) {
+    std::vector<point<T, 2>> outline;
+    for (const corner& c : other) outline.push_back(c.at);
+    for (const corner& c : ring)
+      if (const location where = point_in_polygon(outline, c.at, fill_rule::even_odd); where != location::boundary)
+        return where == location::inside;
+    corner first = ring[0];
+    note_bends(first, other);
+    return leads_inside(first, [&](const bend& b) { return is_on_left(b, ring[0].after); });
   }
 
   // Only past such a corner a sight line goes on within the plan.
-  static constexpr bool is_reflex(const corner& c) noexcept { return orient2d(c.before, c.at, c.after) < 0; }
+  static constexpr bool is_reflex(const bend& c) noexcept { return orient2d(c.before, c.at, c.after) < 0; }
 
   constexpr void cut() {
     for (const auto& w : walls_) parts_of_plan_.cuts.push_back({w, false, true});
@@ -136,44 +145,38 @@ private:
     parts_of_plan_.build(extent_);
   }
 
-  constexpr void note_neighbours() {
-    for (corner& c : corners_) {
-      for (std::uint32_t i = 0; i < corners_.size(); ++i)
-        if (corners_[i].at == c.at) c.here.push_back(i);
-      for (const auto& w : walls_)
-        if (!(w.a == c.at) && !(w.b == c.at) && orient2d(w.a, w.b, c.at) == 0 && lies_within(w.a, w.b, c.at))
-          c.touched.push_back(w);
+  // Notes the ways of some rings through the place of a corner.
+  static constexpr void note_bends(corner& c, const std::vector<corner>& rings) {
+    for (const corner& o : rings) {
+      if (o.at == c.at) c.here.push_back(o);
+      if (!(o.before == c.at) && !(o.at == c.at) && orient2d(o.before, o.at, c.at) == 0 &&
+          lies_within(o.before, o.at, c.at))
+        c.here.push_back({o.before, c.at, o.at});
     }
+    c.most = 1;  // a way has the inside on its left
+    for (const bend& b : c.here) c.most += is_on_left(b, c.here[0].after) ? 1 : 0;
   }
 
-  // Whether the direction from the corner to p lies to the left of the way in and out.
-  static constexpr bool is_on_left(const corner& c, const point<T, 2>& p) noexcept {
+  // Whether the direction from a bend to p lies to the left of the way in and out.
+  static constexpr bool is_on_left(const bend& c, const point<T, 2>& p) noexcept {
     const bool left_of_in = orient2d(c.before, c.at, p) > 0, left_of_out = orient2d(c.at, c.after, p) > 0;
     return is_reflex(c) ? left_of_in || left_of_out : left_of_in && left_of_out;
   }
   // Whether two ways through one corner lead over each other. Walls that meet elsewhere than in corners do not cross,
   // and none run along each other.
   constexpr bool cross_in_corners() const noexcept {
-    for (const corner& c : corners_) {
-      for (const std::uint32_t i : c.here)
-        if (is_on_left(c, corners_[i].before) != is_on_left(c, corners_[i].after)) return true;
-      for (const auto& w : c.touched)
-        if (is_on_left(c, w.a) != is_on_left(c, w.b)) return true;
-    }
+    for (const corner& c : corners_)
+      for (const bend& b : c.here)
+        if (is_on_left(c, b.before) != is_on_left(c, b.after)) return true;
     return false;
   }
 
-  // Whether the way to a place leaves the corner into the plan.
-  template <class Side>
-  constexpr bool opens_to(const corner& at, const Side& side) const {
-    for (const auto& w : at.touched)
-      if (side(w.a, w.b) < 0) return false;
-    for (const std::uint32_t i : at.here) {
-      const corner& c = corners_[i];
-      const bool left_of_in = side(c.before, c.at) > 0, left_of_out = side(c.at, c.after) > 0;
-      if (is_reflex(c) ? !left_of_in && !left_of_out : !left_of_in || !left_of_out) return false;
-    }
-    return true;
+  // Whether a direction leaves the corner into the plan; on_left(bend) says whether it lies to the left of one.
+  template <class OnLeft>
+  static constexpr bool leads_inside(const corner& at, const OnLeft& on_left) {
+    std::size_t count = 0;
+    for (const bend& b : at.here) count += on_left(b) ? 1 : 0;
+    return count == at.most;
   }
 
   // A place in the plan is seen from some corner, one out of it from none.
@@ -193,9 +196,13 @@ private:
       const auto side = [&](const point<T, 2>& u, const point<T, 2>& v) {
         return parts_of_plan_.side_beside(best, u, v);
       };
+      const auto on_left = [&](const bend& b) {
+        const bool left_of_in = side(b.before, b.at) > 0, left_of_out = side(b.at, b.after) > 0;
+        return is_reflex(b) ? left_of_in || left_of_out : left_of_in && left_of_out;
+      };
       part found{e};
       for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-        if (!opens_to(corners_[i], side)) continue;
+        if (!leads_inside(corners_[i], on_left)) continue;
         view.source.assign(1, corners_[i].at);
         if (view.share(side) == seen_share::all) found.seers.push_back(i);
       }

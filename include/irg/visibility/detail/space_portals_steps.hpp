@@ -2,6 +2,7 @@
 // Ways through the doors of a plan in space, for potentially_visible and view_through_portals.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -28,8 +29,14 @@ public:
   constexpr explicit space_walk(const space_plan<T>& plan)
       : doors_(plan.cells.size(), std::vector<space_doorway<T>>{}) {
     for (const auto& p : plan.portals) {
-      doors_[p.first].push_back({p.second, p.ring});
-      doors_[p.second].push_back({p.first, {p.ring.rbegin(), p.ring.rend()}});
+      std::vector<point<T, 3>> ring;
+      for (const auto& v : p.ring)
+        if (ring.empty() || (!(v == ring.back()) && !(v == ring[0]))) ring.push_back(v);
+      if (ring.size() < 3) continue;
+      doors_[p.first].push_back({p.second, ring});
+      std::reverse(ring.begin(), ring.begin() + 3);  // its first three corners tell its plane, the last may not
+      std::reverse(ring.begin() + 3, ring.end());
+      doors_[p.second].push_back({p.first, static_cast<std::vector<point<T, 3>>&&>(ring)});
     }
   }
 
