@@ -2,10 +2,12 @@
 #include <irg/scene/studio_events.hpp>
 
 #include <limits>
+#include <new>
 #include <string>
 
 #include <irg/mesh/shapes.hpp>
 
+#include "mesh/short_memory.hpp"
 #include "support/check_both.hpp"
 
 namespace {
@@ -240,3 +242,33 @@ TEST_CASE("studio events: a sentence for each status") {
   for (int i = 0; i <= static_cast<int>(bad_light); ++i)
     CHECK(std::string(irg::sentence_of(static_cast<irg::studio_status>(i))).size() > 3);
 }
+
+#ifdef __cpp_exceptions
+TEST_CASE("studio events: where memory gives out, all bodies change or none") {
+  studio plain;
+  for (int i = 0; i < 3; ++i) {
+    auto e = cube();
+    e.body.surfaces.clear();
+    for (std::uint32_t& f : e.body.surface_of_face) f = irg::stored_body<double>::no_surface;
+    CHECK(apply_event(plain, e) == done);
+  }
+  const auto try_each = [&](const auto& event) {
+    for (long left = 0;; ++left) {
+      studio s = plain;
+      test::allocations_left = left;
+      bool failed = false;
+      try {
+        static_cast<void>(apply_event(s, event));
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+      test::allocations_left = -1;
+      REQUIRE(left < 20);
+      CHECK((s == plain) == failed);
+      if (!failed) return;
+    }
+  };
+  try_each(irg::add_transformation<double>{{}, irg::studio_stage::before, {irg::studio_map::translate, {1, 2, 3}}});
+  try_each(irg::colour_body{{}, {1, 2, 3, 255}});
+}
+#endif

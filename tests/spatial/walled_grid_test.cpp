@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <irg/spatial/walled_grid.hpp>
 
+#include <new>
+
+#include "mesh/short_memory.hpp"
 #include "support/check_both.hpp"
 
 namespace {
@@ -42,5 +45,26 @@ TEST_CASE("walled_grid: walls by cell and axis, and rules of one's own") {
   g.set_wall({3, 2, 1}, 2, wall_kind::half_wall);
   CHECK(!g.has_wall({3, 2, 1}, 2));
 }
+
+#ifdef __cpp_exceptions
+TEST_CASE("walled_grid: where memory gives out at the first wall, the grid is as it was") {
+  walled_grid g(irg::grid_extent{4, 3, 2});
+  const walled_grid before = g;
+  for (long left = 0;; ++left) {
+    test::allocations_left = left;
+    bool failed = false;
+    try {
+      g.set_wall({1, 1, 1}, 1, wall_kind::wall);
+    } catch (const std::bad_alloc&) {
+      failed = true;
+    }
+    test::allocations_left = -1;
+    REQUIRE(left < 20);
+    CHECK((g == before) == failed);
+    if (!failed) break;
+  }
+  CHECK(g.has_wall({1, 1, 1}, 1));
+}
+#endif
 
 }  // namespace

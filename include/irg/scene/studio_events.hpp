@@ -203,6 +203,12 @@ constexpr std::vector<studio_transformation<T>>& list_of(studio_body<T>& b, stud
   return b.transformations[static_cast<std::size_t>(stage)];
 }
 
+// Makes room for one more, as push_back would.
+template <class List>
+constexpr void make_room(List& list) {
+  if (list.size() == list.capacity()) list.reserve(2 * list.size() + 1);
+}
+
 // The camera, put into its place if it can be a camera.
 template <class T>
 constexpr studio_status put_camera(studio_camera<T>& place, const studio_camera<T>& c) noexcept {
@@ -273,6 +279,9 @@ constexpr studio_status apply_event(studio<T>& s, const set_opacity<T>& e) {
 }
 template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, const colour_body& e) {
+  if (e.name.empty())
+    for (studio_body<T>& b : s.bodies)
+      if (b.body.surfaces.empty()) b.body.surfaces.reserve(1);
   return detail::change_bodies(s, e.name, [&](studio_body<T>& b) {
     if (b.body.surfaces.empty()) b.body.surfaces.push_back({});
     for (stored_surface<T>& f : b.body.surfaces) f.colour = e.colour;
@@ -284,6 +293,8 @@ constexpr studio_status apply_event(studio<T>& s, const colour_body& e) {
 template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, const add_transformation<T>& e) {
   if (!matrix_of(e.transformation)) return studio_status::no_matrix;
+  if (e.name.empty())  // room for all first: they change together or not at all
+    for (studio_body<T>& b : s.bodies) detail::make_room(detail::list_of(b, e.stage));
   return detail::change_bodies(s, e.name, [&](studio_body<T>& b) {
     detail::list_of(b, e.stage).push_back(e.transformation);
     return studio_status::done;

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -62,10 +63,11 @@ public:
     IRG_EXPECTS(extent().holds(c) && axis >= 0 && axis < 3);
     if (!walled()) {
       const grid_extent e = extent();
-      std::vector<Kind> kinds(3 * static_cast<std::size_t>(e.width) * static_cast<std::size_t>(e.height) *
-                                  static_cast<std::size_t>(e.depth),
-                              wall_kind::none);
-      across_x_ = across_y_ = across_z_ = cell_grid(e);
+      constexpr std::int64_t most = (std::numeric_limits<std::ptrdiff_t>::max)();  // more than any vector holds
+      const std::int64_t count = 3 * (std::int64_t{e.width} * e.height * e.depth);
+      std::vector<Kind> kinds(static_cast<std::size_t>(count < most ? count : most), wall_kind::none);
+      cell_grid across_x(e), across_y(e), across_z(e);
+      across_x_ = std::move(across_x), across_y_ = std::move(across_y), across_z_ = std::move(across_z);
       kinds_ = std::move(kinds);
     }
     kinds_[index(c, axis)] = kind;
