@@ -186,6 +186,11 @@ TEST_CASE("inverse: degenerate and hostile") {
                                           {{{1e-320, 0}, {0, 1}}},  // its inverse does not fit
                                           {{{1, 2}, {2, 4}}}};
   for (const auto& a : broken) CHECK((!inverse(a) && !inverse_accurate(a) && !inverse_exact(a)));
+  static_assert(!inverse(broken[0]) && !inverse(broken[1]) && !inverse(broken[2]) && !inverse(broken[4]));
+  CHECK_BOTH((!inverse(mat4{{{none, 1, 2, 3}, {inf, 1, 0, 0}, {0, 0, 1, inf}, {-inf, 0, 0, 1}}})));
+  CHECK_BOTH(
+      (!inverse(mat<float, 4, 4>{{{1, 1, 2, 3}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, static_cast<float>(inf)}}})));
+  CHECK_BOTH((!inverse(mat<double, 5, 5>{{{none, inf}, {1}, {0, 1}, {0, 0, 1}, {0, 0, 0, 1}}})));
   CHECK_BOTH(!inverse(mat3<double>{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}));
   CHECK_BOTH(!inverse_accurate(mat3<double>{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}));
   CHECK_BOTH(!inverse_exact(mat3<double>{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}));
@@ -213,6 +218,17 @@ TEST_CASE("inverse: degenerate and hostile") {
   CHECK_BOTH((*inverse_exact(mat<double, 2, 2>{{{huge, 0}, {0, huge}}}))(0, 0) == 1 / huge);
   CHECK_BOTH((*inverse_exact(mat<double, 2, 2>{{{huge, huge}, {-huge, huge}}}))(0, 0) == 0.5 / huge);
   CHECK_BOTH(!inverse_exact(mat<double, 2, 2>{{{tiny, 0}, {0, tiny}}}));
+  // Elimination overflows on the way, the inverse does not.
+  for (const double size : {huge, -0x1p1023, 0x1p-1024}) {
+    const auto x = inverse(mat<double, 2, 2>{{{size, size}, {-size, size}}});
+    CHECK((x && *x == mat<double, 2, 2>{{{0.5 / size, -0.5 / size}, {0.5 / size, 0.5 / size}}}));
+    mat<double, 5, 5> wider = identity<double, 5>();
+    wider(0, 0) = wider(0, 4) = wider(4, 4) = size, wider(4, 0) = -size;
+    const auto y = inverse(wider);
+    CHECK((y && (*y)(0, 0) == 0.5 / size && (*y)(0, 4) == -0.5 / size && (*y)(4, 0) == 0.5 / size && (*y)(2, 2) == 1));
+  }
+  const auto single = inverse(mat<float, 3, 3>{{{3e38f, 3e38f, 0}, {-3e38f, 3e38f, 0}, {0, 0, 1}}});
+  CHECK((single && (*single)(0, 0) == 0.5f / 3e38f && (*single)(1, 0) == (*single)(0, 0)));
   CHECK_BOTH(*inverse_exact(mat<double, 2, 2>{{{0, 0x1p-1022}, {0x1p1022, tiny}}}) ==
              mat<double, 2, 2>{{{-tiny, 0x1p-1022}, {0x1p1022, 0}}});
 }

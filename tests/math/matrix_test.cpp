@@ -79,6 +79,13 @@ TEST_CASE("matrix: sizes that do not fit, and other failures") {
   CHECK(fails(solve(square, one), matrix_error::inconsistent));
   broken(0, 1) = std::numeric_limits<double>::quiet_NaN();
   CHECK((fails(inverse(broken), matrix_error::not_finite) && fails(solve(broken, one), matrix_error::not_finite)));
+  // Elimination overflows on the way, the inverse does not.
+  for (const double size : {1.7e308, -0x1p1023, 0x1p-1024}) {
+    CHECK(is(inverse(of(mat<double, 2, 2>{{{size, size}, {-size, size}}})),
+             of(mat<double, 2, 2>{{{0.5 / size, -0.5 / size}, {0.5 / size, 0.5 / size}}})));
+    CHECK(fails(inverse(of(mat<double, 2, 2>{{{size, size}, {size, size}}})), matrix_error::singular));
+  }
+  CHECK(fails(inverse(of(mat<double, 2, 2>{{{1e-320, 0}, {0, 1}}})), matrix_error::not_finite));
   static_assert(fails(multiply(matrix<int>(1, 2), matrix<int>(3, 1)), matrix_error::size_mismatch));
   // Nothing at all is a matrix too.
   CHECK_BOTH(

@@ -43,10 +43,12 @@ template <Real T, int N>
 IRG_NOINLINE constexpr std::optional<mat<T, N, N>> inverse_by_elimination(const mat<T, N, N>& a) noexcept {
   if (!entries_finite<T>(a, N, N)) return std::nullopt;
   mat<T, N, N> left = a, right = identity<T, N>();
-  if (gauss_jordan<T>(left, right, N) && entries_finite<T>(right, N, N) && inverse_has_digits<T>(a, right, N))
-    return right;
+  const bool is_regular = gauss_jordan<T>(left, right, N);
+  // A pivot that overflows leaves zeros in `right`, and a NaN in `left`.
+  const bool fits = entries_finite<T>(left, N, N) && entries_finite<T>(right, N, N);
+  if (is_regular && fits && inverse_has_digits<T>(a, right, N)) return right;
   if constexpr (Floating<T>)
-    if (has_mixed_sizes(a)) return inverse_accurate(a);
+    if (!fits || has_mixed_sizes(a)) return inverse_accurate(a);
   return std::nullopt;
 }
 
@@ -63,7 +65,7 @@ inline namespace IRG_ABI {
 ///         An affine matrix, one whose last row is 0 ... 0 1, has an inverse with exactly this last row
 /// cost    in floats up to size 4 that of inverse_fast and of a matrix product, which shows whether the result is good
 ///         enough; where it is not, and for others, Gauss-Jordan elimination with partial pivoting, 2 N^3 operations;
-///         where that fails and entries differ by more than 2^16, inverse_accurate
+///         where that fails and entries differ by more than 2^16, or it overflows, inverse_accurate
 /// source  Higham 2002, ch. 14; Bauer 1963 for the condition
 template <Real T, int N>
 [[nodiscard]] constexpr std::optional<mat<T, N, N>> inverse(const mat<T, N, N>& a) noexcept {

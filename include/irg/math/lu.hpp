@@ -23,6 +23,7 @@ inline namespace IRG_ABI {
 /// source  Higham 2002, ch. 9
 template <Real T, int N>
 [[nodiscard]] constexpr std::optional<lu_factors<T, N>> lu_factor(const mat<T, N, N>& a) noexcept {
+  if (!detail::entries_finite<T>(a, N, N)) return std::nullopt;
   lu_factors<T, N> f{a, {}};
   for (int i = 0; i < N; ++i) f.order[i] = i;
   for (int k = 0; k < N; ++k) {
@@ -109,7 +110,8 @@ template <Real T, int N>
 }
 
 /// 1 over the condition number of `a`.
-/// gives   0 for a matrix that is singular as computed, or has an entry that is NaN or infinite
+/// gives   0 where lu_factor gives nothing: for a matrix that is singular as computed, that has an entry that is NaN or
+///         infinite, or whose factors overflow
 /// exact   as from its factors
 template <Real T, int N>
 [[nodiscard]] constexpr T reciprocal_condition(const mat<T, N, N>& a) noexcept {

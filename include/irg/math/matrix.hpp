@@ -188,8 +188,23 @@ template <Real T>
   if (n != a.columns()) return matrix_error::not_square;
   if (!detail::entries_finite<T>(a, n, n)) return matrix_error::not_finite;
   matrix<T> left = a, right = identity<T>(n);
-  if (!detail::gauss_jordan<T>(left, right, n)) return matrix_error::singular;
-  if (!detail::entries_finite<T>(right, n, n)) return matrix_error::not_finite;
+  bool is_regular = detail::gauss_jordan<T>(left, right, n);
+  if constexpr (Floating<T>) {
+    // A pivot that overflows leaves zeros in `right`, and a NaN in `left`: once more, nearer to the middle of the range.
+    if (!detail::entries_finite<T>(left, n, n) || !detail::entries_finite<T>(right, n, n)) {
+      T largest = T(0);
+      for (int r = 0; r < n; ++r)
+        for (int c = 0; c < n; ++c) largest = greater(detail::entry_size(a(r, c)), largest);
+      const T scale = static_cast<T>(largest < static_cast<T>(sizeof(T) == 4 ? 0x1p32 : 0x1p512) ? 0x1p64 : 0x1p-64);
+      left = multiply(a, scale);
+      right = identity<T>(n);
+      is_regular = detail::gauss_jordan<T>(left, right, n);
+      right = multiply(right, scale);
+    }
+  }
+  if (!is_regular) return matrix_error::singular;
+  if (!detail::entries_finite<T>(left, n, n) || !detail::entries_finite<T>(right, n, n))
+    return matrix_error::not_finite;
   if (!detail::inverse_has_digits<T>(a, right, n)) return matrix_error::singular;
   return right;
 }

@@ -62,6 +62,7 @@ IRG_INLINE constexpr bool inverse_is_easy(const mat<T, N, N>& a, mat<T, N, N>& x
   constexpr T largest = static_cast<T>(is_double ? 0x1p150 : 0x1p20),
               least = static_cast<T>(is_double ? 0x1p-300 : 0x1p-40);
   constexpr T epsilon = std::numeric_limits<T>::epsilon();
+  if (!norm_may_be_taken(a, largest)) return false;
   const T size = norm_1_less<0>(a);
   if (!(size <= largest)) return false;
   x = inverse_by_cofactors(a, least);

@@ -40,4 +40,15 @@ IRG_INLINE constexpr T norm_1_less(mat<T, N, N> a) noexcept {
   return norm_1(a);
 }
 
+// Whether the norm of a may be compared with a bound: constant evaluation refuses sums that overflow or are NaN, and so
+// must see first that no entry is beyond the bound.
+template <Floating T, int N>
+IRG_INLINE constexpr bool norm_may_be_taken(const mat<T, N, N>& a, T bound) noexcept {
+  if (!std::is_constant_evaluated()) return true;
+  for (const auto& row : a.m)
+    for (const T& entry : row)
+      if (!(magnitude(entry) <= bound)) return false;
+  return true;
+}
+
 }  // namespace irg::detail::inline IRG_ABI
