@@ -120,6 +120,7 @@ private:
   // Whether a ring lies in another one: told by a corner or, where all corners touch it, by the way to the next one.
   static constexpr bool lies_in(const std::vector<corner>& ring, const std::vector<corner>& other) {
     std::vector<point<T, 2>> outline;
+    outline.reserve(other.size());
     for (const corner& c : other) outline.push_back(c.at);
     for (const corner& c : ring)
       if (const location where = point_in_polygon(outline, c.at, fill_rule::even_odd); where != location::boundary)
