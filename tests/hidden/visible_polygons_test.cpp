@@ -174,6 +174,18 @@ TEST_CASE("visible_polygons: depths of all sizes; neither the order of the faces
   CHECK(different == 0);
 }
 
+TEST_CASE("visible_polygons: two planes that meet in a line of which a coefficient is -2^64") {
+  const std::vector<screen_face> faces{
+      irg::make_screen_face({{1664, 1664}, 3.0f}, {{640, 1664}, 0.0f}, {{1920, -128}, 0.0f}, 3),
+      irg::make_screen_face({{1408, 896}, 0.0f}, {{1408, 640}, -1.0f}, {{1920, 128}, 1.0f}, 84)};
+  const irg::cell_window w{0, 0, 7, 7};
+  const auto map = irg::visible_polygons<irg::nearer_is_less>(faces, w);
+  const auto turned = irg::visible_polygons<irg::nearer_is_less>(std::vector<screen_face>{faces[1], faces[0]}, w);
+  CHECK(irg::picture_face_at<irg::nearer_is_less>(faces, 5, 2) == 84);
+  CHECK(double_area_of(map, 84) > 1);
+  CHECK(double_area_of(map, 84) == double_area_of(turned, 84));
+}
+
 TEST_CASE("visible_polygons: faces and windows at the ends of the range, equal faces by the hundred") {
   constexpr int end = irg::snap_limit;
   const auto huge = irg::visible_polygons(

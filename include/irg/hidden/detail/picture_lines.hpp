@@ -96,10 +96,14 @@ constexpr line_terms<N> coefficients_of(std::span<const Face> faces, const pictu
   return {c.a, c.b, c.c};
 }
 
-// The number divided by 2^(64 top): no word above that is in use.
+template <int N>
+constexpr wide_int<N> size_of_integer(const wide_int<N>& v) noexcept {
+  return v.is_negative() ? -v : v;
+}
+// The number divided by 2^(64 top): no word of its size above that is in use.
 template <int N>
 constexpr double scaled_down(const wide_int<N>& v, int top) noexcept {
-  const wide_int<N> size = v.is_negative() ? -v : v;
+  const wide_int<N> size = size_of_integer(v);
   double sum = 0;
   for (int i = 0; i <= top; ++i) sum = sum * 0x1p-64 + static_cast<double>(size.word[i]);  // the last word counts 1
   return v.is_negative() ? -sum : sum;
@@ -109,9 +113,11 @@ template <int N, class Face>
 constexpr void round_line(std::span<const Face> faces, picture_line& line) noexcept {
   const auto e = coefficients_of<N>(faces, line);
   int top = 0;
-  for (const wide_int<N>* v : {&e.a, &e.b, &e.c})
+  for (const wide_int<N>* v : {&e.a, &e.b, &e.c}) {
+    const wide_int<N> size = size_of_integer(*v);  // that of -2^64 has a word more than -2^64
     for (int i = 0; i < N; ++i)
-      if (v->word[i] != sign_mask(v->word[N - 1])) top = greater(top, i);
+      if (size.word[i] != 0) top = greater(top, i);
+  }
   line.a = scaled_down(e.a, top);
   line.b = scaled_down(e.b, top);
   line.c = scaled_down(e.c, top);

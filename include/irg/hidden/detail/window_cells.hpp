@@ -244,14 +244,20 @@ private:
     cells.push_back({std::move(cell.corners), cell.faces.empty() ? no_face : numbers_[cell.faces[0].face]});
   }
 
-  // The line through the middle of a cell's box, where it parts the faces.
+  // The line through the middle of a cell's box, where it parts the faces: across the longer side, or, where it cuts
+  // few of them, across the other one.
   constexpr bool halve(const window_cell& cell, std::size_t reaching, picture_line& line) const {
     const cell_box box = box_of_cell(cell);
-    const double(&low)[2] = box.low;
-    const double(&high)[2] = box.high;
-    const int axis = high[0] - low[0] < high[1] - low[1] ? 1 : 0;
-    if (high[axis] - low[axis] < 4) return false;
-    const auto middle = static_cast<std::int32_t>((low[axis] + high[axis]) / 2);
+    const int longer = box.high[0] - box.low[0] < box.high[1] - box.low[1] ? 1 : 0;
+    return halve_across(longer, box, cell, reaching + reaching / 2, line) ||
+           halve_across(1 - longer, box, cell, reaching + reaching / 8, line);
+  }
+  // most   faces in both halves together
+  constexpr bool halve_across(int axis, const cell_box& box, const window_cell& cell, std::size_t most,
+                              picture_line& line) const {
+    const double low = box.low[axis], high = box.high[axis];
+    if (high - low < 4) return false;
+    const auto middle = static_cast<std::int32_t>((low + high) / 2);
     std::size_t below = 0, above = 0;
     for (const cell_candidate& c : cell.faces) {
       if (c.inside == 7) continue;
@@ -264,7 +270,7 @@ private:
       below += is_below ? 1u : 0u;
       above += is_above ? 1u : 0u;
     }
-    if (2 * (below + above) > 3 * reaching) return false;
+    if (below + above > most) return false;
     line = line_of_axis(axis == 0 ? picture_line_kind::upright : picture_line_kind::level, middle);
     return sides_of(line, cell) == 3;
   }
