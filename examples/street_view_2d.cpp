@@ -33,9 +33,9 @@ town or on its borders. Prints per place
   view: x y area houses     how much is seen from there, and of how many houses a wall
   view: x y house N         where the place is in the house number N, counted from 0, or at its wall
 
-then the numbers of the houses that are seen from some place (seen:), and per leg of the path, of the open ground,
+then the numbers of the houses that are seen from some place (seen:), and per leg of the path, of the whole town,
 
-  leg: N all some none      the areas from where all of the leg is seen, some of it, and nothing
+  leg: N all some none      the areas from where all of the leg is seen, some of it, and nothing, insides of houses too
   leg: N crosses a wall     where it does
 
   --input FILE         read the numbers from FILE

@@ -26,6 +26,8 @@ answers "from within" "view: 4 4 house 0\nseen:" "$square\n4 4"
 answers "from its wall" "view: 3 4 house 0\nseen:" "$square\n3 4"
 answers "a path in the open" "view: 1 1 16 0\nview: 3 1 16 0\nseen:\nleg: 0 16 0 0" "$open 1 1 3 1"
 answers "with steps" "view: 1 1 16 0\nview: 2 1 16 0\nview: 3 1 16 0\nseen:\nleg: 0 16 0 0" "$open 1 1 3 1" --step 1
+run "0 0 10 10 2 4 0 0 1 0 1 10 0 10 4 0 0 1 0 1 5 0 5 2 1 8 1" # along a house and one in it
+check "a leg: the insides of houses are not seen: $out" ends "$out" "leg: 0 90 0 10"
 answers "a path through the house" "view: 1 4 41.5 1\nview: 7 4 41.5 1\nseen: 0\nleg: 0 crosses a wall" "$square\n1 4 7 4"
 answers "without legs" "view: 1 4 41.5 1\nview: 7 4 41.5 1\nseen: 0" "$square\n1 4 7 4" --legs off
 answers "a house that hides another" "view: 1 4 41.5 1\nseen: 0" "0 0 8 8 2 4 3 3 5 3 5 5 3 5 3 7 4 6 3.5 6 4.5 1 4"
