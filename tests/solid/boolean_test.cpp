@@ -252,6 +252,26 @@ TEST_CASE("solid_boolean: spheres, tori, float and double") {
   CHECK(test::is_balanced(r.value));
 }
 
+TEST_CASE("solid_boolean: prisms of many corners that stand on one plane") {
+  constexpr int n = 24;
+  body a;
+  std::vector<int> low, high;
+  for (int i = 0; i < n; ++i) {
+    const double t = i * 6.28318530717958647692 / n, x = std::cos(t), y = std::sin(t);
+    a.positions.push_back({x, y, 0});
+    a.positions.push_back({x, y, 2});
+    low.push_back(2 * (n - 1 - i)), high.push_back(2 * i + 1);
+    const int next = 2 * ((i + 1) % n);
+    irg::add_face(a, std::initializer_list<int>{2 * i, next, next + 1, 2 * i + 1});
+  }
+  irg::add_face(a, low), irg::add_face(a, high);
+  body b = a;
+  for (place& p : b.positions) p = {p.x + 0.3, p.y + 0.1, p.z};
+  CHECK(check_identities(a, b) == 1);
+  // No corners where only diagonals of the caps cross.
+  CHECK(solid_boolean(a, b, boolean_operation::unite).value.face_count() == 8 * n + 4);
+}
+
 TEST_CASE("solid_boolean: each face tells where it comes from") {
   const body a = cube(0, 0, 0, 2), b = cube(1, 1, 1, 2);
   const auto r = solid_boolean(a, b, boolean_operation::difference);

@@ -2,6 +2,7 @@
 #include <irg/trace/along_ray.hpp>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -54,6 +55,9 @@ TEST_CASE("is_visible: past sheets, from and to them, along them") {
   CHECK(see({0, 0, 5}, {0, 0, 5}));
   CHECK(see({0, 50, 0}, {0, 50, 9}));
   CHECK(!see({0, 0, 0}, {0, infinite, 1}));
+  CHECK(see({-1.5e308, 0, 5}, {1.5e308, 0, 5}));  // apart by more than the largest number
+  CHECK(!see({0, 0, -1.5e308}, {0, 0, 1.5e308}));
+  CHECK(see({0, 50, -1.5e308}, {0, 50, 1.5e308}));
 }
 
 TEST_CASE("visible_steps: whole steps before the first crossing") {
@@ -68,6 +72,22 @@ TEST_CASE("visible_steps: whole steps before the first crossing") {
   CHECK(irg::visible_steps(tree, up, 0) == 0);
   CHECK(irg::visible_steps(tree, up, -1) == 0);
   CHECK(irg::visible_steps(tree, R{{0, 0, 0}, {0, 0, 0}}, 1) == 0);
+}
+
+TEST_CASE("visible_steps: no step ends behind the crossing, by however little") {
+  const R up{{0, 0, 0}, {0, 0, 1}};
+  CHECK(irg::visible_steps(tree_of(sheets({1})), up, 0.1) == 9);  // the double 0.1 is more than a tenth
+  CHECK(irg::visible_steps(tree_of(sheets({1})), up, infinite) == 0);
+  test::random r(72);
+  for (int i = 0; i < 300; ++i) {
+    const auto n = r.integer(1, 1000);
+    const double height = r.unit() + 0.5, step = height / static_cast<double>(n);
+    const auto tree = tree_of(sheets({height}));
+    const auto steps = irg::visible_steps(tree, up, step);
+    const double t = irg::closest_hit(tree, up)->at.t;
+    CHECK(std::fma(static_cast<double>(steps), step, -t) <= 0);
+    CHECK(std::fma(static_cast<double>(steps + 1), step, -t) > 0);
+  }
 }
 
 TEST_CASE("longest_free_run: against all gaps of random sheets") {

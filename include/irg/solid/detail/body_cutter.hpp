@@ -350,24 +350,25 @@ private:
     const std::uint32_t own = b_.body[t.source];
     const Exact a = vertices.exact(t.v[0]), b = vertices.exact(t.v[1]), c = vertices.exact(t.v[2]);
     const Exact middle = Exact::mean_of(a, b, c);
+    const near_point<Exact> at{middle, middle.rounded()};
     std::vector<unsigned char> is_on(b_.ends.size(), 0);
     auto pair = std::lower_bound(coplanar_.begin(), coplanar_.end(), coplanar_pair{t.source, 0});
     for (; pair != coplanar_.end() && pair->triangle == t.source; ++pair) {
       const std::uint32_t body = b_.body[pair->other];
-      const int turn = turn_of_cover(b_.positions, b_.triangles[t.source], b_.triangles[pair->other], middle);
+      const int turn = turn_of_cover(b_.positions, b_.triangles[t.source], b_.triangles[pair->other], at);
       if (turn == 0) continue;
       if (body < own) return false;
       is_on[body] = 1;
       (turn > 0 ? sides.below : sides.above)[body] = 1;
     }
-    const point<double, 3> nearby = middle.rounded();
+    const point<double, 3>& nearby = at.rounded;
     const double slack =
         greater(greater(magnitude(nearby.x), magnitude(nearby.y)), magnitude(nearby.z)) * 0x1p-50 + 0x1p-1000;
     for (std::uint32_t body = 0; body < b_.ends.size(); ++body) {
       if (body == own || is_on[body] != 0) continue;
       upward_crossings count;
       each_above(nearby, slack, body,
-                 [&](const triangle_indices& other) { count_exact_crossing(b_.positions, other, middle, count); });
+                 [&](const triangle_indices& other) { count_exact_crossing(b_.positions, other, at, count); });
       if (is_in_winding(count)) sides.below[body] = sides.above[body] = 1;
     }
     return true;

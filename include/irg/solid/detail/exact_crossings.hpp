@@ -7,25 +7,42 @@
 
 #include <irg/core/triangle_indices.hpp>
 #include <irg/geometry/exact_point.hpp>
+#include <irg/solid/detail/exact_vertices.hpp>
 #include <irg/solid/detail/point_in_solid_steps.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
 
+// A point, and the numbers nearest to it.
+template <class Exact>
+struct near_point {
+  const Exact& exact;
+  point<double, 3> rounded;
+};
+
+// orient2d of a, b and a point, seen along an axis: by the rounded point where that tells.
+template <class Exact>
+constexpr int orientation_near(int axis, const point<double, 3>& a, const point<double, 3>& b,
+                               const near_point<Exact>& at) {
+  const auto p = seen_along(a, axis), q = seen_along(b, axis), r = seen_along(at.rounded, axis);
+  if (const int sign = sure_turn(p, q, r); sign != 0) return sign;
+  return irg::orientation_along(axis, Exact(a), Exact(b), at.exact);
+}
+
 // As count_upward_crossing.
 template <class Exact>
 constexpr void count_exact_crossing(const std::vector<point<double, 3>>& positions, const triangle_indices& t,
-                                    const Exact& p, upward_crossings& out) {
+                                    const near_point<Exact>& p, upward_crossings& out) {
   const auto at = [&](int k) -> const point<double, 3>& { return positions[t.v[k % 3]]; };
   int sign[3]{};
   bool none_right = true, none_left = true;
   for (int k = 0; k < 3; ++k) {
-    sign[k] = irg::orientation_along(2, Exact(at(k)), Exact(at(k + 1)), p);
+    sign[k] = orientation_near(2, at(k), at(k + 1), p);
     none_right = none_right && sign[k] >= 0, none_left = none_left && sign[k] <= 0;
   }
   if (none_right == none_left) return;  // beside, or upright
-  const int side = side_of_plane(at(0), at(1), at(2), p), turn = none_right ? 1 : -1;
+  const int side = side_of_plane(at(0), at(1), at(2), p.exact), turn = none_right ? 1 : -1;
   if (side == 0) out.on_surface = true;
   if (side == turn || side == 0) return;
   for (int k = 0; k < 3; ++k)
@@ -37,10 +54,10 @@ constexpr void count_exact_crossing(const std::vector<point<double, 3>>& positio
 // not, 0 where it is elsewhere.
 template <class Exact>
 constexpr int turn_of_cover(const std::vector<point<double, 3>>& positions, const triangle_indices& own,
-                            const triangle_indices& other, const Exact& p) {
+                            const triangle_indices& other, const near_point<Exact>& p) {
   const seen_triangle s = see_triangle(positions, other, 0);
   for (int k = 0; k < 3; ++k)
-    if (irg::orientation_along(s.axis, Exact(*s.p[k]), Exact(*s.p[(k + 1) % 3]), p) * s.turn <= 0) return 0;
+    if (orientation_near(s.axis, *s.p[k], *s.p[(k + 1) % 3], p) * s.turn <= 0) return 0;
   return s.turn * orientation_along(positions[own.v[0]], positions[own.v[1]], positions[own.v[2]], s.axis);
 }
 

@@ -23,6 +23,17 @@ inline constexpr double rounded_turn_bound = 0x1p-48, rounded_side_bound = 0x1p-
 // Where M D D is above, nothing has been lost to underflow.
 inline constexpr double least_size = 0x1p-900, most_size = 0x1p300;
 
+// orient2d of three points of which some are rounded; 0 where that does not tell.
+constexpr int sure_turn(const point<double, 2>& p, const point<double, 2>& q, const point<double, 2>& r) noexcept {
+  const auto largest = [](const point<double, 2>& x) { return greater(magnitude(x.x), magnitude(x.y)); };
+  const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
+  const double size = greater(greater(largest(p), largest(q)), largest(r));
+  const double reach = greater(greater(magnitude(ax), magnitude(ay)), greater(magnitude(bx), magnitude(by)));
+  const double value = product(ax, by) - product(ay, bx), bound = product(size, reach) * rounded_turn_bound;
+  const bool is_sure = bound > least_size && size < most_size && magnitude(value) > bound;
+  return !is_sure ? 0 : value > 0 ? 1 : -1;
+}
+
 template <class Exact>
 class exact_vertices {
 public:
@@ -66,12 +77,9 @@ public:
   // orient2d of three of them, seen along an axis.
   constexpr int turn(std::uint32_t u, std::uint32_t v, std::uint32_t w, int axis) {
     if (u < corners && v < corners && w < corners) return orientation_along(at[u], at[v], at[w], axis);
-    const auto p = seen_along(at[u], axis), q = seen_along(at[v], axis), r = seen_along(at[w], axis);
-    const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
-    const double size = greater(greater(largest(p), largest(q)), largest(r));
-    const double reach = greater(greater(magnitude(ax), magnitude(ay)), greater(magnitude(bx), magnitude(by)));
-    const double value = product(ax, by) - product(ay, bx), bound = product(size, reach) * rounded_turn_bound;
-    if (bound > least_size && size < most_size && magnitude(value) > bound) return value > 0 ? 1 : -1;
+    if (const int sign = sure_turn(seen_along(at[u], axis), seen_along(at[v], axis), seen_along(at[w], axis));
+        sign != 0)
+      return sign;
     return irg::orientation_along(axis, exact(u, 0), exact(v, 1), exact(w, 2));
   }
 
@@ -102,9 +110,6 @@ public:
   }
 
 private:
-  static constexpr double largest(const point<double, 2>& p) noexcept {
-    return greater(magnitude(p.x), magnitude(p.y));
-  }
   std::vector<Exact> exact_;
   Exact slots_[3];
 };

@@ -143,15 +143,32 @@ private:
       if (!use(at)) return;
   }
 
-  // The piece that has a side from a to b.
+  // The pieces round a vertex, one after the other; none behind the last.
+  struct round_walk {
+    std::uint32_t l, first, at;
+    bool is_back = false;
+  };
+  constexpr void go_on(round_walk& w) const noexcept {
+    const int k = side_from(w.at, w.l);
+    w.at = pieces[w.at].beside[w.is_back ? k : (k + 2) % 3];
+    if (w.is_back || (w.at != no_index && w.at != w.first)) return;
+    w.is_back = true;
+    w.at = w.at == w.first ? no_index : pieces[w.first].beside[side_from(w.first, w.l)];
+  }
+
+  // The piece that has a side from a to b; sought round both, since one of them may have many.
   constexpr std::uint32_t piece_with(std::uint32_t a, std::uint32_t b) {
-    std::uint32_t found = no_index;
-    each_piece_at(a, [&](std::uint32_t piece) {
-      if (pieces[piece].v[(side_from(piece, a) + 1) % 3] == b) found = piece;
-      return found == no_index;
-    });
-    if (found == no_index) failed = true;
-    return found == no_index ? 0 : found;
+    round_walk x{a, piece_of_[a], piece_of_[a]}, y{b, piece_of_[b], piece_of_[b]};
+    while (x.at != no_index) {
+      if (pieces[x.at].v[(side_from(x.at, a) + 1) % 3] == b) return x.at;
+      go_on(x);
+      if (y.at == no_index) continue;
+      const int k = side_from(y.at, b);
+      if (pieces[y.at].v[(k + 1) % 3] == a && pieces[y.at].beside[k] != no_index) return pieces[y.at].beside[k];
+      go_on(y);
+    }
+    failed = true;
+    return 0;
   }
 
   // Puts p on side k of a piece, and of the one beyond.

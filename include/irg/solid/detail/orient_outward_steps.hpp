@@ -103,7 +103,7 @@ constexpr location place_of_exact(const exact_point& p, const std::vector<point<
     for (int k = 0; k < 3 && is_on; ++k)
       is_on = irg::orientation_along(s.axis, exact_point(*s.p[k]), exact_point(*s.p[(k + 1) % 3]), p) * s.turn >= 0;
     if (is_on) return location::boundary;
-    count_exact_crossing(positions, t, p, count);
+    count_exact_crossing(positions, t, near_point<exact_point>{p, nearby}, count);
   }
   return count.winding != 0 ? location::inside : location::outside;
 }
