@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "support/archetypes.hpp"
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
@@ -316,6 +317,14 @@ TEST_CASE("barycentric: the worst input of the accuracy study, a triangle 2^-45 
                   P2{-0x1.8d974d06685fcp-2, -0x1.4c38eff2facd6p-4}, P2{0x1.346bb5d4fa499p-3, -0x1.f717dae80c2d7p-4});
   CHECK_BOTH(t.has_value());
   CHECK_BOTH(*t == irg::vec<double, 3>{0x1.5e8b53c00cc5ep-4, 0x1.cb8478223e476p-1, 0x1.1543acb803fd3p-6});
+}
+
+TEST_CASE("barycentric: numbers that can do no more than Scalar asks for") {
+  using S = archetype::scalar;
+  constexpr irg::point<S, 3> a{S(0), S(0), S(0)}, b{S(1), S(0), S(0)}, c{S(0), S(1), S(0)}, t{S(1), S(0), S(7)};
+  CHECK_BOTH(barycentric_orthogonal(a, b, c, t) == irg::vec<S, 3>{S(0), S(1), S(0)});
+  CHECK_BOTH(barycentric(a, b, c, t) == irg::vec<S, 3>{S(0), S(1), S(0)});
+  CHECK_BOTH(!barycentric_orthogonal(a, b, b, t));
 }
 
 }  // namespace

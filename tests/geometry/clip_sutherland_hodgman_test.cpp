@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "line_clip_cases.hpp"
+#include "support/archetypes.hpp"
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 #include "support/rational.hpp"
@@ -501,4 +502,16 @@ TEST_CASE("clip_sutherland_hodgman: planes: a view pyramid, clipped again, both 
   CHECK(wrong == 0);
   CHECK(most >= 7);
   CHECK(kept_any > 300);
+}
+
+TEST_CASE("clip_sutherland_hodgman: numbers that can do no more than Scalar asks for") {
+  using S = archetype::scalar;
+  const auto ring = [](int left, int low, int right, int high) {
+    return std::array{point<S, 2>{S(left), S(low)}, point<S, 2>{S(right), S(low)}, point<S, 2>{S(right), S(high)},
+                      point<S, 2>{S(left), S(high)}};
+  };
+  const auto result = clip_sutherland_hodgman(ring(0, 0, 4, 4), ring(2, -1, 6, 6));
+  const auto expected = ring(2, 0, 4, 4);
+  CHECK(result.size() == 4);
+  for (const point<S, 2>& p : expected) CHECK(std::find(result.begin(), result.end(), p) != result.end());
 }

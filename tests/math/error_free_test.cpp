@@ -90,6 +90,26 @@ TEST_CASE("two_product is the fused multiply-add's answer over the whole range")
   }
 }
 
+TEST_CASE("products and their differences beyond the range, in constant evaluation, too") {
+  constexpr double inf = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  constexpr float single = std::numeric_limits<float>::infinity(), no_single = std::numeric_limits<float>::quiet_NaN();
+  CHECK_BOTH(irg::two_product(largest, -2.0) == irg::exact_sum<double>{-inf, 0.0});
+  CHECK_BOTH(irg::two_product(largest, 1 - 0x1p-53) == irg::exact_sum<double>{0x1.ffffffffffffep1023, 0x1p918});
+  CHECK_BOTH(irg::two_product(inf, -0x1p-1074) == irg::exact_sum<double>{-inf, 0.0});
+  CHECK_BOTH(irg::two_product(single, single) == irg::exact_sum<float>{single, 0.0f});
+  CHECK_BOTH((irg::two_product(inf, 0.0).value != irg::two_product(inf, 0.0).value));
+  CHECK_BOTH(irg::difference_of_products(largest, 2.0, largest, 1.0) == largest);
+  CHECK_BOTH(irg::difference_of_products(largest, 2.0, -largest, 1.0) == inf);
+  CHECK_BOTH(irg::difference_of_products(1.0, 2.0, inf, 3.0) == -inf);
+  CHECK_BOTH(irg::difference_of_products(inf, -2.0, largest, largest) == -inf);
+  CHECK_BOTH(irg::sum_of_products(1.0f, 2.0f, single, -3.0f) == -single);
+  constexpr auto is_none = [](auto x) { return x != x; };
+  CHECK_BOTH(is_none(irg::difference_of_products(inf, 1.0, inf, 2.0)));
+  CHECK_BOTH(is_none(irg::difference_of_products(1.0, none, 1.0, 2.0)));
+  CHECK_BOTH(is_none(irg::difference_of_products(1.0f, 2.0f, single, 0.0f)));
+  CHECK_BOTH(is_none(irg::difference_of_products(no_single, 0.0f, 1.0f, 1.0f)));
+}
+
 TEST_CASE("difference of products: by hand and degenerate") {
   CHECK_BOTH(irg::difference_of_products(3.0, 4.0, 2.0, 5.0) == 2);
   CHECK_BOTH(irg::difference_of_products(1 + 0x1p-30, 1 + 0x1p-30, 1 + 0x1p-29, 1.0) == 0x1p-60);

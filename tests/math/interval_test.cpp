@@ -51,6 +51,16 @@ TEST_CASE("interval: quotients of very small numbers have the nearest ends") {
   CHECK_BOTH(ival(-0x7p-1074) / ival(0x1p-1074) == ival(-7));
 }
 
+TEST_CASE("interval: beyond the range, in constant evaluation, too") {
+  CHECK_BOTH(ival(largest) + ival(largest) == ival(largest, inf));
+  CHECK_BOTH(ival(-largest) - ival(largest) == ival(-inf, -largest));
+  CHECK_BOTH(ival(largest) * ival(-2, 3) == ival(-inf, inf));
+  CHECK_BOTH(ival(1) / ival(smallest) == ival(largest, inf));
+  CHECK_BOTH(ival(-1, 1) / ival(smallest, 1) == ival(-inf, inf));
+  constexpr float most = std::numeric_limits<float>::max();
+  CHECK_BOTH(fval(most) + fval(most) == fval(most, std::numeric_limits<float>::infinity()));
+}
+
 TEST_CASE("interval: comparisons are certain or possible") {
   CHECK_BOTH(ival(1, 2) < ival(3, 4));
   CHECK_BOTH(!(ival(1, 3) < ival(3, 4)));

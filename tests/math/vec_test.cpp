@@ -22,6 +22,26 @@
 
 namespace {
 
+// A number none of whose operations is a constant expression, as those of GMP and Boost are not.
+struct run_time_number {
+  double value = 0;
+  run_time_number() = default;
+  explicit run_time_number(int i) : value(i) {}
+  static run_time_number of(double x) {
+    run_time_number n;
+    n.value = x;
+    return n;
+  }
+  friend run_time_number operator+(const run_time_number& a, const run_time_number& b) { return of(a.value + b.value); }
+  friend run_time_number operator-(const run_time_number& a, const run_time_number& b) { return of(a.value - b.value); }
+  friend run_time_number operator*(const run_time_number& a, const run_time_number& b) { return of(a.value * b.value); }
+  friend run_time_number operator/(const run_time_number& a, const run_time_number& b) { return of(a.value / b.value); }
+  run_time_number operator-() const { return of(-value); }
+  friend bool operator<(const run_time_number& a, const run_time_number& b) { return a.value < b.value; }
+  friend bool operator==(const run_time_number& a, const run_time_number& b) { return a.value == b.value; }
+};
+static_assert(irg::Scalar<run_time_number>);
+
 using vec3 = irg::vec<double, 3>;
 using point3 = irg::point<double, 3>;
 
@@ -284,4 +304,13 @@ TEST_CASE("vec: dot_fast and cross_fast") {
     }
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("vec: of numbers that have no constant expressions") {
+  using N = run_time_number;
+  const irg::vec<N, 3> v{N(1), N(2), N(3)}, w{N(3), N(2), N(1)};
+  CHECK((dot(v, w) == N(10) && v == v && !(v == w) && N(1) / N(2) < N(1)));
+  CHECK((irg::point<N, 2>{N(1), N(2)} == irg::point<N, 2>{N(1), N(2)} && irg::hpoint<N, 3>{} == irg::hpoint<N, 3>{}));
+  const auto identity = irg::identity<N, 3>();
+  CHECK((identity == identity && identity * v == v && determinant(identity) == N(1)));
 }

@@ -16,7 +16,7 @@ struct [[nodiscard]] checked {
 
   /// Whether the value is what was asked for.
   [[nodiscard]] IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == S{}; }
-  constexpr bool operator==(const checked&) const = default;
+  bool operator==(const checked&) const = default;
 };
 
 }  // namespace irg

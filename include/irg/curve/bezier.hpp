@@ -22,7 +22,7 @@ struct curve_parameter {
   constexpr curve_parameter() = default;
   IRG_INLINE constexpr curve_parameter(const T& at) noexcept : rest(T(1) - at), t(at) {}
   IRG_INLINE constexpr curve_parameter(const T& remaining, const T& at) noexcept : rest(remaining), t(at) {}
-  constexpr bool operator==(const curve_parameter&) const = default;
+  bool operator==(const curve_parameter&) const = default;
 };
 
 namespace detail {

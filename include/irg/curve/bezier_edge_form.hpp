@@ -79,7 +79,10 @@ constexpr void bezier_weights(std::type_identity_t<curve_parameter<T>> t, std::s
   weights[0] = T(1);
   for (std::size_t n = 1; n < weights.size(); ++n) {
     weights[n] = product(t.t, weights[n - 1]);
-    for (std::size_t i = n - 1; i > 0; --i) weights[i] = product(t.rest, weights[i]) + product(t.t, weights[i - 1]);
+    for (std::size_t done = 1; done < n; ++done) {
+      const std::size_t i = n - done;
+      weights[i] = product(t.rest, weights[i]) + product(t.t, weights[i - 1]);
+    }
   }
 }
 

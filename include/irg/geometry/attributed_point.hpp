@@ -14,7 +14,7 @@ template <Scalar T, int N, int K>
 struct attributed_point {
   point<T, N> position;
   T attributes[static_cast<std::size_t>(K)]{};
-  constexpr bool operator==(const attributed_point&) const = default;
+  bool operator==(const attributed_point&) const = default;
 };
 
 namespace detail {

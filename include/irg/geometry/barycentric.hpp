@@ -245,7 +245,7 @@ template <Point P>
     if (!detail::stays_moderate(detail::scaled_way(a, t, 1.0), scale)) return std::nullopt;
   const auto n = cross(way(a, b), way(a, c));
   const auto square = dot(n, n);
-  if (square == 0) return std::nullopt;
+  if (square == std::remove_cvref_t<decltype(square)>(0)) return std::nullopt;
   const auto weight = [&](const P& p, const P& q) { return dot(n, cross(way(p, q), way(p, t))) / square; };
   return vec<T, 3>{converted<T>(weight(b, c)), converted<T>(weight(c, a)), converted<T>(weight(a, b))};
 }

@@ -21,7 +21,7 @@ template <Scalar T, int N>
 struct box {
   point<T, N> low = detail::diagonal_point<T, N>(detail::empty_extent<T>::low());
   point<T, N> high = detail::diagonal_point<T, N>(detail::empty_extent<T>::high());
-  constexpr bool operator==(const box&) const = default;
+  bool operator==(const box&) const = default;
 };
 
 /// Whether boxes that share no more than their boundary overlap.
@@ -35,7 +35,7 @@ template <Scalar T, int N>
 struct bounding_sphere {
   point<T, N> centre;
   T radius{};
-  constexpr bool operator==(const bounding_sphere&) const = default;
+  bool operator==(const bounding_sphere&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -42,12 +42,12 @@ template <Scalar T, int K>
 struct clip_vertex {
   hpoint<T, 3> position;
   T attributes[static_cast<std::size_t>(K)]{};
-  constexpr bool operator==(const clip_vertex&) const = default;
+  bool operator==(const clip_vertex&) const = default;
 };
 template <Scalar T>
 struct clip_vertex<T, 0> {
   hpoint<T, 3> position;
-  constexpr bool operator==(const clip_vertex&) const = default;
+  bool operator==(const clip_vertex&) const = default;
 };
 
 /// A vertex type that can be clipped: it is copied, default-made, and has a member `position` in clip space.

@@ -17,7 +17,7 @@ namespace irg {
 template <Scalar T>
 struct line {
   T a{}, b{}, c{};
-  constexpr bool operator==(const line&) const = default;
+  bool operator==(const line&) const = default;
 };
 
 namespace detail {

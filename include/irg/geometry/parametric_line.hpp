@@ -16,14 +16,14 @@ template <Scalar T, int N>
 struct parametric_line {
   point<T, N> origin{};
   vec<T, N> direction{};
-  constexpr bool operator==(const parametric_line&) const = default;
+  bool operator==(const parametric_line&) const = default;
 };
 
 /// The points start + t*(end - start) in all homogeneous coordinates, the weight among them.
 template <Scalar T, int N>
 struct homogeneous_line {
   hpoint<T, N> start{}, end{};
-  constexpr bool operator==(const homogeneous_line&) const = default;
+  bool operator==(const homogeneous_line&) const = default;
 };
 
 /// The parts into which its two points divide a line.

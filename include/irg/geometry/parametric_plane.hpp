@@ -18,14 +18,14 @@ template <Scalar T>
 struct parametric_plane {
   vec<T, 3> first{}, second{};
   point<T, 3> origin{};
-  constexpr bool operator==(const parametric_plane&) const = default;
+  bool operator==(const parametric_plane&) const = default;
 };
 
 /// The parameters of a point of a plane.
 template <Scalar T>
 struct plane_parameters {
   T s1{}, s2{};
-  constexpr bool operator==(const plane_parameters&) const = default;
+  bool operator==(const plane_parameters&) const = default;
 };
 
 namespace detail {

@@ -16,7 +16,7 @@ namespace irg {
 template <Number T>
 struct plane {
   T a{}, b{}, c{}, d{};
-  constexpr bool operator==(const plane&) const = default;
+  bool operator==(const plane&) const = default;
 };
 
 namespace detail {

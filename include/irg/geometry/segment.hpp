@@ -11,7 +11,7 @@ namespace irg {
 template <Scalar T, int N>
 struct segment {
   point<T, N> a{}, b{};
-  constexpr bool operator==(const segment&) const = default;
+  bool operator==(const segment&) const = default;
 };
 
 inline namespace IRG_ABI {

@@ -15,7 +15,7 @@ namespace irg {
 template <Number T>
 struct plane_points {
   point<T, 3> a{}, b{}, c{};
-  constexpr bool operator==(const plane_points&) const = default;
+  bool operator==(const plane_points&) const = default;
 };
 
 inline namespace IRG_ABI {

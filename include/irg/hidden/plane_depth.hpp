@@ -32,7 +32,7 @@ struct picture_grid {
 template <Real T>
 struct depth_steps {
   T origin{}, per_column{}, per_row{};
-  constexpr bool operator==(const depth_steps&) const = default;
+  bool operator==(const depth_steps&) const = default;
 };
 
 inline namespace IRG_ABI {

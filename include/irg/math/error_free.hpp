@@ -4,6 +4,7 @@
 // bits, so the instruction set does not show in any result.
 #pragma once
 
+#include <limits>
 #include <type_traits>
 
 #include <irg/core/conversion.hpp>
@@ -95,6 +96,36 @@ template <Floating T>
 
 namespace detail::inline IRG_ABI {
 
+/// a*b where a factor is NaN or infinite, 0 elsewhere: without an operation, which constant evaluation would refuse.
+constexpr double endless_product(double a, double b) noexcept {
+  if (is_finite(a) && is_finite(b)) return 0;
+  if (is_nan(a) || is_nan(b) || a == 0 || b == 0) return not_a_number<double>;
+  return is_negative(a) == is_negative(b) ? infinity<double> : -infinity<double>;
+}
+
+/// two_product where the product is not moderate, for constant evaluation, which refuses a product that overflows.
+constexpr exact_sum<double> two_product_constant(double a, double b) noexcept {
+  if (!is_finite(a) || !is_finite(b)) return {endless_product(a, b), 0.0};
+  const scaled_number near_a = decompose(a), near_b = decompose(b);
+  const int exponent = near_a.exponent + near_b.exponent;
+  const exact_sum<double> near_product = fast_two_product(near_a.significand, near_b.significand);
+  const double value = times_power_of_two(near_product.value, exponent);
+  return {value, is_finite(value) ? times_power_of_two(near_product.error, exponent) : 0.0};
+}
+
+/// Whether constant evaluation refuses a + b, because it overflows; a and b are finite.
+template <Floating T>
+IRG_INLINE constexpr bool is_refused_sum(T a, T b) noexcept {
+  constexpr T limit = (std::numeric_limits<T>::max)() / 2;
+  return std::is_constant_evaluated() && magnitude(T(0.5) * a + T(0.5) * b) > limit;
+}
+/// Whether constant evaluation refuses a / b, because it overflows; a and b are finite, b is not 0.
+IRG_INLINE constexpr bool is_refused_quotient(double a, double b) noexcept {
+  if (!std::is_constant_evaluated() || a == 0) return false;
+  const scaled_number x = decompose(a), y = decompose(b);
+  return !is_finite(times_power_of_two(x.significand / y.significand, x.exponent - y.exponent));
+}
+
 /// two_product where fast_two_product does not hold: zeros, and products or factors near an end of the exponent range.
 constexpr exact_sum<double> two_product_scaled(double a, double b) noexcept {
   const double value = product(a, b);
@@ -137,9 +168,12 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
   if constexpr (std::is_same_v<T, float>) {
+    if (std::is_constant_evaluated() && !(detail::is_finite(a) && detail::is_finite(b)))
+      return {static_cast<float>(detail::endless_product(widened(a), widened(b))), 0.0f};
     const exact_sum<float> p = fast_two_product(a, b);
     return {p.value, detail::is_finite(p.value) ? p.error : 0.0f};
   } else {
+    if (std::is_constant_evaluated() && !detail::product_is_moderate(a, b)) return detail::two_product_constant(a, b);
     const double size = detail::magnitude(a * b);
     if (size >= 0x1p-968 && size < 0x1p1021 && detail::magnitude(a) <= 0x1p995 && detail::magnitude(b) <= 0x1p995)
       return fast_two_product(a, b);
@@ -158,6 +192,9 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
   if constexpr (std::is_same_v<T, float>) {
+    if (std::is_constant_evaluated() &&
+        !(detail::is_finite(a) && detail::is_finite(b) && detail::is_finite(c) && detail::is_finite(d)))
+      return static_cast<float>(detail::difference_of_products_scaled(widened(a), widened(b), widened(c), widened(d)));
     return converted<float>(widened(a) * widened(b) - widened(c) * widened(d));
   } else {
     if (!detail::product_is_moderate(a, b) || !detail::product_is_moderate(c, d))
@@ -184,9 +221,13 @@ namespace detail::inline IRG_ABI {
 /// difference_of_products where a product overflows: at 2^-1200 of its size, where a product that loses bits is too
 /// small to count beside the other.
 constexpr double difference_of_products_scaled(double a, double b, double c, double d) noexcept {
-  if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) return product(a, b) - product(c, d);
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) {
+    const double left = endless_product(a, b), right = endless_product(c, d);
+    if (is_nan(left) || is_nan(right) || (left != 0 && left == right)) return not_a_number<double>;
+    return left != 0 ? left : -right;
+  }
   const double difference = difference_of_products(a * 0x1p-600, b * 0x1p-600, c * 0x1p-600, d * 0x1p-600);
-  return difference * 0x1p400 * 0x1p400 * 0x1p400;
+  return times_power_of_two(difference, 1200);
 }
 
 }  // namespace detail::inline IRG_ABI

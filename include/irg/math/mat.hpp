@@ -46,7 +46,7 @@ struct mat {
 
   IRG_INLINE constexpr const T& operator()(int row, int column) const noexcept { return m[row][column]; }
   IRG_INLINE constexpr T& operator()(int row, int column) noexcept { return m[row][column]; }
-  constexpr bool operator==(const mat&) const = default;
+  bool operator==(const mat&) const = default;
 };
 
 namespace detail {

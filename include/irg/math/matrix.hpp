@@ -47,7 +47,7 @@ public:
   /// needs   0 <= row < rows(), 0 <= column < columns()
   IRG_INLINE constexpr const T& operator()(int row, int column) const noexcept { return entries_[index(row, column)]; }
   IRG_INLINE constexpr T& operator()(int row, int column) noexcept { return entries_[index(row, column)]; }
-  constexpr bool operator==(const matrix&) const = default;
+  bool operator==(const matrix&) const = default;
 
 private:
   [[nodiscard]] IRG_APART static constexpr std::size_t size_of_entries(int rows, int columns) {

@@ -28,7 +28,7 @@ using coefficient_of = std::remove_cvref_t<decltype(std::declval<const C&>()[std
 template <Scalar T>
 struct value_and_derivative {
   T value{}, derivative{};
-  friend constexpr bool operator==(const value_and_derivative&, const value_and_derivative&) = default;
+  friend bool operator==(const value_and_derivative&, const value_and_derivative&) = default;
 };
 
 inline namespace IRG_ABI {

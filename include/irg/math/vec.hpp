@@ -35,25 +35,25 @@ template <Number T, int N>
 struct vec {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_ANY(N)
-  constexpr bool operator==(const vec&) const = default;
+  bool operator==(const vec&) const = default;
 };
 template <Number T>
 struct vec<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_2
-  constexpr bool operator==(const vec&) const = default;
+  bool operator==(const vec&) const = default;
 };
 template <Number T>
 struct vec<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_3
-  constexpr bool operator==(const vec&) const = default;
+  bool operator==(const vec&) const = default;
 };
 template <Number T>
 struct vec<T, 4> {
   static constexpr coordinate_kind kind = coordinate_kind::vector;
   IRG_COORDINATES_4
-  constexpr bool operator==(const vec&) const = default;
+  bool operator==(const vec&) const = default;
 };
 
 /// A position in N-dimensional space.
@@ -61,19 +61,19 @@ template <Number T, int N>
 struct point {
   static constexpr coordinate_kind kind = coordinate_kind::point;
   IRG_COORDINATES_ANY(N)
-  constexpr bool operator==(const point&) const = default;
+  bool operator==(const point&) const = default;
 };
 template <Number T>
 struct point<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
   IRG_COORDINATES_2
-  constexpr bool operator==(const point&) const = default;
+  bool operator==(const point&) const = default;
 };
 template <Number T>
 struct point<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::point;
   IRG_COORDINATES_3
-  constexpr bool operator==(const point&) const = default;
+  bool operator==(const point&) const = default;
 };
 
 /// A position of N-dimensional projective space, the weight last: x, y, w as x, y, z in the plane, x, y, z, w in space.
@@ -83,19 +83,19 @@ template <Number T, int N>
 struct hpoint {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
   IRG_COORDINATES_ANY(N + 1)
-  constexpr bool operator==(const hpoint&) const = default;
+  bool operator==(const hpoint&) const = default;
 };
 template <Number T>
 struct hpoint<T, 2> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
   IRG_COORDINATES_3
-  constexpr bool operator==(const hpoint&) const = default;
+  bool operator==(const hpoint&) const = default;
 };
 template <Number T>
 struct hpoint<T, 3> {
   static constexpr coordinate_kind kind = coordinate_kind::homogeneous;
   IRG_COORDINATES_4
-  constexpr bool operator==(const hpoint&) const = default;
+  bool operator==(const hpoint&) const = default;
 };
 
 #undef IRG_COORDINATES_ANY

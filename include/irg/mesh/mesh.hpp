@@ -51,7 +51,7 @@ struct mesh {
     return corners[face_starts[f] + k];
   }
 
-  constexpr bool operator==(const mesh&) const = default;
+  bool operator==(const mesh&) const = default;
 };
 
 template <class T>

@@ -29,7 +29,7 @@ struct shading_key {
   distance_term distance = distance_term::none;
   T k = T(0);
 
-  constexpr bool operator==(const shading_key&) const = default;
+  bool operator==(const shading_key&) const = default;
 };
 
 // What the last picture made of an object.

@@ -29,7 +29,7 @@ struct frustum {
   // The absolute values that each coefficient was added up from, on the same scale: rounding moves the value of a plane
   // by a small multiple of u times weights * (|x|, |y|, |z|, 1).
   plane<T> weights[6]{};
-  constexpr bool operator==(const frustum&) const = default;
+  bool operator==(const frustum&) const = default;
   IRG_INLINE constexpr const plane<T>& operator[](frustum_plane which) const noexcept {
     return planes[static_cast<int>(which)];
   }
@@ -46,7 +46,7 @@ struct frustum {
 template <class P>
 struct volume_corners {
   P at[8]{};
-  constexpr bool operator==(const volume_corners&) const = default;
+  bool operator==(const volume_corners&) const = default;
 };
 
 /// The corners of a frustum; w is 1, or 0 for corners at infinity, which are directions.

@@ -17,7 +17,7 @@ struct view_pyramid {
   T distance = T(1);  // d: of the screen from the eye
   T width = T(2), height = T(2);  // m1, m2: of the screen
   T near_distance = T(1), far_distance = T(2);  // n, h
-  constexpr bool operator==(const view_pyramid&) const = default;
+  bool operator==(const view_pyramid&) const = default;
 };
 
 inline namespace IRG_ABI {

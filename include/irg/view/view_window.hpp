@@ -10,7 +10,7 @@ namespace irg {
 template <Scalar T>
 struct view_window {
   T left{}, right{}, bottom{}, top{};
-  constexpr bool operator==(const view_window&) const = default;
+  bool operator==(const view_window&) const = default;
 };
 
 inline namespace IRG_ABI {

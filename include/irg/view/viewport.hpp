@@ -12,7 +12,7 @@ namespace irg {
 template <Real T>
 struct viewport {
   T x{}, y{}, width{}, height{};
-  constexpr bool operator==(const viewport&) const = default;
+  bool operator==(const viewport&) const = default;
 };
 
 inline namespace IRG_ABI {

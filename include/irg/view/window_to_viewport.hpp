@@ -35,7 +35,7 @@ struct window_mapping {
   point<T, 2> corner{};
   point<T, 2> onto{};
   vec<T, 2> scale{T(1), T(1)};
-  constexpr bool operator==(const window_mapping&) const = default;
+  bool operator==(const window_mapping&) const = default;
 };
 
 namespace detail {

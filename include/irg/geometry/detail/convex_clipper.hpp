@@ -250,7 +250,7 @@ private:
   static constexpr T part_of_way(const P& a, const P& b, const P& at) noexcept {
     const auto extent = [&](int i) {
       const T x = coordinate(a, i), y = coordinate(b, i);
-      return greater(x, y) / 2 - lesser(x, y) / 2;
+      return greater(x, y) / T(2) - lesser(x, y) / T(2);
     };
     int axis = 0;
     for (int i = 1; i < D; ++i) axis = extent(axis) < extent(i) ? i : axis;

@@ -19,7 +19,7 @@ template <class Plan>
 struct named_plan {
   Plan plan;
   std::vector<part_name> names;  // one for each cell
-  constexpr bool operator==(const named_plan&) const = default;
+  bool operator==(const named_plan&) const = default;
 };
 
 }  // namespace irg

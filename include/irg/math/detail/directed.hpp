@@ -39,6 +39,7 @@ IRG_INLINE constexpr T lowered_blindly(T rounded, bool is_positive) noexcept {
 template <Floating T>
 constexpr T sum_down(T a, T b) noexcept {
   if (a == -infinity<T> || b == -infinity<T>) return -infinity<T>;
+  if (is_refused_sum(a, b)) return a < 0 ? -infinity<T> : largest_number<T>;
   const auto [value, error] = two_sum(a, b);
   return lowered(value, error < 0);
 }
@@ -71,6 +72,7 @@ constexpr T quotient_down(T a, T b) noexcept {
     const double back = widened(value) * widened(b);
     return lowered(value, back > widened(a));
   } else {
+    if (is_refused_quotient(a, b)) return is_positive ? largest_number<T> : -infinity<T>;
     const T value = a / b;
     if (!(magnitude(a) < 0x1p1020 && magnitude(value) > 0x1p-960 && magnitude(value) < 0x1p1020))
       return lowered_blindly(value, is_positive);
