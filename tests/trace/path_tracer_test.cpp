@@ -66,6 +66,28 @@ TEST_CASE("path_tracer: the same light at every scale, and past triangles with c
   CHECK(light_at(1, HUGE_VAL) == light);
 }
 
+TEST_CASE("path_tracer: many small triangles beside a large one, in floats: none is lost in the sum of areas") {
+  constexpr std::uint32_t n = 128;
+  std::vector<irg::point<float, 3>> corners;
+  std::vector<irg::triangle_indices> panel;
+  for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i)
+    corners.push_back({static_cast<float>(i % (n + 1)) / 64 - 1, static_cast<float>(i / (n + 1)) / 64 - 1, 1});
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const std::uint32_t a = i / n * (n + 1) + i % n, b = a + n + 1;
+    panel.push_back({{a, b, a + 1}});
+    panel.push_back({{a + 1, b, b + 1}});
+  }
+  const std::vector<irg::point<float, 3>> large{{0, 0, -5}, {96, 0, -5}, {0, 96, -5}},
+      floor{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
+  const std::vector<irg::triangle_indices> one{{{0, 1, 2}}};
+  const irg::rgb<float> light{3, 3, 3};
+  const irg::ray_world<float> w({{large, {}, one, {}, {}, light},
+                                 {corners, {}, panel, {}, {}, light},
+                                 {floor, {}, one, {{}, {0.5f, 0.5f, 0.5f}, {}, 1}}},
+                                {});
+  CHECK(irg::path_tracer<float>(w)(irg::ray<float, 3>{{0, 0, 0.5f}, {0, 0, -1}}, {5000, 1}, 0).r > 0);
+}
+
 TEST_CASE("path_tracer: light between walls: the series of a closed room") {
   // Within a ball of diffuse share k that shines with 1 everywhere, n reflections make 1 + k + ... + k^n.
   irg::mesh<double> ball = irg::shape_sphere<double>({.slices = 24, .stacks = 16});

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <irg/math/constants.hpp>
+#include <irg/math/error_free.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/trace/trace_ray.hpp>
@@ -82,10 +83,12 @@ public:
       const T scale = detail::scale_of(u, v);
       if (T(0) < scale) scale_ = T(0) < scale_ ? lesser(scale, scale_) : scale;
     });
-    each_shining([this](std::uint32_t t, const vec<T, 3>& u, const vec<T, 3>& v) {
+    T rest = T(0);  // what rounding took from the sum
+    each_shining([this, &rest](std::uint32_t t, const vec<T, 3>& u, const vec<T, 3>& v) {
       const T area = length(cross(u * scale_, v * scale_)) / T(2);
       if (!(area <= (std::numeric_limits<T>::max)())) return;  // a corner is no number: the triangle is not there
-      area_ = area_ + area;
+      const exact_sum<T> sum = two_sum(area_, area + rest);
+      area_ = sum.value, rest = sum.error;
       shining_.push_back({area_, t});
     });
   }
