@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -25,8 +26,9 @@ struct free_run {
 namespace detail {
 inline namespace IRG_ABI {
 
-// The most steps from one time that do not end after another, at most 2^53.
-constexpr std::int64_t whole_steps(double from, double to, double step) noexcept {
+// The most steps from one time that do not end after another, at most 2^53. A template, so that including it makes
+// nothing of the exact engine.
+constexpr std::int64_t whole_steps(std::same_as<double> auto from, double to, double step) noexcept {
   constexpr double most = 0x1p53;
   if (!(from < to) || !(0 < step) || !(step <= (std::numeric_limits<double>::max)())) return 0;
   const double about = (to - from) / step;
