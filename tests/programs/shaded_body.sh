@@ -195,6 +195,9 @@ if [ -e /dev/full ]; then
   "$program" sphere $small --list --stats full.json >/dev/full 2>.err # more than standard output holds back
   check "a full disk, a long list: exit 2" is "$?" 2
   check "a full disk, a long list: leaves no statistics" test ! -e full.json
+  ln -s /dev/null device.json
+  "$program" cube $small --stats device.json >/dev/full 2>.err
+  check "a full disk: a device that stands for the statistics stays" test -L device.json
 fi
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
