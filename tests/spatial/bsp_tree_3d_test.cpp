@@ -201,6 +201,27 @@ TEST_CASE("bsp_tree_3d: what is merged in time after time is visited, too") {
   }
 }
 
+TEST_CASE("bsp_tree_3d: many nodes in one plane are visited in either order") {
+  irg::bsp_data_3d<double> d{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}, {}, {}, {}};
+  const std::uint32_t n = 15000;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    d.nodes.push_back({{0, 3}, i, i + 1, bsp_none, bsp_none, i + 1 < n ? i + 1 : bsp_none});
+    d.pieces.push_back({0, bsp_none});
+  }
+  const tree t(d);
+  for (const bsp_order which : {bsp_order::front_to_back, bsp_order::back_to_front}) {
+    std::uint32_t seen = 0;
+    bool in_order = true;
+    t.visit(P{0, 0, 1}, which, [&](const irg::bsp_piece_3d& p) {
+      const std::uint32_t place = static_cast<std::uint32_t>(&p - t.data().pieces.data());
+      in_order = in_order && place == (which == bsp_order::front_to_back ? seen : n - 1 - seen);
+      ++seen;
+    });
+    CHECK(seen == n);
+    CHECK(in_order);
+  }
+}
+
 #ifdef __cpp_exceptions
 TEST_CASE("bsp_tree_3d: where memory gives out while triangles are merged in, the tree is as it was") {
   test::random r(20);

@@ -296,12 +296,11 @@ private:
         for (std::uint32_t p = data_.nodes[i].first; p < data_.nodes[i].last; ++p) sink(data_.pieces[p]);
       return;
     }
-    std::uint32_t done = bsp_none;
-    while (done != node) {
-      std::uint32_t i = node;
-      while (data_.nodes[i].beside != done) i = data_.nodes[i].beside;
-      for (std::uint32_t p = data_.nodes[i].last; p-- > data_.nodes[i].first;) sink(data_.pieces[p]);
-      done = i;
+    std::vector<std::uint32_t> nodes;  // to be taken from the end
+    for (std::uint32_t i = node; i != bsp_none; i = data_.nodes[i].beside) nodes.push_back(i);
+    for (; !nodes.empty(); nodes.pop_back()) {
+      const bsp_node_3d& n = data_.nodes[nodes.back()];
+      for (std::uint32_t p = n.last; p-- > n.first;) sink(data_.pieces[p]);
     }
   }
 
