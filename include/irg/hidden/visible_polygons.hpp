@@ -30,8 +30,8 @@ struct visible_ring {
 };
 
 /// A window cut into visible regions.
-/// shape   rings by their numbers; corners: indices into `places`, which are in pixels, sorted by x, then y, as they were
-///         before they were rounded
+/// shape   rings by their numbers; corners: indices into `places`, which are in pixels, sorted by x, then y, as they
+///         were before they were rounded
 struct visible_polygon_map {
   std::vector<point<double, 2>> places{};
   std::vector<std::uint32_t> corners{};

@@ -296,12 +296,13 @@ private:
         for (std::uint32_t p = data_.nodes[i].first; p < data_.nodes[i].last; ++p) sink(data_.pieces[p]);
       return;
     }
+    const auto give_node = [&](const bsp_node_3d& n) {
+      for (std::uint32_t p = n.last; p-- > n.first;) sink(data_.pieces[p]);
+    };
+    if (data_.nodes[node].beside == bsp_none) return give_node(data_.nodes[node]);
     std::vector<std::uint32_t> nodes;  // to be taken from the end
     for (std::uint32_t i = node; i != bsp_none; i = data_.nodes[i].beside) nodes.push_back(i);
-    for (; !nodes.empty(); nodes.pop_back()) {
-      const bsp_node_3d& n = data_.nodes[nodes.back()];
-      for (std::uint32_t p = n.last; p-- > n.first;) sink(data_.pieces[p]);
-    }
+    for (; !nodes.empty(); nodes.pop_back()) give_node(data_.nodes[nodes.back()]);
   }
 
   bsp_data_3d<T> data_{};
