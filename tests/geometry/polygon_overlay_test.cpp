@@ -274,3 +274,20 @@ TEST_CASE("polygon_overlay: ends within an ulp of edges; float") {
   }
   CHECK(wrong == 0);
 }
+
+TEST_CASE("polygon_overlay: polygons of many edges, few of which overlap in x") {
+  const int n = 2000;
+  Ring circle, saw{P{n + 0.5, -1}, P{-1, -1}}, shifted;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * i / n;
+    circle.push_back({std::cos(angle), std::sin(angle)});
+    shifted.push_back({circle.back().x + 0.5, circle.back().y});
+    saw.push_back({static_cast<double>(i), i % 2 == 0 ? 0.0 : 1.0});
+  }
+  for (const auto operation : {boolean_operation::intersection, boolean_operation::unite}) {
+    const auto lens = polygon_overlay(circle, shifted, operation);
+    CHECK((lens.status == polygon_clip_status::done && lens.rings.size() == 1));
+  }
+  const auto teeth = polygon_overlay(saw, Ring{{-2, 0.5}, {n + 2, 0.5}, {n + 2, 2}, {-2, 2}});
+  CHECK((teeth.status == polygon_clip_status::done && teeth.rings.size() == n / 2));
+}

@@ -163,9 +163,11 @@ constexpr bool cut_pieces(std::vector<boundary_piece<T>>& pieces, T tolerance = 
   return any;
 }
 
-// How often the polygons go round the place just to the left of piece k, by the pieces above its middle.
+// How often the polygons go round the place just to the left of piece k, by the pieces above its middle: those that are
+// `open`, of the ones before it, and those behind it that begin before it ends.
 template <class T>
-constexpr void winding_beside(const std::vector<boundary_piece<T>>& pieces, std::size_t k, int (&winding)[2]) noexcept {
+constexpr void winding_beside(const std::vector<boundary_piece<T>>& pieces, std::size_t k,
+                              const std::vector<boundary_piece<T>>& open, int (&winding)[2]) noexcept {
   const boundary_piece<T>& s = pieces[k];
   const auto wide = [](T v) { return widened(v); };
   // Whether x, twice the middle's, is beyond: exact.
@@ -175,10 +177,8 @@ constexpr void winding_beside(const std::vector<boundary_piece<T>>& pieces, std:
     return sum.sign() > 0;
   };
   winding[0] = winding[1] = 0;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const boundary_piece<T>& f = pieces[i];
-    if (i == k || f.q.x < s.p.x || s.q.x < f.p.x) continue;
-    if (!is_left_of_middle(f.p.x) || is_left_of_middle(f.q.x)) continue;
+  const auto count = [&](const boundary_piece<T>& f) {
+    if (!is_left_of_middle(f.p.x) || is_left_of_middle(f.q.x)) return;
     // f goes from the left of the middle to its right; is the middle below?
     const int at_p = orient2d(f.p, f.q, s.p), at_q = orient2d(f.p, f.q, s.q);
     int side = at_p + at_q;
@@ -193,7 +193,9 @@ constexpr void winding_beside(const std::vector<boundary_piece<T>>& pieces, std:
     }
     if (side < 0)
       for (int polygon = 0; polygon < 2; ++polygon) winding[polygon] -= f.times[polygon];
-  }
+  };
+  for (const boundary_piece<T>& f : open) count(f);
+  for (std::size_t i = k + 1; i < pieces.size() && !(s.q.x < pieces[i].p.x); ++i) count(pieces[i]);
 }
 
 constexpr bool is_within_result(const int (&winding)[2], boolean_operation operation, fill_rule rule) noexcept {
@@ -283,9 +285,15 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
        ++round)
     if (round == 60 || pieces.size() > most) return {polygon_clip_status::unresolved, {}};
   std::vector<std::pair<point<T, 2>, point<T, 2>>> ways;
+  std::vector<boundary_piece<T>> open;  // of the pieces so far, those that reach to where the next one begins
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     int left[2]{};
-    winding_beside(pieces, k, left);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      if (!(open[i].q.x < pieces[k].p.x)) open[kept++] = open[i];
+    open.erase(open.begin() + static_cast<std::ptrdiff_t>(kept), open.end());
+    winding_beside(pieces, k, open, left);
+    open.push_back(pieces[k]);
     const int right[2] = {left[0] - pieces[k].times[0], left[1] - pieces[k].times[1]};
     const bool on_left = is_within_result(left, operation, rule), on_right = is_within_result(right, operation, rule);
     if (on_left && !on_right) ways.push_back({pieces[k].p, pieces[k].q});

@@ -190,7 +190,7 @@ template <Real T>
   matrix<T> left = a, right = identity<T>(n);
   bool is_regular = detail::gauss_jordan<T>(left, right, n);
   if constexpr (Floating<T>) {
-    // A pivot that overflows leaves zeros in `right`, a NaN in `left`: once more, nearer to the middle of the range.
+    // A pivot that overflows leaves zeros in `right` and a NaN in `left`: once more, nearer to the middle of the range.
     if (!detail::entries_finite<T>(left, n, n) || !detail::entries_finite<T>(right, n, n)) {
       T largest = T(0);
       for (int r = 0; r < n; ++r)
