@@ -3,6 +3,8 @@
 // found by Newton's iteration and then enclosed between two neighbouring numbers by exact signs of the polynomial.
 #pragma once
 
+#include <concepts>
+
 #include <irg/math/detail/quadratic.hpp>
 #include <irg/math/double_double.hpp>
 #include <irg/math/polynomial.hpp>
@@ -23,7 +25,7 @@ inline namespace IRG_ABI {
 
 /// The sign of b^2 c^2 - 4 a c^3 - 4 b^3 d + 18 a b c d - 27 a^2 d^2: 1 for three real roots, -1 for one, 0 for a
 /// multiple one.
-constexpr int cubic_discriminant_sign(const cubic_coefficients& p) noexcept {
+constexpr int cubic_discriminant_sign(const std::same_as<cubic_coefficients> auto& p) noexcept {
   const auto [d, c, b, a] = p;
   if (is_within(a, 150) && is_within(b, 150) && is_within(c, 150) && is_within(d, 150)) {
     using dd = double_double;
@@ -50,7 +52,7 @@ constexpr int cubic_discriminant_sign(const cubic_coefficients& p) noexcept {
 }
 
 /// The sign of the polynomial at -b/3a, the middle of its roots.
-constexpr int sign_at_inflection(const cubic_coefficients& p) noexcept {
+constexpr int sign_at_inflection(const std::same_as<cubic_coefficients> auto& p) noexcept {
   const auto [d, c, b, a] = p;
   exact_accumulator<4> sum;
   sum.add(2.0, b, b, b);
@@ -70,13 +72,13 @@ constexpr double at_order(std::int64_t place) noexcept {
 }
 
 /// Which of two neighbours is nearer to the root between them.
-constexpr double nearer_root(const cubic_coefficients& p, double x, double y) noexcept {
+constexpr double nearer_root(const std::same_as<cubic_coefficients> auto& p, double x, double y) noexcept {
   return magnitude(evaluate_polynomial_accurate(p, y)) < magnitude(evaluate_polynomial_accurate(p, x)) ? y : x;
 }
 
 /// The root in the interval by halving it, in the order of doubles: 64 steps at most, whatever the polynomial.
 /// gives   an infinity when the sign does not change before the end of the range
-constexpr double root_by_halving(const cubic_coefficients& p, const sign_change& in) noexcept {
+constexpr double root_by_halving(const std::same_as<cubic_coefficients> auto& p, const sign_change& in) noexcept {
   if (in.high == last_double && polynomial_sign(p, in.high) == in.left_sign) return infinity<double>;
   if (in.low == -last_double && polynomial_sign(p, in.low) == -in.left_sign) return -infinity<double>;
   std::int64_t low = order_of(in.low), high = order_of(in.high);
@@ -94,7 +96,7 @@ struct signed_value {
   double value;
   int sign;
 };
-constexpr signed_value signed_value_at(const cubic_coefficients& p, double x) noexcept {
+constexpr signed_value signed_value_at(const std::same_as<cubic_coefficients> auto& p, double x) noexcept {
   const auto at = [&](std::size_t i) { return p[i]; };
   if (can_be_bounded(4, at, x)) {
     const compensated_sum sum = bounded_horner(4, at, x);
@@ -106,7 +108,8 @@ constexpr signed_value signed_value_at(const cubic_coefficients& p, double x) no
 }
 
 /// The root in the interval, from a guess that is near it: the neighbours on both sides of it are found by exact signs.
-constexpr double root_near(const cubic_coefficients& p, const sign_change& in, double guess) noexcept {
+constexpr double root_near(const std::same_as<cubic_coefficients> auto& p, const sign_change& in,
+                           double guess) noexcept {
   if (!(guess > in.low && guess < in.high)) return root_by_halving(p, in);
   double x = guess;
   signed_value here = signed_value_at(p, x);
@@ -125,7 +128,7 @@ constexpr double root_near(const cubic_coefficients& p, const sign_change& in, d
 
 /// Newton's iteration from a place that is less than `last_step` from the root, with accurate values once it is near;
 /// left when it does not converge.
-constexpr double polished(const cubic_coefficients& p, double x, double last_step) noexcept {
+constexpr double polished(const std::same_as<cubic_coefficients> auto& p, double x, double last_step) noexcept {
   for (int i = 0; i < 12; ++i) {
     const auto [plain, slope] = evaluate_polynomial_with_derivative(p, x);
     if (slope == 0) return x;
@@ -141,7 +144,7 @@ constexpr double polished(const cubic_coefficients& p, double x, double last_ste
 
 /// Near the only real root: Newton's iteration from a place beyond it, from where it cannot turn back.
 /// source  Kahan 1986b (QBC), with a coarse cube root
-constexpr double only_root_guess(const cubic_coefficients& p) noexcept {
+constexpr double only_root_guess(const std::same_as<cubic_coefficients> auto& p) noexcept {
   const double middle = -p[2] / (3 * p[3]);
   const auto [value, slope] = evaluate_polynomial_with_derivative(p, middle);
   const double level = value / p[3], fall = -slope / p[3];
@@ -166,12 +169,12 @@ struct cubic_shape {
   bool is_moderate;
 };
 
-constexpr bool is_moderate_cubic(const cubic_coefficients& p) noexcept {
+constexpr bool is_moderate_cubic(const std::same_as<cubic_coefficients> auto& p) noexcept {
   return is_within(p[0], 60) && is_within(p[1], 60) && is_within(p[2], 60) && is_within(p[3], 60);
 }
 
 /// needs   a polynomial with two extrema
-constexpr cubic_shape cubic_shape_of(const cubic_coefficients& p) noexcept {
+constexpr cubic_shape cubic_shape_of(const std::same_as<cubic_coefficients> auto& p) noexcept {
   const auto [d, c, b, a] = p;
   cubic_shape shape{0, 0, is_moderate_cubic(p)};
   const bool is_large = magnitude(a) > 0x1p1000 || magnitude(b) > 0x1p1000;
@@ -185,8 +188,8 @@ constexpr cubic_shape cubic_shape_of(const cubic_coefficients& p) noexcept {
 }
 
 /// The root in the interval that ends at the extremum `at`, `outwards` (1 or -1) of which it lies.
-constexpr double root_beside(const cubic_coefficients& p, const cubic_shape& shape, const sign_change& in, double at,
-                             double outwards) noexcept {
+constexpr double root_beside(const std::same_as<cubic_coefficients> auto& p, const cubic_shape& shape,
+                             const sign_change& in, double at, double outwards) noexcept {
   if (!shape.is_moderate) return root_by_halving(p, in);
   // Around the extremum the polynomial is height + bend * s^2 + a * s^3.
   const double height = evaluate_polynomial_accurate(p, at);
