@@ -108,7 +108,7 @@ private:
   // The corners and walls of a ring, the inside of the plan on their left.
   constexpr void add_corners(const std::vector<std::vector<corner>>& list, std::size_t index) {
     std::size_t depth = 0;
-    for (std::size_t k = 0; k < list.size(); ++k) depth += k != index && lies_in(list[index], list[k]) ? 1 : 0;
+    for (std::size_t k = 0; k < list.size(); ++k) depth += k != index && lies_in(list[index], list[k]) ? 1u : 0u;
     for (corner c : list[index]) {
       if (depth % 2 != 0) std::swap(c.before, c.after);
       walls_.push_back({c.before, c.at});
@@ -155,7 +155,7 @@ private:
         c.here.push_back({o.before, c.at, o.at});
     }
     c.most = 1;  // a way has the inside on its left
-    for (const bend& b : c.here) c.most += is_on_left(b, c.here[0].after) ? 1 : 0;
+    for (const bend& b : c.here) c.most += is_on_left(b, c.here[0].after) ? 1u : 0u;
   }
 
   // Whether the direction from a bend to p lies to the left of the way in and out.
@@ -176,7 +176,7 @@ private:
   template <class OnLeft>
   static constexpr bool leads_inside(const corner& at, const OnLeft& on_left) {
     std::size_t count = 0;
-    for (const bend& b : at.here) count += on_left(b) ? 1 : 0;
+    for (const bend& b : at.here) count += on_left(b) ? 1u : 0u;
     return count == at.most;
   }
 
