@@ -43,8 +43,8 @@ int unreadable(const irg::surface_plot& p) {
     wrong += a[0] < 0 || a[1] < 0 || a[2] > p.width || a[3] > p.height;
     for (std::size_t k = 0; k < i; ++k) {
       const auto b = box(p.labels[k]);
-      const double gap = 0.25 * p.labels[i].style.size;
-      wrong += a[0] < b[2] + gap && b[0] < a[2] + gap && a[1] < b[3] && b[1] < a[3];
+      const double space = 0.25 * p.labels[i].style.size;
+      wrong += a[0] < b[2] + space && b[0] < a[2] + space && a[1] < b[3] && b[1] < a[3];
     }
   }
   return wrong;

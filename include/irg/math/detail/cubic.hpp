@@ -25,7 +25,8 @@ inline namespace IRG_ABI {
 
 /// The sign of b^2 c^2 - 4 a c^3 - 4 b^3 d + 18 a b c d - 27 a^2 d^2: 1 for three real roots, -1 for one, 0 for a
 /// multiple one.
-constexpr int cubic_discriminant_sign(const std::same_as<cubic_coefficients> auto& p) noexcept {
+template <std::same_as<cubic_coefficients> C = cubic_coefficients>
+constexpr int cubic_discriminant_sign(const C& p) noexcept {
   const auto [d, c, b, a] = p;
   if (is_within(a, 150) && is_within(b, 150) && is_within(c, 150) && is_within(d, 150)) {
     using dd = double_double;
