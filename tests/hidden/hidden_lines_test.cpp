@@ -82,20 +82,6 @@ TEST_CASE("hidden_lines: an edge behind, before, through and beside a face") {
   CHECK_BOTH(seen(level, {face(at(4, 0, 1), at(2, 4, 1), at(6, 4, 1))}) == outcome{1, visible, {1}});
 }
 
-TEST_CASE("hidden_lines: what a part without length parts is one") {
-  constexpr int far_away = 1 << 29;
-  const screen_edge longest{{{{-far_away, 0}, 0.5f}, {{far_away, 0}, 0.5f}}};
-  // 2^-57 of the edge, which no place tells from nothing.
-  const screen_face tip =
-      irg::make_screen_face({{0, 1}, 1.0f}, {{-1, -far_away / 2}, 1.0f}, {{1, -far_away / 2}, 1.0f}, 0);
-  CHECK(seen(longest, {tip}) == outcome{1, visible, {1}});
-  // As little shows between two faces.
-  const auto half = [](int corner, int beyond) {
-    return irg::make_screen_face({{corner, 1}, 1.0f}, {{beyond, 1 - far_away}, 1.0f}, {{0, 1}, 1.0f}, 0);
-  };
-  CHECK(seen(longest, {half(-far_away, -1), half(far_away, 1)}).count == 3);
-}
-
 TEST_CASE("hidden_lines: sides belong to a face, its plane does not hide, faces that meet leave nothing between them") {
   // Along a side, from 2 to 6.
   CHECK_BOTH(seen(level, {face(at(2, 0, 1), at(6, 0, 1), at(4, 4, 1))}) == outcome{3, visible, {0.25, 0.75, 1}});

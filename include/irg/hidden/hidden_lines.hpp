@@ -186,13 +186,8 @@ constexpr hidden_line_counts hidden_lines(const Faces& faces, const Edges& edges
     const auto nearness = [](float depth) { return sense > 0 ? depth : -depth; };
     const detail::hidden_edge e{{a.position, b.position}, {nearness(a.depth), nearness(b.depth)}};
     if (first[i] == i || search == face_search::every)
-      for (const detail::hidden_interval& h : finder.find(e, counts)) {
-        const double from = detail::place_of(h.from, e), to = detail::place_of(h.to, e);
-        if (starts[i] < hidden.size() && hidden.back().to == from)  // what shows between has no length
-          hidden.back().to = to;
-        else if (from < to)
-          hidden.push_back({from, to});
-      }
+      for (const detail::hidden_interval& h : finder.find(e, counts))
+        hidden.push_back({detail::place_of(h.from, e), detail::place_of(h.to, e)});
     starts[i + 1] = hidden.size();
     const std::size_t source = starts[i] == starts[i + 1] ? first[i] : i;
     double seen_from = 0;
