@@ -10,7 +10,9 @@
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/painter_newell.hpp>
 #include <irg/hidden/ray_casting.hpp>
+#include <irg/hidden/textbook/depth_sort.hpp>
 #include <irg/hidden/warnock.hpp>
+#include <irg/raster/fill_polygon_aa.hpp>
 #include <irg/raster/line_aa.hpp>
 
 #include "../../tests/hidden/one_scene.hpp"
@@ -106,6 +108,30 @@ inline picture painters() {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       if (naive(x, y) != right(x, y)) p(x, y) = darker(p(x, y), 45);
+  return p;
+}
+
+// The three rods as polygons, z towards the viewer, in the order of depth sort: after a third of the parts, two thirds,
+// all of them; each with its outline.
+inline picture sorted_parts() {
+  using ring = std::vector<irg::point<double, 3>>;
+  std::vector<ring> rods;
+  for (int i = 0; i < 3; ++i) {
+    const double turn = 2.0943951 * i, c = std::cos(turn), s = std::sin(turn);
+    const auto at = [&](double along, double across, double z) {
+      return irg::point<double, 3>{150 + c * along - s * (across + 38), 128 + s * along + c * (across + 38), z};
+    };
+    rods.push_back({at(-98, -16, 35), at(98, -16, 65), at(98, 16, 65), at(-98, 16, 35)});
+  }
+  const auto order = irg::textbook::depth_sort(rods);
+  picture p(3 * width, height, paper);
+  for (std::size_t shown = 1; shown <= 3; ++shown)
+    for (std::size_t i = 0; i < order.size() * shown / 3; ++i) {
+      std::vector<irg::point<double, 2>> flat;
+      for (const auto& q : order[i].corners) flat.push_back({q.x + static_cast<double>(shown - 1) * width, q.y});
+      irg::fill_polygon_aa(p, flat, irg::fill_rule::even_odd, of_face[2 * order[i].number]);
+      for (std::size_t k = 0; k < flat.size(); ++k) irg::draw_line_aa(p, flat[k], flat[(k + 1) % flat.size()], ink);
+    }
   return p;
 }
 

@@ -212,6 +212,7 @@ void methods() {
   save("grid_surface", grid_pictures::views());
   save("warnock", hidden_pictures::windows());
   save("painter", hidden_pictures::painters());
+  save("depth_sort", hidden_pictures::sorted_parts());
   save("one_scene", hidden_pictures::one_scene_by_two());
   save("bsp_faces", hidden_pictures::parts());
 }

@@ -29,6 +29,8 @@
 #include <irg/hidden/warnock.hpp>
 #include <irg/hidden/zbuffer_memory.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
+#include <irg/hidden/textbook/depth_sort.hpp>
 #include <irg/hidden/textbook/floating_horizon.hpp>
 #include <irg/hidden/textbook/grid_surface.hpp>
+#include <irg/hidden/textbook/painter.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>

@@ -21,7 +21,7 @@ namespace irg {
 ///         counts.tested counts the pixels drawn
 /// exact   centroids are sums of three floats in double, rounded twice; what hides what is not decided at all
 /// cost    a sort, and each pixel as often as it is covered; memory for a copy of the faces, none for depths
-/// source  Hank n.d., 4.2.1.3 (the naive painter)
+/// source  Fabris 2012, 2.3, for whole objects by their distance: textbook::painter_order
 template <DepthOrder Order = nearer_is_greater>
 struct painter_by_centroid_rounded {
   template <class Faces>
