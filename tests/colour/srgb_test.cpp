@@ -141,6 +141,10 @@ TEST_CASE_TEMPLATE("srgb: the continuous curve", T, float, double) {
           static_cast<double>(worst_light));
   CHECK(worst_encoded < 8.0L);
   CHECK(worst_light < 8.0L);
-  CHECK(irg::linear_to_srgb(std::numeric_limits<T>::quiet_NaN()) != T(0));
-  CHECK(std::isnan(irg::srgb_to_linear(std::numeric_limits<T>::quiet_NaN())));
+  constexpr T nan = std::numeric_limits<T>::quiet_NaN(), infinite = std::numeric_limits<T>::infinity();
+  CHECK_BOTH(irg::linear_to_srgb(nan) != irg::linear_to_srgb(nan));
+  CHECK_BOTH(irg::srgb_to_linear(nan) != irg::srgb_to_linear(nan));
+  CHECK_BOTH(irg::linear_to_srgb(infinite) == infinite);
+  CHECK_BOTH(irg::srgb_to_linear(-infinite) == -infinite);
+  CHECK_BOTH(irg::srgb_to_linear(std::numeric_limits<T>::max()) == infinite);
 }

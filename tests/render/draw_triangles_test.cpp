@@ -523,6 +523,14 @@ TEST_CASE("draw_triangles: in drawing order the last one wins, whatever its dept
   CHECK(m.stats.pixels.shaded < m.stats.pixels.tested);  // what is covered later is not shaded
 }
 
+TEST_CASE("draw_triangles: in drawing order nothing is kept because it is as near, so nothing ties") {
+  const auto ties_of_copies = [] {
+    soup s{{{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}, {{{0, 1, 2}}, {{0, 1, 2}}}, eye_at_origin(), 8, 8};
+    return draw<irg::drawing_order>(s).stats.pixels.ties;
+  };
+  CHECK_BOTH(ties_of_copies() == 0);
+}
+
 TEST_CASE("draw_triangles: any order of triangles gives the same picture where no depths are equal") {
   test::random r(107);
   int compared = 0;

@@ -21,7 +21,7 @@ inline namespace IRG_ABI {
 
 /// a + (b - a) * coverage / 255.
 /// exact   a at coverage 0 and b at 255, whatever the other one is; between them four roundings
-/// gives   infinity or NaN between them when a or b is not finite, or b - a overflows
+/// gives   infinity or NaN between them when a or b is not finite, or b - a overflows: no constant expression then
 template <std::floating_point T>
 [[nodiscard]] IRG_INLINE constexpr T mix(T a, T b, std::uint8_t coverage) noexcept {
   if (coverage == 0) return a;

@@ -65,6 +65,7 @@ inline namespace IRG_ABI {
 /// source  IEC 61966-2-1
 template <Floating T>
 [[nodiscard]] constexpr T srgb_to_linear(T encoded) noexcept {
+  if (encoded != encoded) return encoded;  // before constant evaluation would have to compute with it
   if (encoded < T(0)) return -srgb_to_linear(-encoded);
   if (encoded <= T(0.04045)) return encoded / T(12.92);
   return pow((encoded + T(0.055)) / T(1.055), T(2.4));
@@ -76,6 +77,7 @@ template <Floating T>
 /// source  IEC 61966-2-1
 template <Floating T>
 [[nodiscard]] constexpr T linear_to_srgb(T light) noexcept {
+  if (light != light) return light;
   if (light < T(0)) return -linear_to_srgb(-light);
   if (light <= T(0.0031308)) return product(T(12.92), light);
   return product(T(1.055), pow(light, T(1) / T(2.4))) - T(0.055);

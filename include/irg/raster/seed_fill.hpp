@@ -36,8 +36,9 @@ inline namespace IRG_ABI {
 /// shape   spans do not overlap; each is as long as the region and the window let it be; their order is not specified
 /// needs   nothing of inside: it is asked about each cell of the window at most once, and before that is emitted
 /// gives   0, and no call, when the seed is outside of the window or not inside the region
-/// cost    one question per cell of the region and per cell beside it. Memory: one bit per cell of the window, and 24
-///         bytes per run of the front at most, which is never more than height * (width + 1) / 2 runs
+/// cost    one question per cell of the region and per cell beside it. Memory: one bit per cell of the window, whose
+///         rows take whole words of 64, and 24 bytes per run of the front at most, which is never more than
+///         height * (width + 1) / 2 runs
 /// source  Smith 1979; Heckbert 1990: runs in place of cells
 template <CellPredicate Inside, SpanSink Sink>
 constexpr std::int64_t seed_fill_spans(const cell_window& window, Inside&& inside, cell seed, neighbours next_to,

@@ -57,7 +57,7 @@ constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, st
       counts.tested += span.x_last - span.x_first;
       for (int x = span.x_first; x < span.x_last; ++x) {
         const float here = depth_at(t.setup, x, span.y);
-        if (Test != tile_test::depth_only && here == row[x]) ++counts.ties;
+        if (Test == tile_test::nearer && here == row[x]) ++counts.ties;
         if (!Order::nearer(here, row[x])) continue;
         row[x] = here;
         out.place[visible_pixels::at(window, x, span.y)] = i;
