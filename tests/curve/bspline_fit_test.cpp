@@ -156,6 +156,14 @@ TEST_CASE("fits that there are not") {
   };
   CHECK(!at({{1, 1}, {1, 1}, {1, 1}}));
   CHECK(!at({{1, 1}, {none, 1}, {1, 1}}));
+  constexpr auto of_infinity = [](irg::fit_spacing spacing) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    const std::array<P, 3> far{P{0, inf}, P{1, inf}, P{none, 1}};
+    std::array<double, 3> three{};
+    return irg::fit_places(std::span<const P>(far), spacing, three);
+  };
+  CHECK_BOTH(!of_infinity(irg::fit_spacing::centripetal));
+  CHECK_BOTH(of_infinity(irg::fit_spacing::uniform));
   CHECK(at({{1, 1}, {1, 1}, {2, 1}}));
   CHECK(places == std::vector<double>{0, 0, 1});
   // Equal points one after another are no harm to least squares.

@@ -183,13 +183,15 @@ constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
   using T = scalar_of<P>;
   IRG_EXPECTS(points.size() > 1 && places.size() >= points.size());
   places[0] = T(0);
-  for (std::size_t k = 1; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < points.size() && spacing != fit_spacing::uniform; ++k)
+    for (int axis = 0; axis < size_of<P>; ++axis)
+      if (!detail::is_finite(coordinate(points[k], axis))) return false;
+  const auto step_to = [&](std::size_t k) {
+    if (spacing == fit_spacing::uniform) return T(1);
     const T distant = length(detail::scaled_difference(points[k - 1], points[k], 1));
-    const T step = spacing == fit_spacing::uniform        ? T(1)
-                   : spacing == fit_spacing::chord_length ? distant
-                                                          : sqrt(distant);
-    places[k] = places[k - 1] + step;
-  }
+    return spacing == fit_spacing::chord_length ? distant : sqrt(distant);
+  };
+  for (std::size_t k = 1; k < points.size(); ++k) places[k] = places[k - 1] + step_to(k);
   const std::size_t last = points.size() - 1;
   const T all = places[last];
   if (!(all > T(0)) || !detail::is_finite(all)) return false;
