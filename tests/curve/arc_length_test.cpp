@@ -119,6 +119,12 @@ TEST_CASE("arc length: a curve that stands still, and one with a place without s
   CHECK(parameter_at_length(none, standing, 0.5) == 1);
   const auto cusp = [](double t) { return std::abs(t - 0.5) * 2; };
   const auto table = arc_lengths<double>(cusp, 0, 1, lengths);
+  constexpr auto with_a_rest = [](double length) {
+    const auto half_way = [](double t) { return t < 0.5 ? 0.5 - t : 0.0; };
+    std::array<double, 2> one{};
+    return parameter_at_length(half_way, arc_lengths<double>(half_way, 0, 1, one), length);
+  };
+  CHECK_BOTH((with_a_rest(0.12) > 0.39 && with_a_rest(0.12) < 0.41));
   CHECK(parameter_at_length(cusp, table, 0.25) == doctest::Approx(0.5).epsilon(1e-6));
   CHECK(parameter_at_length(cusp, table, 0.375) == doctest::Approx(0.5 + std::sqrt(0.125)).epsilon(1e-12));
 }

@@ -81,6 +81,14 @@ TEST_CASE("bezier_meetings: apart, touching, coincident, points, huge, not finit
   const double inf = std::numeric_limits<double>::infinity(), no_number = std::numeric_limits<double>::quiet_NaN();
   CHECK(meetings(a, {{0, no_number}, {1, 1}}, {0, 1000}, room).status != within_tolerance);
   CHECK(meetings(a, {{0, inf}, {1, 1}}, {0, 1000}, room).status != within_tolerance);
+  constexpr auto of_infinity = [] {
+    const std::array<P, 3> endless{P{std::numeric_limits<double>::infinity(), 0}, P{1, 1}, P{2, 0}};
+    const std::array<P, 2> line{P{0, 0}, P{1, 1}};
+    std::array<P, 15> scratch{};
+    std::array<irg::curve_meeting<double>, 2> found{};
+    return irg::bezier_meetings(endless, line, {0, 50}, found, scratch).status;
+  };
+  CHECK_BOTH(of_infinity() != irg::meetings_found::within_tolerance);
   std::vector<M> little(1);
   CHECK(meetings({arch.begin(), arch.end()}, {bowl.begin(), bowl.end()}, {1e-6}, little) ==
         meetings_result{1, too_many});

@@ -78,8 +78,8 @@ TEST_CASE("bezier_box, bezier_nearest, bezier_line_crossings: reference values")
   CHECK_BOTH(crossings_of({0, 3.1}, {1, 3.1}) == 0);
   CHECK_BOTH(crossings_of({2, 0}, {2, 1}) == 1);
   CHECK_BOTH(crossings_of({2, 1}, {2, 1}) == -1);
-  CHECK(crossings_of({no_number, 1}, {2, 1}) == -1);
-  CHECK(crossings_of({inf, 1}, {2, 1}) == -1);
+  CHECK_BOTH(crossings_of({no_number, 1}, {2, 1}) == -1);
+  CHECK_BOTH(crossings_of({inf, 1}, {no_number, 1}) == -1);
   const std::vector<P> straight{{0, 0}, {1, 1}, {3, 3}};
   CHECK(crossings(straight, P{-1, -1}, P{7, 7}) == std::vector<Z>{Z{0, 1, 0, 0}});
   const auto touching = crossings({{0, 0}, {1, 2}, {2, 0}}, P{0, 1}, P{5, 1});
@@ -110,6 +110,25 @@ TEST_CASE("bezier queries: a single point, coincident points, huge and not finit
   const std::vector<P> bad{{0, 0}, {no_number, inf}, {1, 1}};
   CHECK(irg::bezier_box(bad, scratch).high.x == (std::numeric_limits<double>::max)());
   CHECK(crossings(bad, P{0, 0}, P{1, 0}) == std::vector<Z>{Z{0, 1, 0, 0}});
+}
+
+TEST_CASE("bezier_nearest: a curve that is the point itself, in constant evaluation too") {
+  constexpr auto distance_from_itself = [] {
+    const std::array<P, 3> same{P{3, 4}, P{3, 4}, P{3, 4}};
+    std::array<C, 24> scratch{};
+    std::array<P, 3> work{};
+    return irg::bezier_nearest(same, P{3, 4}, scratch, work).distance;
+  };
+  CHECK_BOTH(distance_from_itself() == 0);
+}
+
+TEST_CASE("bezier_line_crossings: the largest and the smallest numbers") {
+  constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  const auto found = crossings({{-most, -most}, {most, most}}, P{-most, most}, P{most, -most});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].is_crossing());
+  CHECK(found[0].to - found[0].from < 1e-13);
+  CHECK(crossings({{0, -1}, {0, 1}}, P{0, 0}, P{least, 0}).size() == 1);
 }
 
 TEST_CASE("bezier_nearest: distances beyond the largest number") {

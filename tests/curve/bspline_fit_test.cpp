@@ -156,8 +156,25 @@ TEST_CASE("fits that there are not") {
   };
   CHECK(!at({{1, 1}, {1, 1}, {1, 1}}));
   CHECK(!at({{1, 1}, {none, 1}, {1, 1}}));
+  constexpr auto of_infinity = [](irg::fit_spacing spacing) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    const std::array<P, 3> far{P{0, inf}, P{1, inf}, P{none, 1}};
+    std::array<double, 3> three{};
+    return irg::fit_places(std::span<const P>(far), spacing, three);
+  };
+  CHECK_BOTH(!of_infinity(irg::fit_spacing::centripetal));
+  CHECK_BOTH(of_infinity(irg::fit_spacing::uniform));
   CHECK(at({{1, 1}, {1, 1}, {2, 1}}));
   CHECK(places == std::vector<double>{0, 0, 1});
+  // Nor are many points near the largest number.
+  const std::vector<P> distant(100, P{0.99 * most, -most / 2});
+  std::vector<double> hundred(100);
+  for (std::size_t k = 0; k < 100; ++k) hundred[k] = static_cast<double>(k) / 99;
+  for (const auto ends : {irg::fit_ends::through, irg::fit_ends::free}) {
+    const auto fit = irg::bspline_least_squares(knots, hundred, std::span<const P>(distant), ends, result);
+    CHECK(fit.status == bspline_fit_status::done);
+    CHECK(fit.value <= most * 0x1p-48);
+  }
   // Equal points one after another are no harm to least squares.
   const std::vector<P> more{{0, 0}, {0, 0}, {1, 1}, {2, 1}, {2, 1}, {3, 0}};
   const std::vector<double> six{0, 0, 0.3, 0.7, 0.7, 1};

@@ -66,6 +66,15 @@ TEST_CASE("keyframes: what cannot be followed") {
   constexpr double most = std::numeric_limits<double>::max();
   CHECK(followed({{-most / 2, {1, 1}}, {most / 2, {1, 1}}}));
   CHECK(!followed({{-most, {1, 1}}, {most, {1, 1}}}));  // the time between is not finite
+  constexpr auto two = [](double from, double to) {
+    const std::array<key, 2> frames{key{from, {1, 1}}, key{to, {1, 1}}};
+    return can_be_followed(std::span<const key>(frames));
+  };
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  CHECK_BOTH(!two(-most, most));
+  CHECK_BOTH(!two(-inf, inf));
+  CHECK_BOTH(!two(inf, inf));
+  CHECK_BOTH(!two(std::numeric_limits<double>::quiet_NaN(), 1));
 }
 
 TEST_CASE("keyframes: times and places of any size") {
@@ -85,4 +94,9 @@ TEST_CASE("keyframes: times and places of any size") {
   CHECK(in_the_first.x == 0);
   CHECK((in_the_first.y > 0 && in_the_first.y < 1));
   CHECK(place_at(std::span<const key>(uneven), 0x1p999).x == 0.375);
+  // Short ways in short times lead far in long ones.
+  const std::vector<key> steady{{0, {0, 0}}, {0x1p-700, {0x1p-700, 0}}, {0x1p700, {0x1p700, 0}}};
+  CHECK(std::abs(place_at(std::span<const key>(steady), 0x1p699).x - 0x1p699) <= 0x1p650);
+  const std::vector<key> brief{{0, {0, 0}}, {0x1p-1074, {0x1p-40, 0}}, {0x1p-40, {0x1p994, 0}}};
+  CHECK(std::abs(place_at(std::span<const key>(brief), 0x1p-41).x - 0x1p993) <= 0x1p950);
 }

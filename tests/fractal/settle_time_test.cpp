@@ -47,6 +47,8 @@ TEST_CASE("settle_orbit: rest at once, never, at the last step, NaN") {
   CHECK_BOTH(irg::settle_orbit(stays, C{3, 4}, 1.0, 0) == irg::escape_end<double>{0, {3, 4}});
   CHECK_BOTH(irg::settle_orbit(stays, C{3, 4}, 1.0, -5).count == 0);
   CHECK_BOTH(irg::settle_orbit(newton, C{1, 0}, 0.0, 9).count == 0);
+  CHECK_BOTH(irg::settle_orbit(stays, C{3, 4}, -1.0, 9).count == 9);
+  CHECK_BOTH(irg::settle_orbit(stays, C{3, 4}, std::numeric_limits<double>::quiet_NaN(), 9).count == 9);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(irg::settle_orbit(halves, C{nan, 0}, 1.0, 9).count == 9);
   CHECK(irg::settle_orbit(newton, C{0, 0}, 1e-12, 9).count == 9);  // a division by 0

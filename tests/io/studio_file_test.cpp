@@ -135,6 +135,12 @@ TEST_CASE("studio file: cameras that no other projection or distance has read ba
   CHECK((same(s).has_value() && *same(s) == s));
   CHECK(apply_event(s, irg::set_projection<double>{main}) == irg::studio_status::done);
   CHECK((same(s).has_value() && *same(s) == s));
+  // So small a screen that its perspective from other eyes has no matrix.
+  studio small;
+  CHECK(apply_event(small, irg::set_pyramid<double>{main, {1.7e308, 14.78, 7.39, 0.36, 20}}) ==
+        irg::studio_status::done);
+  CHECK(apply_event(small, irg::aim_camera<double>{main, {0, 0, 1}, {0, 0, 0}}) == irg::studio_status::no_projection);
+  CHECK((same(small).has_value() && *same(small) == small));
 }
 
 TEST_CASE("studio file: it is a file of bodies, and a file of bodies is one") {

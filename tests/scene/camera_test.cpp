@@ -147,6 +147,19 @@ TEST_CASE("view_projection: degenerate cameras give a finite matrix") {
   CHECK_BOTH(irg::is_finite(irg::view_projection(touching, 0.001)));
 }
 
+TEST_CASE("view_projection: where the view makes an entry overflow, there is none") {
+  camera slender{{4, 3, 6}, {0, 0, 0}, {0, 1, 0}};
+  slender.vertical_angle = 0x1p-900;
+  slender.near_distance = 0x1p-1000;
+  camera distant = in_parallel({{0x1p900, 0x1p900, 1}, {-0x1p900, 0x1p900, 0}, {0, 1, 0}});
+  distant.vertical_angle = 0x1p-1070;
+  for (const camera& c : {slender, distant}) {
+    const auto p = irg::view_projection_checked(c, 1);
+    CHECK(p.status == irg::projection_status::not_representable);
+    CHECK(p.value == irg::identity<double, 4>());
+  }
+}
+
 // How the clip coordinates of a sphere's points lie: the largest |x|/w and |y|/w, and whether all points are in the
 // depth range. The points nearest to the border of the picture are among the samples: where the planes through the eye
 // touch, and a grid of others.

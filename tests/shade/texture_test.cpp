@@ -9,6 +9,18 @@
 #include "support/check_both.hpp"
 #include "support/random.hpp"
 
+// A raster without memory.
+struct endless_ones {
+  int width = 0;
+};
+template <>
+struct irg::raster_traits<endless_ones> {
+  using pixel = float;
+  static constexpr int width(const endless_ones& r) { return r.width; }
+  static constexpr int height(const endless_ones&) { return 1; }
+  static constexpr float get(const endless_ones&, int, int) { return 1.0f; }
+};
+
 namespace {
 
 using irg::texture_filter;
@@ -122,6 +134,14 @@ TEST_CASE("texture: coordinates that are no numbers, or are larger than a float'
   constexpr irg::image<float> none;
   CHECK_BOTH(irg::sample_texture(irg::image<float>(), 0.5f, 0.5f, {}, 7.0f) == 7);
   CHECK(irg::sample_texture(none, 0.5f, 0.5f) == 0);
+}
+
+TEST_CASE("texture: none of 2^29 texels is beyond the last one") {
+  for (const int width : {(1 << 24) - 1, 1 << 24, (1 << 24) + 3, (1 << 29) - 1, 1 << 29})
+    for (const auto wrap : {texture_wrap::repeat, texture_wrap::mirrored, texture_wrap::clamp})
+      for (const auto filter : {texture_filter::nearest, texture_filter::bilinear})
+        for (const float u : {0.0f, 1.0f, -1e-9f, 1e-9f, 1 - 0x1p-24f, -0x1p-25f, 3.5f, -3.3e6f})
+          CHECK(irg::sample_texture(endless_ones{width}, u, 0.5f, texture_sampler{filter, wrap, wrap}, -5.0f) == 1);
 }
 
 TEST_CASE("texture: light, not codes, is averaged") {

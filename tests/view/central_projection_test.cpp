@@ -99,6 +99,7 @@ TEST_CASE("central projection: bad distances and numbers, in every life") {
     CHECK(!project_central(D3{nan, 1, 0.5}, 1, o));
     CHECK(!project_central(D3{1, nan, 0.5}, 1, o));
   }
+  static_assert(!project_central(D3{1, 1, nan}, 1, plane) && !project_central(D3{1, 1, inf}, 1, plane));
   constexpr auto at_compile_time = project_central(D3{0.1, 0.7, 0.3}, 1.3, plane);
   volatile double x = 0.1;
   CHECK(project_central(D3{x, 0.7, 0.3}, 1.3, plane) == at_compile_time);

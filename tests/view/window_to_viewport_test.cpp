@@ -70,6 +70,8 @@ TEST_CASE("window_to_viewport: the aspect ratio kept, by hand") {
   CHECK_BOTH(fitted_viewport(whole, 1, window_fit::stretch) == whole);
   CHECK_BOTH(fitted_viewport(whole, 0, window_fit::whole) == whole);
   CHECK_BOTH(fitted_viewport(whole, -1, window_fit::fill) == whole);
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  CHECK_BOTH(fitted_viewport(viewport<double>{0, 0, 1, 1}, least, window_fit::whole).width == least);
 }
 
 TEST_CASE(

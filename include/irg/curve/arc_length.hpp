@@ -116,8 +116,9 @@ template <Floating T, class Speed>
   for (int step = 0; step < 40; ++step) {
     const T excess = detail::gauss_legendre(speed, begin, t) - wanted;
     (excess > T(0) ? b : a) = t;
-    T next = t - excess / speed(t);
-    if (!(next >= a && next <= b)) next = a + (b - a) / 2;
+    const T pace = speed(t);
+    T next = pace > T(0) ? t - excess / pace : t;
+    if (!(pace > T(0) && next >= a && next <= b)) next = a + (b - a) / 2;
     if (next == t) break;
     t = next;
   }

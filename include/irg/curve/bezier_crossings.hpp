@@ -65,12 +65,14 @@ struct halved_curve {
   }
   constexpr std::size_t count() const noexcept { return ring_traits<R>::size(points); }
   constexpr void cut(int level, int k) noexcept {
+    if (!is_finite(off)) return;
     const auto left = space.first(count()), work = space.subspan(count(), count());
     bezier_split(points, curve_fraction<T>(k + 1, 1 << level), left, work);
     bezier_split(left, curve_fraction<T>(k, k + 1), work, space.subspan(2 * count(), count()));
   }
   // The least and the greatest coordinate of the piece along an axis, widened.
   constexpr vec<T, 2> extent(int axis) const noexcept {
+    if (!is_finite(off)) return {-std::numeric_limits<T>::infinity(), std::numeric_limits<T>::infinity()};
     T low = coordinate(space[2 * count()], axis), high = low;
     for (std::size_t i = 1; i < count(); ++i) {
       const T x = coordinate(space[2 * count() + i], axis);

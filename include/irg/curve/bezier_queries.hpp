@@ -70,6 +70,7 @@ constexpr T foot_coefficients(const R& points, const control_point<R>& p, std::s
   T largest = 0;
   for (std::size_t i = 0; i <= n; ++i)
     for (int axis = 0; axis < dimension; ++axis) largest = greater(largest, magnitude(offset(i, axis)));
+  if (largest == T(0)) largest = T(1);  // the curve is p all along
   for (std::size_t k = 0; k < 2 * n; ++k) {
     T sum = 0, weights = 0, weight = 1;  // C(n, i) C(n - 1, k - i), up to a factor
     for (std::size_t i = k < n ? 0 : k + 1 - n; i <= n && i <= k; ++i) {
@@ -153,8 +154,17 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
   using T = scalar_of<detail::control_point<R>>;
   const std::size_t count = ring_traits<R>::size(points);
   IRG_EXPECTS(count > 0 && scratch.size() >= 4 * count);
-  const auto along = try_normalize(generate_coordinates<vec<T, 2>>(
-      [&](int i) { return detail::half_difference(coordinate(b, i), coordinate(a, i)); }));
+  bool is_sound = true, is_large = false;
+  for (int i = 0; i < 2; ++i)
+    for (const T& x : {coordinate(a, i), coordinate(b, i)}) {
+      is_sound = is_sound && detail::is_finite(x);
+      is_large = is_large || detail::magnitude(x) > T(1);
+    }
+  if (!is_sound) return false;
+  const auto along = try_normalize(generate_coordinates<vec<T, 2>>([&](int i) {
+    const T from = coordinate(a, i), to = coordinate(b, i);
+    return is_large ? detail::half_difference(to, from) : to - from;
+  }));
   if (!along) return false;
   T largest = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -165,8 +175,7 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
     scratch[k] = {difference_of_products(along->x, y, along->y, x)};
     largest = greater(largest, detail::magnitude(x) + detail::magnitude(y));
   }
-  const T off =
-      product(product(largest, T(8)), std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 8;
+  const T off = product(largest, 8 * std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 8;
   bernstein_zeros(std::span<const vec<T, 1>>(scratch.first(count)), off, scratch.subspan(count, 3 * count), sink);
   return true;
 }
@@ -177,7 +186,8 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
 /// gives   of places that are equally near the one with the least t, up to rounding
 /// exact   all places are compared at which the line to p may be at right angles to the curve, and both ends: the
 ///         square of the distance is the least up to 200 * degree * u of the square of the largest offset of a control
-///         point. That is some u of the size, but half the digits where the curve nearly stands still beside p
+///         point, unless that offset is subnormal. That is some u of the size, but half the digits where the curve
+///         nearly stands still beside p
 /// cost    bernstein_zeros of degree 2 * degree - 1, and degree^2 products for its coefficients
 /// source  Schneider 1990
 template <ControlPoints R>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -122,10 +123,13 @@ template <Floating T, int Degree, Coordinates P>
 constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degree>& knots, std::span<const T> places,
                                                     std::span<const P> points, fit_ends ends, std::span<P> result) {
   const std::size_t size = knots.size(), order = knots.order();
+  T largest = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!is_finite(places[k])) return {T(0), bspline_fit_status::not_finite};
-    for (int axis = 0; axis < size_of<P>; ++axis)
+    for (int axis = 0; axis < size_of<P>; ++axis) {
       if (!is_finite(coordinate(points[k], axis))) return {T(0), bspline_fit_status::not_finite};
+      largest = greater(largest, magnitude(coordinate(points[k], axis)));
+    }
     if ((k > 0 && places[k] < places[k - 1]) || places[k] < knots.first() || places[k] > knots.last())
       return {T(0), bspline_fit_status::not_rising};
   }
@@ -134,16 +138,21 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
                        counts_at(knots, size - 1, places[places.size() - 1]) && knots[0] == knots.first() &&
                        knots[knots.list().size() - 1] == knots.last() && places[0] == knots.first() &&
                        places[places.size() - 1] == knots.last();
+  // Rows add up to their number's root.
+  const T down = largest > product((std::numeric_limits<T>::max)(), T(0x1p-40f)) ? T(0x1p-40f) : T(1);
+  const auto times = [](const P& p, const T& factor) {
+    return generate_coordinates<P>([&](int axis) { return product(coordinate(p, axis), factor); });
+  };
   for (std::size_t k = 0; k < size; ++k) result[k] = zero_coordinates<P>();
   if (through) {
-    result[0] = points[0];
-    result[size - 1] = points[points.size() - 1];
+    result[0] = times(points[0], down);
+    result[size - 1] = times(points[points.size() - 1], down);
   }
   banded_rows<P> rows(size, order);
   std::vector<T> values(order, T(0));
   for (std::size_t k = 0; k < points.size(); ++k) {
     const std::size_t first = *bspline_basis(knots, places[k], std::span<T>(values));
-    P right = points[k];
+    P right = times(points[k], down);
     for (std::size_t i = 0; i < order && through; ++i) {
       const std::size_t column = first + i;
       if (column != 0 && column + 1 != size) continue;
@@ -154,6 +163,11 @@ constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degre
     rows.add(values, first, right);
   }
   rows.solve(result);
+  for (std::size_t k = 0; k < size && down != T(1); ++k) result[k] = times(result[k], 1 / down);
+  if (through) {
+    result[0] = points[0];
+    result[size - 1] = points[points.size() - 1];
+  }
   for (std::size_t k = 0; k < size; ++k)
     for (int axis = 0; axis < size_of<P>; ++axis)
       if (!is_finite(coordinate(result[k], axis))) return {T(0), bspline_fit_status::not_finite};
@@ -183,13 +197,15 @@ constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
   using T = scalar_of<P>;
   IRG_EXPECTS(points.size() > 1 && places.size() >= points.size());
   places[0] = T(0);
-  for (std::size_t k = 1; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < points.size() && spacing != fit_spacing::uniform; ++k)
+    for (int axis = 0; axis < size_of<P>; ++axis)
+      if (!detail::is_finite(coordinate(points[k], axis))) return false;
+  const auto step_to = [&](std::size_t k) {
+    if (spacing == fit_spacing::uniform) return T(1);
     const T distant = length(detail::scaled_difference(points[k - 1], points[k], 1));
-    const T step = spacing == fit_spacing::uniform        ? T(1)
-                   : spacing == fit_spacing::chord_length ? distant
-                                                          : sqrt(distant);
-    places[k] = places[k - 1] + step;
-  }
+    return spacing == fit_spacing::chord_length ? distant : sqrt(distant);
+  };
+  for (std::size_t k = 1; k < points.size(); ++k) places[k] = places[k - 1] + step_to(k);
   const std::size_t last = points.size() - 1;
   const T all = places[last];
   if (!(all > T(0)) || !detail::is_finite(all)) return false;

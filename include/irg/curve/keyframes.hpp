@@ -2,11 +2,14 @@
 // Motion through points at given times: a cubic between each two keyframes, of one tangent in each keyframe.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <type_traits>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/curve/bezier.hpp>
 
 namespace irg {
@@ -28,10 +31,13 @@ constexpr typename curve_sample<P>::vector third_of_way(std::span<const keyframe
                                                         scalar_of<P> span) noexcept {
   using T = scalar_of<P>;
   const std::size_t before = k > 0 ? k - 1 : k, after = k + 1 < frames.size() ? k + 1 : k;
-  // As a share of the distance: a velocity may overflow where the way does not.
+  // As a share of the distance: a velocity may overflow where the way does not, and so may the share.
   const auto way = [&](std::size_t i, std::size_t j, int axis) {
     const T distance = coordinate(frames[j].place, axis) - coordinate(frames[i].place, axis);
-    return distance == T(0) ? distance : product(distance, span / (frames[j].time - frames[i].time));
+    const T time = frames[j].time - frames[i].time;
+    if (distance == T(0)) return distance;
+    if (T(1) <= time || span <= time * (std::numeric_limits<T>::max)()) return product(distance, span / time);
+    return span < T(1) ? product(distance, span) / time : product(distance / time, span);
   };
   return generate_coordinates<typename curve_sample<P>::vector>([&](int axis) {
     if (before == k || after == k) return way(before, after, axis) / T(3);
@@ -49,13 +55,16 @@ inline namespace IRG_ABI {
 /// finite, too.
 template <Coordinates P>
 [[nodiscard]] constexpr bool can_be_followed(std::span<const keyframe<P>> frames) noexcept {
+  using T = scalar_of<P>;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (!(frames[k].time - frames[k].time == 0)) return false;
+    if constexpr (Floating<T>)
+      if (!is_finite(frames[k].time)) return false;
     if (k > 0 && !(frames[k - 1].time < frames[k].time)) return false;
   }
   if (frames.empty()) return false;
-  const scalar_of<P> all = frames[frames.size() - 1].time - frames[0].time;
-  return all - all == 0;
+  if constexpr (Floating<T>)
+    return frames[frames.size() - 1].time / 2 - frames[0].time / 2 <= (std::numeric_limits<T>::max)() / 2;
+  return true;
 }
 
 /// Where something is at `time` on its way through all keyframes.

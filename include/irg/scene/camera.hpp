@@ -78,25 +78,25 @@ template <Floating T>
 /// units   clip space is scaled by a power of two so that w, which is 1 in parallel projection, is 1 to 2 at the near
 ///         plane: however large or small the world, 1/w and depth are ordinary floats
 /// gives   what perspective_checked, orthographic_checked and oblique_checked refuse, with the identity. Parallel
-///         projection with the eye at the target: what it shows from distance 1
+///         projection with the eye at the target: what it shows from distance 1. not_representable also where the view
+///         makes an entry overflow
 template <Floating T>
 [[nodiscard]] constexpr checked<mat<T, 4, 4>, projection_status> view_projection_checked(
     const camera<T>& c, std::type_identity_t<T> aspect) noexcept {
   const mat<T, 4, 4> view = look_at(c.eye, c.target, c.up);
   if (c.projection == projection_kind::perspective) {
-    auto p = perspective_checked(c.vertical_angle, aspect, c.near_distance, c.far_distance);
-    if (p.is_ordinary()) p.value = p.value * view * detail::scale_towards_one(c.near_distance);
-    return p;
+    const auto p = perspective_checked(c.vertical_angle, aspect, c.near_distance, c.far_distance);
+    return p.is_ordinary() ? detail::unless_infinite(p.value * view * detail::scale_towards_one(c.near_distance)) : p;
   }
   const T away = length(c.target - c.eye), least = (std::numeric_limits<T>::min)();
   const T height = greater((T(0) < away ? away : T(1)) * tan(c.vertical_angle / T(2)), least);
   const T width = greater(height * aspect, least);
-  auto p = c.projection == projection_kind::oblique
-               ? oblique_checked(oblique_depth<T>{c.receding.angle, c.receding.factor, -away},
-                                 view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance)
-               : orthographic_checked(view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance);
-  if (p.is_ordinary()) p.value = p.value * view;
-  return p;
+  const auto p =
+      c.projection == projection_kind::oblique
+          ? oblique_checked(oblique_depth<T>{c.receding.angle, c.receding.factor, -away},
+                            view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance)
+          : orthographic_checked(view_window<T>{-width, width, -height, height}, c.near_distance, c.far_distance);
+  return p.is_ordinary() ? detail::unless_infinite(p.value * view) : p;
 }
 
 /// The matrix from the world to the camera's clip space; see view_projection_checked.

@@ -142,7 +142,8 @@ struct surface_place {
 /// The intensity of the point p of a surface as the eye sees it: the ambient term and what each source adds (7.9 or
 /// 7.10), where arriving(i, intensity) tells what of source i's intensity arrives at p: shadows are made of it.
 /// shape   p, the lights, the eye and the normal in one coordinate system, with the same unit on all axes
-/// needs   a normal of length 1
+/// needs   a normal of length 1; where distance counts, k > 0 or an eye that is not in p: L / (r + k) is 0 / 0 for a
+///         channel without light there
 /// gives   values over 1 (or 255) where much light meets: see fit_intensities; nothing from a light that stands in p
 ///         itself, no highlight when the eye does; the ambient term where the normal is 0
 /// exact   written from + - * / sqrt and pow in one order: the same bits everywhere

@@ -120,7 +120,7 @@ IRG_INLINE constexpr texel_pair<F> neighbouring_texels(const F& u, int count, te
   const F fraction = x - to_float(first);
   if (wrap == texture_wrap::border) return {first, second, fraction};
   if (wrap == texture_wrap::repeat)
-    return {select(first < i::broadcast(0), i::broadcast(count - 1), first),
+    return {select(both(first >= i::broadcast(0), first < i::broadcast(count)), first, i::broadcast(count - 1)),
             select(second < i::broadcast(count), second, i::broadcast(0)), fraction};
   return {limited_coordinate(first, 0, count - 1), limited_coordinate(second, 0, count - 1), fraction};
 }

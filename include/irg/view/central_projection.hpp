@@ -44,8 +44,9 @@ template <Real T>
 [[nodiscard]] constexpr std::optional<point<T, 2>> project_central(const point<T, 3>& p,
                                                                    const std::type_identity_t<T>& distance,
                                                                    projection_origin origin) noexcept {
+  if (!(detail::is_distance(distance) && p.x == p.x && p.y == p.y && p.z == p.z)) return std::nullopt;
   const T depth = origin == projection_origin::eye ? p.z : distance - p.z;
-  if (!(detail::is_distance(distance) && T(0) < depth && p.x == p.x && p.y == p.y)) return std::nullopt;
+  if (!(T(0) < depth)) return std::nullopt;
   return point<T, 2>{product(p.x, distance) / depth, product(p.y, distance) / depth};
 }
 

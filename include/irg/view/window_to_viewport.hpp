@@ -126,9 +126,10 @@ template <Real T>
 [[nodiscard]] constexpr viewport<T> fitted_viewport(const viewport<T>& view, const std::type_identity_t<T>& aspect,
                                                     window_fit fit) noexcept {
   if (!(T(0) < aspect) || fit == window_fit::stretch) return view;
-  const T width = product(view.height, aspect), height = view.width / aspect;
+  const T width = product(view.height, aspect);
   if ((width < view.width) == (fit == window_fit::whole))
     return {view.x + (view.width - width) / T(2), view.y, width, view.height};
+  const T height = view.width / aspect;
   return {view.x, view.y + (view.height - height) / T(2), view.width, height};
 }
 

@@ -65,18 +65,19 @@ struct studio_writer {
 
   // The camera must be one behind each line. So the oblique projection comes first, before an eye and a pyramid that
   // make every factor possible, and a pyramid that no perspective has comes behind a parallel projection, at the
-  // smaller of two distances. The projection that is used comes last.
+  // smaller of two distances; one of a perspective, behind its eye. The projection that is used comes last.
   constexpr void camera(std::string_view view, const studio_camera<T>& c) {
     const view_pyramid<T>& p = c.pyramid;
     const auto aim = [&] { line("aim", view, c.eye, c.target, c.up); };
-    const bool is_near = length(c.target - c.eye) < T(1);
+    const bool in_perspective = c.projection == projection_kind::perspective;
+    const bool aims_first = in_perspective || length(c.target - c.eye) < T(1);
     line("aim", view, point<T, 3>{T(0), T(0), T(1)}, point<T, 3>{});
     line("pyramid", view, T(1), T(4), T(4), T(1), T(2));
     line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
-    line("project", view, c.projection == projection_kind::perspective ? "perspective" : "orthographic");
-    if (is_near) aim();
+    line("project", view, in_perspective ? "perspective" : "orthographic");
+    if (aims_first) aim();
     line("pyramid", view, p.distance, p.width, p.height, p.near_distance, p.far_distance);
-    if (!is_near) aim();
+    if (!aims_first) aim();
     if (c.projection == projection_kind::oblique) line("project", view, "oblique", c.oblique_angle, c.oblique_factor);
     for (std::size_t i = 0; i < c.helpers.size(); ++i)
       line("helper", view, studio_helper_names[i], name_of(display_names, c.helpers[i]));
