@@ -251,6 +251,12 @@ TEST_CASE("body xml: what cannot be written is refused with the reason") {
         "body has a surface whose shares of the light are none");
   CHECK(refusal([](body& b) { b.surfaces[0].reflection.shininess = std::numeric_limits<double>::quiet_NaN(); }) ==
         "body has a surface whose shininess is not larger than 0");
+  CHECK_BOTH([] {
+    irg::stored_body<double> b;
+    b.surfaces.emplace_back();
+    b.surfaces[0].reflection.shininess = std::numeric_limits<double>::infinity();
+    return !irg::encode_body_xml(std::vector{b});
+  }());
   CHECK(refusal([](body& b) { b.shape.positions[0][0] = std::numeric_limits<double>::infinity(); }) ==
         "mesh has a position that is not finite");
 }

@@ -79,6 +79,17 @@ TEST_CASE("mtl: libraries are named, and opened by the caller alone, beside the 
   REQUIRE(materials);
   CHECK(materials->size() == 4);
   CHECK(opened == 2);
+  opened = 0;
+  std::string many = "mtllib b\nmtllib a\n";  // or a text of 1 MB could ask for 10^5 times its library
+  for (int i = 0; i < 1000; ++i) many += "mtllib a\nmtllib b\n";
+  const auto once = irg::read_materials<double>(many, [&](std::string_view name) -> irg::result<std::string> {
+    ++opened;
+    return "newmtl " + std::string(name);
+  });
+  REQUIRE(once);
+  REQUIRE(once->size() == 2);
+  CHECK(std::string_view((*once)[0].name) == "b");
+  CHECK(opened == 2);
   CHECK(irg::read_materials<double>("v 0 0 0\n", open)->empty());
   CHECK(std::string(irg::read_materials<double>("mtllib missing.mtl", open).error().message) == "file does not exist");
   CHECK(irg::read_materials<double>("mtllib bad.mtl", open).error().line == 1);

@@ -104,6 +104,10 @@ TEST_CASE("off: what is wrong is said where it stands") {
   CHECK(damaged("4 1 0", "99999999999999999999 1 0") == "9:1 text ends where a number is expected");
   CHECK(damaged("1e0", "1e999") == "6:3 number is too large");
   CHECK(damaged("1e0", "nan") == "6:3 number is not finite");
+  CHECK_BOTH([] {  // infinity
+    constexpr char bytes[] = "OFF BINARY\n\0\0\0\1\0\0\0\0\0\0\0\0\x7f\x80\0\0\0\0\0\0\0\0\0";
+    return read_off(std::string_view(bytes, sizeof(bytes))).error().column == 24;
+  }());
   CHECK(damaged("4 0 1 2 3", "2 0 1") == "8:1 face has fewer than three corners");
   CHECK(damaged("4 0 1 2 3", "4 0 1 2 4") == "8:9 face index is not smaller than the number of vertices");
   CHECK(damaged("4 0 1 2 3", "4 0 1 2 -1") == "8:9 index of a vertex is negative");

@@ -175,6 +175,12 @@ TEST_CASE("ply: what is wrong is said where it stands") {
   CHECK(damaged("end_header\n0", "end_headr\n0") == "10:1 expected element, property or end_header");
   CHECK(damaged("1e0", "1e999") == "13:3 number is too large");
   CHECK(damaged("1e0", "inf") == "13:3 number is not finite");
+  CHECK_BOTH([] {  // NaN
+    constexpr char bytes[] =
+        "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+        "end_header\n\x7f\xc0\0\0\0\0\0\0\0\0\0";
+    return read_ply(std::string_view(bytes, sizeof(bytes))).error().column == sizeof(bytes) - 11;
+  }());
   CHECK(damaged("1e0", "1,0") == "13:3 expected a decimal number");
   CHECK(damaged("4 0 1 2 3", "2 0 1") == "15:1 face has fewer than three corners");
   CHECK(damaged("4 0 1 2 3", "-4 0 1 2 3") == "15:1 length of a list is negative");

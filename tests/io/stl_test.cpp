@@ -61,6 +61,11 @@ TEST_CASE("stl: a triangle of text, at compile time, too") {
     return !r && r.error().line == 5 && r.error().column == 12;
   }());
   CHECK_BOTH(!read_stl(""));
+  CHECK_BOTH([] {  // infinity
+    char bytes[134]{};
+    bytes[80] = 1, bytes[98] = '\x80', bytes[99] = '\x7f';
+    return read_stl(std::string_view(bytes, 134)).error().column == 97;
+  }());
 }
 
 TEST_CASE("stl: the same triangle as bytes") {

@@ -57,6 +57,23 @@ TEST_CASE("Euler operators: each and the one that undoes it, at compile time, to
   }());
 }
 
+TEST_CASE("Euler operators: a ring is made in front of the others of its face, however many they are") {
+  body b = tetrahedron();
+  const auto h = b.half_edge_at[0], face = b.face(h);
+  std::vector<std::uint32_t> rings, listed;
+  for (int i = 0; i < 5000; ++i) {
+    const auto spike = irg::make_edge_vertex<double>(b, h, h, {0, 0, 0});
+    irg::make_edge_vertex<double>(b, b.twin(spike), b.twin(spike), {0, 0, 1});
+    rings.insert(rings.begin(), irg::kill_edge_make_ring(b, spike));
+  }
+  irg::each_loop_of(b, face, [&](std::uint32_t l) { listed.push_back(l); });
+  rings.insert(rings.begin(), b.faces[face]);
+  CHECK(listed == rings);
+  CHECK(test::is_sound(b));
+  for (std::size_t i = 1; i < rings.size(); ++i) irg::make_face_kill_ring_hole(b, rings[i]);
+  CHECK(irg::counts_of(b) == irg::half_edge_counts{10004, 5006, 5004, 0, 5001, 0, 0});
+}
+
 TEST_CASE("Euler operators: what cannot be done is refused and changes nothing") {
   body b = tetrahedron();
   const auto before = b;

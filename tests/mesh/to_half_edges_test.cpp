@@ -80,6 +80,22 @@ TEST_CASE("to_half_edges: a vertex of 20,000 faces takes no longer than others")
   CHECK(irg::counts_of(b.value) == irg::half_edge_counts{n + 1, 2 * n, n, 0, 1, 1, 0});
 }
 
+TEST_CASE("to_half_edges: one face that has a vertex as a corner 20,000 times") {
+  constexpr int n = 20000;
+  std::vector<int> star, three;
+  for (int i = 1; i <= n; ++i) star.insert(star.end(), {0, i});
+  const auto m = faces_of(n + 1, star);
+  const auto b = irg::to_half_edges(m);
+  REQUIRE(b.status == half_edge_status::done);  // to and fro along each edge: a sphere
+  CHECK(irg::counts_of(b.value) == irg::half_edge_counts{n + 1, n, 1, 0, 1, 0, 0});
+  CHECK(irg::from_half_edges(b.value) == m);
+  // What is wrong first is the reason, and no more is looked at.
+  for (int i = 0; i < n; ++i) three.insert(three.end(), {0, 1, 2});
+  CHECK(status_of(faces_of(3, three)) == half_edge_status::faces_turned_apart);
+  three.insert(three.begin(), 0);
+  CHECK(status_of(faces_of(3, three)) == half_edge_status::corner_repeated);
+}
+
 TEST_CASE("to_half_edges: done exactly where list_faults knows nothing but borders") {
   test::random r(20);
   int done = 0, refused = 0;

@@ -58,7 +58,8 @@ TEST_CASE("measures: a cube of one unit, sixteen digits from the origin, and at 
   CHECK(*irg::centre_of_mass(apart) == solid_point{0x1p52, 0.5 - 0x1p52, 0x1p51 + 0.5});
   CHECK(irg::solid_volume(moved(cube, 0x1p341, {})) == 0x1p1023);
   CHECK(irg::solid_volume(moved(cube, 0x1p-358, {})) == 0x1p-1074);
-  CHECK(irg::solid_volume(moved(cube, 0x1p342, {})) == std::numeric_limits<double>::infinity());
+  CHECK_BOTH(irg::solid_volume(moved(irg::shape_cube<double>(), 0x1p342, {})) ==
+             std::numeric_limits<double>::infinity());
   CHECK(irg::solid_volume(moved(cube, 0x1p-400, {})) == 0);
   CHECK(irg::surface_area(moved(cube, 0x1p600, {})) == std::numeric_limits<double>::infinity());
   CHECK(*irg::centre_of_mass(moved(cube, 0x1p1023, {})) == solid_point{0x1p1022, 0x1p1022, 0x1p1022});

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/core/result.hpp>
 #include <irg/io/detail/body_xml_reader.hpp>
 #include <irg/io/detail/text_writer.hpp>
@@ -100,8 +101,8 @@ constexpr std::optional<encode_error> refuse_body(const stored_body<T>& b) noexc
     const material<T>& m = s.reflection;
     for (const T x : {m.ambient.r, m.ambient.g, m.ambient.b, m.diffuse.r, m.diffuse.g, m.diffuse.b, m.specular.r,
                       m.specular.g, m.specular.b})
-      if (!(x >= 0 && x - x == 0)) return encode_error{"body has a surface whose shares of the light are none"};
-    if (!(m.shininess > 0 && m.shininess - m.shininess == 0))
+      if (!(x >= 0 && is_finite(x))) return encode_error{"body has a surface whose shares of the light are none"};
+    if (!(m.shininess > 0 && is_finite(m.shininess)))
       return encode_error{"body has a surface whose shininess is not larger than 0"};
   }
   return std::nullopt;

@@ -3,6 +3,7 @@
 // caller alone. Works on memory only.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -140,15 +141,22 @@ template <class Text = std::string_view>
          name.find_first_of(std::string_view("/\\:\0", 4)) == std::string_view::npos;
 }
 
-/// The materials of all libraries that an OBJ text names, one behind the other.
+/// The materials of all libraries that an OBJ text names, one behind the other, each where it is named first.
 /// needs   open(name): a result whose value is the library's text, as read_file gives it
 /// gives   the first error of open or read_mtl; an error, and no call of open, for a name that is not
 ///         is_plain_file_name
-/// cost    that of open and read_mtl
+/// cost    that of open and read_mtl, once for each library, however often the text names it
 template <Floating T = double, class Open>
 [[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
   std::vector<mtl_material<T>> all;
-  for (const std::string_view name : material_libraries(obj)) {
+  const auto names = material_libraries(obj);
+  auto different = names;
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  std::vector<unsigned char> is_read(different.size(), 0);
+  for (const std::string_view name : names) {
+    const auto place = std::lower_bound(different.begin(), different.end(), name) - different.begin();
+    if (std::exchange(is_read[static_cast<std::size_t>(place)], 1) != 0) continue;
     if (!is_plain_file_name(name)) return parse_error{0, 0, "library of materials is not beside the model"};
     const auto text = open(name);
     if (!text) return text.error();

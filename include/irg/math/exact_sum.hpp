@@ -94,7 +94,7 @@ public:
   [[nodiscard]] IRG_INLINE constexpr exact_sum<double> rounded_parts(int shift = 0) const noexcept {
     const double value = rounded(shift);
     const detail::integer_double v = detail::integer_parts(value);
-    if (value - value != 0 || v.significand == 0) return {value, 0.0};
+    if (!detail::is_finite(value) || v.significand == 0) return {value, 0.0};
     // The value times 2^-shift is a multiple of the lowest bit; its significand may reach further, in zeros.
     const int place = v.place - 1074 - shift - lowest;
     const std::uint64_t significand = place < 0 ? v.significand >> -place : v.significand;

@@ -2,6 +2,10 @@
 // Euler operators: the steps by which a boundary representation is built and changed. Each keeps vertices - edges +
 // faces - rings = 2 (shells - genus), and each has one that undoes it, but for rings that are lone vertices. What an
 // operator cannot do it refuses, and changes nothing.
+//
+// Each takes steps along the loops and round the vertices that it changes, make_edge_kill_ring and
+// make_face_kill_ring_hole over the rings of the face that are newer, kill_shell and make_edge_vertex from a lone vertex
+// over all lone vertices.
 #pragma once
 
 #include <cstddef>
@@ -149,7 +153,7 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
     return false;
   const std::uint32_t l = edit.loop(h), gone = edit.loop(back), after = b.next(back), next = b.next(h);
   edit.take_off(gone);
-  if (b.faces[drop] != half_edge::none) edit.append_ring(keep, b.faces[drop]);
+  if (b.faces[drop] != half_edge::none) edit.add_rings(keep, b.faces[drop]);
   b.faces[drop] = half_edge::none;
   b.loops[gone] = half_edge_loop{};
   const std::uint32_t before = b.previous(h), before_back = b.previous(back);
@@ -174,7 +178,8 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
 
 /// Takes an edge away that has the same loop on both sides (kemr): the loop falls into two, one of which becomes a
 /// ring.
-/// gives   the ring, which is what follows h; none, and b as it was, when there are two loops beside the edge
+/// gives   the ring, which is what follows h and comes first of its face's; none, and b as it was, when there are two
+///         loops beside the edge
 template <Scalar T>
 constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h) {
   detail::euler_editor<T> edit(b);
@@ -184,7 +189,7 @@ constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t 
   const std::uint32_t v = b.origin(h), w = b.origin(back), f = b.loops[l].face;
   const std::uint32_t before = b.previous(h), after = b.next(back), next = b.next(h), before_back = b.previous(back);
   const std::uint32_t ring = edit.add_loop(half_edge::none, f);
-  edit.append_ring(f, ring);
+  edit.add_rings(f, ring);
   if (next == back) {
     edit.make_lone(ring, w);
   } else {
@@ -241,7 +246,7 @@ constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint
   const std::uint32_t l = b.faces[face];
   if (b.loops[l].next != half_edge::none) return half_edge::none;
   b.faces[face] = half_edge::none;
-  edit.append_ring(into, l);
+  edit.add_rings(into, l);
   return l;
 }
 

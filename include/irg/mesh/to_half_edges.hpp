@@ -42,12 +42,13 @@ public:
     made.faces.reserve(m.face_count());
     next_in_list_.reserve(m.corners.size() / 2);
     list_of_.assign(m.positions.size(), half_edge::none);
+    most_steps_ = 8 * m.corners.size() + 64;
     const bool has_attributes = !m.normals.empty() || !m.texcoords.empty();
-    for (std::uint32_t f = 0; f < m.face_count() && status == half_edge_status::done; ++f) {
+    for (std::uint32_t f = 0; f < m.face_count(); ++f) {
       const mesh_corner* corners = m.corners.data() + m.face_starts[f];
       const auto n = static_cast<std::uint32_t>(m.face_size(f));
       add_loop(corners, n, f);
-      if (steps_ > 8 * m.corners.size() + 64 && degree_.empty()) {  // many edges at one vertex: from the beginning
+      if (is_slow()) {  // many edges at one vertex: from the beginning
         degree_.assign(m.positions.size(), 0);
         for (const mesh_corner& c : m.corners) ++degree_[c.position];
         list_of_.assign(m.positions.size(), half_edge::none);
@@ -56,19 +57,23 @@ public:
         f = half_edge::none;  // 0 comes next
         continue;
       }
+      if (status != half_edge_status::done) return;
       if (has_attributes) add_attributes(corners, n, f);
     }
-    if (status != half_edge_status::done) return;
     if (has_attributes) made.attributes.resize(made.half_edges.size(), half_edge_attributes{});
     link_border();
     if (!has_single_fans()) status = half_edge_status::vertex_of_many_fans;
   }
 
 private:
+  IRG_INLINE constexpr bool is_slow() const noexcept { return steps_ > most_steps_ && degree_.empty(); }
+
+  // Stops where a face by itself is no part of a surface, or slow: it may have all the corners.
   constexpr void add_loop(const mesh_corner* corners, std::uint32_t n, std::uint32_t f) {
     const std::uint32_t last = half_edge_along(corners[n - 1].position, corners[0].position, f);
     std::uint32_t before = last, first = last;
     for (std::uint32_t k = 0; k + 1 < n; ++k) {
+      if (status != half_edge_status::done || is_slow()) return;
       const std::uint32_t h = half_edge_along(corners[k].position, corners[k + 1].position, f);
       if (k == 0) first = h;
       made.half_edges[h].previous = before;
@@ -138,7 +143,7 @@ private:
     return met == made.half_edges.size();
   }
 
-  std::size_t steps_ = 0;
+  std::size_t steps_ = 0, most_steps_ = 0;
   std::vector<std::uint32_t> degree_, list_of_, next_in_list_;
 };
 

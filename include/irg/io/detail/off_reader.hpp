@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <irg/core/conversion.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/io/detail/byte_cursor.hpp>
 #include <irg/io/detail/text_cursor.hpp>
 #include <irg/mesh/mesh.hpp>
@@ -166,7 +167,7 @@ struct off_reader {
     for (int i = 0; i < count_of_them; ++i, cursor.at += 4) {
       if (cursor.last - cursor.at < 4) return cursor.fail(cursor.last, "file ends where a number is expected");
       const float x = load_float(cursor.at, byte_order::big);
-      if (!(x - x == 0)) return cursor.fail(cursor.at, "number is not finite");
+      if (!is_finite(x)) return cursor.fail(cursor.at, "number is not finite");
       into[i] = converted<T>(x);
     }
     return true;

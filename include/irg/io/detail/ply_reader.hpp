@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <irg/core/conversion.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/io/detail/byte_cursor.hpp>
 #include <irg/io/detail/ply_header.hpp>
 #include <irg/mesh/mesh.hpp>
@@ -83,7 +84,7 @@ struct ply_byte_source {
     }
     cursor.at += size(t);
     const double x = t == ply_type::float32 ? converted<double>(load_float(start, order)) : load_double(start, order);
-    if (!(x - x == 0)) return cursor.fail(start, "number is not finite");
+    if (!is_finite(x)) return cursor.fail(start, "number is not finite");
     if constexpr (sizeof(T) == 4)  // half a unit beyond the largest float
       if (!(x > -0x1.ffffffp127 && x < 0x1.ffffffp127)) return cursor.fail(start, "number is too large");
     into = converted<T>(x);

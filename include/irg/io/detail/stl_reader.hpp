@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <irg/core/conversion.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/io/detail/byte_cursor.hpp>
 #include <irg/io/detail/text_cursor.hpp>
 #include <irg/mesh/mesh.hpp>
@@ -58,7 +59,7 @@ constexpr std::optional<parse_error> read_binary_stl(std::string_view bytes, mes
       for (std::size_t i = 0; i < 3; ++i) {
         const char* const at = p + 12 * k + 4 * i;
         const float x = load_float(at, byte_order::little);
-        if (!(x - x == 0)) return error_at_byte(bytes, at, "number is not finite");
+        if (!is_finite(x)) return error_at_byte(bytes, at, "number is not finite");
         position[static_cast<int>(i)] = converted<T>(x);
       }
       into.positions.push_back(position);

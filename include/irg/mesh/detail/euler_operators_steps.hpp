@@ -79,11 +79,18 @@ public:
     *at = b_.loops[l].next;
     b_.loops[l].next = none;
   }
-  constexpr void append_ring(std::uint32_t face, std::uint32_t l) noexcept {
-    std::uint32_t* at = &b_.faces[face];
-    while (*at != none) at = &b_.loops[*at].next;
-    *at = l;
-    for (; l != none; l = b_.loops[l].next) b_.loops[l].face = face;
+  // A loop, and those that follow it, come next to the face's outer one: its other rings, of which there may be many,
+  // are not gone through.
+  constexpr void add_rings(std::uint32_t face, std::uint32_t l) noexcept {
+    std::uint32_t& first = b_.loops[b_.faces[face]].next;
+    const std::uint32_t others = first;
+    first = l;
+    std::uint32_t last = l;
+    for (; l != none; l = b_.loops[l].next) {
+      b_.loops[l].face = face;
+      last = l;
+    }
+    b_.loops[last].next = others;
   }
   constexpr void make_lone(std::uint32_t l, std::uint32_t v) {
     b_.loops[l].first = none;
