@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <span>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,20 @@ constexpr bool archetype_is_enough() {
 }
 
 }  // namespace
+
+TEST_CASE("ring: containers that count by ints, and views, which count by signed numbers, are read without a warning") {
+  struct int_ring {
+    irg::point<double, 2> corners[3];
+    constexpr int size() const { return 3; }
+    constexpr const irg::point<double, 2>& operator[](int i) const { return corners[i]; }
+  };
+  CHECK_BOTH(irg::ring_vertex(int_ring{{{0, 0}, {4, 0}, {4, 3}}}, 5) == irg::point<double, 2>{4, 3});
+  constexpr auto squares = std::views::iota(0, 5) | std::views::transform([](int i) {
+                             return irg::point<double, 2>{static_cast<double>(i), static_cast<double>(i * i)};
+                           });
+  CHECK_BOTH(irg::ring_size(squares) == 5);
+  CHECK_BOTH(irg::ring_vertex(squares, 8) == irg::point<double, 2>{3, 9});
+}
 
 TEST_CASE("ring: arrays, containers and spans are closed without repeating the first point") {
   CHECK_BOTH(irg::ring_size(square) == 4);

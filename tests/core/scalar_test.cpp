@@ -22,7 +22,38 @@ struct no_division {
   explicit no_division(int = 0);
 };
 
+// Sums and products that are computed when they are asked for, as GMP's and Boost.Multiprecision's.
+struct late {
+  struct expression {
+    const late &a, &b;
+    operator late() const { return {}; }
+  };
+  late() = default;
+  explicit late(int) {}
+  friend bool operator==(const late&, const late&) = default;
+  friend bool operator<(const late&, const late&);
+  friend expression operator+(const late& a, const late& b) { return {a, b}; }
+  friend expression operator-(const late& a, const late& b) { return {a, b}; }
+  friend expression operator*(const late& a, const late& b) { return {a, b}; }
+  friend expression operator/(const late& a, const late& b) { return {a, b}; }
+  friend late operator-(const late& a) { return a; }
+};
+
+// An integer of another library.
+struct big_integer : archetype::scalar {
+  using archetype::scalar::scalar;
+  explicit big_integer(const archetype::scalar& x) : archetype::scalar(x) {}
+  friend big_integer operator+(const big_integer&, const big_integer&);
+  friend big_integer operator-(const big_integer&, const big_integer&);
+  friend big_integer operator*(const big_integer&, const big_integer&);
+  friend big_integer operator/(const big_integer&, const big_integer&);
+  friend big_integer operator-(const big_integer&);
+};
+
 }  // namespace own
+
+template <>
+struct std::numeric_limits<own::big_integer> : std::numeric_limits<int> {};
 
 namespace {
 
@@ -36,6 +67,12 @@ static_assert(!irg::Scalar<own::no_division> && !irg::Scalar<const int> && !irg:
 
 static_assert(irg::Real<float> && irg::Real<double> && irg::Real<archetype::scalar>);
 static_assert(!irg::Real<int> && !irg::Real<std::uint64_t> && !irg::Real<bool>);
+static_assert(irg::Scalar<own::big_integer> && !irg::Real<own::big_integer>);
+static_assert(!irg::Number<own::late> && !irg::Scalar<own::late>);
+#ifdef __SIZEOF_INT128__
+__extension__ typedef __int128 int128;
+static_assert(irg::Scalar<int128> && !irg::Real<int128>);  // although it is no std::integral without extensions
+#endif
 
 static_assert(irg::Floating<float> && irg::Floating<double>);
 static_assert(!irg::Floating<long double> && !irg::Floating<int> && !irg::Floating<const float>);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/check_both.hpp"
+#include "support/endless_number.hpp"
 #include "support/random.hpp"
 
 using namespace irg;
@@ -102,6 +103,11 @@ TEST_CASE("box: centre at the ends of the range") {
   CHECK_BOTH(centre(box2{{-largest, 0}, {largest, 0}}) == P2{0, 0});
   CHECK_BOTH(centre(box2{{largest, largest / 2}, {largest, largest}}) == P2{largest, largest * 0.75});
   CHECK_BOTH(centre(box2{{5e-324, 0}, {5e-324, 0}}) == P2{5e-324, 0});
+}
+
+TEST_CASE("box: centre in numbers that are never constants and have no end") {
+  using E = test::endless;
+  CHECK(centre(box<E, 2>{{E(1), E(2)}, {E(2), E(9)}}) == point<E, 2>{E(3) / E(2), E(11) / E(2)});
 }
 
 TEST_CASE("box: rationals and integers") {

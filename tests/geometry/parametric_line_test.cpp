@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "support/check_both.hpp"
+#include "support/endless_number.hpp"
 #include "support/exact.hpp"
 #include "support/rational.hpp"
 
@@ -56,6 +57,12 @@ TEST_CASE("parametric_line: parts, equal points, NaN") {
   CHECK_BOTH(!parametric_line_through(P2{0.0, 1}, P2{-0.0, 1}));
   CHECK_BOTH(!parametric_line_through(P3{1, undefined_number, 3}, P3{1, 2, 4}));
   CHECK_BOTH(parametric_line_through(P2{0, 0}, P2{5e-324, 0})->direction == vec<double, 2>{5e-324, 0});
+}
+
+TEST_CASE("point_between: numbers of other libraries") {
+  using E = test::endless;
+  CHECK(point_between(point<E, 2>{E(1), E(2)}, point<E, 2>{E(2), E(9)}, E(1) / E(2)) ==
+        point<E, 2>{E(3) / E(2), E(11) / E(2)});
 }
 
 TEST_CASE("point_between: ends are exact, nothing overflows") {

@@ -24,4 +24,22 @@ constexpr T half(T x) {
   return x / T(2);
 }
 constexpr int x = half(7);
+#elif CASE == 5  // a sum that is computed later, when its operands may be gone
+// expect: no_expression
+struct late {
+  struct expression {
+    expression(const late&, const late&);
+    operator late() const;
+  };
+  late() = default;
+  explicit late(int);
+  bool operator==(const late&) const = default;
+  bool operator<(const late&) const;
+  expression operator+(const late&) const;
+  late operator-(const late&) const;
+  late operator*(const late&) const;
+  late operator/(const late&) const;
+  late operator-() const;
+};
+irg::vec<late, 2> x;
 #endif

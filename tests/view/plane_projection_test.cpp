@@ -29,6 +29,13 @@ using D = point<double, 3>;
 constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 using enum plane_projection_status;
 
+// Refused in a question, too: integers have no quotient.
+template <class T>
+concept throws_shadows = requires(const plane<T>& o, const point<T, 3>& p) { central_projection_onto_checked(o, p); } ||
+                         requires(const plane<T>& o, const vec<T, 3>& v) { parallel_projection_onto_checked(o, v); } ||
+                         requires(const plane<T>& o, const hpoint<T, 3>& h) { shadow_matrix_checked(o, h); };
+static_assert(throws_shadows<R> && !throws_shadows<int>);
+
 R value(const plane<R>& o, const P& p) { return plane_value(o, p); }
 
 // Where the line through p along `ray` meets the plane, solved by itself.

@@ -10,6 +10,27 @@
 
 namespace irg {
 
+namespace detail {
+
+// Braces refuse what would be narrowed: views count by signed numbers, some containers by ints.
+template <class R, class I>
+concept counted_by = requires(const R& r, const I i) { r[{i}]; };
+
+/// i, of the type that r's own indices have.
+template <class R>
+IRG_INLINE constexpr auto own_index(std::size_t i) noexcept {
+  if constexpr (counted_by<R, std::size_t>)
+    return i;
+  else if constexpr (counted_by<R, std::ptrdiff_t>)
+    return static_cast<std::ptrdiff_t>(i);
+  else if constexpr (counted_by<R, int>)
+    return static_cast<int>(i);
+  else
+    return i;
+}
+
+}  // namespace detail
+
 /// How irg reads a ring. Members: point (a Point or HomogeneousPoint), size(r), vertex(r, i).
 template <class T>
 struct ring_traits {};
@@ -17,12 +38,15 @@ struct ring_traits {};
 template <class T>
   requires requires(const T& r, std::size_t i) {
     { r.size() } -> std::convertible_to<std::size_t>;
-    requires Coordinates<std::remove_cvref_t<decltype(r[i])>>;
+    requires Coordinates<std::remove_cvref_t<decltype(r[detail::own_index<T>(i)])>>;
   }
 struct ring_traits<T> {
-  using point = std::remove_cvref_t<decltype(std::declval<const T&>()[std::size_t{}])>;
+  using point = std::remove_cvref_t<decltype(std::declval<const T&>()[detail::own_index<T>(0)])>;
   IRG_INLINE static constexpr std::size_t size(const T& r) noexcept { return static_cast<std::size_t>(r.size()); }
-  IRG_INLINE static constexpr point vertex(const T& r, std::size_t i) noexcept(noexcept(point(r[i]))) { return r[i]; }
+  IRG_INLINE static constexpr point vertex(const T& r,
+                                           std::size_t i) noexcept(noexcept(point(r[detail::own_index<T>(i)]))) {
+    return r[detail::own_index<T>(i)];
+  }
 };
 
 template <Coordinates P, std::size_t N>

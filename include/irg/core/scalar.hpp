@@ -3,11 +3,21 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <type_traits>
 
 #include <irg/core/config.hpp>
 
 namespace irg {
+
+namespace detail {
+// What an operation gives is a number, if of another type, and no expression that is computed later, when its operands
+// may be gone; and the number's own type.
+template <class X>
+concept no_expression = std::default_initializable<std::remove_cvref_t<X>>;
+template <class X, class T>
+concept gives_number = std::same_as<std::remove_cvref_t<X>, T>;
+}  // namespace detail
 
 /// What polynomials are computed in: sums, differences and products. Models: every Scalar, and the exact numbers and
 /// numbers with a bound of their error that sign_of and values_of (math/exact) hand to a polynomial.
@@ -18,28 +28,30 @@ concept Number = !std::same_as<T, bool> && std::same_as<T, std::remove_cvref_t<T
                    T(a);
                    to = b;
                    static_cast<bool>(a == b);
-                   a + b;
-                   a - b;
-                   a* b;
-                   -a;
+                   { a + b } -> detail::no_expression;
+                   { a - b } -> detail::no_expression;
+                   { a* b } -> detail::no_expression;
+                   { -a } -> detail::no_expression;
                  });
 
 /// A number that is ordered, with the four operations, made from small integers. Models: every built-in arithmetic type
-/// but bool, rationals, double-double, interval and fixed-point types.
+/// but bool, rationals, double-double, interval and fixed-point types, Boost.Multiprecision's with et_off. Not those
+/// whose operators give expressions, as GMP's mpq_class.
 template <class T>
 concept Scalar = Number<T> && (std::is_arithmetic_v<T> || requires(const T a, const T b) {
                    static_cast<T>(1);
-                   { a + b } -> std::convertible_to<T>;
-                   { a - b } -> std::convertible_to<T>;
-                   { a* b } -> std::convertible_to<T>;
-                   { a / b } -> std::convertible_to<T>;
-                   { -a } -> std::convertible_to<T>;
+                   { a + b } -> detail::gives_number<T>;
+                   { a - b } -> detail::gives_number<T>;
+                   { a* b } -> detail::gives_number<T>;
+                   { a / b } -> detail::gives_number<T>;
+                   { -a } -> detail::gives_number<T>;
                    { a < b } -> std::convertible_to<bool>;
                  });
 
-/// A number whose division is no truncation. Models: float, double, rationals and the like; not the integers.
+/// A number whose division is no truncation. Models: float, double, rationals and the like; not the integers, of any
+/// size and library.
 template <class T>
-concept Real = Scalar<T> && !std::integral<T>;
+concept Real = Scalar<T> && !std::integral<T> && !std::numeric_limits<T>::is_integer;
 
 /// float or double: the numbers that irg's own elementary functions are written for.
 template <class T>

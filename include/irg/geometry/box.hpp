@@ -141,8 +141,8 @@ template <Real T, int N>
 [[nodiscard]] constexpr point<T, N> centre(const box<T, N>& b) noexcept {
   IRG_EXPECTS(!is_empty(b));
   return generate_coordinates<point<T, N>>([&](int i) {
-    if constexpr (std::numeric_limits<T>::is_specialized) {
-      constexpr T half = (std::numeric_limits<T>::max)() / T(2);
+    if constexpr (std::numeric_limits<T>::is_bounded) {
+      const T half = (std::numeric_limits<T>::max)() / T(2);
       if (half < b.high[i] || b.low[i] < -half) return b.low[i] / T(2) + b.high[i] / T(2);
     }
     return (b.low[i] + b.high[i]) / T(2);

@@ -85,11 +85,12 @@ template <Point P>
   requires Real<scalar_of<P>>
 [[nodiscard]] constexpr P point_between(const P& a, const P& b, scalar_of<P> t) noexcept {
   using T = scalar_of<P>;
-  return generate_coordinates<P>([&](int i) {
+  return generate_coordinates<P>([&](int i) -> T {
     const auto sum =
         values_of<2>([](const auto& from, const auto& to, const auto& s) { return from + s * (to - from); },
                      coordinate(a, i), coordinate(b, i), t);
-    return sum ? rounded_to<T>(*sum) : std::numeric_limits<T>::quiet_NaN();
+    if (!sum) return std::numeric_limits<T>::quiet_NaN();
+    return rounded_to<T>(*sum);
   });
 }
 

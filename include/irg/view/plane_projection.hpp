@@ -126,6 +126,7 @@ projection_onto_plane_checked(const P& onto, const hpoint<typename plane_traits<
 /// The central projection onto a plane: from an eye.
 /// gives   as projection_onto_plane_checked
 template <Plane P>
+  requires Real<plane_scalar<P>>
 [[nodiscard]] constexpr auto central_projection_onto_checked(
     const P& onto, const point<typename plane_traits<P>::scalar, 3>& eye) noexcept {
   return projection_onto_plane_checked(onto, to_homogeneous(eye));
@@ -134,6 +135,7 @@ template <Plane P>
 /// The parallel projection onto a plane: along a direction, either way. The matrix is affine.
 /// gives   as projection_onto_plane_checked; no_eye for the zero vector
 template <Plane P>
+  requires Real<plane_scalar<P>>
 [[nodiscard]] constexpr auto parallel_projection_onto_checked(
     const P& onto, const vec<typename plane_traits<P>::scalar, 3>& direction) noexcept {
   using T = typename plane_traits<P>::scalar;
@@ -145,6 +147,7 @@ template <Plane P>
 /// nothing is thrown there; at the light's height and above it w <= 0, and there is no shadow either. For a light at
 /// infinity w is 1 everywhere: cut away yourself what lies beyond the plane.
 template <Plane P>
+  requires Real<plane_scalar<P>>
 [[nodiscard]] constexpr auto shadow_matrix_checked(
     const P& onto, const hpoint<typename plane_traits<P>::scalar, 3>& light_position) noexcept {
   return projection_onto_plane_checked(onto, light_position);

@@ -50,12 +50,12 @@ struct scalar_in<C> {
   using type = scalar_of<C>;
 };
 template <template <class> class A, class T>
-  requires(!Coordinates<A<T>>)
+  requires(!Coordinates<A<T>> && !Scalar<A<T>>)
 struct scalar_in<A<T>> {
   using type = T;
 };
 template <template <class, int> class A, class T, int N>
-  requires(!Coordinates<A<T, N>>)
+  requires(!Coordinates<A<T, N>> && !Scalar<A<T, N>>)
 struct scalar_in<A<T, N>> {
   using type = T;
 };
