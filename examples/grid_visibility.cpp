@@ -32,8 +32,11 @@ KIND is wall, half, open-door, closed-door or laser. Prints how many cells any u
   --method METHOD      how (sweep):
                          sweep    row by row, or sector by sector in space
                          exact    each cell by itself; the same cells
-                         thesis   by the modified Bresenham line
-  --corners RULE       when a corner stops a line through it (pinch):
+                         thesis   by the modified Bresenham line, with its own rule for corners
+                         thesis-face-path
+                                  the same, but a step along three axes is stopped by all cells that leave no way
+                                  from face to face, not only by the two sets that are printed
+  --corners RULE       when a corner stops a line through it (pinch); open and closed with sweep and exact only:
                          pinch    when no way leads round it
                          open     never
                          closed   when anything full touches it
@@ -44,12 +47,14 @@ KIND is wall, half, open-door, closed-door or laser. Prints how many cells any u
   --size WxH           pixels of the picture (640x480)
 )";
 
-enum class method { sweep, exact, thesis };
+enum class method { sweep, exact, thesis, thesis_face_path };
 
 struct settings : program::drawing_options {
   method how = method::sweep;
   irg::sight_rules rules;
   bool percent = false, pairs = false;
+
+  bool by_thesis() const { return how == method::thesis || how == method::thesis_face_path; }
 };
 
 settings read_settings(program::command_line& line) {
@@ -57,7 +62,7 @@ settings read_settings(program::command_line& line) {
   while (!line.done()) {
     const std::string_view word = line.take();
     if (word == "--method")
-      s.how = static_cast<method>(line.choice(word, {"sweep", "exact", "thesis"}));
+      s.how = static_cast<method>(line.choice(word, {"sweep", "exact", "thesis", "thesis-face-path"}));
     else if (word == "--corners")
       s.rules.corners = static_cast<irg::corner_rule>(line.choice(word, {"pinch", "open", "closed"}));
     else if (word == "--percent")
@@ -68,6 +73,8 @@ settings read_settings(program::command_line& line) {
       s.read(line, word);
   }
   s.finish(line);
+  if (s.by_thesis() && s.rules.corners != irg::corner_rule::pinch)
+    line.fail("the thesis has its own rule for corners; --corners open and closed need --method sweep or exact");
   if (s.list + s.percent + s.pairs > 1) line.fail("only one of --list, --percent and --pairs can be printed");
   return s;
 }
@@ -80,7 +87,9 @@ irg::grid_text read_map(const program::command_line& line, const std::string& in
 }
 
 bool sees(const irg::walled_grid& g, const irg::cell3& a, const irg::cell3& b, const settings& s) {
-  return s.how == method::thesis ? irg::textbook::sight_3d(g, a, b) : irg::see(g, a, b, s.rules);
+  using rule = irg::textbook::three_axis_rule;
+  if (!s.by_thesis()) return irg::see(g, a, b, s.rules);
+  return irg::textbook::sight_3d(g, a, b, s.how == method::thesis ? rule::thesis : rule::face_path);
 }
 
 irg::cell_grid seen_cells(const irg::grid_text& map, const settings& s) {

@@ -18,7 +18,7 @@ refused() { # refused "what" "part of the message" "input" arguments...
 }
 
 room="8 6 1\n........\n...#....\n....#...\n.#......\n..#.....\n........\n0 0\n"
-for method in sweep exact thesis; do answers "a room, $method" "seen: 31" "$room" --method $method; done
+for method in sweep exact thesis thesis-face-path; do answers "a room, $method" "seen: 31" "$room" --method $method; done
 answers "a full cell is seen, what is behind it is not" "0 0 0\n1 0 0" "3 1 1\n.#.\n0 0\n" --list
 answers "a closed door" "0 0 0" "2 1 1\n..\n0 0\nwall 0 0 0 x+ closed-door\n" --list
 answers "a laser field" "0 0 0\n1 0 0" "2 1 1\n..\n0 0\nwall 0 0 0 x+ laser\n" --list
@@ -26,6 +26,19 @@ answers "corners: pinch" "seen: 3" "2 2 1\n.#\n#.\n0 0\n"
 answers "corners: open" "seen: 4" "2 2 1\n.#\n#.\n0 0\n" --corners open
 answers "corners: pinch, one" "seen: 4" "2 2 1\n.#\n..\n0 0\n"
 answers "corners: closed, one" "seen: 3" "2 2 1\n.#\n..\n0 0\n" --corners closed
+# The thesis has a rule of its own.
+answers "corners of the thesis" "seen: 3" "2 2 1\n.#\n#.\n0 0\n" --method thesis --corners pinch
+answers "corners of the thesis, one" "seen: 4" "2 2 1\n.#\n..\n0 0\n" --corners pinch --method thesis
+for method in thesis thesis-face-path; do
+  for corners in open closed; do
+    refused "$method, corners $corners" "--corners" "2 2 1\n.#\n#.\n0 0\n" --method $method --corners $corners
+    refused "corners $corners, $method, drawn" "sweep or exact" "$room" --corners $corners --method $method -o room.ppm
+  done
+done
+# The three cells two steps away leave no way from face to face, but are none of the two sets that the thesis prints.
+cube="2 2 2\n..\n.#\n\n.#\n#.\n0 0 0\n"
+answers "three axes: the thesis" "seen: 8" "$cube" --method thesis
+answers "three axes: all sets" "seen: 7" "$cube" --method thesis-face-path
 answers "in space" "seen: 8" "2 2 2\n.#\n#.\n\n##\n..\n0 0 0\n" --corners open
 answers "no unit" "seen: 0" "2 1 1\n..\n"
 answers "pairs" "1 1 0\n1 1 0\n0 0 1" "4 1 1\n..#.\n0 0\n1 0\n3 0\n" --pairs
@@ -41,7 +54,7 @@ refused "a ragged row" "stdin:2:3" "3 1 1\n..\n"
 refused "an unknown cell" "stdin:2:2" "3 1 1\n.x.\n"
 refused "percent in space" "depth 1" "1 1 2\n.\n.\n0 0\n" --percent
 refused "two lists" "only one of" "$room" --list --pairs
-refused "an unknown method" "supported: sweep, exact, thesis" "$room" --method fov
+refused "an unknown method" "supported: sweep, exact, thesis, thesis-face-path" "$room" --method fov
 refused "no such file" "none.txt" "" --input none.txt
 no_room "$(printf "%b" "$room")"
 
