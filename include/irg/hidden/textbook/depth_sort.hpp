@@ -27,7 +27,8 @@
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
 
-namespace irg::textbook {
+namespace irg {
+namespace textbook {
 
 /// The tests by which a polygon P does not hide a polygon Q, in order of cost.
 enum class depth_sort_test {
@@ -57,6 +58,8 @@ struct no_depth_sort_observer {
   IRG_INLINE constexpr void operator()(depth_sort_step, std::uint32_t, std::uint32_t) const noexcept {}
 };
 
+}  // namespace textbook
+
 namespace detail {
 
 // Three corners of a polygon's plane; up is 1 where they run counter-clockwise for the viewer, -1 where clockwise,
@@ -79,7 +82,7 @@ struct depth_sorted_part {
     std::uint32_t plane = 0;
     bool in_front = false;
   };
-  depth_sorted_polygon<T> polygon{};
+  textbook::depth_sorted_polygon<T> polygon{};
   std::vector<known_side> known{};
   T farthest{}, nearest{};
   std::uint32_t made = 0;  // as which of all polygons and parts
@@ -144,6 +147,7 @@ constexpr bool extents_apart(const P& p, const Q& q, int axis) noexcept {
 }  // namespace IRG_ABI
 }  // namespace detail
 
+namespace textbook {
 inline namespace IRG_ABI {
 
 /// Whether a test says that P does not hide Q.
@@ -183,11 +187,14 @@ template <SpaceRing P, SpaceRing Q>
 }
 
 }  // namespace IRG_ABI
+}  // namespace textbook
 
 namespace detail::inline IRG_ABI {
 
 template <Floating T, class Observer>
 class depth_sorter {
+  using step = textbook::depth_sort_step;
+  using test = textbook::depth_sort_test;
   using part = depth_sorted_part<T>;
 
 public:
@@ -211,14 +218,14 @@ public:
   }
 
   // The list ends with what is drawn first. Equally far ones are drawn in the order of their numbers.
-  constexpr std::vector<depth_sorted_polygon<T>> sorted() {
+  constexpr std::vector<textbook::depth_sorted_polygon<T>> sorted() {
     std::sort(list_.begin(), list_.end(), [](const part& a, const part& b) {
       return a.farthest != b.farthest ? a.farthest > b.farthest : a.polygon.number > b.polygon.number;
     });
-    std::vector<depth_sorted_polygon<T>> order;
+    std::vector<textbook::depth_sorted_polygon<T>> order;
     while (!list_.empty()) {
       if (!may_be_drawn()) continue;
-      note(depth_sort_step::drawn, list_.back(), list_.back());
+      note(step::drawn, list_.back(), list_.back());
       order.push_back(std::move(list_.back().polygon));
       list_.pop_back();
     }
@@ -226,9 +233,7 @@ public:
   }
 
 private:
-  constexpr void note(depth_sort_step step, const part& p, const part& q) {
-    observer_(step, p.polygon.number, q.polygon.number);
-  }
+  constexpr void note(step what, const part& p, const part& q) { observer_(what, p.polygon.number, q.polygon.number); }
 
   constexpr void measure(part& p) {
     p.made = made_++;
@@ -252,11 +257,10 @@ private:
   }
   constexpr bool does_not_hide_part(const part& p, const part& q) const {
     const auto &a = p.polygon, &b = q.polygon;
-    const auto by = [&](depth_sort_test test) { return does_not_hide_by(test, a.corners, b.corners); };
+    const auto by = [&](test which) { return textbook::does_not_hide_by(which, a.corners, b.corners); };
     return a.number == b.number || std::find(ignored_.begin(), ignored_.end(), pair_of(p, q)) != ignored_.end() ||
-           by(depth_sort_test::x_apart) || by(depth_sort_test::y_apart) ||
-           (planes_[b.number].up != 0 && !sides(p, b.number).front) ||
-           (planes_[a.number].up != 0 && !sides(q, a.number).back) || by(depth_sort_test::projections_apart);
+           by(test::x_apart) || by(test::y_apart) || (planes_[b.number].up != 0 && !sides(p, b.number).front) ||
+           (planes_[a.number].up != 0 && !sides(q, a.number).back) || by(test::projections_apart);
   }
 
   // Whether the last of the list hides none of the others; if not, the list is changed.
@@ -266,7 +270,7 @@ private:
       part& q = list_[i];
       if (p.nearest <= q.farthest || does_not_hide_part(p, q)) continue;
       if (q.moved) return break_cycle(i), false;
-      note(depth_sort_step::moved, p, q);
+      note(step::moved, p, q);
       q.moved = true;
       std::rotate(list_.begin() + static_cast<std::ptrdiff_t>(i), list_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                   list_.end());
@@ -310,7 +314,7 @@ private:
     const visible_plane<T>& plane = planes_[number];
     const plane_sides both = sides(whole, number);
     if (plane.up == 0 || number == whole.polygon.number || !both.front || !both.back) return false;
-    note(depth_sort_step::split, list_[by], whole);
+    note(step::split, list_[by], whole);
     list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(cut));
     for (part& p : list_) p.moved = false;
     for (const bool in_front : {true, false}) {
@@ -347,6 +351,7 @@ private:
 
 }  // namespace detail::inline IRG_ABI
 
+namespace textbook {
 inline namespace IRG_ABI {
 
 /// Polygons, and parts of those that had to be split, in an order in which the painter may draw them: none hides one
@@ -370,4 +375,5 @@ template <RingSequence R, class Observer = no_depth_sort_observer>
 }
 
 }  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace textbook
+}  // namespace irg
