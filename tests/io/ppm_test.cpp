@@ -165,6 +165,8 @@ TEST_CASE("I1: sizes that are no picture or too much of one") {
 }
 
 TEST_CASE("I2: broken headers and data, each with its place") {
+  CHECK_BOTH(fails_at("P3\r1 1\r255\r1 x 3", 4, 3));  // lines may end with CR
+  CHECK_BOTH(fails_at("P3\r\n1 1\r\n255\r\n1 x 3", 4, 3));
   CHECK_BOTH(fails_at("", 1, 1));
   CHECK_BOTH(fails_at("P", 1, 1));
   CHECK_BOTH(fails_at("P6", 1, 3));

@@ -4,8 +4,8 @@
 // operator cannot do it refuses, and changes nothing.
 //
 // Each takes steps along the loops and round the vertices that it changes, make_edge_kill_ring and
-// make_face_kill_ring_hole over the rings of the face that are newer, kill_shell and make_edge_vertex from a lone vertex
-// over all lone vertices.
+// make_face_kill_ring_hole over the rings of the face that are newer, kill_shell and make_edge_vertex from a lone
+// vertex over all lone vertices.
 #pragma once
 
 #include <cstddef>

@@ -67,12 +67,13 @@ public:
   }
 
 private:
-  // Line and column are counted only now: files that can be read do not pay for them.
+  // Line and column are counted only now: files that can be read do not pay for them. Lines end with LF, CR or CR LF.
   constexpr parse_error fail(const char* message) noexcept {
     failure_ = {1, 1, message};
     for (std::size_t i = 0; i < at_; ++i) {
       ++failure_.column;
-      if (bytes_[i] == '\n') failure_ = {failure_.line + 1, 1, message};
+      const bool is_lone_return = bytes_[i] == '\r' && (i + 1 == at_ || bytes_[i + 1] != '\n');
+      if (bytes_[i] == '\n' || is_lone_return) failure_ = {failure_.line + 1, 1, message};
     }
     return failure_;
   }
