@@ -60,3 +60,8 @@ TEST_CASE("edge_through: any number type") {
 }
 
 }  // namespace
+
+TEST_CASE("edge_through: of points of short integers") {
+  using S = irg::point<short, 2>;
+  CHECK_BOTH(irg::edge_through(S{1, 1}, S{4, 3}) == irg::edge_equation<short>{-2, 3, -1});
+}

@@ -100,3 +100,8 @@ TEST_CASE("line: half an ulp from the exact coefficients") {
   CHECK(worst <= 0.501);
 }
 #endif
+
+TEST_CASE("line_through: of points of short integers") {
+  using S = irg::point<short, 2>;
+  CHECK_BOTH(*irg::line_through(S{1, 1}, S{4, 3}) == irg::line<short>{-2, 3, -1});
+}

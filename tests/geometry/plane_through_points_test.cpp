@@ -153,3 +153,9 @@ TEST_CASE("plane_through_accurate: half an ulp from the exact coefficients") {
   CHECK(collinear > 100);
 }
 #endif
+
+TEST_CASE("plane_through: of points of short integers") {
+  using S = irg::point<short, 3>;
+  CHECK_BOTH(*irg::plane_through(S{0, 0, 1}, S{2, 0, 1}, S{0, 3, 1}) == irg::plane<short>{0, 0, 6, -6});
+  CHECK_BOTH(*irg::plane_through_accurate(S{0, 0, 1}, S{2, 0, 1}, S{0, 3, 1}) == irg::plane<short>{0, 0, 6, -6});
+}

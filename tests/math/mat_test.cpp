@@ -214,3 +214,7 @@ TEST_CASE("mat: a product rounds as its formula says") {
   CHECK((mat<double, 1, 2>{{{v, -v}}} * mat<double, 2, 1>{{{v}, {v}}})(0, 0) == 0.0);
   CHECK(determinant(mat<double, 2, 2>{{{v, v}, {v, v}}}) == 0.0);
 }
+
+TEST_CASE("determinant: of short integers") {
+  CHECK_BOTH(irg::determinant(irg::mat<short, 3, 3>{{{2, 0, 1}, {0, 3, 0}, {1, 0, 4}}}) == 21);
+}

@@ -26,7 +26,7 @@ template <Point P>
   if constexpr (Floating<T>)
     return {y1 - y2, x2 - x1, difference_of_products(x1, y2, x2, y1)};
   else
-    return {y1 - y2, x2 - x1, x1 * y2 - x2 * y1};
+    return {static_cast<T>(y1 - y2), static_cast<T>(x2 - x1), static_cast<T>(x1 * y2 - x2 * y1)};
 }
 
 IRG_REFUSES_VECTORS(edge_through);

@@ -26,7 +26,9 @@ inline namespace IRG_ABI {
 template <class T, class V>
 constexpr std::optional<line<T>> rounded_line(const std::optional<vec<V, 3>>& v) noexcept {
   if (!v || is_zero(*v)) return std::nullopt;
-  const auto c = rounded_together<T, 3>(std::array{v->x, v->y, v->z});
+  using N = std::conditional_t<std::is_integral_v<V>, T, V>;  // a difference of shorts is an int
+  const auto c =
+      rounded_together<T, 3>(std::array<N, 3>{static_cast<N>(v->x), static_cast<N>(v->y), static_cast<N>(v->z)});
   return line<T>{c[0], c[1], c[2]};
 }
 

@@ -37,8 +37,8 @@ template <class T, Coordinates P>
 IRG_INLINE constexpr std::optional<plane<T>> plane_with_normal(const vec<T, 3>& n, const P& p) noexcept {
   const auto nonzero = [](const T& x) { return x < T(0) || T(0) < x; };
   if (!(nonzero(n.x) || nonzero(n.y) || nonzero(n.z))) return std::nullopt;
-  const T height = product(n.x, coordinate(p, 0)) + product(n.y, coordinate(p, 1)) + product(n.z, coordinate(p, 2));
-  return plane<T>{n.x, n.y, n.z, T(0) - height};
+  const auto height = product(n.x, coordinate(p, 0)) + product(n.y, coordinate(p, 1)) + product(n.z, coordinate(p, 2));
+  return plane<T>{n.x, n.y, n.z, static_cast<T>(T(0) - height)};
 }
 
 }  // namespace IRG_ABI

@@ -59,7 +59,8 @@ template <Point P>
   return detail::plane_of_values<T>(values_of<3>(
       [](const auto& p, const auto& q, const auto& r) {
         const auto n = cross(q - p, r - p);
-        return std::array{n.x, n.y, n.z, -dot(n, to_vec(p))};
+        using N = decltype(n.x);
+        return std::array<N, 4>{n.x, n.y, n.z, static_cast<N>(-dot(n, to_vec(p)))};
       },
       p1, p2, p3));
 }

@@ -190,18 +190,19 @@ template <class T, int N>
   requires(N <= 4 || Real<T>)
 [[nodiscard]] constexpr T determinant(const mat<T, N, N>& a) noexcept {
   const auto det = [&](int r, int c0, int c1) {
-    return product(a(r, c0), a(r + 1, c1)) - product(a(r, c1), a(r + 1, c0));
+    return static_cast<T>(product(a(r, c0), a(r + 1, c1)) - product(a(r, c1), a(r + 1, c0)));
   };
   if constexpr (N == 1) {
     return a(0, 0);
   } else if constexpr (N == 2) {
     return det(0, 0, 1);
   } else if constexpr (N == 3) {
-    return product(a(0, 0), det(1, 1, 2)) - product(a(0, 1), det(1, 0, 2)) + product(a(0, 2), det(1, 0, 1));
+    return static_cast<T>(product(a(0, 0), det(1, 1, 2)) - product(a(0, 1), det(1, 0, 2)) +
+                          product(a(0, 2), det(1, 0, 1)));
   } else if constexpr (N == 4) {  // Laplace: minors of the upper two rows times minors of the lower two
-    return product(det(0, 0, 1), det(2, 2, 3)) - product(det(0, 0, 2), det(2, 1, 3)) +
-           product(det(0, 0, 3), det(2, 1, 2)) + product(det(0, 1, 2), det(2, 0, 3)) -
-           product(det(0, 1, 3), det(2, 0, 2)) + product(det(0, 2, 3), det(2, 0, 1));
+    return static_cast<T>(product(det(0, 0, 1), det(2, 2, 3)) - product(det(0, 0, 2), det(2, 1, 3)) +
+                          product(det(0, 0, 3), det(2, 1, 2)) + product(det(0, 1, 2), det(2, 0, 3)) -
+                          product(det(0, 1, 3), det(2, 0, 2)) + product(det(0, 2, 3), det(2, 0, 1)));
   } else {
     mat<T, N, N> rest = a;
     return detail::eliminated_determinant<T>(rest, N);
