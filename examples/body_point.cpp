@@ -31,7 +31,7 @@ the body, on its boundary or outside, decided exactly for closed bodies whose fa
 outside; then whether the body is convex and whether it is closed. Faces that are not plane are the triangles they are
 cut into.
 
-  MODEL                a Wavefront OBJ file, or one of teapot, cube, sphere, torus
+  MODEL                a body as OBJ, STL, PLY, OFF or XML, or one of teapot, cube, sphere, torus
   --input FILE         read the points from FILE
   --list               print the planes of the faces instead, A B C D of A x + B y + C z + D = 0 in the order of the file:
                        through the first three corners that are not on a line (0 0 0 0 where there are none), not

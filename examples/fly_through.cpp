@@ -263,7 +263,8 @@ void run(program::command_line& line) {
   if (!s.out.empty() || !s.frames.empty()) {
     irg::scene<double> world;
     world.objects.push_back({load_model(line, s.model)});
-    world.view = program::camera_of(line, s, world.objects[0].shape);
+    const auto& shape = world.objects[0].shape;  // an eye or a target that moves may pass the other
+    world.view = s.what == moved::body ? program::camera_of(line, s, shape) : program::placed_camera(line, s, shape);
     draw(line, s, world, irg::sphere_around(world.objects[0].shape).centre, places, files);
   }
   if (s.list) {

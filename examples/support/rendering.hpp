@@ -31,8 +31,8 @@ inline constexpr std::string_view render_options_help =
     R"(  --stats FILE.json    what was drawn and skipped, milliseconds per stage, a hash of the picture
   --size WxH           pixels (1280x720)
   --eye x,y,z          where the eye stands (so far from the centre that the whole model is seen)
-  --target x,y,z       what it looks at (the centre of the model)
-  --up x,y,z           what is up (0,1,0)
+  --target x,y,z       what it looks at, not the eye's own place (the centre of the model)
+  --up x,y,z           what is up, not 0,0,0 (0,1,0); where it is along the view, an axis stands in
   --fov DEG            vertical angle of view (40)
   --project KIND       perspective, orthographic, isometric, dimetric, trimetric, oblique (seen from the
                        front, depth at half its length); the last four fix the direction of the view, and
@@ -50,6 +50,12 @@ inline constexpr std::string_view render_options_help =
   --skip SWITCH        on, off: leave out work that cannot change the picture
   --threads N          1 to 256 (1)
 )";
+
+/// Ends the program where the eye is at the target.
+inline void expect_direction(const command_line& line, const irg::point<double, 3>& eye,
+                             const irg::point<double, 3>& target) {
+  if (eye == target) line.fail("the eye is at the target, so that there is no direction to look in");
+}
 
 /// The kinds of --project.
 enum class view_kind { perspective, orthographic, isometric, dimetric, trimetric, oblique };
@@ -102,9 +108,10 @@ struct render_settings {
       eye = triple();
     else if (word == "--target")
       target = triple();
-    else if (word == "--up")
+    else if (word == "--up") {
       up = irg::to_vec(triple());
-    else if (word == "--fov") {
+      if (up == irg::vec<double, 3>{}) line.fail("option --up needs a direction, not 0,0,0");
+    } else if (word == "--fov") {
       angle = line.numbers(word, 1)[0];
       if (!(angle >= 1e-6 && angle < 180))
         line.fail("option --fov needs an angle from 0.000001 to less than 180 degrees");
@@ -145,10 +152,11 @@ struct render_settings {
       line.fail("one model at a time, not also '" + std::string(word) + "'");
   }
 
-  /// Ends the program when two of its files would be one.
+  /// Ends the program when two of its files would be one, and where options contradict each other.
   void finish(const command_line& line) const {
     if (one_file(out, stats)) line.fail("the picture and the statistics need two files, not both: " + out);
     if (one_file(out, model) || one_file(stats, model)) line.fail("the model would be overwritten: " + model);
+    if (eye && target) expect_direction(line, *eye, *target);
     if (follows_rays() && (hidden != hidden_name::raytrace || hidden_line || options.style == irg::picture_style::wire))
       line.fail("options --shadows, --mirror and --samples need --hidden raytrace and a style of faces");
   }
@@ -194,9 +202,10 @@ inline irg::vec<double, 3> direction_of(const render_settings& s) {
   }
 }
 
-/// Where the options put the camera; so far away that the whole model is seen where they do not say.
-inline irg::camera<double> camera_of(const command_line& line, const render_settings& s,
-                                     const irg::mesh<double>& shape) {
+/// Where the options put the camera; so far away that the whole model is seen where they do not say. Its eye may be at
+/// its target.
+inline irg::camera<double> placed_camera(const command_line& line, const render_settings& s,
+                                         const irg::mesh<double>& shape) {
   const auto ball = irg::sphere_around(shape);
   const double angle = irg::radians(s.angle), aspect = static_cast<double>(s.size.width) / s.size.height;
   irg::camera<double> c;
@@ -210,13 +219,18 @@ inline irg::camera<double> camera_of(const command_line& line, const render_sett
   if (s.target) c.target = *s.target;
   if (s.eye) c.eye = *s.eye;
   // Technical drawings look along their own direction, whatever eye and target are given.
-  if (fixes_direction(s.project) && (s.eye || s.target)) {
-    const double away = irg::length(c.eye - c.target);
-    c.eye = c.target + direction * (away > 0 ? away : 1);
-  }
+  if (fixes_direction(s.project) && (s.eye || s.target)) c.eye = c.target + direction * irg::length(c.eye - c.target);
   c = irg::with_depth_range(c, ball.centre, ball.radius);
   const double reach = irg::length(c.eye - ball.centre) + ball.radius + irg::length(c.target - ball.centre);
   if (!(reach < 1e150)) line.fail("the eye or the target is too far from the model for a picture");
+  return c;
+}
+
+/// The same; where the options put the eye at the target, or the one at the default of the other, the program ends.
+inline irg::camera<double> camera_of(const command_line& line, const render_settings& s,
+                                     const irg::mesh<double>& shape) {
+  const irg::camera<double> c = placed_camera(line, s, shape);
+  if (s.eye || s.target) expect_direction(line, c.eye, c.target);
   return c;
 }
 

@@ -17,7 +17,7 @@ refused() {
 
 run "" --help
 check "--help: exit 0" is "$status" 0
-for word in MODEL --input --list --size -o; do
+for word in MODEL OBJ STL PLY OFF XML --input --list --size -o; do
   check "--help names $word" has "$out" "$word"
 done
 

@@ -51,6 +51,13 @@ run "2  1 1 1  1 1 1  1 1 1" cube -o still.png --curve bezier --pictures 3 --siz
 check "a path without length: exit 0, $err" is "$status" 0
 check "of length 0: $out" is "$(tail -n 1 <<<"$out")" "length: 0"
 
+run "$arch" cube -o round.png --pictures 2 --move target --eye 0.5,0.5,0.5
+check "an eye at the centre, which is not the target: $err" is "$status" 0
+fails "an eye at the target" "$arch" cube -o fly2.png --move body --eye 1,2,3 --target 1,2,3
+fails "an eye at the centre" "$arch" cube -o fly2.png --move body --eye 0.5,0.5,0.5
+check "says so: $err" has "$err" "the eye is at the target"
+fails "no up" "$arch" cube -o fly2.png --up 0,0,0
+check "says so: $err" has "$err" "--up needs a direction"
 fails "no model" "$arch" -o fly2.png
 fails "an empty name of frames" "$arch" cube --frames ""
 fails "nothing to write" "$arch" cube

@@ -299,23 +299,16 @@ drawn "the eye inside the model" cube $small --eye 0.5,0.4,0.6 --target 0.1,0.2,
 check "the eye inside the model: backs are culled" is "$(number pixels_drawn s.json)" 0
 drawn "the eye inside the model without culling" cube $small --eye 0.5,0.4,0.6 --target 0.1,0.2,0.3 --cull none
 check "the eye inside the model without culling: all pixels" is "$(number pixels_drawn s.json)" $((48 * 36))
-for project in isometric dimetric trimetric oblique; do
-  drawn "the eye at the target, $project" cube $small --eye 0.5,0.5,0.5 --target 0.5,0.5,0.5 --project $project
-  check "the eye at the target is drawn from distance 1, $project" is "$(hash_in s.json)" \
-    "$(hash_with cube $small --eye 0.5,0.5,1.5 --target 0.5,0.5,0.5 --project $project)"
+for project in perspective orthographic isometric dimetric trimetric oblique; do
   drawn "up parallel to the view, $project" cube $small --up 1,1,1 --project $project
-  drawn "no up, $project" cube $small --up 0,0,0 --project $project
+  drawn "up next to nothing, $project" cube $small --up 0,1e-320,0 --project $project
+  check "up next to nothing is a direction, $project" is "$(hash_in s.json)" "$(hash_with cube $small --project $project)"
   drawn "a model of no size, $project" dot.obj $small --project $project
   check "a model of no size: the background, $project" is "$(number pixels_drawn s.json)" 0
 done
 for project in perspective orthographic; do
-  drawn "the eye at the target, $project" cube $small --eye 0.5,0.5,3 --target 0.5,0.5,3 --project $project
-  check "the eye at the target looks along -z, $project" test "$(number pixels_drawn s.json)" -gt 0
-  drawn "up parallel to the view, $project" cube $small --eye 0.5,5,0.5 --project $project
-  check "up parallel to the view: something is seen, $project" test "$(number pixels_drawn s.json)" -gt 0
-  drawn "no up, $project" cube $small --up 0,0,0 --project $project
-  drawn "a model of no size, $project" dot.obj $small --project $project
-  check "a model of no size: the background, $project" is "$(number pixels_drawn s.json)" 0
+  drawn "up along the view, $project" cube $small --eye 0.5,5,0.5 --project $project
+  check "up along the view: something is seen, $project" test "$(number pixels_drawn s.json)" -gt 0
 done
 drawn "a model without area" dot.obj $small
 check "no place of the eye is blamed: $err" is "$err" "render: the picture is empty: no face of the model shows"
@@ -394,6 +387,14 @@ done
 refused "an unknown option" "--colour" cube -o x.png --colour red
 refused "an unknown short option" "-q" cube -o x.png -q
 refused "two models" "sphere" cube sphere -o x.png
+for project in perspective orthographic isometric dimetric trimetric oblique; do
+  refused "the eye at the target, $project" "the eye is at the target" cube -o x.png --eye 0,0,5 --target 0,-0,5 --project $project
+  refused "the eye at the centre, $project" "the eye is at the target" cube -o x.png --eye 0.5,0.5,0.5 --project $project
+  refused "the target at the eye of a model of no size, $project" "the eye is at the target" dot.obj -o x.png --stats x.json \
+    --eye 0,0,0 --project $project
+done
+refused "the eye at the target of a huge model" "the eye is at the target" huge.obj -o x.png --eye 1e200,0,0 --target 1e200,0,0
+for up in 0,0,0 -0,0,-0 1e-400,0,0; do refused "no up, $up" "--up needs a direction" cube -o x.png --stats x.json --up $up; done
 refused "an eye out of range" "too far" cube -o x.png --eye 1e200,0,0
 refused "a target out of range" "too far" cube -o x.png --target 1e300,0,0 --project orthographic
 
