@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Several lights may add up to more than a display can show. The textbook names two ways out: cut off what is over the
-// range, or scale the whole picture down.
+// range, or scale the whole picture down, in proportion or by a curve.
 #pragma once
 
+#include <concepts>
 #include <limits>
 #include <span>
 
@@ -16,6 +17,12 @@ namespace irg {
 /// factor that takes the largest of them to the maximum. Scaling keeps hues and contrasts, but its factor depends on
 /// the whole picture and so flickers in an animation.
 enum class intensity_range { clamp, rescale };
+
+/// What becomes of each share of the largest intensity: a function from 0 to 1 into 0 to 1.
+template <class C, class T>
+concept IntensityCurve = Real<T> && requires(const C& curve, const T& share) {
+  { curve(share) } -> std::convertible_to<T>;
+};
 
 inline namespace IRG_ABI {
 
@@ -51,6 +58,27 @@ constexpr void fit_intensities(std::span<L> intensities, const T& maximum,
         [&](const T& channel) {
           const T within = scaled(channel);  // but for its roundings
           return maximum < within ? maximum : within;
+        },
+        i);
+}
+
+/// Brings all intensities within 0 to maximum by a curve: each channel becomes maximum * curve(channel / largest), with
+/// the largest channel of all, or the maximum when none is over it. The curve t scales as rescale does; one above it,
+/// as sqrt, keeps what is dark beside bright lamps from going black. Each channel goes by itself, so hues change.
+/// gives   the curve is asked for nothing but 0 to 1; what it gives beyond is cut off, 0 for NaN
+/// needs   finite intensities, none negative, and maximum >= 0
+/// exact   the quotient and the product are rounded once each, the curve is the caller's; never over the maximum
+/// cost    two passes, one call of the curve a channel
+template <class L, Real T, IntensityCurve<T> Curve>
+constexpr void fit_intensities(std::span<L> intensities, const T& maximum, const Curve& curve) {
+  T largest = maximum;
+  for (const L& i : intensities) largest = detail::largest_channel(largest, i);
+  if (!(T(0) < largest)) return;  // all are 0
+  for (L& i : intensities)
+    i = detail::per_channel(
+        [&](const T& channel) -> T {
+          const T share = clamp(T(channel / largest), T(0), T(1));
+          return product(clamp(static_cast<T>(curve(share)), T(0), T(1)), maximum);
         },
         i);
 }
