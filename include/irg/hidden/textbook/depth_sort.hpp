@@ -86,6 +86,7 @@ struct depth_sorted_part {
   std::vector<known_side> known{};
   T farthest{}, nearest{};
   std::uint32_t made = 0;  // as which of all polygons and parts
+  std::vector<std::uint32_t> let_pass{};  // those of them that it does not hide but for roundings
   bool moved = false;
 };
 
@@ -258,7 +259,7 @@ private:
   constexpr bool does_not_hide_part(const part& p, const part& q) const {
     const auto &a = p.polygon, &b = q.polygon;
     const auto by = [&](test which) { return textbook::does_not_hide_by(which, a.corners, b.corners); };
-    return a.number == b.number || std::find(ignored_.begin(), ignored_.end(), pair_of(p, q)) != ignored_.end() ||
+    return a.number == b.number || std::find(p.let_pass.begin(), p.let_pass.end(), q.made) != p.let_pass.end() ||
            by(test::x_apart) || by(test::y_apart) || (planes_[b.number].up != 0 && !sides(p, b.number).front) ||
            (planes_[a.number].up != 0 && !sides(q, a.number).back) || by(test::projections_apart);
   }
@@ -289,19 +290,18 @@ private:
     for (std::size_t cut = 0; cut <= last; ++cut)
       for (std::size_t by = 0; by <= last; ++by)
         if (in_turn(cut) && in_turn(by) && split(cut, by)) return;
-    part_pair least = pair_of(list_[last], list_[i]);
-    T least_area = common_area(list_[last], list_[i]);
-    for (const part& p : list_)
-      for (const part& q : list_)
-        if (in_turn(place(p)) && in_turn(place(q)) && q.farthest < p.nearest && !does_not_hide_part(p, q))
-          if (const T area = common_area(p, q); area < least_area) least = pair_of(p, q), least_area = area;
-    ignored_.push_back(least);
+    std::size_t least_p = last, least_q = i;
+    T least = common_area(list_[last], list_[i]);
+    for (std::size_t k = 0; k <= last; ++k)
+      for (std::size_t j = 0; j <= last; ++j) {
+        const part &p = list_[k], &q = list_[j];
+        if (!in_turn(k) || !in_turn(j) || p.nearest <= q.farthest || does_not_hide_part(p, q)) continue;
+        if (const T area = common_area(p, q); area < least) least = area, least_p = k, least_q = j;
+      }
+    list_[least_p].let_pass.push_back(list_[least_q].made);
     for (part& p : list_) p.moved = false;
   }
 
-  using part_pair = std::pair<std::uint32_t, std::uint32_t>;
-  static constexpr part_pair pair_of(const part& p, const part& q) noexcept { return {p.made, q.made}; }
-  constexpr std::size_t place(const part& p) const noexcept { return static_cast<std::size_t>(&p - list_.data()); }
   static constexpr T common_area(const part& p, const part& q) {
     const auto flat = [](const part& any) { return without_depth(any.polygon.corners); };
     const T area = polygon_area(clip_sutherland_hodgman(flat(p), flat(q)));
@@ -345,7 +345,6 @@ private:
   Observer& observer_;
   std::vector<visible_plane<T>> planes_{};
   std::vector<part> list_{};
-  std::vector<part_pair> ignored_{};  // P and Q
   std::uint32_t made_ = 0;
 };
 
