@@ -149,12 +149,13 @@ template <class Text = std::string_view>
 template <Floating T = double, class Open>
 [[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
   std::vector<mtl_material<T>> all;
-  const auto names = material_libraries(obj);
+  using name_text = std::conditional_t<Floating<T>, std::string_view, void>;  // depends on T: sorted where it is needed
+  const std::vector<name_text> names = material_libraries(obj);
   auto different = names;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
   std::vector<unsigned char> is_read(different.size(), 0);
-  for (const std::string_view name : names) {
+  for (const name_text name : names) {
     const auto place = std::lower_bound(different.begin(), different.end(), name) - different.begin();
     if (std::exchange(is_read[static_cast<std::size_t>(place)], 1) != 0) continue;
     if (!is_plain_file_name(name)) return parse_error{0, 0, "library of materials is not beside the model"};

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <irg/core/is_finite.hpp>
