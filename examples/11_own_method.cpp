@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // 11_own_method - a hidden-surface method of one's own in the renderer: own_method.png, or the file that is named.
-// previous: 10_renderer
+// previous: 10_renderer, next: 12_depth_sort
 #include <irg/io/image_file.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/render/render.hpp>

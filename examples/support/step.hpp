@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line of the steps 01 to 09: `--help` says what the step shows, and words it does not take are refused.
+// The command line of the numbered steps: `--help` says what the step shows, and words it does not take are refused.
 #pragma once
 
 #include "command_line.hpp"
@@ -11,8 +11,10 @@ namespace program {
 inline std::string step(int argc, char** argv, std::string_view name, std::string_view shows,
                         std::string_view picture = {}) {
   std::string help = std::string(name) + ": " + std::string(shows) + "\nusage: " + std::string(name);
-  help += picture.empty() ? "\n"
-                          : " [FILE]     FILE.png, FILE.ppm: where the picture goes (" + std::string(picture) + ")\n";
+  help += picture.empty()
+              ? "\n"
+              : " [FILE]     " + std::string(picture.ends_with(".svg") ? "FILE.svg" : "FILE.png, FILE.ppm") +
+                    ": where the picture goes (" + std::string(picture) + ")\n";
   command_line line(argc, argv, name, help);
   std::string file(picture);
   if (!picture.empty() && !line.done()) file = line.take_file();

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The steps 01 to 11 and their command lines; and -h of every program.
+# The steps 01 to 12 and their command lines; and -h of every program.
 # shellcheck disable=SC2154 # status, out, err and program come from programs.sh
 . "$(dirname "$0")/../support/programs.sh" 01_pixel "$@"
 folder=$(dirname "$program")
@@ -23,7 +23,7 @@ for program in "$folder"/[0-9][0-9]_*; do
   fails "$name: words too many" "" one.png two.png
   check "$name: the word is named: $err" has "$err" "unexpected word"
 done
-check "there are eleven steps, not $steps" is $steps 11
+check "there are twelve steps, not $steps" is $steps 12
 
 for name in 08_teapot 09_shader 10_renderer 11_own_method; do
   program=$folder/$name
@@ -34,6 +34,13 @@ for name in 08_teapot 09_shader 10_renderer 11_own_method; do
   check "$name FILE: a PNG" has "$(head -c 4 picture.png)" PNG
   rm -f picture.png
 done
+
+program=$folder/12_depth_sort
+fails "12_depth_sort: a folder that is not there" "" missing/drawing.svg
+run "" drawing.svg
+check "12_depth_sort FILE: exit 0, not $status: $err" is "$status" 0
+check "12_depth_sort FILE: an SVG of five parts" is "$(grep -c '^<path' drawing.svg)" 5
+rm -f drawing.svg
 
 programs=0
 for program in "$folder"/[a-z]*; do
