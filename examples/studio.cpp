@@ -56,6 +56,14 @@ struct settings {
   bool window = false;
 };
 
+bool can_show([[maybe_unused]] const program::command_line& line) {
+#ifdef IRG_HAVE_SDL2
+  return true;
+#else
+  line.fail("this program was built without SDL2, which --window needs");
+#endif
+}
+
 settings read_settings(program::command_line& line) {
   settings s;
   while (!line.done()) {
@@ -65,7 +73,7 @@ settings read_settings(program::command_line& line) {
     else if (word == "--size")
       s.size = program::read_size(line);
     else if (word == "--window")
-      s.window = true;
+      s.window = can_show(line);
     else
       line.refuse(word);
   }
@@ -98,8 +106,6 @@ void run(program::command_line& line) {
     std::fputs(program::studio_keys, stderr);
     program::studio_window(line, session, s.size.width, s.size.height).run();
     return program::finish_output(line, "");
-#else
-    line.fail("this program was built without SDL2, which --window needs");
 #endif
   }
   out += "pictures: " + std::to_string(pictures) + "\nevents: " + std::to_string(events) + "\n";

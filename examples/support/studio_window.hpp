@@ -5,8 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include <SDL2/SDL.h>
-
+#include "picture_window.hpp"
 #include "studio_session.hpp"
 
 namespace program {
@@ -24,36 +23,19 @@ mouse: drag to go round the target, wheel to go nearer or away, in the view wher
 class studio_window {
 public:
   studio_window(const command_line& line, studio_session& session, int width, int height)
-      : line_(line), session_(session) {
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) line.fail(std::string("no window can be opened: ") + SDL_GetError());
-    window_ = SDL_CreateWindow("irg studio", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
-                               SDL_WINDOW_RESIZABLE);
-    if (window_ == nullptr) line.fail(std::string("no window can be opened: ") + SDL_GetError());
-  }
-  ~studio_window() {
-    SDL_DestroyWindow(window_);
-    SDL_Quit();
-  }
-  studio_window(const studio_window&) = delete;
-  studio_window& operator=(const studio_window&) = delete;
+      : session_(session), window_(line, "irg studio", width, height) {}
 
   void run() {
-    show();
-    std::printf("window: ready\n");
-    std::fflush(stdout);
-    SDL_Event e;
-    while (SDL_WaitEvent(&e) != 0) {
-      bool go_on = true;
-      do go_on = take(e) && go_on;
-      while (SDL_PollEvent(&e) != 0);
-      if (!go_on) return;
-      show();
-    }
+    window_.run(
+        [&](int width, int height) -> irg::image<irg::rgba8>& {
+          session_.resize(width, height);
+          return session_.draw();
+        },
+        [&](const SDL_Event& e) { return take(e); });
   }
 
 private:
   bool take(const SDL_Event& e) {
-    if (e.type == SDL_QUIT) return false;
     if (e.type == SDL_KEYDOWN) return key(e.key.keysym.sym);
     if (e.type == SDL_MOUSEMOTION && (e.motion.state & SDL_BUTTON_LMASK) != 0)
       say("orbit " + view_at(e.motion.x) + " " + std::to_string(-e.motion.xrel) + " " + std::to_string(e.motion.yrel));
@@ -124,29 +106,10 @@ private:
     std::fflush(stdout);
   }
 
-  std::string view_at(int x) const {
-    int width = 0, height = 0;
-    SDL_GetWindowSize(window_, &width, &height);
-    return x < width / 2 ? "main" : "outer";
-  }
+  std::string view_at(int x) const { return x < window_.width() / 2 ? "main" : "outer"; }
 
-  void show() {
-    SDL_Surface* const surface = SDL_GetWindowSurface(window_);
-    if (surface == nullptr || surface->w < 1 || surface->h < 1) return;
-    session_.resize(surface->w, surface->h);
-    auto& picture = session_.draw();
-    SDL_Surface* const drawn = SDL_CreateRGBSurfaceWithFormatFrom(
-        picture.data(), surface->w, surface->h, 32, static_cast<int>(picture.bytes_per_row()), SDL_PIXELFORMAT_RGBA32);
-    if (drawn == nullptr) line_.fail(std::string("the picture cannot be shown: ") + SDL_GetError());
-    SDL_SetSurfaceBlendMode(drawn, SDL_BLENDMODE_NONE);
-    SDL_BlitSurface(drawn, nullptr, surface, nullptr);
-    SDL_FreeSurface(drawn);
-    SDL_UpdateWindowSurface(window_);
-  }
-
-  const command_line& line_;
   studio_session& session_;
-  SDL_Window* window_ = nullptr;
+  picture_window window_;
   std::size_t chosen_ = 0, kind_ = 0;
 };
 

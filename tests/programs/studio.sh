@@ -3,7 +3,9 @@
 # The contract of `studio`, seen from outside: a script of events, states and pictures, refusals, and its window.
 # usage: studio.sh FOLDER-WITH-THE-PROGRAMS
 # shellcheck source=tests/support/programs.sh
-. "$(dirname "$0")/../support/programs.sh" studio "$@"
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../support/programs.sh" studio "$@"
+. "$here/../support/window.sh"
 
 run "" --help
 check "--help: exit 0" is "$status" 0
@@ -94,26 +96,8 @@ run '' --input script.txt --size 20x10
 check "a script from a file: $out" has "$out" "pictures: 1"
 
 # The window: real keys and a real mouse in a screen of memory, where there are such things.
-if "$program" --window --input /dev/null </dev/null 2>&1 | grep -q 'without SDL2'; then
-  echo "window skipped: the program was built without SDL2"
-elif ! command -v Xvfb >/dev/null || ! command -v xdotool >/dev/null; then
-  echo "window skipped: Xvfb or xdotool not found"
-else
-  display=90
-  while [ -e "/tmp/.X$display-lock" ]; do display=$((display + 1)); done
-  Xvfb ":$display" -screen 0 1024x768x24 -nolisten tcp >/dev/null 2>&1 &
-  server=$!
-  for _ in $(seq 100); do [ -e "/tmp/.X11-unix/X$display" ] && break || sleep 0.1; done
-  export DISPLAY=":$display" SDL_VIDEODRIVER=x11
-  # What SDL's own libraries keep to the end, some of them unloaded by then, is no leak of the program's.
-  printf 'leak:%s\n' libdbus '<unknown module>' >leaks.txt
-  export LSAN_OPTIONS="suppressions=$PWD/leaks.txt:print_suppressions=0"
-  "$program" --window --input script.txt --size 640x240 >window.out 2>window.err &
-  window=$!
-  said() { for _ in $(seq 100); do grep -q -- "$1" window.out && return 0 || sleep 0.1; done; return 1; }
-  check "the window opens: $(cat window.err)" said '^window: ready$'
-  id=$(xdotool search --sync --name 'irg studio' | head -n 1)
-  xdotool windowfocus --sync "$id"
+if has_window; then
+  open_window 'irg studio' --input script.txt --size 640x240
   xdotool key 2
   check "key 2 shows edges" said '^show "cube" edges on$'
   xdotool key s key r key Right key b
@@ -128,11 +112,7 @@ else
   check "F6 writes the picture" said '^picture studio.png$'
   xdotool key Delete
   check "Delete drops the body" said '^drop "cube" $'
-  xdotool key Escape
-  wait "$window"
-  check "Escape ends it with 0" is "$?" 0
-  kill "$server"
-  wait "$server" 2>/dev/null
+  end_window
   # What the window printed is a script, and the pictures are the same.
   { cat script.txt; grep -v -E '^(window|pictures|events|body)' window.out | sed '/^picture/,$d; s/studio.xml/again.xml/'
     echo 'picture again.png'; } >printed.txt

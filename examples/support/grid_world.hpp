@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// A world of cubes with units in it, as one state that lines of text change: what grid_world's script and its window
+// have in common.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <irg/io/grid_text.hpp>
+#include <irg/io/image_file.hpp>
+#include <irg/math/constants.hpp>
+#include <irg/math/decimal.hpp>
+#include <irg/math/trigonometry.hpp>
+#include <irg/render/pick.hpp>
+#include <irg/render/render.hpp>
+#include <irg/visibility/field_of_view.hpp>
+#include <irg/visibility/unit_sight.hpp>
+
+#include "picture_options.hpp"
+
+namespace program {
+
+/// A map, the units that look about in it, and a camera. Row y of layer z stands at (x, z, y): y points up in pictures.
+class grid_world {
+public:
+  grid_world(irg::grid_text map, int width, int height) : map_(std::move(map)) {
+    resize(width, height);
+    const irg::grid_extent e = map_.grid.extent();
+    const double size = std::max({e.width, e.height, e.depth});
+    eye_ = {e.width * 0.5, e.depth + size, e.height + size * 0.4};
+    elevation_ =
+        -irg::atan2(eye_.y, eye_.z - e.height * 0.5) * 180 / irg::pi<double>;  // the map's middle in the middle
+    look();
+  }
+
+  const std::vector<irg::cell3>& units() const { return map_.units; }
+  std::int64_t seen() const { return seen_.count(); }
+  int test() const { return in_space_ ? 3 : 2; }
+  const std::string& failed_to_write() const { return failed_; }
+  /// Removes the pictures that were written.
+  void remove_files() const {
+    for (const std::string& file : written_) remove_written(file);
+  }
+  void resize(int width, int height) {
+    picture_ = irg::image<irg::rgba8>(width, height);
+    depth_ = irg::image<float>(width, height);
+  }
+
+  /// Does what a line asks for; empty, or why it cannot be, and then the world is as it was.
+  std::string run(std::string_view line) {
+    const std::vector<std::string_view> words = words_of(line);
+    if (words.empty()) return "";
+    const std::vector<double> numbers = numbers_of(words);
+    const auto is = [&](std::string_view name, std::size_t count) {
+      return words[0] == name && words.size() == count + 1 && numbers.size() == count;
+    };
+    if (is("click", 2)) return click(numbers[0], numbers[1]);
+    if (is("turn", 2)) return turn(numbers[0], numbers[1]);
+    if (is("walk", 2)) return walk(numbers[0], numbers[1]);
+    if (is("test", 1) && (numbers[0] == 2 || numbers[0] == 3)) {
+      in_space_ = numbers[0] == 3;
+      look();
+      return "";
+    }
+    if (words[0] == "picture" && words.size() == 2) return save(std::string(words[1]));
+    return "no such line: click X Y, walk FORWARD RIGHT, turn RIGHT UP, test 2, test 3, picture FILE";
+  }
+
+  irg::image<irg::rgba8>& draw() {
+    irg::render(with_camera(), {picture_, depth_},
+                {.style = irg::picture_style::flat,
+                 .culling = irg::face_culling::none,
+                 .colours = {.background = {214, 226, 238, 255}}});
+    return picture_;
+  }
+
+private:
+  enum part : std::size_t { dark_floor, lit_floor, dark_cube, lit_cube, wall, unit, parts };
+
+  static std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> words;
+    line = line.substr(0, line.find('#'));
+    for (std::size_t i = 0; (i = line.find_first_not_of(" \t\r", i)) != line.npos;) {
+      const std::size_t end = std::min(line.find_first_of(" \t\r", i), line.size());
+      words.push_back(line.substr(i, end - i));
+      i = end;
+    }
+    return words;
+  }
+  static std::vector<double> numbers_of(const std::vector<std::string_view>& words) {
+    std::vector<double> numbers;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const char* const end = words[i].data() + words[i].size();
+      const auto n = irg::parse_decimal<double>(words[i].data(), end);
+      const bool fits = n.status != irg::decimal_status::none && n.status != irg::decimal_status::overflow;
+      if (fits && n.end == end && n.value >= -1e6 && n.value <= 1e6) numbers.push_back(n.value);
+    }
+    return numbers;
+  }
+
+  std::string click(double x, double y) {
+    const irg::cell size{picture_.width(), picture_.height()};
+    const auto hit =
+        irg::pick(with_camera(), size, {static_cast<int>(x), static_cast<int>(y)}, irg::face_culling::none);
+    if (!hit) return "there is nothing under the cursor";
+    const std::optional<irg::cell3> at = beside_[hit->object][hit->face];
+    if (!at) return "no cell under the cursor is free";
+    map_.units.push_back(*at);
+    look();
+    return "";
+  }
+  std::string turn(double right, double up) {
+    azimuth_ = std::remainder(azimuth_ + right, 360.0);
+    elevation_ = irg::clamp(elevation_ + up, -89.0, 89.0);
+    return "";
+  }
+  std::string walk(double forward, double right) {
+    const double c = irg::cos_degrees(azimuth_), s = irg::sin_degrees(azimuth_);
+    eye_ = eye_ + irg::vec<double, 3>{s * forward + c * right, 0, s * right - c * forward};
+    return "";
+  }
+  std::string save(const std::string& file) {
+    if (!irg::picture_format_of(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
+    if (const auto error = irg::write_image(file, draw())) return failed_ = std::string(error->message) + ": " + file;
+    written_.push_back(file);
+    return "";
+  }
+
+  // What the units see: in space everything, in the plane what lies in their own layers.
+  void look() {
+    const irg::grid_extent e = map_.grid.extent();
+    seen_ = irg::cell_grid(e);
+    if (in_space_) {
+      seen_ = irg::field_of_view(map_.grid, std::span<const irg::cell3>(map_.units));
+    } else {
+      for (const irg::cell3& u : map_.units)
+        for (int y = 0; y < e.height; ++y)
+          for (int x = 0; x < e.width; ++x)
+            if (irg::see(map_.grid, u, {x, y, u.z})) seen_.set({x, y, u.z});
+    }
+    build();
+  }
+
+  // A quadrangle of a part, and the free cell beside it.
+  void add(part kind, const std::array<irg::point<double, 3>, 4>& corners, const std::optional<irg::cell3>& beside) {
+    auto& shape = scene_.objects[kind].shape;
+    std::array<std::uint32_t, 4> face;
+    for (std::size_t i = 0; i < 4; ++i) {
+      face[i] = static_cast<std::uint32_t>(shape.positions.size());
+      shape.positions.push_back(corners[i]);
+    }
+    irg::add_face(shape, face);
+    beside_[kind].push_back(beside);
+  }
+  // The side of a box that lies towards `axis` of the map, at its lower or its upper end.
+  void add_side(part kind, const irg::point<double, 3>& low, const irg::point<double, 3>& high, int axis, bool upper,
+                const std::optional<irg::cell3>& beside) {
+    std::array<irg::point<double, 3>, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+      const bool first = (i == 1 || i == 2) != upper, second = i >= 2;
+      const auto side = [&](int k) { return k == axis ? upper : k == (axis + 1) % 3 ? first : second; };
+      const auto at = [&](int k) { return irg::coordinate(side(k) ? high : low, k); };
+      corners[static_cast<std::size_t>(i)] = {at(0), at(2), at(1)};
+    }
+    add(kind, corners, beside);
+  }
+
+  void build() {
+    constexpr irg::rgb<double> colours[parts] = {{0.25, 0.25, 0.24}, {0.95, 0.78, 0.3}, {0.14, 0.17, 0.25},
+                                                 {0.45, 0.3, 0.14},  {0.3, 0.1, 0.1},   {0.7, 0.2, 0.12}};
+    scene_.objects.assign(parts, {});
+    beside_.assign(parts, {});
+    for (std::size_t i = 0; i < parts; ++i) scene_.objects[i].surface = {colours[i], colours[i], {}, 1};
+    scene_.lights = {{{0.4, 1, 0.7, 0}, {0.7, 0.7, 0.7}}};
+    scene_.ambient = {0.4, 0.4, 0.4};
+    const irg::grid_extent e = map_.grid.extent();
+    const auto free = [&](const irg::cell3& c) -> std::optional<irg::cell3> {
+      if (!e.holds(c) || map_.grid.is_full(c)) return std::nullopt;
+      return c;
+    };
+    for (int z = 0; z < e.depth; ++z)
+      for (int y = 0; y < e.height; ++y)
+        for (int x = 0; x < e.width; ++x) {
+          const irg::cell3 c{x, y, z};
+          const irg::point<double, 3> low{double(x), double(y), double(z)}, high{x + 1.0, y + 1.0, z + 1.0};
+          const bool full = map_.grid.is_full(c), lit = seen_.is_full(c);
+          if (!full && z == 0) add_side(lit ? lit_floor : dark_floor, low, high, 2, false, c);
+          for (int axis = 0; axis < 3; ++axis) {
+            for (const bool upper : {false, true}) {
+              irg::cell3 next = c;
+              (axis == 0 ? next.x : axis == 1 ? next.y : next.z) += upper ? 1 : -1;
+              if (full && next.z >= 0 && !(e.holds(next) && map_.grid.is_full(next)))
+                add_side(lit ? lit_cube : dark_cube, low, high, axis, upper, free(next));
+            }
+            if (map_.grid.has_wall(c, axis)) add_side(wall, low, high, axis, true, std::nullopt);
+          }
+        }
+    for (const irg::cell3& u : map_.units) {
+      const irg::point<double, 3> low{u.x + 0.3, u.y + 0.3, u.z + 0.0}, high{u.x + 0.7, u.y + 0.7, u.z + 0.6};
+      for (int axis = 0; axis < 3; ++axis)
+        for (const bool upper : {false, true}) add_side(unit, low, high, axis, upper, std::nullopt);
+    }
+  }
+
+  const irg::scene<double>& with_camera() {
+    const double level = irg::cos_degrees(elevation_);
+    scene_.view.eye = eye_;
+    scene_.view.target = eye_ + irg::vec<double, 3>{level * irg::sin_degrees(azimuth_), irg::sin_degrees(elevation_),
+                                                    -level * irg::cos_degrees(azimuth_)};
+    return scene_;
+  }
+
+  irg::grid_text map_;
+  irg::cell_grid seen_{};
+  bool in_space_ = true;
+  irg::point<double, 3> eye_{};
+  double azimuth_ = 0, elevation_ = 0;  // degrees: to the right from the rows' y downwards, and up
+  irg::scene<double> scene_{};
+  std::vector<std::vector<std::optional<irg::cell3>>> beside_{};
+  irg::image<irg::rgba8> picture_{};
+  irg::image<float> depth_{};
+  std::string failed_{};
+  std::vector<std::string> written_{};
+};
+
+}  // namespace program
