@@ -19,11 +19,10 @@ concept counted_by = requires(const R& r, const I i) { r[{i}]; };
 /// i, of the type that r's own indices have.
 template <class R>
 IRG_INLINE constexpr auto own_index(std::size_t i) noexcept {
-  if constexpr (counted_by<R, std::size_t>)
-    return i;
-  else if constexpr (counted_by<R, std::ptrdiff_t>)
+  constexpr bool as_it_is = counted_by<R, std::size_t>;
+  if constexpr (!as_it_is && counted_by<R, std::ptrdiff_t>)
     return static_cast<std::ptrdiff_t>(i);
-  else if constexpr (counted_by<R, int>)
+  else if constexpr (!as_it_is && counted_by<R, int>)
     return static_cast<int>(i);
   else
     return i;

@@ -68,7 +68,7 @@ IRG_INLINE constexpr const vertex_position<V>& position_of(const V& v) noexcept 
   if constexpr (has_point_position<V>)
     return v.position;
   else
-    return v;
+    return v;  // NOLINT(bugprone-return-const-ref-from-parameter)
 }
 
 // The vertex with another position.
