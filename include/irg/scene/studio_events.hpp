@@ -180,7 +180,7 @@ constexpr studio_status status_of_body(const stored_body<T>& b) noexcept {
   for (const stored_surface<T>& f : b.surfaces) {
     const material<T>& m = f.reflection;
     for (const rgb<T>& c : {m.ambient, m.diffuse, m.specular})
-      if (!(c.r >= T(0) && c.g >= T(0) && c.b >= T(0) && is_finite(c.r, c.g, c.b)))
+      if (!(c.r >= T(0) && c.g >= T(0) && c.b >= T(0) && is_finite(c.r + c.g + c.b)))
         return studio_status::broken_surface;
     if (!(m.shininess > T(0)) || !is_finite(m.shininess)) return studio_status::broken_surface;
   }
