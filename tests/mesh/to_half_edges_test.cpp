@@ -21,7 +21,10 @@ using irg::half_edge_status;
 template <class... Faces>
 constexpr irg::mesh<double> faces_of(int positions, const Faces&... faces) {
   irg::mesh<double> m;
-  for (int i = 0; i < positions; ++i) m.positions.push_back({double(i), double(i * i), double(i * i * i)});
+  for (int i = 0; i < positions; ++i) {
+    const double x = i;
+    m.positions.push_back({x, x * x, x * x * x});
+  }
   (irg::add_face(m, faces), ...);
   return m;
 }
