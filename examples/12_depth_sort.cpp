@@ -43,11 +43,11 @@ int main(int argc, char** argv) {
     std::vector<std::vector<irg::point<double, 2>>> ring(1);
     for (const auto& corner : part.corners) ring[0].push_back({corner.x, corner.y});
     drawing.add_region(ring, colours[part.number]);
-    std::printf("beam %u, %zu corners\n", part.number, part.corners.size());
   }
   drawing.finish();
   if (const auto error = irg::write_file_atomically(file, text))
     program::fail("12_depth_sort", error->message + (": " + file));
+  for (const auto& part : parts) std::printf("beam %u, %zu corners\n", part.number, part.corners.size());
   // No order of the three whole beams is right: at least one is in two parts.
   return parts.size() > beams.size() ? 0 : 1;
 }

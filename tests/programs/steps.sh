@@ -35,7 +35,8 @@ for name in 08_teapot 09_shader 10_renderer 11_own_method; do
   rm -f picture.png
 done
 
-program=$folder/12_depth_sort
+name=12_depth_sort
+program=$folder/$name
 fails "12_depth_sort: a folder that is not there" "" missing/drawing.svg
 run "" drawing.svg
 check "12_depth_sort FILE: exit 0, not $status: $err" is "$status" 0
