@@ -13,8 +13,8 @@ namespace irg {
 namespace detail {
 
 // Braces refuse what would be narrowed: views count by signed numbers, some containers by ints.
-template <class R, class I>
-concept counted_by = requires(const R& r, const I i) { r[{i}]; };
+template <class R, class Index>
+concept counted_by = requires(const R& r, const Index i) { r[{i}]; };
 
 /// i, of the type that r's own indices have.
 template <class R>
