@@ -56,14 +56,6 @@ struct settings {
   bool window = false;
 };
 
-bool can_show([[maybe_unused]] const program::command_line& line) {
-#ifdef IRG_HAVE_SDL2
-  return true;
-#else
-  line.fail("this program was built without SDL2, which --window needs");
-#endif
-}
-
 settings read_settings(program::command_line& line) {
   settings s;
   while (!line.done()) {
@@ -73,7 +65,7 @@ settings read_settings(program::command_line& line) {
     else if (word == "--size")
       s.size = program::read_size(line);
     else if (word == "--window")
-      s.window = can_show(line);
+      s.window = program::can_show(line);
     else
       line.refuse(word);
   }

@@ -16,12 +16,7 @@ public:
       : world_(world), window_(line, "irg grid world", width, height) {}
 
   void run() {
-    window_.run(
-        [&](int width, int height) -> irg::image<irg::rgba8>& {
-          world_.resize(width, height);
-          return world_.draw();
-        },
-        [&](const SDL_Event& e) { return take(e); });
+    window_.run(world_, [&](const SDL_Event& e) { return take(e); });
   }
 
 private:

@@ -84,6 +84,15 @@ struct drawing_options {
   }
 };
 
+/// The answer to --window; ends the program where it was built without windows.
+inline bool can_show([[maybe_unused]] const command_line& line) {
+#ifdef IRG_HAVE_SDL2
+  return true;
+#else
+  line.fail("this program was built without SDL2, which --window needs");
+#endif
+}
+
 /// Removes a file that was written, but no device or pipe that stands for one.
 inline void remove_written(const std::string& path) {
   std::error_code failed;

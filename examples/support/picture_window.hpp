@@ -34,10 +34,10 @@ public:
     return width;
   }
 
-  /// Shows draw(width, height), an image<rgba8> of that size, and hands events to take(event), until that is false.
-  template <class Draw, class Take>
-  void run(const Draw& draw, const Take& take) {
-    show(draw);
+  /// Shows what `state` draws in the window's size, and hands events to take(event), until that is false.
+  template <class State, class Take>
+  void run(State& state, const Take& take) {
+    show(state);
     std::printf("window: ready\n");
     std::fflush(stdout);
     SDL_Event e;
@@ -46,16 +46,17 @@ public:
       do go_on = e.type != SDL_QUIT && take(e) && go_on;
       while (SDL_PollEvent(&e) != 0);
       if (!go_on) return;
-      show(draw);
+      show(state);
     }
   }
 
 private:
-  template <class Draw>
-  void show(const Draw& draw) {
+  template <class State>
+  void show(State& state) {
     SDL_Surface* const surface = SDL_GetWindowSurface(window_);
     if (surface == nullptr || surface->w < 1 || surface->h < 1) return;
-    irg::image<irg::rgba8>& picture = draw(surface->w, surface->h);
+    state.resize(surface->w, surface->h);
+    irg::image<irg::rgba8>& picture = state.draw();
     SDL_Surface* const drawn = SDL_CreateRGBSurfaceWithFormatFrom(
         picture.data(), surface->w, surface->h, 32, static_cast<int>(picture.bytes_per_row()), SDL_PIXELFORMAT_RGBA32);
     if (drawn == nullptr) line_.fail(std::string("the picture cannot be shown: ") + SDL_GetError());

@@ -26,12 +26,7 @@ public:
       : session_(session), window_(line, "irg studio", width, height) {}
 
   void run() {
-    window_.run(
-        [&](int width, int height) -> irg::image<irg::rgba8>& {
-          session_.resize(width, height);
-          return session_.draw();
-        },
-        [&](const SDL_Event& e) { return take(e); });
+    window_.run(session_, [&](const SDL_Event& e) { return take(e); });
   }
 
 private:
