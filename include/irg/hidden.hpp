@@ -18,6 +18,7 @@
 #include <irg/hidden/horizon_surface.hpp>
 #include <irg/hidden/horizon_view.hpp>
 #include <irg/hidden/line_drawing.hpp>
+#include <irg/hidden/newell_step.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/painter.hpp>
 #include <irg/hidden/painter_newell.hpp>

@@ -12,15 +12,14 @@
 
 namespace {
 
-using irg::textbook::depth_sort_step;
-using irg::textbook::depth_sort_test;
+using irg::newell_step;
 using ring = std::vector<irg::point<double, 3>>;
 __extension__ using wide = __int128;
 
 template <class P, class Q>
 constexpr std::array<bool, 5> all_tests(const P& p, const Q& q) {
   std::array<bool, 5> says{};
-  for (std::size_t i = 0; i < 5; ++i) says[i] = irg::textbook::does_not_hide_by(static_cast<depth_sort_test>(i), p, q);
+  for (std::size_t i = 0; i < 5; ++i) says[i] = irg::textbook::does_not_hide_by(static_cast<newell_step>(i), p, q);
   return says;
 }
 
@@ -60,9 +59,9 @@ constexpr bool six_pairs() {
                                       {false, false, true, false, false}}};
   for (const pair_of_triangles& c : pairs)
     if (all_tests(c.p, c.q) != c.says || all_tests(c.q, c.p) != c.swapped) return false;
-  return !irg::textbook::does_not_hide(pairs[5].p, pairs[5].q) &&
-         irg::textbook::does_not_hide(pairs[0].p, pairs[0].q) == depth_sort_test::x_apart &&
-         irg::textbook::does_not_hide(pairs[4].p, pairs[4].q) == depth_sort_test::projections_apart &&
+  return irg::textbook::newell_step_of(pairs[5].p, pairs[5].q) == newell_step::moved &&
+         irg::textbook::newell_step_of(pairs[0].p, pairs[0].q) == newell_step::x_apart &&
+         irg::textbook::newell_step_of(pairs[4].p, pairs[4].q) == newell_step::projections_apart &&
          all_tests(slope, slope) == std::array{false, false, true, true, false};
 }
 
@@ -99,9 +98,9 @@ struct tally {
 
 // Draws the polygons and looks at `samples` places: is the last one drawn there the nearest?
 void try_scene(const std::vector<ring>& polygons, int size, int samples, test::random& r, tally& t) {
-  const auto order = irg::textbook::depth_sort(polygons, [&](depth_sort_step step, std::uint32_t, std::uint32_t) {
-    t.splits += step == depth_sort_step::split;
-    t.moved += step == depth_sort_step::moved;
+  const auto order = irg::textbook::depth_sort(polygons, [&](newell_step step, std::uint32_t, std::uint32_t) {
+    t.splits += step == newell_step::split_by_plane;
+    t.moved += step == newell_step::moved;
   });
   t.parts += static_cast<int>(order.size());
   for (int k = 0; k < samples; ++k) {
@@ -151,14 +150,14 @@ TEST_CASE("depth sort: polygons that touch, that are seen edge on, that are noth
   constexpr auto quad = [](int x, int z) {
     return std::array<irg::point<int, 3>, 4>{{{x, 0, z}, {x + 4, 0, z}, {x + 4, 4, z}, {x, 4, z}}};
   };
-  constexpr auto first = [](const auto& p, const auto& q) { return irg::textbook::does_not_hide(p, q); };
-  CHECK_BOTH(first(quad(0, 3), quad(4, 0)) == depth_sort_test::x_apart);
-  CHECK_BOTH(!first(quad(0, 3), quad(3, 0)));
-  CHECK_BOTH(first(quad(3, 0), quad(0, 3)) == depth_sort_test::behind_plane);
+  constexpr auto first = [](const auto& p, const auto& q) { return irg::textbook::newell_step_of(p, q); };
+  CHECK_BOTH(first(quad(0, 3), quad(4, 0)) == newell_step::x_apart);
+  CHECK_BOTH(first(quad(0, 3), quad(3, 0)) == newell_step::moved);
+  CHECK_BOTH(first(quad(3, 0), quad(0, 3)) == newell_step::behind_plane);
   constexpr auto edge_on = std::array<irg::point<int, 3>, 3>{{{1, 1, 0}, {3, 3, 5}, {2, 2, 9}}};
-  CHECK_BOTH(first(edge_on, quad(0, 3)) == depth_sort_test::projections_apart);
-  CHECK_BOTH(first(quad(0, 3), edge_on) == depth_sort_test::projections_apart);
-  CHECK_BOTH(first(std::array<irg::point<int, 3>, 0>{}, quad(0, 3)) == depth_sort_test::x_apart);
+  CHECK_BOTH(first(edge_on, quad(0, 3)) == newell_step::projections_apart);
+  CHECK_BOTH(first(quad(0, 3), edge_on) == newell_step::projections_apart);
+  CHECK_BOTH(first(std::array<irg::point<int, 3>, 0>{}, quad(0, 3)) == newell_step::x_apart);
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(irg::textbook::depth_sort(std::vector<ring>{}).empty());

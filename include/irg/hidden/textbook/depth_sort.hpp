@@ -15,45 +15,25 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include <irg/core/is_finite.hpp>
+#include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_sutherland_hodgman.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
+#include <irg/hidden/newell_step.hpp>
 
 namespace irg {
 namespace textbook {
-
-/// The tests by which a polygon P does not hide a polygon Q, in order of cost.
-enum class depth_sort_test {
-  x_apart,
-  y_apart,
-  behind_plane,  // P lies behind the plane of Q
-  in_front_of_plane,  // Q lies in front of the plane of P
-  projections_apart
-};
-
-/// What is done with the first polygon of the list, P, and another one, Q.
-enum class depth_sort_step {
-  moved,  // Q is drawn before P
-  split,  // Q by the plane of P
-  drawn  // P
-};
 
 /// A polygon, or a part of one, in the order of drawing.
 template <Floating T>
 struct depth_sorted_polygon {
   std::vector<point<T, 3>> corners{};
   std::uint32_t number = 0;  // of the polygon, counted from 0
-};
-
-/// Sees no steps.
-struct no_depth_sort_observer {
-  IRG_INLINE constexpr void operator()(depth_sort_step, std::uint32_t, std::uint32_t) const noexcept {}
 };
 
 }  // namespace textbook
@@ -102,11 +82,8 @@ constexpr std::vector<point<ring_scalar<R>, 2>> without_depth(const R& ring) {
 
 template <SpaceRing R>
 constexpr visible_plane<ring_scalar<R>> visible_plane_of(const R& ring) {
-  using T = ring_scalar<R>;
   const auto flat = without_depth(ring);
-  const auto at = [&](std::size_t i) -> point<T, 3> {
-    return {flat[i].x, flat[i].y, coordinate(ring_vertex(ring, i), 2)};
-  };
+  const auto at = [&](std::size_t i) { return to_point(ring_vertex(ring, i)); };
   for (std::size_t i = 1; i < flat.size(); ++i)
     for (std::size_t j = i + 1; j < flat.size(); ++j)
       if (const int up = orient2d(flat[0], flat[i], flat[j])) return {at(0), at(i), at(j), up};
@@ -117,9 +94,7 @@ template <SpaceRing R>
 constexpr plane_sides sides_of(const R& ring, const visible_plane<ring_scalar<R>>& plane) {
   plane_sides sides;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
-    const auto& v = ring_vertex(ring, i);
-    const point<ring_scalar<R>, 3> p{coordinate(v, 0), coordinate(v, 1), coordinate(v, 2)};
-    const int side = plane.up * orient3d(plane.p, plane.q, plane.r, p);
+    const int side = plane.up * orient3d(plane.p, plane.q, plane.r, to_point(ring_vertex(ring, i)));
     sides.front = sides.front || side > 0;
     sides.back = sides.back || side < 0;
   }
@@ -129,18 +104,8 @@ constexpr plane_sides sides_of(const R& ring, const visible_plane<ring_scalar<R>
 // Whether the extents in x (0) or y (1) have no stretch in common.
 template <SpaceRing P, SpaceRing Q>
 constexpr bool extents_apart(const P& p, const Q& q, int axis) noexcept {
-  if (ring_size(p) == 0 || ring_size(q) == 0) return true;
-  const auto extent = [&](const auto& ring) {
-    auto low = coordinate(ring_vertex(ring, 0), axis), high = low;
-    for (std::size_t i = 1; i < ring_size(ring); ++i) {
-      const auto c = coordinate(ring_vertex(ring, i), axis);
-      low = lesser(c, low);
-      high = greater(c, high);
-    }
-    return std::pair{low, high};
-  };
-  const auto a = extent(p), b = extent(q);
-  return a.second <= b.first || b.second <= a.first;
+  const auto a = enclosing_box(p), b = enclosing_box(q);
+  return is_empty(a) || is_empty(b) || a.high[axis] <= b.low[axis] || b.high[axis] <= a.low[axis];
 }
 
 }  // namespace IRG_ABI
@@ -150,7 +115,7 @@ namespace textbook {
 inline namespace IRG_ABI {
 
 /// Whether a test says that P does not hide Q.
-/// needs   simple flat polygons with finite coordinates
+/// needs   one of the first five of newell_step, and simple flat polygons with finite coordinates
 /// gives   true for extents and projections that touch, but have no area in common; corners on a plane count for either
 ///         side. Of a polygon that is seen edge on the plane tests say nothing: its projection has no area
 /// exact   for the corners as they are; a polygon's plane is that of its first corner and the first two after it with
@@ -159,30 +124,29 @@ inline namespace IRG_ABI {
 /// source  Hidden-surface slides, after Newell, Newell and Sancha 1972
 template <SpaceRing P, SpaceRing Q>
   requires std::same_as<ring_scalar<P>, ring_scalar<Q>>
-[[nodiscard]] constexpr bool does_not_hide_by(depth_sort_test test, const P& p, const Q& q) {
-  switch (test) {
-    case depth_sort_test::x_apart: return detail::extents_apart(p, q, 0);
-    case depth_sort_test::y_apart: return detail::extents_apart(p, q, 1);
-    case depth_sort_test::behind_plane: {
-      const auto plane = detail::visible_plane_of(q);
-      return plane.up != 0 && !detail::sides_of(p, plane).front;
-    }
-    case depth_sort_test::in_front_of_plane: {
-      const auto plane = detail::visible_plane_of(p);
-      return plane.up != 0 && !detail::sides_of(q, plane).back;
-    }
-    case depth_sort_test::projections_apart: break;
+[[nodiscard]] constexpr bool does_not_hide_by(newell_step test, const P& p, const Q& q) {
+  if (test == newell_step::x_apart) return detail::extents_apart(p, q, 0);
+  if (test == newell_step::y_apart) return detail::extents_apart(p, q, 1);
+  if (test == newell_step::behind_plane) {
+    const auto plane = detail::visible_plane_of(q);
+    return plane.up != 0 && !detail::sides_of(p, plane).front;
+  }
+  if (test == newell_step::in_front_of_plane) {
+    const auto plane = detail::visible_plane_of(p);
+    return plane.up != 0 && !detail::sides_of(q, plane).back;
   }
   return polygons_overlap(detail::without_depth(p), detail::without_depth(q)) != polygon_overlap::overlapping;
 }
 
-/// The first of the five tests that says that P does not hide Q; none where P may hide Q.
+/// What the list has to do with P and Q: the first of the five tests that says that P does not hide Q; `moved`, Q before
+/// P, where none does.
 template <SpaceRing P, SpaceRing Q>
   requires std::same_as<ring_scalar<P>, ring_scalar<Q>>
-[[nodiscard]] constexpr std::optional<depth_sort_test> does_not_hide(const P& p, const Q& q) {
-  for (int i = 0; i <= static_cast<int>(depth_sort_test::projections_apart); ++i)
-    if (const auto test = static_cast<depth_sort_test>(i); does_not_hide_by(test, p, q)) return test;
-  return std::nullopt;
+[[nodiscard]] constexpr newell_step newell_step_of(const P& p, const Q& q) {
+  for (const newell_step test : {newell_step::x_apart, newell_step::y_apart, newell_step::behind_plane,
+                                 newell_step::in_front_of_plane, newell_step::projections_apart})
+    if (does_not_hide_by(test, p, q)) return test;
+  return newell_step::moved;
 }
 
 }  // namespace IRG_ABI
@@ -192,8 +156,6 @@ namespace detail::inline IRG_ABI {
 
 template <Floating T, class Observer>
 class depth_sorter {
-  using step = textbook::depth_sort_step;
-  using test = textbook::depth_sort_test;
   using part = depth_sorted_part<T>;
 
 public:
@@ -208,10 +170,7 @@ public:
     planes_.back() = visible_plane_of(ring);
     part p;
     p.polygon.number = number;
-    for (std::size_t i = 0; i < ring_size(ring); ++i) {
-      const auto& v = ring_vertex(ring, i);
-      p.polygon.corners.push_back({coordinate(v, 0), coordinate(v, 1), coordinate(v, 2)});
-    }
+    for (std::size_t i = 0; i < ring_size(ring); ++i) p.polygon.corners.push_back(to_point(ring_vertex(ring, i)));
     measure(p);
     list_.push_back(std::move(p));
   }
@@ -224,7 +183,7 @@ public:
     std::vector<textbook::depth_sorted_polygon<T>> order;
     while (!list_.empty()) {
       if (!may_be_drawn()) continue;
-      note(step::drawn, list_.back(), list_.back());
+      note(newell_step::drawn, list_.back(), list_.back());
       order.push_back(std::move(list_.back().polygon));
       list_.pop_back();
     }
@@ -232,15 +191,15 @@ public:
   }
 
 private:
-  constexpr void note(step what, const part& p, const part& q) { observer_(what, p.polygon.number, q.polygon.number); }
+  constexpr void note(newell_step what, const part& p, const part& q) {
+    observer_(what, p.polygon.number, q.polygon.number);
+  }
 
   constexpr void measure(part& p) {
     p.made = made_++;
-    p.farthest = p.nearest = p.polygon.corners[0].z;
-    for (const point<T, 3>& c : p.polygon.corners) {
-      p.farthest = lesser(c.z, p.farthest);
-      p.nearest = greater(c.z, p.nearest);
-    }
+    const auto all = enclosing_box(p.polygon.corners);
+    p.farthest = all.low.z;
+    p.nearest = all.high.z;
   }
   constexpr void insert(part p) {
     measure(p);
@@ -256,10 +215,11 @@ private:
   }
   constexpr bool does_not_hide_part(const part& p, const part& q) const {
     const auto &a = p.polygon, &b = q.polygon;
-    const auto by = [&](test which) { return textbook::does_not_hide_by(which, a.corners, b.corners); };
+    const auto by = [&](newell_step which) { return textbook::does_not_hide_by(which, a.corners, b.corners); };
     return a.number == b.number || std::find(p.let_pass.begin(), p.let_pass.end(), q.made) != p.let_pass.end() ||
-           by(test::x_apart) || by(test::y_apart) || (planes_[b.number].up != 0 && !sides(p, b.number).front) ||
-           (planes_[a.number].up != 0 && !sides(q, a.number).back) || by(test::projections_apart);
+           by(newell_step::x_apart) || by(newell_step::y_apart) ||
+           (planes_[b.number].up != 0 && !sides(p, b.number).front) ||
+           (planes_[a.number].up != 0 && !sides(q, a.number).back) || by(newell_step::projections_apart);
   }
 
   // Whether the last of the list hides none of the others; if not, the list is changed.
@@ -269,7 +229,7 @@ private:
       part& q = list_[i];
       if (p.nearest <= q.farthest || does_not_hide_part(p, q)) continue;
       if (q.moved) return break_cycle(i), false;
-      note(step::moved, p, q);
+      note(newell_step::moved, p, q);
       q.moved = true;
       std::rotate(list_.begin() + static_cast<std::ptrdiff_t>(i), list_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                   list_.end());
@@ -312,7 +272,7 @@ private:
     const visible_plane<T>& plane = planes_[number];
     const plane_sides both = sides(whole, number);
     if (plane.up == 0 || number == whole.polygon.number || !both.front || !both.back) return false;
-    note(step::split, list_[by], whole);
+    note(newell_step::split_by_plane, list_[by], whole);
     list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(cut));
     for (part& p : list_) p.moved = false;
     for (const bool in_front : {true, false}) {
@@ -362,7 +322,7 @@ inline namespace IRG_ABI {
 /// cost    n^2 tests where all overlap in depth, a sort where none do; polygons that hide each other in turn make
 ///         parts. Allocates
 /// source  Hidden-surface slides, after Newell, Newell and Sancha 1972
-template <RingSequence R, class Observer = no_depth_sort_observer>
+template <RingSequence R, class Observer = no_newell_observer>
   requires(SpaceRing<ring_in<R>> && Floating<ring_scalar<ring_in<R>>>)
 [[nodiscard]] constexpr std::vector<depth_sorted_polygon<ring_scalar<ring_in<R>>>> depth_sort(
     const R& polygons, Observer&& observer = {}) {
