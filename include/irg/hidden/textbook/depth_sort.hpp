@@ -138,8 +138,8 @@ template <SpaceRing P, SpaceRing Q>
   return polygons_overlap(detail::without_depth(p), detail::without_depth(q)) != polygon_overlap::overlapping;
 }
 
-/// What the list has to do with P and Q: the first of the five tests that says that P does not hide Q; `moved`, Q before
-/// P, where none does.
+/// What the list has to do with P and Q: the first of the five tests that says that P does not hide Q; `moved`, Q
+/// before P, where none does.
 template <SpaceRing P, SpaceRing Q>
   requires std::same_as<ring_scalar<P>, ring_scalar<Q>>
 [[nodiscard]] constexpr newell_step newell_step_of(const P& p, const Q& q) {
