@@ -19,7 +19,6 @@
 
 #include <irg/core/is_finite.hpp>
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/clip_sutherland_hodgman.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/polygon_area.hpp>
@@ -260,9 +259,16 @@ private:
     for (part& p : list_) p.moved = false;
   }
 
+  // The area that both have on the screen: of what of P is inside the prism over Q.
   static constexpr T common_area(const part& p, const part& q) {
-    const auto flat = [](const part& any) { return without_depth(any.polygon.corners); };
-    const T area = polygon_area(clip_sutherland_hodgman(flat(p), flat(q)));
+    const std::vector<point<T, 3>>& ring = q.polygon.corners;
+    const int up = visible_plane_of(ring).up;
+    std::vector<point<T, 3>> inside = p.polygon.corners;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      inside = side_of_plane(inside, {{a.x, a.y, 0}, {b.x, b.y, 0}, {a.x, a.y, 1}, 1}, -up);
+    }
+    const T area = polygon_area(without_depth(inside));
     return area < 0 ? -area : area;
   }
 
