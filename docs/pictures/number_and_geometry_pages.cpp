@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The pictures of the pages of docs/math and docs/geometry.
+// The pictures of the pages of docs/colour, docs/math and docs/geometry.
 #include "barycentric.hpp"
 #include "clip_stages.hpp"
 #include "clipping.hpp"
+#include "colours.hpp"
 #include "error_plots.hpp"
 #include "geometry.hpp"
 #include "inverse_errors.hpp"
@@ -19,6 +20,9 @@
 #include "tiles.hpp"
 
 void saving::number_and_geometry_pages() {
+  save("mix", colour_pictures::mixes());
+  save("over", colour_pictures::overs());
+  save("palette", colour_pictures::palettes());
   save("executors", tile_pictures::orders());
   save("orient2d", predicate_pictures::turns());
   save("orient3d", predicate_pictures::planes());

@@ -37,6 +37,7 @@
 #include "hidden_methods.hpp"
 #include "grid_surfaces.hpp"
 #include "horizon.hpp"
+#include "lights.hpp"
 #include "line_drawings.hpp"
 #include "line_kernels.hpp"
 #include "line_teaching.hpp"
@@ -462,6 +463,8 @@ int main(int argc, char** argv) {
   save("bvh_parts", tree_pictures::parts());
   save("along_ray", tree_pictures::runs());
   save("visible_points", tree_pictures::points_seen());
+  save("light_placement", light_pictures::around());
+  save("draw_depth", light_pictures::depths());
   save("shadow", ray_pictures::shadow());
   save("path_tracer", ray_pictures::rooms());
   save("soft_light", ray_pictures::soft_shadows());
