@@ -9,6 +9,7 @@
 
 #include <irg/hidden/textbook/depth_sort.hpp>
 #include <irg/io/file.hpp>
+#include <irg/io/image_file.hpp>
 #include <irg/io/svg_drawing.hpp>
 
 #include "support/step.hpp"
@@ -31,6 +32,8 @@ polygon beam(double turn) {
 int main(int argc, char** argv) {
   const auto file =
       program::step(argc, argv, "12_depth_sort", "three beams that lie on each other in turn", "depth_sort.svg");
+  if (irg::picture_format_of(file) != irg::picture_format::svg)
+    program::fail("12_depth_sort", "the drawing's name must end in .svg, not: " + file);
   constexpr double third = 2.0943951023931953;
   const std::vector<polygon> beams{beam(0), beam(third), beam(2 * third)};
   const auto parts = irg::textbook::depth_sort(beams);  // the farthest first

@@ -249,7 +249,7 @@ std::map<std::string, bool> calls(const V& values) {
        FOREIGN_CALL(irg::fill_polygon_aa(v.picture, v.ring, irg::fill_rule::non_zero, irg::rgba8{1, 2, 3, 255})));
   call("polygon_overlay", FOREIGN_CALL(irg::polygon_overlay(v.ring, v.ring)));
   call("triangulate_monotone", FOREIGN_CALL(irg::triangulate_monotone(v.ring)));
-  call("clip_weiler_atherton", FOREIGN_CALL(irg::textbook::clip_weiler_atherton(v.path, v.path)));
+  call("textbook::clip_weiler_atherton", FOREIGN_CALL(irg::textbook::clip_weiler_atherton(v.path, v.path)));
   call("clip_sutherland_hodgman", FOREIGN_CALL(irg::clip_sutherland_hodgman(v.ring, v.window)));
   call("draw_line", FOREIGN_CALL(irg::draw_line(v.picture, v.from, v.to, irg::rgba8{1, 2, 3, 255})));
   call("draw_line_aa", FOREIGN_CALL(irg::draw_line_aa(v.picture, v.from, v.to, v.colour) &&

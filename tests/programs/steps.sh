@@ -38,6 +38,8 @@ done
 name=12_depth_sort
 program=$folder/$name
 fails "12_depth_sort: a folder that is not there" "" missing/drawing.svg
+fails "12_depth_sort: the name of no SVG" "" drawing.png
+check "12_depth_sort: the name is in the message: $err" ends "$err" "must end in .svg, not: drawing.png"
 run "" drawing.svg
 check "12_depth_sort FILE: exit 0, not $status: $err" is "$status" 0
 check "12_depth_sort FILE: an SVG of five parts" is "$(grep -c '^<path' drawing.svg)" 5
