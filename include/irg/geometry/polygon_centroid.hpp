@@ -118,6 +118,13 @@ template <PlanePolygon P>
     });
     return detail::is_finite(sum) ? sum + error : sum;
   };
+  if (!is_finite(polygon)) {
+    bool any_nan = false;
+    detail::each_edge(polygon, [&](const auto& p, const auto&) {
+      for (int i = 0; i < 2; ++i) any_nan = any_nan || coordinate(p, i) != coordinate(p, i);
+    });
+    return any_nan ? std::numeric_limits<T>::quiet_NaN() : std::numeric_limits<T>::infinity();
+  }
   const T sum = length([](T x) { return x; });
   constexpr T up = std::is_same_v<T, float> ? T(0x1p60f) : T(0x1p200);
   // As multiples of the smallest number the edges' lengths would lose half of it each.
