@@ -245,3 +245,22 @@ TEST_CASE("rational surfaces: no weight, no point") {
   net[4].w = none;
   CHECK(!irg::nurbs_surface_point(s, 0.5, 0.5));
 }
+
+TEST_CASE("rational surfaces: no derivative that is finite, no sample") {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr irg::surface_sample<H3> sample{{1e20, 2, 3, 1}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}};
+  CHECK_BOTH(irg::rational_sample(sample)->du == V3{1, 0, 0});
+  for (const double x : {none, inf, -inf})
+    for (const auto derivative :
+         {&irg::surface_sample<H3>::du, &irg::surface_sample<H3>::dv, &irg::surface_sample<H3>::duv})
+      for (int axis = 0; axis < 4; ++axis) {
+        auto bad = sample;
+        (bad.*derivative)[axis] = x;
+        CHECK(!irg::rational_sample(bad));
+      }
+  constexpr irg::surface_sample<H3> unknown{{1, 2, 3, 1}, {none, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, inf}};
+  CHECK_BOTH(!irg::rational_sample(unknown));
+  auto steep = sample;
+  steep.du.w = 1e300;  // times x beyond the largest number
+  CHECK(!irg::rational_sample(steep));
+}

@@ -56,6 +56,9 @@ TEST_CASE("parametric_line: parts, equal points, NaN") {
   CHECK_BOTH(!parametric_line_through(P3{1, 2, 3}, P3{1, 2, 3}));
   CHECK_BOTH(!parametric_line_through(P2{0.0, 1}, P2{-0.0, 1}));
   CHECK_BOTH(!parametric_line_through(P3{1, undefined_number, 3}, P3{1, 2, 4}));
+  constexpr double infinite_number = std::numeric_limits<double>::infinity();
+  CHECK_BOTH(!parametric_line_through(P3{1, infinite_number, 3}, P3{2, infinite_number, 4}));
+  CHECK_BOTH(!parametric_line_through(P2{0, 0}, P2{-infinite_number, 4}));
   CHECK_BOTH(parametric_line_through(P2{0, 0}, P2{5e-324, 0})->direction == vec<double, 2>{5e-324, 0});
 }
 

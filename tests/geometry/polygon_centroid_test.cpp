@@ -111,8 +111,17 @@ TEST_CASE("polygon_perimeter: all rings; within 2 ulp; any exponent") {
   CHECK(irg::polygon_perimeter(V{}) == 0);
   CHECK(irg::polygon_perimeter(V{{7, 8}}) == 0);
   CHECK(irg::polygon_perimeter(V{{0, 0}, {3 * 0x1p-1074, 0}, {3 * 0x1p-1074, 4 * 0x1p-1074}}) == 12 * 0x1p-1074);
-  CHECK(irg::polygon_perimeter(V{{0, 0}, {0x1p1023, 0}, {0, 0x1p1023}}) == std::numeric_limits<double>::infinity());
-  CHECK(std::isnan(irg::polygon_perimeter(V{{0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}, {0, 1}})));
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity(),
+                   most = (std::numeric_limits<double>::max)();
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{0, 0}, P{0x1p1023, 0}, P{0, 0x1p1023}}) == inf);
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{-most, 0}, P{most, 0}}) == inf);
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{most, most}, P{0, 0}}) == inf);
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{most, 0}, P{most / 2, 0}}) == most);
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{0, 0}, P{undefined, 0}, P{0, 1}}) != 0);
+  CHECK(std::isnan(irg::polygon_perimeter(V{{0, 0}, {undefined, 0}, {0, 1}})));
+  CHECK(std::isnan(irg::polygon_perimeter(V{{0, inf}, {undefined, 0}, {0, 1}})));
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{0, inf}, P{1, inf}, P{0, 0}}) == inf);
+  CHECK_BOTH(irg::polygon_perimeter(std::array{P{0, -inf}}) == inf);
   test::random random(102);
   double worst = 0;
   for (int t = 0; t < 200; ++t) {

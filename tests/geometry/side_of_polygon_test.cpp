@@ -37,8 +37,16 @@ TEST_CASE("side_of_polygon: concave, not plane, degenerate, not finite") {
   CHECK_BOTH(side_of_polygon(arrow, H{0, 0, 2, 1}) == side::above);
   CHECK_BOTH(side_of_polygon(std::array<P, 2>{{{0, 0, 0}, {1, 0, 0}}}, H{0, 0, 2, 1}) == side::on);
   CHECK_BOTH(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}, H{0, 0, 2, 1}) == side::on);
-  CHECK(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}}, H{0, 0, 2, 1}) == side::on);
-  CHECK(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, H{0, 0, inf, 1}) == side::on);
+  CHECK_BOTH(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}}, H{0, 0, 2, 1}) == side::on);
+  CHECK_BOTH(side_of_polygon(std::array<P, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, H{0, 0, inf, 1}) == side::on);
+}
+
+TEST_CASE("side_of_polygon: beyond the range of the rounded stage") {
+  constexpr double most = (std::numeric_limits<double>::max)(), least = std::numeric_limits<double>::denorm_min();
+  constexpr std::array<P, 4> huge{{{-most, -most, 0}, {most, -most, 0}, {most, most, 0}, {-most, most, 0}}};
+  CHECK_BOTH(side_of_polygon(huge, H{most, most, least, most}) == side::above);
+  CHECK_BOTH(side_of_polygon(huge, H{-most, most, -least, least}) == side::below);
+  CHECK_BOTH(side_of_polygon(huge, H{-most, most, 0, 1}) == side::on);
 }
 
 #ifdef IRG_HAVE_MPFR

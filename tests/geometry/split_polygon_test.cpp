@@ -107,10 +107,13 @@ TEST_CASE("split_polygon: in space, with attributes; nothing, flat, no numbers")
   CHECK(irg::split_polygon(quad, irg::plane<double>{1, 0, -1, 0}).side == split_side::on);
   CHECK(irg::split_polygon(quad, irg::plane<double>{0, 0, 0, 1}).side == split_side::front);
   CHECK(irg::split_polygon(std::vector<A>{}, irg::plane<double>{1, 0, 0, 0}).side == split_side::on);
-  const double nan_ = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  constexpr double nan_ = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   CHECK(irg::split_polygon(quad, irg::plane<double>{1, nan_, 0, 0}).side == split_side::not_finite);
-  CHECK(irg::split_polygon(std::vector<S>{{0, 0, 0}, {1, inf, 0}, {1, 1, 0}}, irg::plane<double>{1, 0, 0, 0}).side ==
-        split_side::not_finite);
+  CHECK_BOTH(irg::split_polygon(std::vector<S>{{0, 0, 0}, {1, 0, 0}}, irg::plane<double>{1, nan_, 0, 0}).side ==
+             split_side::not_finite);
+  CHECK_BOTH(
+      irg::split_polygon(std::vector<S>{{0, 0, 0}, {1, inf, 0}, {1, 1, 0}}, irg::plane<double>{1, 0, 0, 0}).side ==
+      split_side::not_finite);
   // a segment there and back: parts without area are dropped
   const auto flat = irg::split_polygon(std::vector<S>{{0, 0, 0}, {4, 0, 0}}, irg::plane<double>{1, 0, 0, -1});
   CHECK(flat.side == split_side::both);

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/curve/bezier_surface.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>
@@ -163,14 +164,14 @@ template <Coordinates P, int U, int V>
 }
 
 /// The point of a rational surface with its derivatives from those of its homogeneous points.
-/// gives   nothing where the weight is 0 or something is not finite
+/// gives   nothing where the weight is 0 or a number, given or on the way, is not finite
 /// exact   the quotient rule, each operation rounded once
 /// source  Piegl and Tiller 1997, A4.4
 template <Floating T, int N>
 [[nodiscard]] constexpr std::optional<surface_sample<point<T, N>>> rational_sample(
     const surface_sample<hpoint<T, N>>& s) noexcept {
   const auto place = try_to_cartesian(s.point);
-  if (!place) return std::nullopt;
+  if (!place || !is_finite(s.du, s.dv, s.duv)) return std::nullopt;
   const T weight = coordinate(s.point, N), weight_u = coordinate(s.du, N), weight_v = coordinate(s.dv, N),
           weight_uv = coordinate(s.duv, N);
   surface_sample<point<T, N>> result{*place, {}, {}, {}};
@@ -182,7 +183,7 @@ template <Floating T, int N>
     result.dv[i] = dv;
     result.duv[i] = less(less(less(coordinate(s.duv, i), weight_u, dv), weight_v, du), weight_uv, x) / weight;
   }
-  return result;
+  return is_finite(result.du, result.dv, result.duv) ? std::optional(result) : std::nullopt;
 }
 
 /// The point of a rational B-spline surface (NURBS) at (u, v).
@@ -207,8 +208,8 @@ constexpr std::optional<point<T, N>> nurbs_surface_point(const bspline_surface<h
 
 /// The point of a rational B-spline surface (NURBS) with its first derivatives and the mixed one.
 /// needs   scratch as bspline_surface_derivatives of order 1
-/// gives   as nurbs_surface_point. A border that has shrunk to a point (control points that are the same_position) has
-///         the derivative 0 along it, bit for bit, so that surface_normal finds its normal
+/// gives   as nurbs_surface_point and rational_sample. A border that has shrunk to a point (control points that are the
+///         same_position) has the derivative 0 along it, bit for bit, so that surface_normal finds its normal
 /// exact   as bspline_surface_derivatives and rational_sample
 template <Floating T, int N, int U, int V>
 constexpr std::optional<surface_sample<point<T, N>>> nurbs_surface_sample(

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/math/exact/values_of.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/vec.hpp>
@@ -32,7 +33,7 @@ enum class line_part { before_start, segment, after_end };
 inline namespace IRG_ABI {
 
 /// The line from a (t = 0) to b (t = 1).
-/// gives   nothing when the points are equal, or a coordinate is NaN
+/// gives   nothing when the points are equal, or a coordinate is NaN or infinite
 /// exact   the direction b - a is rounded once; functions that take the two points themselves are not affected by that
 /// source  Mihajlovic 2016, formula 2.7; Hank n.d., 1.3.1
 template <Point P>
@@ -40,13 +41,9 @@ template <Point P>
     const P& a, const P& b) noexcept {
   using T = scalar_of<P>;
   constexpr int N = size_of<P>;
-  bool differ = false, comparable = true;
-  for (int i = 0; i < N; ++i) {
-    const T x = coordinate(a, i), y = coordinate(b, i);
-    differ = differ || !(x == y);
-    comparable = comparable && x == x && y == y;
-  }
-  if (!differ || !comparable) return std::nullopt;
+  bool differ = false;
+  for (int i = 0; i < N; ++i) differ = differ || !(coordinate(a, i) == coordinate(b, i));
+  if (!differ || !is_finite(a, b)) return std::nullopt;
   return parametric_line<T, N>{
       generate_coordinates<point<T, N>>([&](int i) { return coordinate(a, i); }),
       generate_coordinates<vec<T, N>>([&](int i) { return coordinate(b, i) - coordinate(a, i); })};

@@ -108,16 +108,30 @@ template <PlanePolygon P>
   requires Floating<scalar_of<polygon_point<P>>>
 [[nodiscard]] constexpr auto polygon_perimeter(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
+  constexpr T most = (std::numeric_limits<T>::max)(), infinity = std::numeric_limits<T>::infinity();
+  // Asked before sums are made: constants may not overflow.
+  const auto overflows = [](T a, T b) { return detail::magnitude(a / 2 + b / 2) > most / 2; };
   const auto length = [&](const auto& scaled) {
     T sum(0), error(0);
     detail::each_edge(polygon, [&](const auto& p, const auto& q) {
+      for (int i = 0; i < 2; ++i)
+        if (overflows(coordinate(q, i), -coordinate(p, i))) sum = infinity;
+      if (sum == infinity) return;
       const T dx = coordinate(q, 0) - coordinate(p, 0), dy = coordinate(q, 1) - coordinate(p, 1);
-      const auto next = two_sum(sum, hypot(scaled(dx), scaled(dy)));
+      const T edge = hypot(scaled(dx), scaled(dy));
+      const auto next = overflows(sum, edge) ? exact_sum<T>{infinity, T(0)} : two_sum(sum, edge);
       sum = next.value;
       error = error + next.error;
     });
-    return detail::is_finite(sum) ? sum + error : sum;
+    return sum == infinity || overflows(sum, error) ? infinity : sum + error;
   };
+  if (!is_finite(polygon)) {
+    bool any_nan = false;
+    detail::each_edge(polygon, [&](const auto& p, const auto&) {
+      for (int i = 0; i < 2; ++i) any_nan = any_nan || coordinate(p, i) != coordinate(p, i);
+    });
+    return any_nan ? std::numeric_limits<T>::quiet_NaN() : infinity;
+  }
   const T sum = length([](T x) { return x; });
   constexpr T up = std::is_same_v<T, float> ? T(0x1p60f) : T(0x1p200);
   // As multiples of the smallest number the edges' lengths would lose half of it each.

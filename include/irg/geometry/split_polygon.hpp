@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <irg/core/is_finite.hpp>
 #include <irg/core/plane_concept.hpp>
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/detail/half_space.hpp>
@@ -47,20 +48,13 @@ constexpr split_parts<ring_vertex_type<R>> split(const R& ring,
                                                  const half_space<vertex_scalar<ring_vertex_type<R>>, D>& boundary,
                                                  const F& interpolate) {
   using V = ring_vertex_type<R>;
-  using T = vertex_scalar<V>;
   split_parts<V> parts;
-  const auto is_number = [](const T& x) {
-    if constexpr (Floating<T>)
-      return x - x == T(0);
-    else
-      return true;
-  };
   bool finite = true, any_front = false, any_back = false;
-  for (const T& x : boundary.numbers) finite = finite && is_number(x);
+  for (const auto& x : boundary.numbers) finite = finite && is_finite(x);
   std::vector<int> sides;
   for (std::size_t i = 0; i < ring.size() && finite; ++i) {
     const auto& p = position_of(ring[i]);
-    for (int k = 0; k < D; ++k) finite = finite && is_number(coordinate(p, k));
+    for (int k = 0; k < D; ++k) finite = finite && is_finite(coordinate(p, k));
     if (!finite) break;
     sides.push_back(half_space_side(boundary, p));
     any_front = any_front || sides.back() > 0;

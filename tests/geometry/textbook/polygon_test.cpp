@@ -2,6 +2,7 @@
 #include <irg/geometry/textbook/polygon.hpp>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include <irg/math/vec.hpp>
@@ -51,6 +52,10 @@ TEST_CASE("textbook::point_in_convex_polygon: the course's values, and what its 
                {{200.5, 100}, location::outside}, {{199.5, 100}, location::inside}};
   for (const auto& [p, where] : cases) CHECK(irg::textbook::point_in_convex_polygon(course, p) == where);
   CHECK_BOTH(irg::textbook::point_in_convex_polygon(course, {100, 275}) == location::boundary);
+  CHECK_BOTH(irg::textbook::point_in_convex_polygon(course, {150, std::numeric_limits<double>::quiet_NaN()}) ==
+             location::outside);
+  CHECK_BOTH(irg::textbook::point_in_convex_polygon(course, {-std::numeric_limits<double>::infinity(), 200}) ==
+             location::outside);
   constexpr std::array<P, 5> repeated{P{50, 200}, P{150, 350}, P{150, 350}, P{300, 150}, P{100, 50}};
   CHECK_BOTH(irg::textbook::point_in_convex_polygon(repeated, {150, 200}) == location::boundary);
 }

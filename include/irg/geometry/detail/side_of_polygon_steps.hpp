@@ -7,6 +7,7 @@
 
 #include <irg/core/ring.hpp>
 #include <irg/geometry/detail/exact_forms.hpp>
+#include <irg/geometry/detail/predicate_kernel.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/exact/exact_number.hpp>
@@ -66,11 +67,25 @@ constexpr rounded_volume rounded_face_volume(std::size_t count, const Position& 
   return {dot(normal, towards), (n + 16) * 0x1p-52 * (6 * n) * widest * widest * farthest};
 }
 
+// Whether nothing overflows in rounded_face_volume.
+template <Floating T, class Position>
+constexpr bool is_far_from_overflow(std::size_t count, const Position& position, const hpoint<T, 3>& eye) noexcept {
+  const auto is_small = [](const T& x) { return magnitude(widened(x)) <= 0x1p199; };
+  bool all = is_small(eye.w);
+  for (int i = 0; i < 3; ++i) {
+    all = all && is_small(eye[i]);
+    for (std::size_t k = 0; k < count; ++k) all = all && is_small(position(k)[i]);
+  }
+  return all;
+}
+
 // position(k) is vertex k.
 // gives   0 when something is NaN or infinite, or with fewer than three vertices
 template <Floating T, class Position>
 constexpr int face_volume_sign(std::size_t count, const Position& position, const hpoint<T, 3>& eye) noexcept {
   if (count < 3) return 0;
+  if (in_constant_evaluation() && !is_far_from_overflow(count, position, eye))
+    return exact_face_volume_sign<exact_number<4>>(count, position, eye);
   bool suits = true;  // what takes subnormal floats for zero while widening them is not asked
   const auto number = [&](const T& x) {
     if constexpr (sizeof(T) < sizeof(double)) suits = suits && suits_filter<2>(x);

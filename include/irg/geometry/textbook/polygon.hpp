@@ -47,10 +47,12 @@ template <PlaneRing R>
 /// positive value of its equation), inside when it lies on the right of all, boundary otherwise.
 /// needs   a clockwise convex ring without repeated vertices: an edge without length has the value 0 everywhere, so
 ///         that it takes the inside for the boundary
+/// gives   `outside` when a coordinate of p is NaN or infinite
 /// exact   as point_in_convex_polygon
 /// source  Mihajlovic 2016, rules 3.3 and 3.4. Its exercise prints the boundary as inside
 template <PlaneRing R>
 [[nodiscard]] constexpr location point_in_convex_polygon(const R& ring, const ring_point<R>& p) noexcept {
+  if (!is_finite(p)) return location::outside;
   bool all_negative = true;
   for (std::size_t i = 0; i < ring_size(ring); ++i) {
     const int value = orient2d(ring_vertex(ring, i), ring_vertex(ring, i + 1), p);
