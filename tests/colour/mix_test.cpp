@@ -7,6 +7,34 @@
 
 #include "support/check_both.hpp"
 
+namespace my {
+
+struct mixed_by_coverage {
+  unsigned level;
+};
+constexpr mixed_by_coverage mix(const mixed_by_coverage& a, const mixed_by_coverage& b, int coverage) {
+  const auto c = static_cast<unsigned>(coverage);
+  return {(a.level * (255 - c) + b.level * c) / 255};
+}
+
+// As in shaders, and as in GLM.
+struct mixed_by_share {
+  float level;
+};
+constexpr mixed_by_share mix(mixed_by_share a, mixed_by_share b, float share) {
+  return {a.level + (b.level - a.level) * share};
+}
+struct mixed_by_anything {
+  float level;
+};
+template <class U>
+constexpr mixed_by_anything mix(mixed_by_anything a, mixed_by_anything b, U share) {
+  static_assert(!std::integral<U>);
+  return {a.level + (b.level - a.level) * share};
+}
+
+}  // namespace my
+
 namespace {
 
 TEST_CASE("mix: the nearest integer for all 2^24 arguments") {
@@ -45,6 +73,11 @@ TEST_CASE("mix: at both ends the other value does not matter") {
 TEST_CASE("mix: what it mixes") {
   static_assert(irg::Mixable<irg::rgb8> && irg::Mixable<std::uint8_t> && irg::Mixable<float>);
   static_assert(!irg::Mixable<int> && !irg::Mixable<char>);
+  static_assert(irg::Mixable<my::mixed_by_coverage>);
+  static_assert(!irg::Mixable<my::mixed_by_share> && !irg::Mixable<my::mixed_by_anything>);
+  CHECK_BOTH(mix(my::mixed_by_coverage{0}, {510}, 128).level == 256);
+  CHECK_BOTH(mix(my::mixed_by_share{0}, {2}, 0.5f).level == 1);
+  CHECK_BOTH(mix(my::mixed_by_anything{0}, {2}, 0.5f).level == 1);
 }
 
 }  // namespace

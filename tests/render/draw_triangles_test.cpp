@@ -623,6 +623,26 @@ TEST_CASE("draw_triangles: skipping changes no byte, on triangles anywhere") {
   }
 }
 
+TEST_CASE("draw_triangles: skipping changes no byte so far away that depths are hardly numbers") {
+  test::random r(7);
+  int drawn = 0;
+  for (int i = 0; i < 100; ++i) {
+    soup s{{}, {}, eye_at_origin(0.125), 100, 80};
+    const int size = static_cast<int>(r.integer(115, 146));
+    for (std::uint32_t k = 0; k < 180; k += 3) {
+      for (int corner = 0; corner < 3; ++corner) {
+        const double away = std::ldexp(1 + r.unit(), size);
+        s.positions.push_back({(3 * r.unit() - 1.5) * away, (3 * r.unit() - 1.5) * away, -away});
+      }
+      s.triangles.push_back({{k, k + 1, k + 2}});
+    }
+    const marks on = draw(s), off = draw(s, irg::face_culling::none, irg::skip_nothing);
+    REQUIRE(same(on, off));
+    drawn += off.stats.drawn > 0 ? 1 : 0;
+  }
+  CHECK(drawn > 90);
+}
+
 TEST_CASE("draw_triangles: skipping beyond a border does not depend on how clipping is rounded") {
   // All corners are beyond the right border, and some so far out that clipping them rounds by whole pictures.
   test::random r(111);

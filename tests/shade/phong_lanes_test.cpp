@@ -110,6 +110,19 @@ TEST_CASE("phong_lanes: light without bounds, of which nothing falls on what is 
   CHECK_BOTH(seen() == irg::rgb<double>{1, 1, 1});
 }
 
+TEST_CASE("phong_lanes: exponents of all sizes, seen along the mirrored ray") {
+  test::random r(18);
+  for (int k = 0; k < 2000; ++k) {
+    any_shader s(r);
+    s.shader.surface.shininess = std::ldexp(1 + r.unit(), static_cast<int>(r.integer(-10, 1000)));
+    const irg::hpoint<double, 3>& l = s.lights[0].position;
+    s.shader.eye = {3 * l.x, 3 * l.y, 3 * l.z};
+    using f = irg::lanes<F>;
+    const auto zero = [](int) { return 0.0; };
+    REQUIRE(wrong(s, generate(zero), {f::broadcast(l.x), f::broadcast(l.y), f::broadcast(l.z)}) == 0);
+  }
+}
+
 TEST_CASE("phong_lanes: what becomes of the shader later does not matter") {
   test::random r(73);
   any_shader s(r);

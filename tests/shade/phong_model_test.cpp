@@ -130,6 +130,25 @@ TEST_CASE("phong_model: a shininess that is no integer") {
   CHECK(irg::specular_factor(l, n, v, 2.0) == doctest::Approx(0.64).epsilon(1e-14));
 }
 
+TEST_CASE("phong_model: a highlight of whatever shininess is no brighter than its light, and none on a dull surface") {
+  test::random r(17);
+  const auto any = [&] { return vec3<double>{2 * r.unit() - 1, 2 * r.unit() - 1, 2 * r.unit() - 1}; };
+  int above = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const vec3<double> n = irg::normalized(any()), l = i % 2 == 0 ? n : irg::normalized(any() + n * 2.0),
+                       v = irg::normalized(irg::reflected_direction(l, n));
+    above += 1 < irg::dot(irg::reflected_direction(l, n), v) ? 1 : 0;
+    for (const double shininess : {1024.5, 1e15, 1e25, 1e300}) {
+      REQUIRE(irg::specular_factor(l, n, v, shininess) <= 1);
+      const irg::material<double, double> matt{0, 1, 0, shininess};
+      const double light = irg::reflected_light(matt, 1.0, l, n, v);
+      REQUIRE(light == irg::diffuse_term(1.0, 1.0, l, n));
+    }
+  }
+  CHECK(above > 200);
+  static_assert(irg::specular_factor(vec3<double>{0, 0, 1 + 0x1p-52}, {0, 0, 1}, {0, 0, 1}, 1e300) == 1);
+}
+
 namespace {
 
 constexpr irg::material<double, double> dull{0.2, 0.6, 0.0, 1.0};

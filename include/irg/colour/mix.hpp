@@ -60,10 +60,25 @@ template <std::floating_point T>
 
 }  // namespace IRG_ABI
 
-/// A pixel type that mix knows.
-template <class P>
-concept Mixable = requires(const P& a, const P& b, std::uint8_t coverage) {
-  { mix(a, b, coverage) } -> std::same_as<P>;
+namespace detail {
+
+// What becomes an integer and nothing else, and what becomes nothing at all. Shaders and their libraries have a mix of
+// shares from 0 to 1, too: it would take coverage 255 for a share of 255.
+struct only_coverage {
+  template <std::integral T>
+  operator T() const noexcept;
 };
+struct no_coverage {};
+
+}  // namespace detail
+
+/// A pixel type that mix knows: irg's, and types with a mix in their own namespace whose coverage is an integer.
+/// needs   of such a mix: a at coverage 0, b at 255
+/// gives   false where the mix is one of shares from 0 to 1, or takes anything, as GLM's
+template <class P>
+concept Mixable = requires(const P& a, const P& b, std::uint8_t coverage, const detail::only_coverage& only) {
+  { mix(a, b, coverage) } -> std::same_as<P>;
+  { mix(a, b, only) } -> std::same_as<P>;
+} && !requires(const P& a, const P& b, const detail::no_coverage& none) { mix(a, b, none); };
 
 }  // namespace irg

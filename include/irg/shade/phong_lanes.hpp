@@ -136,7 +136,8 @@ private:
   template <class F>
   [[nodiscard]] IRG_APART IRG_INLINE F power_of(F x) const {
     using f = lanes<F>;
-    if (exponent_ < 0) return f::generate([&](int i) { return 0 < x[i] ? pow(x[i], shader_.surface.shininess) : 0.0; });
+    if (exponent_ < 0)
+      return f::generate([&](int i) { return 0 < x[i] ? pow(lesser(x[i], 1.0), shader_.surface.shininess) : 0.0; });
     F power = f::broadcast(1);
     for (int n = exponent_; n > 0; n /= 2) {
       if (n % 2 != 0) power = power * x;

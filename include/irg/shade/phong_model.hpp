@@ -86,7 +86,8 @@ template <class L, Scalar T>
 /// (R.V)^n: how near the viewer is to the reflected ray, 1 on it.
 /// gives   0 where R.V <= 0, and where L.N <= 0: light from behind makes no highlight
 /// needs   a shininess n > 0; an integer up to 1024 if T is neither float nor double
-/// exact   integers n up to 1024 by integer_power, others by pow
+/// exact   integers n up to 1024 by integer_power, others by pow, for which R.V is at most 1: what rounding puts above
+///         it, a large n would make infinite
 template <Scalar T>
 [[nodiscard]] constexpr T specular_factor(const vec<T, 3>& to_light, const vec<T, 3>& normal,
                                           const vec<T, 3>& to_viewer, const T& shininess) noexcept {
@@ -95,7 +96,7 @@ template <Scalar T>
   if (!(T(0) < rv)) return T(0);
   const int n = detail::small_integer(shininess);
   if constexpr (Floating<T>) {
-    return n < 0 ? pow(rv, shininess) : integer_power(rv, n);
+    return n < 0 ? pow(lesser(rv, T(1)), shininess) : integer_power(rv, n);
   } else {
     IRG_EXPECTS(n >= 0);
     return integer_power(rv, n);
