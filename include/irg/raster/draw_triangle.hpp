@@ -177,8 +177,8 @@ inline namespace IRG_ABI {
 /// needs   positions within snap_limit, depths that are finite, inverse_w > 0; colour and depth cover `window`
 /// gives   nothing for a degenerate triangle; with the default policy equal depths leave the pixel as it was, so the
 ///         first drawn wins
-/// exact   coverage by cover_triangle; depth within 4 ulp for depths of one sign, and never outside the range of the
-///         vertices' depths; weights within 4e-7
+/// exact   coverage by cover_triangle; depth within 4 ulp for depths of one sign, where they are tiny as depth_at says,
+///         and never outside the range of the vertices' depths; weights within 4e-7
 /// cost    proportional to the pixels of the bounding box for small triangles, to the covered ones for wide ones
 /// source  Pineda 1988; Heckbert and Moreton 1991 for the perspective correction
 template <class How = nearer_is_greater, DepthPolicy Policy = depth_policy<>, RowRaster Colour, RowRaster Depth,
