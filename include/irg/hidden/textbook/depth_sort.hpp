@@ -100,6 +100,35 @@ constexpr plane_sides sides_of(const R& ring, const visible_plane<ring_scalar<R>
   return sides;
 }
 
+// What of a polygon lies on one side of a plane that cuts it; both sides get the same new points.
+template <Floating T>
+constexpr std::vector<point<T, 3>> ring_on_side(const std::vector<point<T, 3>>& ring, const visible_plane<T>& plane,
+                                                int side) {
+  std::vector<point<T, 3>> kept;
+  const auto where = [&](const point<T, 3>& c) { return plane.up * orient3d(plane.p, plane.q, plane.r, c); };
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const int at_a = where(a), at_b = where(b);
+    if (at_a == side || at_a == 0) kept.push_back(a);
+    if (at_a * at_b < 0)
+      kept.push_back(at_a < 0 ? intersect_plane_line(plane.p, plane.q, plane.r, a, b).at
+                              : intersect_plane_line(plane.p, plane.q, plane.r, b, a).at);
+  }
+  return kept;
+}
+
+// The area that two convex polygons have in common on the screen: that of what of P is inside the prism over Q.
+template <Floating T>
+constexpr T area_in_common(std::vector<point<T, 3>> p, const std::vector<point<T, 3>>& q) {
+  const int up = visible_plane_of(q).up;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const point<T, 3>&a = q[i], &b = q[i + 1 < q.size() ? i + 1 : 0];
+    p = ring_on_side(p, {{a.x, a.y, 0}, {b.x, b.y, 0}, {a.x, a.y, 1}, 1}, -up);
+  }
+  const T area = polygon_area(without_depth(p));
+  return area < 0 ? -area : area;
+}
+
 // Whether the extents in x (0) or y (1) have no stretch in common.
 template <SpaceRing P, SpaceRing Q>
 constexpr bool extents_apart(const P& p, const Q& q, int axis) noexcept {
@@ -248,28 +277,16 @@ private:
       for (std::size_t by = 0; by <= last; ++by)
         if (in_turn(cut) && in_turn(by) && split(cut, by)) return;
     std::size_t least_p = last, least_q = i;
-    T least = common_area(list_[last], list_[i]);
+    T least = area_in_common(list_[last].polygon.corners, list_[i].polygon.corners);
     for (std::size_t k = 0; k <= last; ++k)
       for (std::size_t j = 0; j <= last; ++j) {
         const part &p = list_[k], &q = list_[j];
         if (!in_turn(k) || !in_turn(j) || p.nearest <= q.farthest || does_not_hide_part(p, q)) continue;
-        if (const T area = common_area(p, q); area < least) least = area, least_p = k, least_q = j;
+        if (const T area = area_in_common(p.polygon.corners, q.polygon.corners); area < least)
+          least = area, least_p = k, least_q = j;
       }
     list_[least_p].let_pass.push_back(list_[least_q].made);
     for (part& p : list_) p.moved = false;
-  }
-
-  // The area that both have on the screen: of what of P is inside the prism over Q.
-  static constexpr T common_area(const part& p, const part& q) {
-    const std::vector<point<T, 3>>& ring = q.polygon.corners;
-    const int up = visible_plane_of(ring).up;
-    std::vector<point<T, 3>> inside = p.polygon.corners;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      inside = side_of_plane(inside, {{a.x, a.y, 0}, {b.x, b.y, 0}, {a.x, a.y, 1}, 1}, -up);
-    }
-    const T area = polygon_area(without_depth(inside));
-    return area < 0 ? -area : area;
   }
 
   constexpr bool split(std::size_t cut, std::size_t by) {
@@ -283,27 +300,11 @@ private:
     for (part& p : list_) p.moved = false;
     for (const bool in_front : {true, false}) {
       part half{
-          {side_of_plane(whole.polygon.corners, plane, in_front ? 1 : -1), whole.polygon.number}, whole.known, {}, {}};
+          {ring_on_side(whole.polygon.corners, plane, in_front ? 1 : -1), whole.polygon.number}, whole.known, {}, {}};
       half.known.push_back({number, in_front});
       insert(std::move(half));
     }
     return true;
-  }
-
-  // What of a polygon lies on one side of a plane that cuts it; both sides get the same new points.
-  static constexpr std::vector<point<T, 3>> side_of_plane(const std::vector<point<T, 3>>& ring,
-                                                          const visible_plane<T>& plane, int side) {
-    std::vector<point<T, 3>> kept;
-    const auto where = [&](const point<T, 3>& c) { return plane.up * orient3d(plane.p, plane.q, plane.r, c); };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const point<T, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      const int at_a = where(a), at_b = where(b);
-      if (at_a == side || at_a == 0) kept.push_back(a);
-      if (at_a * at_b < 0)
-        kept.push_back(at_a < 0 ? intersect_plane_line(plane.p, plane.q, plane.r, a, b).at
-                                : intersect_plane_line(plane.p, plane.q, plane.r, b, a).at);
-    }
-    return kept;
   }
 
   Observer& observer_;
