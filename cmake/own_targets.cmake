@@ -3,6 +3,7 @@
 # irg_own: link it privately to get the library and the strict warnings, as errors.
 add_library(irg_own INTERFACE)
 find_package(Threads REQUIRED)
+include(CheckCXXSourceCompiles)
 target_link_libraries(irg_own INTERFACE irg::irg Threads::Threads)
 target_compile_options(irg_own INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Wdouble-promotion -Werror
@@ -23,11 +24,12 @@ elseif(IRG_BUILD_TESTS OR IRG_BUILD_BENCH)
   message(STATUS "irg: tests and benchmarks on larger models skipped: no folder of models found")
 endif()
 
-# irg_optional(NAME HEADER [SUFFIX folder] [LIBRARIES ...]): makes the target irg_NAME, which brings in a library that tests
-# or benchmarks compare with and defines IRG_HAVE_NAME; where it is absent, says so aloud and leaves the target empty.
+# irg_optional(NAME HEADER [SUFFIX folder] [LIBRARIES ...] [COMPILED header...]): makes the target irg_NAME, which brings in
+# a library that tests or benchmarks compare with and defines IRG_HAVE_NAME; where it is absent, says so aloud and leaves the
+# target empty. COMPILED names headers that have to compile, for a library whose packages do not ask for all they need.
 function(irg_optional name header)
   add_library(irg_${name} INTERFACE)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "SUFFIX" "LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "SUFFIX" "LIBRARIES;COMPILED")
   find_path(IRG_${name}_INCLUDE ${header} PATH_SUFFIXES ${arg_SUFFIX})
   mark_as_advanced(IRG_${name}_INCLUDE)
   set(found ${IRG_${name}_INCLUDE})
@@ -41,6 +43,18 @@ function(irg_optional name header)
     return()
   endif()
   list(POP_FRONT found include)
+  if(arg_COMPILED)
+    set(CMAKE_REQUIRED_INCLUDES ${include})
+    set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+    list(TRANSFORM arg_COMPILED REPLACE "(.+)" "#include <\\1>" OUTPUT_VARIABLE lines)
+    list(JOIN lines "\n" lines)
+    check_cxx_source_compiles("${lines}\nint main() {}" IRG_${name}_COMPILES)
+    if(NOT IRG_${name}_COMPILES)
+      unset(IRG_${name}_COMPILES CACHE)  # asked again when packages may have come
+      message(STATUS "irg: what uses ${name} skipped: its headers do not compile, a package is missing")
+      return()
+    endif()
+  endif()
   target_include_directories(irg_${name} SYSTEM INTERFACE ${include})
   target_link_libraries(irg_${name} INTERFACE ${found})
   target_compile_definitions(irg_${name} INTERFACE IRG_HAVE_${name}=1)

@@ -1,5 +1,6 @@
 # What the scripts share; source it from the project's root folder.
 #   need_packages PACKAGE...      installs what is missing from the distribution
+#   want_packages PACKAGE...      the same for what one can do without: names what cannot be had, and goes on
 #   step TEXT COMMAND...          runs a command as the next of $steps steps, its output going to a log
 #   use_compiler_cache            compiles through ccache from here on, where there is one
 #   passed_before NAME            whether NAME passed with the very files that are here now
@@ -79,15 +80,22 @@ install_packages() {
   as_root apt-get update && as_root apt-get install -y --no-install-recommends "$@"
 }
 
+# The packages of a list that are not installed, as the array `missing`.
+find_missing() {
+  local package
+  missing=()
+  for package; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+}
+
 need_packages() {
-  local package missing=()
+  local missing
   if ! command -v dpkg-query >/dev/null; then
     step "Taking for granted, as this is no Debian: $*" true
     return
   fi
-  for package in "$@"; do
-    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
-  done
+  find_missing "$@"
   if [ ${#missing[@]} = 0 ]; then
     step "Nothing to install" true
   elif [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
@@ -96,4 +104,27 @@ need_packages() {
     if [ "$(id -u)" != 0 ]; then sudo -v || fail "root is needed to install: ${missing[*]}."; fi
     step "Installing ${missing[*]}" install_packages "${missing[@]}"
   fi
+}
+
+# All at once, and one at a time where that fails: a package that this distribution lacks keeps out no other.
+install_what_there_is() {
+  local package
+  install_packages "$@" && return
+  for package; do as_root apt-get install -y --no-install-recommends "$package" || true; done
+}
+
+want_packages() {
+  local missing
+  if ! command -v dpkg-query >/dev/null; then
+    step "Going on with what is there, as this is no Debian, of: $*" true
+    return
+  fi
+  find_missing "$@"
+  if [ ${#missing[@]} = 0 ]; then
+    step "Nothing more to install" true
+    return
+  fi
+  step "Installing, if they can be had, ${missing[*]}" install_what_there_is "${missing[@]}"
+  find_missing "$@"
+  [ ${#missing[@]} = 0 ] || echo "      Not to be had: ${missing[*]}"
 }
