@@ -144,7 +144,7 @@ TEST_CASE("bezier_nearest: distances beyond the largest number") {
   CHECK(std::abs(place({most / 2, most}) - 0.75) <= 0x1p-24);
 }
 
-// Curve and point moved together by what all their coordinates bear without rounding: the same place, the same distance.
+// Curve and point moved together by what their coordinates bear without rounding: the same place, the same distance.
 TEST_CASE("bezier_nearest: far from the origin as beside it") {
   test::random r(43);
   int other = 0;

@@ -85,7 +85,7 @@ TEST_CASE("draw_deep_mandelbrot: about i, whose orbit stays on the border, and o
   CHECK(wrong_counts({digits(0.5), digits(0.5), 0.25, make_escape_limit(0.7, 200)}, 9) == 0);
 }
 
-// |Z| is the radius to the last bit of a double, and to the last of 320: which side a pixel is on only its offset tells.
+// |Z| is the radius to the last bit of a double, and to the last of 320: the side of a pixel only its offset tells.
 TEST_CASE("draw_deep_mandelbrot: orbits that touch the border of the disc") {
   struct {
     double re, im, square;  // of a centre, one of whose first points is of that squared length

@@ -254,7 +254,7 @@ int rank_of(const mat<std::int64_t, N, N + 1>& a, int columns) {
   return first < second ? second : first;
 }
 
-// N equations with integers: any; of a low rank; with rows that are zero, a unit's, or a multiple of another; of blocks.
+// N equations with integers: any; of a low rank; with rows that are zero, a unit's, or another's multiple; of blocks.
 template <int N>
 mat<std::int64_t, N, N + 1> integer_system(test::random& r) {
   mat<std::int64_t, N, N + 1> a{};

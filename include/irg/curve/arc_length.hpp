@@ -51,8 +51,8 @@ constexpr T adaptive_length(const F& speed, T a, T b, T whole, T tolerance, int 
          adaptive_length(speed, middle, b, right, tolerance / 2, depth - 1);
 }
 
-// The place in [begin, end] where length_to(place) is `wanted` within `noise`, from t on: Newton's steps, each within the
-// stretch that is known to hold the place, and halves where a step would leave it. length_to is asked for t first, then
+// The place in [begin, end] where length_to(place) is `wanted` within `noise`, from t on: Newton's steps, each within
+// the stretch that is known to hold the place, and halves where a step would leave it. length_to is asked for t first, then
 // for each place that a step leads to.
 template <Floating T, class Speed, class Length>
 constexpr T place_of_length(const Speed& speed, const Length& length_to, T begin, T end, T t, T wanted, T noise) {
@@ -115,8 +115,8 @@ constexpr arc_length_table<T> arc_lengths(const Speed& speed, std::type_identity
 /// gives   table.first for s <= 0 and NaN, table.last for s beyond the length: a path stands still at its ends
 /// exact   the length up to the result is s within some 10 u of the whole where the speed is smooth, however few pieces
 ///         the table has; near a place without speed (a cusp) as arc_length
-/// cost    a binary search, some three to six Newton steps of 7 speeds, and an adaptive length of 21 speeds or more that
-///         confirms the last of them; where it does not, some steps more of 21
+/// cost    a binary search, some three to six Newton steps of 7 speeds, and an adaptive length of 21 speeds or more
+///         that confirms the last of them; where it does not, some steps more of 21
 template <Floating T, class Speed>
 [[nodiscard]] constexpr T parameter_at_length(const Speed& speed, const arc_length_table<T>& table,
                                               std::type_identity_t<T> s) {
