@@ -144,6 +144,28 @@ TEST_CASE("bezier_nearest: distances beyond the largest number") {
   CHECK(std::abs(place({most / 2, most}) - 0.75) <= 0x1p-24);
 }
 
+// Curve and point moved together by what their coordinates bear without rounding: the same place, the same distance.
+TEST_CASE("bezier_nearest: far from the origin as beside it") {
+  test::random r(43);
+  int other = 0;
+  for (int round = 0; round < (std::getenv("IRG_RELEASE_TIER") ? 100'000 : 1'000); ++round) {
+    const auto coordinate = [&] { return static_cast<double>(r.integer(-255, 255)) / 64; };
+    std::vector<P> c(static_cast<std::size_t>(r.integer(1, 8)));
+    for (P& p : c) p = {coordinate(), coordinate()};
+    const P from{coordinate(), coordinate()};
+    const std::array<P, 3> moves{P{0x1p45, -0x1p45}, {148376, -223423}, {std::ldexp(1.0, round % 46), 0}};
+    const P move = moves[static_cast<std::size_t>(round % 3)];
+    std::vector<P> far = c;
+    for (P& p : far) p = {p.x + move.x, p.y + move.y};
+    std::vector<C> scratch(8 * c.size());
+    std::vector<P> work(c.size());
+    const auto here = irg::bezier_nearest(c, from, scratch, std::span<P>(work));
+    const auto there = irg::bezier_nearest(far, P{from.x + move.x, from.y + move.y}, scratch, std::span<P>(work));
+    other += here.t != there.t || here.distance != there.distance ? 1 : 0;
+  }
+  CHECK(other == 0);
+}
+
 TEST_CASE("bezier_box and bezier_nearest: against a thousand points of each curve") {
   test::random r(41);
   long outside = 0, loose = 0, farther = 0, false_place = 0;

@@ -11,6 +11,7 @@
 
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -126,6 +127,25 @@ TEST_CASE("bspline_least_squares: no other control points are better: the residu
   CHECK(worst < 2e-14);
 }
 #endif
+
+// What a point costs is its row's turns: no more of them than the order, however many control points there are.
+TEST_CASE("bspline_least_squares: turns in proportion to the points") {
+  test::random r(74);
+  for (const std::size_t size : {std::size_t{1000}, static_cast<std::size_t>(test::trials(10000))}) {
+    for (const int degree : {1, 3, 5}) {
+      const samples d = noisy_samples(r, degree, size, size / 10, irg::fit_spacing::centripetal);
+      const auto knots = *irg::make_bspline_knots(std::span<const double>(d.knots), degree);
+      irg::detail::banded_rows<P> rows(knots.size(), knots.order());
+      std::vector<double> values(knots.order());
+      std::size_t turns = 0;
+      for (std::size_t k = 0; k < size; ++k) {
+        const std::size_t first = *irg::bspline_basis(knots, d.places[k], std::span<double>(values));
+        turns += rows.add(values, first, d.points[k]);
+      }
+      CHECK(turns <= size * knots.order());
+    }
+  }
+}
 
 TEST_CASE("fits that there are not") {
   constexpr std::array<double, 7> u{0, 0, 0, 0.5, 1, 1, 1};

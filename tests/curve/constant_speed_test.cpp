@@ -66,6 +66,18 @@ TEST_CASE("constant_speed: equal steps along B-splines, by chords of 10^4 pieces
   }
 }
 
+// A sharp turn between two lengths of the table: the same place as by a table of many.
+TEST_CASE("constant_speed: a table of few lengths does as well as one of many") {
+  const std::array<P, 4> turn{P{0, 0, 0}, {10, 1, 0}, {-9, 1, 2}, {1, 0, 0}};
+  const auto sample = [&](double t) { return irg::bezier_sample(turn, t); };
+  std::array<double, 2> few{};
+  std::vector<double> many(1025);
+  const irg::constant_speed coarse(sample, 0., 1., std::span<double>(few)),
+      fine(sample, 0., 1., std::span<double>(many));
+  for (int k = 1; k < 20; ++k)
+    CHECK(irg::length(coarse.at(k / 20.).point - fine.at(k / 20.).point) <= 1e-13 * fine.length());
+}
+
 TEST_CASE("constant_speed: a curve of no length, NaN") {
   const auto still = [](double) { return irg::curve_sample<P>{{1, 2, 3}, {}}; };
   std::array<double, 3> lengths{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/fractal/deep_mandelbrot.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -8,6 +9,7 @@
 
 #include "fractal/deep_pictures.hpp"
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/random.hpp"
 
 using irg::deep_escape_job;
@@ -25,7 +27,7 @@ bool is_release_tier() { return std::getenv("IRG_RELEASE_TIER") != nullptr; }
 
 #ifdef IRG_HAVE_MPFR
 template <class T = double>
-int wrong_counts(const deep_job& job, int pixels) {
+int wrong_counts(const deep_job& job, int pixels, bool has_colours = true) {
   image<int> counts(pixels, pixels);
   irg::draw_deep_mandelbrot<T>(counts, job);
   test::big_orbit oracle;
@@ -38,7 +40,7 @@ int wrong_counts(const deep_job& job, int pixels) {
       least = k < least ? k : least;
       greatest = k > greatest ? k : greatest;
     }
-  return least < greatest ? wrong : -1;  // one colour is no picture
+  return !has_colours || least < greatest ? wrong : -1;  // one colour is no picture
 }
 #endif
 
@@ -81,6 +83,47 @@ TEST_CASE("draw_deep_mandelbrot: about i, whose orbit stays on the border, and o
   CHECK(wrong_counts({digits(-0.5), digits(0.0), 0.5, make_escape_limit(2.0, 200)}, 9) == 0);  // centre in the set
   CHECK(wrong_counts({digits(3.0), digits(1.0), 0.75, make_escape_limit(5.0, 200)}, 9) == 0);  // centre far outside
   CHECK(wrong_counts({digits(0.5), digits(0.5), 0.25, make_escape_limit(0.7, 200)}, 9) == 0);
+}
+
+// |Z| is the radius to the last bit of a double, and to the last of 320: the side of a pixel only its offset tells.
+TEST_CASE("draw_deep_mandelbrot: orbits that touch the border of the disc") {
+  struct {
+    double re, im, square;  // of a centre, one of whose first points is of that squared length
+  } constexpr touching[] = {{-2, 0, 4},
+                            {0.75, 1, 1.5625},
+                            {0, 1, 2},
+                            {0, 2, 20},
+                            {-1, 0.5, 1.25},
+                            {1, 0, 0x1.9p4},
+                            {1024, 0, 1049600.0 * 1049600.0},
+                            {3e5, 4e5, 25e10},
+                            {0x1p25, 0, 0x1p50 * ((0x1p25 + 1) * (0x1p25 + 1))},
+                            {3 * 0x1p-60, 0x1p-58, 25 * 0x1p-120}};
+  for (const auto& t : touching)
+    for (const double pixel : {1e-18, 1e-20, 1e-50, 1e-70})
+      for (const double aside : {0x1p-9, 0.3, -1.7}) {
+        const double side = pixel * (t.re * t.re < 0x1p-100 ? 0x1p-60 : 1);
+        const deep_job job{
+            digits(t.re) + digits(aside * side), digits(t.im) - digits(aside * side / 2), side, {t.square, 12}};
+        CHECK(wrong_counts(job, 7) == 0);
+        CHECK(wrong_counts<irg::double_double>(job, 5) == 0);
+      }
+  // Centres of the issue: -2 within 4e-16.
+  for (const char* const re : {"-1.9999999999999999", "-2.0000000000000001", "-1.99999999999999999999999999"}) {
+    const deep_job job{*irg::parse_fixed_point<6>(re), digits(0.0), 1e-20, make_escape_limit(2.0, 200)};
+    CHECK(wrong_counts(job, 9, false) == 0);
+  }
+  // Any centre, and the radius of one of its points as a double has it: a picture on one side of the border.
+  test::random r(77);
+  for (int i = test::trials(100); i > 0; --i) {
+    const auto coordinate = [&] { return digits(3 * r.unit() - 1.5) + digits(0x1p-60 * r.unit()); };
+    deep_job job{coordinate(), coordinate(), std::ldexp(1.0, -static_cast<int>(r.integer(60, 200))), {4, 20}};
+    const auto orbit = irg::reference_orbit(job.re, job.im, job.limit);
+    const auto& z = orbit[static_cast<std::size_t>(r.integer(1, static_cast<std::int64_t>(orbit.size()) - 1))];
+    job.limit.square = irg::product(z.x, z.x) + irg::product(z.y, z.y);
+    CHECK(wrong_counts(job, 3, false) == 0);
+    CHECK(wrong_counts<irg::double_double>(job, 2, false) == 0);
+  }
 }
 #endif
 

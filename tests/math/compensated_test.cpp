@@ -7,6 +7,7 @@
 #include <irg/math/vec.hpp>
 
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/ulp.hpp"
 
 using namespace irg;
@@ -121,6 +122,15 @@ struct oracle {
 double nearest(const oracle& o, double) { return mpfr_get_d(o.sum, MPFR_RNDN); }
 float nearest(const oracle& o, float) { return mpfr_get_flt(o.sum, MPFR_RNDN); }
 
+/// How far a number is from the exact one, as part of what n of them in twice the precision are promised: u of the
+/// result and n^2 u^2 of the sum of the sizes.
+double part_of_bound(double got, const oracle& exact, double sizes, double n) {
+  oracle off;
+  mpfr_sub_d(off.sum, exact.sum, got, MPFR_RNDN);
+  const double bound = std::fabs(mpfr_get_d(exact.sum, MPFR_RNDN)) * 0x1p-53 + n * n * sizes * 0x1p-106;
+  return bound == 0 ? 0 : std::fabs(mpfr_get_d(off.sum, MPFR_RNDN)) / bound;
+}
+
 /// The worst error counts dot products of doubles up to a condition of 10^14, and all others.
 template <class V>
 void compare(const V& a, const V& b, double& worst) {
@@ -133,6 +143,8 @@ void compare(const V& a, const V& b, double& worst) {
   // The sign of a zero is not promised.
   CHECK(dot_exact(a, b) + 0 == nearest(exact, scalar_of<V>()) + 0);
   const bool well_conditioned = 2 * sizes <= 1e14 * std::fabs(mpfr_get_d(exact.sum, MPFR_RNDN));
+  if (sizeof(a[0]) == sizeof(double) && sizes < 0x1p900 && sizes > 0x1p-900)
+    CHECK(part_of_bound(static_cast<double>(dot_accurate(a, b)), exact, sizes, size_of<V>) <= 1);
   if (well_conditioned || std::isinf(sizes) || sizeof(a[0]) == sizeof(float))
     worst = std::max(worst, test::ulp_error(dot_accurate(a, b), exact.sum));
 }
@@ -215,6 +227,41 @@ TEST_CASE("compensated: sums against MPFR") {
   }
   CHECK(worst <= 1);
   MESSAGE("sum_accurate ", worst, " ulp");
+}
+
+// Numbers of which each leaves the same rest, rounded the same way again and again: what n^2 stands for.
+TEST_CASE("compensated: the bound of long and of cancelling sums") {
+  test::random r(5);
+  double worst = 0, worst_dot = 0, most_ulp = 0;
+  for (int i = 0, count = test::trials(30); i < count; ++i) {
+    std::vector<double> x{1};
+    const double step = 0x1p-54 * (1 + r.unit());
+    for (std::int64_t n = r.integer(1, i % 10 == 0 ? 30000 : 300); n > 0; --n)
+      x.push_back(step * (i % 2 == 0 ? 1 : 1 + 0x1p-40 * r.unit()));
+    x.push_back(-1);
+    oracle exact;
+    double sizes = 0;
+    for (const double y : x) exact.add(y, 1), sizes += std::fabs(y);
+    const double got = sum_accurate(std::span<const double>(x)), n = static_cast<double>(x.size());
+    worst = std::max(worst, part_of_bound(got, exact, sizes, n));
+    const double off = test::ulp_error(got, exact.sum);
+    most_ulp = std::max(most_ulp, off);
+    if (n * n * sizes <= 0x1p52 * std::fabs(mpfr_get_d(exact.sum, MPFR_RNDN))) CHECK(off <= 1);
+  }
+  for (int i = 0, count = test::trials(20000); i < count;
+       ++i) {  // about the condition at which the two parts are alike
+    v4 a, b;
+    make_hard(r, static_cast<int>(r.integer(40, 60)), a, b);
+    oracle exact;
+    double sizes = 0;
+    for (int k = 0; k < 4; ++k) exact.add(a[k], b[k]), sizes += std::fabs(a[k] * b[k]);
+    worst_dot = std::max(worst_dot, part_of_bound(dot_accurate(a, b), exact, sizes, 4));
+    if (16 * sizes <= 0x1p52 * std::fabs(mpfr_get_d(exact.sum, MPFR_RNDN)))
+      CHECK(test::ulp_error(dot_accurate(a, b), exact.sum) <= 1);
+  }
+  MESSAGE("sum_accurate ", worst, " of its bound, up to ", most_ulp, " ulp; dot_accurate ", worst_dot, " of it");
+  CHECK(worst <= 1);
+  CHECK(worst_dot <= 1);
 }
 #else
 TEST_CASE("error bounds") { MESSAGE("skipped: MPFR was not found"); }

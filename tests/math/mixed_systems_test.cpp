@@ -210,3 +210,129 @@ TEST_CASE_TEMPLATE("mixed systems: singular ones are told apart", T, double, flo
   run(std::integral_constant<int, 3>{});
   run(std::integral_constant<int, 4>{});
 }
+
+// Systems of integers times 0.1, by tenths or by sevenths: every number is rounded, so that the determinants of what is
+// stored tell nothing, and kind and rank must be those of the integers. What has zeros in any pattern is told apart as
+// surely as what has none, whatever powers of two rows and columns are multiplied by.
+TEST_CASE("mixed systems: tenths are told apart as rounding has it") {
+  // Of the issue: four zeros or more.
+  CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.1, 0, 0, .7}, {0, 1, 0, 1}, {.3, 0, 0, 2.1}}}).kind ==
+             solvability::dependent);
+  CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.7, 0, .4, -1.5}, {0, 0, 0, 0}, {2.1, 0, 1.2, -4.5}}}).rank == 1);
+  CHECK_BOTH(solve_gauss(mat<double, 3, 4>{{{.1, 0, 0, .7}, {0, 1, 0, 1}, {.3, 0, 0, 2.2}}}).kind ==
+             solvability::inconsistent);
+  CHECK_BOTH(solve_gauss(mat<double, 5, 6>{{{.1, 0, 0, 0, 0, .7}, {0, 1, 0, 0, 0, 1}, {.3, 0, 0, 0, 0, 2.1}}}).rank ==
+             2);
+}
+
+namespace {
+
+// The number of independent rows of N rows of integers, `columns` of each, modulo a prime number below 2^31.
+template <int N>
+int rank_modulo(mat<std::int64_t, N, N + 1> a, int columns, std::int64_t prime) {
+  for (auto& row : a.m)
+    for (std::int64_t& entry : row) entry = (entry % prime + prime) % prime;
+  int rank = 0;
+  for (int c = 0; c < columns && rank < N; ++c) {
+    int pivot = rank;
+    while (pivot < N && a(pivot, c) == 0) ++pivot;
+    if (pivot == N) continue;
+    irg::detail::swap_rows(a, rank, pivot, N + 1);
+    for (int r = rank + 1; r < N; ++r) {
+      const std::int64_t f = a(r, c), g = a(rank, c);
+      for (int x = c; x < columns; ++x) a(r, x) = ((a(r, x) * g - a(rank, x) * f) % prime + prime) % prime;
+    }
+    ++rank;
+  }
+  return rank;
+}
+
+// The rank itself: minors of the systems below are less than the product of two primes.
+template <int N>
+int rank_of(const mat<std::int64_t, N, N + 1>& a, int columns) {
+  const int first = rank_modulo(a, columns, 2147483647), second = rank_modulo(a, columns, 2147483629);
+  return first < second ? second : first;
+}
+
+// N equations with integers: any; of a low rank; with rows that are zero, a unit's, or another's multiple; of blocks.
+template <int N>
+mat<std::int64_t, N, N + 1> integer_system(test::random& r) {
+  mat<std::int64_t, N, N + 1> a{};
+  const std::int64_t zeros = r.integer(0, 4), kind = r.integer(0, 4), right = r.integer(0, 3);
+  const auto number = [&](std::int64_t limit) { return r.integer(0, 4) < zeros ? 0 : r.integer(-limit, limit); };
+  const std::int64_t limit = kind == 0 && r.integer(0, 3) == 0 ? 99 : 9;
+  const auto copy_row = [&](int to, int from, std::int64_t f) {
+    for (int x = 0; x < N; ++x) a(to, x) = f * a(from, x);
+  };
+  const auto any = [&](int count) { return static_cast<int>(r.integer(0, count - 1)); };
+  const int terms = any(N + 1), cut_row = any(N + 1), cut_column = any(N + 1);
+  for (int y = 0; y < N; ++y) {
+    const std::int64_t fate = r.integer(0, 3);
+    for (int x = 0; x < N; ++x) a(y, x) = kind == 1 || kind == 2 || (kind == 3 && fate < 2) ? 0 : number(limit);
+    if (kind == 3 && fate == 1) a(y, any(N)) = r.integer(1, 9);
+    if (kind == 3 && fate == 2 && y > 0) copy_row(y, any(y), r.integer(-3, 3));
+    for (int x = 0; kind == 4 && y >= cut_row && x < cut_column; ++x) a(y, x) = 0;
+  }
+  for (int k = 0; (kind == 1 || kind == 2) && k < terms; ++k) {
+    std::int64_t u[static_cast<unsigned>(N)], v[static_cast<unsigned>(N)];
+    for (int i = 0; i < N; ++i) u[i] = number(3), v[i] = number(kind == 1 ? 9 : 3);
+    for (int y = 0; y < N; ++y)
+      for (int x = 0; x < N; ++x) a(y, x) += u[y] * v[x];
+  }
+  if (kind == 4) copy_row(any(N), any(N), r.integer(1, 3));
+  for (int x = 0; x < N; ++x) {
+    const std::int64_t component = r.integer(-5, 5);
+    for (int y = 0; y < N; ++y) a(y, N) += component * a(y, x);
+  }
+  if (right == 0) a(any(N), N) += r.integer(-2, 2);
+  if (right == 1)
+    for (int y = 0; y < N; ++y) a(y, N) = number(9);
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("mixed systems: integers times 0.1 with zeros anywhere, against ranks modulo primes") {
+  const auto run = []<int N>(std::integral_constant<int, N>) {
+    test::random r(80 + N);
+    int singular = 0, inconsistent = 0, wrong = 0;
+    const int count = test::many_trials(200);
+    for (int i = 0; i < count; ++i) {
+      const auto whole = integer_system<N>(r);
+      const int rank = rank_of<N>(whole, N);
+      const solvability kind = rank == N                         ? solvability::unique
+                               : rank_of<N>(whole, N + 1) > rank ? solvability::inconsistent
+                                                                 : solvability::dependent;
+      auto a = irg::detail::filled_mat<double, N, N + 1>([&](int y, int x) {
+        const auto entry = static_cast<double>(whole(y, x));
+        return i % 3 == 0 ? entry * 0.1 : i % 3 == 1 ? entry / 10 : entry / 7;
+      });
+      const int span = i % 2 == 0 ? 0 : 200;
+      for (int k = 0; k < N; ++k) {
+        const auto row = static_cast<int>(r.integer(-span, span)), column = static_cast<int>(r.integer(-span, span));
+        for (int x = 0; x <= N; ++x) a(k, x) = std::ldexp(a(k, x), row);
+        for (int y = 0; y < N; ++y) a(y, k) = std::ldexp(a(y, k), column);
+      }
+      const auto got = solve_gauss(a);
+      wrong += got.kind != kind || got.rank != rank ? 1 : 0;
+      if (N >= 5 && i % 8 < 2) {  // the same at run-time sizes
+        irg::matrix<double> left(N, N), b(N, 1);
+        for (int y = 0; y < N; ++y)
+          for (int x = 0; x <= N; ++x) (x < N ? left(y, x) : b(y, 0)) = a(y, x);
+        const auto dynamic = solve(left, b);
+        wrong += static_cast<bool>(dynamic) != (kind == solvability::unique) ||
+                 (!dynamic && dynamic.error() != (kind == solvability::dependent ? irg::matrix_error::dependent
+                                                                                 : irg::matrix_error::inconsistent));
+      }
+      singular += rank < N ? 1 : 0;
+      inconsistent += kind == solvability::inconsistent ? 1 : 0;
+    }
+    CHECK_MESSAGE(wrong == 0, N << " unknowns: " << wrong << " of " << count);
+    CHECK((singular > count / 3 && singular < count * 9 / 10 && inconsistent > count / 10));
+  };
+  run(std::integral_constant<int, 2>{});
+  run(std::integral_constant<int, 3>{});
+  run(std::integral_constant<int, 4>{});
+  run(std::integral_constant<int, 5>{});
+  run(std::integral_constant<int, 6>{});
+}

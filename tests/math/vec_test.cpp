@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/math/vec.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 
 #include "support/archetypes.hpp"
 #include "support/check_both.hpp"
+#include "support/exact.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -279,6 +281,50 @@ TEST_CASE("vec: Eigen vectors serve as they are") {
 #endif
 }
 
+namespace {
+
+// The error of dot_fast in u times the sum of the products' sizes, against exact integers of 24 bits.
+template <int N>
+double dot_fast_error(const irg::vec<float, N>& v, const irg::vec<float, N>& w) {
+  std::int64_t sum = 0, size = 0;
+  for (int k = 0; k < N; ++k) {
+    const std::int64_t term = static_cast<std::int64_t>(v[k]) * static_cast<std::int64_t>(w[k]);
+    sum += term;
+    size += std::abs(term);
+  }
+  const double error = std::abs(static_cast<double>(dot_fast(v, w)) - static_cast<double>(sum));
+  return size == 0 ? 0 : error * 0x1p24 / static_cast<double>(size);
+}
+
+// The worst that small changes of one coordinate after another lead to.
+template <int N>
+double worst_of_dot_fast(test::random& r) {
+  double worst = 0;
+  for (int start = test::trials(40); start > 0; --start) {
+    irg::vec<float, N> v{}, w{};
+    for (int k = 0; k < N; ++k) {
+      v[k] = static_cast<float>(r.integer(1 << (k < 2 ? 12 : 22), 1 << (k < 2 ? 13 : 24)));
+      w[k] = static_cast<float>(r.integer(1 << 12, 1 << (k < 2 ? 13 : 24)));
+    }
+    double best = dot_fast_error(v, w);
+    for (int step = 0; step < 3000; ++step) {
+      irg::vec<float, N> x = v, y = w;
+      float& changed = (r.integer(0, 1) == 0 ? x : y)[static_cast<int>(r.integer(0, N - 1))];
+      changed = static_cast<float>(
+          r.integer(0, 3) == 0
+              ? r.integer(1, 1 << 24)
+              : std::min<std::int64_t>(
+                    std::max<std::int64_t>(static_cast<std::int64_t>(changed) + r.integer(-64, 64), 1), 1 << 24));
+      const double there = dot_fast_error(x, y);
+      if (there >= best) v = x, w = y, best = there;
+    }
+    worst = std::max(worst, best);
+  }
+  return worst;
+}
+
+}  // namespace
+
 // The variants that may be fused: near the guarded ones, within their bound, against exact integers.
 TEST_CASE("vec: dot_fast and cross_fast") {
   CHECK_BOTH(dot_fast(vec3{1, 2, 3}, vec3{4, -5, 6}) == 12);
@@ -288,14 +334,8 @@ TEST_CASE("vec: dot_fast and cross_fast") {
   int wrong = 0;
   for (int i = 0; i < 100000; ++i) {
     const irg::vec<float, 3> v{coordinate(), coordinate(), coordinate()}, w{coordinate(), coordinate(), coordinate()};
-    std::int64_t sum = 0, size = 0;
     const auto term = [&](int j, int k) { return static_cast<std::int64_t>(v[j]) * static_cast<std::int64_t>(w[k]); };
-    for (int k = 0; k < 3; ++k) {
-      sum += term(k, k);
-      size += std::abs(term(k, k));
-    }
-    const double error = std::abs(static_cast<double>(dot_fast(v, w)) - static_cast<double>(sum));
-    wrong += error > 3 * 0x1p-24 * static_cast<double>(size);
+    wrong += dot_fast_error(v, w) > 3;
     const auto c = cross_fast(v, w);
     for (int k = 0; k < 3; ++k) {
       const std::int64_t p = term((k + 1) % 3, (k + 2) % 3), q = term((k + 2) % 3, (k + 1) % 3);
@@ -304,6 +344,11 @@ TEST_CASE("vec: dot_fast and cross_fast") {
     }
   }
   CHECK(wrong == 0);
+  const double of_two = worst_of_dot_fast<2>(r), of_three = worst_of_dot_fast<3>(r), of_four = worst_of_dot_fast<4>(r);
+  MESSAGE("dot_fast of 2, 3 and 4 coordinates: ", of_two, ", ", of_three, " and ", of_four, " u of the sizes");
+  CHECK(of_two <= 2);
+  CHECK(of_three <= 3);
+  CHECK(of_four <= 4);
 }
 
 TEST_CASE("vec: of numbers that have no constant expressions") {

@@ -20,7 +20,7 @@
 
 namespace irg {
 
-/// A place on a curve: its parameter, the point there, and how far that is from what was asked about.
+/// A place on a curve: its parameter, the point there, and how far the curve is there from what was asked about.
 template <Coordinates P>
 struct nearest_place {
   scalar_of<P> t = 0;
@@ -186,8 +186,8 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
 /// gives   of places that are equally near the one with the least t, up to rounding
 /// exact   all places are compared at which the line to p may be at right angles to the curve, and both ends: the
 ///         square of the distance is the least up to 200 * degree * u of the square of the largest offset of a control
-///         point, unless that offset is subnormal. That is some u of the size, but half the digits where the curve
-///         nearly stands still beside p
+///         point, unless that offset is subnormal, wherever curve and p are. That is some u of the size, but half the
+///         digits where the curve nearly stands still beside p. The point is rounded where it is, as bezier_point
 /// cost    bernstein_zeros of degree 2 * degree - 1, and degree^2 products for its coefficients
 /// source  Schneider 1990
 template <ControlPoints R>
@@ -199,21 +199,28 @@ constexpr nearest_place<detail::control_point<R>> bezier_nearest(
   using T = scalar_of<P>;
   const std::size_t count = ring_traits<R>::size(points), degree = count - 1;
   IRG_EXPECTS(count > 0 && count <= 61 && scratch.size() >= 8 * count && work.size() >= count);
-  const auto at = [&](T t) {
-    const P q = bezier_point(points, curve_parameter<T>(t), work);
-    return nearest_place<P>{t, q, length(detail::scaled_difference(p, q, 1))};
+  // Places are compared by the curve of offsets from p: far from the origin the curve's own points have fewer digits
+  // than their distances. Offsets that may overflow are taken to a quarter.
+  T largest = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    for (int axis = 0; axis < size_of<P>; ++axis)
+      largest = greater(largest, detail::magnitude(detail::half_difference(
+                                     coordinate(ring_traits<R>::vertex(points, i), axis), coordinate(p, axis))));
+  const bool is_large = largest > (std::numeric_limits<T>::max)() / 8;
+  const auto distance = [&](T t) {
+    for (std::size_t i = 0; i < count; ++i)
+      work[i] = generate_coordinates<P>([&](int axis) {
+        const T here = coordinate(ring_traits<R>::vertex(points, i), axis), from = coordinate(p, axis);
+        return is_large ? product(detail::half_difference(here, from), T(0.5)) : here - from;
+      });
+    detail::reduce(work.first(count), 1, curve_parameter<T>(t));
+    return length(
+        generate_coordinates<typename curve_sample<P>::vector>([&](int axis) { return coordinate(work[0], axis); }));
   };
-  nearest_place<P> best = at(T(0));
-  // Of distances beyond the largest number a quarter is compared.
-  const auto quarter = [&](const P& q) {
-    return length(generate_coordinates<typename curve_sample<P>::vector>(
-        [&](int i) { return product(detail::half_difference(coordinate(q, i), coordinate(p, i)), T(0.5)); }));
-  };
+  T best = 0, least = distance(best);
   const auto compare = [&](T t) {
-    const auto place = at(t);
-    const bool is_nearer =
-        detail::is_finite(best.distance) ? place.distance < best.distance : quarter(place.point) < quarter(best.point);
-    if (is_nearer) best = place;
+    const T there = distance(t);
+    if (there < least) best = t, least = there;
   };
   if (degree > 0) {
     const auto c = scratch.first(2 * degree);
@@ -226,7 +233,7 @@ constexpr nearest_place<detail::control_point<R>> bezier_nearest(
                     });
     compare(T(1));
   }
-  return best;
+  return {best, bezier_point(points, curve_parameter<T>(best), work), is_large ? 4 * least : least};
 }
 
 }  // namespace IRG_ABI

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sums, dot products and cross products that cancellation does not spoil. `_accurate` computes in twice the precision,
-// which leaves an error below 1 ulp up to condition 10^14 (the sum of the terms' sizes over the size of the result);
-// `_exact` gives the number nearest to the exact result, whatever the condition. Both cover the whole range of float
-// and double.
+// which leaves the last rounding and n^2 2^-106 of the sizes of the n terms: less than 1 ulp of up to nine of them to
+// condition 10^14 (twice the sum of the terms' sizes over the size of the result). `_exact` gives the number nearest to
+// the exact result, whatever the condition. Both cover the whole range of float and double.
 #pragma once
 
 #include <span>
@@ -20,8 +20,9 @@ inline namespace IRG_ABI {
 
 /// The sum of numbers, computed in twice the precision.
 /// gives   0 for no numbers; with a NaN or an infinity among them what adding them gives
-/// exact   within 1 ulp while the sum of the sizes is below 10^14 times the size of the sum and there are fewer than
-///         2^20 numbers; infinity only when the sum itself overflows
+/// exact   within u of the sum, its last rounding, and n^2 2^-106 of the sum of the sizes of the n numbers (u = 2^-53,
+///         float 2^-24): within 1 ulp while n^2 times the latter is below 2^52 times the size of the sum, in doubles.
+///         Infinity only when the sum itself overflows
 /// cost    8 operations a number; where one is beyond 2^960, an exact sum in integers
 /// source  Ogita, Rump and Oishi 2005
 template <Floating T>
@@ -47,8 +48,9 @@ template <Floating T>
 
 /// The sum of the products of the coordinates, computed in twice the precision.
 /// gives   for finite coordinates never NaN, infinity only when the result itself overflows
-/// exact   within 1 ulp up to condition 10^14 (2 * sum of |a_i*b_i| / |dot|); beyond, the error is below 2^-100 times
-///         the sum of the sizes of the products
+/// exact   within u of the result, its last rounding, and N^2 2^-106 of the sum of the sizes of the N products
+///         (u = 2^-53, float 2^-24): within 1 ulp while N^2 times the condition (2 * sum of |a_i*b_i| / |dot|) is
+///         below 2^53, so to 10^14 for nine coordinates and less
 /// cost    some 7 times that of dot; with a coordinate that is not 0 beyond 2^480 or below 2^-480, that of dot_exact
 /// source  Ogita, Rump and Oishi 2005
 template <Vector A, Vector B>

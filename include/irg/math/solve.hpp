@@ -4,6 +4,8 @@
 // solve_exact (math/solve_exact.hpp) decides that exactly for floats.
 #pragma once
 
+#include <type_traits>
+
 #include <irg/core/conversion.hpp>
 #include <irg/math/detail/exact_system.hpp>
 #include <irg/math/detail/refinement.hpp>
@@ -83,6 +85,48 @@ constexpr eliminated eliminate_fully(M& a, int n, int* column, T* largest_term, 
   return {solvability::unique, n};
 }
 
+// The same whatever sizes rows and columns have: beside each entry, in units of u, stands what its rounding and that of
+// the steps that made it may amount to, and an entry counts as zero where it is at most `smallest` / u times that.
+// n rows of n + 1 doubles; noise is of the same size, column of n numbers.
+template <class M>
+constexpr eliminated eliminate_certainly(M& a, M& noise, int n, int* column, double smallest) noexcept {
+  const auto is_certain = [&](int r, int c) { return product(noise(r, c), smallest) < entry_size(a(r, c)); };
+  for (int r = 0; r < n; ++r) {
+    column[r] = r;
+    for (int c = 0; c <= n; ++c) noise(r, c) = entry_size(a(r, c));
+  }
+  for (int k = 0; k < n; ++k) {
+    int row = n, unknown = k;
+    for (int r = k; r < n; ++r)
+      for (int c = k; c < n; ++c)
+        if (is_certain(r, c) && (row == n || entry_size(a(row, unknown)) < entry_size(a(r, c)))) row = r, unknown = c;
+    if (row == n) {
+      for (int r = k; r < n; ++r)
+        if (is_certain(r, n)) return {solvability::inconsistent, k};
+      return {solvability::dependent, k};
+    }
+    swap_rows(a, k, row, n + 1);
+    swap_rows(noise, k, row, n + 1);
+    for (int r = 0; r < n && unknown != k; ++r) {
+      swap_entries(a, r, k, r, unknown);
+      swap_entries(noise, r, k, r, unknown);
+    }
+    const int kept = column[k];
+    column[k] = column[unknown];
+    column[unknown] = kept;
+    const double pivot = a(k, k), size = entry_size(pivot);
+    for (int r = k + 1; r < n; ++r) {
+      if (noise(r, k) == 0) continue;  // a zero that no step has touched
+      const double f = a(r, k) / pivot, f_size = entry_size(f);
+      const double f_noise = noise(r, k) / size + product(f_size, noise(k, k) / size);
+      for (int c = k + 1; c <= n; ++c)
+        noise(r, c) = noise(r, c) + product(f_size, noise(k, c)) + product(f_noise, entry_size(a(k, c)));
+      subtract_row(a, r, f, k, k, n + 1);
+    }
+  }
+  return {solvability::unique, n};
+}
+
 // The unknown of row i of n rows that are zero left of the diagonal, from those of the rows below.
 template <class T, class M, class X>
 constexpr T substituted(const M& a, int i, int n, const X& x) noexcept {
@@ -114,9 +158,10 @@ struct elimination_space {
 };
 
 // Solves n rows of n + 1 finite numbers entry(r, c), which `a` holds, by elimination: the solution goes to x(0) to
-// x(n - 1).
+// x(n - 1). Doubles that seem singular are eliminated again with a bound of each entry's noise, in a copy of `a`.
 template <class T, class M, class E, class X>
-constexpr eliminated solve_rows(M& a, const E& entry, int n, const elimination_space<T>& space, const X& x) noexcept {
+constexpr eliminated solve_rows(M& a, const E& entry, int n, const elimination_space<T>& space,
+                                const X& x) noexcept(std::is_nothrow_copy_constructible_v<M>) {
   const auto [column, exponents, largest_term] = space;
   if constexpr (!Floating<T>) {
     const eliminated result = eliminate_fully(a, n, column, largest_term, T(0));
@@ -125,15 +170,16 @@ constexpr eliminated solve_rows(M& a, const E& entry, int n, const elimination_s
   } else {
     static_assert(std::same_as<T, double>, "floats are solved in double");
     const auto right = [&](int i) -> T& { return a(i, n); };
-    const scaled_sizes sizes = equilibrate(a, n, exponents, exponents + n);
+    equilibrate(a, n, exponents, exponents + n);
     int shift = scale_right_side(n, right, exponents);
     eliminated result = eliminate_fully(a, n, column, largest_term, smallest_pivot(n));
-    if (result.kind != solvability::unique && sizes.may_hide_regular()) {
+    if (result.kind != solvability::unique) {
       for (int r = 0; r < n; ++r)
         for (int c = 0; c <= n; ++c) a(r, c) = entry(r, c);
       equilibrate(a, n, exponents, exponents + n, scaling::by_means);
       shift = scale_right_side(n, right, exponents);
-      result = eliminate_fully(a, n, column, largest_term, smallest_pivot(n));
+      M noise = a;
+      result = eliminate_certainly(a, noise, n, column, smallest_pivot(n));
     }
     if (result.kind != solvability::unique) return result;
     substitute<T>(a, n, column, x);
@@ -163,26 +209,31 @@ constexpr bool fits_every_row(const mat<double, N, N + 1>& a, const double* x, c
   return all && (least >= 0x1p-400 || !has_small());
 }
 
-// What N equations with finite doubles entry(r, c) have whose determinant is 0.
-template <Floating T, int N, class E>
-constexpr system_solution<T, N> singular_solution(const E& entry) noexcept {
-  const int rank = exact_rank<N - 1>(N, N, entry);
-  const bool is_consistent = exact_rank<N>(N, N + 1, entry) == rank;
+// What N equations with finite doubles entry(r, c) have that are singular, if is_regular tells which minors are not.
+template <Floating T, int N, class E, class P>
+constexpr system_solution<T, N> singular_solution(const E& entry, const P& is_regular) noexcept {
+  const int rank = rank_by_minors<N - 1>(N, N, entry, is_regular);
+  const bool is_consistent = rank_by_minors<N>(N, N + 1, entry, is_regular) == rank;
   return {is_consistent ? solvability::dependent : solvability::inconsistent, rank, {}};
 }
 
-// What elimination found of up to four equations, or what they have exactly where that is another thing: where it does
-// not fit every row, or where another scaling shows that they are not singular. What kind of singular elimination finds
-// is trusted where the entries are not too different.
+// What elimination found of up to four equations, or what they have under the best of all scalings where that may be
+// another thing: where it does not fit every row, and where it sees singular equations and zeros or small entries may
+// have misled it. What changes of the numbers by their rounding could make is taken for made: the exact determinants
+// of 0.1, 0.7 and 0.3, 2.1 would tell how these were rounded, not what they stand for.
 template <Floating T, int N, class E>
-IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system_solution<T, N>& found,
-                                                    const scaled_sizes& sizes) noexcept {
+IRG_NOINLINE constexpr system_solution<T, N> mended(const E& entry, const system_solution<T, N>& found) noexcept {
   const exact_system<N, E> system(entry);
-  if (system.is_singular() && (found || sizes.are_apart())) return singular_solution<T, N>(entry);
-  if (system.is_singular() || !system.is_regular_within(smallest_pivot(N))) return found;
-  system_solution<T, N> s{solvability::unique, N, {}};
-  for (int k = 0; k < N; ++k) s.x[k] = system.template component<T>(k);
-  return s;
+  if (!system.is_singular() && system.is_regular_within(smallest_pivot(N))) {
+    system_solution<T, N> s{solvability::unique, N, {}};
+    for (int k = 0; k < N; ++k) s.x[k] = system.template component<T>(k);
+    return s;
+  }
+  if (found && !system.is_singular()) return found;
+  return singular_solution<T, N>(entry, []<class M, int K>(const M& minor, std::integral_constant<int, K>) {
+    const exact_system<K, M> part(minor);
+    return !part.is_singular() && part.is_regular_within(smallest_pivot(N));
+  });
 }
 
 template <Floating T, int N>
@@ -209,7 +260,7 @@ constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noex
     scale_solution(N, shift, exponents + N, unknown);
     found.x = generate_coordinates<vec<T, N>>([&](int i) { return converted<T>(x[i]); });
   }
-  return is_doubtful ? mended<T, N>(entry, found, sizes) : found;
+  return is_doubtful ? mended<T, N>(entry, found) : found;
 }
 
 }  // namespace IRG_ABI
@@ -218,14 +269,18 @@ constexpr system_solution<T, N> solve_up_to_four(const mat<T, N, N + 1>& a) noex
 inline namespace IRG_ABI {
 
 /// The solution of the equations row * (x, 1) with the last column as right side: a(i, 0) x_0 + ... = a(i, N).
-/// gives   dependent or inconsistent for a singular system. In floats that is one whose largest possible pivot, rows
-///         and columns scaled by powers of two to be of one size, is at most 4 N u of the first (u = 2^-53, float too):
-///         equations that are merely small, or of different sizes, are not singular. Up to N = 4 it is the best of all
-///         scalings that counts. not_finite for NaN and infinity
+/// gives   dependent or inconsistent for a singular system, with its rank, as rounding has it. In floats that is one
+///         whose largest possible pivot, rows and columns scaled by powers of two to be of one size, is at most 4 N u
+///         of the first (u = 2^-53, float too), and in which, up to N = 4, no scaling shows anything else: that a
+///         change of a column's entries by 4 N u of their sizes cannot make it singular. Beyond N = 4 entries that
+///         elimination leaves must be at most 4 N times what their own rounding can amount to. So numbers that were
+///         rounded from those of a singular system are singular, and equations that are merely small, or of different
+///         sizes, are not. Ranks and contradictions are decided by the same rule. not_finite for NaN and infinity
 /// exact   in rationals. In floats the error of a component is a few u times the condition number times the largest
 ///         component, rows and columns of one size; up to N = 4, whatever their size. lu_solve_refined and solve_exact
 ///         are right to the last place
-/// cost    2/3 N^3 operations, N^3/3 comparisons; floats are solved in double. lu_solve has the same error in a quarter
+/// cost    2/3 N^3 operations, N^3/3 comparisons; floats are solved in double; systems that look singular take longer,
+///         by exact minors up to N = 4, by a second elimination beyond. lu_solve has the same error in a quarter
 ///         of the time: this is for systems that may be singular, or whose equations are of very different sizes
 /// source  Wilkinson 1961 (Gauss's elimination with full pivoting)
 template <Real T, int N, int M>

@@ -23,7 +23,7 @@ template <Floating T, int N, int M>
   if (!detail::entries_finite<T>(a, N, M)) return {};
   const auto entry = [&](int r, int c) { return widened(a(r, c)); };
   const detail::exact_system<N, decltype(entry)> system(entry);
-  if (system.is_singular()) return detail::singular_solution<T, N>(entry);
+  if (system.is_singular()) return detail::singular_solution<T, N>(entry, detail::is_nonzero_minor);
   system_solution<T, N> s{solvability::unique, N, {}};
   for (int k = 0; k < N; ++k) {
     s.x[k] = system.template component<T>(k);

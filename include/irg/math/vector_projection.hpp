@@ -42,7 +42,7 @@ inline namespace IRG_ABI {
 
 /// The length of the part of a along b, negative where it points against b: |a| times the cosine of the angle.
 /// gives   nothing when b is zero or a coordinate is NaN or infinite; infinity when the result is too large
-/// exact   within 1.01 ulp, or 2^-100 |a| where a and b are nearly at right angles
+/// exact   within 1.01 ulp, and N^2 2^-106 |a| more, which counts where a and b are nearly at right angles
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 [[nodiscard]] constexpr std::optional<scalar_of<A>> scalar_projection(const A& a, const B& b) noexcept {
@@ -56,8 +56,8 @@ template <Vector A, Vector B>
 
 /// The part of a along b: the vector with b's direction, or the opposite, that a minus it is at right angles to b.
 /// gives   nothing when b is zero or a coordinate is NaN or infinite; infinite coordinates when they are too large
-/// exact   in rationals: no root is taken. In floats within 1.01 ulp a coordinate, or 2^-100 |a| where a and b are
-///         nearly at right angles
+/// exact   in rationals: no root is taken. In floats within 1.01 ulp a coordinate, and N^2 2^-106 |a| more, which
+///         counts where a and b are nearly at right angles
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Real<scalar_of<A>>)
 [[nodiscard]] constexpr std::optional<B> vector_projection(const A& a, const B& b) noexcept {
@@ -80,8 +80,8 @@ template <Vector A, Vector B>
 
 /// The cosine of the angle between two vectors, -1 to 1.
 /// gives   nothing when one is zero or has a coordinate that is NaN or infinite
-/// exact   within 0.51 ulp, or 2^-100 where they are nearly at right angles; never beyond 1. angle_between is better
-///         for the angle itself: near 0 and pi its cosine says little
+/// exact   within 0.51 ulp, and N^2 2^-106 more, which counts where they are nearly at right angles; never beyond 1.
+///         angle_between is better for the angle itself: near 0 and pi its cosine says little
 template <Vector A, Vector B>
   requires(size_of<A> == size_of<B> && std::same_as<scalar_of<A>, scalar_of<B>> && Floating<scalar_of<A>>)
 [[nodiscard]] constexpr std::optional<scalar_of<A>> cosine_between(const A& a, const B& b) noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #include <irg/core/conversion.hpp>
@@ -94,20 +95,25 @@ constexpr bool any_choice(int k, int n, const V& visit) noexcept {
   }
 }
 
-// The number of independent rows among `rows` rows of `columns` numbers entry(i, j), at most K: the size of the largest
-// minor that is not zero.
-template <int K, class E>
-constexpr int exact_rank(int rows, int columns, const E& entry) noexcept {
+// The size of the largest minor of `rows` rows of `columns` numbers entry(i, j), at most K, of which is_regular says
+// yes: with is_nonzero_minor the number of independent rows. is_regular takes the minor's numbers, and its size as a
+// constant.
+template <int K, class E, class P>
+constexpr int rank_by_minors(int rows, int columns, const E& entry, const P& is_regular) noexcept {
   if constexpr (K == 0) {
     return 0;
   } else {
     const bool is_full = any_choice(K, rows, [&](const int* r) {
       return any_choice(K, columns, [&](const int* c) {
-        return exact_determinant<K>([&](int i, int j) { return entry(r[i], c[j]); }).sign() != 0;
+        return is_regular([&](int i, int j) { return entry(r[i], c[j]); }, std::integral_constant<int, K>{});
       });
     });
-    return is_full ? K : exact_rank<K - 1>(rows, columns, entry);
+    return is_full ? K : rank_by_minors<K - 1>(rows, columns, entry, is_regular);
   }
 }
+
+inline constexpr auto is_nonzero_minor = []<class E, int K>(const E& minor, std::integral_constant<int, K>) {
+  return exact_determinant<K>(minor).sign() != 0;
+};
 
 }  // namespace irg::detail::inline IRG_ABI

@@ -33,7 +33,6 @@ struct scaled_sizes {
   // Whether another scaling might show that a matrix which looks singular is far from it. Up to size 4 that takes an
   // entry far below the others, or a block of zeros beside two blocks that are near singular both.
   IRG_INLINE constexpr bool may_hide_regular() const noexcept { return zeros >= 4 || least < 0x1p-10; }
-  IRG_INLINE constexpr bool are_apart() const noexcept { return zeros >= 4 || least < 0x1p-16; }
 };
 
 // a = the matrix with row i times 2^-row_exponent[i] and column j times 2^-column_exponent[j], as equilibrate makes it.
