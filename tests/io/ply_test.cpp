@@ -92,8 +92,8 @@ constexpr std::string_view odd_words =
     "0 4294967295 -32768 1 116 0.5 -1 0 1e300 -7\n1e-300 4294967295 -32768 1 116 0.5 -1 1 1e300 -7\n"
     "2e-300 4294967295 -32768 1 116 0.5 -1 2 1e300 -7";
 
-/// A reader as strict as vcglib's, on which MeshLab stands, written for this test alone: elements vertex and face, numbers
-/// of vertices float or double, one list of whose two types these pairs alone are known. Its faces, or "why not".
+/// A reader as strict as vcglib's, on which MeshLab stands, written for this test alone: elements vertex and face,
+/// numbers of vertices float or double, one list whose two types are a pair that vcglib knows.
 struct strict_ply {
   std::string refused = "";
   std::string count_type = "", index_type = "";

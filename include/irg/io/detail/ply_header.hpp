@@ -15,9 +15,9 @@ namespace irg::detail {
 /// The types of numbers that PLY has.
 enum class ply_type : std::uint8_t { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// The properties that irg knows by name; tu to tt are texture_u, texture_v, texture_s and texture_t. Of the pairs from s
-/// on, and of the two lists of corners, one is read: when the header has been read, that pair has the roles s and t, that
-/// list the role indices, and the others are unread. x to t are the places of a vertex's numbers.
+/// The properties that irg knows by name; tu to tt are texture_u, texture_v, texture_s and texture_t. One of the pairs
+/// from s on is read, and one of the two lists of corners: when the header has been read, that pair has the roles s and
+/// t, that list the role indices, and the others are unread. x to t are the places of a vertex's numbers.
 enum class ply_role : std::uint8_t { x, y, z, nx, ny, nz, s, t, u, v, tu, tv, ts, tt, indices, index, unread };
 inline constexpr std::size_t ply_numbers = 8;
 
