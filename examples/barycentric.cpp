@@ -20,6 +20,8 @@ namespace {
 constexpr std::string_view help =
     R"(barycentric - the weights of a triangle's corners that give a point
 
+usage: barycentric [options] <NUMBERS
+
 Reads the corners A, B, C and the point T, 3 numbers each, from standard input, and prints
   direct: t1 t2 t3     the solution of t1 A + t2 B + t3 C = T, or singular (the triangle's plane contains
                        the origin, or the triangle has no area)

@@ -23,6 +23,8 @@ namespace {
 constexpr std::string_view help =
     R"(bezier_curve - the points of a Bezier curve at equal steps of its parameter
 
+usage: bezier_curve [options] <NUMBERS
+
 Reads the degree n and the n + 1 control points, 3 numbers each, from standard input, and prints
   points: N            how many parameters t = k * step there are, from 0 on while t is at most 1
 

@@ -24,7 +24,9 @@
 namespace {
 
 constexpr std::string_view help =
-    R"(body_point MODEL - where points lie against a body
+    R"(body_point - where points lie against a body
+
+usage: body_point MODEL [options] <POINTS
 
 Reads points, x y z each, from standard input until its end; there may be none. Prints for each whether it is inside of
 the body, on its boundary or outside, decided exactly for closed bodies whose faces run counter-clockwise seen from

@@ -27,6 +27,8 @@ namespace {
 constexpr std::string_view help =
     R"(bresenham_line - the cells of a straight line
 
+usage: bresenham_line [options] <NUMBERS
+
 Reads x1 y1 x2 y2, whole numbers from -2147483648 to 2147483647, from standard input.
 
   --input FILE         read the numbers from FILE

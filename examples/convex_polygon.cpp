@@ -28,6 +28,8 @@ namespace {
 constexpr std::string_view help =
     R"(convex_polygon - a polygon's orientation, convexity, edges and pixels, and where a point lies
 
+usage: convex_polygon [options] <NUMBERS
+
 Reads n, then x y of each of the n vertices, then x y of a point, from standard input. Vertices may have decimals and
 reach from -2097152 to 2097152; to be filled they are rounded to 1/256. y points up, but down with --rule top-left.
 

@@ -18,6 +18,8 @@ namespace {
 const std::string help =
     R"(cornell_box - light between the walls of a room, by random paths: the more paths, the less noise
 
+usage: cornell_box -o OUT [options]
+
   -o OUT               the picture: .png, .ppm or .svg
   --size WxH           pixels (256x256)
   --paths N            1 to 65536 (64): paths for each pixel

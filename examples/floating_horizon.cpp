@@ -22,6 +22,8 @@ namespace {
 constexpr std::string_view help =
     R"(floating_horizon - a surface as curves, the near ones hiding the far ones
 
+usage: floating_horizon [options]
+
 Draws y = f(u, v) over the unit square, turned about the upright axis and tilted, as curves of constant v, of constant
 u, or both. Prints how many segments are drawn.
 

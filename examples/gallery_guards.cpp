@@ -17,6 +17,8 @@ namespace {
 constexpr std::string_view help =
     R"(gallery_guards - guards on the corners of a plan who together see all of it
 
+usage: gallery_guards [options] <PLAN
+
 Reads the number of rings, then for each the number of its corners and x y of each corner, from standard input. A ring
 inside another one is a hole. There may be up to 100 corners. Prints how many guards were chosen, how many are needed at
 least, into how many parts the plan falls, and x y of each guard.

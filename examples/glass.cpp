@@ -9,6 +9,8 @@ namespace {
 const std::string help =
     R"(glass - a ball of glass, one of silver and a red one over a chequered floor, by reflected and refracted rays
 
+usage: glass -o OUT [options]
+
 )";
 
 } // namespace

@@ -24,6 +24,8 @@ namespace {
 constexpr std::string_view help =
     R"(grid_surface - a surface over a grid without the lines that it hides
 
+usage: grid_surface [options] <NUMBERS
+
 Reads n and m, both at least 1, then (n+1)(m+1) heights y[i][j] at x = i, z = j with i outer and j inner, then the eye:
 x y z. Numbers are separated by white space; # begins a comment. Prints how the surface is seen (front, side, corner or
 horizontal) and how many facets it has.

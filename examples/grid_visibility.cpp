@@ -24,6 +24,8 @@ namespace {
 constexpr std::string_view help =
     R"(grid_visibility - the cells of a map that units see
 
+usage: grid_visibility [options] <MAP
+
 Reads width height depth, then the map: depth layers of height rows of width cells, . empty and # full, then one
 line per unit, x y [z], and per wall, wall x y z SIDE KIND: SIDE is x+, y+ or z+, between this cell and the next,
 KIND is wall, half, open-door, closed-door or laser. Prints how many cells any unit sees, its own among them.

@@ -20,6 +20,8 @@ namespace {
 constexpr std::string_view help =
     R"(linear_system - solves a x + b y + c z = d, three times
 
+usage: linear_system [options] <NUMBERS
+
 Reads three rows of four numbers a b c d from standard input, and prints the solution, each number correctly rounded; or
   singular: dependent       infinitely many solutions
   singular: inconsistent    none

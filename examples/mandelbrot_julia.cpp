@@ -20,6 +20,8 @@ namespace {
 constexpr std::string_view help =
     R"(mandelbrot_julia - how fast orbits of z^2 + c leave a disc
 
+usage: mandelbrot_julia [options] <NUMBERS
+
 Reads eps m umin umax vmin vmax xmax ymax from standard input: point (x, y), x from 0 to xmax and y from 0 to ymax, is
 the number u + iv with u = (umax - umin)/xmax*x + umin and v = (vmax - vmin)/ymax*y + vmin. Its count k is the number of
 steps z = z^2 + c, the first not counted, until |z| is no longer less than eps; at most m.

@@ -22,6 +22,8 @@ namespace {
 constexpr std::string_view help =
     R"(mandelbrot_zoom - a zoom into the Mandelbrot set as an animated PNG
 
+usage: mandelbrot_zoom -o OUT [options]
+
   -o OUT               the file, .png; needed
   --centre RE IM       decimals, of as many digits as the zoom is deep (a spiral that is good for 1e-48)
   --from WIDTH         of the first picture in the plane, up to 16 (3)

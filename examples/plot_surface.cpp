@@ -24,6 +24,8 @@ namespace {
 constexpr std::string_view help =
     R"(plot_surface - a surface with axes, ticks and labels, without what it hides
 
+usage: plot_surface [options]
+
   --function NAME      ripple (the default), saddle, peaks; crater has a hole
   --terrain FILE       heights of an Esri ASCII grid in place of a function
   --image FILE         heights of a PNG, dark is low

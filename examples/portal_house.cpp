@@ -26,6 +26,8 @@ namespace {
 constexpr std::string_view help =
     R"(portal_house - which rooms of a house can be seen from which
 
+usage: portal_house [options] <PLAN
+
 Reads a plan, a line for each cell, its heights and each portal:
   cell NAME x y x y x y ...      a convex room, counter-clockwise
   heights NAME floor ceiling     0 and 1 where there are none

@@ -8,7 +8,9 @@
 
 namespace {
 
-const std::string help = R"(render MODEL -o OUT - draws a model into a picture
+const std::string help = R"(render - draws a model into a picture
+
+usage: render MODEL -o OUT [options]
 
   MODEL                a body as OBJ, STL, PLY, OFF or XML, or one of teapot, cube, sphere, torus
   -o OUT               the picture: .png, .ppm or .svg

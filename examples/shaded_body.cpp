@@ -16,7 +16,9 @@
 
 namespace {
 
-const std::string help = R"(shaded_body MODEL - the shaded faces of a body
+const std::string help = R"(shaded_body - the shaded faces of a body
+
+usage: shaded_body MODEL [options]
 
 Prints how many triangles the model has, its faces cut, and how many belong to faces that turn their outer side towards
 the eye. The others are back faces, and so are those seen from their edge. A face is as bright as the ambient and the

@@ -9,6 +9,8 @@ namespace {
 const std::string help =
     R"(shadow - the teapot on a floor, lit by a lamp near by and a dim one at infinity, with the shadows of both
 
+usage: shadow -o OUT [options]
+
 )";
 
 } // namespace

@@ -26,6 +26,8 @@ namespace {
 constexpr std::string_view help =
     R"(street_view_2d - what of a town is seen from a place in its streets, or on the way along a path
 
+usage: street_view_2d [options] <TOWN
+
 Reads the town's borders x0 y0 x1 y1, the number of houses, for each the number of its corners and x y of each corner,
 then x y of one place, or of the corners of a path, from standard input. Houses may touch and overlap. All is in the
 town or on its borders. Prints per place

@@ -23,6 +23,8 @@ namespace {
 constexpr std::string_view help =
     R"(vectors - expressions of three vectors and two matrices
 
+usage: vectors [options] <NUMBERS
+
 Reads a, b, c, 3 numbers each, then A and B, 9 numbers each by rows, from standard input, and prints
   v1 = a + b,  s = v1 . b,  v2 = v1 x c,  v3 = v2 / |v2| (none when v2 is zero),  v4 = -v2,
   M1 = A + B,  M2 = A B^T,  M3 = A B^-1 (singular when B has no inverse, which is decided exactly).

@@ -28,7 +28,9 @@
 namespace {
 
 constexpr std::string_view help =
-    R"(view_projection [MODEL] - points in the eye's system and in the picture plane
+    R"(view_projection - points in the eye's system and in the picture plane
+
+usage: view_projection [MODEL] [options] <POINTS
 
 Reads the eye x y z and the target x y z, then n and x y z of each of the n points, from standard input; with MODEL only
 the eye and the target, the points are the model's vertices. z is up in the scene. The picture plane passes through the

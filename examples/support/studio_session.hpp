@@ -109,7 +109,8 @@ private:
         for (auto& b : bodies)
           if (b.name.empty()) b.name = stem;
       } else {
-        const auto read = irg::read_mesh<double>(text);
+        const auto named = irg::mesh_format_of_name(file);
+        const auto read = named ? irg::read_mesh<double>(text, *named) : irg::read_mesh<double>(text);
         if (!read) return with_place(read.error(), file);
         bodies.push_back(irg::store_body(name.empty() ? stem : name, *read));
       }

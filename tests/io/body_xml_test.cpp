@@ -101,6 +101,59 @@ TEST_CASE("body xml: what belongs to others is passed over") {
   CHECK(outcome("<?xml version='1.1' encoding='us-ascii' standalone='yes' ?><body><points/><faces/></body>") == "");
 }
 
+TEST_CASE("body xml: an element with a prefix is passed over with the text that it holds") {
+  CHECK_BOTH([] {
+    const auto r = read_body_xml("<body><o:a>text</o:a><points/><faces/></body>");
+    return r && r->size() == 1;
+  }());
+  // Wherever an element may stand, whatever stands in it.
+  const std::string held[] = {"text",
+                              " 1 < 2 ",
+                              "a &amp; b &#x41; &lt;",
+                              "x<![CDATA[ <b> & ]] > &no; ]]>y",
+                              "<![CDATA[]]>",
+                              "<![CDATA[]]]]>",
+                              "caf\xc3\xa9 > ] ]> ]]",
+                              "a<p/>b<o:q r='s'>c<point/>d</o:q>e<!-- f -->g<?h i?>j"};
+  const auto places = [](const std::string& e) {
+    return std::vector<std::string>{"<bodies>" + e + "<body><points/><faces/></body>" + e + "</bodies>",
+                                    "<body>" + e + "<points/>" + e + "<faces/></body>",
+                                    "<body><points><point x='0' y='0' z='0'>" + e + "</point>" + e +
+                                        "</points><edges><edge points='0 0'>" + e + "</edge></edges><faces>" + e +
+                                        "<face points='0 0 0'>" + e + "</face></faces></body>"};
+  };
+  for (const std::string& h : held) {
+    const bool is_bad = h == held[1];
+    for (const std::string& text : places("<o:note o:id='7'>" + h + "</o:note>")) {
+      INFO(text);
+      const std::string said = outcome(text);
+      CHECK((said == "") == !is_bad);
+      if (is_bad) CHECK(said.find("expected the name of an element") != std::string::npos);
+    }
+    if (h.starts_with("<!")) continue;
+    for (const std::string& text : places("<note>" + h + "</note>"))  // without a prefix it is unknown
+      CHECK(outcome(text).find("element is not known here") != std::string::npos);
+    for (const std::string& text : places(h))
+      CHECK(outcome(text).find("text stands where only elements may stand") != std::string::npos);
+  }
+  const auto within = [](std::string_view text) { return outcome("<body><o:a>" + std::string(text)); };
+  CHECK(within("b</o:a>c<points/><faces/></body>") == "1:19 text stands where only elements may stand");
+  CHECK(within("<o:b/></o:a>c<points/><faces/></body>") == "1:24 text stands where only elements may stand");
+  CHECK(within("<o:b>c</o:b></o:a><![CDATA[]]>") == "1:30 document types, entities and character data are not read");
+  CHECK(within("b &other;</o:a>") == "1:14 entity is none of the five that are read");
+  CHECK(within("b &</o:a>") == "1:14 entity is none of the five that are read");
+  CHECK(within("b ]]> c</o:a>") == "1:14 end of character data stands in text");
+  CHECK(within("<![CDATA[ ]>") == "1:24 character data do not end");
+  CHECK(within("<![cdata[ ]]>") == "1:12 document types, entities and character data are not read");
+  CHECK(within("<!DOCTYPE a>") == "1:12 document types, entities and character data are not read");
+  CHECK(within("b") == "1:13 text ends before its elements do");
+  CHECK(within("b</o:b>") == "1:13 element ends that is not the last one begun");
+  CHECK(outcome("<o:a>b</o:a>") == "1:2 first element is neither bodies nor body");
+  CHECK(outcome("<body><o:a>" + repeated("&#", 500000) + "</o:a>") == "1:12 entity is none of the five that are read");
+  CHECK(outcome("<body><o:a>" + repeated("]", 5000000) + repeated("<![CDATA[]]>", 100000) +
+                "</o:a><points/><faces/></body>") == "");
+}
+
 TEST_CASE("body xml: document types, entities and other documents are refused") {
   const std::string laughs =
       "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;\">]>\n<body "
@@ -268,4 +321,5 @@ TEST_CASE("body xml: damage is noticed or leaves sound bodies") {
     return irg::mesh_of_bodies(*bodies);
   };
   CHECK(test::damage(std::string(triangle), read, 6000, 1) == static_cast<int>(triangle.size()) - 1);
+  test::damage("<body><o:a>b&amp;<![CDATA[<c>]]>d<e f='g'>h</e></o:a><points/><faces/></body>", read, 6000, 2);
 }

@@ -108,6 +108,82 @@ TEST_CASE("mesh files: written in the format of their name, read by their conten
   CHECK(irg::write_mesh("mesh_file_test.xml", broken));
 }
 
+TEST_CASE("mesh files: NaN in what is not used") {
+  const auto outcome = [](std::string_view s) { return test::outcome_of(irg::read_mesh<double>(s)); };
+  // Lines of numbers hold numbers.
+  CHECK(outcome("v 0 0 0 nan 0 0\n") == "1:9 number is not finite");
+  CHECK(outcome("OFF\n1 0 0\n0 0 0 nan 0 0\n") == "3:7 number is not finite");
+  CHECK(outcome("COFF\n1 0 0\n0 0 0 1 nan 1 1\n") == "3:9 number is not finite");
+  CHECK(outcome("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0 nan 0\n") == "6:11 number is not finite");
+  CHECK(outcome(std::string_view("COFF BINARY\n\0\0\0\1\0\0\0\0\0\0\0\0"
+                                 "\0\0\0\0\0\0\0\0\0\0\0\0\x7f\xc0\0\0\0\0\0\0\0\0\0\0\0\0\0\0",
+                                 52)) == "0:37 number is not finite");
+  // What readers are to pass over may be anything.
+  CHECK(outcome("OFF BINARY\n" + std::string("\0\0\0\1\0\0\0\1\0\0\0\0", 12) + std::string(12, '\0') +
+                std::string("\0\0\0\3", 4) + std::string(12, '\0') +
+                std::string("\0\0\0\3\x7f\xc0\0\0\x7f\xc0\0\0\x7f\xc0\0\0", 16)) == "");
+  CHECK(outcome("ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
+                "property float red\nend_header\n0 0 0 nan\n") == "");
+  CHECK(outcome("solid\nfacet normal nan nan nan outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n"
+                "endsolid\n") == "");
+  CHECK(outcome("<body><points><point x='0' y='0' z='0' o:w='nan'><o:c>nan</o:c></point></points><faces/></body>") ==
+        "");
+}
+
+TEST_CASE("mesh files: what cannot be read gets the sentence of the format that its name asks for") {
+  const auto cube = irg::triangulate(irg::shape_cube<float>());
+  std::string binary = as_text(*irg::encode_stl(cube, mesh_encoding::little_endian));
+  const auto outcome = [](std::string_view bytes, mesh_format named) {
+    return test::outcome_of(irg::read_mesh<float>(bytes, named));
+  };
+  const auto stl = mesh_format::stl, ply = mesh_format::ply, off = mesh_format::off, xml = mesh_format::body_xml,
+             obj = mesh_format::obj;
+  // What can be read is read, whatever it is called.
+  for (const mesh_format named : {obj, stl, ply, off, xml}) {
+    for (const std::string& bytes : files_of(cube)) CHECK(outcome(bytes, named) == "");
+    CHECK(outcome(as_text(*irg::encode_obj(cube)), named) == "");
+    CHECK(outcome("v 0 0 0\n", named) == "");
+  }
+  const std::string too_short = binary.substr(0, binary.size() - 1), too_long = binary + "\n";
+  CHECK(outcome(too_short, stl) == "0:81 file is too short for the number of triangles that stands here");
+  CHECK(outcome(too_long, stl) == "0:81 file is too long for the number of triangles that stands here");
+  for (const char* head : {"ply\n", "OFF ", "# by hand\nOFF ", "<a/>", "v 0 0 0\n"}) {  // names of bodies and programs
+    std::string bytes = too_short;
+    bytes.replace(0, std::string_view(head).size(), head);
+    CHECK(outcome(bytes, stl) == "0:81 file is too short for the number of triangles that stands here");
+  }
+  const std::string text = as_text(*irg::encode_stl(cube));
+  for (const char* comment :
+       {"# made by hand\n", "// made by hand\n", "; made by hand\n", "Made by hand\n", "\xC2\xA9 x\n"})
+    CHECK(outcome(comment + text, stl) == "1:1 expected the word solid");
+  CHECK(outcome("\n  facet normal 0 0 1\n", stl) == "2:3 expected the word solid");
+  CHECK(outcome("", stl) == "1:1 text has no word solid");
+  CHECK(outcome("", ply) == "1:1 file does not begin with the word ply");
+  CHECK(outcome("made by hand\nply\nformat ascii 1.0\n", ply) == "1:1 file does not begin with the word ply");
+  CHECK(outcome("Off\n3 1 0\n0 0 0\n", off) == "1:1 file does not begin with the word OFF");
+  CHECK(outcome("3 1 0\n0 0 0\n", off) == "1:1 file does not begin with the word OFF");
+  CHECK(outcome("x<body/>", xml) == "1:1 text stands where only elements may stand");
+  CHECK(outcome("", xml) == "1:1 text has no element");
+  CHECK(outcome("", obj) == "");
+  CHECK(outcome("v 0 0\n", obj) == "1:6 vertex has fewer than three coordinates");
+  CHECK(outcome("v 0 0\n", stl) == "1:1 expected the word solid");
+  // OBJ has no mark: a file with that of another format is that, even under the name of an OBJ.
+  CHECK(outcome("ply\nformat ascii 2.0\n", obj) == "2:14 version of the format is not 1.0");
+  CHECK(outcome("solid\nface", obj) == "2:1 expected facet or endsolid");
+  CHECK_BOTH(irg::read_mesh<float>("x\n", irg::mesh_format::off).error().line == 1);
+  CHECK_BOTH(irg::read_mesh<float>("v 0 0 0\n", irg::mesh_format::off).has_value());
+
+  for (const char* path : {"mesh_file_test.stl", "mesh_file_test.STL", "mesh_file_test.ply", "mesh_file_test.any"}) {
+    REQUIRE(!irg::write_file_atomically(path, std::string_view("// by hand\n" + text)));
+    const std::string_view name = path;
+    const auto r = irg::load_mesh<double>(path);
+    CHECK(test::outcome_of(r) == (name.ends_with(".any")   ? "1:1 expected a statement"
+                                  : name.ends_with(".ply") ? "1:1 file does not begin with the word ply"
+                                                           : "1:1 expected the word solid"));
+    std::remove(path);
+  }
+}
+
 TEST_CASE("mesh files: materials come from the model's own folder alone") {
   const std::string path = "mesh_file_test.obj";
   const auto named = [&](std::string_view library) {
@@ -118,7 +194,9 @@ TEST_CASE("mesh files: materials come from the model's own folder alone") {
   const auto materials = named("mesh file test.mtl");
   REQUIRE(materials);
   CHECK(materials->at(0).reflection.diffuse == irg::rgb<double>{1, 0, 0});
-  CHECK(std::string(named("./mesh file test.mtl").error().message) == "library of materials is not beside the model");
+  CHECK(named("./mesh file test.mtl")->size() == 1);
+  CHECK(std::string(named("./../mesh file test.mtl").error().message) ==
+        "library of materials is not beside the model");
   CHECK(std::string(named("/etc/passwd").error().message) == "library of materials is not beside the model");
   CHECK(std::string(named("none.mtl").error().message) == "file does not exist");
   std::remove("mesh file test.mtl");

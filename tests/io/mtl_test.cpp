@@ -94,6 +94,29 @@ TEST_CASE("mtl: libraries are named, and opened by the caller alone, beside the 
   CHECK(std::string(irg::read_materials<double>("mtllib missing.mtl", open).error().message) == "file does not exist");
   CHECK(irg::read_materials<double>("mtllib bad.mtl", open).error().line == 1);
   opened = 0;
+  std::vector<std::string> asked;
+  const auto beside =
+      irg::read_materials<double>("mtllib ./b c.mtl\nmtllib b c.mtl\nmtllib .\\a\nmtllib ././a\n mtllib \t./.a\r\n",
+                                  [&](std::string_view name) -> irg::result<std::string> {
+                                    asked.emplace_back(name);
+                                    return std::string("newmtl x");
+                                  });
+  REQUIRE(beside);
+  CHECK(beside->size() == 3);  // a library is one under all its names
+  CHECK(asked == std::vector<std::string>{"b c.mtl", "a", ".a"});
+  for (const char* name : {"./", "./.", "./..", "./../a", ".//a", "./a/b", "/./a", "a/./b", "./C:a", "...", ".\\..\\a",
+                           "./a/../b", "./\\a"}) {
+    const auto elsewhere = irg::read_materials<double>("mtllib " + std::string(name), open);
+    CHECK((elsewhere || std::string(elsewhere.error().message) == "library of materials is not beside the model"));
+    CHECK(elsewhere.has_value() == (std::string_view(name) == "..."));
+  }
+  CHECK_BOTH([] {
+    const auto open = [](std::string_view name) {
+      return irg::result<std::string_view>(std::string_view(name == "a" ? "newmtl x" : "newmtl"));
+    };
+    return irg::read_materials<float>("mtllib ./a", open).has_value();
+  }());
+  opened = 0;
   CHECK(std::string(irg::read_materials<double>("mtllib ../../secret", open).error().message) ==
         "library of materials is not beside the model");
   CHECK(opened == 0);

@@ -304,6 +304,9 @@ TEST_CASE("obj: numbers") {
   CHECK(outcome("vn 0 0 nan") == "1:8 number is not finite");
   CHECK(outcome("vt 0 inf") == "1:6 number is not finite");
   CHECK(outcome("v 1 2 3 nan") == "1:9 number is not finite");
+  CHECK(outcome("v 1 2 3 0.5 nan 1") == "1:13 number is not finite");  // a colour
+  CHECK(outcome("v 1 2 3 0.5 1 1e999") == "1:15 number is too large");
+  CHECK(outcome("v 1 2 3 1 0.5 red 1") == "1:15 expected a decimal number");
   CHECK(read_obj<float>("v 0 0 1e39").error().column == 7);
   CHECK(read_obj<float>("v 0 0 16777217.0000000000000001")->positions[0].z == 16777218.0f);
   CHECK_BOTH(fails_at("v 0 0 1e999", 1, 7));

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <irg/io/ply.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <irg/mesh/shapes.hpp>
@@ -88,6 +92,71 @@ constexpr std::string_view odd_words =
     "0 4294967295 -32768 1 116 0.5 -1 0 1e300 -7\n1e-300 4294967295 -32768 1 116 0.5 -1 1 1e300 -7\n"
     "2e-300 4294967295 -32768 1 116 0.5 -1 2 1e300 -7";
 
+/// A reader as strict as vcglib's, on which MeshLab stands, written for this test alone: elements vertex and face,
+/// numbers of vertices float or double, one list whose two types are a pair that vcglib knows.
+struct strict_ply {
+  std::string refused = "";
+  std::string count_type = "", index_type = "";
+  std::vector<double> numbers{};  // of all vertices
+  std::size_t numbers_of_vertex = 0;
+  std::vector<std::vector<double>> faces{};
+
+  explicit strict_ply(const std::string& bytes) {
+    std::size_t at = 0, vertices = 0, face_count = 0;
+    bool text = false, big = false;
+    std::string vertex_type;
+    for (std::string line; line != "end_header" && refused.empty();) {
+      const std::size_t end = bytes.find('\n', at);
+      line = bytes.substr(at, end - at);
+      at = end + 1;
+      const std::size_t last_blank = line.rfind(' ');
+      const std::string last = line.substr(last_blank + 1), before = line.substr(0, last_blank);
+      if (before == "element vertex") vertices = std::stoul(last);
+      if (before == "element face") face_count = std::stoul(last);
+      if (before == "property float" || before == "property double") {
+        vertex_type = before.substr(9);
+        ++numbers_of_vertex;
+      }
+      text = text || line == "format ascii 1.0";
+      big = big || line == "format binary_big_endian 1.0";
+      if (!before.starts_with("property list ")) continue;
+      if (last != "vertex_indices") refused = "name of the list";
+      const std::size_t middle = before.rfind(' ');
+      count_type = before.substr(14, middle - 14);
+      index_type = before.substr(middle + 1);
+      const bool usual = count_type == "uchar" || count_type == "char" || count_type == "int";
+      const bool whole = index_type == "int" || index_type == "uint" || index_type == "short";
+      if (!(usual && whole) && !(count_type == "ushort" && index_type == "uint")) refused = "types of the list";
+    }
+    const auto next = [&](const std::string& type) -> double {
+      if (text) {
+        at = bytes.find_first_not_of(" \n", at);
+        const std::size_t end = bytes.find_first_of(" \n", at);
+        const double x = std::strtod(bytes.substr(at, end - at).c_str(), nullptr);
+        at = end;
+        return x;
+      }
+      const std::size_t size = type.ends_with("char") ? 1 : type.ends_with("short") ? 2 : type == "double" ? 8 : 4;
+      std::uint64_t bits = 0;
+      for (std::size_t i = 0; i < size; ++i)
+        bits |= std::uint64_t{static_cast<std::uint8_t>(bytes.at(at + (big ? size - 1 - i : i)))} << (8 * i);
+      at += size;
+      if (type == "double") return std::bit_cast<double>(bits);
+      if (type == "float") return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+      return type == "int" ? static_cast<std::int32_t>(bits) : static_cast<double>(bits);
+    };
+    if (!refused.empty()) return;
+    for (std::size_t i = 0; i < vertices * numbers_of_vertex; ++i) numbers.push_back(next(vertex_type));
+    for (std::size_t f = 0; f < face_count; ++f) {
+      const auto corners = static_cast<std::size_t>(next(count_type));
+      faces.push_back({});
+      for (std::size_t k = 0; k < corners; ++k) faces.back().push_back(next(index_type));
+    }
+    if (bytes.find_first_not_of(" \n", text ? at : bytes.size()) != bytes.npos || (!text && at != bytes.size()))
+      refused = "bytes left over";
+  }
+};
+
 }  // namespace
 
 TEST_CASE("ply: a square of text, at compile time, too") {
@@ -146,6 +215,75 @@ TEST_CASE("ply: what is not given is not there") {
   CHECK(cloud->normals.empty());
   CHECK(cloud->texcoords.empty());
   CHECK(read_ply("ply\nformat ascii 1.0\nelement vertex 0\nend_header\n")->positions.empty());
+}
+
+TEST_CASE("ply: only the pairs of the page are texture coordinates, and one pair is read") {
+  // Four properties behind x, y and z; of which two the numbers are read is worked out from the page's list by hand.
+  constexpr std::string_view pairs[][2] = {
+      {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+  std::vector<std::string_view> names;
+  for (const auto& pair : pairs)
+    for (const std::string_view name : pair) names.push_back(name);
+  const auto file = [&](const std::vector<std::size_t>& which, bool bad) {
+    std::string s = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+    for (const std::size_t i : which) s += "property float " + std::string(names[i]) + "\n";
+    s += "end_header\n0 0 0";
+    for (const std::size_t i : which) s += bad ? " nan" : " " + std::to_string(i);
+    return s + "\n";
+  };
+  for (std::size_t a = 0; a < names.size(); ++a)
+    for (std::size_t b = 0; b < names.size(); ++b) {
+      if (a == b) continue;
+      const bool belong = a / 2 == b / 2;
+      const auto r = read_ply(file({a, b}, false));
+      REQUIRE(test::outcome_of(r) == "");
+      CHECK(r->texcoords.size() == (belong ? 1 : 0));
+      if (belong) CHECK(r->texcoords[0] == irg::vec<double, 2>{double(a / 2 * 2), double(a / 2 * 2 + 1)});
+      CHECK((outcome(file({a, b}, true)) == "") == !belong);  // what is passed over may be anything
+    }
+  std::vector<std::size_t> order = {0, 1, 2, 3, 4, 5, 6, 7};
+  test::random r(77);
+  for (int trial = 0; trial < 200; ++trial) {
+    for (std::size_t i = order.size() - 1; i > 0; --i)
+      std::swap(order[i], order[static_cast<std::size_t>(r.integer(0, static_cast<std::int64_t>(i)))]);
+    const std::vector<std::size_t> some(order.begin(), order.begin() + r.integer(0, 8));
+    const auto has = [&](std::size_t i) { return std::find(some.begin(), some.end(), i) != some.end(); };
+    std::vector<irg::vec<double, 2>> expected;
+    for (std::size_t pair = 0; pair < 8 && expected.empty(); pair += 2)
+      if (has(pair) && has(pair + 1)) expected = {{double(pair), double(pair + 1)}};
+    const auto cloud = read_ply(file(some, false));
+    REQUIRE(test::outcome_of(cloud) == "");
+    CHECK(cloud->texcoords == expected);
+  }
+  CHECK_BOTH([] {
+    const auto two = read_ply(
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty int s\nproperty int x\nproperty int y\nproperty int u\n"
+        "property int z\nproperty int v\nend_header\n9 1 2 4 3 5\n");
+    return two && two->texcoords == std::vector<irg::vec<double, 2>>{{4, 5}};
+  }());
+}
+
+TEST_CASE("ply: single letters and colours have no role but their own") {
+  const auto cloud = read_ply(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty int r\nproperty int x\nproperty int g\nproperty int y\n"
+      "property int b\nproperty int z\nproperty int a\nproperty float n\nproperty float w\nproperty float nx\n"
+      "property float normal_y\nproperty float nz\nproperty uchar red\nproperty uchar red\nproperty int X\n"
+      "property list uchar int u\nproperty int v\nend_header\n7 1 7 2 7 3 7 nan nan nan nan inf 300 - 7 1 7 7\n");
+  REQUIRE(test::outcome_of(cloud) == "");
+  CHECK(cloud->positions == std::vector<irg::point<double, 3>>{{1, 2, 3}});
+  CHECK(cloud->normals.empty());
+  CHECK(cloud->texcoords.empty());
+  // Both names of the list of corners: the page's first counts, wherever it stands.
+  for (const bool first : {true, false}) {
+    const std::string lists[] = {"property list uchar int vertex_indices\n", "property list uchar int vertex_index\n"};
+    std::string s = with(std::string(square), lists[0], lists[first ? 0 : 1] + lists[first ? 1 : 0]);
+    s = with(s, "4 0 1 2 3", first ? "4 0 1 2 3 1 -5" : "1 -5 4 0 1 2 3");
+    const auto both = read_ply(s);
+    REQUIRE(test::outcome_of(both) == "");
+    CHECK(both->face_size(0) == 4);
+  }
+  CHECK(outcome(with(std::string(square), "property float z\n",
+                     "property float z\nproperty int s\nproperty int s\n")) == "9:1 property stands there twice");
 }
 
 TEST_CASE("ply: what is wrong is said where it stands") {
@@ -213,6 +351,58 @@ TEST_CASE_TEMPLATE("ply: what was written reads as the same mesh", T, float, dou
       CHECK(*again == m);
     }
   }
+}
+
+TEST_CASE_TEMPLATE("ply: a strict reader takes what is written, for it finds the types that it knows", T, float,
+                   double) {
+  test::random r(51 + sizeof(T));
+  for (int trial = 0; trial < 60; ++trial) {
+    const auto which = trial % 2 == 0 ? test::attributes::none : test::attributes::of_vertices;
+    irg::mesh<T> m = test::random_mesh<T>(r, 6, which);
+    const bool many = trial % 4 > 1;
+    if (many) {  // a face of as many corners as a byte counts, and one more
+      const int corners = trial % 8 < 4 ? 255 : 256;
+      for (int k = 0; k < corners; ++k) m.corners.push_back(m.corners[static_cast<std::size_t>(k) % 3]);
+      m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+    }
+    const bool beyond_a_byte = many && trial % 8 >= 4;
+    for (const mesh_encoding e : encodings) {
+      const strict_ply read(as_text(*irg::encode_ply(m, e)));
+      REQUIRE(read.refused == "");
+      CHECK(read.count_type == (beyond_a_byte ? "int" : "uchar"));
+      CHECK(read.index_type == "int");
+      const bool has = which == test::attributes::of_vertices;
+      REQUIRE(read.numbers_of_vertex == (has ? 8 : 3));
+      std::vector<double> numbers;
+      for (std::size_t v = 0; v < m.positions.size(); ++v) {
+        for (int i = 0; i < 3; ++i) numbers.push_back(static_cast<double>(m.positions[v][i]));
+        for (int i = 0; has && i < 3; ++i) numbers.push_back(static_cast<double>(m.normals[v][i]));
+        for (int i = 0; has && i < 2; ++i) numbers.push_back(static_cast<double>(m.texcoords[v][i]));
+      }
+      // A strict reader's text may round a float twice.
+      if (e != mesh_encoding::text || sizeof(T) == 8) CHECK(read.numbers == numbers);
+      REQUIRE(read.faces.size() == m.face_count());
+      for (std::size_t f = 0; f < m.face_count(); ++f) {
+        REQUIRE(read.faces[f].size() == m.face_size(f));
+        for (std::size_t k = 0; k < m.face_size(f); ++k) CHECK(read.faces[f][k] == m.corner(f, k).position);
+      }
+      const auto again = read_ply<T>(as_text(*irg::encode_ply(m, e)));
+      REQUIRE(test::outcome_of(again) == "");
+      CHECK(*again == m);
+    }
+  }
+}
+
+TEST_CASE("ply: the types of lists at the ends of their ranges") {
+  using irg::detail::ply_lists_of;
+  using irg::detail::ply_type;
+  CHECK_BOTH(ply_lists_of(255, 3).count == ply_type::uint8);
+  CHECK_BOTH(ply_lists_of(256, 3).count == ply_type::int32);
+  CHECK_BOTH(ply_lists_of(0x7fffffff, 3).count == ply_type::int32);
+  CHECK_BOTH(ply_lists_of(0x80000000, 3).count == ply_type::uint32);
+  CHECK_BOTH(ply_lists_of(0, 0).index == ply_type::int32);
+  CHECK_BOTH(ply_lists_of(3, 0x80000000).index == ply_type::int32);  // the last index is one less
+  CHECK_BOTH(ply_lists_of(3, 0x80000001).index == ply_type::uint32);
 }
 
 TEST_CASE("ply: corners that differ split their vertex, and keep what they name") {

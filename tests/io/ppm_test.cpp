@@ -90,7 +90,10 @@ TEST_CASE("the four kinds are read") {
   CHECK_BOTH(reads("P5 1 1 255\na", 1, 1, {{'a', 'a', 'a'}}));
   CHECK_BOTH(reads("P6 1 1 65535\n\0\0\xff\xff\x80\x80"sv, 1, 1, {{0, 255, 128}}));  // the high byte first
   CHECK_BOTH(reads("P5 2 1 256\n\x01\0\0\x80"sv, 2, 1, {w, {128, 128, 128}}));       // 127.5 rounds up
+  CHECK_BOTH(reads("P6 1 1 65535\n\0\xc8\0\x80\0\x81"sv, 1, 1, {{1, 0, 1}}));       // the nearest, not the high byte
   CHECK_BOTH(reads("P5 1 1 255\n\n", 1, 1, {{'\n', '\n', '\n'}}));  // one blank only ends the header
+  CHECK_BOTH(!reads("P5 1 1 255\r\na", 1, 1, {{'a', 'a', 'a'}}));    // nor do CR and LF
+  CHECK_BOTH(reads("P2 1 1 255\r\n255", 1, 1, {w}));
   CHECK_BOTH(reads("P6 1 1 255 # # ", 1, 1, {{'#', ' ', '#'}}) == false);
   CHECK_BOTH(reads("P6 1 1 255 # #", 1, 1, {{'#', ' ', '#'}}));
 }

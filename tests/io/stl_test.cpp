@@ -91,7 +91,7 @@ TEST_CASE("stl: bytes are told from text by the length they state, whatever the 
   CHECK(outcome(bytes) == "0:82 byte 0 stands in text, and binary STL would have another length");
   // In bytes that are no text a byte order mark counts.
   CHECK(outcome("\xEF\xBB\xBF" + bytes) == "0:85 byte 0 stands in text, and binary STL would have another length");
-  CHECK(outcome("\xEF\xBB\xBFno text") == "0:11 file is too short for STL, or no STL at all");
+  CHECK(outcome("\xEF\xBB\xBFno text") == "1:1 expected the word solid");
 }
 
 TEST_CASE("stl: several solids, names, case and odd blanks") {
@@ -114,7 +114,14 @@ TEST_CASE("stl: several solids, names, case and odd blanks") {
 TEST_CASE("stl: what is wrong is said where it stands") {
   CHECK(outcome("") == "1:1 text has no word solid");
   CHECK(outcome(" \n ") == "2:2 text has no word solid");
-  CHECK(outcome("v 0 0 0\n") == "0:9 file is too short for STL, or no STL at all");
+  CHECK(outcome("v 0 0 0\n") == "1:1 expected the word solid");
+  CHECK(outcome("# by hand\n" + std::string(triangle)) == "1:1 expected the word solid");
+  CHECK(outcome("\n " + std::string(200, 'x')) == "2:2 expected the word solid");
+  CHECK(outcome("\x01") == "0:2 file is too short for STL, or no STL at all");
+  CHECK(outcome("v 0\x7f") == "0:5 file is too short for STL, or no STL at all");
+  CHECK(outcome(std::string(80, 'x') + std::string("\0\0\0\1", 4)) ==
+        "0:81 file is too short for the number of triangles that stands here");
+  CHECK(outcome(std::string(80, 'x') + "\t\n\x0b\xff") == "1:1 expected the word solid");  // as a count 7 GiB and more
   CHECK(outcome("solid") == "1:6 text ends within a solid");
   CHECK(damaged("facet", "face") == "2:2 expected facet or endsolid");
   CHECK(damaged("normal", "norm") == "2:8 expected the word normal");

@@ -157,6 +157,12 @@ TEST_CASE("studio file: it is a file of bodies, and a file of bodies is one") {
   const auto fresh = irg::read_studio<double>(std::string(bytes->begin(), bytes->end()));
   REQUIRE(fresh.has_value());
   CHECK(fresh->bodies[0].body == s.bodies[0].body);
+  std::string annotated = text;  // text of other programs beside and within the events
+  annotated.insert(annotated.find("<studio:event"), "notes <x:y>z</x:y><![CDATA[<studio:event/>]]>");
+  annotated.insert(annotated.find("<points>"), "<x:author>somebody</x:author>");
+  const auto same = irg::read_studio<double>(annotated);
+  REQUIRE(same.has_value());
+  CHECK(*same == s);
   CHECK(fresh->bodies[0].opacity == 1);
 }
 
@@ -186,6 +192,8 @@ TEST_CASE("studio file: no part of a broken state comes out") {
   CHECK(error_of("<body><points/><faces/></body>") == "1:2 body has no name");
   CHECK(error_of("\xEF\xBB\xBF<bodies><x:y><body/></x:y>\n <body name='a'><points/><faces/></body>\n"
                  "<body><points/><faces/></body></bodies>") == "3:2 body has no name");
+  CHECK(error_of("<bodies>\n<o:x>text<![CDATA[<body/>]]><body/></o:x><body><points/><faces/></body></bodies>") ==
+        "2:43 body has no name");  // text of others does not stop the look for its place
   CHECK(error_of("<bodies>\n<body name='a'><surfaces><surface ambient='1.7e308 1.7e308 1'/></surfaces><points/><faces/>"
                  "</body></bodies>") == "2:2 body has a surface that is none");
 }

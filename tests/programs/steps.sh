@@ -1,9 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The steps 01 to 12 and their command lines; and -h of every program.
+# The steps 01 to 12 and their command lines; and --help of every program, each of which says how it is called.
 # shellcheck disable=SC2154 # status, out, err and program come from programs.sh
+sources=$(cd "$(dirname "$0")/../../examples" && pwd)
 . "$(dirname "$0")/../support/programs.sh" 01_pixel "$@"
 folder=$(dirname "$program")
+
+# says_usage "help" NAME: one line begins with `usage: NAME`, and what can be given there, at most 80 characters.
+says_usage() {
+  local lines
+  lines=$(grep '^usage:' <<<"$1")
+  [ "$(wc -l <<<"$lines")" = 1 ] && [ ${#lines} -le 80 ] && { is "$lines" "usage: $2" || begins "$lines" "usage: $2 "; }
+}
 
 steps=0
 for program in "$folder"/[0-9][0-9]_*; do
@@ -15,7 +23,7 @@ for program in "$folder"/[0-9][0-9]_*; do
     check "$name $word: exit 0" is "$status" 0
     check "$name $word: nothing on standard error" is "$err" ""
     check "$name $word: says what it is" begins "$out" "$name: "
-    check "$name $word: says how it is called" has "$out" "usage: $name"
+    check "$name $word: says how it is called" says_usage "$out" "$name"
   done
   check "$name --help leaves no file" is "$(files)" ""
   fails "$name: an option that it has not" "" --size 3x3
@@ -55,7 +63,11 @@ for program in "$folder"/[a-z]*; do
   run "" -h
   check "$name -h: exit 0" is "$status" 0
   check "$name -h is --help" is "$out" "$help"
-  check "$name --help names the program" has "$help" "$name"
+  check "$name --help says what it is" begins "$help" "$name - "
+  check "$name --help says how it is called" says_usage "$help" "$name"
 done
-check "there are programs, not $programs" [ "$programs" -ge 7 ]
+for source in "$sources"/*.cpp; do  # no program is missing, none was forgotten
+  check "$source is built" test -x "$folder/$(basename "$source" .cpp)"
+done
+check "as many programs as sources, not $programs" is $((steps + programs)) "$(find "$sources" -maxdepth 1 -name '*.cpp' | wc -l)"
 conclude

@@ -23,9 +23,9 @@ inline namespace IRG_ABI {
 
 /// The bodies that an XML text describes, in its order.
 /// needs   the text in memory, in UTF-8; it is not kept
-/// gives   the first error with line and column: XML that is not well-formed, a document type, an entity, text between
-///         elements, more than 32 elements within each other or 32 attributes, an unknown element or attribute without
-///         a prefix, a number, an index, a colour that is none. Each body's mesh passes validate()
+/// gives   the first error with line and column: XML that is not well-formed, a document type, an entity, text that no
+///         element with a prefix holds, more than 32 elements within each other or 32 attributes, an unknown element or
+///         attribute without a prefix, a number, an index, a colour that is none. Each body's mesh passes validate()
 /// exact   numbers are correctly rounded to T
 /// cost    linear; no recursion; memory at most 64 times the text and 1 MiB
 /// source  XML 1.0; Hank n.d., 3.1 (what is stored; it prints no schema, this one is irg's own)

@@ -45,12 +45,14 @@ inline namespace IRG_ABI {
   return mesh_format::obj;
 }
 
-/// The mesh that the bytes of a file describe, whichever format it is; the bodies of an XML file are its parts.
-/// gives   the error of the format's reader, with its place
-/// exact   as read_obj, read_stl, read_ply, read_off and read_body_xml with their defaults
-template <Floating T = double>
-[[nodiscard]] constexpr result<mesh<T>> read_mesh(std::string_view bytes) {
-  switch (mesh_format_of(bytes)) {
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Floating T>
+constexpr result<mesh<T>> read_mesh_as(std::string_view bytes, mesh_format format) {
+  switch (format) {
     case mesh_format::stl: return read_stl<T>(bytes);
     case mesh_format::ply: return read_ply<T>(bytes);
     case mesh_format::off: return read_off<T>(bytes);
@@ -64,26 +66,31 @@ template <Floating T = double>
   return read_obj<T>(bytes);
 }
 
-/// The mesh in a file, whichever format it is. No other file is opened, whatever this one names.
-/// gives   the error of read_file or of the format's reader
-/// cost    the file's size in memory beside what the reader takes
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// The mesh that the bytes of a file describe, whichever format it is; the bodies of an XML file are its parts.
+/// gives   the error of the format's reader, with its place
+/// exact   as read_obj, read_stl, read_ply, read_off and read_body_xml with their defaults
 template <Floating T = double>
-result<mesh<T>> load_mesh(const std::string& path) {
-  const auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  return read_mesh<T>(std::string_view(*bytes));
+[[nodiscard]] constexpr result<mesh<T>> read_mesh(std::string_view bytes) {
+  return detail::read_mesh_as<T>(bytes, mesh_format_of(bytes));
 }
 
-/// The materials that an OBJ file's libraries hold; only libraries in the file's own folder are opened.
-/// gives   the error of read_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere
+/// The same of a file whose name asks for a format. The content decides what is read; where nothing can be, the name
+/// decides whose sentence is given.
+/// gives   the error of the reader that is named; of the content's own where OBJ is named, which has no mark. A text in
+///         which OBJ finds no vertex is no OBJ where another format is named
+/// cost    a second reading where the first fails
 template <Floating T = double>
-result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
-  const auto text = read_file(path);
-  if (!text) return text.error();
-  const std::size_t slash = path.find_last_of("/\\");
-  const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
-  return read_materials<T>(std::string_view(*text),
-                           [&](std::string_view name) { return read_file(folder + std::string(name)); });
+[[nodiscard]] constexpr result<mesh<T>> read_mesh(std::string_view bytes, mesh_format named) {
+  const mesh_format found = mesh_format_of(bytes);
+  auto read = detail::read_mesh_as<T>(bytes, found);
+  const bool is_no_obj = read && found == mesh_format::obj && read->positions.empty();
+  if ((read && !is_no_obj) || named == found || named == mesh_format::obj) return read;
+  return detail::read_mesh_as<T>(bytes, named);
 }
 
 /// The format that a file's name asks for by its ending, in either case; absent when it is none of mesh_endings.
@@ -94,6 +101,31 @@ result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
   if (detail::has_ending(path, ".off")) return mesh_format::off;
   if (detail::has_ending(path, ".xml")) return mesh_format::body_xml;
   return std::nullopt;
+}
+
+/// The mesh in a file, whichever format it is. No other file is opened, whatever this one names.
+/// gives   the error of read_file or of a format's reader, that of its name's ending where it has one
+/// cost    the file's size in memory beside what the reader takes
+template <Floating T = double>
+result<mesh<T>> load_mesh(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  const std::string_view text(*bytes);
+  const std::optional<mesh_format> named = mesh_format_of_name(path);
+  return named ? read_mesh<T>(text, *named) : read_mesh<T>(text);
+}
+
+/// The materials that an OBJ file's libraries hold; only libraries in the file's own folder are opened.
+/// gives   the error of read_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere, as ./ does
+///         not
+template <Floating T = double>
+result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  const std::size_t slash = path.find_last_of("/\\");
+  const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+  return read_materials<T>(std::string_view(*text),
+                           [&](std::string_view name) { return read_file(folder + std::string(name)); });
 }
 
 /// The bytes of a file that describes the mesh in the given format.

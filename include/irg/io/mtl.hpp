@@ -141,16 +141,35 @@ template <class Text = std::string_view>
          name.find_first_of(std::string_view("/\\:\0", 4)) == std::string_view::npos;
 }
 
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+/// The name without the folder's own name before it, as many writers put it there.
+template <class Text>
+constexpr Text without_own_folder(Text name) noexcept {
+  while (name.starts_with("./") || name.starts_with(".\\")) name.remove_prefix(2);
+  return name;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
 /// The materials of all libraries that an OBJ text names, one behind the other, each where it is named first.
-/// needs   open(name): a result whose value is the library's text, as read_file gives it
-/// gives   the first error of open or read_mtl; an error, and no call of open, for a name that is not
+/// needs   open(name): a result whose value is the library's text, as read_file gives it; the name is without the ./ or
+///         .\ that may stand before it
+/// gives   the first error of open or read_mtl; an error, and no call of open, for a name that is then not
 ///         is_plain_file_name
 /// cost    that of open and read_mtl, once for each library, however often the text names it
 template <Floating T = double, class Open>
 [[nodiscard]] constexpr result<std::vector<mtl_material<T>>> read_materials(std::string_view obj, const Open& open) {
   std::vector<mtl_material<T>> all;
   using name_text = std::conditional_t<Floating<T>, std::string_view, void>;  // depends on T: sorted where it is needed
-  const std::vector<name_text> names = material_libraries(obj);
+  std::vector<name_text> names = material_libraries(obj);
+  for (name_text& name : names) name = detail::without_own_folder(name);
   auto different = names;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // OFF, Geomview's object file format: text or binary bytes to mesh<T>, and back. Works on memory only. Normals and
-// texture coordinates of vertices are read (NOFF, STOFF), colours are passed over. docs/io/off.md lists the rest.
+// texture coordinates of vertices are read (NOFF, STOFF), colours are read past (COFF, or unannounced). docs/io/off.md
+// lists the rest.
 #pragma once
 
 #include <cstddef>

@@ -54,7 +54,8 @@ template <Floating T = double>
   for (std::size_t i = 0; i < bodies->size(); ++i)
     if (const studio_status bad = apply_event(s, load_body<T>{std::move((*bodies)[i])}); bad != studio_status::done)
       return detail::error_at(text, detail::place_of_body(text, i), sentence_of(bad));
-  detail::xml_reader xml(text);
+  detail::xml_reader xml(text);  // which read_body_xml has found to be sound
+  xml.passes_over_text = true;
   for (detail::xml_event e = xml.next(); e != detail::xml_event::done; e = xml.next()) {
     if (e == detail::xml_event::error) return detail::error_at(text, xml.cursor.place, xml.cursor.message);
     if (e != detail::xml_event::begin || xml.name != "studio:event") continue;

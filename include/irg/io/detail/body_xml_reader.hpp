@@ -50,8 +50,10 @@ struct body_xml_reader {
     }
   }
   constexpr bool pass_over() noexcept {
+    xml.passes_over_text = true;
     for (const std::size_t level = xml.depth; xml.depth >= level;)
       if (const xml_event e = xml.next(); e == xml_event::error) return false;
+    xml.passes_over_text = false;
     return true;
   }
   constexpr bool unknown() noexcept { return fail(xml.name.data(), "element is not known here"); }

@@ -18,6 +18,7 @@ namespace irg::detail {
 /// What an OFF file's first word says: which numbers a vertex has.
 struct off_header {
   bool texcoords = false, colours = false, normals = false;
+  bool normals_first = false;  // N stands before C, which is not the format's order
   bool four = false, any_dimension = false;  // coordinates that irg does not read
   bool binary = false;
   std::size_t length = 0;  // of the first word; 0: the file is no OFF
@@ -25,21 +26,19 @@ struct off_header {
 
 inline namespace IRG_ABI {
 
-/// The header at the head of a text: [ST][C][N][4][n]OFF.
+/// The header at the head of a text: [ST][C][N][4][n]OFF, and the same in any other order.
 constexpr off_header off_header_of(std::string_view text) noexcept {
   off_header h;
   std::size_t at = 0;
-  const auto take = [&](std::string_view word) {
-    if (!text.substr(at).starts_with(word)) return false;
+  const auto take = [&](bool& has, std::string_view word) {
+    if (has || !text.substr(at).starts_with(word)) return false;
     at += word.size();
-    return true;
+    return has = true;
   };
-  h.texcoords = take("ST");
-  h.colours = take("C");
-  h.normals = take("N");
-  h.four = take("4");
-  h.any_dimension = take("n");
-  if (take("OFF")) h.length = at;
+  while (take(h.texcoords, "ST") || take(h.colours, "C") || take(h.normals, "N") || take(h.four, "4") ||
+         take(h.any_dimension, "n"))
+    h.normals_first = h.normals_first || (h.normals && !h.colours);
+  h.length = text.substr(at).starts_with("OFF") ? at + 3 : 0;
   return h;
 }
 
@@ -50,6 +49,7 @@ struct off_reader {
   off_header header{};
   mesh<T> read{};
   std::int64_t vertex_count = 0, face_count = 0;
+  int line_numbers = 0;  // of each vertex behind position and normal, where a colour stands there unannounced; else 0
   bool in_text = true;  // where the last error stands
 
   constexpr explicit off_reader(std::string_view bytes) noexcept : cursor(bytes, '#') {}
@@ -85,11 +85,47 @@ struct off_reader {
     // The number of edges, which nobody counts, is not always there.
     std::int64_t edges = 0;
     if (cursor.skip_blanks() && !cursor.integer(edges)) return false;
+    const text_cursor behind_counts = cursor;
+    line_numbers = header.colours || cursor.skip_blanks() ? 0 : numbers_of_a_colour();
+    if (line_numbers == 0) return vertices_and_faces();
+    // The first line may have a vertex and its colour, or two vertices: what can be read is meant. Where neither can,
+    // it is colours if there are lines enough for them, or if they lead farther.
+    header.colours = true;
+    if (vertices_and_faces()) return true;
+    const text_cursor with_colours = cursor;
+    cursor = behind_counts;
+    header.colours = false;
+    read = {};
+    if (vertices_and_faces()) return true;
+    if (cursor.place <= with_colours.place || has_line_for_each(behind_counts))
+      cursor.fail(with_colours.place, with_colours.message);
+    return false;
+  }
+
+  /// Whether as many lines follow as there are vertices and faces.
+  constexpr bool has_line_for_each(text_cursor from) const noexcept {
+    std::uint64_t lines = 0;
+    for (; from.skip_space(); from.skip_to_line_end()) ++lines;
+    return lines >= static_cast<std::uint64_t>(vertex_count) + static_cast<std::uint64_t>(face_count);
+  }
+
+  constexpr bool vertices_and_faces() {
     for (std::int64_t v = 0; v < vertex_count; ++v)
       if (!text_vertex()) return false;
     for (std::int64_t f = 0; f < face_count; ++f)
       if (!text_face()) return false;
     return !cursor.skip_space() || cursor.fail(cursor.at, "text goes on after the last face");
+  }
+
+  /// How many numbers the first vertex's line has behind position and normal, if that makes a colour (and a texture
+  /// coordinate); else 0.
+  constexpr int numbers_of_a_colour() const noexcept {
+    text_cursor line = cursor;
+    int count = header.normals ? -6 : -3;
+    if (vertex_count == 0 || !line.skip_space()) return 0;
+    while (count < 7 && !line.word_in_line().empty()) ++count;
+    const int of_colour = header.texcoords ? count - 2 : count;
+    return of_colour == 3 || of_colour == 4 ? count : 0;
   }
 
   template <class Vector>
@@ -103,23 +139,32 @@ struct off_reader {
     point<T, 3> p;
     vec<T, 3> n;
     vec<T, 2> t;
+    const char* const start = cursor.skip_space() ? cursor.at : cursor.last;
     if (!numbers(p, 3) || (header.normals && !numbers(n, 3))) return false;
-    if (header.colours && !text_colour(header.texcoords, t)) return false;
+    if (header.colours && !text_colour(start, n, t)) return false;
     if (header.texcoords && !header.colours && !numbers(t, 2)) return false;
     add_vertex(p, n, t);
     return true;
   }
 
   /// A colour has as many numbers as its writer liked: it goes on to the end of the line, but for the two last numbers
-  /// where those are a texture coordinate.
-  constexpr bool text_colour(bool has_texcoord, vec<T, 2>& t) noexcept {
+  /// where those are a texture coordinate. Where N stands before C, some write the colour before the normal, in four
+  /// numbers up to 255: then the fourth behind the position is more than 1, and the last is not, which ends a normal.
+  constexpr bool text_colour(const char* start, vec<T, 3>& n, vec<T, 2>& t) noexcept {
+    constexpr int most = 6;
+    T rest[most] = {};
     int found = 0;
-    while (cursor.skip_blanks()) {
-      t[0] = t[1];
-      if (!cursor.number_here(t[1])) return false;
-      if (++found > 6) return cursor.fail(cursor.at, "vertex has more numbers than a colour and a texture coordinate");
-    }
-    return !has_texcoord || found >= 2 || cursor.fail(cursor.at, "vertex has no texture coordinate");
+    for (; found < most && cursor.skip_blanks(); ++found)
+      if (!cursor.number_here(rest[found])) return false;
+    if (line_numbers != 0 && (found != line_numbers || cursor.skip_blanks()))
+      return cursor.fail(start, "vertex has more or fewer numbers than the first one");
+    if (cursor.skip_blanks())
+      return cursor.fail(cursor.at, "vertex has more numbers than a colour and a texture coordinate");
+    if (header.texcoords && found < 2) return cursor.fail(cursor.at, "vertex has no texture coordinate");
+    const int of_colour = header.texcoords ? found - 2 : found;
+    if (header.texcoords) t = {rest[of_colour], rest[of_colour + 1]};
+    if (header.normals_first && of_colour == 4 && rest[0] > 1 && rest[3] <= 1) n = {rest[1], rest[2], rest[3]};
+    return true;
   }
 
   constexpr void add_vertex(const point<T, 3>& p, const vec<T, 3>& n, const vec<T, 2>& t) {

@@ -15,8 +15,10 @@ namespace irg::detail {
 /// The types of numbers that PLY has.
 enum class ply_type : std::uint8_t { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// What irg takes from a property. nx to v are the places of an element's numbers in one row.
-enum class ply_role : std::uint8_t { x, y, z, nx, ny, nz, u, v, corners, unread };
+/// The properties that irg knows by name; tu to tt are texture_u, texture_v, texture_s and texture_t. One of the pairs
+/// from s on is read, and one of the two lists of corners: when the header has been read, that pair has the roles s and
+/// t, that list the role indices, and the others are unread. x to t are the places of a vertex's numbers.
+enum class ply_role : std::uint8_t { x, y, z, nx, ny, nz, s, t, u, v, tu, tv, ts, tt, indices, index, unread };
 inline constexpr std::size_t ply_numbers = 8;
 
 struct ply_property {
@@ -39,6 +41,22 @@ struct IRG_APART ply_element {
       if ((roles >> r & 1) == 0) return false;
     return true;
   }
+
+  /// Gives the roles from `first` on to the first of the groups of `size` spellings, up to `last`, that is complete;
+  /// what else stands there of them is unread.
+  constexpr void choose(ply_role first, ply_role last, unsigned size) noexcept {
+    const auto begin = static_cast<unsigned>(first), end = static_cast<unsigned>(last) + 1, all = (1u << size) - 1;
+    unsigned chosen = begin;
+    while (chosen < end && (roles >> chosen & all) != all) chosen += size;
+    roles &= ~((1u << end) - (1u << begin));
+    if (chosen < end) roles |= all << begin;
+    for (Property& p : properties) {
+      const auto role = static_cast<unsigned>(p.role);
+      if (role < begin || role >= end) continue;
+      const bool is_read = role >= chosen && role < chosen + size;
+      p.role = is_read ? static_cast<ply_role>(role - chosen + begin) : ply_role::unread;
+    }
+  }
 };
 
 inline namespace IRG_ABI {
@@ -54,14 +72,14 @@ constexpr ply_type ply_type_of(std::string_view name) noexcept {
 constexpr bool is_whole(ply_type t) noexcept { return t < ply_type::float32; }
 
 constexpr ply_role ply_role_of(ply_kind kind, std::string_view name, bool is_list) noexcept {
-  if (kind == ply_kind::face && is_list && (name == "vertex_indices" || name == "vertex_index"))
-    return ply_role::corners;
-  if (kind != ply_kind::vertex || is_list) return ply_role::unread;
-  constexpr std::string_view names[] = {"x", "y", "z", "nx", "ny", "nz"};
-  for (std::size_t i = 0; i < 6; ++i)
+  constexpr std::string_view names[] = {"x",           "y",         "z",         "nx",        "ny",
+                                        "nz",          "s",         "t",         "u",         "v",
+                                        "texture_u",   "texture_v", "texture_s", "texture_t", "vertex_indices",
+                                        "vertex_index"};
+  constexpr auto lists = static_cast<std::size_t>(ply_role::indices);
+  if (kind != (is_list ? ply_kind::face : ply_kind::vertex)) return ply_role::unread;
+  for (std::size_t i = is_list ? lists : 0; i < (is_list ? lists + 2 : lists); ++i)
     if (name == names[i]) return static_cast<ply_role>(i);
-  if (name == "s" || name == "u" || name == "texture_u" || name == "texture_s") return ply_role::u;
-  if (name == "t" || name == "v" || name == "texture_v" || name == "texture_t") return ply_role::v;
   return ply_role::unread;
 }
 
@@ -156,19 +174,23 @@ struct ply_header {
     const std::string_view name = cursor.word_in_line();
     if (name.empty()) return cursor.fail(cursor.at, "property has no name");
     p.role = ply_role_of(e.kind, name, is_list);
-    if (p.role == ply_role::corners && !is_whole(p.type)) return cursor.fail(start, "indices are no whole numbers");
     const std::uint32_t role = std::uint32_t{1} << static_cast<unsigned>(p.role);
     if (p.role != ply_role::unread && (e.roles & role) != 0) return cursor.fail(start, "property stands there twice");
+    if (is_list && p.role != ply_role::unread && !is_whole(p.type))
+      return cursor.fail(start, "indices are no whole numbers");
     e.roles |= role;
     e.properties.push_back(p);
     return true;
   }
 
   constexpr bool check(const char* place) noexcept {
-    for (const Element& e : elements) {
+    for (Element& e : elements) {
+      e.choose(ply_role::nx, ply_role::nz, 3);
+      e.choose(ply_role::s, ply_role::tt, 2);
+      e.choose(ply_role::indices, ply_role::index, 1);
       if (e.kind == ply_kind::vertex && e.count > 0 && !e.has(ply_role::x, ply_role::z))
         return cursor.fail(place, "vertices have no x, y and z");
-      if (e.kind == ply_kind::face && e.count > 0 && !e.has(ply_role::corners, ply_role::corners))
+      if (e.kind == ply_kind::face && e.count > 0 && !e.has(ply_role::indices, ply_role::indices))
         return cursor.fail(place, "faces have no list vertex_indices");
     }
     return has_vertices || cursor.fail(place, "there is no element vertex");

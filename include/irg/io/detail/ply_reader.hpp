@@ -140,13 +140,12 @@ struct ply_body_reader {
   }
 
   constexpr bool vertices(const Element& e) {
-    const bool normals = e.has(ply_role::nx, ply_role::nz), texcoords = e.has(ply_role::u, ply_role::v);
+    const bool normals = e.has(ply_role::nx, ply_role::nz), texcoords = e.has(ply_role::s, ply_role::t);
     for (std::uint64_t i = 0; i < e.count; ++i) {
       std::array<T, ply_numbers> n{};
       for (const ply_property& p : e.properties) {
-        const bool wanted = p.role <= ply_role::z || (p.role <= ply_role::nz && normals) ||
-                            ((p.role == ply_role::u || p.role == ply_role::v) && texcoords);
-        if (!(wanted ? source.number(p.type, n[static_cast<std::size_t>(p.role)]) : skip(p))) return false;
+        const auto place = static_cast<std::size_t>(p.role);
+        if (!(place < ply_numbers ? source.number(p.type, n[place]) : skip(p))) return false;
       }
       read.positions.push_back({n[0], n[1], n[2]});
       if (normals) read.normals.push_back({n[3], n[4], n[5]});
@@ -158,7 +157,7 @@ struct ply_body_reader {
   constexpr bool faces(const Element& e) {
     for (std::uint64_t i = 0; i < e.count; ++i)
       for (const ply_property& p : e.properties)
-        if (!(p.role == ply_role::corners ? face(p) : skip(p))) return false;
+        if (!(p.role == ply_role::indices ? face(p) : skip(p))) return false;
     return true;
   }
 

@@ -26,11 +26,20 @@ constexpr bool has_length_of_binary_stl(std::string_view bytes) noexcept {
          bytes.size() == stl_head + stl_triangle * ordered_bits<4>(bytes.data() + 80, byte_order::little);
 }
 
-/// Whether the bytes are to be read as binary STL: they have its length, or do not begin with the word solid.
+/// Whether bytes that do not begin with the word solid are a text none the less: no control characters up to where
+/// binary STL has its count, which would make more than 4 GiB, and no byte 0 anywhere.
+constexpr bool is_text_for_stl(std::string_view bytes) noexcept {
+  for (const char c : bytes.substr(0, stl_head))
+    if ((static_cast<unsigned char>(c) < 0x20 && !is_blank(c) && !is_line_break(c)) || c == '\x7f') return false;
+  return bytes.find('\0') == std::string_view::npos;
+}
+
+/// Whether the bytes are to be read as binary STL: they have its length, or neither begin with the word solid nor are a
+/// text.
 constexpr bool is_binary_stl(std::string_view bytes) noexcept {
   if (has_length_of_binary_stl(bytes)) return true;
   text_cursor text(bytes, '\0');
-  return text.skip_space() && !is_word(text.word(), "solid");
+  return text.skip_space() && !is_word(text.word(), "solid") && !is_text_for_stl(bytes);
 }
 
 /// Adds the face of the last three positions.

@@ -88,6 +88,7 @@ struct studio_writer {
 /// needs   a text that read_body_xml reads, with more bodies than `number`
 constexpr const char* place_of_body(std::string_view text, std::size_t number) noexcept {
   xml_reader xml(text);
+  xml.passes_over_text = true;
   for (;;)
     if (xml.next() == xml_event::begin && xml.name == "body" && xml.depth <= 2 && number-- == 0) return xml.name.data();
 }

@@ -3,7 +3,8 @@
 // attributes.
 //
 // Nothing is expanded: documents with a type declaration, entities of their own or text between elements are refused,
-// and nothing is kept but the names of the elements that are open, of which there may be so many and no more.
+// and nothing is kept but the names of the elements that are open, of which there may be so many and no more. Text that
+// nobody is to read can be passed over.
 #pragma once
 
 #include <array>
@@ -87,6 +88,7 @@ struct xml_reader {
   std::size_t attribute_count = 0;
   std::string_view name{};  // of the element that began or ended last
   std::size_t depth = 0;
+  bool passes_over_text = false;  // and character data; otherwise they are errors
 
   /// needs   a text without bad bytes (first_bad_byte)
   constexpr explicit xml_reader(std::string_view text) noexcept : cursor(text, '\0') {}
@@ -99,12 +101,18 @@ struct xml_reader {
     for (bool first = !has_begun_;; first = false) {
       has_begun_ = true;
       if (!cursor.skip_space()) return finish();
-      if (*cursor.at != '<') return wrong(cursor.at, "text stands where only elements may stand");
       const char* const start = cursor.at;
+      if (*start != '<') {
+        if (!passes_over_text) return wrong(start, "text stands where only elements may stand");
+        if (!text()) return xml_event::error;
+        continue;
+      }
       if (take("<?")) {
         if (!instruction(first && start == first_)) return xml_event::error;
       } else if (take("<!--")) {
         if (!comment()) return xml_event::error;
+      } else if (passes_over_text && take("<![CDATA[")) {
+        if (!character_data()) return xml_event::error;
       } else if (take("<!")) {
         return wrong(start, "document types, entities and character data are not read");
       } else if (take("</")) {
@@ -143,6 +151,23 @@ private:
   constexpr xml_event close() noexcept {
     name = open_[--depth];
     return xml_event::end;
+  }
+
+  /// Up to the next tag.
+  constexpr bool text() noexcept {
+    for (; !cursor.at_end() && *cursor.at != '<'; ++cursor.at) {
+      if (*cursor.at == '&' && reference_at(rest().substr(1)).length == 0)
+        return cursor.fail(cursor.at, "entity is none of the five that are read");
+      if (*cursor.at == ']' && rest().starts_with("]]>"))
+        return cursor.fail(cursor.at, "end of character data stands in text");
+    }
+    return true;
+  }
+  constexpr bool character_data() noexcept {
+    const std::size_t end = rest().find("]]>");
+    if (end == std::string_view::npos) return cursor.fail(cursor.last, "character data do not end");
+    cursor.at += end + 3;
+    return true;
   }
 
   constexpr bool comment() noexcept {
