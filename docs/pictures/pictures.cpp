@@ -483,6 +483,7 @@ int main(int argc, char** argv) {
   save("mip_textured_shading", shaders::mip_floors());
   save("draw_transparent", shaders::panes());
   save("hidden_lines", line_drawings::hidden_lines());
+  save("cube_edges", line_drawings::cube_edges());
   save("visible_polygons", line_drawings::visible_polygons());
   save("occlusion_mask", occlusion_pictures::mask());
   save("visibility_buffer", occlusion_pictures::ids());
