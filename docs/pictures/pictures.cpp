@@ -436,6 +436,7 @@ int main(int argc, char** argv) {
   save("street_view", plane_sight::street());
   save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
+  save("sight_answers", sight_pictures::answers());
   save("sight_in_space", space_sight::folded_out());
   save("viewshed", sight_pictures::hills());
   save("portals", portal_pictures::rooms());

@@ -175,8 +175,19 @@ TEST_CASE("the checker's list: cells with those partly crossed between them, fro
   const auto open = map(9, 9, {});
   const auto of = [&](cell a, cell b) { return sight_list(open, a, b).cells; };
   CHECK(of({0, 0}, {3, 2}) == std::vector<cell>{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 2}});  // table 4
-  CHECK(of({0, 0}, {8, 4}) == std::vector<cell>{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {3, 1}, {3, 2}, {4, 2},
-                                                {5, 2}, {5, 3}, {6, 3}, {7, 3}, {7, 4}, {8, 4}});  // figure 23
+  CHECK(of({0, 0}, {8, 4}) == std::vector<cell>{{0, 0},
+                                                {1, 0},
+                                                {1, 1},
+                                                {2, 1},
+                                                {3, 1},
+                                                {3, 2},
+                                                {4, 2},
+                                                {5, 2},
+                                                {5, 3},
+                                                {6, 3},
+                                                {7, 3},
+                                                {7, 4},
+                                                {8, 4}});  // figure 23
   CHECK(of({0, 0}, {2, 5}) == std::vector<cell>{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {1, 3}, {1, 4}, {2, 4}, {2, 5}});
   CHECK(of({5, 0}, {0, 2}) == std::vector<cell>{{5, 0}, {4, 0}, {4, 1}, {3, 1}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
   CHECK(of({1, 1}, {4, 4}) == std::vector<cell>{{1, 1}, {2, 2}, {3, 3}, {4, 4}});
