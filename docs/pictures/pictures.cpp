@@ -206,6 +206,7 @@ void methods() {
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
+  save("horizon_laid_over", horizon_pictures::laid_over());
   save("horizon_lines", plot_pictures::horizon_lines());
   save("plot_surface", plot_pictures::surfaces());
   save("bsp_tree_2d", bsp_pictures::orders());
