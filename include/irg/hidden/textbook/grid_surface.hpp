@@ -149,11 +149,11 @@ template <Floating T>
   return angle_precedes(next_on_perimeter, next_on_facet);
 }
 
-/// Calls visit(facet, corners) for the facets in covering order, corners[2*di + dj] being what transform(i, j) gives for
-/// the facet's corner (di, dj). Returns how often it was asked.
+/// Calls visit(facet, corners) for the facets in covering order, corners[2*di + dj] being what transform(i, j) gives
+/// for the facet's corner (di, dj). Returns how often it was asked.
 /// needs   loops of covering_loops; a transform whose results have a default, and are the same when asked again
-/// gives   with a row kept, each vertex transformed once where one loop covers the surface (as from a corner), at most
-///         twice elsewhere: on the lines where loops meet, but once where all four do. Without: once for each facet at it
+/// gives   with a row kept, each vertex transformed once where one loop covers the surface (as from a corner), else at
+///         most twice: on the lines where loops meet, but once where all four do. Without: once for each facet at it
 /// cost    memory for one row of m + 1 vertices, where all vertices together take (n + 1) (m + 1)
 /// source  Special-cases chapter, 3 (storage; described there, not coded)
 template <class Transform, class Visit>

@@ -134,7 +134,8 @@ template <CellGrid G>
 /// gives   no cells where sight is blocked
 /// exact   always; from b to a the same cells backwards. Away from corners they are all that the segment crosses
 /// cost    two walks, and a cell of memory for each cell listed
-/// source  Fabris 2012, 4.3.4, where a steep line lists no third cell, the start may be lost and the target stands twice
+/// source  Fabris 2012, 4.3.4; as printed a steep line lists no third cell, the start may be lost and the target stands
+///         twice
 template <CellGrid G>
 [[nodiscard]] constexpr sight_list_result sight_list(const G& g, cell a, cell b,
                                                      corner_case corners = corner_case::both) {
