@@ -45,7 +45,7 @@ KIND is wall, half, open-door, closed-door or laser. Prints how many cells any u
   --pairs              print who sees whom instead: a row of 0 and 1 per unit
   -o OUT               draw the layers: .png, .ppm or .svg; seen cells yellow, by the thesis those that are seen in part
                        green; walls across x and y as bars: wall blue, closed-door brown, and those that do not block,
-                       half grey, open-door ochre, laser red
+                       half grey, open-door ochre, laser red; a map of more cells than pixels smaller
   --size WxH           pixels of the picture (640x480)
 )";
 
@@ -135,23 +135,32 @@ constexpr irg::rgba8 paper{250, 249, 246, 255}, dark{150, 150, 146, 255}, lit{25
     partly_lit{178, 200, 140, 255}, full{60, 66, 84, 255}, seen_full{120, 96, 60, 255},
     partly_seen_full{96, 108, 64, 255}, unit{204, 96, 72, 255};
 
-// The layers beside each other, a square per cell.
+// The layers beside each other, a square per cell. Where there are more cells than pixels along an axis, a pixel stands
+// for several, and shows the first of them.
 struct map_layout {
-  std::int64_t side;  // pixels of a cell
+  // So many cells on so many pixels.
+  struct scale {
+    std::int64_t cells, pixels;
+  };
+  std::int64_t side;  // pixels of a cell, 1 where there are more cells than pixels
   irg::grid_extent extent;
+  scale across{}, down{};
 
   map_layout(const irg::grid_extent& e, const program::picture_size& size) : extent(e) {
-    const std::int64_t columns = (std::int64_t{e.width} + 1) * e.depth + 1;
-    side = std::max<std::int64_t>(1, std::min(size.width / columns, size.height / (std::int64_t{e.height} + 2)));
+    const std::int64_t columns = (std::int64_t{e.width} + 1) * e.depth + 1, rows = std::int64_t{e.height} + 2;
+    side = std::max<std::int64_t>(1, std::min(size.width / columns, size.height / rows));
+    across = columns > size.width ? scale{columns, size.width} : scale{1, side};
+    down = rows > size.height ? scale{rows, size.height} : scale{1, side};
   }
   irg::cell3 cell_at(int x, int y) const {  // may be no cell of the map
-    const std::int64_t column = x / side - 1, row = y / side - 1, step = extent.width + std::int64_t{1};
+    const std::int64_t column = x * across.cells / across.pixels - 1, row = y * down.cells / down.pixels - 1;
+    const std::int64_t step = extent.width + std::int64_t{1};
     if (column < 0) return {-1, -1, -1};
     return {static_cast<int>(column % step), static_cast<int>(row), static_cast<int>(column / step)};
   }
   irg::cell corner_of(const irg::cell3& c) const {
-    return {static_cast<int>((c.x + 1 + c.z * (extent.width + std::int64_t{1})) * side),
-            static_cast<int>((c.y + std::int64_t{1}) * side)};
+    return {static_cast<int>((c.x + 1 + c.z * (extent.width + std::int64_t{1})) * across.pixels / across.cells),
+            static_cast<int>((c.y + std::int64_t{1}) * down.pixels / down.cells)};
   }
 };
 
@@ -197,6 +206,8 @@ irg::image<irg::rgba8> picture_of(const irg::grid_text& map, const program::cell
                 : seen                ? lit
                                       : dark;
     }
+  for (const irg::cell3& u : map.units)  // a pixel may have shown another cell
+    if (at.side == 1) p(at.corner_of(u).x, at.corner_of(u).y) = unit;
   if (at.side > 2 && map.grid.walled()) draw_walls(p, map.grid, at);
   return p;
 }

@@ -70,6 +70,7 @@ void run(program::command_line& line) {
   auto map = irg::read_grid(text);
   if (!map) line.fail(program::with_place(map.error(), s.map));
   program::grid_world world(*std::move(map), s.size.width, s.size.height);
+  world.keep_files(s.map, s.script);
   const std::string script = s.window && s.script.empty() ? "" : program::read_text(line, s.script, "script");
   std::string out;
   std::size_t number = 0;

@@ -49,6 +49,11 @@ public:
   std::int64_t seen_in_part() const { return sight_.partial.count(); }
   bool by_thesis() const { return by_thesis_; }
   int test() const { return in_space_ ? 3 : 2; }
+  /// What no picture is written over; empty where nothing was read from a file.
+  void keep_files(std::string map, std::string script) {
+    map_file_ = std::move(map);
+    script_file_ = std::move(script);
+  }
   const std::string& failed_to_write() const { return failed_; }
   /// Removes the pictures that were written.
   void remove_files() const {
@@ -160,6 +165,8 @@ private:
   }
   std::string save(const std::string& file) {
     if (!irg::picture_format_of(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
+    if (one_file(file, map_file_)) return "the map would be overwritten: " + file;
+    if (one_file(file, script_file_)) return "the script would be overwritten: " + file;
     if (const auto error = irg::write_image(file, draw())) return failed_ = std::string(error->message) + ": " + file;
     written_.push_back(file);
     return "";
@@ -298,7 +305,7 @@ private:
   std::vector<std::vector<std::optional<irg::cell3>>> beside_{};
   irg::image<irg::rgba8> picture_{};
   irg::image<float> depth_{};
-  std::string failed_{};
+  std::string failed_{}, map_file_{}, script_file_{};
   std::vector<std::string> written_{};
 };
 

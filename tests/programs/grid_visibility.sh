@@ -47,6 +47,18 @@ run "$room" -o room.ppm --size 90x80
 check "a picture: exit 0: $err" is "$status" 0
 check "a picture: its size" is "$(sed -n 2p room.ppm)" "90 80"
 
+# A map of more cells than pixels is drawn smaller, whole, with its units.
+wide=$(printf '.%.0s' $(seq 1000))
+run "1000 2 1\n$wide\n${wide%.}#\n998 0\n3 1\n" -o wide.ppm --size 50x40
+check "a wide map: exit 0: $err" is "$status" 0
+check "a wide map: both units are drawn" is "$(count wide.ppm 204 96 72)" 2
+check "a wide map: the first at the right end" is "$(pixels wide.ppm | awk '$1 == 204 && $2 == 96 { print (NR - 1) % 50 }' | sort -n | tail -1)" 49
+check "a wide map: bright from end to end" test "$(count wide.ppm 255 228 140)" -ge 45
+tall=$(for _ in $(seq 300); do printf '%s' '..\n'; done)
+run "2 300 2\n$tall$tall\n0 299 1\n" -o tall.ppm --size 64x48
+check "a tall map of two layers: exit 0: $err" is "$status" 0
+check "a tall map: the unit is drawn" is "$(count tall.ppm 204 96 72)" 1
+
 # The three answers of the thesis: 26 cells seen fully beside the unit, 2 in part, 15 not at all; 2 of 4 pillars.
 # A cell is 9 pixels wide and shows 8 x 8 of them.
 colours() { # colours FILE: how many cells have the colours of full sight, partial sight, none, a seen and an unseen pillar

@@ -99,6 +99,17 @@ check "each of them is told: $out" is "$(printf '%s\n' "$out" | grep -c '^refuse
 check "with its line" has "$out" "refused: 16: the picture's name must end in .png, .ppm or .svg: a.gif"
 check "and the world is as it was" has "$out" $'units: 0\nseen: 0\ntest: 3'
 
+# What was read is not written over.
+cp room.txt map.ppm
+printf 'picture map.ppm\npicture ./script.ppm\npicture other.ppm\n' >script.ppm
+run '' map.ppm --script script.ppm --size 16x12
+check "the map and the script: exit 0, not $status: $err" is "$status" 0
+check "the map is kept: $out" has "$out" "refused: 1: the map would be overwritten: map.ppm"
+check "the script is kept: $out" has "$out" "refused: 2: the script would be overwritten: ./script.ppm"
+check "the map is as it was" cmp -s map.ppm room.txt
+check "another file is written" test -s other.ppm
+rm -f map.ppm script.ppm other.ppm
+
 fails "no map" ""
 fails "a map that is not there" "" nosuch.txt
 printf '2 1 1\n.x\n' >bad.txt
