@@ -36,7 +36,12 @@ u, or both. Prints how many segments are drawn.
   --height H           pixels of one unit upwards, up to 100000 (120)
   --yaw DEG            0 to 90 (29)
   --pitch DEG          -90 to 90 (40)
-  --mode MODE          z, x, both: which curves (both)
+  --mode MODE          which curves (both):
+                         z         of constant v
+                         x         of constant u
+                         both      pieces of one family between curves of the other, so that both hide
+                         overlaid  z, then x, each as if alone: the wrong picture, in which one family shows through
+                                   the other
   --test RULE          strict (the default): no line that a curve has not; seed: the source's equality test
   --list               print the segments instead: x1 y1 x2 y2
   --horizons           print the horizons instead: lower upper of each column, - - where nothing is
@@ -69,6 +74,7 @@ struct settings : program::drawing_options {
   irg::horizon_view view;
   std::string table{};
   bool horizons = false, seed = false;
+  bool overlaid = false;  // in place of view.families
 };
 
 settings read_settings(program::command_line& line) {
@@ -105,10 +111,12 @@ settings read_settings(program::command_line& line) {
       s.view.yaw = number(word, 0, 90) * degree;
     else if (word == "--pitch")
       s.view.pitch = number(word, -90, 90) * degree;
-    else if (word == "--mode")
+    else if (word == "--mode") {
+      const auto mode = line.choice(word, {"z", "x", "both", "overlaid"});
+      s.overlaid = mode == 3;
       s.view.families = std::array{irg::horizon_curves::constant_z, irg::horizon_curves::constant_x,
-                                   irg::horizon_curves::both}[line.choice(word, {"z", "x", "both"})];
-    else if (word == "--test")
+                                   irg::horizon_curves::both, irg::horizon_curves::both}[mode];
+    } else if (word == "--test")
       s.seed = line.choice(word, {"strict", "seed"}) == 1;
     else if (word == "--horizons")
       s.horizons = true;
@@ -118,6 +126,8 @@ settings read_settings(program::command_line& line) {
       s.read(line, word);
   }
   if (s.list && s.horizons) line.fail("only one of --list and --horizons can be printed");
+  if (s.overlaid && s.horizons)
+    line.fail("option --horizons needs --mode z, x or both: each family has its own when they are overlaid");
   if (program::one_file(s.out, s.table)) line.fail("the table would be overwritten: " + s.table);
   return s;
 }
@@ -184,6 +194,15 @@ std::vector<segment> drawn_with(Horizon&& horizon, const settings& s, const Heig
 
 template <class Height>
 std::vector<segment> segments_of(const settings& s, const Height& height) {
+  if (s.overlaid) {
+    settings alone = s;
+    alone.overlaid = false;
+    alone.view.families = irg::horizon_curves::constant_z;
+    std::vector<segment> segments = segments_of(alone, height);
+    alone.view.families = irg::horizon_curves::constant_x;
+    for (const segment& g : segments_of(alone, height)) segments.push_back(g);
+    return segments;
+  }
   const int columns = irg::horizon_width(s.view);
   return s.seed ? drawn_with(irg::textbook::floating_horizon(columns), s, height)
                 : drawn_with(irg::floating_horizon(columns), s, height);

@@ -9,10 +9,10 @@
 #include <irg/io/grid_text.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/visibility/field_of_view.hpp>
-#include <irg/visibility/textbook/sight_3d.hpp>
 #include <irg/visibility/unit_sight.hpp>
 #include <irg/visibility/visible_part.hpp>
 
+#include "support/cell_sight.hpp"
 #include "support/command_line.hpp"
 #include "support/number_output.hpp"
 #include "support/picture_options.hpp"
@@ -45,7 +45,9 @@ KIND is wall, half, open-door, closed-door or laser. Prints how many cells any u
   --list               print the cells that are seen instead: x y z
   --percent            print how much of each cell is seen instead: x y z percent, of the unit that sees most; depth 1
   --pairs              print who sees whom instead: a row of 0 and 1 per unit
-  -o OUT               draw the layers: .png, .ppm or .svg; seen cells bright, walls that block as bars
+  -o OUT               draw the layers: .png, .ppm or .svg; seen cells yellow, by the thesis those that are seen in part
+                       green; walls across x and y as bars: wall blue, closed-door brown, and those that do not block,
+                       half grey, open-door ochre, laser red; a map of more cells than pixels smaller
   --size WxH           pixels of the picture (640x480)
 )";
 
@@ -88,24 +90,22 @@ irg::grid_text read_map(const program::command_line& line, const std::string& in
   return *std::move(map);
 }
 
-bool sees(const irg::walled_grid& g, const irg::cell3& a, const irg::cell3& b, const settings& s) {
+irg::textbook::sight sight_of(const irg::walled_grid& g, const irg::cell3& a, const irg::cell3& b, const settings& s) {
+  using irg::textbook::sight;
   using rule = irg::textbook::three_axis_rule;
-  if (!s.by_thesis()) return irg::see(g, a, b, s.rules);
-  return irg::textbook::sight_3d(g, a, b, s.how == method::thesis ? rule::thesis : rule::face_path);
+  if (!s.by_thesis()) return irg::see(g, a, b, s.rules) ? sight::full : sight::blocked;
+  return program::thesis_sight(g, a, b, s.how == method::thesis ? rule::thesis : rule::face_path);
 }
 
-irg::cell_grid seen_cells(const irg::grid_text& map, const settings& s) {
-  irg::view_options o;
-  o.rules = s.rules;
-  if (s.how == method::sweep) return irg::field_of_view(map.grid, std::span(map.units), o);
+program::cell_sight seen_cells(const irg::grid_text& map, const settings& s) {
   const irg::grid_extent e = map.grid.extent();
-  irg::cell_grid seen(e);
-  for (int z = 0; z < e.depth; ++z)
-    for (int y = 0; y < e.height; ++y)
-      for (int x = 0; x < e.width; ++x)
-        if (std::ranges::any_of(map.units, [&](const irg::cell3& u) { return sees(map.grid, u, {x, y, z}, s); }))
-          seen.set({x, y, z});
-  return seen;
+  if (s.how == method::sweep) {
+    irg::view_options o;
+    o.rules = s.rules;
+    return {irg::field_of_view(map.grid, std::span(map.units), o), irg::cell_grid(e)};
+  }
+  return program::sight_by(e, std::span(map.units),
+                           [&](const irg::cell3& u, const irg::cell3& c) { return sight_of(map.grid, u, c, s); });
 }
 
 std::string percent_text(const irg::grid_text& map) {
@@ -127,52 +127,69 @@ std::string pairs_text(const irg::grid_text& map, const settings& s) {
   std::string text;
   for (std::size_t i = 0; i < map.units.size(); ++i)
     for (std::size_t j = 0; j < map.units.size(); ++j) {
-      text += i == j || sees(map.grid, map.units[i], map.units[j], s) ? '1' : '0';
+      text += i == j || sight_of(map.grid, map.units[i], map.units[j], s) != irg::textbook::sight::blocked ? '1' : '0';
       text += j + 1 < map.units.size() ? ' ' : '\n';
     }
   return text;
 }
 
 constexpr irg::rgba8 paper{250, 249, 246, 255}, dark{150, 150, 146, 255}, lit{255, 228, 140, 255},
-    full{60, 66, 84, 255}, seen_full{120, 96, 60, 255}, wall{32, 44, 66, 255}, unit{204, 96, 72, 255};
+    partly_lit{178, 200, 140, 255}, full{60, 66, 84, 255}, seen_full{120, 96, 60, 255},
+    partly_seen_full{96, 108, 64, 255}, unit{204, 96, 72, 255};
 
-// The layers beside each other, a square per cell.
+// The layers beside each other, a square per cell. Where there are more cells than pixels along an axis, a pixel stands
+// for several, and shows the first of them.
 struct map_layout {
-  std::int64_t side;  // pixels of a cell
+  // So many cells on so many pixels.
+  struct scale {
+    std::int64_t cells, pixels;
+  };
+  std::int64_t side;  // pixels of a cell, 1 where there are more cells than pixels
   irg::grid_extent extent;
+  scale across{}, down{};
 
   map_layout(const irg::grid_extent& e, const program::picture_size& size) : extent(e) {
-    const std::int64_t columns = (std::int64_t{e.width} + 1) * e.depth + 1;
-    side = std::max<std::int64_t>(1, std::min(size.width / columns, size.height / (std::int64_t{e.height} + 2)));
+    const std::int64_t columns = (std::int64_t{e.width} + 1) * e.depth + 1, rows = std::int64_t{e.height} + 2;
+    side = std::max<std::int64_t>(1, std::min(size.width / columns, size.height / rows));
+    across = columns > size.width ? scale{columns, size.width} : scale{1, side};
+    down = rows > size.height ? scale{rows, size.height} : scale{1, side};
   }
   irg::cell3 cell_at(int x, int y) const {  // may be no cell of the map
-    const std::int64_t column = x / side - 1, row = y / side - 1, step = extent.width + std::int64_t{1};
+    const std::int64_t column = x * across.cells / across.pixels - 1, row = y * down.cells / down.pixels - 1;
+    const std::int64_t step = extent.width + std::int64_t{1};
     if (column < 0) return {-1, -1, -1};
     return {static_cast<int>(column % step), static_cast<int>(row), static_cast<int>(column / step)};
   }
   irg::cell corner_of(const irg::cell3& c) const {
-    return {static_cast<int>((c.x + 1 + c.z * (extent.width + std::int64_t{1})) * side),
-            static_cast<int>((c.y + std::int64_t{1}) * side)};
+    return {static_cast<int>((c.x + 1 + c.z * (extent.width + std::int64_t{1})) * across.pixels / across.cells),
+            static_cast<int>((c.y + std::int64_t{1}) * down.pixels / down.cells)};
   }
 };
 
-// The walls that block, across x and y, as bars over the lines between cells; the whole map is in the picture.
+// The walls across x and y, as bars over the lines between cells, those that block over the others; the whole map is in
+// the picture.
 void draw_walls(irg::image<irg::rgba8>& p, const irg::walled_grid& map, const map_layout& at) {
   const int side = static_cast<int>(at.side), thick = side / 12;
-  for (int z = 0; z < at.extent.depth; ++z)
-    for (int y = 0; y < at.extent.height; ++y)
-      for (int x = 0; x < at.extent.width; ++x) {
-        const irg::cell corner = at.corner_of({x, y, z});
-        if (map.has_wall({x, y, z}, 0))
-          for (int row = 0; row <= side; ++row)
-            irg::fill_span(p, {corner.y + row, corner.x + side - thick, corner.x + side + thick + 1}, wall);
-        if (map.has_wall({x, y, z}, 1))
-          for (int row = side - thick; row <= side + thick; ++row)
-            irg::fill_span(p, {corner.y + row, corner.x, corner.x + side + 1}, wall);
-      }
+  const auto draw = [&](const irg::cell3& c, int axis) {
+    const irg::cell corner = at.corner_of(c);
+    const irg::rgba8 colour = program::colour_of(map.wall(c, axis));
+    if (axis == 0)
+      for (int row = 0; row <= side; ++row)
+        irg::fill_span(p, {corner.y + row, corner.x + side - thick, corner.x + side + thick + 1}, colour);
+    else
+      for (int row = side - thick; row <= side + thick; ++row)
+        irg::fill_span(p, {corner.y + row, corner.x, corner.x + side + 1}, colour);
+  };
+  for (const bool blocks : {false, true})
+    for (int z = 0; z < at.extent.depth; ++z)
+      for (int y = 0; y < at.extent.height; ++y)
+        for (int x = 0; x < at.extent.width; ++x)
+          for (int axis = 0; axis < 2; ++axis)
+            if (map.wall({x, y, z}, axis) != irg::wall_kind::none && map.has_wall({x, y, z}, axis) == blocks)
+              draw({x, y, z}, axis);
 }
 
-irg::image<irg::rgba8> picture_of(const irg::grid_text& map, const irg::cell_grid& seen,
+irg::image<irg::rgba8> picture_of(const irg::grid_text& map, const program::cell_sight& sight,
                                   const program::picture_size& size) {
   irg::image<irg::rgba8> p(size.width, size.height, paper);
   const map_layout at(map.grid.extent(), size);
@@ -182,11 +199,17 @@ irg::image<irg::rgba8> picture_of(const irg::grid_text& map, const irg::cell_gri
     for (int x = 0; x < size.width; ++x) {
       const irg::cell3 c = at.cell_at(x, y);
       if (!at.extent.holds(c) || (at.side > 2 && (x % at.side == 0 || y % at.side == 0))) continue;
+      const bool seen = sight.seen.is_full(c), partly = sight.partial.is_full(c);
       p(x, y) = stood_on.is_full(c)   ? unit
-                : map.grid.is_full(c) ? (seen.is_full(c) ? seen_full : full)
-                : seen.is_full(c)     ? lit
+                : map.grid.is_full(c) ? (partly ? partly_seen_full
+                                         : seen ? seen_full
+                                                : full)
+                : partly              ? partly_lit
+                : seen                ? lit
                                       : dark;
     }
+  for (const irg::cell3& u : map.units)  // a pixel may have shown another cell
+    if (at.side == 1) p(at.corner_of(u).x, at.corner_of(u).y) = unit;
   if (at.side > 2 && map.grid.walled()) draw_walls(p, map.grid, at);
   return p;
 }
@@ -196,19 +219,19 @@ void run(program::command_line& line) {
   const irg::grid_text map = read_map(line, s.input);
   if (s.percent && map.grid.extent().depth != 1) line.fail("--percent supports maps of depth 1");
   std::string text;
-  irg::cell_grid seen;
-  if (!s.pairs || !s.out.empty()) seen = seen_cells(map, s);
+  program::cell_sight sight;
+  if (!s.pairs || !s.out.empty()) sight = seen_cells(map, s);
   if (s.percent)
     text = percent_text(map);
   else if (s.pairs)
     text = pairs_text(map, s);
   else if (s.list)
-    seen.for_each([&](const irg::cell3& c) {
+    sight.seen.for_each([&](const irg::cell3& c) {
       text += std::to_string(c.x) + " " + std::to_string(c.y) + " " + std::to_string(c.z) + "\n";
     });
   else
-    text = "seen: " + std::to_string(seen.count()) + "\n";
-  if (!s.out.empty()) program::write_picture(line, s.out, picture_of(map, seen, s.size));
+    text = "seen: " + std::to_string(sight.seen.count()) + "\n";
+  if (!s.out.empty()) program::write_picture(line, s.out, picture_of(map, sight, s.size));
   std::fwrite(text.data(), 1, text.size(), stdout);
   program::finish_output(line, s.out);
 }

@@ -24,15 +24,19 @@ MAP is a map with units and walls as grid_visibility reads it. The script has on
   walk FORWARD RIGHT   the camera goes so many cells
   turn RIGHT UP        it turns by so many degrees
   test 3, test 2       units see in space (at first), or in their own layers only
-  picture FILE         .png, .ppm or .svg: bright floors and cubes are seen
+  method exact         as grid_visibility says (at first)
+  method thesis        by the modified Bresenham line, which in the lowest layer, or with test 2 in every one, tells full
+                       sight from partial
+  picture FILE         .png, .ppm or .svg: bright floors and cubes are seen, green ones in part; walls are blue, closed
+                       doors brown; sight passes grey half walls, the ochre posts of open doors, red beams of lasers
 and prints
   refused: LINE: why   for each line that cannot be; the world is as it was before it
-  units: N, seen: N, test: N
+  units: N, seen: N, test: N, and by the thesis in part: N
 
   --script FILE        read the script from FILE
   --size WxH           pixels of a picture (640x480)
   --window             shows the world; keys and mouse become lines, which are printed: a click, w a s d, dragging with
-                       the right button, 2 and 3; F6 writes grid_world.png, Escape ends. A script only from --script
+                       the right button, 2 and 3, t(hesis) and e(xact); F6 writes grid_world.png, Escape ends. A script only from --script
 )";
 
 struct settings {
@@ -66,6 +70,7 @@ void run(program::command_line& line) {
   auto map = irg::read_grid(text);
   if (!map) line.fail(program::with_place(map.error(), s.map));
   program::grid_world world(*std::move(map), s.size.width, s.size.height);
+  world.keep_files(s.map, s.script);
   const std::string script = s.window && s.script.empty() ? "" : program::read_text(line, s.script, "script");
   std::string out;
   std::size_t number = 0;
@@ -88,6 +93,7 @@ void run(program::command_line& line) {
   }
   out += "units: " + std::to_string(world.units().size()) + "\nseen: " + std::to_string(world.seen()) +
          "\ntest: " + std::to_string(world.test()) + "\n";
+  if (world.by_thesis()) out += "in part: " + std::to_string(world.seen_in_part()) + "\n";
   std::fputs(out.c_str(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) world.remove_files();
   program::finish_output(line, "");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Line drawings with hidden lines: three bodies, and a drawing whose hidden lines are dashed; the regions of what is seen. Included by pictures.cpp.
+// Line drawings with hidden lines: three bodies, and a drawing whose hidden lines are dashed; a cube's edges; the
+// regions of what is seen. Included by pictures.cpp.
 #pragma once
+
+#include <vector>
 
 #include <irg/hidden/line_drawing.hpp>
 #include <irg/hidden/visible_polygons.hpp>
@@ -63,6 +66,26 @@ inline picture hidden_lines() {
       });
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) all(x + (features ? width : 0), y) = half(x, y);
+  }
+  return all;
+}
+
+// A cube of triangles: left its twelve edges, right the nine of them that are seen.
+inline picture cube_edges() {
+  using namespace irg;
+  constexpr int side = 220;
+  const auto to_clip = perspective(radians(30.0), 1.0, 1.0, 100.0) * translation(vec<double, 3>{0, 0, -5.4}) *
+                       rotation_x(0.5) * rotation_y(-0.55);
+  line_drawing d;
+  add_mesh(d, shape_cube<double>(), to_clip, map_to_screen<double>(side, side));
+  const std::vector<screen_face> nothing;
+  picture all(2 * side, side, paper);
+  for (const bool hides : {false, true}) {
+    picture half(side, side, paper);
+    hidden_lines(hides ? d.faces : nothing, d.edges, [&](const edge_part& part) {
+      if (part.visibility == line_visibility::visible) draw_part(half, d.edges[part.edge], part, {});
+    });
+    paste(all, half, hides ? side : 0, 0);
   }
   return all;
 }

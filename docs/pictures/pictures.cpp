@@ -206,6 +206,7 @@ void methods() {
   save("hidden_surface_methods", all);
   save("ray_casting", hidden_pictures::rays());
   save("floating_horizon", horizon_pictures::surfaces());
+  save("horizon_laid_over", horizon_pictures::laid_over());
   save("horizon_lines", plot_pictures::horizon_lines());
   save("plot_surface", plot_pictures::surfaces());
   save("bsp_tree_2d", bsp_pictures::orders());
@@ -436,6 +437,7 @@ int main(int argc, char** argv) {
   save("street_view", plane_sight::street());
   save("guard_cover", plane_sight::galleries());
   save("sight_2d", sight_pictures::thirds());
+  save("sight_answers", sight_pictures::answers());
   save("sight_in_space", space_sight::folded_out());
   save("viewshed", sight_pictures::hills());
   save("portals", portal_pictures::rooms());
@@ -483,6 +485,7 @@ int main(int argc, char** argv) {
   save("mip_textured_shading", shaders::mip_floors());
   save("draw_transparent", shaders::panes());
   save("hidden_lines", line_drawings::hidden_lines());
+  save("cube_edges", line_drawings::cube_edges());
   save("visible_polygons", line_drawings::visible_polygons());
   save("occlusion_mask", occlusion_pictures::mask());
   save("visibility_buffer", occlusion_pictures::ids());

@@ -174,6 +174,25 @@ inline picture thirds() {
   return table(panels, 3);
 }
 
+// The three answers on a line of 45 degrees, by colour: obstacles on both sides at once, on the left alone, and on the
+// left first and later on the right.
+inline picture answers() {
+  constexpr int size = 30;
+  constexpr irg::rgba8 partly_lit{178, 200, 140, 255};
+  std::vector<picture> panels;
+  for (const std::vector<cell>& blocks : {std::vector<cell>{{0, 1}, {1, 0}}, {{1, 2}}, {{1, 2}, {4, 3}}}) {
+    irg::walled_grid map(irg::grid_extent{7, 6, 1});
+    for (const cell c : blocks) map.set(c);
+    picture p = drawn(map, size, [&](cell c) {
+      const irg::textbook::sight s = irg::textbook::sight_2d(map, {0, 0}, c);
+      return s == irg::textbook::sight::full ? lit : s == irg::textbook::sight::partial ? partly_lit : dark;
+    });
+    segment(p, {0, 0}, {5, 5}, size, ink);
+    panels.push_back(p);
+  }
+  return table(panels, 3);
+}
+
 // Hills, heights in 1/16 of a cell: slopes towards the light are brighter, what an eye on the left hill sees is warm.
 inline picture hills() {
   constexpr int width = 240, height = 130;

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/colour/srgb.hpp>
 #include <irg/io/grid_text.hpp>
 #include <irg/io/image_file.hpp>
 #include <irg/math/constants.hpp>
@@ -25,6 +26,7 @@
 #include <irg/visibility/field_of_view.hpp>
 #include <irg/visibility/unit_sight.hpp>
 
+#include "cell_sight.hpp"
 #include "picture_options.hpp"
 
 namespace program {
@@ -43,8 +45,15 @@ public:
   }
 
   const std::vector<irg::cell3>& units() const { return map_.units; }
-  std::int64_t seen() const { return seen_.count(); }
+  std::int64_t seen() const { return sight_.seen.count(); }
+  std::int64_t seen_in_part() const { return sight_.partial.count(); }
+  bool by_thesis() const { return by_thesis_; }
   int test() const { return in_space_ ? 3 : 2; }
+  /// What no picture is written over; empty where nothing was read from a file.
+  void keep_files(std::string map, std::string script) {
+    map_file_ = std::move(map);
+    script_file_ = std::move(script);
+  }
   const std::string& failed_to_write() const { return failed_; }
   /// Removes the pictures that were written.
   void remove_files() const {
@@ -71,8 +80,14 @@ public:
       look();
       return "";
     }
+    if (words[0] == "method" && words.size() == 2 && (words[1] == "exact" || words[1] == "thesis")) {
+      by_thesis_ = words[1] == "thesis";
+      look();
+      return "";
+    }
     if (words[0] == "picture" && words.size() == 2) return save(std::string(words[1]));
-    return "no such line: click X Y, walk FORWARD RIGHT, turn RIGHT UP, test 2, test 3, picture FILE";
+    return "no such line: click X Y, walk FORWARD RIGHT, turn RIGHT UP, test 2, test 3, method exact, method thesis, "
+           "picture FILE";
   }
 
   irg::image<irg::rgba8>& draw() {
@@ -84,7 +99,27 @@ public:
   }
 
 private:
-  enum part : std::size_t { dark_floor, lit_floor, dark_cube, lit_cube, wall, unit, parts };
+  // Walls stand by the number of their kind behind no_wall.
+  enum part : std::size_t {
+    dark_floor,
+    lit_floor,
+    partly_lit_floor,
+    dark_cube,
+    lit_cube,
+    partly_lit_cube,
+    unit,
+    no_wall,
+    parts = no_wall + wall_colours.size()
+  };
+
+  // One layer of a map, as a map in the plane.
+  struct layer {
+    const irg::walled_grid& map;
+    int z;
+    irg::grid_extent extent() const { return {map.extent().width, map.extent().height, 1}; }
+    bool is_full(const irg::cell3& c) const { return map.is_full({c.x, c.y, z}); }
+    bool has_wall(const irg::cell3& c, int axis) const { return map.has_wall({c.x, c.y, z}, axis); }
+  };
 
   static std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> words;
@@ -130,6 +165,8 @@ private:
   }
   std::string save(const std::string& file) {
     if (!irg::picture_format_of(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
+    if (one_file(file, map_file_)) return "the map would be overwritten: " + file;
+    if (one_file(file, script_file_)) return "the script would be overwritten: " + file;
     if (const auto error = irg::write_image(file, draw())) return failed_ = std::string(error->message) + ": " + file;
     written_.push_back(file);
     return "";
@@ -137,15 +174,21 @@ private:
 
   // What the units see: in space everything, in the plane what lies in their own layers.
   void look() {
+    using irg::textbook::sight;
     const irg::grid_extent e = map_.grid.extent();
-    seen_ = irg::cell_grid(e);
-    if (in_space_) {
-      seen_ = irg::field_of_view(map_.grid, std::span<const irg::cell3>(map_.units));
+    const std::span<const irg::cell3> units(map_.units);
+    if (in_space_ && !by_thesis_) {
+      sight_ = {irg::field_of_view(map_.grid, units), irg::cell_grid(e)};
+    } else if (in_space_) {
+      sight_ = sight_by(e, units, [&](const irg::cell3& u, const irg::cell3& c) {
+        return thesis_sight(map_.grid, u, c, irg::textbook::three_axis_rule::thesis);
+      });
     } else {
-      for (const irg::cell3& u : map_.units)
-        for (int y = 0; y < e.height; ++y)
-          for (int x = 0; x < e.width; ++x)
-            if (irg::see(map_.grid, u, {x, y, u.z})) seen_.set({x, y, u.z});
+      sight_ = sight_by(e, units, [&](const irg::cell3& u, const irg::cell3& c) {
+        if (u.z != c.z) return sight::blocked;
+        if (by_thesis_) return irg::textbook::sight_2d(layer{map_.grid, c.z}, {u.x, u.y}, {c.x, c.y});
+        return irg::see(map_.grid, u, c) ? sight::full : sight::blocked;
+      });
     }
     build();
   }
@@ -174,9 +217,42 @@ private:
     add(kind, corners, beside);
   }
 
+  // The wall between c and the next cell along an axis: whole where it blocks and half as high for a half wall, the two
+  // posts of an open door, three beams of a laser field.
+  void add_wall(const irg::cell3& c, int axis) {
+    const irg::wall_kind kind = map_.grid.wall(c, axis);
+    const auto strip = [&](int across, double from, double to) {
+      irg::point<double, 3> low{double(c.x), double(c.y), double(c.z)}, high{c.x + 1.0, c.y + 1.0, c.z + 1.0};
+      const double base = irg::coordinate(low, across);
+      (across == 0 ? low.x : across == 1 ? low.y : low.z) = base + from;
+      (across == 0 ? high.x : across == 1 ? high.y : high.z) = base + to;
+      add_side(static_cast<part>(no_wall + static_cast<std::size_t>(kind)), low, high, axis, true, std::nullopt);
+    };
+    const int along = axis == 0 ? 1 : 0, up = axis == 2 ? 1 : 2;
+    switch (kind) {
+      case irg::wall_kind::none: break;
+      case irg::wall_kind::wall:
+      case irg::wall_kind::closed_door: strip(up, 0, 1); break;
+      case irg::wall_kind::half_wall: strip(up, 0, 0.5); break;
+      case irg::wall_kind::open_door:
+        strip(along, 0, 0.15);
+        strip(along, 0.85, 1);
+        break;
+      case irg::wall_kind::laser_field:
+        for (const double at : {0.2, 0.5, 0.8}) strip(up, at - 0.03, at + 0.03);
+    }
+  }
+
   void build() {
-    constexpr irg::rgb<double> colours[parts] = {{0.25, 0.25, 0.24}, {0.95, 0.78, 0.3}, {0.14, 0.17, 0.25},
-                                                 {0.45, 0.3, 0.14},  {0.3, 0.1, 0.1},   {0.7, 0.2, 0.12}};
+    std::array<irg::rgb<double>, parts> colours{};
+    colours[dark_floor] = {0.25, 0.25, 0.24}, colours[dark_cube] = {0.14, 0.17, 0.25};
+    colours[lit_floor] = {0.95, 0.78, 0.3}, colours[lit_cube] = {0.45, 0.3, 0.14};
+    colours[partly_lit_floor] = {0.5, 0.6, 0.25}, colours[partly_lit_cube] = {0.22, 0.28, 0.12};
+    colours[unit] = {0.7, 0.2, 0.12};
+    for (std::size_t kind = 1; kind < wall_colours.size(); ++kind) {
+      const irg::rgb<float> light = irg::decode(wall_colours[kind]);
+      colours[no_wall + kind] = {light.r, light.g, light.b};
+    }
     scene_.objects.assign(parts, {});
     beside_.assign(parts, {});
     for (std::size_t i = 0; i < parts; ++i) scene_.objects[i].surface = {colours[i], colours[i], {}, 1};
@@ -192,16 +268,17 @@ private:
         for (int x = 0; x < e.width; ++x) {
           const irg::cell3 c{x, y, z};
           const irg::point<double, 3> low{double(x), double(y), double(z)}, high{x + 1.0, y + 1.0, z + 1.0};
-          const bool full = map_.grid.is_full(c), lit = seen_.is_full(c);
-          if (!full && z == 0) add_side(lit ? lit_floor : dark_floor, low, high, 2, false, c);
+          const bool full = map_.grid.is_full(c), lit = sight_.seen.is_full(c), partly = sight_.partial.is_full(c);
+          if (!full && z == 0)
+            add_side(partly ? partly_lit_floor : lit ? lit_floor : dark_floor, low, high, 2, false, c);
           for (int axis = 0; axis < 3; ++axis) {
             for (const bool upper : {false, true}) {
               irg::cell3 next = c;
               (axis == 0 ? next.x : axis == 1 ? next.y : next.z) += upper ? 1 : -1;
               if (full && next.z >= 0 && !(e.holds(next) && map_.grid.is_full(next)))
-                add_side(lit ? lit_cube : dark_cube, low, high, axis, upper, free(next));
+                add_side(partly ? partly_lit_cube : lit ? lit_cube : dark_cube, low, high, axis, upper, free(next));
             }
-            if (map_.grid.has_wall(c, axis)) add_side(wall, low, high, axis, true, std::nullopt);
+            add_wall(c, axis);
           }
         }
     for (const irg::cell3& u : map_.units) {
@@ -220,15 +297,15 @@ private:
   }
 
   irg::grid_text map_;
-  irg::cell_grid seen_{};
-  bool in_space_ = true;
+  cell_sight sight_{};
+  bool in_space_ = true, by_thesis_ = false;
   irg::point<double, 3> eye_{};
   double azimuth_ = 0, elevation_ = 0;  // degrees: to the right from the rows' y downwards, and up
   irg::scene<double> scene_{};
   std::vector<std::vector<std::optional<irg::cell3>>> beside_{};
   irg::image<irg::rgba8> picture_{};
   irg::image<float> depth_{};
-  std::string failed_{};
+  std::string failed_{}, map_file_{}, script_file_{};
   std::vector<std::string> written_{};
 };
 

@@ -36,6 +36,8 @@ private:
     if (k == SDLK_d) say("walk 0 1");
     if (k == SDLK_2) say("test 2");
     if (k == SDLK_3) say("test 3");
+    if (k == SDLK_t) say("method thesis");
+    if (k == SDLK_e) say("method exact");
     if (k == SDLK_F6) say("picture grid_world.png");
     return true;
   }

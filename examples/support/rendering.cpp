@@ -11,6 +11,7 @@
 #include <irg/hidden/line_drawing.hpp>
 #include <irg/io/file.hpp>
 #include <irg/io/svg_drawing.hpp>
+#include <irg/mesh/merge_positions.hpp>
 #include <irg/raster/line_aa.hpp>
 #include <irg/render/render_traced.hpp>
 #include <irg/trace/ray_tracing.hpp>
@@ -135,16 +136,52 @@ private:
   std::int64_t shaded_ = 0;
 };
 
-/// Draws the visible parts of all edges, into the picture and as lines; under them the hidden parts, if asked for.
+/// The faces of a body with one position for all that are equal, without what has no three corners then: of triangles
+/// that a file lists each by itself, neighbours are known.
+irg::mesh<double> joined(const irg::mesh<double>& shape) {
+  const irg::mesh<double> merged = irg::merge_positions(shape);
+  irg::mesh<double> out;
+  out.positions = merged.positions;
+  std::vector<std::uint32_t> face;
+  for (std::size_t f = 0; f < merged.face_count(); ++f) {
+    face.clear();
+    for (std::size_t k = 0; k < merged.face_size(f); ++k) {
+      const std::uint32_t v = merged.corner(f, k).position;
+      if (face.empty() || face.back() != v) face.push_back(v);
+    }
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+    if (face.size() > 2) irg::add_face(out, face);
+  }
+  return out;
+}
+
+/// Adds the edges that the options ask for, and the faces that hide.
+void add_body(irg::line_drawing& drawing, const render_settings& s, const irg::mesh<double>& shape,
+              const irg::mat<double, 4, 4>& to_clip) {
+  irg::line_drawing_options<double> options;
+  options.edges = s.edges == edge_choice::all       ? irg::drawn_edges::every
+                  : s.edges == edge_choice::outline ? irg::drawn_edges::outline
+                                                    : irg::drawn_edges::features;
+  options.crease = irg::radians(s.edge_crease);
+  options.culling = s.options.culling;
+  const irg::mesh<double> body = joined(shape);
+  add_mesh(drawing, body, to_clip, irg::map_to_screen<double>(s.size.width, s.size.height), options);
+  const auto triangles = [](const irg::mesh<double>& m) {
+    return static_cast<std::int64_t>(m.corners.size()) - 2 * static_cast<std::int64_t>(m.face_count());
+  };
+  const std::int64_t collapsed = triangles(shape) - triangles(body);  // which have no area, and so no front
+  drawing.triangles += collapsed;
+  if (s.options.culling == irg::face_culling::back) drawing.culled += collapsed;
+}
+
+/// Draws the visible parts of edges, into the picture and as lines; under them the hidden parts, if asked for.
 irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<double>& world,
                                     irg::image<irg::rgba8>& picture, text_sink& text, stopwatch& watch, timings& ms) {
   const irg::picture_colours colours;
   clear(picture, colours.background);
   const auto to_clip = view_projection(world.view, static_cast<double>(s.size.width) / s.size.height);
   irg::line_drawing drawing;
-  for (const irg::object<double>& o : world.objects)
-    add_mesh(drawing, o.shape, to_clip * o.placement, irg::map_to_screen<double>(s.size.width, s.size.height),
-             {.edges = irg::drawn_edges::every, .culling = s.options.culling});
+  for (const irg::object<double>& o : world.objects) add_body(drawing, s, o.shape, to_clip * o.placement);
   ms.stage[static_cast<int>(irg::render_stage::project)] = watch.lap();
   if (s.hidden == hidden_name::none) drawing.faces.clear();
   irg::render_stats stats;

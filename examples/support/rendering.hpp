@@ -43,6 +43,8 @@ inline constexpr std::string_view render_options_help =
   --mirror SHARE       0 to 1 (0), with --hidden raytrace: how much the model mirrors itself; in style phong
   --samples N          1 to 16 (1), with --hidden raytrace: N x N rays a pixel; in style phong
   --style STYLE        gouraud, wire, hidden-line, flat, phong; an .svg of hidden-line is made of lines
+  --edges WHICH        sharp, outline, all: what --style hidden-line draws; sharp ones are borders, the outline and
+                       edges sharper than --crease, or than 30 where that is not given
   --hidden-edges WHAT  none, dashed: what is drawn of hidden edges, with --style hidden-line
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
   --cull WHAT          back, none
@@ -60,6 +62,9 @@ inline void expect_direction(const command_line& line, const irg::point<double, 
 /// The kinds of --project.
 enum class view_kind { perspective, orthographic, isometric, dimetric, trimetric, oblique };
 
+/// The names of --edges.
+enum class edge_choice { sharp, outline, all };
+
 /// The names of --hidden.
 enum class hidden_name { zbuffer, painter, warnock, bsp, raycast, raytrace, none };
 
@@ -71,6 +76,8 @@ struct render_settings {
   std::optional<irg::point<double, 3>> eye, target;
   irg::vec<double, 3> up{0, 1, 0};
   double angle = 40, crease = 60;  // degrees
+  double edge_crease = 30;  // degrees, of the edges that --style hidden-line draws; --crease sets it, too
+  edge_choice edges = edge_choice::sharp;  // with hidden_line
   view_kind project = view_kind::perspective;
   hidden_name hidden = hidden_name::zbuffer;
   std::vector<irg::light<double>> lights;
@@ -121,6 +128,8 @@ struct render_settings {
     else if (word == "--hidden")
       hidden = static_cast<hidden_name>(
           line.choice(word, {"zbuffer", "painter", "warnock", "bsp", "raycast", "raytrace", "none"}));
+    else if (word == "--edges")
+      edges = static_cast<edge_choice>(line.choice(word, {"sharp", "outline", "all"}));
     else if (word == "--hidden-edges")
       dashed = line.choice(word, {"none", "dashed"}) == 1;
     else if (word == "--style")
@@ -133,6 +142,7 @@ struct render_settings {
     else if (word == "--crease") {
       crease = line.numbers(word, 1)[0];
       if (!(crease >= 0 && crease <= 180)) line.fail("option --crease needs an angle from 0 to 180 degrees");
+      edge_crease = crease;
     } else if (word == "--skip")
       options.skip = std::array{irg::skip_options{}, irg::skip_nothing}[line.choice(word, {"on", "off"})];
     else if (word == "--shadows")

@@ -54,6 +54,9 @@ TEST_CASE("line_drawing: a cube has twelve edges, nine of which are seen from be
     });
     CHECK(parts == 9);
     CHECK(seen == 9.0);
+    const line_drawing outline = drawn<double>(cube, {.edges = drawn_edges::outline, .culling = culling});
+    CHECK(outline.edges.size() == 6);
+    CHECK(count(outline, line_role::silhouette) == 6);
   }
 }
 
@@ -69,6 +72,9 @@ TEST_CASE("line_drawing: borders, silhouettes, creases and the angle that makes 
   CHECK(d.edges.size() == 8);
   d = drawn<double>(sheet, {.crease = irg::radians(50.0)});
   CHECK(d.edges.size() == 8);
+  d = drawn<double>(sheet, {.edges = drawn_edges::outline, .crease = irg::radians(50.0)});
+  CHECK(d.edges.size() == static_cast<std::size_t>(4 + count(d, line_role::silhouette)));
+  CHECK(d.edges.size() < 8);
   // Three faces at one edge; two that run along it in one direction.
   sheet.corners = {{0}, {1}, {2}, {0}, {1}, {3}, {1}, {0}, {4}};
   sheet.face_starts = {0, 3, 6, 9};

@@ -7,7 +7,7 @@
 
 run "" --help
 check "--help: exit 0" is "$status" 0
-for word in --function ripple --table --curves --samples --width --height --yaw --pitch --mode --test strict seed --list --horizons -o --size; do
+for word in --function ripple --table --curves --samples --width --height --yaw --pitch --mode overlaid --test strict seed --list --horizons -o --size; do
   check "--help names $word" has "$out" "$word"
 done
 
@@ -40,6 +40,23 @@ run ""
 check "segments: $out" is "$out" "segments: $strict"
 run "" --mode z --samples 5 --curves 2 --width 100 --list
 check "asked for few samples: $(wc -l <<<"$out")" test "$(wc -l <<<"$out")" -le 16
+
+# ---- both families laid over each other, each with horizons of its own: one shows through the other
+for view in "" "--yaw 60 --pitch 20 --curves 9" "--test seed --samples 40 --curves 5" "--yaw 0" "--yaw 90"; do
+  run "" $view --mode z --list
+  z=$out
+  run "" $view --mode x --list
+  both=$z$'\n'$out
+  run "" $view --mode overlaid --list
+  check "overlaid, $view: the curves of z, then those of x" is "$out" "$both"
+done
+run "" --mode overlaid -o over.ppm --size 200x150
+check "overlaid: exit 0: $err" is "$status" 0
+run "" -o right.ppm --size 200x150
+check "another picture than the right one" is_not "$(cksum <over.ppm)" "$(cksum <right.ppm)"
+fails "horizons of two drawings" "" --mode overlaid --horizons
+check "says so: $err" has "$err" "--horizons needs --mode z, x or both"
+rm -f over.ppm right.ppm
 
 # ---- refusals
 fails "one curve" "" --curves 1

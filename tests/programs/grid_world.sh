@@ -55,12 +55,60 @@ run 'click 80 60\npicture g.ppm\n' map.txt --size 160x120
 check "with one something is" [ "$(pixels g.ppm | awk '$1 > 230 && $3 < 160' | wc -l)" -gt 100 ]
 rm -f ./*.png ./*.ppm
 
+# The thesis' three answers: the room of its reference has 31 cells that are seen, 2 of them in part, in the lowest layer
+# by either test, in another by the test of the plane.
+room='........\n...#....\n....#...\n.#......\n..#.....\n........\n'
+open=$(printf '........\\n%.0s' 1 2 3 4 5 6)
+printf "8 6 1\n${room}0 0\n" >room.txt
+printf "8 6 2\n$open${room}0 0 1\n" >above.txt
+run 'picture exact.ppm\nmethod thesis\npicture thesis.ppm\n' room.txt --size 160x120
+check "thesis: $out" is "$out" $'units: 1\nseen: 31\ntest: 3\nin part: 2'
+green() { pixels "$1" | awk '$2 > $1 + 8 && $2 > $3 + 8' | wc -l; }
+check "what is seen in part is green: $(green thesis.ppm)" test "$(green thesis.ppm)" -gt 20
+check "exactly nothing is seen in part" is "$(green exact.ppm)" 0
+run 'method thesis\nmethod exact\npicture again.ppm\n' room.txt --size 160x120
+check "and back again: $out" is "$out" $'units: 1\nseen: 31\ntest: 3'
+check "the same picture" cmp -s exact.ppm again.ppm
+run 'method thesis\ntest 2\n' room.txt
+check "thesis, in the plane: $out" is "$out" $'units: 1\nseen: 31\ntest: 2\nin part: 2'
+run 'method thesis\ntest 2\n' above.txt
+check "thesis, in an upper layer: $out" is "$out" $'units: 1\nseen: 31\ntest: 2\nin part: 2'
+run 'method thesis\n' above.txt
+check "thesis, in space, from an upper layer: $out" has "$out" 'in part: 0'
+check "as grid_visibility says: $out" is "$(said_of seen)" "$("$visibility" --method thesis <above.txt | sed -n 's/^seen: //p')"
+
+# Walls of each kind, in every direction, have pictures of their own; what does not block is seen through.
+for side in x y z; do
+  : >sums.txt
+  for kind in none wall half open-door closed-door laser; do
+    { printf '3 3 2\n...\n...\n...\n...\n...\n...\n0 0\n1 1\n'; [ $kind = none ] || echo "wall 1 1 0 $side+ $kind"; } >wall.txt
+    run "picture $kind.ppm\n" wall.txt --size 160x120
+    check "$kind at $side+: $out" is "$(said_of seen)" "$("$visibility" <wall.txt | sed -n 's/^seen: //p')"
+    cksum <$kind.ppm >>sums.txt
+  done
+  check "six pictures at $side+" is "$(sort -u sums.txt | wc -l)" 6
+  red() { pixels "$1" | awk '$1 > 130 && $2 < 60' | wc -l; }
+  check "beams at $side+ are red" test "$(red laser.ppm)" -gt "$(red none.ppm)"
+done
+rm -f ./*.png ./*.ppm
+
 # Lines that cannot be.
-run '# nothing\n\nclick 1\nclick 1 2 3\nclick x y\nclick 0 0\nclick 1e9 1\nclick -5 -5\nwalk nan 1\ntest 4\ntest 2.5\nfly\npicture\npicture a.gif\n' map.txt
+run '# nothing\n\nclick 1\nclick 1 2 3\nclick x y\nclick 0 0\nclick 1e9 1\nclick -5 -5\nwalk nan 1\ntest 4\ntest 2.5\nfly\nmethod\nmethod exactly\npicture\npicture a.gif\n' map.txt
 check "refusals: exit 0, not $status" is "$status" 0
-check "each of them is told: $out" is "$(printf '%s\n' "$out" | grep -c '^refused: ')" 12
-check "with its line" has "$out" "refused: 14: the picture's name must end in .png, .ppm or .svg: a.gif"
+check "each of them is told: $out" is "$(printf '%s\n' "$out" | grep -c '^refused: ')" 14
+check "with its line" has "$out" "refused: 16: the picture's name must end in .png, .ppm or .svg: a.gif"
 check "and the world is as it was" has "$out" $'units: 0\nseen: 0\ntest: 3'
+
+# What was read is not written over.
+cp room.txt map.ppm
+printf 'picture map.ppm\npicture ./script.ppm\npicture other.ppm\n' >script.ppm
+run '' map.ppm --script script.ppm --size 16x12
+check "the map and the script: exit 0, not $status: $err" is "$status" 0
+check "the map is kept: $out" has "$out" "refused: 1: the map would be overwritten: map.ppm"
+check "the script is kept: $out" has "$out" "refused: 2: the script would be overwritten: ./script.ppm"
+check "the map is as it was" cmp -s map.ppm room.txt
+check "another file is written" test -s other.ppm
+rm -f map.ppm script.ppm other.ppm
 
 fails "no map" ""
 fails "a map that is not there" "" nosuch.txt
@@ -86,6 +134,9 @@ if has_window; then
   check "w walks" said '^walk 1 0$'
   check "d walks to the right" said '^walk 0 1$'
   check "2 chooses the test" said '^test 2$'
+  xdotool key t key e
+  check "t chooses the thesis" said '^method thesis$'
+  check "e the exact method" said '^method exact$'
   xdotool mousemove --window "$id" 300 200 mousedown 3 mousemove --window "$id" 310 195 mouseup 3
   check "dragging turns" said '^turn '
   xdotool key F6

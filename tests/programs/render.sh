@@ -92,7 +92,7 @@ mkdir folder
 run "" --help
 check "--help: exit 0" is "$status" 0
 check "--help: silent on standard error" is "$err" ""
-for word in MODEL -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip --threads \
+for word in MODEL -o --stats --size --eye --target --up --fov --project --hidden --style --edges --light --cull --skip --threads \
   teapot cube sphere torus 1280x720 gouraud zbuffer perspective orthographic isometric dimetric trimetric oblique; do
   check "--help names $word" has "$(cat .out)" "$word"
 done
@@ -197,21 +197,62 @@ for style in gouraud wire hidden-line flat phong; do
   done
 done
 
-# ---- hidden lines as lines: a cube seen from beside a corner shows nine edges and the diagonals of three faces
+# ---- hidden lines as lines: a cube seen from beside a corner has twelve edges, nine of which are seen
+lines_of() { grep -c '^<line ' "$1"; }
 run "" cube $small --style hidden-line -o lines.svg
 check "an .svg of hidden lines: exit 0: $err" is "$status" 0
-check "twelve lines" is "$(grep -c '^<line x1="[0-9.]*" y1="[0-9.]*" x2="[0-9.]*" y2="[0-9.]*"/>$' lines.svg)" 12
+check "nine lines" is "$(grep -c '^<line x1="[0-9.]*" y1="[0-9.]*" x2="[0-9.]*" y2="[0-9.]*"/>$' lines.svg)" 9
 check "no pixels" is "$(grep -c '<rect' lines.svg)" 1
 run "" cube $small --style hidden-line --hidden none --cull none -o lines.svg
-check "nothing hidden: all edges and diagonals" is "$(grep -c '^<line ' lines.svg)" 18
+check "nothing hidden: all edges" is "$(lines_of lines.svg)" 12
 run "" square.obj $small --style hidden-line --cull none --eye 0.5,0.5,9 -o lines.svg
-check "a polygon has no diagonals" is "$(grep -c '^<line ' lines.svg)" 4
+check "a polygon has no diagonals" is "$(lines_of lines.svg)" 4
 
-# ---- hidden edges dashed: the other three edges and the diagonals of three faces, in a group before the visible ones
+# ---- which edges: sharp ones, those of the outline, or all, the diagonals of faces that triangles make up among them
+lines_with() { # arguments...: how many lines are drawn
+  run "" "$@" $small --style hidden-line -o edges.svg
+  check "$*: exit 0: $err" is "$status" 0
+  edges=$(lines_of edges.svg)
+}
+lines_with cube --edges sharp
+check "a cube's sharp edges: $edges" is "$edges" 9
+lines_with cube --edges outline
+check "a cube's outline: $edges" is "$edges" 6
+lines_with cube --edges all
+check "a cube's edges with the diagonals of three faces: $edges" is "$edges" 12
+lines_with cube --edges all --hidden none --cull none
+check "with those of six: $edges" is "$edges" 18
+lines_with cube --crease 100
+check "nothing is sharper than 100 degrees: the outline: $edges" is "$edges" 6
+# A cube whose triangles share no vertex, with one that two equal corners leave without area.
+{
+  printf 'v %s\n' "0 0 0" "0 0 1" "1 0 0" "1 0 1" "0 1 0" "0 1 1" "1 1 0" "1 1 1" >corners.txt
+  n=0
+  for face in "1 3 4" "1 4 2" "3 7 8" "3 8 4" "7 5 6" "7 6 8" "5 1 2" "5 2 6" "1 5 7" "1 7 3" "2 4 8" "2 8 6" "1 1 3"; do
+    for v in $face; do sed -n "${v}p" corners.txt; done
+    echo "f $((n + 1)) $((n + 2)) $((n + 3))"
+    n=$((n + 3))
+  done
+} >soup.obj
+lines_with soup.obj
+check "a cube of single triangles: $edges" is "$edges" 9
+lines_with soup.obj --edges all
+check "a cube of single triangles, with diagonals: $edges" is "$edges" 12
+run "" soup.obj $small --style hidden-line -o p.ppm --stats s.json
+check "all its triangles are counted" is "$(number triangles s.json)/$(number backface s.json)" 13/7
+# A roof of two triangles that meet at 20 degrees, with a wide one beside them.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 -0.9397 0.3420\nf 1 2 3\nf 1 4 2\n' >roof.obj
+for want in "4 " "5 --crease_10" "4 --crease_25" "5 --edges_all" "4 --edges_outline_--crease_10"; do
+  options=${want#* }
+  lines_with roof.obj --cull none --eye 0.4,0.3,9 ${options//_/ }
+  check "a ridge of 20 degrees, ${options:-without options}: $edges" is "$edges" "${want%% *}"
+done
+
+# ---- hidden edges dashed: the other three edges, in a group before the visible ones
 run "" cube $small --style hidden-line --cull none --hidden-edges dashed -o dashed.svg
 check "dashed: exit 0: $err" is "$status" 0
 check "dashed: two groups, the first of dashes" is "$(grep -n '^<g ' dashed.svg | grep -c dasharray)/$(grep -c '^<g ' dashed.svg)" 1/2
-check "dashed: six lines before twelve" is "$(sed '/^<\/g>/q' dashed.svg | grep -c '^<line ')/$(grep -c '^<line ' dashed.svg)" 6/18
+check "dashed: three lines before nine" is "$(sed '/^<\/g>/q' dashed.svg | grep -c '^<line ')/$(lines_of dashed.svg)" 3/12
 run "" cube $small --style hidden-line --cull none -o plain.svg
 run "" cube $small --style hidden-line --cull none --hidden-edges none -o none.svg
 check "hidden edges are left out unless asked for" cmp plain.svg none.svg
@@ -369,6 +410,7 @@ for value in nothing "" Wire; do
   refused_choice --style "$value" gouraud wire flat phong
   refused_choice --cull "$value" back none
   refused_choice --hidden-edges "$value" none dashed
+  refused_choice --edges "$value" all sharp outline
   refused_choice --skip "$value" on off
 done
 # What is promised for later works or is refused with the list; never anything else.
@@ -381,7 +423,7 @@ for pair in "--hidden raytrace" "--style hidden-line"; do
     refused "$pair" "supported: " cube $small -o x.png --stats x.json $pair
   fi
 done
-for option in -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip --threads; do
+for option in -o --stats --size --eye --target --up --fov --project --hidden --style --edges --light --cull --skip --threads; do
   refused "$option without a value" "$option" cube $small -o x.png $option
 done
 refused "an unknown option" "--colour" cube -o x.png --colour red

@@ -29,8 +29,8 @@ enum class line_role {
   smooth  // none of these
 };
 
-/// Which edges are drawn: all of them, or those that are not smooth.
-enum class drawn_edges { every, features };
+/// Which edges are drawn: all of them, those that are not smooth, or borders and silhouettes alone.
+enum class drawn_edges { every, features, outline };
 
 /// What goes into a line drawing.
 /// units   crease in radians: two faces that turn by no more are smooth
@@ -173,6 +173,7 @@ private:
     }
     const line_role role = role_of(ends);
     if (options_.edges == drawn_edges::features && role == line_role::smooth) return;
+    if (options_.edges == drawn_edges::outline && role != line_role::border && role != line_role::silhouette) return;
     drawing.edges.push_back(line);
     drawing.roles.push_back(role);
   }
