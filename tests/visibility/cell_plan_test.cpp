@@ -55,7 +55,8 @@ TEST_CASE("cell_plan: each defect") {
   CHECK_BOTH(portal({4, 1}, {4 + 0x1p-50, 2}).defect == plan_defect::portal_off_the_wall);
   CHECK_BOTH(portal({4, 2}, {4, 1}) == irg::plan_finding{});
   CHECK_BOTH(portal({4, 0}, {4, 3}) == irg::plan_finding{});
-  CHECK_BOTH(changed([](plan& p) { p.cells[1] = p.cells[0]; }).defect == plan_defect::portal_on_one_side);
+  CHECK_BOTH(changed([](plan& p) { p.cells[1] = p.cells[0]; }) ==
+             irg::plan_finding{plan_defect::portal_on_one_side, 0, 0});
   CHECK_BOTH(changed([](plan& p) { p.portals.push_back({1, 0, at{4, 3}, at{4, 1.5}}); }) ==
              irg::plan_finding{plan_defect::portals_overlap, 1, 0});
   CHECK_BOTH(changed([](plan& p) { p.portals.push_back({1, 0, at{4, 3}, at{4, 2}}); }) == irg::plan_finding{});
