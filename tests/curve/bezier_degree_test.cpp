@@ -41,6 +41,13 @@ degree_point at(const degree_points& points, double t) {
 TEST_CASE("bezier degree: a parabola as a cubic and back") {
   CHECK_BOTH(raised() == std::array<degree_point, 4>{degree_point{0, 0}, {2, 4}, {4, 4}, {6, 0}});
   CHECK_BOTH(lowered_again() == 0);
+  constexpr auto point_twice = [] {
+    const std::array<degree_point, 1> one{degree_point{3, 6}};
+    std::array<degree_point, 2> e{};
+    bezier_elevate(one, e);
+    return e;
+  };
+  CHECK_BOTH(point_twice() == std::array<degree_point, 2>{degree_point{3, 6}, {3, 6}});
 }
 
 TEST_CASE("bezier degree: elevation keeps the curve, reduction takes it back") {

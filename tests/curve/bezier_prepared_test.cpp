@@ -132,3 +132,43 @@ TEST_CASE("prepared Bezier curves: what cannot be prepared; t outside, NaN") {
   CHECK(irg::length(irg::bezier_point(line, -1) - P{-1, -2, -3}) < 1e-14);
   CHECK(irg::bezier_point(line, none).x != irg::bezier_point(line, none).x);
 }
+
+TEST_CASE("prepared Bezier curves: batches about the borders between two expansions, the same bits as one by one") {
+  test::random r(103);
+  const auto agree = [&]<class Point>(Point) {
+    using T = irg::scalar_of<Point>;
+    for (const std::size_t count : {1u, 2u, 3u, 4u, 6u, 8u, 12u, 21u}) {
+      const ready<Point> kept(random_points<Point>(r, count));
+      const auto curve = *kept.curve;
+      std::vector<T> t(16);
+      std::vector<Point> batch(t.size());
+      const T step = 1 / static_cast<T>(curve.pieces), end = std::numeric_limits<T>::infinity();
+      int differing = 0;
+      for (int trial = 0; trial < 300; ++trial) {
+        // An expansion's place, its two borders and what is next to all of them; now and then places outside, and NaN.
+        const T node = static_cast<T>(r.integer(0, static_cast<std::int64_t>(curve.pieces))) * step;
+        const bool inner = trial % 3 != 0;
+        for (T& place : t) {
+          const T off = static_cast<T>(r.integer(-1, 1)) * step / 2;
+          place = std::fmin(std::fmax(node + off, T(0)), T(1));
+          const auto how = r.integer(0, inner ? 3 : 9);
+          if (how == 1) place = std::nextafter(place, -end);
+          if (how == 2) place = std::nextafter(place, end);
+          if (how == 3) place = node + static_cast<T>(r.unit() - 0.5) * step;
+          if (how == 9) place = static_cast<T>(how * (r.unit() - 0.5));
+          if (how == 8) place = std::numeric_limits<T>::quiet_NaN();
+        }
+        irg::bezier_points(curve, t, std::span<Point>(batch));
+        for (std::size_t k = 0; k < t.size(); ++k) {
+          const Point p = irg::bezier_point(curve, t[k]);
+          differing += !(p == batch[k] || (p[0] != p[0] && batch[k][0] != batch[k][0]));
+        }
+      }
+      CHECK(differing == 0);
+    }
+  };
+  agree(P{});
+  agree(irg::point<double, 2>{});
+  agree(irg::point<float, 3>{});
+  agree(irg::point<float, 2>{});
+}

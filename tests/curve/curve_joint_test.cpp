@@ -42,6 +42,20 @@ TEST_CASE("joint_of: reference values of every kind") {
   CHECK_BOTH(joint_of(line, back) == curve_joint::position);
   CHECK_BOTH(joint_of(line, off) == curve_joint::apart);
   CHECK_BOTH(joint_of(line, bent) == curve_joint::first_derivative);
+  // In four dimensions, every one of which counts.
+  using V = irg::vec<double, 4>;
+  constexpr std::array<V, 2> from{V{-1, -2, -3, -4}, V{0, 0, 0, 0}}, ahead{V{0, 0, 0, 0}, V{2, 4, 6, 8}},
+      aside{V{0, 0, 0, 0}, V{2, 4, 6, 7}}, reversed{V{0, 0, 0, 0}, V{-2, -4, -6, -8}};
+  CHECK_BOTH(joint_of(from, ahead) == curve_joint::direction);
+  CHECK_BOTH(joint_of(from, aside) == curve_joint::position);
+  CHECK_BOTH(joint_of(from, reversed) == curve_joint::position);
+  for (int axis = 0; axis < 4; ++axis) {
+    std::array<V, 2> before{}, after{};
+    before[0][axis] = -1, after[1][axis] = 2;
+    CHECK(joint_of(before, after) == curve_joint::direction);
+    after[1][axis] = -2;
+    CHECK(joint_of(before, after) == curve_joint::position);
+  }
 }
 
 TEST_CASE("joint_of: single points, coincident ones, sizes, one ulp, what is not finite") {

@@ -83,6 +83,9 @@ TEST_CASE("flatten: lines, points, coincident points, a fold, a cusp, no toleran
   CHECK(flat({{7, 8}}, 0.1, line) == flattening{0, true});
   CHECK(line == flat_points{{7, 8}});
   CHECK(flat({{0, 0}, {2, 4}}, 0, line) == flattening{1, true});
+  // A parabola is as far from its chord as the bound says: half of 1.
+  CHECK(flat({{0, 0}, {1, 1}, {2, 0}}, 0.5, line) == flattening{1, true});
+  CHECK(flat({{0, 0}, {1, 1}, {2, 0}}, 0.4999, line) == flattening{2, true});
   CHECK(flat({{1, 1}, {1, 1}, {1, 1}, {1, 1}}, 0, line).within_tolerance);
   flat({{0, 0}, {3, 0}, {-2, 0}, {1, 0}}, 0.01, line);  // leaves its chord at both ends and comes back
   double right = 0, left = 0;

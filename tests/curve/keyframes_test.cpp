@@ -72,6 +72,11 @@ TEST_CASE("keyframes: what cannot be followed") {
   };
   constexpr double inf = std::numeric_limits<double>::infinity();
   CHECK_BOTH(!two(-most, most));
+  CHECK_BOTH(two(-most / 2, most / 2));
+  CHECK_BOTH(!two(-most / 2, most / 2 * (1 + 0x1p-50)));
+  CHECK_BOTH(!two(-most / 2 * (1 + 0x1p-50), most / 2));
+  CHECK_BOTH(!two(-most * 0.125, most));
+  CHECK_BOTH(!two(-most, most * 0.125));
   CHECK_BOTH(!two(-inf, inf));
   CHECK_BOTH(!two(inf, inf));
   CHECK_BOTH(!two(std::numeric_limits<double>::quiet_NaN(), 1));

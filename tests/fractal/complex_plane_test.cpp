@@ -26,6 +26,7 @@ TEST_CASE("complex_plane: pixel centres") {
 
 TEST_CASE("complex_plane: one pixel, mirrored windows, packs") {
   CHECK_BOTH(plane{{3, 3, 2, 2}, 1, 1}.at(0, 0) == C{3, 2});
+  CHECK_BOTH((plane{}.width == 0 && plane{}.height == 0));
   CHECK_BOTH(plane{{1, -1, 1, -1}, 3, 3}.at(0, 0) == C{1, -1});
   using F = irg::pack<double, 4>;
   const F real = course.real(irg::lanes<F>::ramp());

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <irg/core/threads.hpp>
+#include <irg/fractal/mandelbrot.hpp>
 
 #include "fractal/deep_pictures.hpp"
 #include "support/check_both.hpp"
@@ -152,4 +153,18 @@ TEST_CASE("draw_deep_mandelbrot: degenerate pictures") {
   CHECK(one(0.3, std::numeric_limits<double>::quiet_NaN(), 2, 9) == 0);
   image<int> none(0, 5);
   CHECK(draw_deep_mandelbrot(none, deep_job{}) == irg::deep_escape_stats{});
+}
+
+// The orbit that all pixels share ends where it has left 2^20; pixels whose disc is larger go on by themselves.
+TEST_CASE("draw_deep_mandelbrot: discs far larger than the orbit that is kept") {
+  for (const double radius : {0x1p19, 0x1p21, 1e9, 1e40, 1e150})
+    for (const double re : {0.3, 1.0, -2.5, 1000.0}) {
+      const auto limit = make_escape_limit(radius, 60);
+      image<int> counts(5, 5);
+      draw_deep_mandelbrot(counts, deep_job{digits(re), digits(0.0), 0.125, limit});
+      for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 5; ++x)
+          CHECK(counts(x, y) ==
+                irg::mandelbrot_count(irg::point<double, 2>{re + (x - 2) * 0.125, (2 - y) * 0.125}, limit));
+    }
 }

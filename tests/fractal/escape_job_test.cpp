@@ -4,6 +4,7 @@
 #include "support/check_both.hpp"
 
 TEST_CASE("escape_stats: sums; escape_job: everything is skipped unless said otherwise") {
+  CHECK_BOTH((irg::escape_stats{} == irg::escape_stats{0, 0, 0, 0}));
   constexpr irg::escape_stats twice = [] {
     irg::escape_stats s{10, 2, 1, 3};
     return s += s;

@@ -113,6 +113,11 @@ TEST_CASE("escape pictures: each pixel as alone, skips on and off, in lanes, thr
   try_random_windows<float>();
 }
 
+TEST_CASE("escape pictures: rasters of 8 bits are refused, which hold too few counts") {
+  static_assert(irg::CountRaster<irg::image<std::uint16_t>> && irg::CountRaster<counts>);
+  static_assert(!irg::CountRaster<irg::image<std::uint8_t>> && !irg::CountRaster<irg::image<float>>);
+}
+
 TEST_CASE("escape pictures: what is skipped") {
   counts m(200, 160);
   const job whole{{{-2, 1, -1.2, 1.2}, 200, 160}, make_escape_limit(2.0, 5000), {}};

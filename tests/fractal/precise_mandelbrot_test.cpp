@@ -97,3 +97,12 @@ TEST_CASE("draw_mandelbrot in double_doubles: steps out of a disc so large that 
     CHECK(one(0, 0) == (square == 0x1p70 ? 40 : 0));
   }
 }
+
+TEST_CASE("draw_mandelbrot in double_doubles: right on the largest circle that more digits are taken for") {
+  using stats = irg::precise_escape_stats;
+  image<int> one(1, 1);
+  for (const irg::point<double, 2> c : {irg::point<double, 2>{0x1p20, 0}, {0, 0x1p20}, {-0x1p20, 0}, {0, -0x1p20}}) {
+    CHECK(draw_mandelbrot(one, irg::precise_escape_job{c.x, c.y, 1, make_escape_limit(0x1p20, 9)}) == stats{1, 0, 1});
+    CHECK(one(0, 0) == 0);
+  }
+}

@@ -59,5 +59,10 @@ TEST_CASE("smooth_count: ends") {
   CHECK_BOTH(smooth_count(escape_end<double>{9, {1, 1}}, 16.0, 9) == 9);
   CHECK_BOTH(smooth_count(escape_end<double>{0, {1, 1}}, 16.0, 0) == 0);
   CHECK(smooth_count(escape_end<double>{3, {1e200, 0}}, 16.0, 9) == 9);
+  // The largest square that is no infinity, to the last bit: a count like others.
+  constexpr irg::point<double, 2> largest{0x1.fae147ae147adp+511, 0x1.20e7ec86e0b33p+509};
+  static_assert(irg::product(largest.x, largest.x) + irg::product(largest.y, largest.y) ==
+                std::numeric_limits<double>::max());
+  CHECK_BOTH(smooth_count(escape_end<double>{20, largest}, 0x1p256, 40) == 20);
   CHECK(smooth_count(escape_end<double>{3, {std::numeric_limits<double>::quiet_NaN(), 0}}, 16.0, 9) == 9);
 }

@@ -21,6 +21,12 @@ TEST_CASE("places_of: the ends exactly, none, one") {
   CHECK_BOTH(irg::places_of(sample_range{0, 1, -3}).empty());
 }
 
+TEST_CASE("places_of: even steps between ends that are not 0") {
+  CHECK_BOTH(irg::places_of(sample_range{2, 6, 5}) == std::vector<double>{2, 3, 4, 5, 6});
+  CHECK_BOTH(irg::places_of(sample_range{8, -8, 5}) == std::vector<double>{8, 4, 0, -4, -8});
+  CHECK_BOTH(irg::places_of(sample_range{}) == std::vector<double>{0, 1});
+}
+
 TEST_CASE("heights of functions, arrays and images: which is where") {
   constexpr auto plane = [](double x, double z) { return 10 * x + z; };
   const irg::height_grid f = irg::sample_heights(plane, sample_range{0, 2, 3}, sample_range{0, 1, 2});

@@ -55,6 +55,7 @@ TEST_CASE("axis_ticks: within the range, evenly, neither too many nor too few") 
 TEST_CASE("axis_ticks: one number, no numbers, the ends of the doubles") {
   constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  CHECK_BOTH(irg::axis_tick{}.value == 0);
   CHECK(texts(2.5, 2.5, 5) == "2.5");
   CHECK(texts(-0.0, 0.0, 5) == "0");
   CHECK(texts(1, 0, 5).empty());

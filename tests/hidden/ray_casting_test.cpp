@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <irg/hidden/ray_casting.hpp>
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
 #include "method_scenes.hpp"
 #include "support/check_both.hpp"
 
@@ -41,3 +46,65 @@ TEST_CASE("ray_casting: only the window's pixels, faces without area not at all"
 }
 
 TEST_CASE("ray_casting: the exact picture") { CHECK(test::differing_pixels(irg::ray_casting<>{}, 1601, 18) == 0); }
+
+// From 10,001 faces on, equal ones are looked for in a table; faces that differ must stay apart where they meet in it.
+TEST_CASE(
+    "ray_casting: of very many faces each is asked once, and those that differ in one bit are not taken for equal") {
+  constexpr int size = 3;
+  test::random r(1602);
+  test::face_list faces;
+  const auto vertex = [&](int far_x, int far_y) -> irg::screen_vertex {
+    const int x = far_x + static_cast<int>(r.integer(-40, 40)), y = far_y + static_cast<int>(r.integer(-40, 40));
+    return {{x, y}, static_cast<float>(r.integer(1, 1 << 20)) * 0x1p-20f};
+  };
+  while (faces.size() < 12000) {
+    std::array<irg::screen_vertex, 3> v{vertex(-64, -64), vertex(512, -64), vertex(-64, 512)};
+    if (faces.size() > 100 && r.integer(0, 2) != 0) {
+      const auto& before = faces[static_cast<std::size_t>(r.integer(0, static_cast<std::int64_t>(faces.size()) - 1))].v;
+      std::copy(before, before + 3, v.begin());
+      irg::screen_vertex& changed = v[static_cast<std::size_t>(r.integer(0, 2))];
+      const auto how = r.integer(0, 6);
+      if (how == 0) changed.position.x ^= 1;
+      if (how == 1) changed.position.y ^= 1;
+      if (how == 2) changed.depth *= 1 + 0x1p-23f;
+      if (how == 3) std::rotate(v.begin(), v.begin() + 1, v.end());
+    }
+    faces.push_back(irg::make_screen_face(v[0], v[1], v[2], static_cast<std::uint32_t>((faces.size() * 7919) % 12007)));
+  }
+  const auto tried = [&]<class Order>(Order) {
+    // The faces that stay, by their corners, each with the number that is seen of equal ones.
+    std::map<std::array<float, 9>, const irg::screen_face*> apart;
+    for (const irg::screen_face& f : faces) {
+      std::array<float, 9> key{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        key[3 * i] = static_cast<float>(f.v[i].position.x), key[3 * i + 1] = static_cast<float>(f.v[i].position.y);
+        key[3 * i + 2] = f.v[i].depth;
+      }
+      const auto [place, is_new] = apart.emplace(key, &f);
+      const bool is_lower = f.number < place->second->number, is_last = irg::detail::depth_sense<Order> == 0;
+      if (!is_new && is_lower != is_last) place->second = &f;
+    }
+    irg::image<std::uint32_t> ids(size, size, irg::no_face);
+    irg::draw_counts counts;
+    irg::ray_casting<Order>{}(faces, irg::cell_window{0, 0, size, size}, ids, counts);
+    long tested = 0;
+    int wrong = 0;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const irg::screen_face* seen = nullptr;
+        for (const auto& [key, f] : apart) {
+          if (!irg::covers(*f, x, y)) continue;
+          ++tested;
+          if (seen == nullptr || irg::is_nearer<Order>(*f, *seen, x, y)) seen = f;
+        }
+        wrong += ids(x, y) != (seen == nullptr ? irg::no_face : seen->number);
+      }
+    CHECK(wrong == 0);
+    CHECK(static_cast<long>(counts.tested) == tested);
+    CHECK(apart.size() < 10000);
+    CHECK(apart.size() > 5000);
+  };
+  tried(irg::nearer_is_greater{});
+  tried(irg::nearer_is_less{});
+  tried(irg::drawing_order{});
+}

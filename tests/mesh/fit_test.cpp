@@ -79,6 +79,8 @@ TEST_CASE("fit: classified") {
   CHECK_BOTH(status({{3, 4, 5}, {3, -inf, 5}}) == fit_status::not_finite);
   CHECK_BOTH(fitted_points({{3, 4, inf}, {1, 1, 1}}) == points({{3, 4, inf}, {1, 1, 1}}));
   CHECK_BOTH(fit_of(box<float, 3>{}) == fit<float>{});
+  CHECK_BOTH(fit_of(box<double, 3>{{1, 2, -inf}, {1, 2, 3}}) == fit<double>{{}, 1, fit_status::not_finite});
+  CHECK_BOTH(fit_of(box<double, 3>{{1, 2, 3}, {1, inf, 3}}) == fit<double>{{}, 1, fit_status::not_finite});
 }
 
 TEST_CASE("fit: ends of the range") {

@@ -95,6 +95,9 @@ TEST_CASE("validate: parts") {
   CHECK(with({{1, 1}}) == mesh_finding{parts_do_not_cover_faces, 0, 0});
   CHECK(with({{0, 3}}) == mesh_finding{parts_do_not_cover_faces, 0, 0});
   CHECK(with({{0, 2}, {1, 1}}) == mesh_finding{parts_do_not_cover_faces, 1, 0});
+  CHECK(with({{0, 1}, {1, 2}}) ==
+        mesh_finding{parts_do_not_cover_faces, 1, 0});  // as many as the mesh, not as are left
+  CHECK(with({{0, 1}, {1, 0}, {1, 2}, {3, 0}}) == mesh_finding{parts_do_not_cover_faces, 2, 0});
   CHECK(with({{0, 1}, {1, std::numeric_limits<std::size_t>::max()}}) == mesh_finding{parts_do_not_cover_faces, 1, 0});
 }
 

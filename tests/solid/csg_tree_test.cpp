@@ -209,3 +209,28 @@ TEST_CASE("csg_tree: a body that is none") {
   CHECK(made.status == irg::solid_boolean_status::open_edge);
   CHECK(made.body == 1);
 }
+
+TEST_CASE("csg_tree: the steps of two trees put together name their own bodies and steps") {
+  using T = irg::csg_tree<double>;
+  constexpr std::uint32_t none = irg::csg_step::none;
+  const T leaf(irg::mesh<double>{});
+  const T both = irg::combine(irg::combine(leaf, leaf, boolean_operation::unite),
+                              irg::combine(leaf, leaf, boolean_operation::intersection), boolean_operation::difference);
+  REQUIRE(both.bodies.size() == 4);
+  REQUIRE(both.steps.size() == 7);
+  const std::uint32_t body[]{0, 1, none, 2, 3, none, none}, first[]{none, none, 0, none, none, 3, 2},
+      second[]{none, none, 1, none, none, 4, 5};
+  for (std::size_t i = 0; i < 7; ++i) {
+    CHECK(both.steps[i].body == body[i]);
+    CHECK(both.steps[i].first == first[i]);
+    CHECK(both.steps[i].second == second[i]);
+  }
+  CHECK(both.steps[2].operation == boolean_operation::unite);
+  CHECK(both.steps[5].operation == boolean_operation::intersection);
+  CHECK(both.steps[6].operation == boolean_operation::difference);
+  // Nothing has no step.
+  const T with_nothing = irg::combine(leaf, T{}, boolean_operation::difference),
+          of_nothing = irg::combine(T{}, leaf, boolean_operation::difference);
+  CHECK((with_nothing.steps.back().first == 0 && with_nothing.steps.back().second == none));
+  CHECK((of_nothing.steps.back().first == none && of_nothing.steps.back().second == 0));
+}

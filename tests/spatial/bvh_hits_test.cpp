@@ -220,4 +220,44 @@ TEST_CASE("bvh: rays from nowhere meet nothing, and nothing is asked") {
     }
 }
 
+TEST_CASE("bvh: what stands in a box, where boxes are so close that many do") {
+  test::random r(14);
+  const auto boxes = test::lattice_boxes<double>(r, 400, 0.25, 6);
+  for (const irg::bvh_method method :
+       {irg::bvh_method::surface_area, irg::bvh_method::morton, irg::bvh_method::spatial_splits}) {
+    const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(boxes), {method});
+    int met = 0, wrong = 0;
+    for (const auto& asked : test::lattice_boxes<double>(r, 60, 0.25, 6)) {
+      std::vector<int> seen(boxes.size(), 0);
+      irg::each_in_box(tree, asked, [&](std::uint32_t i) { ++seen[i]; });
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const bool meets = irg::overlap(boxes[i], asked);
+        wrong += meets ? seen[i] != 1 : seen[i] > 1;
+        met += meets;
+      }
+    }
+    CHECK(wrong == 0);
+    CHECK(met > 120);
+  }
+}
+
+TEST_CASE("bvh: nothing behind the origin of a ray is met, wherever the ray begins") {
+  const std::vector<irg::box<double, 3>> boxes{{{-1, -1, -1}, {1, 1, 1}}};
+  const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(boxes));
+  const R ray{{0, 0, 0}, {0, 0, 1}, -10, 10};
+  double least = 1;
+  for (const double t : {-9.0, -0.5, 0.5}) {
+    const auto test = [&](std::uint32_t, const R& asked) {
+      least = std::min(least, asked.low);
+      return std::optional(t);
+    };
+    int all = 0;
+    irg::all_hits(tree, ray, test, [&](const auto&) { ++all; });
+    CHECK(all == (t > 0));
+    CHECK(irg::any_hit(tree, ray, test) == (t > 0));
+    CHECK(irg::closest_hit(tree, ray, test).has_value() == (t > 0));
+  }
+  CHECK(least == 0);
+}
+
 }  // namespace

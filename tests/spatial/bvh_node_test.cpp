@@ -16,4 +16,26 @@ TEST_CASE("bvh_node: leaves and what they hold") {
   CHECK_BOTH(irg::bvh{} == irg::bvh{});
 }
 
+TEST_CASE("bvh_node: each bound in a place of its own; a tree that was not built has units of 1") {
+  constexpr auto filled = [] {
+    irg::bvh_node n{};
+    for (int axis = 0; axis < 3; ++axis)
+      for (int k = 0; k < irg::bvh_node::width; ++k) {
+        n.low(axis, k) = static_cast<float>(10 * axis + k);
+        n.high(axis, k) = static_cast<float>(100 + 10 * axis + k);
+      }
+    return n;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    for (int k = 0; k < 8; ++k) {
+      const irg::bvh_node n = filled();
+      CHECK(n.low(axis, k) == static_cast<float>(10 * axis + k));
+      CHECK(n.high(axis, k) == static_cast<float>(100 + 10 * axis + k));
+      CHECK(n.bounds[axis * 8 + k] == n.low(axis, k));
+      CHECK(n.bounds[24 + axis * 8 + k] == n.high(axis, k));
+    }
+  CHECK_BOTH(filled().high(2, 7) == 127);
+  CHECK_BOTH(irg::bvh{}.scale == 1);
+}
+
 }  // namespace

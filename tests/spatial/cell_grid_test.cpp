@@ -23,7 +23,8 @@ static_assert([] {
   g.set({65, 1, 1}, false);
   return g.count() == 10 && g.is_full({64, 1, 1}) && !g.is_full({65, 1, 1}) && !g.is_full({59, 1, 1});
 }());
-static_assert(cell_grid().extent().empty() && cell_grid(grid_extent{-1, 5, 1}).extent() == grid_extent{0, 0, 0});
+static_assert(cell_grid().extent() == grid_extent{0, 0, 0} && cell_grid().count() == 0 &&
+              cell_grid(grid_extent{-1, 5, 1}).extent() == grid_extent{0, 0, 0});
 
 TEST_CASE("cell_grid: runs, sets and counts are those of a set of cells") {
   test::random r(1);
@@ -58,10 +59,29 @@ TEST_CASE("cell_grid: runs, sets and counts are those of a set of cells") {
       CHECK(both.is_full({x, y, z}) == cells.contains({z, y, x}));
       CHECK(either.is_full({x, y, z}));
     }
+    std::int64_t common = 0;
+    for (const auto& c : second) common += cells.contains(c);
+    CHECK(both.count() == common);
+    CHECK(either.count() == static_cast<std::int64_t>(cells.size() + second.size()) - common);
     CHECK(irg::packed(g) == g);
     g.clear();
     CHECK(g == cell_grid(e));
   }
+}
+
+TEST_CASE("cell_grid: every run of a row of three words") {
+  const int width = 130;
+  int wrong = 0;
+  for (int first = 0; first <= width; ++first)
+    for (int last = 0; last <= width; ++last) {
+      cell_grid g(grid_extent{width, 1, 1});
+      g.set_run(first, last, 0, 0);
+      if (first >= last)
+        wrong += g.count() != 0;
+      else
+        wrong += g.count() != last - first || !g.is_full({first, 0, 0}) || !g.is_full({last - 1, 0, 0});
+    }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("grid_from_raster: the pixels that are dark") {

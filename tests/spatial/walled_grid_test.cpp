@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <irg/spatial/walled_grid.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <new>
+#include <vector>
 
 #include "mesh/short_memory.hpp"
 #include "support/check_both.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -44,6 +48,41 @@ TEST_CASE("walled_grid: walls by cell and axis, and rules of one's own") {
   CHECK(g.has_wall({3, 2, 1}, 2));
   g.set_wall({3, 2, 1}, 2, wall_kind::half_wall);
   CHECK(!g.has_wall({3, 2, 1}, 2));
+}
+
+TEST_CASE("walled_grid: every wall its own, whatever stands beside it; with_walls keeps what blocks") {
+  test::random r(12);
+  const irg::grid_extent e{5, 4, 3};
+  walled_grid g(e);
+  std::vector<wall_kind> kinds(std::size_t{3} * 5 * 4 * 3, wall_kind::none);
+  const auto each_wall = [&](const auto& use) {
+    std::size_t i = 0;
+    for (int z = 0; z < e.depth; ++z)
+      for (int y = 0; y < e.height; ++y)
+        for (int x = 0; x < e.width; ++x)
+          for (int axis = 0; axis < 3; ++axis) use(irg::cell3{x, y, z}, axis, kinds[i++]);
+  };
+  each_wall([&](const irg::cell3& c, int axis, wall_kind& kind) {
+    kind = static_cast<wall_kind>(r.integer(0, 5));
+    g.set_wall(c, axis, kind);
+    g.set(c, r.integer(0, 1) != 0);
+  });
+  const walled_grid copy = irg::with_walls(g);
+  int wrong = 0, blocking = 0;
+  each_wall([&](const irg::cell3& c, int axis, wall_kind kind) {
+    const bool blocks = irg::wall_rules{}(kind);
+    blocking += blocks;
+    wrong += g.wall(c, axis) != kind || g.has_wall(c, axis) != blocks || copy.has_wall(c, axis) != blocks ||
+             copy.wall(c, axis) != (blocks ? wall_kind::wall : wall_kind::none) || copy.is_full(c) != g.is_full(c);
+  });
+  CHECK(wrong == 0);
+  CHECK(blocking > 30);
+  CHECK(blocking < 150);
+  irg::cell_grid cells(e);
+  cells.set({1, 2, 0});
+  const walled_grid without = irg::with_walls(cells);
+  CHECK(!without.walled());
+  CHECK(without.is_full({1, 2, 0}));
 }
 
 #ifdef __cpp_exceptions

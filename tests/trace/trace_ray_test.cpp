@@ -65,6 +65,36 @@ TEST_CASE("trace_ray: mirrors, and mirrors in mirrors up to the last bounce") {
   CHECK(irg::trace_ray(two, up, {.bounces = 40, .least_share = 0.2}).r == 1.75);
 }
 
+TEST_CASE("trace_ray: where a smooth surface's normal would mirror a ray into the triangle, the triangle mirrors it") {
+  test::kept_body floor(test::rectangle({-9, -9, 0}, {18, 0, 0}, {0, 18, 0}), {});
+  const test::kept_body above(test::rectangle({-1, -1, 5}, {0, 2, 0}, {2, 0, 0}), {}),
+      below(test::rectangle({-1, -1, -5}, {2, 0, 0}, {0, 2, 0}), {});
+  irg::optics<double> mirror;
+  mirror.mirrored = {0.5, 0.5, 0.5};
+  const auto seen = [&](double degrees, double side) {
+    const double turn = degrees * irg::pi<double> / 180;
+    floor.normals.assign(4, V{std::sin(turn), 0, std::cos(turn)});
+    const world w({floor.body(dark, mirror), above.body(white), below.body(white)}, {{1, 1, 1}, {}}, {});
+    return irg::trace_ray(w, R{{0.125, 0.25, side}, {0, 0, -side}}, {.bounces = 1}).r;
+  };
+  // The normal turns the mirrored ray by twice its angle, beside the plates; from 45 degrees on it would go into the
+  // floor, which then mirrors by its own normal, straight back to a plate.
+  for (const double side : {1.0, -1.0}) {
+    CHECK(seen(0, side) == 0.5);
+    CHECK(seen(30, side) == 0);
+    CHECK(seen(44, side) == 0);
+    CHECK(seen(46, side) == 0.5);
+    CHECK(seen(60, side) == 0.5);
+  }
+  // A ray that would be mirrored along the floor, to the last bit, is one of them.
+  floor.normals.assign(4, V{1, 0, 2});
+  const test::kept_body aside(test::rectangle({2.75, -1, 5}, {0, 2, 0}, {2, 0, 0}), {});
+  const world w({floor.body(dark, mirror), aside.body(white)}, {{1, 1, 1}, {}}, {});
+  const V along = V{0.6, 0, -0.8}, n = normalized(V{1, 0, 2});
+  REQUIRE((along - n * (dot(along, n) * 2)).z == 0);
+  CHECK(irg::trace_ray(w, R{{-0.75, 0.25, 1}, {3, 0, -4}}, {.bounces = 1}).r == 0.5);
+}
+
 TEST_CASE("refracted_direction: Snell's law, and whole reflection") {
   const double s = 0.6, c = 0.8;
   const auto in = irg::refracted_direction(V{s, 0, -c}, V{0, 0, 1}, 1 / 1.5);

@@ -153,8 +153,16 @@ TEST_CASE("with_axis_up: y up changes nothing; z up keeps x to the right; any ot
     CHECK(near(y, normalized(up), 1e-15));
     CHECK(near(cross(x, y), z, 1e-14));
     CHECK((std::abs(length(x) - 1) <= 1e-14 && std::abs(dot(x, y)) <= 1e-14));
-    // Front has as much of the world's z as it can.
+    // Front has as much of the world's z as it can, or of -y where up is nearest to the z axis.
     CHECK((std::abs(up.z) >= std::max(std::abs(up.x), std::abs(up.y)) || z.z > 0));
+    const bool z_up = std::abs(up.z) > std::max(std::abs(up.x), std::abs(up.y));
+    const V front = z_up ? V{0, -1, 0} : V{0, 0, 1};
+    CHECK(near(z, normalized(front - y * dot(front, y)), 1e-14));
+  }
+  // As near to another axis as to z: z is in front.
+  for (const V& up : {V{1, 0, 1}, V{-1, 0.5, 1}, V{0.5, 1, -1}, V{0.5, -1, 1}, V{1, 1, 1}}) {
+    const V y = normalized(up), front{0, 0, 1};
+    CHECK(near(with_axis_up(V{0, 0, 1}, up), normalized(front - y * dot(front, y)), 1e-15));
   }
 }
 

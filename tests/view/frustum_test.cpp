@@ -331,3 +331,22 @@ TEST_CASE("side_of: clip coordinates that vanish have no codes, the planes know"
   CHECK(side_of(irg::frustum_of(m), p) == irg::containment::outside);
   CHECK(m * irg::hpoint<float, 3>{p.x, p.y, p.z, 1} == irg::hpoint<float, 3>{0, 0, 0, 0});
 }
+
+TEST_CASE("frustum: the weights are the absolute values that each coefficient was added up from") {
+  const mat<R, 4, 4> m{{{R(1), R(-2), R(3), R(-4)},
+                        {R(5), R(6), R(-7), R(-8)},
+                        {R(-9), R(10), R(11), R(12)},
+                        {R(13), R(-14), R(-15), R(16)}}};
+  for (const auto depth : {depth_range::reversed, depth_range::standard}) {
+    const frustum<R> f = frustum_of(m, depth);
+    const bool reversed = depth == depth_range::reversed;
+    CHECK(f.weights[static_cast<int>(reversed ? frustum_plane::z_near : frustum_plane::z_far)] ==
+          plane<R>{R(22), R(24), R(26), R(28)});
+    CHECK(f.weights[static_cast<int>(reversed ? frustum_plane::z_far : frustum_plane::z_near)] ==
+          plane<R>{R(9), R(10), R(11), R(12)});
+    for (const auto side : {frustum_plane::left, frustum_plane::right})
+      CHECK(f.weights[static_cast<int>(side)] == plane<R>{R(14), R(16), R(18), R(20)});
+    for (const auto side : {frustum_plane::bottom, frustum_plane::top})
+      CHECK(f.weights[static_cast<int>(side)] == plane<R>{R(18), R(20), R(22), R(24)});
+  }
+}

@@ -233,3 +233,22 @@ TEST_CASE("look_at: GLM's lookAtRH is the same, lookAtLH the same of a left-hand
 }
 
 #endif
+
+TEST_CASE("look_at: eye and target within a quarter of the largest number, up within all of it") {
+  constexpr double most = std::numeric_limits<double>::max(), last = most / 4, beyond = 0x1p1022;
+  static_assert(last < beyond);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0}) {
+      P far_away{0, 0, 0}, too_far{0, 0, 0};
+      V up{1, 2, 3};
+      far_away[axis] = sign * last;
+      too_far[axis] = sign * beyond;
+      up[axis] = sign * most;
+      CHECK(look_at_checked(far_away, P{1, 2, 3}, up).status != look_at_status::not_finite);
+      CHECK(look_at_checked(P{1, 2, 3}, far_away, up).status != look_at_status::not_finite);
+      CHECK(look_at_checked(too_far, P{1, 2, 3}, up).status == look_at_status::not_finite);
+      CHECK(look_at_checked(P{1, 2, 3}, too_far, up).status == look_at_status::not_finite);
+      up[axis] = sign * std::numeric_limits<double>::infinity();
+      CHECK(look_at_checked(far_away, P{1, 2, 3}, up).status == look_at_status::not_finite);
+    }
+}

@@ -133,6 +133,15 @@ TEST_CASE("polar_camera: coordinates there and back") {
   CHECK_BOTH(cartesian_to_polar(V{1e300, 0, 1e300}).azimuth == pi / 4);
   CHECK_BOTH(cartesian_to_polar(V{1.5e308, 1.5e308, 1.5e308}) ==
              polar{std::numeric_limits<double>::infinity(), pi / 4, cartesian_to_polar(V{1, 1, 1}).elevation});
+  // One level coordinate beyond a quarter of the range is enough to halve for: an eighth of the vector has its angles.
+  for (const double a : {most, -most, most / 2, most / 4, most / 8})
+    for (const double b : {most, most / 3, -most / 8, most * 0x1p-20, 1.0})
+      for (const double c : {most, -most / 5, 1.0})
+        for (const V& v : {V{a, c, b}, V{b, c, a}}) {
+          const polar p = cartesian_to_polar(v), eighth = cartesian_to_polar(v / 8.);
+          CHECK(p.azimuth == eighth.azimuth);
+          CHECK(p.elevation == eighth.elevation);
+        }
   test::random r(1);
   double back = 0, forth = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -190,7 +199,7 @@ TEST_CASE("polar_camera: axes at every elevation, the same as look_at's between 
 TEST_CASE("polar_camera: a frame's angles, there and back, with and without roll") {
   CHECK_BOTH(polar_of(frame{}, 1) == camera{{0, 0, -1}, 1, 0, 0, 0});
   CHECK_BOTH(polar_of(in_degrees(0, 90, 5), 5) == camera{{0, 0, 0}, 5, 0, pi / 2, 0});
-  CHECK_BOTH(polar_of(in_degrees(90, 90, 5), 5) == camera{{0, 0, 0}, 5, pi / 2, pi / 2, 0});   // no loss at the pole
+  CHECK_BOTH(polar_of(in_degrees(90, 90, 5), 5) == camera{{0, 0, 0}, 5, pi / 2, pi / 2, 0});  // no loss at the pole
   CHECK_BOTH(polar_of(in_degrees(90, -90, 5), 5) == camera{{0, 0, 0}, 5, pi / 2, -pi / 2, 0});
   CHECK_BOTH(polar_of(in_degrees(0, 180, 5), 5) == camera{{0, 0, 0}, 5, 0, pi, 0});  // upside down
   CHECK_BOTH(polar_of(frame{{}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -1}}, 1) == camera{{0, 0, -1}, 1, 0, 0, pi / 2});

@@ -297,4 +297,11 @@ TEST_CASE("projections: what is refused, and extreme ranges") {
   CHECK(box(0, 1, 0, 1, not_a_number, 1) == bad_depth);
   CHECK(box(0, 1e-320, 0, 1, 0, 1) == not_representable);
   CHECK(box(-1e307, 1e307, -1, 1, -1, 1) == ordinary);
+  // Half of the largest number is the last that is taken, on either side.
+  constexpr double most = std::numeric_limits<double>::max() / 2, beyond = 0x1p1023;
+  static_assert(most < beyond);
+  CHECK(box(-most, 1, -1, 1, -1, 1) == box(-1, most, -1, 1, -1, 1));
+  CHECK(box(-most, 1, -1, 1, -1, 1) != bad_window);
+  CHECK(box(-beyond, 1, -1, 1, -1, 1) == bad_window);
+  CHECK(box(-1, beyond, -1, 1, -1, 1) == bad_window);
 }

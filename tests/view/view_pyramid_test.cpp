@@ -125,3 +125,8 @@ TEST_CASE("view_pyramid: what is refused") {
   CHECK(status({1e300, 1e-300, 6, 1, 10}) == not_representable);
   CHECK(status({2, 8, 6, 1e-3, 1e9}) == ordinary);
 }
+
+TEST_CASE("view_pyramid: the default is in its domain") {
+  CHECK_BOTH(view_pyramid<double>{} == view_pyramid<double>{1, 2, 2, 1, 2});
+  CHECK_BOTH(perspective_checked(view_pyramid<double>{}).status == projection_status::ordinary);
+}

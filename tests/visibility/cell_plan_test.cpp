@@ -55,7 +55,8 @@ TEST_CASE("cell_plan: each defect") {
   CHECK_BOTH(portal({4, 1}, {4 + 0x1p-50, 2}).defect == plan_defect::portal_off_the_wall);
   CHECK_BOTH(portal({4, 2}, {4, 1}) == irg::plan_finding{});
   CHECK_BOTH(portal({4, 0}, {4, 3}) == irg::plan_finding{});
-  CHECK_BOTH(changed([](plan& p) { p.cells[1] = p.cells[0]; }).defect == plan_defect::portal_on_one_side);
+  CHECK_BOTH(changed([](plan& p) { p.cells[1] = p.cells[0]; }) ==
+             irg::plan_finding{plan_defect::portal_on_one_side, 0, 0});
   CHECK_BOTH(changed([](plan& p) { p.portals.push_back({1, 0, at{4, 3}, at{4, 1.5}}); }) ==
              irg::plan_finding{plan_defect::portals_overlap, 1, 0});
   CHECK_BOTH(changed([](plan& p) { p.portals.push_back({1, 0, at{4, 3}, at{4, 2}}); }) == irg::plan_finding{});
@@ -64,6 +65,23 @@ TEST_CASE("cell_plan: each defect") {
 TEST_CASE("cell_plan: corners within a wall, and a portal over one of them") {
   CHECK_BOTH(changed([](plan& p) { p.cells[0].corners = {{0, 0}, {4, 0}, {4, 1.5}, {4, 1.5}, {4, 3}, {0, 3}}; }) ==
              irg::plan_finding{});
+}
+
+TEST_CASE("cell_plan: whichever corner of a cell is listed first") {
+  for (std::size_t first = 0; first < 4; ++first)
+    for (std::size_t second = 0; second < 4; ++second)
+      for (const bool upwards : {false, true}) {
+        plan p = two_rooms();
+        std::ranges::rotate(p.cells[0].corners, p.cells[0].corners.begin() + static_cast<std::ptrdiff_t>(first));
+        std::ranges::rotate(p.cells[1].corners, p.cells[1].corners.begin() + static_cast<std::ptrdiff_t>(second));
+        p.portals[0].a.y = upwards ? 1 : 2, p.portals[0].b.y = upwards ? 2 : 1;
+        CHECK(irg::validate(p) == irg::plan_finding{});
+        const irg::portal_graph<double> g(p);
+        REQUIRE((g.doors(0).size() == 1 && g.doors(1).size() == 1));
+        CHECK((g.doors(0)[0].right == at{4, 1} && g.doors(1)[0].right == at{4, 2}));
+        p.portals[0].a.y = upwards ? -1 : 4;
+        CHECK(irg::validate(p) == irg::plan_finding{plan_defect::portal_off_the_wall, 0, 0});
+      }
 }
 
 TEST_CASE("cell_plan: sizes from 1e-300 to 1e300") {

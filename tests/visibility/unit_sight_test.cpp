@@ -29,6 +29,7 @@ TEST_CASE("who_sees_whom and see_regions: pair by pair") {
       }
     CHECK(irg::see_regions(g, units, units) == irg::region_sight{144, seen});
   }
+  CHECK_BOTH(irg::region_sight{} == irg::region_sight{0, 0});
   CHECK(irg::who_sees_whom(irg::cell_grid(), std::vector<cell3>{}).extent().empty());
 }
 
