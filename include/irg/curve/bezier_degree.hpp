@@ -50,7 +50,7 @@ constexpr void bezier_elevate(const R& points, std::span<detail::control_point<R
 /// exact   both ends bit for bit from degree 2 on; of degree 1, the middle
 /// source  Forrest 1972: from either end to the middle
 template <ControlPoints R>
-  requires Floating<scalar_of<detail::control_point<R>>>
+  requires CartesianPoint<detail::control_point<R>> && Floating<scalar_of<detail::control_point<R>>>
 constexpr scalar_of<detail::control_point<R>> bezier_reduce(const R& points,
                                                             std::span<detail::control_point<R>> reduced) noexcept {
   using P = detail::control_point<R>;

@@ -46,9 +46,9 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
-  V unit = v;
-  if (!detail::put_direction(v, unit)) return std::nullopt;
-  return unit;
+  detail::kept<V> unit = detail::keep(v);
+  if (!detail::put_direction(detail::keep(v), unit)) return std::nullopt;
+  return detail::restored<V>(unit);
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -57,10 +57,10 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept {
-  V unit = v;
-  const bool has_direction = detail::put_direction(v, unit);
-  if constexpr (std::same_as<scalar_of<V>, float>) return unit;
-  return has_direction ? unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
+  detail::kept<V> unit = detail::keep(v);
+  const bool has_direction = detail::put_direction(detail::keep(v), unit);
+  if constexpr (std::same_as<scalar_of<V>, float>) return detail::restored<V>(unit);
+  return has_direction ? detail::restored<V>(unit) : detail::zero_coordinates<V>();
 }
 
 /// The length of v without care for the ends of the exponents, for inner loops.

@@ -3,7 +3,9 @@
 // thing to each. Functions such as dot and cross take any Vector, the operators only irg's own types.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
@@ -289,6 +291,41 @@ template <Point P>
   return generate_coordinates<point<scalar_of<P>, size_of<P>>>([&](int i)
                                                                    IRG_INLINE_LAMBDA { return coordinate(p, i); });
 }
+
+}  // namespace IRG_ABI
+
+namespace detail {
+
+// What algorithms keep and change for a vector or point of type P: a P, where one can be made without a value and be
+// assigned; otherwise irg's own.
+template <Coordinates P>
+using kept = std::conditional_t<
+    std::semiregular<P>, P,
+    std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::vector, vec<scalar_of<P>, size_of<P>>,
+                       point<scalar_of<P>, size_of<P>>>>;
+
+inline namespace IRG_ABI {
+
+template <Coordinates P>
+IRG_INLINE constexpr kept<P> keep(const P& p) noexcept {
+  if constexpr (std::same_as<kept<P>, P>)
+    return p;
+  else
+    return generate_coordinates<kept<P>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(p, i); });
+}
+// The P that was kept.
+template <Coordinates P>
+IRG_INLINE constexpr P restored(const kept<P>& k) noexcept {
+  if constexpr (std::same_as<kept<P>, P>)
+    return k;
+  else
+    return generate_coordinates<P>([&](int i) IRG_INLINE_LAMBDA { return coordinate(k, i); });
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
 
 /// The homogeneous form of p, of weight 1.
 template <class T, int N>
