@@ -175,7 +175,7 @@ constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, 
                                                                std::span<detail::control_point<R>> scratch) noexcept {
   const auto work = detail::copied(points, scratch);
   using vector = typename curve_sample<detail::control_point<R>>::vector;
-  if (work.size() == 1) return {work[0], detail::zero_coordinates<vector>()};
+  if (work.size() == 1) return {work[0], zero_coordinates<vector>()};
   detail::reduce(work, 2, t);
   return {detail::blend(work[0], work[1], t),
           detail::scaled_difference(work[0], work[1], static_cast<int>(work.size()) - 1)};

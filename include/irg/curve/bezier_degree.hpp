@@ -21,7 +21,7 @@ constexpr void bezier_derivative(const R& points,
                                  std::span<typename curve_sample<detail::control_point<R>>::vector> vectors) noexcept {
   const std::size_t n = ring_traits<R>::size(points) - 1;
   IRG_EXPECTS(ring_traits<R>::size(points) > 0 && vectors.size() >= (n > 0 ? n : 1));
-  if (n == 0) vectors[0] = detail::zero_coordinates<typename curve_sample<detail::control_point<R>>::vector>();
+  if (n == 0) vectors[0] = zero_coordinates<typename curve_sample<detail::control_point<R>>::vector>();
   for (std::size_t k = 0; k < n; ++k)
     vectors[k] = detail::scaled_difference(ring_traits<R>::vertex(points, k), ring_traits<R>::vertex(points, k + 1),
                                            static_cast<int>(n));

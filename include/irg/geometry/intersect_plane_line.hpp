@@ -20,7 +20,7 @@ namespace irg {
 template <Point P>
 struct plane_line_meeting {
   flat_relation relation = flat_relation::none;
-  P at = detail::zero_coordinates<P>();
+  P at = zero_coordinates<P>();
   scalar_of<P> t{};
 };
 

@@ -46,9 +46,9 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
-  detail::kept<V> unit = detail::keep(v);
-  if (!detail::put_direction(detail::keep(v), unit)) return std::nullopt;
-  return detail::restored<V>(unit);
+  assignable<V> unit = as_assignable(v);
+  if (!detail::put_direction(as_assignable(v), unit)) return std::nullopt;
+  return from_assignable<V>(unit);
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -57,10 +57,10 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept {
-  detail::kept<V> unit = detail::keep(v);
-  const bool has_direction = detail::put_direction(detail::keep(v), unit);
-  if constexpr (std::same_as<scalar_of<V>, float>) return detail::restored<V>(unit);
-  return has_direction ? detail::restored<V>(unit) : detail::zero_coordinates<V>();
+  assignable<V> unit = as_assignable(v);
+  const bool has_direction = detail::put_direction(as_assignable(v), unit);
+  if constexpr (std::same_as<scalar_of<V>, float>) return from_assignable<V>(unit);
+  return has_direction ? from_assignable<V>(unit) : zero_coordinates<V>();
 }
 
 /// The length of v without care for the ends of the exponents, for inner loops.

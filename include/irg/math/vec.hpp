@@ -294,38 +294,34 @@ template <Point P>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-
-// What algorithms keep and change for a vector or point of type P: a P, where one can be made without a value and be
-// assigned; otherwise irg's own.
+/// What algorithms keep and change for a vector or point of type P: a P, where one can be made without a value and be
+/// assigned; otherwise irg's own.
 template <Coordinates P>
-using kept = std::conditional_t<
+using assignable = std::conditional_t<
     std::semiregular<P>, P,
-    std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::vector, vec<scalar_of<P>, size_of<P>>,
-                       point<scalar_of<P>, size_of<P>>>>;
+    std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::homogeneous, hpoint<scalar_of<P>, size_of<P> - 1>,
+                       std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::vector,
+                                          vec<scalar_of<P>, size_of<P>>, point<scalar_of<P>, size_of<P>>>>>;
 
 inline namespace IRG_ABI {
 
+/// p, in the type that can be kept and changed.
 template <Coordinates P>
-IRG_INLINE constexpr kept<P> keep(const P& p) noexcept {
-  if constexpr (std::same_as<kept<P>, P>)
+[[nodiscard]] IRG_INLINE constexpr assignable<P> as_assignable(const P& p) noexcept {
+  if constexpr (std::same_as<assignable<P>, P>)
     return p;
   else
-    return generate_coordinates<kept<P>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(p, i); });
+    return generate_coordinates<assignable<P>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(p, i); });
 }
-// The P that was kept.
+
+/// The P that was kept.
 template <Coordinates P>
-IRG_INLINE constexpr P restored(const kept<P>& k) noexcept {
-  if constexpr (std::same_as<kept<P>, P>)
-    return k;
+[[nodiscard]] IRG_INLINE constexpr P from_assignable(const assignable<P>& kept) noexcept {
+  if constexpr (std::same_as<assignable<P>, P>)
+    return kept;
   else
-    return generate_coordinates<P>([&](int i) IRG_INLINE_LAMBDA { return coordinate(k, i); });
+    return generate_coordinates<P>([&](int i) IRG_INLINE_LAMBDA { return coordinate(kept, i); });
 }
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
-inline namespace IRG_ABI {
 
 /// The homogeneous form of p, of weight 1.
 template <class T, int N>

@@ -36,11 +36,10 @@ constexpr auto shader_for(const MakeShader& make_shader, const triangle_finder<T
 
 // Whether make_shader gives pixel shaders of triangles of batches, and whether these give pixels of type P.
 template <class MakeShader, class T>
-concept shades_batches =
-    AttributeShading<MakeShader, triangle_batch<T>> ||
-    requires(const MakeShader& make_shader, const triangle_batch<T>& batch) {
-      make_shader(batch, std::uint32_t{}, facing::front);
-    };
+concept shades_batches = AttributeShading<MakeShader, triangle_batch<T>> ||
+                         requires(const MakeShader& make_shader, const triangle_batch<T>& batch) {
+                           make_shader(batch, std::uint32_t{}, facing::front);
+                         };
 template <class MakeShader, class T>
 using batch_shader = std::remove_cvref_t<decltype(shader_for(
     std::declval<const MakeShader&>(), std::declval<const triangle_finder<T>&>(), std::uint32_t{}, facing::front))>;
