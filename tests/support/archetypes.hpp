@@ -10,6 +10,7 @@
 #include <irg/core/raster_concept.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/core/sinks.hpp>
+#include <irg/spatial/grid_concept.hpp>
 
 namespace archetype {
 
@@ -65,6 +66,30 @@ using point = coordinates<T, N, irg::coordinate_kind::point>;
 template <class T, int N>
 using homogeneous_point = coordinates<T, N, irg::coordinate_kind::homogeneous>;
 
+/// Points and vectors that are made without a value and assigned, too: for algorithms that keep rows of them.
+template <class T, int N, irg::coordinate_kind Kind>
+class kept_coordinates {
+public:
+  constexpr kept_coordinates() = default;
+  template <class... S>
+  static constexpr kept_coordinates of(const S&... c) {
+    kept_coordinates made;
+    int i = 0;
+    ((made.hidden_[i++] = c), ...);
+    return made;
+  }
+  constexpr const T& nth(int i) const { return hidden_[i]; }
+
+private:
+  T hidden_[static_cast<std::size_t>(N)]{};
+};
+template <class T, int N>
+using kept_vector = kept_coordinates<T, N, irg::coordinate_kind::vector>;
+template <class T, int N>
+using kept_point = kept_coordinates<T, N, irg::coordinate_kind::point>;
+template <class T, int N>
+using kept_homogeneous_point = kept_coordinates<T, N, irg::coordinate_kind::homogeneous>;
+
 /// A plane of which only the coefficients can be read.
 template <class T>
 class plane {
@@ -91,6 +116,19 @@ public:
 
 private:
   P hidden_[static_cast<std::size_t>(N)];
+};
+
+/// Two rings that can neither be copied nor iterated; their number is no std::size_t.
+template <class P, int N>
+class rings {
+public:
+  rings(const rings&) = delete;
+  rings& operator=(const rings&) = delete;
+  constexpr short size() const { return 2; }
+  constexpr const ring<P, N>& operator[](std::size_t i) const { return hidden_[i]; }
+
+private:
+  ring<P, N> hidden_[2];
 };
 
 /// A tetrahedron that can only be asked what mesh_traits asks; it cannot be copied.
@@ -144,6 +182,10 @@ public:
   constexpr P* line(int y) { return this->hidden_[y]; }
 };
 
+/// A row raster whose rows are the same distance apart.
+template <class P>
+class even_row_raster : public row_raster<P> {};
+
 /// A raster of depths: a number per pixel.
 using depth_raster = writable_raster<float>;
 
@@ -169,6 +211,46 @@ using span_sink = sink<irg::span_of_cells>;
 template <class P>
 using segment_sink = sink<P, P>;
 
+/// A grid of cells with walls that can only be asked what grid_traits asks; it cannot be copied.
+class grid {
+public:
+  grid() = default;
+  grid(const grid&) = delete;
+  grid& operator=(const grid&) = delete;
+  static constexpr irg::grid_extent how_large() { return {4, 3, 2}; }
+  static constexpr bool stands(const irg::cell3& c, int axis) { return (c.x + c.y + c.z + axis) % 5 == 0; }
+};
+
+/// Predicates that take exactly their argument and cannot be copied.
+template <class Argument>
+class predicate {
+public:
+  predicate() = default;
+  predicate(const predicate&) = delete;
+  predicate& operator=(const predicate&) = delete;
+  constexpr bool operator()(const Argument&) { return true; }
+  template <class... Other>
+  bool operator()(const Other&...) = delete;
+};
+
+/// A callable that takes anything and gives nothing of use, and one that gives a value whatever it is asked.
+class takes_all {
+public:
+  struct useless {};
+  template <class... Arguments>
+  constexpr useless operator()(const Arguments&...) const {
+    return {};
+  }
+};
+template <class Value>
+class gives {
+public:
+  template <class... Arguments>
+  constexpr Value operator()(const Arguments&...) const {
+    return Value();
+  }
+};
+
 }  // namespace archetype
 
 template <class T, int N, irg::coordinate_kind Kind>
@@ -181,6 +263,19 @@ struct irg::coordinate_traits<archetype::coordinates<T, N, Kind>> {
     requires(sizeof...(S) == N)
   static constexpr archetype::coordinates<T, N, Kind> make(const S&... c) {
     return archetype::coordinates<T, N, Kind>::of(c...);
+  }
+};
+
+template <class T, int N, irg::coordinate_kind Kind>
+struct irg::coordinate_traits<archetype::kept_coordinates<T, N, Kind>> {
+  using scalar = T;
+  static constexpr int size = N;
+  static constexpr auto kind = Kind;
+  static constexpr const T& get(const archetype::kept_coordinates<T, N, Kind>& v, int i) { return v.nth(i); }
+  template <class... S>
+    requires(sizeof...(S) == N)
+  static constexpr archetype::kept_coordinates<T, N, Kind> make(const S&... c) {
+    return archetype::kept_coordinates<T, N, Kind>::of(c...);
   }
 };
 
@@ -229,4 +324,18 @@ struct irg::raster_traits<archetype::writable_raster<P>> {
 template <class P>
 struct irg::raster_traits<archetype::row_raster<P>> : irg::raster_traits<archetype::writable_raster<P>> {
   static constexpr P* row(archetype::row_raster<P>& r, int y) { return r.line(y); }
+};
+
+template <class P>
+struct irg::raster_traits<archetype::even_row_raster<P>> : irg::raster_traits<archetype::row_raster<P>> {
+  static constexpr std::ptrdiff_t bytes_per_row(const archetype::even_row_raster<P>& r) {
+    return r.columns * static_cast<std::ptrdiff_t>(sizeof(P));
+  }
+};
+
+template <>
+struct irg::grid_traits<archetype::grid> {
+  static constexpr irg::grid_extent extent(const archetype::grid& g) { return g.how_large(); }
+  static constexpr bool is_full(const archetype::grid& g, const irg::cell3& c) { return g.stands(c, 3); }
+  static constexpr bool has_wall(const archetype::grid& g, const irg::cell3& c, int axis) { return g.stands(c, axis); }
 };

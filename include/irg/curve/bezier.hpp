@@ -18,7 +18,7 @@ namespace irg {
 /// A place on a curve: t and 1 - t, each rounded once. A plain number converts to it.
 template <Real T>
 struct curve_parameter {
-  T rest = 1, t = 0;
+  T rest = T(1), t = T(0);
   constexpr curve_parameter() = default;
   IRG_INLINE constexpr curve_parameter(const T& at) noexcept : rest(T(1) - at), t(at) {}
   IRG_INLINE constexpr curve_parameter(const T& remaining, const T& at) noexcept : rest(remaining), t(at) {}
@@ -41,21 +41,34 @@ constexpr std::size_t fixed_size() {
     return 0;
 }
 
-template <class P>
+template <Coordinates P>
 struct displacement_of {
   using type = P;
 };
-template <class T, int N>
-struct displacement_of<point<T, N>> {
-  using type = vec<T, N>;
+template <Coordinates P>
+  requires(coordinate_traits<P>::kind == coordinate_kind::point)
+struct displacement_of<P> {
+  using type = vec<scalar_of<P>, size_of<P>>;
 };
 
 }  // namespace detail
 
+/// A point or vector of a curve or surface: coordinates in numbers that divide, made without a value and assigned,
+/// since the schemes keep rows of them.
+template <class P>
+concept CurvePoint = Coordinates<P> && std::semiregular<P> && Real<scalar_of<P>>;
+
+/// One that is not homogeneous: distances of such points are the lengths of their differences.
+template <class P>
+concept CartesianPoint = CurvePoint<P> && coordinate_traits<P>::kind != coordinate_kind::homogeneous;
+
 /// A range of control points: std::array, std::vector or std::span of points, vectors or homogeneous points.
 template <class R>
-concept ControlPoints =
-    requires { requires Coordinates<detail::control_point<R>>; } && Real<scalar_of<detail::control_point<R>>>;
+concept ControlPoints = requires { requires CurvePoint<detail::control_point<R>>; };
+
+/// Control points that are no vectors.
+template <class R>
+concept ControlPolygon = ControlPoints<R> && PolygonRing<R>;
 
 /// Control points whose number is part of the type.
 template <class R>
@@ -89,12 +102,6 @@ template <Real T>
 
 namespace detail {
 inline namespace IRG_ABI {
-
-// All coordinates 0. P{} of another library may leave them as they were in memory.
-template <Coordinates P>
-[[nodiscard]] IRG_INLINE constexpr P zero_coordinates() {
-  return generate_coordinates<P>([](int) { return scalar_of<P>(0); });
-}
 
 /// (1 - t)*a + t*b; exactly a for t = 0 and b for t = 1, whatever the other is.
 template <Coordinates P>
@@ -168,7 +175,7 @@ constexpr curve_sample<detail::control_point<R>> bezier_sample(const R& points, 
                                                                std::span<detail::control_point<R>> scratch) noexcept {
   const auto work = detail::copied(points, scratch);
   using vector = typename curve_sample<detail::control_point<R>>::vector;
-  if (work.size() == 1) return {work[0], detail::zero_coordinates<vector>()};
+  if (work.size() == 1) return {work[0], zero_coordinates<vector>()};
   detail::reduce(work, 2, t);
   return {detail::blend(work[0], work[1], t),
           detail::scaled_difference(work[0], work[1], static_cast<int>(work.size()) - 1)};
@@ -212,7 +219,7 @@ template <ControlPoints R>
   if (t.rest == T(0)) return ring_traits<R>::vertex(points, count - 1);
   auto result = ring_traits<R>::vertex(points, 0);
   if (t.t == T(0)) return result;
-  T share = 1;
+  T share = T(1);
   for (std::size_t k = 1; k < count; ++k) {
     const T on = product(product(t.t, static_cast<T>(static_cast<int>(count - k))), share);
     const T off = product(t.rest, static_cast<T>(static_cast<int>(k)));

@@ -12,7 +12,7 @@
 namespace irg {
 
 /// What edges and position vectors of points P are: vec for point, else P itself.
-template <Coordinates P>
+template <CurvePoint P>
 using edge_of = typename detail::displacement_of<P>::type;
 
 inline namespace IRG_ABI {
@@ -36,7 +36,7 @@ constexpr void edges_of_control_polygon(const R& points, std::span<edge_of<detai
 /// The control points that have these edge vectors, the way back from edges_of_control_polygon.
 /// needs   points at least as long as edges
 /// exact   sums in order, each rounded once; the very same points where no difference had to be rounded
-template <ControlPoints R, Coordinates P>
+template <ControlPoints R, CurvePoint P>
 constexpr void control_polygon_of_edges(const R& edges, std::span<P> points) noexcept {
   const std::size_t n = ring_traits<R>::size(edges);
   IRG_EXPECTS(points.size() >= n);

@@ -25,7 +25,7 @@ constexpr void fill_forward_differences(const R& points, int n, std::span<contro
   for (std::size_t k = 1; k <= degree; ++k)
     for (std::size_t i = degree; i >= k; --i)
       d[i] = generate_coordinates<P>([&](int axis) { return coordinate(d[i], axis) - coordinate(d[i - 1], axis); });
-  T factor = 1;  // binomial over n^k
+  T factor = T(1);  // binomial over n^k
   for (std::size_t k = 1; k <= degree; ++k) {
     factor = product(factor, number(degree + 1 - k)) / product(number(k), static_cast<T>(n));
     d[k] = generate_coordinates<P>([&](int axis) { return product(factor, coordinate(d[k], axis)); });
@@ -34,7 +34,7 @@ constexpr void fill_forward_differences(const R& points, int n, std::span<contro
     for (std::size_t i = degree - 1; i >= at; --i)
       d[i] = generate_coordinates<P>(
           [&](int axis) { return coordinate(d[i], axis) + product(number(at), coordinate(d[i + 1], axis)); });
-  T factorial = 1;
+  T factorial = T(1);
   for (std::size_t i = 2; i <= degree; ++i) {
     factorial = product(factorial, number(i));
     d[i] = generate_coordinates<P>([&](int axis) { return product(factorial, coordinate(d[i], axis)); });

@@ -17,7 +17,7 @@
 namespace irg {
 
 /// A Bezier curve of points P ready for many points; it refers to your space, which prepare_bezier fills.
-template <Coordinates P>
+template <CurvePoint P>
   requires Floating<scalar_of<P>>
 struct prepared_bezier {
   /// Numbers that a coefficient takes: a point's coordinates, up to a power of two.
@@ -73,7 +73,7 @@ constexpr std::optional<prepared_bezier<detail::control_point<R>>> prepare_bezie
 ///         0.15 u; bound (3 degree + 4) u, and 15 u, of the largest
 /// cost    a product and a sum for each of min(degree + 1, 20) coefficients (in floats 12), all coordinates together
 /// source  Dorn 1962
-template <Coordinates P>
+template <CurvePoint P>
 [[nodiscard]] constexpr P bezier_point(const prepared_bezier<P>& curve, std::type_identity_t<scalar_of<P>> t) noexcept {
   return detail::prepared_point<P>(curve, t);
 }
@@ -82,7 +82,7 @@ template <Coordinates P>
 /// needs   as many points as places
 /// exact   as one by one, bit for bit
 /// cost    half of it or less where successive places are in order
-template <Coordinates P>
+template <CurvePoint P>
 constexpr void bezier_points(const prepared_bezier<P>& curve, std::type_identity_t<std::span<const scalar_of<P>>> t,
                              std::span<P> points) noexcept {
   IRG_EXPECTS(points.size() >= t.size());

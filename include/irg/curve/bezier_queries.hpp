@@ -21,7 +21,7 @@
 namespace irg {
 
 /// A place on a curve: its parameter, the point there, and how far the curve is there from what was asked about.
-template <Coordinates P>
+template <CurvePoint P>
 struct nearest_place {
   scalar_of<P> t = 0;
   P point{};
@@ -191,7 +191,7 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
 /// cost    bernstein_zeros of degree 2 * degree - 1, and degree^2 products for its coefficients
 /// source  Schneider 1990
 template <ControlPoints R>
-  requires Floating<scalar_of<detail::control_point<R>>>
+  requires CartesianPoint<detail::control_point<R>> && Floating<scalar_of<detail::control_point<R>>>
 constexpr nearest_place<detail::control_point<R>> bezier_nearest(
     const R& points, const detail::control_point<R>& p, std::span<vec<scalar_of<detail::control_point<R>>, 1>> scratch,
     std::span<detail::control_point<R>> work) noexcept {

@@ -17,7 +17,7 @@ namespace irg {
 
 /// A patch of degree U along u and V along v.
 /// shape   points[i][j]: i runs along u, j along v; points[0][0] is at (0, 0), points[U][V] at (1, 1)
-template <Coordinates P, int U = 3, int V = U>
+template <CurvePoint P, int U = 3, int V = U>
   requires(U >= 1 && V >= 1)
 struct bezier_patch {
   std::array<std::array<P, static_cast<std::size_t>(V) + 1>, static_cast<std::size_t>(U) + 1> points{};
@@ -26,7 +26,7 @@ struct bezier_patch {
 
 /// Control points of a surface in rows, referring to yours: points[i * columns + j], i along u, j along v.
 /// needs   as many points as rows times columns, columns > 0
-template <Coordinates P>
+template <CurvePoint P>
 struct control_net {
   std::span<const P> points{};
   std::size_t columns = 1;
@@ -37,7 +37,7 @@ struct control_net {
 };
 
 /// A point of a surface with the first derivatives along u and v and the mixed second one.
-template <Coordinates P>
+template <CurvePoint P>
 struct surface_sample {
   using vector = typename detail::displacement_of<P>::type;
   P point{};
@@ -49,7 +49,7 @@ namespace detail {
 inline namespace IRG_ABI {
 
 // The sample from the two chords along u of every column, or from one row twice for degree 0 along u. Both are lost.
-template <Coordinates P>
+template <CurvePoint P>
 constexpr surface_sample<P> sample_of_chords(std::span<P> first_row, std::span<P> last_row, int degree_u,
                                              const curve_parameter<scalar_of<P>>& u,
                                              const curve_parameter<scalar_of<P>>& v) noexcept {
@@ -81,7 +81,7 @@ inline namespace IRG_ABI {
 ///         bezier_point bit for bit, so that patches that share border points share the border without a gap
 /// cost    bicubic: 36 blends of points
 /// source  de Casteljau 1959; Farin 2002
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
 [[nodiscard]] constexpr surface_sample<P> patch_sample(const bezier_patch<P, U, V>& patch,
                                                        curve_parameter<scalar_of<P>> u,
                                                        curve_parameter<scalar_of<P>> v) noexcept {
@@ -100,7 +100,7 @@ template <Coordinates P, int U, int V>
 /// The point at (u, v) of the Bezier surface that these points control, with its derivatives; any degree from 0.
 /// needs   one or more rows and columns; scratch for 2 * columns + rows points, its contents are lost
 /// exact   as the form with a patch, and equal to it bit for bit
-template <Coordinates P>
+template <CurvePoint P>
 constexpr surface_sample<P> patch_sample(const control_net<P>& net,
                                          std::type_identity_t<curve_parameter<scalar_of<P>>> u,
                                          std::type_identity_t<curve_parameter<scalar_of<P>>> v,
@@ -120,7 +120,7 @@ constexpr surface_sample<P> patch_sample(const control_net<P>& net,
 
 /// The point of the patch at (u, v).
 /// exact   as patch_sample
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
 [[nodiscard]] constexpr P patch_point(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
                                       curve_parameter<scalar_of<P>> v) noexcept {
   return patch_sample(patch, u, v).point;
@@ -131,7 +131,7 @@ template <Coordinates P, int U, int V>
 /// gives   nothing where that limit needs derivatives beyond the mixed one, the two derivatives are parallel, or one is
 ///         not finite
 /// exact   a cross product and try_normalize of the derivatives in s
-template <Coordinates P>
+template <CartesianPoint P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
 [[nodiscard]] constexpr std::optional<typename surface_sample<P>::vector> surface_normal(
     const surface_sample<P>& s, curve_parameter<scalar_of<P>> u, curve_parameter<scalar_of<P>> v) noexcept {
@@ -157,7 +157,8 @@ template <Coordinates P>
 
 /// The normal of length 1 of the patch at (u, v).
 /// gives   and is exact as surface_normal
-template <Coordinates P, int U, int V>
+template <CartesianPoint P, int U, int V>
+  requires(size_of<P> == 3 && Floating<scalar_of<P>>)
 [[nodiscard]] constexpr auto patch_normal(const bezier_patch<P, U, V>& patch, curve_parameter<scalar_of<P>> u,
                                           curve_parameter<scalar_of<P>> v) noexcept {
   return surface_normal(patch_sample(patch, u, v), u, v);
@@ -168,7 +169,7 @@ template <Coordinates P, int U, int V>
 /// needs   n > 0, m > 0
 /// exact   as patch_sample at curve_fraction: mirrored patches have mirrored lattices bit for bit
 /// cost    (n + 1)*(m + 1) samples
-template <Coordinates P, int U, int V, class Visit>
+template <CurvePoint P, int U, int V, class Visit>
 constexpr void tessellate(const bezier_patch<P, U, V>& patch, int n, int m, Visit visit) {
   IRG_EXPECTS(n > 0 && m > 0);
   for (int i = 0; i <= n; ++i)

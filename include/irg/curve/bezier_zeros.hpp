@@ -119,7 +119,10 @@ constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::typ
     is_sound = is_sound && detail::is_finite(c[0]);
     largest = greater(largest, detail::magnitude(c[0]));
   }
-  if (!is_sound) return sink(zero_stretch<T>{0, 1, 0, 0});
+  if (!is_sound) {
+    sink(zero_stretch<T>{0, 1, 0, 0});
+    return;
+  }
   // Two splits, each of 3 * degree * u: bezier_point's bound.
   const T steps = static_cast<T>(static_cast<int>(8 * n));
   const T off = uncertainty + product(steps, product(largest, std::numeric_limits<T>::epsilon() / 2) +

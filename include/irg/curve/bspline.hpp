@@ -210,7 +210,7 @@ constexpr std::optional<std::size_t> bspline_basis(const bspline_knots<T, Degree
 /// gives   nothing for NaN and for t outside of the knots' range
 /// exact   an end point of full multiplicity is the control point, bit for bit; elsewhere each product and sum rounded
 ///         once, within the box of the control points up to some u of their size
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
   requires(Degree >= 0)
 [[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots,
                                                                    const R& points,
@@ -222,7 +222,7 @@ template <Floating T, int Degree, PolygonRing R>
 }
 
 /// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                      std::type_identity_t<T> t,
                                                      std::type_identity_t<std::span<T>> scratch) noexcept {
@@ -268,7 +268,7 @@ constexpr std::optional<std::size_t> nurbs_basis(const bspline_knots<T, Degree>&
 /// gives   as nurbs_basis
 /// exact   as bspline_point
 /// source  Piegl and Tiller 1997
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
   requires(Degree >= 0)
 [[nodiscard]] constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                                  std::type_identity_t<std::span<const T>> weights,
@@ -280,7 +280,7 @@ template <Floating T, int Degree, PolygonRing R>
 }
 
 /// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                    std::type_identity_t<std::span<const T>> weights,
                                                    std::type_identity_t<T> t,
@@ -296,7 +296,7 @@ constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree
 /// gives   nothing for NaN, for t outside of the knots' range, and where the weight is 0 or not finite
 /// exact   as bspline_point, and a quotient
 /// source  Piegl and Tiller 1997, A4.1
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
   requires(Degree >= 0 && coordinate_traits<ring_point<R>>::kind == coordinate_kind::homogeneous)
 [[nodiscard]] constexpr auto nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
                                          std::type_identity_t<T> t) noexcept

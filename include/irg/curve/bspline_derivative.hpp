@@ -26,7 +26,7 @@ inline namespace IRG_ABI {
 /// cost    degree (degree + 1) / 2 blends of points. Where control points cancel each other the result keeps digits
 ///         that bspline_point loses; of degree 20 and more bspline_point is the faster
 /// source  de Boor 1972
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots<T, Degree>& knots, const R& points,
                                                              std::type_identity_t<T> t,
                                                              std::span<ring_point<R>> scratch) noexcept {
@@ -46,7 +46,7 @@ constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots
 /// exact   differences, quotients and products rounded once each, then blends as in bspline_point_de_boor
 /// cost    degree^2 / 2 blends for each derivative
 /// source  de Boor 1972; Piegl and Tiller 1997, 3.3
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
 constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
                                    std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
                                    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {
@@ -63,7 +63,7 @@ constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const 
 /// needs   as bspline_derivatives
 /// gives   nothing for NaN and for t outside of the knots' range
 /// exact   as bspline_derivatives
-template <Floating T, int Degree, PolygonRing R>
+template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
     const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
     std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {

@@ -64,7 +64,7 @@ struct givens_rotation {
 };
 
 // An upper triangular banded matrix with a right side of points, to which rows are added.
-template <Coordinates P>
+template <CurvePoint P>
 class banded_rows {
 public:
   using T = scalar_of<P>;
@@ -126,7 +126,7 @@ private:
   std::vector<P> right_;
 };
 
-template <Floating T, int Degree, Coordinates P>
+template <Floating T, int Degree, CurvePoint P>
 constexpr checked<T, bspline_fit_status> fit_points(const bspline_knots<T, Degree>& knots, std::span<const T> places,
                                                     std::span<const P> points, fit_ends ends, std::span<P> result) {
   const std::size_t size = knots.size(), order = knots.order();
@@ -198,7 +198,8 @@ inline namespace IRG_ABI {
 ///         successive points have equal places. But for uniform spacing, which looks at no point
 /// exact   sums of rounded distances over their sum; the first 0, the last 1
 /// source  Piegl and Tiller 1997, 9.2.1; Lee 1989 (centripetal)
-template <Coordinates P>
+template <CartesianPoint P>
+  requires Floating<scalar_of<P>>
 constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
                           std::type_identity_t<std::span<scalar_of<P>>> places) noexcept {
   using T = scalar_of<P>;
@@ -260,7 +261,8 @@ constexpr void fit_knots(std::span<const T> places, int degree, std::size_t coun
 ///         multiplicity and have the first and last place
 /// cost    some 4 order^2 operations for each point; allocates
 /// source  Schoenberg and Whitney 1953; Givens 1958; Piegl and Tiller 1997, 9.2
-template <Floating T, int Degree, Coordinates P>
+template <Floating T, int Degree, CartesianPoint P>
+  requires Floating<scalar_of<P>>
 constexpr checked<T, bspline_fit_status> bspline_interpolate(const bspline_knots<T, Degree>& knots,
                                                              std::type_identity_t<std::span<const T>> places,
                                                              std::span<const P> points,
@@ -277,7 +279,8 @@ constexpr checked<T, bspline_fit_status> bspline_interpolate(const bspline_knots
 /// exact   as bspline_interpolate: rotations of the matrix itself, no normal equations
 /// cost    some 4 order^2 operations for each point, however many control points; allocates
 /// source  Givens 1958; Piegl and Tiller 1997, 9.4
-template <Floating T, int Degree, Coordinates P>
+template <Floating T, int Degree, CartesianPoint P>
+  requires Floating<scalar_of<P>>
 constexpr checked<T, bspline_fit_status> bspline_least_squares(const bspline_knots<T, Degree>& knots,
                                                                std::type_identity_t<std::span<const T>> places,
                                                                std::span<const P> points, fit_ends ends,

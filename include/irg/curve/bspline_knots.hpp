@@ -72,7 +72,7 @@ constexpr std::ptrdiff_t fill_refined_shares(V& value, const bspline_knots<T, De
 }
 
 // The mean of the control points from `first` on; shares of points that do not exist are left out.
-template <class V, PolygonRing R>
+template <class V, ControlPolygon R>
 constexpr ring_point<R> blend_existing(const V& value, std::ptrdiff_t first, const R& points) noexcept {
   const auto count = static_cast<std::ptrdiff_t>(ring_size(points));
   for (std::size_t i = 0; i < value.size(); ++i) {
@@ -117,7 +117,7 @@ inline namespace IRG_ABI {
 /// exact   each new point is a mean of old ones, shares as bspline_basis; one that keeps its knots is kept bit for bit
 /// cost    degree^2 / 2 steps for each new point
 /// source  Boehm 1980; Cohen, Lyche and Riesenfeld 1980 (the Oslo algorithm)
-template <Floating T, int Degree, int OtherDegree, PolygonRing R>
+template <Floating T, int Degree, int OtherDegree, ControlPolygon R>
 constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& points,
                               const bspline_knots<T, OtherDegree>& refined, std::span<ring_point<R>> result,
                               std::type_identity_t<std::span<T>> scratch) noexcept {
@@ -137,7 +137,7 @@ constexpr bool bspline_refine(const bspline_knots<T, Degree>& knots, const R& po
 ///         where the curve may be torn; other control points are means of those that count, shares as bspline_basis
 /// cost    degree^3 / 2 steps for each piece
 /// source  Piegl and Tiller 1997, 5.3; Ramshaw 1987 (blossoms)
-template <Floating T, int Degree, PolygonRing R, class Sink>
+template <Floating T, int Degree, ControlPolygon R, class Sink>
 constexpr void bspline_bezier_pieces(const bspline_knots<T, Degree>& knots, const R& points,
                                      std::type_identity_t<std::span<T>> scratch, std::span<ring_point<R>> piece,
                                      Sink sink) {
@@ -180,7 +180,7 @@ constexpr std::size_t elevated_knots(const bspline_knots<T, Degree>& knots,
 /// exact   each new point is the mean of degree + 1 points of refined curves; the curve's ends bit for bit
 /// cost    degree^3 / 2 steps for each new point
 /// source  Prautzsch 1984; Ramshaw 1987 (blossoms)
-template <Floating T, int Degree, int OtherDegree, PolygonRing R>
+template <Floating T, int Degree, int OtherDegree, ControlPolygon R>
 constexpr void bspline_elevate(const bspline_knots<T, Degree>& knots, const R& points,
                                const bspline_knots<T, OtherDegree>& elevated, std::span<ring_point<R>> result,
                                std::type_identity_t<std::span<T>> scratch) noexcept {

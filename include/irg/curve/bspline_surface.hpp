@@ -21,7 +21,8 @@ namespace irg {
 
 /// A B-spline surface; it refers to your knots and points.
 /// needs   net.rows() == u.size(), net.columns == v.size()
-template <Coordinates P, int DegreeU = degree_at_run_time, int DegreeV = DegreeU>
+template <CurvePoint P, int DegreeU = degree_at_run_time, int DegreeV = DegreeU>
+  requires Floating<scalar_of<P>>
 struct bspline_surface {
   bspline_knots<scalar_of<P>, DegreeU> u;
   bspline_knots<scalar_of<P>, DegreeV> v;
@@ -29,7 +30,7 @@ struct bspline_surface {
 };
 
 /// One Bezier patch of a B-spline surface: over [u_from, u_to] x [v_from, v_to], controlled by net.
-template <Coordinates P>
+template <CurvePoint P>
 struct surface_piece {
   scalar_of<P> u_from{}, u_to{}, v_from{}, v_to{};
   control_net<P> net{};
@@ -38,13 +39,13 @@ struct surface_piece {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
 constexpr bool is_in_range(const bspline_surface<P, U, V>& s, const scalar_of<P>& u, const scalar_of<P>& v) noexcept {
   return s.u.first() <= u && u <= s.u.last() && s.v.first() <= v && v <= s.v.last();
 }
 
 // The sum of the control points that count, each times its two functions; those of value 0 do not count.
-template <Coordinates P, class U, class V>
+template <CurvePoint P, class U, class V>
 constexpr P blend_net(const control_net<P>& net, std::size_t i0, const U& u, std::size_t j0, const V& v) noexcept {
   return sum_of_rows(u, v, [&](std::size_t i) { return &net.points[(i0 + i) * net.columns + j0]; });
 }
@@ -77,7 +78,7 @@ inline namespace IRG_ABI {
 ///         control points that count up to some u of their size
 /// cost    order_u * order_v products per coordinate and two bases
 /// source  Piegl and Tiller 1997, A3.5
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
   requires(U >= 0 && V >= 0)
 [[nodiscard]] constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface,
                                                                std::type_identity_t<scalar_of<P>> u,
@@ -94,7 +95,7 @@ template <Coordinates P, int U, int V>
 
 /// The same for any degrees, with working space of the caller's for surface.u.order() + surface.v.order() numbers; its
 /// contents are lost.
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
 constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>& surface,
                                                  std::type_identity_t<scalar_of<P>> u,
                                                  std::type_identity_t<scalar_of<P>> v,
@@ -115,7 +116,7 @@ constexpr std::optional<P> bspline_surface_point(const bspline_surface<P, U, V>&
 ///         behind it, at a last one those before it
 /// exact   as bspline_derivatives, along v, then along u; a derivative along control points that are equal is 0
 /// source  de Boor 1972; Piegl and Tiller 1997, 3.5
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
 constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surface,
                                            const std::type_identity_t<vec<scalar_of<P>, 2>>& at, int order,
                                            std::span<typename curve_sample<P>::vector> derivatives,
@@ -144,7 +145,7 @@ constexpr bool bspline_surface_derivatives(const bspline_surface<P, U, V>& surfa
 /// The point of the surface at (u, v) with its first derivatives and the mixed one.
 /// needs   scratch as bspline_surface_derivatives of order 1
 /// gives   nothing, and is exact, as bspline_surface_derivatives
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
 constexpr std::optional<surface_sample<P>> bspline_surface_sample(
     const bspline_surface<P, U, V>& surface, std::type_identity_t<scalar_of<P>> u, std::type_identity_t<scalar_of<P>> v,
     std::span<typename curve_sample<P>::vector> scratch) noexcept {
@@ -153,7 +154,7 @@ constexpr std::optional<surface_sample<P>> bspline_surface_sample(
     return std::nullopt;
   return surface_sample<P>{generate_coordinates<P>([&](int axis) { return coordinate(d[0], axis); }), d[2], d[1], d[3]};
 }
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
   requires(U >= 0 && V >= 0)
 [[nodiscard]] constexpr std::optional<surface_sample<P>> bspline_surface_sample(
     const bspline_surface<P, U, V>& surface, std::type_identity_t<scalar_of<P>> u,
@@ -250,7 +251,7 @@ template <Floating T, int Degree>
 ///         of full multiplicity, where the surface may be torn
 /// cost    order_u^2 * order_v^2 products per coordinate for each patch
 /// source  Piegl and Tiller 1997, 5.3; Ramshaw 1987 (blossoms)
-template <Coordinates P, int U, int V, class Sink>
+template <CurvePoint P, int U, int V, class Sink>
 constexpr void bspline_surface_patches(const bspline_surface<P, U, V>& surface,
                                        std::type_identity_t<std::span<scalar_of<P>>> scratch,
                                        std::type_identity_t<std::span<P>> piece, Sink sink) {

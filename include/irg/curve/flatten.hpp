@@ -25,7 +25,7 @@ inline namespace IRG_ABI {
 
 /// A bound of how far the curve of these control points is from its chord: degree (degree - 1) / 8 times the largest
 /// second difference; of these only what is across the chord, where no control point lies beyond the chord's ends.
-template <Coordinates P>
+template <CurvePoint P>
 constexpr scalar_of<P> chord_error_bound(std::span<const P> c) noexcept {
   using T = scalar_of<P>;
   using V = typename curve_sample<P>::vector;
@@ -101,7 +101,7 @@ inline namespace IRG_ABI {
 /// cost    for each chord some 5 to 20 pairs of bezier_split
 /// source  irg's own: the bound of linear interpolation across each chord
 template <ControlPoints R, class Sink>
-  requires Floating<scalar_of<detail::control_point<R>>>
+  requires CartesianPoint<detail::control_point<R>> && Floating<scalar_of<detail::control_point<R>>>
 constexpr flattening flatten(const R& points, std::type_identity_t<scalar_of<detail::control_point<R>>> tolerance,
                              std::span<detail::control_point<R>> scratch, Sink sink) {
   using T = scalar_of<detail::control_point<R>>;

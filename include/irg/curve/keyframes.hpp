@@ -73,7 +73,7 @@ template <Coordinates P>
 ///         velocity leads beyond the largest number before the next one, no finite places
 /// exact   each keyframe's place bit for bit at its time; the velocity has no jumps between the first time and the last
 /// source  Farin 2002, 9.8 (Bessel's tangents)
-template <Coordinates P>
+template <CurvePoint P>
   requires Floating<scalar_of<P>>
 [[nodiscard]] constexpr P place_at(std::span<const keyframe<P>> frames,
                                    std::type_identity_t<scalar_of<P>> time) noexcept {

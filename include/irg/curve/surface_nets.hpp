@@ -40,7 +40,7 @@ constexpr void revolution_net(std::span<const hpoint<T, 2>> curve,
 /// needs   curves of as many points over the same knots (bspline_refine and bspline_elevate make them so); net for both
 /// exact   points are copied
 /// source  Piegl and Tiller 1997, 8.4
-template <Coordinates P>
+template <CurvePoint P>
 constexpr void ruled_net(std::span<const P> first, std::type_identity_t<std::span<const P>> second,
                          std::type_identity_t<std::span<P>> net) noexcept {
   IRG_EXPECTS(first.size() == second.size() && net.size() >= 2 * first.size());
@@ -55,7 +55,7 @@ constexpr void ruled_net(std::span<const P> first, std::type_identity_t<std::spa
 /// needs   net for as many points as the product of both numbers
 /// exact   each coordinate is a product (by the weight, of hpoint only) and a sum, rounded once each
 /// source  Piegl and Tiller 1997, 8.3
-template <Coordinates P, Vector V>
+template <CurvePoint P, Vector V>
 constexpr void translation_net(std::span<const P> curve, std::span<const V> path,
                                std::type_identity_t<std::span<P>> net) noexcept {
   IRG_EXPECTS(net.size() >= curve.size() * path.size());

@@ -15,7 +15,7 @@ namespace irg {
 
 /// A corner of a triangle on a surface of control points P: its place, and the number it has among the corners of this
 /// call, which are numbered from 0.
-template <Coordinates P>
+template <CurvePoint P>
 struct surface_corner {
   std::size_t index = 0;
   curve_parameter<scalar_of<P>> u{}, v{};
@@ -32,7 +32,7 @@ struct surface_tessellation {
 namespace detail {
 inline namespace IRG_ABI {
 
-template <Coordinates P>
+template <CurvePoint P>
 constexpr typename surface_place<P>::type on_surface(const P& p) noexcept {
   if constexpr (coordinate_traits<P>::kind == coordinate_kind::homogeneous)
     return to_cartesian(p);
@@ -40,25 +40,32 @@ constexpr typename surface_place<P>::type on_surface(const P& p) noexcept {
     return p;
 }
 
+template <Coordinates P>
+constexpr bool is_one_place(const P& a, const P& b) noexcept {
+  for (int i = 0; i < size_of<P>; ++i)
+    if (!(coordinate(a, i) == coordinate(b, i))) return false;
+  return true;
+}
+
 // Hands a triangle over unless two of its corners are one point, as at a pole.
-template <Coordinates P, class Sink>
+template <CurvePoint P, class Sink>
 constexpr void put_triangle(surface_tessellation& done, Sink& sink, const surface_corner<P>& a,
                             const surface_corner<P>& b, const surface_corner<P>& c) {
-  if (a.point == b.point || b.point == c.point || c.point == a.point) return;
+  if (is_one_place(a.point, b.point) || is_one_place(b.point, c.point) || is_one_place(c.point, a.point)) return;
   ++done.triangles;
   sink(a, b, c);
 }
 
 // Whether these control points, which all become one point of the surface, are a pole.
-template <Coordinates P>
+template <CurvePoint P>
 constexpr bool is_pole(std::span<const P> points, std::size_t first, std::size_t step, std::size_t count) noexcept {
   for (std::size_t k = 1; k < count; ++k)
-    if (!(on_surface(points[first]) == on_surface(points[first + k * step]))) return false;
+    if (!is_one_place(on_surface(points[first]), on_surface(points[first + k * step]))) return false;
   return true;
 }
 
 // A patch between its cut borders: an inner lattice, and around it a frame of triangles that joins it to the borders.
-template <Coordinates P, class Sink>
+template <CurvePoint P, class Sink>
 class framed_patch {
 public:
   using T = scalar_of<P>;
@@ -261,7 +268,7 @@ private:
 inline namespace IRG_ABI {
 
 /// The control points of a patch in one list, for control_net{list, V + 1}.
-template <Coordinates P, int U, int V>
+template <CurvePoint P, int U, int V>
 [[nodiscard]] constexpr std::array<P, static_cast<std::size_t>((U + 1) * (V + 1))> net_of(
     const bezier_patch<P, U, V>& patch) noexcept {
   std::array<P, static_cast<std::size_t>((U + 1) * (V + 1))> list{};
@@ -283,8 +290,8 @@ template <Coordinates P, int U, int V>
 ///         runs, have the same corners on it, bit for bit
 /// cost    some bends of boxes (a subdivision each) for each line, a sample for each corner
 /// source  Filip, Magedson and Markot 1986 for the bound; irg's own: cells, borders and the frame between
-template <Coordinates P, class Sink>
-  requires Floating<scalar_of<P>>
+template <CurvePoint P, class Sink>
+  requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr surface_tessellation tessellate_within(const control_net<P>& net,
                                                  std::type_identity_t<scalar_of<P>> tolerance, Sink sink) {
   if (!detail::has_finite_bends(net)) return {0, 0, false};
@@ -297,8 +304,8 @@ constexpr surface_tessellation tessellate_within(const control_net<P>& net,
 /// exact   corners within 3 degree u of patch_sample's; on borders bezier_point's of the border, bit for bit, so that
 ///         patches that share a border's points and its steps meet without a crack
 /// cost    for each corner a curve of degree V, for each of n + 1 rows V + 1 curves of degree U; keeps two rows
-template <Coordinates P, int U, int V, class Sink>
-  requires Floating<scalar_of<P>>
+template <CurvePoint P, int U, int V, class Sink>
+  requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr surface_tessellation tessellate_steps(const bezier_patch<P, U, V>& patch, int n, int m, Sink sink) {
   using T = scalar_of<P>;
   using corner = surface_corner<P>;

@@ -30,8 +30,8 @@ inline namespace IRG_ABI {
 ///         not looked at
 /// cost    for each triangle of the polygon the cells it meets, for each part three samples or more
 /// source  irg's own: the polygon's triangles cut along the lines of tessellate_within
-template <Coordinates P, PlanePolygon R, class Sink>
-  requires Floating<scalar_of<P>>
+template <CurvePoint P, PlanePolygon R, class Sink>
+  requires detail::PlacedPoint<P> && Floating<scalar_of<P>>
 constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_net<P>& net, const R& polygon,
                                                                  std::type_identity_t<scalar_of<P>> tolerance,
                                                                  Sink sink) {
@@ -58,7 +58,7 @@ constexpr std::optional<surface_tessellation> tessellate_trimmed(const control_n
   if constexpr (PlaneRing<R>)
     add(polygon);
   else
-    for (const auto& ring : polygon) add(ring);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::size(polygon)); ++i) add(polygon[i]);
   if (!all_finite) return std::nullopt;
   std::vector<P> room(2 * net.columns + net.rows(), P{});
   std::vector<corner> corners;

@@ -34,9 +34,10 @@ struct position_type<V> {
 
 }  // namespace detail
 
-/// A corner of a polygon: a point, or a type with a member `position` that is one.
+/// A corner of a polygon that is cut: a point, or a type with a member `position` that is one. Cutting keeps rows of
+/// corners and moves them, so that they are made without a value and assigned.
 template <class V>
-concept PolygonVertex = Point<V> || detail::has_point_position<V>;
+concept PolygonVertex = std::semiregular<V> && (Point<V> || detail::has_point_position<V>);
 
 /// The type of a polygon vertex's position, and of its coordinates.
 template <PolygonVertex V>

@@ -173,6 +173,7 @@ template <Floating T, int N>
 /// needs   a mesh with vertices
 /// exact   radius within 2 ulp
 template <Mesh M>
+  requires Floating<scalar_of<mesh_point<M>>>
 [[nodiscard]] constexpr auto sphere_around(const M& m) noexcept {
   using traits = mesh_traits<M>;
   using T = scalar_of<typename traits::point>;

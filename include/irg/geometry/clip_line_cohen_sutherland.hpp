@@ -13,20 +13,18 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
-// An end on its way: where it is, and on which side of the window along each axis. Where it was moved to a boundary,
+// An end on its way: on which side of the window it is along each axis, and the boundary that it was moved to. There
 // its other coordinate is rounded; its place is that of the exact one.
-template <Point P>
 struct moving_end {
-  P at;
   int place[2];
   window_side cut{};
 };
 
 template <Point P>
-constexpr moving_end<P> moved_to(const P& a, const P& b, const box<scalar_of<P>, 2>& window, window_side at) noexcept {
-  moving_end<P> end{crossing_point(a, b, window, at), {0, 0}, at};
+constexpr moving_end moved_to(const P& a, const P& b, const box<scalar_of<P>, 2>& window, window_side at) noexcept {
+  moving_end end{{0, 0}, at};
   const int other = 1 - at.axis;
-  const auto y = coordinate(end.at, other);
+  const auto y = coordinate(crossing_point(a, b, window, at), other);
   int place = place_of(y, window, other);
   for (const int side : {-1, 1})  // rounded to the corner: from within, or from beyond?
     if (const window_side edge{other, side}; place == 0 && y == bound_of(window, edge)) {
@@ -59,10 +57,10 @@ template <Point P>
   if (detail::is_within(a, window) && detail::is_within(b, window)) return clipped_line<P>{a, b};
   if (!is_finite(a, b)) return std::nullopt;
   const auto end_at = [&](const P& p) {
-    return detail::moving_end<P>{
-        p, {detail::place_of(coordinate(p, 0), window, 0), detail::place_of(coordinate(p, 1), window, 1)}};
+    return detail::moving_end{
+        {detail::place_of(coordinate(p, 0), window, 0), detail::place_of(coordinate(p, 1), window, 1)}};
   };
-  detail::moving_end<P> ends[2] = {end_at(a), end_at(b)};
+  detail::moving_end ends[2] = {end_at(a), end_at(b)};
   for (;;) {
     for (int i = 0; i < 2; ++i)
       if (ends[0].place[i] != 0 && ends[0].place[i] == ends[1].place[i]) return std::nullopt;

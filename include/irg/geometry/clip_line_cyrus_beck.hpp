@@ -27,17 +27,9 @@ constexpr std::optional<clipped_line<P>> clip_by_half_spaces(const P& a, const P
     if (to < 0 && (!exit || compare_half_space_crossings(a, b, h, *exit, 1) < 0)) exit = h;
   }
   if (entry && exit && compare_half_space_crossings(a, b, *entry, *exit, -1) > 0) return std::nullopt;
-  clipped_line<P> kept{a, b};
-  if (entry) {
-    const auto meeting = meet_half_space(a, b, *entry);
-    kept.first = meeting.at, kept.t_first = meeting.t;
-  }
-  if (exit) {
-    const auto meeting = meet_half_space(a, b, *exit);
-    kept.second = meeting.at, kept.t_second = meeting.t;
-  }
-  if (kept.t_second < kept.t_first) kept.t_second = kept.t_first;
-  return kept;
+  const auto first = entry ? meet_half_space(a, b, *entry) : half_space_meeting<T, P>{a, T(0)};
+  const auto second = exit ? meet_half_space(a, b, *exit) : half_space_meeting<T, P>{b, T(1)};
+  return clipped_line<P>{first.at, second.at, first.t, second.t < first.t ? first.t : second.t};
 }
 
 }  // namespace IRG_ABI
@@ -55,7 +47,7 @@ inline namespace IRG_ABI {
 /// cost    two orientation tests per edge, 0.1 us per boundary that is crossed. Where the polygon is a window,
 ///         clip_line_liang_barsky gives the same in a fraction of the time
 /// source  Cyrus and Beck 1978
-template <Point P, PolygonRing R>
+template <Point P, PlaneRing R>
   requires(size_of<P> == 2 && Real<scalar_of<P>> && std::same_as<ring_scalar<R>, scalar_of<P>>)
 [[nodiscard]] constexpr std::optional<clipped_line<P>> clip_line_cyrus_beck(const P& a, const P& b,
                                                                             const R& polygon) noexcept {

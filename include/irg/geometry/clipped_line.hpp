@@ -16,7 +16,7 @@ namespace irg {
 template <Point P>
 struct clipped_line {
   using parameter = std::conditional_t<std::is_integral_v<scalar_of<P>>, double, scalar_of<P>>;
-  P first{}, second{};
+  P first = zero_coordinates<P>(), second = zero_coordinates<P>();
   parameter t_first = parameter(0), t_second = parameter(1);
   // Coordinate by coordinate: == of foreign points need not be constexpr.
   IRG_APART constexpr bool operator==(const clipped_line& other) const {

@@ -120,14 +120,13 @@ template <Point P>
     case triangle_region::corner_c: return point_on_triangle<P>{c, region, {T(0), T(0), T(1)}};
     default: break;
   }
-  point_on_triangle<P> nearest{a, region, {}};
-  for (std::size_t i = 0; i < 3; ++i) nearest.weights[i] = rounded_to<T>(foot->weight[i] / foot->divisor);
-  if (region == triangle_region::edge_ab) nearest.at = detail::point_of_foot(a, b, p);
-  if (region == triangle_region::edge_bc) nearest.at = detail::point_of_foot(b, c, p);
-  if (region == triangle_region::edge_ca) nearest.at = detail::point_of_foot(a, c, p);
-  if (region != triangle_region::face) return nearest;
-  nearest.at = detail::foot_on_face<P>(a, b, c, p);
-  return nearest;
+  const auto weight = [&](std::size_t i) { return rounded_to<T>(foot->weight[i] / foot->divisor); };
+  return point_on_triangle<P>{region == triangle_region::edge_ab   ? detail::point_of_foot(a, b, p)
+                              : region == triangle_region::edge_bc ? detail::point_of_foot(b, c, p)
+                              : region == triangle_region::edge_ca ? detail::point_of_foot(a, c, p)
+                                                                   : detail::foot_on_face<P>(a, b, c, p),
+                              region,
+                              {weight(0), weight(1), weight(2)}};
 }
 
 /// The point of the box that is nearest to p: p itself inside.

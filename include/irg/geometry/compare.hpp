@@ -27,6 +27,7 @@ template <Point P>
 /// exact   the sign of (b - a) . (p - q), for every finite float, double and integer
 /// cost    about 5 ns, where roundings do not tell some 200 ns
 template <Point P>
+  requires(size_of<P> == 2 || size_of<P> == 3)
 [[nodiscard]] constexpr int order_along_line(const P& a, const P& b, const P& p, const P& q) noexcept {
   return sign_of<2>(
       [](const auto& from, const auto& to, const auto& x, const auto& y) { return dot(to - from, x - y); }, a, b, p, q);
@@ -37,6 +38,7 @@ template <Point P>
 /// exact   the sign of |a - p|^2 - |b - p|^2, for every finite float, double and integer
 /// cost    about 5 ns, where roundings do not tell some 300 ns
 template <Point P>
+  requires(size_of<P> == 2 || size_of<P> == 3)
 [[nodiscard]] constexpr int compare_distance(const P& p, const P& a, const P& b) noexcept {
   return sign_of<2>(
       [](const auto& from, const auto& x, const auto& y) { return dot(x - from, x - from) - dot(y - from, y - from); },

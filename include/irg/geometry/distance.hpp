@@ -34,7 +34,7 @@ inline namespace IRG_ABI {
 /// exact   within 0.501 ulp
 /// cost    some 100 ns; length(q - p) takes 10 ns and rounds the difference
 template <Point P>
-  requires Floating<scalar_of<P>>
+  requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr std::optional<scalar_of<P>> distance(const P& p, const P& q) noexcept {
   const auto squared = detail::squared_distance(p, q);
   if (!squared) return std::nullopt;

@@ -22,7 +22,7 @@ namespace irg {
 template <Point P>
 struct lines_meeting {
   flat_relation relation = flat_relation::none;
-  P at{};
+  P at = zero_coordinates<P>();
   scalar_of<P> t{}, s{};
 };
 
@@ -114,7 +114,7 @@ constexpr auto cross_lines(const P& a, const Q& b, const P& c, const Q& d) noexc
 
 template <Point P, class V, int D>
 constexpr lines_meeting<P> rounded_meeting(const line_crossing<V, D>& c) noexcept {
-  if (c.relation != flat_relation::crossing) return {c.relation, {}, {}, {}};
+  if (c.relation != flat_relation::crossing) return {c.relation};
   using T = scalar_of<P>;
   return {c.relation, rounded_coordinates<P>(c.at / c.divisor), rounded_to<T>(c.t / c.divisor),
           rounded_to<T>(c.s / c.divisor)};

@@ -20,7 +20,7 @@ namespace irg {
 template <Point P>
 struct plane_line_meeting {
   flat_relation relation = flat_relation::none;
-  P at{};
+  P at = zero_coordinates<P>();
   scalar_of<P> t{};
 };
 
@@ -48,7 +48,7 @@ template <Point P, class V>
 constexpr plane_line_meeting<P> rounded_plane_meeting(const std::optional<std::tuple<V, V, vec<V, 3>>>& v) noexcept {
   if (!v) return {};
   const auto& [divisor, t, at] = *v;
-  if (is_zero(divisor)) return {is_zero(t) ? flat_relation::coincident : flat_relation::parallel, {}, {}};
+  if (is_zero(divisor)) return {is_zero(t) ? flat_relation::coincident : flat_relation::parallel};
   return {flat_relation::crossing, rounded_coordinates<P>(at / divisor), rounded_to<scalar_of<P>>(t / divisor)};
 }
 

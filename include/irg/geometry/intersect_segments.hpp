@@ -20,7 +20,7 @@ enum class segment_relation { none, point, overlap };
 template <Point P>
 struct segments_meeting {
   segment_relation relation = segment_relation::none;
-  P first{}, last{};
+  P first = zero_coordinates<P>(), last = zero_coordinates<P>();
   scalar_of<P> t{}, s{};
 };
 

@@ -21,11 +21,11 @@ template <PlaneRing R>
   std::size_t start = 1;  // an edge that has a length ends there
   while (start <= n && detail::same_place(ring_vertex(ring, start - 1), ring_vertex(ring, start))) ++start;
   if (n == 0 || start > n) return true;
-  auto a = ring_vertex(ring, start - 1), b = ring_vertex(ring, start);
+  auto a = as_assignable(ring_vertex(ring, start - 1)), b = as_assignable(ring_vertex(ring, start));
   bool turns_left = false, turns_right = false;
   int changes = 0;  // of leading forward and leading back: two in one round
   for (std::size_t i = start + 1; i <= start + n; ++i) {
-    const auto c = ring_vertex(ring, i);
+    const auto c = as_assignable(ring_vertex(ring, i));
     if (detail::same_place(b, c)) continue;
     const int turn = orient2d(a, b, c);
     turns_left = turns_left || turn > 0;

@@ -24,9 +24,10 @@ namespace detail::inline IRG_ABI {
 // The stretch of a ring that lies on a line: the first and the last of its vertices there.
 template <Point P>
 struct stretch_on_line {
-  P first, last;
+  assignable<P> first, last;
   bool any = false;
-  IRG_INLINE constexpr void add(const P& p) noexcept {
+  IRG_INLINE constexpr void add(const P& q) noexcept {
+    const auto p = as_assignable(q);
     if (!any || leads_forward(p, first)) first = p;
     if (!any || leads_forward(last, p)) last = p;
     any = true;
@@ -38,7 +39,7 @@ struct stretch_on_line {
 template <PlaneRing A, PlaneRing B>
 constexpr polygon_overlap across_edge(const A& own, const B& other, const ring_point<A>& p, const ring_point<A>& q,
                                       int side) noexcept {
-  stretch_on_line<ring_point<A>> a{p, p}, b{p, p};
+  stretch_on_line<ring_point<A>> a{as_assignable(p), as_assignable(p)}, b = a;
   for (std::size_t i = 0; i < ring_size(other); ++i) {
     const auto v = ring_vertex(other, i);
     const int turn = orient2d(p, q, v);
@@ -131,16 +132,16 @@ constexpr polygon_overlap meet_edges(const edge_with_neighbours<P>& a, const edg
 template <class R, class F>
 constexpr bool each_edge_with_neighbours(const R& ring, const F& f) noexcept {
   const std::size_t n = ring_size(ring);
-  auto before = ring_vertex(ring, 0);
+  auto before = as_assignable(ring_vertex(ring, 0));
   for (std::size_t i = n; i-- > 1;)
     if (!same_place(ring_vertex(ring, i), ring_vertex(ring, 0))) {
-      before = ring_vertex(ring, i);
+      before = as_assignable(ring_vertex(ring, i));
       break;
     }
   for (std::size_t i = 0; i < n; ++i) {
-    const auto from = ring_vertex(ring, i), to = ring_vertex(ring, i + 1);
+    const auto from = as_assignable(ring_vertex(ring, i)), to = as_assignable(ring_vertex(ring, i + 1));
     if (same_place(from, to)) continue;
-    if (!f(edge_with_neighbours<ring_point<R>>{before, from, to})) return false;
+    if (!f(edge_with_neighbours<assignable<ring_point<R>>>{before, from, to})) return false;
     before = from;
   }
   return true;

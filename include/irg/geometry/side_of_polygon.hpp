@@ -25,9 +25,8 @@ namespace irg::inline IRG_ABI {
 /// cost    a few operations per vertex; where roundings do not tell, as for a point in the plane, some microseconds,
 ///         less for triangles
 /// source  Sutherland, Sproull and Schumacker 1974 (Newell's normal)
-template <PolygonRing R, HomogeneousPoint Q>
-  requires(size_of<ring_point<R>> == 3 && size_of<Q> == 4 && Floating<scalar_of<Q>> &&
-           std::same_as<ring_scalar<R>, scalar_of<Q>>)
+template <SpaceRing R, HomogeneousPoint Q>
+  requires(size_of<Q> == 4 && Floating<scalar_of<Q>> && std::same_as<ring_scalar<R>, scalar_of<Q>>)
 [[nodiscard]] constexpr side side_of_polygon(const R& polygon, const Q& q) noexcept {
   using T = scalar_of<Q>;
   const auto position = [&](std::size_t k) { return detail::as_point<T>(ring_vertex(polygon, k)); };

@@ -24,25 +24,25 @@ template <PolygonRing R>
            (size_of<ring_point<R>> == 2 || size_of<ring_point<R>> == 3))
 [[nodiscard]] constexpr std::optional<bounding_sphere<ring_scalar<R>, size_of<ring_point<R>>>> smallest_sphere(
     const R& points) noexcept {
-  using P = ring_point<R>;
+  using P = assignable<ring_point<R>>;
   if (ring_size(points) == 0) return std::nullopt;
   for (std::size_t i = 0; i < ring_size(points); ++i)
     for (int k = 0; k < size_of<P>; ++k)
       if (!detail::is_finite(coordinate(ring_vertex(points, i), k))) return std::nullopt;
-  detail::smallest_ball<P> ball(ring_vertex(points, 0));
+  detail::smallest_ball<P> ball(as_assignable(ring_vertex(points, 0)));
   for (;;) {  // the ball grows each time, and there are only so many
     const auto rounded = ball.rounded();
     std::size_t farthest = 0;
     double farthest_squared = -1;
     for (std::size_t i = 0; i < ring_size(points); ++i) {
-      const P p = ring_vertex(points, i);
+      const P p = as_assignable(ring_vertex(points, i));
       const detail::guessed_side guess = detail::guess_side(rounded, p);
       if (guess.side < 0 || !(farthest_squared < guess.squared)) continue;
       if (guess.side == 0 && !ball.is_outside(p)) continue;
       farthest = i, farthest_squared = guess.squared;
     }
     if (farthest_squared < 0) return rounded;
-    ball.grow(ring_vertex(points, farthest));
+    ball.grow(as_assignable(ring_vertex(points, farthest)));
   }
 }
 

@@ -15,7 +15,7 @@ namespace irg {
 enum class classical_method { ray_casting, warnock, painter_newell, bsp, painter_by_centroid };
 
 /// A hidden-surface method that is chosen when the program runs.
-/// shape   render(hidden_surfaces_by{classical_method::warnock}, scene, colour, depth)
+/// shape   render(hidden_surfaces_by{classical_method::warnock}, scene, {colour, depth})
 /// exact   as the method that is named
 struct hidden_surfaces_by {
   classical_method method = classical_method::ray_casting;

@@ -14,6 +14,7 @@ inline namespace IRG_ABI {
 /// Draws a plot: axes, facets with their edges, lines, texts. The paper is the raster's.
 /// cost    that of the lines and texts
 template <WritableRaster R>
+  requires CoveragePaintFor<rgba8, R>
 constexpr void draw_plot(R& raster, const surface_plot& plot, const plot_colours& colours = {}) {
   for (const plot_line& l : plot.axes) draw_line_aa(raster, l.from, l.to, l.colour);
   for (const plot_facet& f : plot.facets) {

@@ -46,9 +46,9 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
-  V unit = v;
-  if (!detail::put_direction(v, unit)) return std::nullopt;
-  return unit;
+  assignable<V> unit = as_assignable(v);
+  if (!detail::put_direction(as_assignable(v), unit)) return std::nullopt;
+  return from_assignable<V>(unit);
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -57,10 +57,10 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept {
-  V unit = v;
-  const bool has_direction = detail::put_direction(v, unit);
-  if constexpr (std::same_as<scalar_of<V>, float>) return unit;
-  return has_direction ? unit : generate_coordinates<V>([](int) { return scalar_of<V>(0); });
+  assignable<V> unit = as_assignable(v);
+  const bool has_direction = detail::put_direction(as_assignable(v), unit);
+  if constexpr (std::same_as<scalar_of<V>, float>) return from_assignable<V>(unit);
+  return has_direction ? from_assignable<V>(unit) : zero_coordinates<V>();
 }
 
 /// The length of v without care for the ends of the exponents, for inner loops.

@@ -3,7 +3,9 @@
 // thing to each. Functions such as dot and cross take any Vector, the operators only irg's own types.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/contraction.hpp>
@@ -288,6 +290,37 @@ template <Point P>
 [[nodiscard]] IRG_INLINE constexpr point<scalar_of<P>, size_of<P>> to_point(const P& p) noexcept {
   return generate_coordinates<point<scalar_of<P>, size_of<P>>>([&](int i)
                                                                    IRG_INLINE_LAMBDA { return coordinate(p, i); });
+}
+
+}  // namespace IRG_ABI
+
+/// What algorithms keep and change for a vector or point of type P: a P, where one can be made without a value and be
+/// assigned; otherwise irg's own.
+template <Coordinates P>
+using assignable = std::conditional_t<
+    std::semiregular<P>, P,
+    std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::homogeneous, hpoint<scalar_of<P>, size_of<P> - 1>,
+                       std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::vector,
+                                          vec<scalar_of<P>, size_of<P>>, point<scalar_of<P>, size_of<P>>>>>;
+
+inline namespace IRG_ABI {
+
+/// p, in the type that can be kept and changed.
+template <Coordinates P>
+[[nodiscard]] IRG_INLINE constexpr assignable<P> as_assignable(const P& p) noexcept {
+  if constexpr (std::same_as<assignable<P>, P>)
+    return p;
+  else
+    return generate_coordinates<assignable<P>>([&](int i) IRG_INLINE_LAMBDA { return coordinate(p, i); });
+}
+
+/// The P that was kept.
+template <Coordinates P>
+[[nodiscard]] IRG_INLINE constexpr P from_assignable(const assignable<P>& kept) noexcept {
+  if constexpr (std::same_as<assignable<P>, P>)
+    return kept;
+  else
+    return generate_coordinates<P>([&](int i) IRG_INLINE_LAMBDA { return coordinate(kept, i); });
 }
 
 /// The homogeneous form of p, of weight 1.

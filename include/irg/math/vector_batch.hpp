@@ -3,6 +3,7 @@
 // would take several times as long, because the guard against fused products keeps compilers from vectorising it.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <span>
 
@@ -42,7 +43,8 @@ constexpr void dot_products(const A& a, const B& b, std::span<scalar_of<detail::
 /// needs   as many vectors in a, b and `out`, which begins where one of them does or does not overlap it
 /// exact   the bits of cross
 template <VectorArray A, VectorArray B>
-  requires std::same_as<detail::element_of<const A>, detail::element_of<const B>>
+  requires std::same_as<detail::element_of<const A>, detail::element_of<const B>> &&
+           std::copyable<detail::element_of<const A>>
 constexpr void cross_products(const A& a, const B& b, std::span<detail::element_of<const A>> out) noexcept {
   const std::span from(a), with(b);
   IRG_EXPECTS(from.size() == with.size() && from.size() == out.size());
@@ -59,6 +61,7 @@ constexpr void cross_products(const A& a, const B& b, std::span<detail::element_
 /// cost    floats take a fraction of a loop over normalized where the target has AVX2; doubles, and floats without it,
 ///         take that loop
 template <VectorArray V>
+  requires std::copyable<detail::element_of<const V>>
 constexpr void normalize_vectors(const V& v, std::span<detail::element_of<const V>> out) noexcept {
   const std::span from(v);
   IRG_EXPECTS(from.size() == out.size());
@@ -73,6 +76,7 @@ constexpr void normalize_vectors(const V& v, std::span<detail::element_of<const 
 ///         normalized_fast
 /// exact   the bits of normalized_fast
 template <VectorArray V>
+  requires std::copyable<detail::element_of<const V>>
 constexpr void normalize_vectors_fast(const V& v, std::span<detail::element_of<const V>> out) noexcept {
   const std::span from(v);
   IRG_EXPECTS(from.size() == out.size());

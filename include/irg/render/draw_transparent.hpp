@@ -156,7 +156,7 @@ inline namespace IRG_ABI {
 template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::nearer, Floating T = double,
           RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, class MakeShader,
           class Blend = over_in_light, Executor E = sequential>
-  requires std::same_as<pixel_of<Depth>, float>
+  requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
 constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
                                         const MakeShader& make_shader, const transparent_settings<Blend>& settings = {},
                                         const E& executor = {}) {

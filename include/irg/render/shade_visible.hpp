@@ -39,7 +39,7 @@ inline namespace IRG_ABI {
 /// cost    the triangles are culled and listed once more; then each pixel once
 template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
           RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
-  requires std::same_as<pixel_of<Depth>, float>
+  requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_stats shade_visible(render_target<Colour, Depth> target, const visible_triangles<T>& seen,
                                      const MakeShader& make_shader,
                                      const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {

@@ -147,8 +147,8 @@ constexpr void view_through_portals(const portal_graph<T>& graph, std::uint32_t 
 /// needs   finite coordinates; an eye in front of both planes
 /// exact   for all finite coordinates: only an edge of one of the two parts their views
 /// cost    a determinant for each pair of an edge and a vertex
-template <PolygonRing P, PolygonRing Q, Point Eye>
-  requires(size_of<Eye> == 3)
+template <SpaceRing P, SpaceRing Q, Point Eye>
+  requires(size_of<Eye> == 3 && std::same_as<ring_point<P>, Eye> && std::same_as<ring_point<Q>, Eye>)
 [[nodiscard]] constexpr bool seen_through_both(const Eye& eye, const P& first, const Q& second) noexcept {
   const auto has_corner_within = [&](const auto& p, std::size_t i) {
     bool any = false;

@@ -30,6 +30,11 @@ struct surface_place<hpoint<T, N>> {
   using type = point<T, N>;
 };
 
+/// Control points of a surface that has places: of homogeneous ones, irg's own.
+template <class P>
+concept PlacedPoint = CurvePoint<P> && (coordinate_traits<P>::kind != coordinate_kind::homogeneous ||
+                                        requires(const P& p) { try_to_cartesian(p); });
+
 /// Bounds of the second derivatives over a box that is the unit square: along u, mixed, along v.
 template <class T>
 struct IRG_APART surface_bends {

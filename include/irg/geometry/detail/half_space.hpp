@@ -81,8 +81,8 @@ constexpr int compare_half_space_crossings(const P& a, const P& b, const half_sp
 // needs   a line that is not parallel to the boundary
 template <class T, Point P>
 struct half_space_meeting {
-  P at{};
-  T t{};
+  P at;
+  T t;
 };
 template <class T, int D, Point P>
 constexpr half_space_meeting<T, P> meet_half_space(const P& a, const P& b, const half_space<T, D>& h) noexcept {

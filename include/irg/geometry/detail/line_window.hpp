@@ -63,14 +63,15 @@ constexpr P crossing_point(const P& a, const P& b, const box<scalar_of<P>, N>& w
 template <Point P, int N>
 constexpr clipped_line<P> line_between(const P& a, const P& b, const box<scalar_of<P>, N>& window, window_side entry,
                                        window_side exit) noexcept {
-  clipped_line<P> kept{a, b};
+  using T = typename clipped_line<P>::parameter;
   const auto parameter = [&](window_side at) {
     return parameter_of(coordinate(a, at.axis), coordinate(b, at.axis), bound_of(window, at));
   };
-  if (entry.side != 0) kept.first = crossing_point(a, b, window, entry), kept.t_first = parameter(entry);
-  if (exit.side != 0) kept.second = crossing_point(a, b, window, exit), kept.t_second = parameter(exit);
-  if (kept.t_second < kept.t_first) kept.t_second = kept.t_first;  // a point, or nearly, crossed on two axes
-  return kept;
+  const T t_first = entry.side != 0 ? parameter(entry) : T(0);
+  T t_second = exit.side != 0 ? parameter(exit) : T(1);
+  if (t_second < t_first) t_second = t_first;  // a point, or nearly, crossed on two axes
+  return {entry.side != 0 ? crossing_point(a, b, window, entry) : a,
+          exit.side != 0 ? crossing_point(a, b, window, exit) : b, t_first, t_second};
 }
 
 }  // namespace irg::detail::inline IRG_ABI

@@ -13,10 +13,12 @@
 namespace irg::detail::inline IRG_ABI {
 
 template <class T, Point P>
+  requires(size_of<P> == 2 && std::same_as<scalar_of<P>, T>)
 IRG_INLINE constexpr T boundary_value(const line<T>& l, const P& p) noexcept {
   return line_value(l, p);
 }
 template <class T, Point P>
+  requires(size_of<P> == 3 && std::same_as<scalar_of<P>, T>)
 IRG_INLINE constexpr T boundary_value(const plane<T>& l, const P& p) noexcept {
   return plane_value(l, p);
 }

@@ -133,7 +133,7 @@ constexpr T area_in_common(std::vector<point<T, 3>> p, const std::vector<point<T
 template <SpaceRing P, SpaceRing Q>
 constexpr bool extents_apart(const P& p, const Q& q, int axis) noexcept {
   const auto a = enclosing_box(p), b = enclosing_box(q);
-  return is_empty(a) || is_empty(b) || a.high[axis] <= b.low[axis] || b.high[axis] <= a.low[axis];
+  return is_empty(a) || is_empty(b) || !(b.low[axis] < a.high[axis]) || !(a.low[axis] < b.high[axis]);
 }
 
 }  // namespace IRG_ABI

@@ -93,15 +93,37 @@ template <class Int>
 template <Point P>
   requires(size_of<P> == 2)
 [[nodiscard]] constexpr auto turn_rounded(const P& a, const P& b, const P& c) noexcept {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  const auto way = [&](const P& to, int i) { return coordinate(to, i) - coordinate(a, i); };
+  return way(b, 0) * way(c, 1) - way(b, 1) * way(c, 0);
 }
+
+}  // namespace IRG_ABI
+}  // namespace irg::textbook
+
+namespace irg::detail::inline IRG_ABI {
+
+template <Point P>
+constexpr bool turns_left_rounded(const P& a, const P& b, const P& c) noexcept {
+  return scalar_of<P>(0) < textbook::turn_rounded(a, b, c);
+}
+template <Point P>
+constexpr bool turns_right_rounded(const P& a, const P& b, const P& c) noexcept {
+  return textbook::turn_rounded(a, b, c) < scalar_of<P>(0);
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::textbook {
+inline namespace IRG_ABI {
 
 /// Of a facet beside the eye in one coordinate, F1 to F4 by rising angle, F1F4 drawn: the corners whose edges can leave
 /// a perimeter.
 /// source  Special-cases chapter, 3 (tables I and II)
 template <Point P>
+  requires(size_of<P> == 2)
 [[nodiscard]] constexpr leaving_corners leaving_side_corners(const std::array<P, 4>& f) noexcept {
-  const bool second = turn_rounded(f[0], f[3], f[1]) > 0, third = turn_rounded(f[0], f[3], f[2]) > 0;
+  const bool second = detail::turns_left_rounded(f[0], f[3], f[1]);
+  const bool third = detail::turns_left_rounded(f[0], f[3], f[2]);
   if (second == third) return second ? leaving_corners{0, 1234} : leaving_corners{1234, 0};
   return second ? leaving_corners{234, 123} : leaving_corners{123, 234};
 }
@@ -109,9 +131,11 @@ template <Point P>
 /// Of a facet beside the eye in both coordinates, F2 its near corner, F3 its far one, F1F2 and F2F4 drawn: likewise.
 /// source  Special-cases chapter, 3 (tables III and IV; ten arrangements, eight of which the signs tell apart)
 template <Point P>
+  requires(size_of<P> == 2)
 [[nodiscard]] constexpr leaving_corners leaving_corner_corners(const std::array<P, 4>& f) noexcept {
-  const bool second = turn_rounded(f[0], f[3], f[1]) > 0, third = turn_rounded(f[0], f[1], f[2]) > 0;
-  const bool fourth = turn_rounded(f[1], f[3], f[2]) > 0;
+  const bool second = detail::turns_left_rounded(f[0], f[3], f[1]);
+  const bool third = detail::turns_left_rounded(f[0], f[1], f[2]);
+  const bool fourth = detail::turns_left_rounded(f[1], f[3], f[2]);
   if (third && fourth) return {0, 134};
   if (!third && !fourth) return {134, 0};
   if (second) return third ? leaving_corners{34, 134} : leaving_corners{13, 134};
@@ -122,10 +146,11 @@ template <Point P>
 /// a vertex counts once.
 /// source  Special-cases chapter, 3 (the four cross products; its two labels are exchanged)
 template <Point P>
+  requires(size_of<P> == 2)
 [[nodiscard]] constexpr perimeter_crossing crossing_of_perimeter(const P& p1, const P& p2, const P& f1,
                                                                  const P& f2) noexcept {
-  const bool c1 = turn_rounded(p1, p2, f1) <= 0, c2 = turn_rounded(p1, p2, f2) <= 0;
-  const bool c3 = turn_rounded(f1, f2, p1) >= 0, c4 = turn_rounded(f1, f2, p2) >= 0;
+  const bool c1 = !detail::turns_left_rounded(p1, p2, f1), c2 = !detail::turns_left_rounded(p1, p2, f2);
+  const bool c3 = !detail::turns_right_rounded(f1, f2, p1), c4 = !detail::turns_right_rounded(f1, f2, p2);
   if (c1 && !c2 && c3 && !c4) return perimeter_crossing::inwards;
   if (!c1 && c2 && !c3 && c4) return perimeter_crossing::outwards;
   return perimeter_crossing::none;
@@ -135,10 +160,12 @@ template <Point P>
 /// needs   edges that cross
 /// source  Special-cases chapter, 3 (procedure intersect)
 template <Point P>
+  requires(size_of<P> == 2 && Real<scalar_of<P>>)
 [[nodiscard]] constexpr P meeting_with_perimeter(const P& p1, const P& p2, const P& f1, const P& f2) noexcept {
-  const auto px = p2.x - p1.x, py = p2.y - p1.y, fx = f2.x - f1.x, fy = f2.y - f1.y;
-  const auto s = (-(p1.x - f1.x) * py + (p1.y - f1.y) * px) / (-fx * py + fy * px);
-  return {f1.x + s * fx, f1.y + s * fy};
+  const auto way = [](const P& from, const P& to, int i) { return coordinate(to, i) - coordinate(from, i); };
+  const auto px = way(p1, p2, 0), py = way(p1, p2, 1), fx = way(f1, f2, 0), fy = way(f1, f2, 1);
+  const auto s = (-way(f1, p1, 0) * py + way(f1, p1, 1) * px) / (-fx * py + fy * px);
+  return from_coordinates<P>(coordinate(f1, 0) + s * fx, coordinate(f1, 1) + s * fy);
 }
 
 /// Whether the walk along a perimeter and a facet at once goes on along the perimeter: where its next vertex comes

@@ -21,8 +21,8 @@ inline namespace IRG_ABI {
 /// exact   as compare_distance: for every finite float, double and integer
 /// cost    a sort; allocates the result
 /// source  Fabris 2012, 2.3
-template <class Centres, Point P>
-  requires std::same_as<ring_point<Centres>, P>
+template <PolygonRing Centres, Point P>
+  requires(std::same_as<ring_point<Centres>, P> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr std::vector<std::uint32_t> painter_order(const Centres& centres, const P& camera) {
   std::vector<std::uint32_t> order;
   for (std::size_t i = 0; i < ring_size(centres); ++i)

@@ -290,6 +290,10 @@ constexpr bool zbuffer_polygon_perspective(const B& buffers, const R& ring, cons
 /// gives   pixels that one of the two rasters lacks are left alone
 /// source  Hank n.d., 4.2.1.1
 template <WritableRaster Screen, ReadableRaster References, class ColourOf>
+  requires std::equality_comparable<pixel_of<References>> &&
+           requires(const ColourOf& colour_of, const pixel_of<References>& r) {
+             { colour_of(r) } -> std::convertible_to<pixel_of<Screen>>;
+           }
 constexpr void resolve_references(Screen& screen, const References& references, const pixel_of<References>& nothing,
                                   const ColourOf& colour_of) {
   const cell_window w = intersect(window_of(screen), window_of(references));

@@ -22,7 +22,8 @@ concept Triple = Coordinates<V> && size_of<V> == 3 && Floating<scalar_of<V>> && 
 // Where the numbers of a triple begin, where they follow each other; otherwise null.
 template <class V>
 IRG_INLINE constexpr auto row_of(V& v) noexcept {
-  using T = std::conditional_t<std::is_const_v<V>, const scalar_of<V>, scalar_of<V>>;
+  using number = scalar_of<std::remove_cv_t<V>>;
+  using T = std::conditional_t<std::is_const_v<V>, const number, number>;
   T* first = nullptr;
   if constexpr (requires {
                   v.x, v.y, v.z;

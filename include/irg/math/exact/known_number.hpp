@@ -142,7 +142,7 @@ template <Scalar T>
 
 /// The T nearest to each coordinate.
 template <Coordinates P, Coordinates V>
-  requires(size_of<P> == size_of<V>)
+  requires(size_of<P> == size_of<V> && requires(const scalar_of<V> x) { rounded_to<scalar_of<P>>(x); })
 [[nodiscard]] constexpr P rounded_coordinates(const V& v) noexcept {
   return generate_coordinates<P>([&](int i) { return rounded_to<scalar_of<P>>(coordinate(v, i)); });
 }

@@ -56,7 +56,7 @@ constexpr bool are_paired(const std::vector<mesh_side>& sides) noexcept {
 // side, and that the surface winds round the middle once.
 template <mesh_in_space M>
 class convexity_check {
-  using P = mesh_point<M>;
+  using P = assignable<mesh_point<M>>;
 
 public:
   constexpr explicit convexity_check(const M& m) : m_(m) {}
@@ -96,7 +96,9 @@ private:
     return false;
   }
 
-  constexpr P at(std::size_t f, std::size_t k) const { return mesh_position(m_, mesh_face_vertex(m_, f, k)); }
+  constexpr P at(std::size_t f, std::size_t k) const {
+    return as_assignable(mesh_position(m_, mesh_face_vertex(m_, f, k)));
+  }
 
   // Positive where p is in front of the plane of a face.
   constexpr int side(std::size_t f, const P& p) const {

@@ -87,7 +87,10 @@ constexpr void sight_heights_as_printed(const cell3& a, const cell3& b, Emit&& s
   const T dx = T(b.x) - T(a.x), dy = T(b.y) - T(a.y), rise = T(b.z) - T(a.z);
   const T width = dx < 0 ? -dx : dx, height = dy < 0 ? -dy : dy, up = rise < 0 ? -rise : rise;
   const T distance = irg::sqrt(T(width * width) + T(height * height)), sign = rise < 0 ? T(-1) : T(1);
-  if (!(distance > 0)) return sink(T(a.z));  // the printed slope is 0/0 or x/0
+  if (!(distance > 0)) {  // the printed slope is 0/0 or x/0
+    sink(T(a.z));
+    return;
+  }
   const T slope = up / distance;
   T z = T(a.z), d = slope - T(0.5);
   sink(z);

@@ -34,6 +34,26 @@ constexpr auto shader_for(const MakeShader& make_shader, const triangle_finder<T
     return make_shader(batch, source - batch.first_number, side);
 }
 
+// Whether make_shader gives pixel shaders of triangles of batches, and whether these give pixels of type P.
+template <class MakeShader, class T>
+concept shades_batches = AttributeShading<MakeShader, triangle_batch<T>> ||
+                         requires(const MakeShader& make_shader, const triangle_batch<T>& batch) {
+                           make_shader(batch, std::uint32_t{}, facing::front);
+                         };
+template <class MakeShader, class T>
+using batch_shader = std::remove_cvref_t<decltype(shader_for(
+    std::declval<const MakeShader&>(), std::declval<const triangle_finder<T>&>(), std::uint32_t{}, facing::front))>;
+template <class MakeShader, class T, class P>
+concept shades_into = shades_batches<MakeShader, T> && PixelShader<batch_shader<MakeShader, T>, P>;
+
+// Whether blend(pixel, what a shader gives) is a pixel of type P.
+template <class Blend, class MakeShader, class T, class P>
+concept blends_into =
+    shades_batches<MakeShader, T> &&
+    requires(const Blend& blend, const P& there, const batch_shader<MakeShader, T>& shader, pixel_weights<float> at) {
+      { blend(there, shader(at)) } -> std::convertible_to<P>;
+    };
+
 // Where the corners of a piece lie in its source triangle; null for a triangle that was not clipped.
 template <class T>
 IRG_INLINE constexpr const piece_weights* piece_weights_of(const triangle_finder<T>& find,
