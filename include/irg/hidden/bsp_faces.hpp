@@ -8,13 +8,14 @@
 // coplanar faces have an order, too.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include <irg/hidden/detail/crowded_window.hpp>
-#include <irg/hidden/detail/part_box.hpp>
+#include <irg/hidden/detail/pixel_hull.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
@@ -51,77 +52,208 @@ struct bsp_of_faces {
 
 namespace detail {
 
+// A part, and the corners of the hull of its pixels, of which there are some.
+struct bsp_open_part {
+  bsp_of_faces::node node;
+  pixel_hull pixels{};
+};
+using bsp_face_cells = bsp_cells<bsp_open_part, double, 3>;
+
 // Parts that a subtree is made of, and where it is hung.
-template <DepthOrder Order>
 struct bsp_task {
-  std::vector<bsp_of_faces::node> parts;
+  std::uint32_t cell = bsp_none;
   std::int32_t parent = -1;
   face_part side = face_part::nearer;
   std::int64_t depth = 0;
 };
 
-inline constexpr std::size_t bsp_candidates = 8, bsp_sample = 24;
+inline constexpr std::size_t bsp_candidates = 8, bsp_sample = 24, bsp_looks = 40;
 
 inline namespace IRG_ABI {
 
 // How a part lies to the plane of a face: as one of its limits says, or as its pixels do.
 template <DepthOrder Order>
-constexpr window_order order_of_part(const bsp_of_faces::node& part, const screen_face& plane) noexcept {
-  for (const face_limit& l : part.part.limits)
+constexpr window_order order_of_part(const bsp_open_part& p, const screen_face& plane) noexcept {
+  for (const face_limit& l : p.node.part.limits)
     if (l.plane == &plane) return l.part == face_part::nearer ? window_order::nearer : window_order::farther;
-  return order_in_window<Order>(*part.part.face, plane, part.box);
+  const window_order order = order_in_window<Order>(*p.node.part.face, plane, p.node.box);
+  return order == window_order::crossing ? order_of_pixels<Order>(p.pixels, *p.node.part.face, plane) : order;
 }
 
-// The place of the part whose plane splits few of a sample and leaves as many before it as behind.
+// Builds a tree. Parts stand in cells with boxes of pixels and depths; depths are stretched so that the picture is about
+// as deep as wide, by a power of two, which rounds nothing.
 template <DepthOrder Order>
-constexpr std::size_t best_plane(const std::vector<bsp_of_faces::node>& parts) {
-  std::size_t best = 0;
-  std::int64_t least = -1;
-  const std::size_t n = parts.size(), tried = lesser(bsp_candidates, n), asked = lesser(bsp_sample, n);
-  for (std::size_t c = 0; c < tried; ++c) {
-    const std::size_t k = c * n / tried + n / (2 * tried);
-    std::int64_t side[3] = {};
-    for (std::size_t i = 0; i < asked; ++i)
-      ++side[static_cast<int>(order_of_part<Order>(parts[i * n / asked], *parts[k].part.face))];
-    const std::int64_t uneven = greater(side[0], side[1]) - lesser(side[0], side[1]), cost = 4 * side[2] + uneven;
-    if (least < 0 || cost < least) least = cost, best = k;
+class bsp_face_builder {
+public:
+  constexpr bsp_face_builder(bsp_of_faces& tree, const cell_window& window) : tree_(tree) {
+    float low = 0.0f, high = 0.0f;
+    for (const screen_face& f : tree.faces) low = lesser(low, f.depth_low), high = greater(high, f.depth_high);
+    const double wide = greater(window.x_last - window.x_first, window.y_last - window.y_first);
+    for (const double deep = widened(high) - widened(low); deep > 0 && deep * stretch_ < wide;) stretch_ *= 2;
+    for (const double deep = widened(high) - widened(low); deep * stretch_ > 2 * wide;) stretch_ *= 0.5;
+    std::vector<bsp_face_cells::entry> all;
+    all.reserve(tree.faces.size());
+    for (const screen_face& f : tree.faces) {
+      const cell_window box = intersect(f.coverage.bounds, window);
+      bsp_open_part part{{{&f, {}}, box}, hull_of_face(f, box)};
+      if (part.pixels.empty())
+        unseen_.push_back(std::move(part.node));
+      else
+        all.push_back(entry_of(std::move(part), static_cast<std::uint32_t>(&f - tree.faces.data())));
+    }
+    if (const std::uint32_t cell = cells_.make_cell(std::move(all)); cell != bsp_none) left_.push_back({cell});
   }
-  return best;
-}
+  constexpr void build() {
+    while (!left_.empty()) {
+      const bsp_task task = left_.back();
+      left_.pop_back();
+      part_by_plane(task);
+    }
+    hang_unseen();
+  }
 
-// Parts the others of a task by the plane of one of its parts, which becomes a node.
-template <DepthOrder Order>
-constexpr void part_by_plane(bsp_of_faces& tree, bsp_task<Order>& task, std::vector<bsp_task<Order>>& left) {
-  const std::size_t k = best_plane<Order>(task.parts);
-  const auto id = static_cast<std::int32_t>(tree.nodes.size());
-  if (task.parent >= 0) {
-    bsp_of_faces::node& parent = tree.nodes[static_cast<std::size_t>(task.parent)];
-    (task.side == face_part::nearer ? parent.nearer : parent.farther) = id;
+private:
+  constexpr bsp_face_cells::entry entry_of(bsp_open_part&& p, std::uint32_t place) const {
+    const screen_face& f = *p.node.part.face;
+    const cell_window& w = p.node.box;
+    const box<double, 3> bounds{
+        {static_cast<double>(w.x_first), static_cast<double>(w.y_first), widened(f.depth_low) * stretch_},
+        {static_cast<double>(w.x_last - 1), static_cast<double>(w.y_last - 1), widened(f.depth_high) * stretch_}};
+    return {std::move(p), bounds, place};
   }
-  bsp_task<Order> nearer{{}, id, face_part::nearer, task.depth + 1},
-      farther{{}, id, face_part::farther, task.depth + 1};
-  const screen_face& plane = *task.parts[k].part.face;
-  for (std::size_t i = 0; i < task.parts.size(); ++i) {
-    if (i == k) continue;
-    bsp_of_faces::node& p = task.parts[i];
-    const window_order order = p.part.face == &plane ? window_order::farther : order_of_part<Order>(p, plane);
-    if (order == window_order::crossing) {
-      fragment_parts both = split_fragment(p.part, plane);
-      const auto add = [](bsp_task<Order>& to, face_fragment&& part, const cell_window& of) {
-        const cell_window box = trimmed_box<Order>(part, of);
-        if (!has_no_pixel<Order>(part, box)) to.parts.push_back({std::move(part), box});
+
+  // How the parts of a cell lie to a plane, or some of them where many lie near it.
+  constexpr bsp_sides sides_of(std::uint32_t cell, const screen_face& plane) const {
+    const auto count = [&](const bsp_open_part& p, bsp_sides& sides) {
+      if (p.node.part.face == &plane) return;
+      const window_order order = order_of_part<Order>(p, plane);
+      ++(order == window_order::nearer ? sides.front : order == window_order::farther ? sides.back : sides.cut);
+    };
+    const std::size_t n = cells_.size(cell), asked = lesser(bsp_sample, n);
+    bsp_sides sides = cells_.count_sides(cell, box_to_plane<Order>(plane, stretch_), count, bsp_looks);
+    if (sides.front + sides.back + sides.cut + bsp_sample < n) {
+      sides = {};
+      for (std::size_t i = 0; i < asked; ++i) count(cells_.at(cell, i * n / asked), sides);
+      sides = {sides.front * n / asked, sides.back * n / asked, sides.cut * n / asked};
+    }
+    return sides;
+  }
+
+  // The face whose plane cuts few and leaves as many before it as behind; more are tried while each cuts some.
+  constexpr const screen_face& best_plane(std::uint32_t cell) const {
+    const std::size_t n = cells_.size(cell), tried = lesser(bsp_candidates, n), most = lesser(4 * bsp_candidates, n);
+    const screen_face* best = nullptr;
+    std::size_t least = 0, least_cut = 0;
+    for (std::size_t c = 0; c < most && (c < tried || least_cut > 0); ++c) {
+      // Steps of an odd part of the whole, so that further ones fall between those before.
+      const std::size_t k = c < tried ? c * n / tried + n / (2 * tried) : c * n / most;
+      const screen_face& plane = *cells_.at(cell, k).node.part.face;
+      const bsp_sides sides = sides_of(cell, plane);
+      const std::size_t cost = 8 * sides.cut + greater(sides.front, sides.back) - lesser(sides.front, sides.back);
+      if (best == nullptr || cost < least) least = cost, least_cut = sides.cut, best = &plane;
+    }
+    return *best;
+  }
+
+  // Parts the others of a cell by the plane of one of its parts, which becomes a node.
+  constexpr void part_by_plane(const bsp_task& task) {
+    const screen_face& plane = best_plane(task.cell);
+    const auto id = static_cast<std::int32_t>(tree_.nodes.size());
+    if (task.parent >= 0) {
+      bsp_of_faces::node& parent = tree_.nodes[static_cast<std::size_t>(task.parent)];
+      (task.side == face_part::nearer ? parent.nearer : parent.farther) = id;
+    }
+    tree_.nodes.push_back({});
+    tree_.counts.depth = greater(tree_.counts.depth, task.depth + 1);
+    const box_to_plane<Order> side_of_box(plane, stretch_);
+    const bsp_halves halves =
+        cells_.divide(task.cell, side_of_box, [&](auto&& e, const auto& nearer, const auto& farther) {
+          bsp_open_part& p = e.item;
+          if (p.node.part.face == &plane) {
+            bsp_of_faces::node& here = tree_.nodes[static_cast<std::size_t>(id)];
+            if (here.part.face == nullptr)
+              here = std::move(p.node);
+            else
+              farther(std::move(e));
+            return;
+          }
+          window_order order = order_of_part<Order>(p, plane);
+          if (order == window_order::crossing) order = order_without_ties(p, plane);
+          if (order == window_order::crossing)
+            split(p, e.place, plane, nearer, farther);
+          else if (order == window_order::nearer)
+            nearer(std::move(e));
+          else
+            farther(std::move(e));
+        });
+    if (halves.front != bsp_none) left_.push_back({halves.front, id, face_part::nearer, task.depth + 1});
+    if (halves.back != bsp_none) left_.push_back({halves.back, id, face_part::farther, task.depth + 1});
+  }
+
+  template <class Nearer, class Farther>
+  constexpr void split(const bsp_open_part& p, std::uint32_t place, const screen_face& plane, const Nearer& nearer,
+                       const Farther& farther) {
+    const hull_halves hulls = split_hull<Order>(p.pixels, *p.node.part.face, plane);
+    fragment_parts both = split_fragment(p.node.part, plane);
+    nearer(entry_of({{std::move(both.nearer), window_of(hulls.nearer)}, hulls.nearer}, place));
+    farther(entry_of({{std::move(both.farther), window_of(hulls.farther)}, hulls.farther}, place));
+  }
+
+  // A part on both sides of a plane only since some of its pixels lie in it, by their numbers, as on the common edge of
+  // two faces, of which one has the pixels: on the side of the others where no face is there that these pixels must be
+  // told from.
+  constexpr window_order order_without_ties(const bsp_open_part& p, const screen_face& plane) {
+    const screen_face& f = *p.node.part.face;
+    const pixels_in_plane ties = find_pixels_in_plane<Order>(p.pixels, f, plane);
+    if (ties.others == window_order::crossing) return window_order::crossing;
+    if (faces_ == bsp_none) {
+      std::vector<bsp_face_cells::entry> all;
+      for (const screen_face& g : tree_.faces)
+        all.push_back(entry_of({{{&g, {}}, g.coverage.bounds}}, static_cast<std::uint32_t>(all.size())));
+      faces_ = known_.make_cell(std::move(all));
+    }
+    for (cell at = ties.first;; at.x += ties.step.x, at.y += ties.step.y) {
+      const auto may_hold = [&](const box<double, 3>& b) {
+        return b.low[0] <= at.x && at.x <= b.high[0] && b.low[1] <= at.y && at.y <= b.high[1];
       };
-      add(nearer, std::move(both.nearer), p.box);
-      add(farther, std::move(both.farther), p.box);
-    } else {
-      (order == window_order::nearer ? nearer : farther).parts.push_back(std::move(p));
+      if (known_.any_of(faces_, may_hold, [&](const bsp_open_part& other) {
+            const screen_face& g = *other.node.part.face;
+            return &g != &f && covers(g, at.x, at.y) && compare_depths<Order>(g, plane, at.x, at.y) == 0;
+          }))
+        return window_order::crossing;
+      if (at == ties.last) return ties.others;
     }
   }
-  tree.counts.depth = greater(tree.counts.depth, task.depth + 1);
-  tree.nodes.push_back(std::move(task.parts[k]));
-  if (!nearer.parts.empty()) left.push_back(std::move(nearer));
-  if (!farther.parts.empty()) left.push_back(std::move(farther));
-}
+
+  // Faces without pixels have no side: they become a balanced tree of their own, below the last node on the way farther.
+  constexpr void hang_unseen() {
+    const std::size_t first = tree_.nodes.size();
+    std::int64_t depth = 1;
+    if (first != 0 && !unseen_.empty()) {
+      bsp_of_faces::node* last = &tree_.nodes[0];
+      for (; last->farther >= 0; ++depth) last = &tree_.nodes[static_cast<std::size_t>(last->farther)];
+      last->farther = static_cast<std::int32_t>(first);
+      ++depth;
+    }
+    const auto child = [&](std::size_t i) {
+      return i < unseen_.size() ? static_cast<std::int32_t>(first + i) : std::int32_t{-1};
+    };
+    for (std::size_t i = 0; i < unseen_.size(); ++i) {
+      unseen_[i].nearer = child(2 * i + 1), unseen_[i].farther = child(2 * i + 2);
+      tree_.nodes.push_back(std::move(unseen_[i]));
+    }
+    if (!unseen_.empty())
+      tree_.counts.depth =
+          greater(tree_.counts.depth, depth + static_cast<std::int64_t>(std::bit_width(unseen_.size())) - 1);
+  }
+
+  bsp_of_faces& tree_;
+  double stretch_ = 1;
+  std::vector<bsp_of_faces::node> unseen_{};
+  bsp_face_cells cells_{}, known_{};
+  std::uint32_t faces_ = bsp_none;  // all of them, in known_, once ties were met
+  std::vector<bsp_task> left_{};
+};
 
 }  // namespace IRG_ABI
 }  // namespace detail
@@ -130,23 +262,20 @@ inline namespace IRG_ABI {
 
 /// The tree of the faces that a window of the picture may show.
 /// shape   faces: a container of screen_face
-/// gives   an empty tree where no face touches the window
+/// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels lie
+///         before and some behind: of a convex body none, but for pixels on its outline's edges, where faces are equally
+///         near
 /// exact   sides by is_nearer at pixel centres
-/// cost    n log n where planes split little: 8 planes are tried on 24 parts for each node; allocates. No recursion
+/// cost    n log n where planes split little: 8 planes are tried on 24 parts for each node, and meet the parts that boxes
+///         do not tell from them; faces that go through each other make as many pieces as their planes cut them in.
+///         Allocates
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater, class Faces>
 [[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {
   bsp_of_faces tree;
   tree.faces = detail::copied_faces<Order>(faces, window);
   tree.counts.faces = static_cast<std::int64_t>(tree.faces.size());
-  std::vector<detail::bsp_task<Order>> left(1, detail::bsp_task<Order>{});
-  for (const screen_face& f : tree.faces) left[0].parts.push_back({{&f, {}}, intersect(f.coverage.bounds, window)});
-  if (tree.faces.empty()) left.clear();
-  while (!left.empty()) {
-    detail::bsp_task<Order> task = std::move(left.back());
-    left.pop_back();
-    detail::part_by_plane<Order>(tree, task, left);
-  }
+  detail::bsp_face_builder<Order>(tree, window).build();
   tree.counts.pieces = static_cast<std::int64_t>(tree.nodes.size());
   return tree;
 }

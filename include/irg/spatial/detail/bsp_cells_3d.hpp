@@ -137,6 +137,16 @@ public:
   constexpr bsp_plane_3d dividing_plane(const std::vector<open_piece>& pieces, const bsp_choice& choice) const {
     const std::size_t n = pieces.size(), tried = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
     best best_one{{pieces.front().triangle, bsp_plane_3d::of_triangle}, ~std::size_t{0}};
+    if (tried > 1) {
+      std::vector<std::uint32_t> across;
+      for (const open_piece& p : pieces)
+        if (reaches_across(p)) across.push_back(p.triangle);
+      const std::size_t some = lesser(tried, across.size());
+      for (std::size_t i = 0; i < some; ++i)
+        judge({across[i * across.size() / some], bsp_plane_3d::of_triangle}, pieces, {judges, choice.cut_costs},
+              best_one);
+      if (some > 0) return best_one.plane;
+    }
     for (std::size_t i = 0; tried > 1 && i < tried; ++i)
       judge({pieces[i * n / tried].triangle, bsp_plane_3d::of_triangle}, pieces, {judges, choice.cut_costs}, best_one);
     for (std::uint32_t axis = 0; tried > 1 && n > tried && axis < 3; ++axis)
@@ -172,6 +182,13 @@ private:
   struct costs {
     std::size_t judges, cut;
   };
+
+  constexpr bool reaches_across(const open_piece& p) const noexcept {
+    if (p.count == 0) return false;
+    for (std::uint32_t k = 0; k < p.count; ++k)
+      if (corners_[p.first + k].next_side < 3) return false;
+    return true;
+  }
 
   constexpr int side_of_vertex(std::uint32_t v, const dividing_node& by) const noexcept {
     const bsp_plane_3d& plane = d_.nodes[by.number].plane;
