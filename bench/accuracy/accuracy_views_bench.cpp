@@ -89,7 +89,7 @@ void views() {
       const auto m = irg::perspective(angle, aspect, z_near, z_far) * irg::look_at(i.eye, i.target, i.up);
       return irg::to_pixels(picture, m * irg::to_homogeneous(i.p));
     })};
-    who.push_back(bench::for_each_vector<2>("irg: eye subtracted first", items, [](const seen_point& i) {
+    who.push_back(bench::for_each_vector<2>("irg: about the eye", items, [](const seen_point& i) {
       const point3 origin{0, 0, 0}, p = origin + (i.p - i.eye);
       const auto m =
           irg::perspective(angle, aspect, z_near, z_far) * irg::look_at(origin, origin + (i.target - i.eye), i.up);
@@ -141,7 +141,7 @@ std::vector<lit_point> lit_points(double shininess, bool is_grazing) {
 }
 
 void phong() {
-  bench::study s("Phong's light on a point", "point with one lamp", bench::error_unit::relative_u);
+  bench::study s("light on a point", "point with one lamp", bench::error_unit::relative_u);
   const auto exact = [](const lit_point& i, bench::exact_results& out) {
     const real3 n = exactly(i.place.normal), l = unit(difference(i.lamp, i.place.p)),
                 v = unit(difference(i.eye, i.place.p));
