@@ -70,7 +70,7 @@ std::array<irg::exact_sum<double>, 64> sums;
 std::array<double, 64> values;
 
 void points(const std::vector<curve>& all) {
-  bench::study s("bezier_point", "point of a curve", bench::error_unit::relative_u);
+  bench::study s("point of a Bezier curve", "point of a curve", bench::error_unit::relative_u);
   for (const curve& c : all) {
     const auto exact = [&c](const irg::vec<double, 2>& t, bench::exact_results& out) { by_definition(c, t.x, out); };
     const bench::distribution d{c.name, c.places.size(), 3, bench::exact_for(c.places, exact)};

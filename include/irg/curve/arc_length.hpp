@@ -113,7 +113,7 @@ constexpr arc_length_table<T> arc_lengths(const Speed& speed, std::type_identity
 /// The parameter at which a curve has run the length s from table.first on.
 /// needs   a table of this speed
 /// gives   table.first for s <= 0 and NaN, table.last for s beyond the length: a path stands still at its ends
-/// exact   the length up to the result is s within some 10 u of the whole where the speed is smooth, however few pieces
+/// exact   the length up to the result is s within some 30 u of the whole where the speed is smooth, however few pieces
 ///         the table has; near a place without speed (a cusp) as arc_length
 /// cost    a binary search, some three to six Newton steps of 7 speeds, and an adaptive length of 21 speeds or more
 ///         that confirms the last of them; where it does not, some steps more of 21

@@ -27,7 +27,7 @@ public:
 
   /// The parameter where this share of the length has been run.
   /// gives   the curve's beginning for shares up to 0 and NaN, its end for those from 1 on
-  /// exact   as parameter_at_length: within some 10 u of the whole length where the speed is smooth, however few pieces
+  /// exact   as parameter_at_length: within some 30 u of the whole length where the speed is smooth, however few pieces
   ///         the table has
   [[nodiscard]] IRG_APART constexpr T parameter(std::type_identity_t<T> share) const {
     if (!(share > T(0))) return table_.first;
