@@ -98,6 +98,7 @@ printf '# nothing\nv 0 0 0\n' >points.obj
 refused "a model without faces" "no faces" "" points.obj
 printf 'v 0 0 0\nf 1 2 3\n' >range.obj
 refused "an index out of range" "range.obj:2:5" "" range.obj
+strange_models
 refused "two of three numbers" "stdin:1:4" "1 2" cube
 refused "a word" "stdin:2:3" "1 2 3\n4 five 6" cube
 refused "NaN" "stdin:1:1" "nan 0 0" cube

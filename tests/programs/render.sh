@@ -367,6 +367,8 @@ refused "a missing file" "missing.obj" missing.obj -o x.png --stats x.json
 refused "a folder" "folder" folder -o x.png --stats x.json
 refused "bytes that are cut off" "cut.ply, byte 111" cut.ply -o x.png --stats x.json
 refused "an empty file" "empty" empty.obj -o x.png --stats x.json
+strange_models -o strange.png --size 20x10
+rm -f strange.png
 refused "a model without faces" "no faces" points.obj -o x.png --stats x.json
 refused "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png --stats x.json
 refused "an infinite vertex" "inf.obj:3:3" inf.obj -o x.png --stats x.json

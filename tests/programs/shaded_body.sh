@@ -163,6 +163,7 @@ refused "an empty name of statistics" "--stats needs" cube --stats ""
 refused "two models" "torus" cube torus
 refused "a missing file" "missing.obj" missing.obj
 refused "an empty file" "empty" empty.obj --list
+strange_models
 refused "a model without faces" "no faces" points.obj
 refused "a vertex that is no number" "nan.obj:3:3" nan.obj -o x.png
 printf 'v 1 0 0\nv -1 0 0\nv 0 1 0\nf 1 2 3\n' >ordinary.obj

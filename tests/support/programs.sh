@@ -55,6 +55,51 @@ fails() {
 }
 files() { find . ! -name .out ! -name .err \( -type f -o -type l \) | sort; }
 
+# strange_models arguments...: the program reads models as others write them (a tetrahedron whose vertices have colours, one
+# with letters that make no pair of texture coordinates, one beside the text of others), and says of broken ones what they
+# are by their names: binary STL that is too short, text STL behind a comment, and what is no OFF, PLY or XML.
+strange_models() {
+  local at=('0 0 0' '1 0 0' '0 1 0' '0 0 1') model message
+  {
+    printf 'OFF\n4 4 0\n'
+    printf '%s 255 0 0\n' "${at[@]}"
+    printf '3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n'
+  } >coloured.off
+  {
+    printf 'ply\nformat ascii 1.0\nelement vertex 4\n'
+    printf 'property float %s\n' x y z s u t texture_v
+    printf 'element face 4\nproperty list uchar int vertex_indices\nend_header\n'
+    printf '%s 1 nan 3 nan\n' "${at[@]}"
+    printf '3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n'
+  } >letters.ply
+  {
+    printf '<body><o:note>1 &lt; 2 <![CDATA[<b>]]></o:note><points>'
+    printf '<point x="%s" y="%s" z="%s"/>' 0 0 0 1 0 0 0 1 0 0 0 1
+    printf '</points><faces>'
+    printf '<face points="%s"/>' '0 2 1' '0 1 3' '1 2 3' '2 0 3'
+    printf '</faces></body>'
+  } >others.xml
+  for model in coloured.off letters.ply others.xml; do
+    run "" "$model" "$@"
+    check "$model: exit 0, not $status: $err" is "$status" 0
+  done
+  { printf '%-80s\1\0\0\0' 'by hand'; printf '%-49s' 'a triangle has fifty bytes'; } >short.stl
+  printf '// by hand\nsolid a\nendsolid a\n' >comment.stl
+  printf 'Off\n0 0 0\n' >none.off
+  printf '# by hand\nply\n' >none.ply
+  printf 'by hand <body/>' >none.xml
+  while IFS='|' read -r model message; do
+    fails "$model" "" "$model" "$@"
+    check "$model: $err" is "$err" "$name: $message"
+  done <<'END'
+short.stl|file is too short for the number of triangles that stands here: short.stl, byte 81
+comment.stl|expected the word solid: comment.stl:1:1
+none.off|file does not begin with the word OFF: none.off:1:1
+none.ply|file does not begin with the word ply: none.ply:1:1
+none.xml|text stands where only elements may stand: none.xml:1:1
+END
+}
+
 # The pixels of a PPM picture: red, green and blue, one pixel on a line, or as many as the second argument says.
 pixels() { tail -c +$((1 + $(head -n 3 "$1" | wc -c))) "$1" | od -An -v -w$((3 * ${2:-1})) -tu1; }
 # count FILE red green blue: how many pixels have that colour.

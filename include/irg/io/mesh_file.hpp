@@ -116,8 +116,8 @@ result<mesh<T>> load_mesh(const std::string& path) {
 }
 
 /// The materials that an OBJ file's libraries hold; only libraries in the file's own folder are opened.
-/// gives   the error of read_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere, as ./ does
-///         not
+/// gives   the error of read_file or read_mtl; an error, and nothing opened, for a name that leads elsewhere, which
+///         ./NAME does not
 template <Floating T = double>
 result<std::vector<mtl_material<T>>> load_materials(const std::string& path) {
   const auto text = read_file(path);
