@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "support/check_both.hpp"
@@ -99,4 +101,67 @@ TEST_CASE("smallest_sphere: 2000 points on a circle") {
   const C s = *smallest_sphere(points);
   CHECK(std::fabs(s.radius - 1) < 1e-6);
   CHECK(holds_all<2>(s, points, 0x1p-50));
+}
+
+namespace {
+
+// Points of a ball of radius 1 about (c, c, c), rounded: a grid of meridians, or anywhere.
+std::vector<P3> points_on_ball(int n, double c, bool grid) {
+  test::random r(53);
+  std::vector<P3> points;
+  const int rows = static_cast<int>(std::sqrt(n / 2));
+  for (int i = 0; i < n; ++i) {
+    const double a = grid ? 3.14159265358979 * (i / (2 * rows)) / rows : std::acos(2 * r.unit() - 1);
+    const double b = grid ? 3.14159265358979 * (i % (2 * rows)) / rows : 6.28318530717959 * r.unit();
+    points.push_back({c + std::sin(a) * std::cos(b), c + std::sin(a) * std::sin(b), c + std::cos(a)});
+  }
+  return points;
+}
+
+// A ring that counts how often its points are read.
+struct counted_ring {
+  const std::vector<P3>* points;
+  mutable std::size_t* reads;
+  std::size_t size() const { return points->size(); }
+  const P3& operator[](std::size_t i) const { return ++*reads, (*points)[i]; }
+};
+
+template <std::size_t... I>
+void try_close(const std::vector<P3>& points, std::index_sequence<I...>, int& open, int& wrong) {
+  const auto ball = irg::detail::close_ball_on(points[I * 7]...);
+  for (const P3& p : points) {
+    const int side = irg::detail::close_side(ball, p).side;
+    open += side == 0;
+    wrong += side != 0 && (side > 0) != irg::detail::is_outside(p, points[I * 7]...);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("smallest_sphere: points on a ball up to rounding are told from it without an exact decision") {
+  const int n = std::getenv("IRG_RELEASE_TIER") ? 1'000'000 : 3000;
+  for (const double c : {0.0, 3.0, -1e6}) {
+    const auto points = points_on_ball(n, c, false);
+    int open = 0, wrong = 0;
+    try_close(points, std::make_index_sequence<2>(), open, wrong);
+    try_close(points, std::make_index_sequence<3>(), open, wrong);
+    try_close(points, std::make_index_sequence<4>(), open, wrong);
+    CHECK(wrong == 0);
+    CHECK(open <= 30);  // the points that it rests on themselves, and few that lie on it exactly
+  }
+  // Away from the range that the bound is made for nothing is said.
+  const auto far = irg::detail::close_ball_on(P3{0, 0, 0}, P3{0x1p300, 0, 0});
+  CHECK(irg::detail::close_side(far, P3{1, 1, 1}).side == 0);
+}
+
+TEST_CASE("smallest_sphere: growth, passes over points on a ball up to rounding") {
+  const int most = std::getenv("IRG_RELEASE_TIER") ? 1'000'000 : 10'000;
+  for (const bool grid : {false, true})
+    for (int n = 1000; n <= most; n *= 10) {
+      const auto points = points_on_ball(n, 3, grid);
+      std::size_t reads = 0;
+      const S s = *smallest_sphere(counted_ring{&points, &reads});
+      CHECK(reads <= 40 * points.size());
+      CHECK(holds_all<3>(s, points, 0x1p-50));
+    }
 }

@@ -16,7 +16,7 @@ namespace irg::inline IRG_ABI {
 /// The smallest circle or sphere around the points of a range or ring.
 /// gives   nothing for no points, and when a coordinate is NaN or infinite; radius 0 when all points are equal
 /// exact   the points it rests on; centre and radius as sphere_through's, so that points may stand out by that much
-/// cost    some ten passes over the points as a rule; nothing allocates
+/// cost    some ten passes over the points as a rule, also where all lie on one sphere up to rounding; nothing allocates
 /// source  Welzl 1991, for the few points that matter; these are found by taking in the farthest point each time, after
 ///         Gaertner 1999
 template <PolygonRing R>
@@ -32,16 +32,19 @@ template <PolygonRing R>
   detail::smallest_ball<P> ball(as_assignable(ring_vertex(points, 0)));
   for (;;) {  // the ball grows each time, and there are only so many
     const auto rounded = ball.rounded();
-    std::size_t farthest = 0;
-    double farthest_squared = -1;
+    const auto close = ball.close();
+    std::size_t farthest = ring_size(points);
+    double most = 0;
     for (std::size_t i = 0; i < ring_size(points); ++i) {
       const P p = as_assignable(ring_vertex(points, i));
-      const detail::guessed_side guess = detail::guess_side(rounded, p);
-      if (guess.side < 0 || !(farthest_squared < guess.squared)) continue;
+      detail::guessed_side guess = detail::guess_side(rounded, p);
+      if (guess.side == 0)
+        if (const auto closer = detail::close_side(close, p); closer.side != 0) guess = closer;
+      if (guess.side < 0 || (farthest < ring_size(points) && !(most < guess.excess))) continue;
       if (guess.side == 0 && !ball.is_outside(p)) continue;
-      farthest = i, farthest_squared = guess.squared;
+      farthest = i, most = guess.excess;
     }
-    if (farthest_squared < 0) return rounded;
+    if (farthest == ring_size(points)) return rounded;
     ball.grow(as_assignable(ring_vertex(points, farthest)));
   }
 }

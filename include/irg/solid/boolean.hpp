@@ -180,7 +180,8 @@ inline namespace IRG_ABI {
 ///         status other than done, and no faces, for what is no body
 /// exact   every decision, for all finite floats and doubles; places of new corners within 1 ulp of each coordinate
 /// cost    O(n log n) for bodies that meet in few places, and what is cut: of two faces of n corners that lie on each
-///         other, as many as n^2 pieces; parts are placed by a pass over the other body each
+///         other, as many as n^2 pieces; the first parts are placed by a pass over the other body each, many of them by
+///         a tree of its boxes
 /// source  Zhou et al. 2016 (cut everything, then ask about parts); Attene 2020 (points by what they are made of)
 template <Floating T>
 [[nodiscard]] constexpr solid_boolean_result<T> solid_boolean(const mesh<T>& first, const mesh<T>& second,

@@ -84,6 +84,7 @@ private:
       lots[b_.body[t]].push_back(t);
       body_boxes_[b_.body[t]].add(boxes_[t]);
     }
+    for (const std::vector<std::uint32_t>& lot : lots) trees_.emplace_back(lot, 2);  // seen from above
     const auto use = [this](std::uint32_t s, std::uint32_t t) { add_contacts(s, t); };
     for (std::size_t i = 0; i < bodies; ++i)
       for (std::size_t k = i + 1; k < bodies; ++k)
@@ -321,14 +322,13 @@ private:
   }
 
   template <class Use>
-  constexpr void each_above(const point<double, 3>& p, double slack, std::uint32_t body, const Use& use) const {
+  constexpr void each_above(const point<double, 3>& p, double slack, std::uint32_t body, const Use& use) {
     const auto is_off = [&](const space_box& box) {
       return p.x + slack < box.low[0] || box.high[0] < p.x - slack || p.y + slack < box.low[1] ||
              box.high[1] < p.y - slack || box.high[2] < p.z - slack;
     };
     if (is_off(body_boxes_[body])) return;
-    for (std::uint32_t t = b_.first_of(body); t < b_.ends[body]; ++t)
-      if (!is_off(boxes_[t])) use(b_.triangles[t]);
+    trees_[body].each(boxes_, is_off, [&](std::uint32_t t) { use(b_.triangles[t]); });
   }
 
   constexpr void place_corner(std::uint32_t own, std::uint32_t v, part_sides& sides) {
@@ -377,6 +377,7 @@ private:
   const Bodies& b_;
   face_cutter<exact_vertices<Exact>> cutter_;
   std::vector<space_box> boxes_, body_boxes_;
+  std::vector<box_tree> trees_;  // of each body
   std::vector<contact_key> keys_;
   std::vector<unsigned char> seams_;
   std::vector<mark> marks_;

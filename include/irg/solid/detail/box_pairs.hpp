@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Pairs of boxes that meet, one of each of two lots: both lots are halved together, and a half without boxes of one of
-// them is done with. So only what is near both costs more than a look.
+// them is done with. So only what is near both costs more than a look. And the boxes that may stand over a point, from a
+// tree of them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <irg/core/scalar.hpp>
@@ -37,10 +40,85 @@ constexpr space_box no_box() noexcept {
   return {{most, most, most}, {-most, -most, -most}};
 }
 
+/// Some boxes, asked time and again: after the first passes over all of them they become a tree by their places, which
+/// costs as much as some passes.
+class IRG_APART box_tree {
+public:
+  /// shape   items: places among the boxes that the calls are given; a tree divides them along the first axes
+  constexpr box_tree(std::vector<std::uint32_t> items, int axes) : items_(std::move(items)), axes_(axes) {}
+
+  /// Calls use(i) for boxes that skips(box) does not skip: it skips a box round others only where it skips them.
+  /// gives   how many boxes were asked
+  template <class Skips, class Use>
+  constexpr std::size_t each(const std::vector<space_box>& boxes, const Skips& skips, const Use& use) {
+    constexpr int most = 16;
+    if (passes_ < most || items_.size() <= few) {
+      ++passes_;
+      for (const std::uint32_t i : items_)
+        if (!skips(boxes[i])) use(i);
+      return items_.size();
+    }
+    if (nodes_.empty()) make(boxes, 0, static_cast<std::uint32_t>(items_.size()));
+    std::size_t asked = 0;
+    for (std::uint32_t i = 0; i < nodes_.size();) {
+      const node& n = nodes_[i];
+      ++asked;
+      if (skips(n.bounds)) {
+        i = n.after;
+        continue;
+      }
+      for (std::uint32_t k = n.begin; k < n.end; ++k, ++asked)
+        if (!skips(boxes[items_[k]])) use(items_[k]);
+      ++i;
+    }
+    return asked;
+  }
+
+private:
+  // Those below a node stand behind it, before `after`; the lowest have boxes.
+  struct node {
+    space_box bounds;
+    std::uint32_t after, begin, end;
+  };
+  static constexpr std::uint32_t few = 8;
+
+  constexpr void make(const std::vector<space_box>& boxes, std::uint32_t begin, std::uint32_t end) {
+    const std::size_t here = nodes_.size();
+    nodes_.push_back({no_box(), 0, begin, end - begin > few ? begin : end});
+    space_box centres = no_box();
+    const auto centre = [&](std::uint32_t i, int k) { return boxes[i].low[k] * 0.5 + boxes[i].high[k] * 0.5; };
+    for (std::uint32_t i = begin; i < end; ++i) {
+      nodes_[here].bounds.add(boxes[items_[i]]);
+      centres.add(point<double, 3>{centre(items_[i], 0), centre(items_[i], 1), centre(items_[i], 2)});
+    }
+    if (end - begin > few) {
+      const auto half = [&](int k) { return centres.high[k] * 0.5 - centres.low[k] * 0.5; };
+      int axis = 0;
+      for (int k = 1; k < axes_; ++k)
+        if (half(k) > half(axis)) axis = k;
+      const std::uint32_t middle = begin + (end - begin) / 2;
+      const auto at = [&](std::uint32_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
+      std::nth_element(at(begin), at(middle), at(end),
+                       [&](std::uint32_t i, std::uint32_t k) { return centre(i, axis) < centre(k, axis); });
+      make(boxes, begin, middle);
+      make(boxes, middle, end);
+    }
+    nodes_[here].after = static_cast<std::uint32_t>(nodes_.size());
+  }
+
+  std::vector<std::uint32_t> items_;
+  int axes_, passes_ = 0;
+  std::vector<node> nodes_{};
+};
+
 /// Calls use(a, b) once for every pair of boxes that meet, boxes[a] of the first lot and boxes[b] of the second.
+/// cost    O(n log n) and the pairs, where boxes are told apart by halving along one axis or another, or by a tree of
+///         those that are not
 template <class Use>
 class box_pair_search {
 public:
+  std::size_t looks = 0;  // boxes that were asked for their half, and pairs that were asked whether they meet
+
   constexpr box_pair_search(const std::vector<space_box>& boxes, const Use& use) : boxes_(boxes), use_(use) {}
 
   constexpr void search(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
@@ -58,7 +136,8 @@ private:
     for (const std::uint32_t i : l) all.add(boxes_[i]);
     return all;
   }
-  constexpr lot within(const lot& l, const space_box& region) const {
+  constexpr lot within(const lot& l, const space_box& region) {
+    looks += l.size();
     lot kept;
     kept.reserve(l.size());
     for (const std::uint32_t i : l)
@@ -77,27 +156,50 @@ private:
     }
     const lot a = within(first, region), b = within(second, region);
     if (a.empty() || b.empty()) return;
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-      if (region.high[i] * 0.5 - region.low[i] * 0.5 > region.high[axis] * 0.5 - region.low[axis] * 0.5) axis = i;
+    if (a.size() * b.size() > few && depth < deepest) {
+      const auto half = [&](int i) { return region.high[i] * 0.5 - region.low[i] * 0.5; };
+      int axes[] = {0, 1, 2};
+      if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
+      if (half(axes[2]) > half(axes[1])) std::swap(axes[1], axes[2]);
+      if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
+      for (const int axis : axes)
+        if (halve_along(axis, a, b, region, cell, depth)) return;
+      return ask_tree(a, b, cell);
+    }
+    looks += a.size() * b.size();
+    for (const std::uint32_t i : a)
+      for (const std::uint32_t k : b) use_pair(i, k, cell);
+  }
+
+  // False where halving does not tell boxes apart: where nearly all are in both halves.
+  constexpr bool halve_along(int axis, const lot& a, const lot& b, const space_box& region, const space_box& cell,
+                             int depth) {
     space_box lower = cell, upper = cell;
     const double middle = region.low[axis] * 0.5 + region.high[axis] * 0.5;
+    if (!(region.low[axis] < middle && middle < region.high[axis])) return false;
     lower.high[axis] = upper.low[axis] = middle;
     space_box lower_region = region, upper_region = region;
     lower_region.high[axis] = upper_region.low[axis] = middle;
-    if (a.size() * b.size() > few && depth < deepest && region.low[axis] < middle && middle < region.high[axis]) {
-      const lot a_low = within(a, lower_region), a_high = within(a, upper_region);
-      const lot b_low = within(b, lower_region), b_high = within(b, upper_region);
-      // Boxes that are nearly all on both sides are not told apart by halving.
-      if ((a_low.size() + a_high.size() + b_low.size() + b_high.size()) * 2 < (a.size() + b.size()) * 3) {
-        halve(a_low, b_low, lower, depth + 1);
-        halve(a_high, b_high, upper, depth + 1);
-        return;
-      }
-    }
+    const lot a_low = within(a, lower_region), a_high = within(a, upper_region);
+    const lot b_low = within(b, lower_region), b_high = within(b, upper_region);
+    if ((a_low.size() + a_high.size() + b_low.size() + b_high.size()) * 2 >= (a.size() + b.size()) * 3) return false;
+    halve(a_low, b_low, lower, depth + 1);
+    halve(a_high, b_high, upper, depth + 1);
+    return true;
+  }
+
+  constexpr void use_pair(std::uint32_t i, std::uint32_t k, const space_box& cell) {
+    if (boxes_[i].meets(boxes_[k]) && begins_in(boxes_[i], boxes_[k], cell)) use_(i, k);
+  }
+
+  // Boxes that no middle plane tells apart, such as the faces of shells in shells: each of one lot is asked for in a tree
+  // of the other.
+  constexpr void ask_tree(const lot& a, const lot& b, const space_box& cell) {
+    box_tree tree(b, 3);
     for (const std::uint32_t i : a)
-      for (const std::uint32_t k : b)
-        if (boxes_[i].meets(boxes_[k]) && begins_in(boxes_[i], boxes_[k], cell)) use_(i, k);
+      looks += tree.each(
+          boxes_, [&](const space_box& other) { return !boxes_[i].meets(other); },
+          [&](std::uint32_t k) { use_pair(i, k, cell); });
   }
 
   // Cells have their lower side, the last one its upper one, too.
