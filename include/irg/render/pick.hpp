@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <irg/raster/depth.hpp>
+#include <irg/raster/face_order.hpp>
 #include <irg/raster/screen_face.hpp>
 #include <irg/render/prepared_scene.hpp>
 #include <irg/render/visibility_buffer.hpp>
@@ -53,15 +53,13 @@ constexpr std::optional<picked_point<T>> pick(prepared_scene<T>& world, cell siz
       static_cast<std::size_t>(pixel.x / detail::tile_size);
   const window_faces<T> faces({batches, &bins}, bins.list_of(tile));
   std::optional<screen_face> first;
-  float nearest = nearer_is_greater::farthest;  // compared as render() does: rounded, and beyond this nothing is seen
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const screen_face f = faces[i];
-    if (!covers(f, pixel.x, pixel.y)) continue;
-    const float depth = depth_at(set_up_face(f), pixel.x, pixel.y);
-    if (!nearer_is_greater::nearer(depth, nearest)) continue;
-    first = f;
-    nearest = depth;
+    if (covers(f, pixel.x, pixel.y) && (!first || is_nearer(f, *first, pixel.x, pixel.y))) first = f;
   }
+  // As render() has it: nothing is seen in the far plane.
+  if (first && !nearer_is_greater::nearer(depth_at(set_up_face(*first), pixel.x, pixel.y), nearer_is_greater::farthest))
+    return std::nullopt;
   if (!first) return std::nullopt;
   const triangle_batch<T>& batch = detail::triangle_finder<T>{batches, nullptr}.batch_of(first->number);
   const auto weights = barycentrics_at(batch, mapping, first->number, pixel.x, pixel.y);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include <irg/raster/face_order.hpp>
 #include <irg/render/detail/bin/scratch_portion.hpp>
 #include <irg/render/detail/shade/tile_shading.hpp>
 #include <irg/render/draw_depth.hpp>
@@ -103,9 +104,14 @@ template <DepthOrder Order = nearer_is_greater, Floating T>
   detail::bin_portion portion = detail::scratch_portion(grid);
   detail::list_alone(portion, batch, i, {mapping, grid, face_culling::none});
   std::optional<pixel_weights<float>> nearest;
+  screen_face first;
   for (const detail::clipped_piece& p : portion.pieces) {
     const auto at = detail::weights_of_pixel(detail::corners_of(p.v), x, y);
-    if (at && (!nearest || Order::nearer(at->depth, nearest->depth))) nearest = detail::in_source(*at, p.weights);
+    if (!at) continue;
+    const screen_face face = make_screen_face(p.v[0], p.v[1], p.v[2], number);
+    if (nearest && compare_depths<Order>(face, first, x, y) <= 0) continue;
+    nearest = detail::in_source(*at, p.weights);
+    first = face;
   }
   return nearest;
 }

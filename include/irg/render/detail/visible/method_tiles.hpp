@@ -60,7 +60,8 @@ constexpr place_and_depth place_of(std::uint32_t id, int x, int y, std::span<con
     const covered_triangle t = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
     if (!covers(t.coverage, x, y)) continue;
     const float depth = depth_at(t.setup, x, y);
-    if (nearest.place == no_face || Order::nearer(depth, nearest.depth))
+    if (nearest.place == no_face ||
+        is_seen_before<Order>({numbers[first], depth}, {numbers[nearest.place], nearest.depth}, {x, y}, find))
       nearest = {static_cast<std::uint32_t>(first), depth, t};
   }
   return nearest;

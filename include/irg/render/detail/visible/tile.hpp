@@ -29,6 +29,7 @@ struct tile {
   alignas(64) float farthest_key[blocks_across * blocks_across];
   float farthest;  // the least of `farthest_key`
   std::uint64_t stale;  // the blocks that were drawn to since their `farthest_key` was reckoned
+  int width, height;  // of the part that lies in the picture
 };
 
 // How pixels are decided in a tile: by depth, always for the later triangle, or by depth where nobody asks whose it is.
@@ -71,6 +72,8 @@ IRG_INLINE void clear_tile(tile& t, int width, int height, float farthest) noexc
                             : beyond_everything;
   t.farthest = farthest;
   t.stale = 0;
+  t.width = width;
+  t.height = height;
 }
 
 // Reckons `farthest` anew.
@@ -82,16 +85,21 @@ IRG_INLINE void refresh_farthest(tile& t) noexcept {
   t.farthest = least_of(least);
 }
 
+// The least key of a block.
+IRG_INLINE float farthest_of_block(const tile& t, int block) noexcept {
+  using F = lanes<pack<float, tile_lanes>>;
+  const float* row = t.key + block / blocks_across * block_size * tile_stride + block % blocks_across * block_size;
+  auto least = F::load(row);
+  for (int r = 0; r < block_size; ++r, row += tile_stride)
+    for (int k = 0; k < block_size; k += tile_lanes) least = low_of(F::load(row + k), least);
+  return least_of(least);
+}
+
 // Reckons `farthest_key` anew for the stale blocks, and `farthest`.
 IRG_INLINE void refresh_far(tile& t) noexcept {
-  using F = lanes<pack<float, tile_lanes>>;
   for (; t.stale != 0; t.stale &= t.stale - 1) {
     const int block = std::countr_zero(t.stale);
-    const float* row = t.key + block / blocks_across * block_size * tile_stride + block % blocks_across * block_size;
-    auto least = F::load(row);
-    for (int r = 0; r < block_size; ++r, row += tile_stride)
-      for (int k = 0; k < block_size; k += tile_lanes) least = low_of(F::load(row + k), least);
-    t.farthest_key[block] = least_of(least);
+    t.farthest_key[block] = farthest_of_block(t, block);
   }
   refresh_farthest(t);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <irg/render/detail/visible/tile_kernel.hpp>
+#include <irg/render/detail/visible/visible_window.hpp>
 #include <irg/render/detail/bin/triangle_finder.hpp>
 
 namespace irg {
@@ -34,8 +35,11 @@ struct tile_painter {
   tile_order order;
   tile& out;
   std::uint8_t* seen;  // by source triangle: whether any part of it was gone into
+  float farthest_key;  // of a pixel that shows nothing
   tile_counts counts{lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
   std::int64_t tested = 0, ties = 0;
+  float of_both_signs = 0;  // the greatest slack of triangles that have depths of both signs
+  bool holds_farthest = false;  // whether some pixels show a triangle at the farthest key, which is not seen
 
   IRG_INLINE void note_seen(std::uint32_t place) const noexcept { store_relaxed(seen[find.source(numbers[place])], 1); }
 
@@ -43,7 +47,7 @@ struct tile_painter {
   struct dots {
     static constexpr int most = 3;  // columns and rows
     integers f[3], right[3], down[3], columns, rows, at;
-    floats gain[3], rest, low, high;
+    floats gain[3], rest, low, high, slack;
   };
 
   // Decides one pixel of each box at a time, the same in all lanes; what is covered is then drawn one by one, in the
@@ -53,7 +57,9 @@ struct tile_painter {
     using J = lanes<integers>;
     for (unsigned bits = which; bits != 0; bits &= bits - 1) note_seen(place[std::countr_zero(bits)]);
     constexpr int across = 4;  // a pixel's number is across * row + column
-    float key[dots::most * across][count];
+    float key[dots::most * across][count], surely[dots::most * across][count], slack[count];
+    const floats slacks = d.slack + lanes<floats>::broadcast(of_both_signs);
+    lanes<floats>::store(slack, slacks);
     integers covered = J::broadcast(0), row[3] = {d.f[0], d.f[1], d.f[2]};
     const bool third_column = mask_bits(J::broadcast(2) < d.columns) != 0,
                third_row = mask_bits(J::broadcast(2) < d.rows) != 0;
@@ -65,7 +71,9 @@ struct tile_painter {
             both(none_negative(f[0], f[1], f[2]), both(J::broadcast(x) < d.columns, J::broadcast(y) < d.rows));
         counts.tested = counts.tested - here;
         covered = covered | both(here, J::broadcast(1 << pixel));
-        lanes<floats>::store(key[pixel], depth_at<floats>(f, d));
+        const floats keys = depth_at<floats>(f, d);
+        lanes<floats>::store(key[pixel], keys);
+        if constexpr (Test == tile_test::nearer) lanes<floats>::store(surely[pixel], keys - slacks);
         for (int k = 0; k < 3; ++k) f[k] = f[k] + d.right[k];
       }
       for (int k = 0; k < 3; ++k) row[k] = row[k] + d.down[k];
@@ -78,21 +86,25 @@ struct tile_painter {
     for (int w = 0; w < count / 4; ++w)
       for (std::uint64_t bits = first_lowest(words[w]); bits != 0; bits &= bits - 1) {
         const int bit = std::countr_zero(bits), i = 4 * w + bit / 16, pixel = bit % 16;
-        draw_dot<Test>(key[pixel][i], at[i] + pixel / across * tile_stride + pixel % across, place[i]);
+        const int place_of_pixel = at[i] + pixel / across * tile_stride + pixel % across;
+        if constexpr (Test == tile_test::nearer)
+          if (!(out.key[place_of_pixel] < surely[pixel][i])) {
+            draw_close_dot(place[i], key[pixel][i], place_of_pixel, slack[i]);
+            continue;
+          }
+        if constexpr (Test == tile_test::depth_only)
+          if (key[pixel][i] <= out.key[place_of_pixel]) continue;
+        show(place[i], key[pixel][i], place_of_pixel);
       }
   }
-  template <tile_test Test>
-  IRG_INLINE void draw_dot(float key, std::int32_t at, std::uint32_t place) noexcept {
-    if constexpr (Test == tile_test::nearer) {
-      const float stored = out.key[at];
-      if (key < stored) return;
-      if (key == stored) {
-        ++ties;
-        if (out.id[at] == no_face || !comes_before(place, out.id[at])) return;
-      }
-    }
-    if constexpr (Test == tile_test::depth_only)
-      if (key <= out.key[at]) return;
+  // Where a pixel is not surely nearer than what is there.
+  IRG_INLINE void draw_close_dot(std::uint32_t place, float key, int at, float slack) noexcept {
+    const float behind = out.key[at] - key;
+    if (slack < behind) return;
+    if (behind == 0) ++ties;
+    decide_close(place, key, at);
+  }
+  IRG_INLINE void show(std::uint32_t place, float key, int at) noexcept {
     out.key[at] = key;
     out.id[at] = place;
     if (order.front_to_back) {
@@ -101,10 +113,27 @@ struct tile_painter {
     }
   }
 
-  // Which of two equally near triangles, or pieces of one, is seen.
-  IRG_INLINE bool comes_before(std::uint32_t a, std::uint32_t b) const noexcept {
-    const std::uint32_t i = numbers[a], k = numbers[b], first = find.source(i), second = find.source(k);
-    return first != second ? first < second : i < k;
+  // Makes a pixel the triangle's if that is the one that is seen there: keys are too close to tell. What lies at the
+  // farthest key is kept, though it is not seen: of what comes later, it may be the nearer one.
+  IRG_NOINLINE void decide_close(std::uint32_t place, float key, int at) noexcept {
+    const float stored = out.key[at];
+    const std::uint32_t other = out.id[at];
+    const bool at_farthest = key == farthest_key;
+    bool is_seen = stored < key || (at_farthest && key == stored);
+    if (other != no_face) {
+      const numbered_depth a{numbers[place], key * order.sign}, b{numbers[other], stored * order.sign};
+      const cell pixel{window.x_first + at % tile_stride, window.y_first + at / tile_stride};
+      is_seen = order.sign < 0 ? is_seen_before<nearer_is_less>(a, b, pixel, find)
+                               : is_seen_before<nearer_is_greater>(a, b, pixel, find);
+    }
+    if (!is_seen) return;
+    show(place, key, at);
+    holds_farthest |= at_farthest;
+  }
+  // What is kept at the farthest key is not seen.
+  IRG_INLINE void drop_farthest() noexcept {
+    for (int i = 0; i < tile_size * tile_stride; ++i)
+      if (out.key[i] == farthest_key) out.id[i] = no_face;
   }
 
   // What is left to do of a group: a bit for each triangle whose sides are too long for 32-bit lanes, and for each one
@@ -159,6 +188,9 @@ struct tile_painter {
                  key2 = depth[2] * F::broadcast(order.sign);
     d.low = low_of(low_of(key0, key1), key2);
     d.high = high_of(high_of(key0, key1), key2);
+    d.slack = slack_of(high_of(d.high, F::broadcast(0) - d.low));
+    if (mask_bits(both(d.low < F::broadcast(0), F::broadcast(0) < d.high)) != 0) [[unlikely]]
+      note_both_signs(d);
     d.columns = select(area == zero, zero, x_last - x_first);
     d.rows = y_last - y_first;
     // Where rejection pays, only the smallest do without it.
@@ -183,6 +215,7 @@ struct tile_painter {
       F::store(g.rest, d.rest);
       F::store(g.low, d.low);
       F::store(g.high, d.high);
+      F::store(g.slack, d.slack);
       J::store(g.x_first, x_first - J::broadcast(window.x_first));
       J::store(g.x_last, x_first + columns - J::broadcast(window.x_first));
       J::store(g.y_first, y_first - J::broadcast(window.y_first));
@@ -191,47 +224,57 @@ struct tile_painter {
     return {large, few};
   }
 
+  IRG_NOINLINE void note_both_signs(const dots& d) noexcept {
+    for (int i = 0; i < count; ++i)
+      if (d.low[i] < 0 && 0 < d.high[i]) of_both_signs = greater(of_both_signs, d.slack[i]);
+  }
+
   // Draws a triangle that is ready: its box row by row when it is small, else block by block.
   template <tile_test Test, class J>
-  IRG_INLINE void draw_ready(const tile_triangle<J>& t, const cell_window& box) noexcept {
+  IRG_INLINE tile_rest draw_ready(const tile_triangle<J>& t, const cell_window& box) noexcept {
     constexpr int small_box = 2 * block_size;
-    const auto before = [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
-    const tile_ties<decltype(before)> rule{counts, before};
     if (box.x_last - box.x_first > small_box || box.y_last - box.y_first > small_box) {
-      if (tile_blocks<Test>(out, t, box, rule, order.front_to_back)) note_seen(t.place);
-      return;
+      const std::uint64_t blocks = blocks_to_draw(out, t, box, order.front_to_back);
+      if (blocks == 0) return {};
+      note_seen(t.place);
+      return tile_blocks<Test>(out, t, box, blocks, counts, order.front_to_back);
     }
     if (order.front_to_back) {
-      float farthest_key = beyond_everything;
+      float farthest = beyond_everything;
       std::uint64_t touched = 0;
       for (int by = box.y_first / block_size; by * block_size < box.y_last; ++by)
         for (int bx = box.x_first / block_size; bx * block_size < box.x_last; ++bx) {
-          farthest_key = lesser(farthest_key, out.farthest_key[by * blocks_across + bx]);
+          farthest = lesser(farthest, out.farthest_key[by * blocks_across + bx]);
           touched |= std::uint64_t{1} << (by * blocks_across + bx);
         }
-      if (t.high[0] < farthest_key) return;
+      if (t.high[0] + t.slack[0] < farthest) return {};
       out.stale |= touched;
     }
     note_seen(t.place);
-    tile_rows<Test>(out, t, box, rule);
+    return tile_rows<Test>(out, t, box, counts);
+  }
+  // What drawing it has left to be done.
+  template <class J>
+  IRG_INLINE void finish(const tile_triangle<J>& t, const cell_window& box, const tile_rest& rest) noexcept {
+    rest.for_each(rest.beside, [&](const cell_window& part) { uncount_beside(out, t, box, part, counts); });
+    rest.for_each(rest.close, [&](const cell_window& part) {
+      close_pixels(out, t, box, part, counts, [&](float key, int at) { decide_close(t.place, key, at); });
+    });
   }
 
   template <class J>
-  IRG_INLINE static void broadcast_depths(tile_triangle<J>& t, const tile_triangles& g, int i) noexcept {
+  IRG_INLINE void broadcast_depths(tile_triangle<J>& t, const tile_triangles& g, int i) const noexcept {
     using F = lanes<floats>;
     for (int k = 0; k < 3; ++k) t.gain[k] = F::broadcast(g.gain[k][i]);
     t.rest = F::broadcast(g.rest[i]);
     t.low = F::broadcast(g.low[i]);
     t.high = F::broadcast(g.high[i]);
+    t.slack = F::broadcast(g.slack[i] + of_both_signs);
+    t.minus_slack = F::broadcast(0) - t.slack;
     t.place = g.place[i];
   }
-
-  // Triangle i of a group.
-  template <tile_test Test>
-  IRG_INLINE void draw_small(const tile_triangles& g, int i) noexcept {
+  IRG_INLINE tile_triangle<integers> small_triangle(const tile_triangles& g, int i) const noexcept {
     using J = lanes<integers>;
-    if (g.x_first[i] >= g.x_last[i] || g.y_first[i] >= g.y_last[i]) return;
-    if (order.front_to_back && g.high[i] < out.farthest) return;
     tile_triangle<integers> t;
     for (int k = 0; k < 3; ++k) {
       t.f[k] = g.f[k][i];
@@ -240,13 +283,32 @@ struct tile_painter {
       t.ramp[k] = J::ramp() * J::broadcast(g.right[k][i]);
     }
     broadcast_depths(t, g, i);
-    draw_ready<Test>(t, {g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]});
+    return t;
+  }
+
+  // Whether triangle i of a group lies behind all that the tile shows.
+  IRG_INLINE bool is_behind(const tile_triangles& g, int i) const noexcept {
+    return order.front_to_back && g.high[i] + (g.slack[i] + of_both_signs) < out.farthest;
+  }
+
+  // Triangle i of a group.
+  template <tile_test Test>
+  IRG_INLINE void draw_small(const tile_triangles& g, int i) noexcept {
+    if (g.x_first[i] >= g.x_last[i] || g.y_first[i] >= g.y_last[i]) return;
+    if (is_behind(g, i)) return;
+    const cell_window box{g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]};
+    const tile_rest rest = draw_ready<Test>(small_triangle(g, i), box);
+    if (Test == tile_test::nearer && rest.any()) [[unlikely]]
+      finish_small(g, i, rest);
+  }
+  IRG_NOINLINE void finish_small(const tile_triangles& g, int i, const tile_rest& rest) noexcept {
+    finish(small_triangle(g, i), {g.x_first[i], g.y_first[i], g.x_last[i], g.y_last[i]}, rest);
   }
 
   // A triangle with long sides: 32-bit lanes where F fits them all over the tile, else doubles, which hold it exactly.
   template <tile_test Test>
   IRG_NOINLINE void draw_large(const tile_triangles& g, int i) noexcept {
-    if (order.front_to_back && g.high[i] < out.farthest) return;
+    if (is_behind(g, i)) return;
     const triangle_corners c = find.corners(numbers[g.place[i]]);
     const covered_triangle covered = cover_and_set_up(*c.v[0], *c.v[1], *c.v[2]);
     const triangle_coverage& coverage = covered.coverage;
@@ -266,8 +328,10 @@ struct tile_painter {
         t.ramp[k] = lanes<J>::ramp() * lanes<J>::broadcast(t.right[k]);
       }
       broadcast_depths(t, one, i);
-      draw_ready<Test>(t, {w.x_first - window.x_first, w.y_first - window.y_first, w.x_last - window.x_first,
-                           w.y_last - window.y_first});
+      const cell_window box{w.x_first - window.x_first, w.y_first - window.y_first, w.x_last - window.x_first,
+                            w.y_last - window.y_first};
+      const tile_rest rest = draw_ready<Test>(t, box);
+      if (Test == tile_test::nearer && rest.any()) finish(t, box, rest);
     };
     const cell_window whole{window.x_first, window.y_first, window.x_first + tile_size, window.y_first + tile_size};
     if (fits_32_bits(coverage, whole, block_size))
@@ -317,6 +381,7 @@ struct tile_painter {
       }
       if (first % counted == 0) add_counts();
     }
+    if (holds_farthest) drop_farthest();
     add_counts();
   }
 

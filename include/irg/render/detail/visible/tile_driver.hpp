@@ -198,7 +198,7 @@ IRG_NOINLINE draw_counts find_visible(drawn_tile& out, Depth& depth, const tile_
     sorted = front_to_back(numbers, find, sign);
     numbers = sorted;
   }
-  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, job.workspace.seen.data()};
+  tile_painter<T> painter{find, numbers, w, {sign, front_first}, t, job.workspace.seen.data(), Order::farthest * sign};
   painter.template draw_list<Test>();
   if (job.clear == clearing::none || job.depth == depth_result::kept) store_depths<Test>(t, depth, w, sign);
   return {painter.tested, 0, painter.ties};

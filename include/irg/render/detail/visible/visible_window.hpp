@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/sinks.hpp>
+#include <irg/raster/face_order.hpp>
 #include <irg/raster/triangle_setup.hpp>
 #include <irg/render/detail/visible/tile.hpp>
 #include <irg/render/detail/bin/triangle_finder.hpp>
@@ -43,11 +45,34 @@ struct visible_pixels {
   }
 };
 
+// The face that a number stands for.
+template <class T>
+constexpr screen_face face_of(std::uint32_t number, const triangle_finder<T>& find) noexcept {
+  const triangle_corners c = find.corners(number);
+  return make_screen_face(*c.v[0], *c.v[1], *c.v[2], find.source(number));
+}
+
+// Whether face a is seen before face b, where both cover a pixel; of pieces of one triangle the first.
+struct numbered_depth {
+  std::uint32_t number;
+  float depth;  // as it was rounded
+};
+template <class Order, class T>
+constexpr bool is_seen_before(const numbered_depth& a, const numbered_depth& b, const cell& pixel,
+                              const triangle_finder<T>& find) noexcept {
+  const screen_face first = face_of(a.number, find), second = face_of(b.number, find);
+  const int nearness = compare_depths<Order>({first, a.depth}, {second, b.depth}, pixel.x, pixel.y);
+  if (nearness != 0) return nearness > 0;
+  return first.number != second.number ? first.number < second.number : a.number < b.number;
+}
+
 // A list's triangles one after the other, each pixel by itself: what the lanes have to equal. Serves constant
-// evaluation, orders of depth that are not irg's, and compilers without vector registers.
+// evaluation, orders of depth that are not irg's, and compilers without vector registers. What lies at the farthest
+// depth is kept until all are drawn, though it is not seen: of what comes later, it may be the nearer one.
 template <class Order, tile_test Test, class T, class Depth>
 constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, std::span<const std::uint32_t> numbers,
                                            const triangle_finder<T>& find, const cell_window& window) {
+  constexpr bool by_depth = Test == tile_test::nearer && Order::nearer(1.0f, 0.0f) != Order::nearer(0.0f, 1.0f);
   draw_counts counts;
   for (std::uint32_t i = 0; i < numbers.size(); ++i) {
     const triangle_corners c = find.corners(numbers[i]);
@@ -58,12 +83,22 @@ constexpr draw_counts find_visible_plainly(visible_pixels& out, Depth& depth, st
       for (int x = span.x_first; x < span.x_last; ++x) {
         const float here = depth_at(t.setup, x, span.y);
         if (Test == tile_test::nearer && here == row[x]) ++counts.ties;
-        if (!Order::nearer(here, row[x])) continue;
+        std::uint32_t& place = out.place[visible_pixels::at(window, x, span.y)];
+        if (by_depth && place != no_face) {
+          if (!is_seen_before<Order>({numbers[i], here}, {numbers[place], row[x]}, {x, span.y}, find)) continue;
+        } else if (!Order::nearer(here, row[x]) && !(by_depth && here == Order::farthest && here == row[x])) {
+          continue;
+        }
         row[x] = here;
-        out.place[visible_pixels::at(window, x, span.y)] = i;
+        place = i;
       }
     });
   }
+  if (by_depth)
+    for (int y = window.y_first; y < window.y_last; ++y)
+      for (int x = window.x_first; x < window.x_last; ++x)
+        if (raster_traits<Depth>::row(depth, y)[x] == Order::farthest)
+          out.place[visible_pixels::at(window, x, y)] = no_face;
   for (int y = window.y_first; y < window.y_last; ++y)
     for (int x = window.x_first; x < window.x_last; ++x)
       out.key[visible_pixels::at(window, x, y)] = raster_traits<Depth>::row(depth, y)[x] * plain_sign<Order>;
