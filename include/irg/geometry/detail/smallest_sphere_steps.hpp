@@ -9,6 +9,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/geometry/sphere.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg {
 namespace detail {
