@@ -2,6 +2,7 @@
 // Every function of vectors, points, rings and planes is called with types that are not irg's: plain structs, std::array,
 // GLM's, Eigen's and OpenCV's. What takes what is the table of docs/own-types.md, which is held against the calls; a row
 // that says "no" there has its reason beside it.
+#include <irg/curve/bezier.hpp>
 #include <irg/curve/curve_frame.hpp>
 #include <irg/geometry.hpp>
 #include <irg/geometry/textbook/clip_weiler_atherton.hpp>
@@ -50,6 +51,9 @@
 #ifdef IRG_HAVE_OPENCV
 #include <opencv2/core.hpp>
 #endif
+
+#include "support/archetypes.hpp"
+#include "support/random.hpp"
 
 #include <doctest/doctest.h>
 
@@ -449,4 +453,116 @@ TEST_CASE("foreign types: project_vertices takes positions of other types, conve
       CHECK(irg::clip_position(*v, i) == irg::clip_position(expected, i));
     }
   }
+}
+
+namespace {
+
+// The poorest points, and rings and a mesh of them, with the coordinates of irg's own.
+template <int N>
+archetype::point<double, N> poorest(const irg::point<double, N>& p) {
+  return irg::generate_coordinates<archetype::point<double, N>>([&](int i) { return p[i]; });
+}
+template <int N>
+archetype::ring<archetype::point<double, N>, 4> poorest_ring(const std::array<irg::point<double, N>, 4>& r) {
+  return archetype::ring<archetype::point<double, N>, 4>(poorest(r[0]), poorest(r[1]), poorest(r[2]), poorest(r[3]));
+}
+template <class P, class Q>
+bool equal_coordinates(const P& p, const Q& q) {
+  bool equal = irg::size_of<P> == irg::size_of<Q>;
+  for (int i = 0; i < irg::size_of<P> && equal; ++i) equal = irg::coordinate(p, i) == irg::coordinate(q, i);
+  return equal;
+}
+template <class A, class B>
+bool equal_lines(const A& a, const B& b) {
+  return a.has_value() == b.has_value() &&
+         (!a || (equal_coordinates(a->first, b->first) && equal_coordinates(a->second, b->second) &&
+                 a->t_first == b->t_first && a->t_second == b->t_second));
+}
+
+}  // namespace
+
+TEST_CASE("foreign types: points that can only be copied get the results of irg's own") {
+  test::random random(411);
+  const auto any = [&]<int N>(std::integral_constant<int, N>) {
+    return irg::generate_coordinates<irg::point<double, N>>([&](int) {
+      return static_cast<double>(random.integer(-4, 4)) * (random.integer(0, 3) == 0 ? 0x1.999999999999ap-4 : 1);
+    });
+  };
+  const auto plane = [&] { return any(std::integral_constant<int, 2>{}); };
+  const auto space = [&] { return any(std::integral_constant<int, 3>{}); };
+  const irg::box<double, 2> window{{-2, -1}, {2, 1}};
+  const irg::box<double, 3> room{{-2, -1, -1}, {2, 1, 3}};
+  const std::array<irg::point<double, 2>, 4> kite{{{0, -2}, {3, 0}, {0, 2}, {-1, 0}}};
+  const irg::plane<double> planes[] = {{1, 0, 0, 2}, {-1, 1, 0, 2}, {0, -1, 1, 1}};
+  int cut = 0, met = 0, convex = 0, overlapping = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const auto a = plane(), b = plane(), c = plane(), d = plane();
+    const auto e = space(), f = space(), g = space(), h = space();
+    const auto pa = poorest(a), pb = poorest(b), pc = poorest(c), pd = poorest(d);
+    const auto pe = poorest(e), pf = poorest(f), pg = poorest(g), ph = poorest(h);
+    const auto clipped = irg::clip_line_cohen_sutherland(a, b, window);
+    cut += clipped && (clipped->t_first > 0 || clipped->t_second < 1);
+    CHECK(equal_lines(irg::clip_line_cohen_sutherland(pa, pb, window), clipped));
+    CHECK(equal_lines(irg::clip_line_liang_barsky(pa, pb, window), clipped));
+    CHECK(equal_lines(irg::clip_line_nicholl_lee_nicholl(pa, pb, window), clipped));
+    CHECK(equal_lines(irg::clip_line_liang_barsky(pe, pf, room), irg::clip_line_liang_barsky(e, f, room)));
+    CHECK(equal_lines(irg::clip_line_cyrus_beck(pa, pb, poorest_ring(kite)), irg::clip_line_cyrus_beck(a, b, kite)));
+    CHECK(equal_lines(irg::clip_line_cyrus_beck(pe, pf, std::span<const irg::plane<double>>(planes)),
+                      irg::clip_line_cyrus_beck(e, f, std::span<const irg::plane<double>>(planes))));
+
+    const auto near = irg::closest_point_on_triangle(e, f, g, h);
+    const auto poor_near = irg::closest_point_on_triangle(pe, pf, pg, ph);
+    CHECK(equal_coordinates(poor_near->at, near->at));
+    CHECK(poor_near->region == near->region);
+    for (int i = 0; i < 3; ++i) CHECK(poor_near->weights[i] == near->weights[i]);
+    const auto pair = irg::closest_points_of_segments(e, f, g, h);
+    const auto poor_pair = irg::closest_points_of_segments(pe, pf, pg, ph);
+    CHECK(equal_coordinates(poor_pair->first, pair->first));
+    CHECK(equal_coordinates(poor_pair->second, pair->second));
+
+    const auto lines = irg::intersect_lines(a, b, c, d);
+    const auto poor_lines = irg::intersect_lines(pa, pb, pc, pd);
+    CHECK(poor_lines.relation == lines.relation);
+    CHECK(equal_coordinates(poor_lines.at, lines.at));
+    const auto common = irg::intersect_segments(a, b, c, d);
+    const auto poor_common = irg::intersect_segments(pa, pb, pc, pd);
+    met += common.relation != irg::segment_relation::none;
+    CHECK(poor_common.relation == common.relation);
+    CHECK(equal_coordinates(poor_common.first, common.first));
+    CHECK(equal_coordinates(poor_common.last, common.last));
+    const auto crossing = irg::intersect_plane_line(planes[1], e, f);
+    const auto poor_crossing =
+        irg::intersect_plane_line(archetype::plane<double>(planes[1].a, planes[1].b, planes[1].c, planes[1].d), pe, pf);
+    CHECK(poor_crossing.relation == crossing.relation);
+    CHECK(equal_coordinates(poor_crossing.at, crossing.at));
+    CHECK(equal_coordinates(irg::intersect_plane_line(pe, pf, pg, ph, poorest(irg::point<double, 3>{})).at,
+                            irg::intersect_plane_line(e, f, g, h, irg::point<double, 3>{}).at));
+
+    const std::array<irg::point<double, 2>, 4> ring{a, b, c, d};
+    const std::array<irg::point<double, 3>, 4> corners{e, f, g, h};
+    const auto poor_ring = poorest_ring(ring);
+    convex += irg::is_convex(ring);
+    CHECK(irg::is_convex(poor_ring) == irg::is_convex(ring));
+    const irg::polygon_overlap overlap = irg::polygons_overlap(ring, kite);
+    overlapping += overlap != irg::polygon_overlap::separate;
+    CHECK(irg::polygons_overlap(poor_ring, poorest_ring(kite)) == overlap);
+    if (irg::is_convex(ring))
+      CHECK(irg::convex_polygons_overlap(poor_ring, poorest_ring(kite)) == irg::convex_polygons_overlap(ring, kite));
+    const auto ball = irg::smallest_sphere(corners), poor_ball = irg::smallest_sphere(poorest_ring(corners));
+    CHECK(poor_ball->centre == ball->centre);
+    CHECK(poor_ball->radius == ball->radius);
+
+    const auto v = irg::to_vec(e);
+    const auto poor_v = irg::generate_coordinates<archetype::vector<double, 3>>([&](int i) { return v[i]; });
+    CHECK(equal_coordinates(irg::normalized(poor_v), irg::normalized(v)));
+    CHECK(irg::try_normalize(poor_v).has_value() == irg::try_normalize(v).has_value());
+    CHECK(irg::rotation(poor_v, 0.5) == irg::rotation(v, 0.5));
+    // curve samples of points that say that they are: the derivative is a vector
+    std::array<archetype::kept_point<double, 2>, 3> control;
+    for (std::size_t k = 0; k < 3; ++k)
+      control[k] = irg::generate_coordinates<archetype::kept_point<double, 2>>([&](int i) { return ring[k][i]; });
+    const std::array<irg::point<double, 2>, 3> own_control{a, b, c};
+    CHECK(irg::bezier_sample(control, 0.25).derivative == irg::bezier_sample(own_control, 0.25).derivative);
+  }
+  CHECK(test::enough(cut > 200 && met > 100 && convex > 50 && overlapping > 200));
 }

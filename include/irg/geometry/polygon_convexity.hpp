@@ -6,6 +6,7 @@
 
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg::inline IRG_ABI {
 

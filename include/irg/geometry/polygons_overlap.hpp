@@ -9,6 +9,7 @@
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg {
 

@@ -10,6 +10,7 @@
 #include <irg/core/ring.hpp>
 #include <irg/geometry/detail/smallest_sphere_steps.hpp>
 #include <irg/geometry/sphere.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg::inline IRG_ABI {
 

@@ -36,8 +36,8 @@ inline namespace IRG_ABI {
 
 /// Whether the point above b is seen from the point above a.
 /// shape   heights: a raster of integers below 2^61
-/// gives   false when a or b is no cell of the raster. A line through a corner is free when one of the two cells beside
-///         it lets it pass
+/// gives   false when a or b is no cell of the raster. The cells of a and b hide nothing. A line through a corner is
+///         free when one of the two cells beside it lets it pass
 /// exact   always; with equal heights above the cells the same both ways
 /// cost    two products of 64 bits per cell on the way
 template <ReadableRaster R>

@@ -10,6 +10,7 @@
 #include <irg/core/ring.hpp>
 #include <irg/geometry/sphere.hpp>
 #include <irg/math/double_double.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg {
 namespace detail {

@@ -10,6 +10,7 @@
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/point_on_triangle.hpp>
+#include <irg/math/vec.hpp>
 #include <irg/mesh/face_normal.hpp>
 
 namespace irg {
