@@ -173,6 +173,9 @@ inline void draw_panel(irg::image_view<irg::rgba8> p, const panel_rows& rows, in
       if (focus == cell_place{r, i}) panel::frame(part, 2, panel_colours.focus);
     }
   }
+  const int all = static_cast<int>(rows.size()) * row_height + 2 * panel_margin;
+  if (all > p.height())  // how much of it is seen
+    paint(part_of(p, {p.width() - 5, p.height() * scrolled / all}, {4, p.height() * p.height() / all}), panel_colours.on);
 }
 
 /// The name of a view in its upper corner; that of the chosen one is bright.

@@ -142,8 +142,7 @@ private:
     panels_[0].rows = transformation_panel(session_.state(), choice_);
     panels_[1].rows = view_panel(session_.state(), choice_);
     const int all = std::max(height_ - line_height, 0);
-    const int wanted = static_cast<int>(panels_[1].rows.size()) * row_height + 2 * panel_margin;
-    panels_[1].height = std::min(wanted, all * 3 / 5);
+    panels_[1].height = std::min(23 * row_height + 2 * panel_margin, all * 3 / 5);
     panels_[0].height = panels_[1].top = all - panels_[1].height;
     for (shown_panel& p : panels_) p.scrolled = std::clamp(p.scrolled, 0, p.hidden());
     if (focus_) focus_->at = nearest_cell(panels_[focus_->panel].rows, focus_->at);

@@ -66,16 +66,15 @@ inline void projection_rows(panel_rows& rows, const irg::studio<double>& s, cons
   more.skip(12);
   for (const char* kind : {"cavalier", "cabinet", "isometric", "dimetric", "trimetric"})
     more.button(kind, 63, start + kind);
-  if (c.projection == irg::projection_kind::oblique) {
-    const auto oblique = [&](double angle, double factor) {
-      return start + "oblique " + shortest(angle) + " " + shortest(factor);
-    };
-    row_writer(rows)
-        .label("angle", 70)
-        .value(c.oblique_angle, 86, [&](double v) { return oblique(v, c.oblique_factor); }, by(5))
-        .reading("factor", 86)
-        .value(c.oblique_factor, 86, [&](double v) { return oblique(c.oblique_angle, v); }, by(0.1));
-  }
+  const auto oblique = [&](double angle, double factor) {
+    return start + "oblique " + shortest(angle) + " " + shortest(factor);
+  };
+  row_writer(rows)
+      .label("oblique", 70)
+      .reading("angle", 47)
+      .value(c.oblique_angle, 82, [&](double v) { return oblique(v, c.oblique_factor); }, by(5))
+      .reading("factor", 47)
+      .value(c.oblique_factor, 82, [&](double v) { return oblique(c.oblique_angle, v); }, by(0.1));
   const irg::view_pyramid<double>& p = c.pyramid;
   const std::array<double, 5> numbers{p.distance, p.width, p.height, p.near_distance, p.far_distance};
   row_writer names(rows);
@@ -181,12 +180,12 @@ inline panel_rows view_panel(const irg::studio<double>& s, const studio_choice& 
   camera_rows(rows, s, choice);
   projection_rows(rows, s, choice);
   if (choice.body < s.bodies.size()) look_rows(rows, s.bodies[choice.body]);
-  light_rows(rows, s);
   row_writer(rows)
       .heading("Files", 70)
       .button("save", 66, "save studio.xml")
       .button("restore", 66, "restore studio.xml")
       .button("picture", 66, "picture studio.png");
+  light_rows(rows, s);
   return rows;
 }
 

@@ -13,7 +13,7 @@ for word in load drop show shade opacity colour add change move remove aim orbit
   ambient light picture save restore --input --size --window --replay; do
   check "--help names $word" has "$out" "$word"
 done
-for key in Tab Delete "1 2 3 4" "arrows" Backspace F1 F2 F4 F5 F6 F7 F8 Return Escape "drag in a view" "wheel in a view" \
+for key in Tab Delete "1 2 3 4" "arrows" Backspace F1 F2 F4 F5 F6 F7 Return Escape "drag in a view" "wheel in a view" \
   "press in a panel" "drop a file"; do
   check "--help tells of $key" has "$out" "
   $key"
@@ -113,10 +113,10 @@ desk "Tab, load and drop" $'load teapot\ndrop "teapot"\ndrop "cube"' 'press 120 
 desk "a file that is dropped" $'load "kocka.obj"\nshow "kocka" points on' 'drop kocka.obj' 'key 1'
 desk "a file that is not there" 'load "none.obj"  # refused: file does not exist: none.obj' 'drop none.obj'
 desk "parts" $'show "cube" points on\nshow "cube" edges on\nshow "cube" faces off\nshow "cube" backs on' 'key 1 2 3 4'
-desk "parts by the mouse" $'show "cube" points on\nshow "cube" backs on' 'press 100 573' 'press 300 573'
+desk "parts by the mouse" $'show "cube" points on\nshow "cube" backs on' 'press 100 546' 'press 300 546'
 desk "looks" $'shade "cube" gouraud\nopacity "cube" 0.5\nopacity "cube" 1\ncolour "cube" 205 128 70' 'key s t t c'
 desk "looks by the mouse" $'shade "cube" phong\nopacity "cube" 0.9\nopacity "cube" 1\nopacity "cube" 1
-colour "cube" 240 255 255' 'press 300 591' 'wheel 100 609 -1' 'wheel 100 609 1' 'wheel 100 609 1' 'wheel 220 609 -1'
+colour "cube" 240 255 255' 'press 300 564' 'wheel 100 582 -1' 'wheel 100 582 1' 'wheel 100 582 1' 'wheel 220 582 -1'
 desk "moves" $'add "cube" before translate -0.25 0 0\nadd "cube" before translate 0.25 0 0
 add "cube" before translate 0 0.25 0\nadd "cube" before translate 0 -0.25 0\nadd "cube" before translate 0 0 -0.25
 add "cube" after translate 0 0 0.25' 'key left right up down pageup w pagedown'
@@ -151,29 +151,29 @@ desk "views by the mouse" $'orbit main -20 10\norbit outer 0 0 0.9\norbit outer 
   'drag 20 10' 'wheel 1000 300 1' 'press 1000 300' 'drag -5 0' 'wheel 500 300 -1'
 desk "from a panel nothing is dragged" "" 'press 200 250' 'drag 20 10'
 desk "eye, target and up" $'aim main 4.25 3 6 0 0 0 0 1 0\naim main 4.25 3 6 0 -0.25 0 0 1 0
-aim main 4.25 3 6 0 -0.25 0 0 1 0.25\naim outer 20.25 14 -4 0 0 0 0 1 0' 'wheel 110 357 1' 'wheel 200 375 -1' \
-  'wheel 300 393 1' 'press 290 339' 'wheel 110 357 1'
+aim main 4.25 3 6 0 -0.25 0 0 1 0.25\naim outer 20.25 14 -4 0 0 0 0 1 0' 'wheel 110 312 1' 'wheel 200 330 -1' \
+  'wheel 300 348 1' 'press 290 294' 'wheel 110 312 1'
 desk "projections" $'project main orthographic\nproject main oblique 45 0.5\nproject main cavalier\nproject main cabinet
-project main isometric\nproject main dimetric\nproject main trimetric\nproject main perspective' 'press 200 465' \
-  'press 300 465' 'press 50 465' 'press 50 465' 'press 110 465' 'press 170 483' 'press 230 483' 'press 300 483' \
-  'press 120 465'
+project main isometric\nproject main dimetric\nproject main trimetric\nproject main perspective' 'press 200 420' \
+  'press 300 420' 'press 50 438' 'press 110 438' 'press 170 438' 'press 230 438' 'press 300 438' \
+  'press 120 420'
 desk "an oblique one's numbers" $'project main cavalier\nproject main oblique 50 1\nproject main oblique 50 0.9' \
-  'press 50 483' 'wheel 110 483 1' 'wheel 290 483 -1'
-desk "the pyramid" $'pyramid main 1.88 2 2 1 15\npyramid main 1.88 2 2 1 12' 'wheel 100 519 1' 'wheel 320 519 -1'
+  'press 50 438' 'wheel 160 456 1' 'wheel 280 456 -1'
+desk "the pyramid" $'pyramid main 2.5 2 1.5 1 15\npyramid main 2.5 2 1.5 1 12' 'wheel 100 492 1' 'wheel 320 492 -1'
 desk "helpers" $'helper main axes on\nhelper main camera-axes on\nhelper main camera on\nhelper main pyramid on
-helper main axes off' 'press 95 537' 'press 160 537' 'press 240 537' 'press 300 537' 'press 95 537'
+helper main axes off' 'press 95 510' 'press 160 510' 'press 240 510' 'press 300 510' 'press 95 510'
 desk "light" $'ambient 0.3\nlamp 1 -4.5 10 8 1 1 1 1\nlamp 1 -4.5 10 8 0 1 1 1\nlamp 1 -4.5 10 8 0 1 1 0.9\ndrop-lamp 1
-lamp 1 5 10 8 1 0.5 0.5 0.5' 'wheel 180 627 1' 'wheel 60 663 1' 'wheel 170 663 1' 'wheel 290 663 -1' 'press 325 663' \
-  'press 245 663'
+lamp 1 5 10 8 1 0.5 0.5 0.5' 'wheel 180 618 1' 'wheel 60 654 1' 'wheel 170 654 1' 'wheel 290 654 -1' 'press 325 654' \
+  'press 245 618'
 desk "by keys alone" $'load sphere\nproject main oblique 45 0.5' 'key f2 up right right' 'key return f2 f2 f2 f2' \
   'key down down down down right right return'
-desk "a number by keys" $'aim main 3.75 3 6 0 0 0 0 1 0\naim main 7 3 6 0 0 0 0 1 0' 'key f2 f2 down -' 'key return home' \
-  'key right right right right right right right right right delete delete delete delete delete' 'type  7' 'key return'
+desk "a number by keys" $'aim main 4 2.75 6 0 0 0 0 1 0\naim main 7 2.75 6 0 0 0 0 1 0' 'key f2 f2 down -' 'key return home' \
+  'key right right right right right right right right right delete' 'type 7' 'key return'
 desk "any line" $'colour * 1 2 3\nshw  # refused: line begins with a word that is not known
 show * edges on' 'key return' 'type colour * 1 2 3' 'key return return' 'type shw' 'key return left left' 'type X' \
-  'key backspace' 'type o' 'key end' 'key home' 'key right right right delete' 'type w * edges on' 'key return'
+  'key backspace right' 'type o' 'key end home right right right right' 'type  * edges on' 'key return'
 desk "files" $'save studio.xml\npicture studio.png\nadd "cube" before rotate-x 15\nrestore studio.xml\nsave studio.xml
-restore studio.xml\npicture studio.png' 'key f5 f6 x f8' 'press 110 681' 'press 175 681' 'press 245 681'
+restore studio.xml\npicture studio.png' 'key f5 f6 x f8' 'press 110 600' 'press 175 600' 'press 245 600'
 desk "Escape ends" 'show "cube" points on' 'key 1 escape 2' 'key 3'
 cp studio.png small.png
 desk "the window's pictures" 'show "cube" edges on' 'key f7 2'
@@ -243,10 +243,12 @@ if has_window; then
   check "the wheel brings the outer view nearer" said '^orbit outer 0 0 0.9$'
   xdotool mousemove --window "$id" 180 15 click 1
   check "the panel loads" said '^load cube$'
-  xdotool mousemove --window "$id" 120 213 click 5
-  check "the wheel changes a number of a panel" said '^change "cube(2)" \|^change "cube" \|^load cube$'
-  xdotool key F2 key Down key Return key F2 key F2
-  xdotool key Return type 'lamp 2 9 9 9 1 1 0 0'
+  xdotool mousemove --window "$id" 100 574 click 5
+  check "the wheel changes a number of a panel" said '^opacity "cube(2)" 0.9$'
+  xdotool key F2 key Right key Return key Down key minus
+  check "keys go to a panel and change its number" said '^aim outer '
+  xdotool key F2 key Return
+  xdotool type 'lamp 2 9 9 9 1 1 0 0'
   xdotool key Return
   check "a line that is typed" said '^lamp 2 9 9 9 1 1 0 0$'
   xdotool key F5 key F6
