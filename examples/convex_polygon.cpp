@@ -21,7 +21,11 @@
 #include "support/number_input.hpp"
 #include "support/number_output.hpp"
 #include "support/picture_options.hpp"
+#include "support/polygon_desk.hpp"
 #include "support/run_or_fail.hpp"
+#ifdef IRG_HAVE_SDL2
+#include "support/polygon_window.hpp"
+#endif
 
 namespace {
 
@@ -30,8 +34,9 @@ constexpr std::string_view help =
 
 usage: convex_polygon [options] <NUMBERS
 
-Reads n, then x y of each of the n vertices, then x y of a point, from standard input. Vertices may have decimals and
-reach from -2097152 to 2097152; to be filled they are rounded to 1/256. y points up, but down with --rule top-left.
+Reads n, at least 3, then x y of each of the n vertices, then x y of a point, from standard input. Vertices may have
+decimals and reach from -2097152 to 2097152; to be filled they are rounded to 1/256. y points up, but down with --rule
+top-left.
 
   --input FILE         read the numbers from FILE
   --rule RULE          which pixels are filled (top-left):
@@ -44,12 +49,17 @@ reach from -2097152 to 2097152; to be filled they are rounded to 1/256. y points
   --list               print the filled rows instead: y, first x, last x (that pixel included)
   -o OUT               draw the polygon, enlarged where it is small: .png, .ppm or .svg
   --size WxH           pixels of the picture (640x480)
+  --window             the vertices come from the mouse, a press of the left button each, in pixels of the window; a press
+                       of the right button is the point. Return closes the polygon, of at least three vertices: the
+                       numbers that would have been read are printed behind `input:`, then what is said to them. Backspace
+                       takes the last vertex back, Delete all; F6 writes OUT, or convex_polygon.png; Escape ends
 )";
 
 enum class fill_choice { top_left, course, closed, rounded, half_open };
 
 struct settings : program::drawing_options {
   fill_choice rule = fill_choice::top_left;
+  bool window = false;
 };
 
 settings read_settings(program::command_line& line) {
@@ -58,11 +68,14 @@ settings read_settings(program::command_line& line) {
     const std::string_view word = line.take();
     if (word == "--rule") {
       s.rule = static_cast<fill_choice>(line.choice(word, {"top-left", "course", "closed", "rounded", "half-open"}));
+    } else if (word == "--window") {
+      s.window = program::can_show(line);
     } else {
       s.read(line, word);
     }
   }
   s.finish(line);
+  if (s.window && (s.list || !s.input.empty())) line.fail("option --window goes with neither --list nor --input");
   return s;
 }
 
@@ -75,12 +88,16 @@ struct problem {
   bool convex = false;
 };
 
+constexpr const char* only_top_left = "the polygon is not convex; only --rule top-left fills such ones";
+std::string too_few(std::size_t n) { return "a polygon has at least three vertices, not " + std::to_string(n); }
+
 problem read_problem(program::command_line& line, const settings& s) {
   using program::number_input;
   problem out;
   number_input::prompt_if_terminal("number of vertices: ", s.input);
   number_input in(line, s.input);
-  const int n = in.integer("n", 0);
+  const int n = in.integer("n");
+  if (n < 3) in.fail_at_word(n < 0 ? "n is less than 0" : too_few(static_cast<std::size_t>(n)));
   number_input::prompt_if_terminal("x y of each vertex: ", s.input);
   const auto coordinate = [&](const char* name, int i) {
     const std::string what = std::string(name) + " of vertex " + std::to_string(i + 1);
@@ -95,7 +112,7 @@ problem read_problem(program::command_line& line, const settings& s) {
   }
   out.convex = irg::is_convex(out.ring);
   if (!out.convex && s.rule != fill_choice::top_left)
-    in.fail_at_word("the polygon is not convex; only --rule top-left fills such ones");
+    in.fail_at_word(only_top_left);
   number_input::prompt_if_terminal("x y of the point: ", s.input);
   out.p.x = in.number("x of the point");
   out.p.y = in.number("y of the point");
@@ -259,8 +276,43 @@ std::string report_of(const problem& in, fill_choice rule) {
   return text + "pixels: " + std::to_string(pixels) + "\n";
 }
 
+// What a polygon drawn with the mouse is answered with.
+struct answers {
+  fill_choice rule;
+
+  static problem problem_of(const std::vector<point>& ring, const point& p) {
+    problem out{ring, {}, p, irg::is_convex(ring)};
+    for (const point& v : ring) out.rounded.push_back(irg::snap(v));
+    return out;
+  }
+  std::string refusal(const std::vector<point>& ring) const {
+    if (ring.size() < 3) return too_few(ring.size());
+    return rule == fill_choice::top_left || irg::is_convex(ring) ? "" : only_top_left;
+  }
+  std::string report(const std::vector<point>& ring, const point& p) const {
+    return report_of(problem_of(ring, p), rule);
+  }
+  template <class Sink>
+  void spans(const std::vector<point>& ring, const irg::cell_window& window, const Sink& sink) const {
+    filled_spans(problem_of(ring, {}), rule, window, sink);
+  }
+};
+
+#ifdef IRG_HAVE_SDL2
+void show(program::command_line& line, const settings& s) {
+  const answers all{s.rule};
+  program::polygon_desk desk(all, s.rule == fill_choice::top_left ? program::y_axis::down : program::y_axis::up,
+                             s.out.empty() ? "convex_polygon.png" : s.out);
+  program::show_polygon_window(line, desk, s.size.width, s.size.height);
+  program::finish_output(line, "");
+}
+#endif
+
 void run(program::command_line& line) {
   const settings s = read_settings(line);
+#ifdef IRG_HAVE_SDL2
+  if (s.window) return show(line, s);
+#endif
   const problem in = read_problem(line, s);
   const std::string report = s.list ? "" : report_of(in, s.rule);  // whole before anything is written: memory may end
   if (!s.out.empty()) program::write_picture(line, s.out, picture_of(in, s));

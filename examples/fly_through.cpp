@@ -25,7 +25,7 @@
 namespace {
 
 constexpr std::string_view help =
-    R"(fly_through - a body in wire form without back faces, along a curve at constant speed
+    R"(fly_through - a body in wire form without back faces, along a curve at constant speed, or by its parameter
 
 usage: fly_through MODEL [options]
 MODEL is a file or teapot, cube, sphere, torus. Reads n, at least 1, and the n + 1 points of the path, 3 numbers each,
@@ -39,7 +39,9 @@ from standard input, and prints
   --look WHERE         target (default), ahead: where a moved eye looks
   --curve KIND         through (default): a cubic spline through the points; bspline: the points control a cubic
                        spline; bezier: they control a Bezier curve
-  --pictures N         1 to 10000 (60)
+  --pictures N         1 to 10000 (60), equally far apart along the curve
+  --steps DT           in their place a picture at each parameter t = k DT while it is at most 1, of a curve that t leads
+                       from 0 to 1 through: over 0, at most 1, and at most 10000 pictures
   --delay MS           how long each is shown, 0 to 65535 (40)
   --size WxH           pixels (320x240)
   --eye x,y,z --target x,y,z --up x,y,z --fov DEG --cull back|none --threads N    as in render
@@ -60,6 +62,7 @@ struct settings : program::render_settings {
   path_kind path = path_kind::through;
   bool ahead = false, list = false;
   int pictures = 60, delay = 40;
+  double step = 0;  // of the parameter; 0 for constant speed
 };
 
 std::string frame_name(const settings& s, std::size_t k) {
@@ -68,8 +71,17 @@ std::string frame_name(const settings& s, std::size_t k) {
   return s.frames + number + ".png";
 }
 
+// The value of --steps.
+double read_step(program::command_line& line) {
+  const double step = line.numbers("--steps", 1)[0];
+  if (!(step > 0 && step <= 1)) line.fail("option --steps needs a number over 0 and at most 1");
+  if (step * 10000 <= 1) line.fail("option --steps makes more than 10000 pictures");
+  return step;
+}
+
 settings read_settings(program::command_line& line) {
   settings s;
+  bool counts_pictures = false;
   s.size = {320, 240};
   s.options.style = irg::picture_style::wire;
   while (!line.done()) {
@@ -86,8 +98,11 @@ settings read_settings(program::command_line& line) {
       s.ahead = line.choice(word, {"target", "ahead"}) == 1;
     else if (word == "--curve")
       s.path = static_cast<path_kind>(line.choice(word, {"through", "bspline", "bezier"}));
-    else if (word == "--pictures")
+    else if (word == "--pictures") {
       s.pictures = line.integer(word, 1, 10000);
+      counts_pictures = true;
+    } else if (word == "--steps")
+      s.step = read_step(line);
     else if (word == "--delay")
       s.delay = line.integer(word, 0, 65535);
     else if (word == "-o" || word == "--size" || word == "--eye" || word == "--target" || word == "--up" ||
@@ -96,6 +111,8 @@ settings read_settings(program::command_line& line) {
     else
       line.refuse(word);
   }
+  if (s.step > 0 && counts_pictures) line.fail("options --pictures and --steps exclude each other");
+  for (s.pictures = s.step > 0 ? 0 : s.pictures; s.step > 0 && s.pictures * s.step <= 1;) ++s.pictures;
   if (s.model.empty()) line.fail("no model given; --help tells how");
   if (s.out.empty() && s.frames.empty() && !s.list) line.fail("nothing to write; -o or --frames names it");
   if (!s.out.empty() && irg::picture_format_of(s.out) != irg::picture_format::png)
@@ -257,7 +274,9 @@ void run(program::command_line& line) {
   const irg::constant_speed motion(sample, knots.first(), knots.last(), std::span<double>(lengths));
   std::vector<irg::curve_sample<point>> places;
   places.reserve(static_cast<std::size_t>(s.pictures));
-  for (int k = 0; k < s.pictures; ++k)
+  for (int k = 0; k < s.pictures && s.step > 0; ++k)
+    places.push_back(way(std::fmin(knots.first() + (knots.last() - knots.first()) * (k * s.step), knots.last())));
+  for (int k = 0; k < s.pictures && s.step == 0; ++k)
     places.push_back(motion.at(s.pictures > 1 ? static_cast<double>(k) / (s.pictures - 1) : 0));
   numbered_files files(s);
   if (!s.out.empty() || !s.frames.empty()) {

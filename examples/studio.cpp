@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // studio - bodies, their transformations and a camera, as the camera sees them and as one sees the camera.
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "support/desk_replay.hpp"
 #include "support/picture_options.hpp"
 #include "support/run_or_fail.hpp"
+#include "support/studio_desk.hpp"
+#include "support/studio_keys.hpp"
 #include "support/studio_session.hpp"
 #include "support/text_input.hpp"
 #ifdef IRG_HAVE_SDL2
@@ -14,7 +19,7 @@
 
 namespace {
 
-constexpr std::string_view help =
+const std::string help =
     R"(studio - bodies, lists of transformations and a camera: the main view, and an outer view of bodies and camera
 
 usage: studio [options] <SCRIPT
@@ -31,13 +36,18 @@ there are blanks in it, or * for all; VIEW is main or outer; STAGE is before or 
       translate x y z, scale x y z, rotate-x|rotate-y|rotate-z DEG, rotate x y z DEG (an axis),
       shear xy xz yx yz zx zy, mirror a b c d (a plane), parallel a b c d x y z (onto a plane along a direction),
       central a b c d x y z (onto a plane from an eye), matrix (16 numbers by rows, for columns)
-  move NAME STAGE FROM TO, remove NAME STAGE N     in its list, counted from 1
+  change NAME STAGE N TRANSFORMATION               puts another in the place of number N, counted from 1
+  move NAME STAGE FROM TO, remove NAME STAGE N     in its list
   aim VIEW EYE TARGET [UP]                         three numbers each
   orbit VIEW AZIMUTH ELEVATION [FACTOR]            degrees; then FACTOR times as far away
   project VIEW perspective|orthographic|isometric|dimetric|trimetric|cavalier [DEG]|cabinet [DEG]|oblique DEG FACTOR
   pyramid VIEW D WIDTH HEIGHT NEAR FAR             the screen at distance D, and what is seen
   helper VIEW axes|camera-axes|camera|pyramid on|off
-  light X Y Z W AMBIENT                            the lamp, a direction with W 0; light from everywhere, 0 to 1
+  lamp N X Y Z W [R G B]                           lamp N, or a new one behind the last: its place, a direction with
+                                                   W 0, and its light, parts from 0 to 1 (1 1 1)
+  drop-lamp N
+  ambient SHARE                                    light from everywhere, 0 to 1; the rest is the lamps'
+  light X Y Z W AMBIENT                            one lamp alone, and light from everywhere
   picture FILE [VIEW]  one view, or both side by side
   save FILE.xml, restore FILE.xml                  the whole state
 and prints
@@ -46,14 +56,25 @@ and prints
   body: NAME           for each at the end
 
   --input FILE         read the script from FILE
-  --size WxH           pixels of a picture (1280x480)
-  --window             shows the studio; keys and mouse become lines, which are printed. Reads a script only from --input
-)";
+  --size WxH           pixels of a picture (1280x480), of the window (1280x720)
+  --window             shows the studio: on the left its panels, transformations above and the properties of a view
+                       below, then what the main camera sees, and the outer one. Keys and mouse become lines of the
+                       script, which are printed. Reads a script only from --input
+  --replay FILE        the same without a window, keys and mouse from FILE: key NAME ..., type TEXT, press X Y,
+                       drag DX DY, slide DX DY (with the right button), wheel X Y STEPS, drop FILE
+
+In the window each event has a key or a move of the mouse, or is typed as a line:
+)" + program::studio_keys_text();
 
 struct settings {
-  std::string input;
-  program::picture_size size{1280, 480};
+  std::string input, replay;
+  std::optional<program::picture_size> size;
   bool window = false;
+
+  bool has_desk() const { return window || !replay.empty(); }
+  program::picture_size size_or_default() const {
+    return size.value_or(program::picture_size{1280, has_desk() ? 720 : 480});
+  }
 };
 
 settings read_settings(program::command_line& line) {
@@ -66,6 +87,8 @@ settings read_settings(program::command_line& line) {
       s.size = program::read_size(line);
     else if (word == "--window")
       s.window = program::can_show(line);
+    else if (word == "--replay")
+      s.replay = line.file_of(word);
     else
       line.refuse(word);
   }
@@ -74,10 +97,11 @@ settings read_settings(program::command_line& line) {
 
 void run(program::command_line& line) {
   const settings s = read_settings(line);
-  program::studio_session session(s.size.width, s.size.height);
+  const program::picture_size size = s.size_or_default();
+  program::studio_session session(size.width, size.height);
   std::string out;
   std::size_t pictures = 0, events = 0;
-  if (!s.window || !s.input.empty()) {
+  if (!s.has_desk() || !s.input.empty()) {
     const std::string text = program::read_text(line, s.input, "script");
     const auto commands = irg::read_studio_script<double>(text);
     if (!commands) line.fail(program::with_place(commands.error(), s.input.empty() ? "stdin" : s.input));
@@ -92,11 +116,18 @@ void run(program::command_line& line) {
       if (why.empty() && c.action != irg::studio_action::picture) ++events;
     }
   }
+  if (!s.replay.empty()) {
+    const std::string moves = program::read_text(line, s.replay, "replay");
+    std::fputs(out.c_str(), stdout);
+    program::studio_desk desk(session);
+    desk.resize(size.width, size.height);
+    program::replay(line, desk, moves, s.replay);
+    return program::finish_output(line, "");
+  }
   if (s.window) {
 #ifdef IRG_HAVE_SDL2
     std::fputs(out.c_str(), stdout);
-    std::fputs(program::studio_keys, stderr);
-    program::studio_window(line, session, s.size.width, s.size.height).run();
+    program::studio_window(line, session, size.width, size.height).run();
     return program::finish_output(line, "");
 #endif
   }

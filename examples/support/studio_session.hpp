@@ -45,7 +45,21 @@ public:
       irg::draw_studio(picture_.view(), state_, memory_, sentence_);
     return picture_;
   }
+  /// Draws a view into a part of another picture.
+  void draw(irg::image_view<irg::rgba8> part, irg::studio_view view) {
+    irg::draw_studio_view(part, state_, view, memory_);
+  }
   void resize(int width, int height) { picture_ = irg::image<irg::rgba8>(width, height); }
+
+  /// Why the line before this could not be; empty if it could.
+  const std::string& sentence() const { return sentence_; }
+  /// What a line that is none is answered with.
+  void refuse(const std::string& why) { sentence_ = why; }
+
+  /// Writes a picture; empty, or why it cannot be.
+  std::string write_picture(const std::string& file, const irg::image<irg::rgba8>& picture) {
+    return wrote(file, irg::write_image(file, picture));
+  }
 
   /// Removes the files that were written.
   void remove_files() const {
@@ -77,7 +91,7 @@ private:
       }
       case irg::studio_action::picture: {
         if (!irg::picture_format_of(file)) return "the picture's name must end in .png, .ppm or .svg: " + file;
-        return wrote(file, irg::write_image(file, draw(c.view)));
+        return write_picture(file, draw(c.view));
       }
     }
     return "";

@@ -60,6 +60,8 @@ irg::studio_event<double> any_event(std::mt19937_64& random) {
       irg::studio_transformation<double> t{static_cast<irg::studio_map>(upto(10)), {}};
       for (std::size_t i = 0; i < irg::studio_maps[static_cast<std::size_t>(t.kind)].numbers; ++i)
         t.numbers[i] = number();
+      if (upto(4) == 0)
+        return irg::change_transformation<double>{name, stage, static_cast<std::size_t>(upto(2)), t};
       return irg::add_transformation<double>{name, stage, t};
     }
     case 8:
@@ -75,6 +77,11 @@ irg::studio_event<double> any_event(std::mt19937_64& random) {
     case 14: return irg::set_pyramid<double>{view, {number(), number(), number(), number(), number()}};
     default:
       if (upto(1) == 0) return irg::show_helper{view, static_cast<irg::studio_helper>(upto(3)), how};
+      if (upto(2) == 0)
+        return irg::set_lamp<double>{static_cast<std::size_t>(upto(3)),
+                                     {{number(), number(), number(), number()}, {0.1 * upto(10), 0.3, 0.1 * upto(11)}}};
+      if (upto(3) == 0) return irg::drop_lamp{static_cast<std::size_t>(upto(2))};
+      if (upto(3) == 0) return irg::set_ambient<double>{number()};
       return irg::set_light<double>{{number(), number(), number(), number()}, 0.1 * upto(12)};
   }
 }
@@ -110,6 +117,23 @@ TEST_CASE("studio file: after any events the state reads back the same, refused 
   CHECK(done > 1000);
   CHECK(refused > 500);
   CHECK(bodies > 60);
+}
+
+TEST_CASE("studio file: no lamp, one and several; a white one alone is the line that older readers know") {
+  studio s;
+  CHECK(text_of(s).find("<studio:event line=\"light -5 10 8 1 0.25\"/>") != std::string::npos);
+  const auto comes_back = [&] {
+    const auto back = irg::read_studio<double>(text_of(s));
+    return back.has_value() && *back == s;
+  };
+  CHECK(apply_event(s, irg::drop_lamp{0}) == irg::studio_status::done);
+  CHECK(comes_back());
+  for (std::size_t i = 0; i < 12; ++i) {
+    CHECK(apply_event(s, irg::set_lamp<double>{i, {{0.1 * static_cast<double>(i), 1, 2, 0}, {1, 0.5, 0.1}}}) ==
+          irg::studio_status::done);
+    CHECK(comes_back());
+  }
+  CHECK(text_of(s).find("line=\"lamp 12 1.1 1 2 0 1 0.5 0.1\"") != std::string::npos);
 }
 
 TEST_CASE("studio file: cameras that no other projection or distance has read back, too") {

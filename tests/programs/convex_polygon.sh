@@ -3,7 +3,10 @@
 # The contract of `convex_polygon`, seen from outside: the course's polygon, every rule, refusals, files left behind.
 # usage: convex_polygon.sh FOLDER-WITH-THE-PROGRAMS
 # shellcheck source=tests/support/programs.sh
-. "$(dirname "$0")/../support/programs.sh" convex_polygon "$@"
+# shellcheck disable=SC2154 # id comes from window.sh
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../support/programs.sh" convex_polygon "$@"
+. "$here/../support/window.sh"
 
 line() { sed -n "s/^$1: //p" .out; }
 
@@ -24,7 +27,7 @@ course="4
 # ---- help
 run "" --help
 check "--help: exit 0" is "$status" 0
-for word in --input --rule --list --size -o top-left course closed rounded half-open; do
+for word in usage: --input --rule --list --size --window -o top-left course closed rounded half-open; do
   check "--help names $word" has "$out" "$word"
 done
 
@@ -142,14 +145,11 @@ for rule in top-left course closed rounded half-open; do
   check "a circle by $rule is filled, not $(line pixels)" test "$(line pixels)" -gt 7700 -a "$(line pixels)" -lt 8000
 done
 
-# ---- few vertices: classified
-run "0 3 4"
-check "no vertex: exit 0" is "$status" 0
-check "no vertex" is "$(tr '\n' ';' <.out)" "orientation: degenerate;convex: yes;point: outside;pixels: 0;"
-run "1 3 4 3 4"
-check "one vertex" is "$(tr '\n' ';' <.out)" "orientation: degenerate;convex: yes;edge: 0 0 0;point: boundary;pixels: 0;"
-run "2 0 0 2 4 1 2"
-check "two vertices" is "$(tr '\n' ';' <.out)" "orientation: degenerate;convex: yes;edge: -4 2 0;edge: 4 -2 0;point: boundary;pixels: 0;"
+# ---- few vertices
+for few in "0 3 4" "1 3 4 3 4" "2 0 0 2 4 1 2"; do
+  refused "${few:0:1} vertices" "a polygon has at least three vertices, not ${few:0:1}: stdin:1:1" "$few"
+  refused "${few:0:1} vertices, listed and drawn" "at least three" "$few" --list -o few.png --rule closed
+done
 run "3 0 0 2 4 4 8 1 2"
 check "collinear vertices" is "$(line orientation) $(line pixels)" "degenerate 0"
 run "3 0 0 2 4 4 8 1 2" --list
@@ -164,7 +164,7 @@ check "comments, tabs, no line end: $err" is "$(line pixels)" 38874
 refused "n missing" "n is missing: stdin:1:1" ""
 refused "only a comment" "n is missing: stdin:2:1" "# nothing
 "
-refused "n < 0" "n is out of range" "-1 0 0"
+refused "n < 0" "n is less than 0: stdin:1:1" "-1 0 0"
 refused "n is no whole number" "stdin:1:1" "3.5 0 0 1 0 0 1 0 0"
 refused "n is too large" "stdin:1:1" "99999999999 0 0"
 refused "n is no number" "stdin:1:1" "three"
@@ -209,7 +209,7 @@ check "most of the polygon is seen, $blue pixels" test "$blue" -gt 37500 -a "$bl
 run "$course" -o p.png --list
 check "a PNG" is "$(head -c 4 p.png | tail -c 3)" PNG
 check "a PNG and the list" is "$(wc -l <.out)" 299
-for input in "$(cat circle)" "0 0 0" "1 5 5 5 5" "3 -2097152 -2097152 2097152 -2097152 2097152 2097152 1e300 -1e300" "4 0 0 0 4 2 1 4 4 1 1"; do
+for input in "$(cat circle)" "3 0 0 0 0 0 0 0 0" "3 5 5 6 6 7 7 5 5" "3 -2097152 -2097152 2097152 -2097152 2097152 2097152 1e300 -1e300" "4 0 0 0 4 2 1 4 4 1 1"; do
   pictures_of_all_sizes "$input"
 done
 refused "a picture of unknown ending" ".png" "$course" -o x.gif
@@ -221,6 +221,65 @@ refused "a picture over the input" "overwritten" "" --input self.ppm -o ./self.p
 check "the input is as it was" cmp -s polygon.txt self.ppm
 refused "a picture of bad input" "stdin" "3 0 0" -o x.png
 no_room "$course"
+
+# ---- vertices by mouse
+if has_window; then
+  fails "a window and a list" "" --window --list
+  fails "a window and numbers" "" --window --input polygon.txt
+  press() { xdotool mousemove --window "$id" "$1" "$2" click "${3:-1}"; }
+  open_window 'irg convex polygon' --size 640x480
+  press 50 200
+  check "a vertex" said '^vertex: 50 200$'
+  press 150 350
+  check "another" said '^vertex: 150 350$'
+  xdotool key Return
+  check "two are refused" said '^refused: a polygon has at least three vertices, not 2$'
+  press 300 150
+  press 400 10
+  check "a wrong one" said '^vertex: 400 10$'
+  xdotool key BackSpace
+  check "is taken back" said '^one less$'
+  press 100 50
+  press 150 200 3
+  check "the point" said '^asked: 150 200$'
+  xdotool key Return
+  check "the report" said '^pixels: 38775$'
+  xdotool key F6
+  check "the picture" said '^picture: convex_polygon.png$'
+  press 100 275 3
+  check "another point" said '^point: boundary$'
+  xdotool key Delete
+  check "anew" said '^anew$'
+  press 10 10
+  press 20 10
+  press 10 20
+  press 20 20
+  xdotool key Return
+  check "a bow-tie is none but filled" said '^orientation: degenerate$'
+  end_window
+  # What is behind input: is the same polygon, read as numbers.
+  sed -n '/^input: 4 50/,/^pixels/p' window.out | sed '/^pixels/q' >first
+  sed -n '1s/^input: //p' first >numbers
+  check "the numbers: $(cat numbers)" is "$(cat numbers)" "4 50 200 150 350 300 150 100 50 150 200"
+  run "" --input numbers
+  check "the same report: $out" is "$out" "$(sed 1d first)"
+  check "a picture of the window's size" is "$(head -c 24 convex_polygon.png | tail -c 8 | od -An -tx1 | tr -d ' ')" "00000280000001e0"
+  open_window 'irg convex polygon' --size 320x240 --rule closed -o other.ppm
+  press 10 229
+  check "with the other rules y points up" said '^vertex: 10 10$'
+  press 100 229
+  press 20 200
+  press 10 100
+  xdotool key Return
+  check "and what is not convex is refused" said '^refused: the polygon is not convex; only --rule top-left'
+  xdotool key BackSpace key Return
+  check "three are filled" said '^pixels: '
+  xdotool key F6
+  check "into the picture that is named" said '^picture: other.ppm$'
+  end_window
+  check "its pixels are those that are told: $(count other.ppm 146 184 222)" \
+    test "$(count other.ppm 146 184 222)" -le "$(sed -n 's/^pixels: //p' window.out)" -a "$(count other.ppm 146 184 222)" -gt 500
+fi
 
 check "no temporary file is left" is "$(find . -name '*.part' | wc -l)" 0
 conclude

@@ -9,7 +9,7 @@ arch='3  4 1 0  0 2 4  -4 1 0  0 0.5 -4'
 
 run "" --help
 check "--help: exit 0" is "$status" 0
-for word in -o --frames --move --look --curve --pictures --delay --size --eye --target --input --list; do
+for word in -o --frames --move --look --curve --pictures --steps --delay --size --eye --target --input --list; do
   check "--help names $word" has "$out" "$word"
 done
 
@@ -45,6 +45,33 @@ spread=$(awk 'NR > 1 { d = sqrt(($2-x)^2 + ($3-y)^2 + ($4-z)^2); if (NR == 2 || 
 check "at constant speed" is "$spread" 1
 run "1  0 0 0  1 0 0" cube --pictures 3 --list
 check "a straight line: $out" is "$out" $'0 0 0 0\n1 0.5 0 0\n2 1 0 0'
+# By the parameter: the Bezier curve by Bernstein's polynomials, k DT while it is at most 1.
+for step in 0.25 0.01 0.3 1; do
+  run "$arch" cube --curve bezier --steps $step --list
+  check "--steps $step: exit 0, $err" is "$status" 0
+  off=$(awk -v step=$step '{ t = (NR - 1) * step; s = 1 - t; a = s * s * s; b = 3 * s * s * t; c = 3 * s * t * t; d = t * t * t
+    e = ($1 - NR + 1) "" ; x = $2 - (4 * a - 4 * c); y = $3 - (a + 2 * b + c + 0.5 * d); z = $4 - (4 * b - 4 * d)
+    if (e != 0 || x * x + y * y + z * z > 1e-26) ++n } END { print n + 0 }' .out)
+  check "--steps $step: Bernstein's places" is "$off" 0
+  check "--steps $step: as many as there are" is "$(wc -l <.out)" "$(awk -v s=$step 'BEGIN { while (k * s <= 1) ++k; print k }')"
+done
+check "a step of 1: both ends" is "$(wc -l <.out)" 2
+run "$arch" cube --steps 0.01 --list
+check "through the points: 101 places, from end to end" is "$(wc -l <.out) $(sed -n '1p;101p' .out | tr '\n' ' ')" \
+  "101 0 4 1 0 100 0 0.5 -4 "
+cp .out parameter
+run "$arch" cube --pictures 101 --list
+check "not those at constant speed" is_not "$(cat parameter)" "$out"
+run "$arch" cube -o steps.png --frames t --steps 0.5 --size 16x12
+check "a flight by the parameter: exit 0, $err" is "$status" 0
+check "three pictures: $out" is "$(head -n 1 <<<"$out") $(echo t0*)" "pictures: 3 t0001.png t0002.png t0003.png"
+for step in 0 -0.1 1.5 nan x 0.0001 1e-9; do fails "--steps $step" "$arch" cube --list --steps $step; done
+fails "both ways to count" "$arch" cube --list --steps 0.1 --pictures 3
+echo "$arch" >t0002.png
+fails "a picture of a step over its input" "" cube --frames t --input t0002.png --steps 0.5
+check "the input is as it was" is "$(cat t0002.png)" "$arch"
+rm t0*.png
+
 run "1  5 5 5  -5 -5 -5" cube -o across.png --pictures 3 --size 16x16
 check "an eye in its target: $err" is "$status" 0
 run "2  1 1 1  1 1 1  1 1 1" cube -o still.png --curve bezier --pictures 3 --size 16x16

@@ -88,9 +88,11 @@ TEST_CASE("studio picture: a body of many surfaces is kept in parts of its size"
   CHECK(positions <= m.corners.size());
 }
 
-TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading and projection") {
+TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading and projection, by three lamps") {
   studio s =
-      studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}}});
+      studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}},
+                 irg::set_lamp<double>{1, {{3, -2, 0.5, 0}, {0.5, 0.25, 1}}},
+                 irg::set_lamp<double>{2, {{0.5, 8, -1, 1}, {0.125, 1, 0}}}});
   CHECK(apply_event(s, moved("teapot", 0.5, -1, 0)) == irg::studio_status::done);
   const irg::rgb<float> decoded = irg::decode({250, 20, 90, 255});
   const irg::rgb<double> light{irg::widened(decoded.r), irg::widened(decoded.g), irg::widened(decoded.b)};
@@ -101,7 +103,9 @@ TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading
   for (const auto kind :
        {irg::projection_kind::perspective, irg::projection_kind::orthographic, irg::projection_kind::oblique}) {
     CHECK(apply_event(s, irg::set_projection<double>{studio_view::main, kind}) == irg::studio_status::done);
-    irg::scene<double> world{{o}, irg::camera_of(s.of(studio_view::main)), {{s.lamp, {0.75, 0.75, 0.75}}}};
+    irg::scene<double> world{{o}, irg::camera_of(s.of(studio_view::main)), s.lamps};
+    for (auto& [position, part] : world.lights)  // what the light from everywhere leaves
+      part = {0.75 * part.r, 0.75 * part.g, 0.75 * part.b};
     world.ambient = {0.25, 0.25, 0.25};
     for (const auto& [shading, style] : {std::pair{irg::studio_shading::flat, irg::picture_style::flat},
                                          std::pair{irg::studio_shading::gouraud, irg::picture_style::gouraud},
@@ -146,7 +150,7 @@ TEST_CASE("studio picture: bodies with Phong shading, whose shaders move as they
   }
   CHECK(apply_event(s, irg::shade_body{{}, irg::studio_shading::phong}) == irg::studio_status::done);
   world.view = irg::camera_of(s.of(studio_view::main));
-  world.lights = {{s.lamp, {0.75, 0.75, 0.75}}};
+  world.lights = {{s.lamps[0].position, {0.75, 0.75, 0.75}}};
   pixels expected(96, 72);
   irg::image<float> depth(96, 72);
   irg::render(world, {expected, depth},

@@ -180,6 +180,14 @@ TEST_CASE("studio events: lists of transformations, added to, reordered, taken f
   CHECK(order() == "4231");
   CHECK(apply_event(s, irg::move_transformation{"kocka", before, 1, 1}) == done);
   CHECK(order() == "4231");
+  CHECK(apply_event(s, irg::change_transformation<double>{
+            "kocka", before, 1, {irg::studio_map::translate, {7}}}) == done);
+  CHECK(order() == "4731");
+  refused(s, irg::change_transformation<double>{"kocka", before, 4, {}}, no_such_transformation);
+  refused(s, irg::change_transformation<double>{"kocka", before, 0, {irg::studio_map::mirror, {}}}, no_matrix);
+  refused(s, irg::change_transformation<double>{"gomb", before, 0, {}}, no_such_body);
+  CHECK(apply_event(s, irg::change_transformation<double>{
+            "kocka", before, 1, {irg::studio_map::translate, {2}}}) == done);
   CHECK(apply_event(s, irg::remove_transformation{"kocka", before, 3}) == done);
   CHECK(order() == "423");
   CHECK(s.bodies[0].transformations[1].size() == 1);
@@ -238,8 +246,38 @@ TEST_CASE("studio events: cameras, and those that are none") {
   refused(s, irg::set_light<double>{{0, inf, 0, 0}, 0}, not_finite);
 }
 
+TEST_CASE("studio events: lamps are added, changed and dropped; light puts one in place of all") {
+  studio s;
+  REQUIRE(s.lamps.size() == 1);
+  const irg::light<double> red{{1, 2, 3, 1}, {1, 0, 0}}, sun{{0, 1, 0, 0}, {0.5, 0.5, 0.25}};
+  refused(s, irg::set_lamp<double>{2, red}, no_such_lamp);
+  CHECK(apply_event(s, irg::set_lamp<double>{1, red}) == done);
+  CHECK(apply_event(s, irg::set_lamp<double>{0, sun}) == done);
+  CHECK(s.lamps == std::vector{sun, red});
+  refused(s, irg::set_lamp<double>{0, {{0, nan, 0, 1}, {1, 1, 1}}}, not_finite);
+  for (const double part : {-0.1, 1.5, nan})
+    for (int k = 0; k < 3; ++k) {
+      irg::light<double> bad = red;
+      (k == 0 ? bad.intensity.r : k == 1 ? bad.intensity.g : bad.intensity.b) = part;
+      refused(s, irg::set_lamp<double>{1, bad}, bad_lamp);
+    }
+  refused(s, irg::drop_lamp{2}, no_such_lamp);
+  CHECK(apply_event(s, irg::drop_lamp{0}) == done);
+  CHECK(s.lamps == std::vector{red});
+  CHECK(apply_event(s, irg::drop_lamp{0}) == done);
+  refused(s, irg::drop_lamp{0}, no_such_lamp);
+  CHECK(apply_event(s, irg::set_ambient<double>{0.75}) == done);
+  refused(s, irg::set_ambient<double>{-1}, bad_light);
+  refused(s, irg::set_ambient<double>{nan}, bad_light);
+  CHECK((s.lamps.empty() && s.ambient == 0.75));
+  for (std::size_t i = 0; i < 3; ++i) CHECK(apply_event(s, irg::set_lamp<double>{i, red}) == done);
+  CHECK(apply_event(s, irg::set_light<double>{{0, 1, 0, 0}, 0.5}) == done);
+  CHECK(s.lamps == std::vector{irg::light<double>{{0, 1, 0, 0}, {1, 1, 1}}});
+  CHECK(s.ambient == 0.5);
+}
+
 TEST_CASE("studio events: a sentence for each status") {
-  for (int i = 0; i <= static_cast<int>(bad_light); ++i)
+  for (int i = 0; i <= static_cast<int>(no_such_lamp); ++i)
     CHECK(std::string(irg::sentence_of(static_cast<irg::studio_status>(i))).size() > 3);
 }
 
@@ -270,5 +308,7 @@ TEST_CASE("studio events: where memory gives out, all bodies change or none") {
   };
   try_each(irg::add_transformation<double>{{}, irg::studio_stage::before, {irg::studio_map::translate, {1, 2, 3}}});
   try_each(irg::colour_body{{}, {1, 2, 3, 255}});
+  try_each(irg::set_light<double>{{1, 2, 3, 1}, 0.5});
+  try_each(irg::set_lamp<double>{1, {{1, 2, 3, 1}, {1, 1, 1}}});
 }
 #endif

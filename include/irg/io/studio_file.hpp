@@ -33,7 +33,7 @@ template <Floating T>
   writer.out.resize(writer.out.size() - end.size());
   detail::append_text(writer.out, "  <studio:state xmlns:studio=\"urn:irg:studio\">\n");
   for (std::size_t i = 0; i < s.cameras.size(); ++i) writer.camera(detail::studio_view_names[i], s.cameras[i]);
-  writer.line("light", point<T, 3>{s.lamp.x, s.lamp.y, s.lamp.z}, s.lamp.w, s.ambient);
+  writer.lamps(s.lamps, s.ambient);
   for (const studio_body<T>& b : s.bodies) writer.body(b);
   detail::append_text(writer.out, "  </studio:state>\n");
   detail::append_text(writer.out, end);

@@ -81,12 +81,12 @@ struct studio_script_reader {
     return number(into[0]) && number(into[1]) && number(into[2]);
   }
   /// The place in a list, which a line counts from 1.
-  constexpr bool place(std::size_t& into) noexcept {
+  constexpr bool place(std::size_t& into, const char* message = "transformations are counted from 1") noexcept {
     if (!follows("line ends where a number is expected")) return false;
     const char* const start = cursor.at;
     std::int64_t n = 0;
     if (!cursor.integer(n)) return false;
-    if (n < 1) return cursor.fail(start, "transformations are counted from 1");
+    if (n < 1) return cursor.fail(start, message);
     into = static_cast<std::size_t>(n) - 1;
     return true;
   }
@@ -211,6 +211,9 @@ struct studio_script_reader {
     if (word == "add")
       return event<add_transformation<T>>(out, named, staged,
                                           [&](auto& e) { return transformation(e.transformation); });
+    if (word == "change")
+      return event<change_transformation<T>>(
+          out, named, staged, [&](auto& e) { return place(e.which) && transformation(e.transformation); });
     if (word == "move")
       return event<move_transformation>(out, named, staged, [&](auto& e) { return place(e.from) && place(e.to); });
     if (word == "remove")
@@ -237,11 +240,16 @@ struct studio_script_reader {
             return choice(e.helper, studio_helper_names, "helper is none of axes, camera-axes, camera, pyramid");
           },
           shown);
-    if (word == "light")
-      return event<set_light<T>>(out, [&](auto& e) {
-        hpoint<T, 3>& p = e.lamp;
-        return number(p.x) && number(p.y) && number(p.z) && number(p.w) && number(e.ambient);
+    const auto at = [&](hpoint<T, 3>& p) { return number(p.x) && number(p.y) && number(p.z) && number(p.w); };
+    if (word == "light") return event<set_light<T>>(out, [&](auto& e) { return at(e.lamp) && number(e.ambient); });
+    if (word == "ambient") return event<set_ambient<T>>(out, [&](auto& e) { return number(e.ambient); });
+    const auto lamp_number = [&](auto& e) { return place(e.which, "lamps are counted from 1"); };
+    if (word == "lamp")
+      return event<set_lamp<T>>(out, lamp_number, [&](auto& e) {
+        rgb<T>& i = e.lamp.intensity;
+        return at(e.lamp.position) && (!cursor.skip_blanks() || (number(i.r) && number(i.g) && number(i.b)));
       });
+    if (word == "drop-lamp") return event<drop_lamp>(out, lamp_number);
     return cursor.fail(start, "line begins with a word that is not known");
   }
 };

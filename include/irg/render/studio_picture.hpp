@@ -97,15 +97,15 @@ struct studio_drawing {
   mat<T, 4, 4> to_clip;
   screen_mapping<T> mapping;
   std::vector<studio_object<T>> objects;
-  std::array<light<T>, 1> lamp;
+  std::vector<light<T>> lamps;
 
   constexpr studio_drawing(const studio<T>& of, studio_view v, image_view<rgba8> to,
                            typename studio_memory<T>::view_memory& m, const studio_colours& c)
       : s(of), view(v), picture(to), memory(m), colours(c), seen_from(camera_of(of.of(v))),
         projection(view_projection_checked(seen_from, static_cast<T>(to.width()) / static_cast<T>(to.height()))),
-        to_clip(projection.value), mapping(map_to_screen<T>(to.width(), to.height())) {
+        to_clip(projection.value), mapping(map_to_screen<T>(to.width(), to.height())), lamps(of.lamps) {
     const T left = T(1) - s.ambient;
-    lamp[0] = {s.lamp, {left, left, left}};
+    for (light<T>& l : lamps) l.intensity = {left * l.intensity.r, left * l.intensity.g, left * l.intensity.b};
     if (memory.depth.width() != to.width() || memory.depth.height() != to.height())
       memory.depth = image<float>(to.width(), to.height());
   }
@@ -143,7 +143,7 @@ struct studio_drawing {
     const bool unlit = b.shading == studio_shading::none;
     const T around = unlit ? T(1) : s.ambient;
     const lighting<T> light{{around, around, around},
-                            unlit ? std::span<const light_of>() : std::span<const light_of>(lamp)};
+                            unlit ? std::span<const light_of>() : std::span<const light_of>(lamps)};
     const face_culling culling = b.shows(studio_part::backs) ? face_culling::none : face_culling::back;
     objects.push_back({object_shading<T>(part, light, viewpoint(seen_from)), b.shading, culling,
                        static_cast<std::uint8_t>(b.opacity * static_cast<T>(opacity) + T(0.5))});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The studio of the thesis as a value: bodies with their transformations and looks, two cameras, a lamp. One camera
+// The studio of the thesis as a value: bodies with their transformations and looks, two cameras, lamps. One camera
 // takes the picture, the other watches bodies and camera from outside.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <irg/scene/camera.hpp>
 #include <irg/scene/stored_body.hpp>
 #include <irg/scene/studio_transformation.hpp>
+#include <irg/shade/light.hpp>
 #include <irg/view/view_pyramid.hpp>
 
 namespace irg {
@@ -66,17 +67,41 @@ struct studio_camera {
   }
 };
 
+/// What became of an event.
+enum class [[nodiscard]] studio_status {
+  done,
+  no_such_body,
+  no_name,
+  broken_faces,
+  not_finite,
+  edge_without_point,
+  broken_surface,
+  no_matrix,
+  no_such_transformation,
+  bad_opacity,
+  eye_in_target,
+  no_projection,
+  bad_light,
+  bad_lamp,
+  no_such_lamp
+};
+
 /// All that a picture of the studio depends on.
 template <Floating T>
 struct studio {
+  /// One lamp of full intensity alone; a direction with weight 0.
+  [[nodiscard]] static constexpr std::vector<light<T>> white_lamp(const hpoint<T, 3>& position) {
+    return std::vector<light<T>>(1, light<T>{position, {T(1), T(1), T(1)}});
+  }
+
   std::vector<studio_body<T>> bodies;
   std::array<studio_camera<T>, 2> cameras{
       studio_camera<T>{{T(4), T(3), T(6)}},
       studio_camera<T>{.eye = {T(20), T(14), T(-4)},
                        .pyramid = {T(2), T(2), T(1.5), T(0.5), T(200)},
                        .helpers = {display::shown, display::shown, display::shown, display::shown}}};
-  hpoint<T, 3> lamp{T(-5), T(10), T(8), T(1)};  // a direction with weight 0
-  T ambient = T(0.25);  // share of the light that comes from everywhere; the rest is the lamp's
+  std::vector<light<T>> lamps = white_lamp({T(-5), T(10), T(8), T(1)});  // each part of an intensity 0 to 1
+  T ambient = T(0.25);  // share of the light that comes from everywhere; of the rest each lamp gives its intensity
   bool operator==(const studio&) const = default;
 
   [[nodiscard]] IRG_APART constexpr studio_camera<T>& of(studio_view v) noexcept {
@@ -88,6 +113,14 @@ struct studio {
 };
 
 inline namespace IRG_ABI {
+
+/// The number of the body of that name; the number of bodies when there is none.
+template <Floating T>
+[[nodiscard]] constexpr std::size_t find_body(const studio<T>& s, const part_name& name) noexcept {
+  std::size_t i = 0;
+  while (i < s.bodies.size() && !(s.bodies[i].body.name == name)) ++i;
+  return i;
+}
 
 /// The camera that takes a picture of the screen of a studio camera. Parallel projections show as much as the pyramid
 /// holds at the target's distance.

@@ -9,30 +9,13 @@
 #include <utility>
 #include <variant>
 
-#include <irg/mesh/validate.hpp>
 #include <irg/scene/detail/free_name.hpp>
+#include <irg/scene/detail/studio_events_steps.hpp>
 #include <irg/scene/studio.hpp>
 #include <irg/view/axonometry.hpp>
 #include <irg/view/polar_camera.hpp>
 
 namespace irg {
-
-/// What became of an event.
-enum class [[nodiscard]] studio_status {
-  done,
-  no_such_body,
-  no_name,
-  broken_faces,
-  not_finite,
-  edge_without_point,
-  broken_surface,
-  no_matrix,
-  no_such_transformation,
-  bad_opacity,
-  eye_in_target,
-  no_projection,
-  bad_light
-};
 
 /// A body comes in; behind one of the same name it is called name(2), name(3), ... by the first number that is free.
 template <Floating T>
@@ -75,6 +58,14 @@ struct move_transformation {
   studio_stage stage = studio_stage::before;
   std::size_t from = 0, to = 0;
 };
+/// Puts another transformation in the place of number `which`.
+template <Floating T>
+struct change_transformation {
+  part_name name;
+  studio_stage stage = studio_stage::before;
+  std::size_t which = 0;
+  studio_transformation<T> transformation;
+};
 struct remove_transformation {
   part_name name;
   studio_stage stage = studio_stage::before;
@@ -115,10 +106,25 @@ struct show_helper {
   studio_helper helper = studio_helper::world_axes;
   display how = display::shown;
 };
+/// A single lamp, of full intensity, in place of all lamps, and the share of light from everywhere.
 template <Floating T>
 struct set_light {
   hpoint<T, 3> lamp;
   T ambient{};
+};
+template <Floating T>
+struct set_ambient {
+  T ambient{};
+};
+/// Lamp number `which`, counted from 0; behind the last one it is a new lamp.
+template <Floating T>
+struct set_lamp {
+  std::size_t which = 0;
+  light<T> lamp{{T(0), T(0), T(0), T(1)}, {T(1), T(1), T(1)}};
+};
+/// Those behind it move up.
+struct drop_lamp {
+  std::size_t which = 0;
 };
 
 /// Any of them.
@@ -126,7 +132,8 @@ template <Floating T>
 using studio_event =
     std::variant<load_body<T>, drop_body, show_part, shade_body, set_opacity<T>, colour_body, add_transformation<T>,
                  move_transformation, remove_transformation, aim_camera<T>, orbit_camera<T>, set_projection<T>,
-                 see_along<T>, set_pyramid<T>, show_helper, set_light<T>>;
+                 see_along<T>, set_pyramid<T>, show_helper, set_light<T>, change_transformation<T>, set_ambient<T>,
+                 set_lamp<T>, drop_lamp>;
 
 inline namespace IRG_ABI {
 
@@ -146,89 +153,11 @@ inline namespace IRG_ABI {
     case studio_status::eye_in_target: return "eye and target are one point, or too far apart";
     case studio_status::no_projection: return "camera has no projection";
     case studio_status::bad_light: return "ambient light is not from 0 to 1";
+    case studio_status::bad_lamp: return "part of a lamp's light is not from 0 to 1";
+    case studio_status::no_such_lamp: return "no lamp has this number";
   }
   return "";
 }
-
-/// The number of the body of that name; the number of bodies when there is none.
-template <Floating T>
-[[nodiscard]] constexpr std::size_t find_body(const studio<T>& s, const part_name& name) noexcept {
-  std::size_t i = 0;
-  while (i < s.bodies.size() && !(s.bodies[i].body.name == name)) ++i;
-  return i;
-}
-
-}  // namespace IRG_ABI
-
-namespace detail {
-inline namespace IRG_ABI {
-
-template <class T>
-constexpr studio_status status_of_body(const stored_body<T>& b) noexcept {
-  if (b.name.empty()) return studio_status::no_name;
-  const mesh_defect d = validate(b.shape).defect;
-  if (d == mesh_defect::position_not_finite || d == mesh_defect::normal_not_finite ||
-      d == mesh_defect::texcoord_not_finite)
-    return studio_status::not_finite;
-  if (d != mesh_defect::none) return studio_status::broken_faces;
-  for (const stored_edge& e : b.edges)
-    if (e.from >= b.shape.positions.size() || e.to >= b.shape.positions.size())
-      return studio_status::edge_without_point;
-  if (b.surface_of_face.size() != b.shape.face_count()) return studio_status::broken_surface;
-  for (const std::uint32_t f : b.surface_of_face)
-    if (f != stored_body<T>::no_surface && f >= b.surfaces.size()) return studio_status::broken_surface;
-  for (const stored_surface<T>& f : b.surfaces) {
-    const material<T>& m = f.reflection;
-    for (const rgb<T>& c : {m.ambient, m.diffuse, m.specular})
-      if (!(c.r >= T(0) && c.g >= T(0) && c.b >= T(0) && is_finite(c.r + c.g + c.b)))
-        return studio_status::broken_surface;
-    if (!(m.shininess > T(0)) || !is_finite(m.shininess)) return studio_status::broken_surface;
-  }
-  return studio_status::done;
-}
-
-// Calls change(body) for the bodies that a name stands for; its status is that of the last.
-template <class T, class Change>
-constexpr studio_status change_bodies(studio<T>& s, const part_name& name, const Change& change) {
-  if (!name.empty()) {
-    const std::size_t i = find_body(s, name);
-    return i == s.bodies.size() ? studio_status::no_such_body : change(s.bodies[i]);
-  }
-  for (studio_body<T>& b : s.bodies) static_cast<void>(change(b));
-  return studio_status::done;
-}
-
-template <class T>
-constexpr std::vector<studio_transformation<T>>& list_of(studio_body<T>& b, studio_stage stage) noexcept {
-  return b.transformations[static_cast<std::size_t>(stage)];
-}
-
-// Makes room for one more, as push_back would.
-template <class List>
-constexpr void make_room(List& list) {
-  if (list.size() == list.capacity()) list.reserve(2 * list.size() + 1);
-}
-
-// The camera, put into its place if it can be a camera.
-template <class T>
-constexpr studio_status put_camera(studio_camera<T>& place, const studio_camera<T>& c) noexcept {
-  const view_pyramid<T>& p = c.pyramid;
-  if (!is_finite(c.eye, c.target, c.up) || !is_finite(c.oblique_angle, c.oblique_factor))
-    return studio_status::not_finite;
-  const T away = length(c.target - c.eye);
-  if (!(T(0) < away) || !is_finite(away)) return studio_status::eye_in_target;
-  if (!(T(0) < p.width && T(0) < p.height && T(0) < p.distance && T(0) < p.near_distance) ||
-      !is_finite(p.width, p.height, p.distance, p.far_distance) ||
-      !view_projection_checked(camera_of(c), p.width / p.height).is_ordinary())
-    return studio_status::no_projection;
-  place = c;
-  return studio_status::done;
-}
-
-}  // namespace IRG_ABI
-}  // namespace detail
-
-inline namespace IRG_ABI {
 
 /// What an event makes of the studio.
 /// gives   a status; when it is not `done` the studio is as it was. Events about all bodies leave out those that cannot
@@ -314,6 +243,16 @@ constexpr studio_status apply_event(studio<T>& s, const move_transformation& e) 
   });
 }
 template <Floating T>
+constexpr studio_status apply_event(studio<T>& s, const change_transformation<T>& e) {
+  if (!matrix_of(e.transformation)) return studio_status::no_matrix;
+  return detail::change_bodies(s, e.name, [&](studio_body<T>& b) {
+    auto& list = detail::list_of(b, e.stage);
+    if (e.which >= list.size()) return studio_status::no_such_transformation;
+    list[e.which] = e.transformation;
+    return studio_status::done;
+  });
+}
+template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, const remove_transformation& e) {
   return detail::change_bodies(s, e.name, [&](studio_body<T>& b) {
     auto& list = detail::list_of(b, e.stage);
@@ -375,11 +314,33 @@ constexpr studio_status apply_event(studio<T>& s, const show_helper& e) noexcept
   return studio_status::done;
 }
 template <Floating T>
-constexpr studio_status apply_event(studio<T>& s, const set_light<T>& e) noexcept {
+constexpr studio_status apply_event(studio<T>& s, const set_ambient<T>& e) noexcept {
   if (!(T(0) <= e.ambient && e.ambient <= T(1))) return studio_status::bad_light;
-  if (!is_finite(to_vec(point<T, 3>{e.lamp.x, e.lamp.y, e.lamp.z})) || !detail::is_finite(e.lamp.w))
-    return studio_status::not_finite;
-  s.lamp = e.lamp;
+  s.ambient = e.ambient;
+  return studio_status::done;
+}
+template <Floating T>
+constexpr studio_status apply_event(studio<T>& s, const set_lamp<T>& e) {
+  if (const studio_status bad = detail::status_of_lamp(e.lamp); bad != studio_status::done) return bad;
+  if (e.which > s.lamps.size()) return studio_status::no_such_lamp;
+  if (e.which == s.lamps.size())
+    s.lamps.push_back(e.lamp);
+  else
+    s.lamps[e.which] = e.lamp;
+  return studio_status::done;
+}
+template <Floating T>
+constexpr studio_status apply_event(studio<T>& s, const drop_lamp& e) noexcept {
+  if (e.which >= s.lamps.size()) return studio_status::no_such_lamp;
+  s.lamps.erase(s.lamps.begin() + static_cast<std::ptrdiff_t>(e.which));
+  return studio_status::done;
+}
+template <Floating T>
+constexpr studio_status apply_event(studio<T>& s, const set_light<T>& e) {
+  if (!(T(0) <= e.ambient && e.ambient <= T(1))) return studio_status::bad_light;
+  auto alone = studio<T>::white_lamp(e.lamp);
+  if (const studio_status bad = detail::status_of_lamp(alone[0]); bad != studio_status::done) return bad;
+  s.lamps = std::move(alone);
   s.ambient = e.ambient;
   return studio_status::done;
 }

@@ -2,6 +2,7 @@
 // Parts of a studio file.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -41,8 +42,10 @@ struct studio_writer {
     append_text(to, "\"");
   }
   static constexpr void word(bytes& to, T x) { append_numbers(to, &x, 1); }
+  static constexpr void word(bytes& to, std::size_t n) { append_numbers(to, &n, 1); }
   static constexpr void word(bytes& to, const point<T, 3>& p) { append_numbers(to, p, 3); }
   static constexpr void word(bytes& to, const vec<T, 3>& v) { append_numbers(to, v, 3); }
+  static constexpr void word(bytes& to, const std::array<T, 4>& p) { append_numbers(to, p.data(), 4); }
   static constexpr void word(bytes& to, const studio_transformation<T>& t) {
     const studio_map_form& form = studio_maps[static_cast<std::size_t>(t.kind)];
     word(to, form.name);
@@ -61,6 +64,22 @@ struct studio_writer {
     line("opacity", name, b.opacity);
     for (std::size_t i = 0; i < b.transformations.size(); ++i)
       for (const studio_transformation<T>& t : b.transformations[i]) line("add", name, studio_stage_names[i], t);
+  }
+
+  // A white lamp alone is one line, which readers before several lamps know, too.
+  constexpr void lamps(const std::vector<light<T>>& all, T ambient) {
+    const auto place = [&](std::size_t i) {
+      const hpoint<T, 3>& p = all[i].position;
+      return std::array<T, 4>{p.x, p.y, p.z, p.w};
+    };
+    const bool plain = all.size() == 1 && all[0].intensity == rgb<T>{T(1), T(1), T(1)};
+    if (plain) return line("light", place(0), ambient);
+    line("ambient", ambient);
+    if (all.empty()) line("drop-lamp", std::size_t{1});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const rgb<T>& colour = all[i].intensity;
+      line("lamp", i + 1, place(i), colour.r, colour.g, colour.b);
+    }
   }
 
   // The camera must be one behind each line. So the oblique projection comes first, before an eye and a pyramid that
