@@ -140,6 +140,7 @@ void draw(const program::command_line& line, const settings& s, const scene& of,
     return irg::point<double, 3>{p.i1 + (p.i2 - p.i1) * t, y, p.j1 + (p.j2 - p.j1) * t};
   };
   std::vector<segment_in_space> segments;
+  segments.reserve(parts.size());
   for (const irg::grid_edge_part& p : parts) segments.push_back({point_at(p, p.from), point_at(p, p.to)});
   const std::vector<line_in_picture> lines = lines_in_view(view, kind_of(of), segments);
   irg::point<double, 2> low{0, 0}, high{0, 0};
