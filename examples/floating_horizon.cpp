@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <irg/hidden/horizon_surface.hpp>
@@ -138,17 +139,19 @@ height_table read_table(const program::command_line& line, const std::string& na
   height_table t;
   int row = 1;
   const char *p = text->data(), *const end = p + text->size(), *begin = p;
+  if (std::string_view(p, text->size()).starts_with("\xEF\xBB\xBF")) p += 3;  // a byte order mark
   const auto wrong = [&](const std::string& what, const char* at) {
     line.fail(what + ": " + name + ":" + std::to_string(row) + ":" + std::to_string(at - begin + 1));
   };
+  const auto ends_line = [&] { return p == end || *p == '\n' || *p == '\r'; };
   for (; p < end; ++row) {
     begin = p;
     int columns = 0;
-    while (p < end && *p != '\n') {
-      if (*p == ' ' || *p == '\t' || *p == '\r' || *p == '\f' || *p == '\v') {
+    while (!ends_line()) {
+      if (*p == ' ' || *p == '\t' || *p == '\f' || *p == '\v') {
         ++p;
       } else if (*p == '#') {
-        while (p < end && *p != '\n') ++p;
+        while (!ends_line()) ++p;
       } else {
         const auto n = irg::parse_decimal<double>(p, end);
         const bool ended = n.end == end || (*n.end >= 0 && static_cast<unsigned char>(*n.end) <= 32) || *n.end == '#';
@@ -166,6 +169,7 @@ height_table read_table(const program::command_line& line, const std::string& na
       wrong("a row is shorter than the first, which has " + std::to_string(t.width) + " heights", p);
     if (columns == 1 && t.height == 0) wrong("a row has at least 2 heights", p);
     if (columns > 0) t.width = columns, ++t.height;
+    if (p < end && *p == '\r' && p + 1 < end && p[1] == '\n') ++p;
     if (p < end) ++p;
   }
   if (t.height < 2) line.fail("the table has less than 2 rows: " + name + ":" + std::to_string(row) + ":1");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -33,7 +34,8 @@ horizontal) and how many facets it has.
   --order        print the facets in covering order instead, those that can hide first: i j, from 1
   --list         print the parts of grid edges that are seen instead: i1 j1 i2 j2 t0 t1, points from 0, t along the edge
   --input FILE   read the numbers from FILE instead of standard input
-  -o OUT         draw what is seen: .png, .ppm or .svg
+  -o OUT         draw what is seen: .png, .ppm or .svg; as far as 63 degrees beside the view's middle, or all of it
+                 where the eye is beside the grid and nothing is 85 degrees off
   --size WxH     pixels of the picture (640x480)
 )";
 
@@ -60,6 +62,8 @@ struct scene {
   irg::point<double, 3> eye{};
   irg::grid_surface surface() const { return {x, z, heights}; }
 };
+
+irg::grid_view kind_of(const scene& s) { return irg::grid_view_from(s.x, s.z, s.eye.x, s.eye.y, s.eye.z); }
 
 bool part_comes_before(const irg::grid_edge_part& a, const irg::grid_edge_part& b) {
   return std::tie(a.i1, a.j1, a.i2, a.j2, a.from) < std::tie(b.i1, b.j1, b.i2, b.j2, b.from);
@@ -89,6 +93,44 @@ scene read_scene(const program::command_line& line, const std::string& file, std
   return s;
 }
 
+using segment_in_space = std::array<irg::point<double, 3>, 2>;
+using line_in_picture = std::array<irg::point<double, 2>, 2>;
+
+// The part of a segment that is before the eye and no more than `widest` times its depth to any side; 0 to 1 is all.
+std::optional<std::array<double, 2>> part_within(const irg::surface_camera& view, const segment_in_space& s,
+                                                 double widest) {
+  const irg::vec<double, 3> to_a = s[0] - view.eye, to_b = s[1] - view.eye;
+  std::array<double, 2> part{0, 1};
+  for (const irg::vec<double, 3>& axis : {view.right, view.up})
+    for (const double side : {-1.0, 1.0}) {
+      const irg::vec<double, 3> inwards = view.forward * widest + axis * side;
+      const double at_a = dot(inwards, to_a), at_b = dot(inwards, to_b);
+      if (!(at_a > 0 || at_b > 0)) return std::nullopt;
+      if (!(at_a > 0)) part[0] = std::max(part[0], at_a / (at_a - at_b));
+      if (!(at_b > 0)) part[1] = std::min(part[1], at_a / (at_a - at_b));
+    }
+  return part[0] < part[1] ? std::optional(part) : std::nullopt;
+}
+
+// What is seen of segments, as lines, less than 63 degrees beside the middle: lines beside an eye over the surface would
+// be as long as can be. From beside the surface all of them, where none is 85 degrees off.
+std::vector<line_in_picture> lines_in_view(const irg::surface_camera& view, irg::grid_view kind,
+                                           const std::vector<segment_in_space>& segments) {
+  constexpr double wide = 12, usual = 2;
+  const bool all = kind != irg::grid_view::front && std::ranges::all_of(segments, [&](const segment_in_space& s) {
+                     return part_within(view, s, wide) == std::array{0.0, 1.0};
+                   });
+  std::vector<line_in_picture> lines;
+  for (const segment_in_space& s : segments) {
+    const auto part = part_within(view, s, all ? wide : usual);
+    if (!part) continue;
+    const auto at = [&](double t) { return view(t == 0 ? s[0] : t == 1 ? s[1] : s[0] + (s[1] - s[0]) * t); };
+    const auto from = at((*part)[0]), to = at((*part)[1]);
+    if (from && to) lines.push_back({*from, *to});
+  }
+  return lines;
+}
+
 void draw(const program::command_line& line, const settings& s, const scene& of,
           const std::vector<irg::grid_edge_part>& parts) {
   const irg::surface_camera view = irg::camera_on(irg::box_of_surface(of.surface()), of.eye);
@@ -99,19 +141,17 @@ void draw(const program::command_line& line, const settings& s, const scene& of,
     const double y = height(p.i1, p.j1) * (1 - t) + height(p.i2, p.j2) * t;
     return irg::point<double, 3>{p.i1 + (p.i2 - p.i1) * t, y, p.j1 + (p.j2 - p.j1) * t};
   };
-  std::vector<std::array<irg::point<double, 2>, 2>> lines;
+  std::vector<segment_in_space> segments;
+  segments.reserve(parts.size());
+  for (const irg::grid_edge_part& p : parts) segments.push_back({point_at(p, p.from), point_at(p, p.to)});
+  const std::vector<line_in_picture> lines = lines_in_view(view, kind_of(of), segments);
   irg::point<double, 2> low{0, 0}, high{0, 0};
-  for (const irg::grid_edge_part& p : parts) {
-    const auto from = view(point_at(p, p.from)), to = view(point_at(p, p.to));
-    if (!from || !to) continue;
-    const std::array ends{*from, *to};
-    for (const auto& e : ends) {
-      const bool first = lines.empty() && &e == ends.data();
+  for (const line_in_picture& l : lines)
+    for (const auto& e : l) {
+      const bool first = &e == lines.front().data();
       low = first ? e : irg::point<double, 2>{std::min(low.x, e.x), std::min(low.y, e.y)};
       high = first ? e : irg::point<double, 2>{std::max(high.x, e.x), std::max(high.y, e.y)};
     }
-    lines.push_back(ends);
-  }
   const double wide = (high.x - low.x) / (0.9 * s.size.width), tall = (high.y - low.y) / (0.9 * s.size.height);
   const double unit = std::max(wide, tall) > 0 ? std::max(wide, tall) : 1;
   const auto place = [&](const irg::point<double, 2>& p) {
@@ -151,7 +191,7 @@ void run(program::command_line& line) {
                                  [](const irg::grid_facet& f) { std::printf("%d %d\n", f.i, f.j); });
   } else {
     static constexpr std::array names{"front", "side", "corner", "horizontal"};
-    const auto kind = irg::grid_view_from(of.x, of.z, of.eye.x, of.eye.y, of.eye.z);
+    const auto kind = kind_of(of);
     std::printf("view: %s\nfacets: %zu\n", names[static_cast<std::size_t>(kind)],
                 (of.x.size() - 1) * (of.z.size() - 1));
   }

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include <irg/io/file.hpp>
 
@@ -11,7 +12,13 @@
 
 namespace program {
 
-/// The file, or standard input when the path is empty. What cannot be read ends the program.
+/// The text behind a byte order mark.
+inline std::string without_mark(std::string text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  return text;
+}
+
+/// The file, or standard input when the path is empty, without a byte order mark. or standard input when the path is empty. What cannot be read ends the program.
 /// needs   `what` names the text in messages
 inline std::string read_text(const command_line& line, const std::string& path, const char* what) {
   std::string text;
@@ -19,7 +26,7 @@ inline std::string read_text(const command_line& line, const std::string& path, 
     const auto file = irg::read_file(path);
     if (!file) line.fail(with_place(file.error(), path));
     text.assign(file->data(), file->data() + file->size());
-    return text;
+    return without_mark(std::move(text));
   }
   char part[65536];
   while (const std::size_t n = std::fread(part, 1, sizeof part, stdin)) {
@@ -28,7 +35,7 @@ inline std::string read_text(const command_line& line, const std::string& path, 
       line.fail("the " + std::string(what) + " has more than 2147483648 bytes: stdin");
   }
   if (std::ferror(stdin) != 0) line.fail("input cannot be read: stdin");
-  return text;
+  return without_mark(std::move(text));
 }
 
 }  // namespace program

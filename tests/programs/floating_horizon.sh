@@ -27,6 +27,17 @@ printf '0 0 # near\n\n# between\n1 1\n' >ramp.txt
 run "" --table ramp.txt --curves 3 --width 4 --height 4 --pitch 0 --yaw 0 --mode z --horizons
 check "a ramp: $out" is "$out" $'0 4\n0 4\n0 4\n0 4\n0 4'
 
+printf '\xEF\xBB\xBF0 0\r\n1 1\r\n' >marked.txt
+run "" --table marked.txt --curves 3 --width 4 --height 4 --pitch 0 --yaw 0 --mode z --horizons
+check "behind a byte order mark: $err$out" is "$out" $'0 4\n0 4\n0 4\n0 4\n0 4'
+printf '\xEF\xBB\xBF0 x\n1 1\n' >marked.txt
+fails "a word behind a byte order mark" "" --table marked.txt
+check "its place does not count the mark: $err" ends "$err" "marked.txt:1:3"
+printf '0 0 # near\r1 1\r' >marked.txt
+run "" --table marked.txt --curves 3 --width 4 --height 4 --pitch 0 --yaw 0 --mode z --horizons
+check "lines that carriage returns end: $err$out" is "$out" $'0 4\n0 4\n0 4\n0 4\n0 4'
+rm marked.txt
+
 # ---- both rules move the same horizons
 run "" --horizons
 horizons=$out

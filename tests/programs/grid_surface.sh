@@ -55,6 +55,24 @@ printf '1 1 0 0 0 0 1 1 1' >grid.svg
 fails "the input overwritten" "" --input grid.svg -o grid.svg
 
 # ---- pictures
+# An eye over the grid sees lines at its side as long as can be: what is drawn of them leaves the rest its size.
+hills="20 20 $(awk 'BEGIN { for (i = 0; i <= 20; i++) for (j = 0; j <= 20; j++) print cos(sqrt((i - 10) ^ 2 + (j - 10) ^ 2) / 2) }' | tr '\n' ' ')"
+for eye in "3 2.5 4" "10.3 1.5 10.2" "17 1.2 9.5" "0 1.3 20"; do
+  run "$hills $eye" -o over.svg
+  check "over the grid, $eye: exit 0: $err" is "$status" 0
+  long=$(tr '"' ' ' <over.svg | awk '/^<line/ { n++; if (($3 - $7) ^ 2 + ($5 - $9) ^ 2 > 64) l++ } END { print (n > 50 && l > n / 4) }')
+  check "over the grid, $eye: a quarter of all lines are longer than 8 pixels" is "$long" 1
+  check "over the grid, $eye: all in the picture" is "$(tr '"' ' ' <over.svg |
+    awk '/^<line/ && ($3 < 0 || $3 > 640 || $7 < 0 || $7 > 640 || $5 < 0 || $5 > 480 || $9 < 0 || $9 > 480)' | wc -l)" 0
+done
+run "1 1 0 0 0 0 0.5 0.001 0.5" -o over.svg
+check "just over one facet: $err" is "$status" 0
+# Beside the grid all of it is drawn, however wide it looks.
+run "$hills -1 0.5 10" -o over.svg
+check "close to a side: from (0, 0) to (0, 20)" is "$(tr '"' ' ' <over.svg | awk '/^<line/ { print int($3 + 0.5); print int($7 + 0.5) }' | sort -n | sed -n '1p;$p' | xargs)" "32 608"
+run "$hills -1 0.5 10" --list
+check "close to a side: every part is a line" is "$(grep -c '^<line' over.svg)" "$(wc -l <<<"$out")"
+rm -f over.svg
 pictures_of_all_sizes "$tower -1 3 -2"
 no_room "$tower -1 3 -2"
 conclude

@@ -99,6 +99,10 @@ check "each of them is told: $out" is "$(printf '%s\n' "$out" | grep -c '^refuse
 check "with its line" has "$out" "refused: 16: the picture's name must end in .png, .ppm or .svg: a.gif"
 check "and the world is as it was" has "$out" $'units: 0\nseen: 0\ntest: 3'
 
+# A script may begin with a byte order mark.
+run '\xEF\xBB\xBFclick 320 240\r\n# nothing\r\nwalk 1 0\r\n' map.txt
+check "behind a byte order mark: $out" is "$(said_of units)/$(said_of refused)" 1/
+
 # What was read is not written over.
 cp room.txt map.ppm
 printf 'picture map.ppm\npicture ./script.ppm\npicture other.ppm\n' >script.ppm
