@@ -148,4 +148,22 @@ TEST_CASE("bsp_tree_2d: pieces tile their segments, and lie on every ray in the 
 }
 #endif
 
+TEST_CASE("bsp_tree_2d: of seven parallel segments the middle one divides, wherever it stands in the list") {
+  for (std::size_t turned = 0; turned < 7; ++turned) {
+    std::vector<S> rungs;
+    for (std::size_t i = 0; i < 7; ++i) {
+      const auto y = static_cast<double>((3 * i + turned) % 7);
+      rungs.push_back(i % 2 == 0 ? S{{0, y}, {1, y}} : S{{1, y}, {0, y}});
+    }
+    const tree t(rungs);
+    REQUIRE(t.nodes().size() == 7);
+    CHECK(rungs[t.nodes()[0].segment].a.y == 3);
+    std::vector<int> depth(7, 1);
+    for (std::size_t i = 0; i < 7; ++i)
+      for (const std::uint32_t child : {t.nodes()[i].left, t.nodes()[i].right})
+        if (child != irg::bsp_none) depth[child] = depth[i] + 1;
+    CHECK(std::ranges::max(depth) == 3);
+  }
+}
+
 }  // namespace
