@@ -144,7 +144,7 @@ TEST_CASE("prepared Bezier curves: batches about the borders between two expansi
       std::vector<Point> batch(t.size());
       const T step = 1 / static_cast<T>(curve.pieces), end = std::numeric_limits<T>::infinity();
       int differing = 0;
-      for (int trial = 0; trial < 300; ++trial) {
+      for (int trial = 0; trial < 80; ++trial) {
         // An expansion's place, its two borders and what is next to all of them; now and then places outside, and NaN.
         const T node = static_cast<T>(r.integer(0, static_cast<std::int64_t>(curve.pieces))) * step;
         const bool inner = trial % 3 != 0;

@@ -218,6 +218,8 @@ TEST_CASE("bezier: coincident, collinear, extreme and outside") {
   CHECK_BOTH(bezier_point(std::array{P2{0, 0}, P2{1, 2}}, -1.0) == P2{-1, -2});
   CHECK_BOTH(bezier_point(std::array{P2{1, -0.0}, P2{inf, inf}}, 0.0) == P2{1, 0});
   CHECK_BOTH(bezier_point_wozny_chudy(std::array{P2{inf, inf}, P2{1, 2}}, 1.0) == P2{1, 2});
+  CHECK_BOTH(bezier_point_wozny_chudy(std::array{P2{1, -0.0}, P2{inf, inf}}, 0.0) == P2{1, 0});
+  CHECK(std::signbit(bezier_point_wozny_chudy(std::array{P2{1, -0.0}, P2{1, 2}}, 0.0).y));
   CHECK_BOTH(bezier_point_wozny_chudy(course, 0x1p-1074).x < 1e-300);
   CHECK_BOTH(bezier_point(course, 0x1.fffffffffffffp-1).x < 5.0);
   const std::vector<P2> fifty(51, P2{1, -1});

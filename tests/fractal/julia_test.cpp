@@ -52,8 +52,8 @@ TEST_CASE("julia_is_connected: yes, no, and what so many steps cannot tell") {
   CHECK(julia_is_connected(C{0.32, 0.043}, 10000) == connectedness::yes);
 }
 
-// The point with number i is the first that comes again, `period` steps later. Of the points 2, 3, 5, 9, ... one is kept
-// after the other, until one that is not before i has been kept for a period.
+// The point `first` is the first that comes again, `period` steps later. Of the points 2, 3, 5, 9, ... one after the
+// other is kept, until one that is not before `first` has been kept for a period.
 TEST_CASE("julia_is_connected: orbits that come back are told as soon as the point kept says so") {
   test::random r(17);
   int told = 0;

@@ -43,6 +43,8 @@ TEST_CASE("visit_in_covering_order: the source's orders") {
   CHECK(order(2, 2, -1, -1) == "11 12 21 22 ");
   CHECK(order(3, 2, 9, 9) == "32 31 22 21 12 11 ");
   CHECK(order(2, 2, -1, 4) == "12 11 22 21 ");
+  CHECK_BOTH(irg::grid_facet{} == irg::grid_facet{0, 0});
+  CHECK_BOTH(loops_are({}, {0, 0, 1, 0, 1, 0}));
   CHECK(order(4, 4, 1.5, 1.75) == "22 23 24 32 33 34 42 43 44 12 13 14 21 31 41 11 ");
 }
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <vector>
 
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -147,5 +149,52 @@ TEST_CASE("bsp_tree_2d: pieces tile their segments, and lie on every ray in the 
   CHECK(split > 200);
 }
 #endif
+
+TEST_CASE("bsp_tree_2d: of seven parallel segments the middle one divides, wherever it stands in the list") {
+  for (std::size_t turned = 0; turned < 7; ++turned) {
+    std::vector<S> rungs;
+    for (std::size_t i = 0; i < 7; ++i) {
+      const auto y = static_cast<double>((3 * i + turned) % 7);
+      rungs.push_back(i % 2 == 0 ? S{{0, y}, {1, y}} : S{{1, y}, {0, y}});
+    }
+    const tree t(rungs);
+    REQUIRE(t.nodes().size() == 7);
+    CHECK(rungs[t.nodes()[0].segment].a.y == 3);
+    std::vector<int> depth(7, 1);
+    for (std::size_t i = 0; i < 7; ++i)
+      for (const std::uint32_t child : {t.nodes()[i].left, t.nodes()[i].right})
+        if (child != irg::bsp_none) depth[child] = depth[i] + 1;
+    CHECK(std::ranges::max(depth) == 3);
+  }
+}
+
+TEST_CASE(
+    "bsp_tree_2d: of up to eight segments the one divides whose sides differ least, cuts counted as bsp_choice says") {
+  test::random r(23);
+  for (int trial = 0; trial < 400; ++trial) {
+    std::vector<S> few;
+    const auto coordinate = [&] { return static_cast<double>(r.integer(0, 4)); };
+    const auto count = static_cast<std::size_t>(r.integer(2, 8));
+    while (few.size() < count) {
+      const double ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
+      if (ax != bx || ay != by) few.push_back({{ax, ay}, {bx, by}});
+    }
+    const irg::bsp_choice choice{8, 32, static_cast<std::size_t>(r.integer(0, 5))};
+    const auto cost_of = [&](const S& line) {
+      int left = 0, right = 0, cut = 0;
+      for (const S& s : few) {
+        const int a = irg::orient2d(line.a, line.b, s.a), b = irg::orient2d(line.a, line.b, s.b);
+        if (a != 0 && a == -b)
+          ++cut;
+        else if (a + b != 0)
+          ++(a + b > 0 ? left : right);
+      }
+      return std::abs(left - right) + cut * static_cast<int>(choice.cut_costs);
+    };
+    int least = cost_of(few[0]);
+    for (const S& line : few) least = std::min(least, cost_of(line));
+    CHECK(cost_of(few[tree(few, choice).nodes()[0].segment]) == least);
+  }
+}
 
 }  // namespace
