@@ -52,8 +52,8 @@ constexpr T adaptive_length(const F& speed, T a, T b, T whole, T tolerance, int 
 }
 
 // The place in [begin, end] where length_to(place) is `wanted` within `noise`, from t on: Newton's steps, each within
-// the stretch that is known to hold the place, and halves where a step would leave it. length_to is asked for t first, then
-// for each place that a step leads to.
+// the stretch that is known to hold the place, and halves where a step would leave it. length_to is asked for t first,
+// then for each place that a step leads to.
 template <Floating T, class Speed, class Length>
 constexpr T place_of_length(const Speed& speed, const Length& length_to, T begin, T end, T t, T wanted, T noise) {
   T a = begin, b = end;
