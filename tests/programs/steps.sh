@@ -6,11 +6,11 @@ sources=$(cd "$(dirname "$0")/../../examples" && pwd)
 . "$(dirname "$0")/../support/programs.sh" 01_pixel "$@"
 folder=$(dirname "$program")
 
-# says_usage "help" NAME: one line begins with `usage: NAME`, and what can be given there, at most 80 characters.
+# says_usage "help" NAME: one line begins with `usage: NAME`, and what can be given there, within 120 columns.
 says_usage() {
   local lines
   lines=$(grep '^usage:' <<<"$1")
-  [ "$(wc -l <<<"$lines")" = 1 ] && [ ${#lines} -le 80 ] && { is "$lines" "usage: $2" || begins "$lines" "usage: $2 "; }
+  [ "$(wc -l <<<"$lines")" = 1 ] && [ ${#lines} -le 120 ] && { is "$lines" "usage: $2" || begins "$lines" "usage: $2 "; }
 }
 
 steps=0

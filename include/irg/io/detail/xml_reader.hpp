@@ -107,18 +107,16 @@ struct xml_reader {
         if (!text()) return xml_event::error;
         continue;
       }
+      const char second = cursor.last - start > 1 ? start[1] : '\0';
+      if (second != '?' && second != '!') return second == '/' ? end_tag(start) : begin_tag(start);
       if (take("<?")) {
         if (!instruction(first && start == first_)) return xml_event::error;
       } else if (take("<!--")) {
         if (!comment()) return xml_event::error;
-      } else if (passes_over_text && take("<![CDATA[")) {
-        if (!character_data()) return xml_event::error;
-      } else if (take("<!")) {
+      } else if (!passes_over_text || !take("<![CDATA[")) {
         return wrong(start, "document types, entities and character data are not read");
-      } else if (take("</")) {
-        return end_tag(start);
-      } else {
-        return begin_tag(start);
+      } else if (!character_data()) {
+        return xml_event::error;
       }
     }
   }
@@ -217,6 +215,7 @@ private:
   }
 
   constexpr xml_event end_tag(const char* start) noexcept {
+    cursor.at += 2;
     const std::string_view ending = word_of_name();
     if (depth == 0 || ending != open_[depth - 1]) return wrong(start, "element ends that is not the last one begun");
     cursor.skip_space();
