@@ -81,9 +81,12 @@ private:
     const std::size_t bodies = b_.ends.size();
     std::vector<std::vector<std::uint32_t>> lots(bodies);
     body_boxes_.assign(bodies, no_box());
-    for (std::uint32_t t = 0; t < b_.triangles.size(); ++t) {
-      lots[b_.body[t]].push_back(t);
-      body_boxes_[b_.body[t]].add(boxes_[t]);
+    for (std::uint32_t i = 0; i < bodies; ++i) {
+      lots[i].resize(b_.ends[i] - b_.first_of(i), 0);
+      for (std::uint32_t t = b_.first_of(i); t < b_.ends[i]; ++t) {
+        lots[i][t - b_.first_of(i)] = t;
+        body_boxes_[i].add(boxes_[t]);
+      }
     }
     for (const std::vector<std::uint32_t>& lot : lots) trees_.emplace_back(lot, 2);  // seen from above
     const auto use = [this](std::uint32_t s, std::uint32_t t) { add_contacts(s, t); };

@@ -138,10 +138,13 @@ private:
   }
   constexpr lot within(const lot& l, const space_box& region) {
     looks += l.size();
-    lot kept;
-    kept.reserve(l.size());
-    for (const std::uint32_t i : l)
-      if (boxes_[i].meets(region)) kept.push_back(i);
+    lot kept(l.size(), 0);
+    std::size_t n = 0;
+    for (const std::uint32_t i : l) {
+      kept[n] = i;
+      n += boxes_[i].meets(region) ? 1 : 0;
+    }
+    kept.resize(n, 0);
     return kept;
   }
 

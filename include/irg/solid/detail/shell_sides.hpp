@@ -52,16 +52,17 @@ private:
     std::sort(rims.begin(), rims.end(), comes_before);
     std::vector<unsigned char> is_met(rims.size(), 0);  // of the first of each edge, whether its faces were taken
     shell_.assign(b_.triangles.size(), open);
-    order_.reserve(b_.triangles.size());
+    order_.assign(b_.triangles.size(), 0);
+    std::uint32_t count = 0;
     for (std::uint32_t first = 0; first < b_.triangles.size(); ++first) {
       if (shell_[first] != open) continue;
       const auto shell = static_cast<std::uint32_t>(starts_.size());
-      starts_.push_back(static_cast<std::uint32_t>(order_.size()));
+      starts_.push_back(count);
       const auto take = [&](std::uint32_t t) {
-        if (shell_[t] == open) shell_[t] = shell, order_.push_back(t);
+        if (shell_[t] == open) shell_[t] = shell, order_[count++] = t;
       };
       take(first);
-      for (std::size_t i = starts_.back(); i < order_.size(); ++i) {
+      for (std::uint32_t i = starts_.back(); i < count; ++i) {
         const std::uint32_t t = order_[i];
         for (std::uint32_t k = 0; k < 3; ++k) {
           const std::uint32_t twin = b_.twin[3 * std::size_t{t} + k];
@@ -82,7 +83,7 @@ private:
         }
       }
     }
-    starts_.push_back(static_cast<std::uint32_t>(order_.size()));
+    starts_.push_back(count);
   }
 
   // In rounded numbers, where these are sure: with u = 2^-53, each determinant of differences is off by less than 16u of
