@@ -263,12 +263,12 @@ inline namespace IRG_ABI {
 /// The tree of the faces that a window of the picture may show.
 /// shape   faces: a container of screen_face
 /// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels lie
-///         before and some behind: of a convex body none, but for pixels on its outline's edges, where faces are equally
-///         near
+///         before and some behind: none of a convex body, but where pixels on its outline belong to two faces equally
+///         near, or where rounding has bent its faces
 /// exact   sides by is_nearer at pixel centres
-/// cost    n log n where planes split little: 8 planes are tried on 24 parts for each node, and meet the parts that boxes
-///         do not tell from them; faces that go through each other make as many pieces as their planes cut them in.
-///         Allocates
+/// cost    n log n where planes split little, n^1.5 for convex bodies: 8 planes are tried for each node, up to 32 where
+///         all of them cut, and meet the parts that boxes do not tell from them. Faces that go through each other make
+///         as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater, class Faces>
 [[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {

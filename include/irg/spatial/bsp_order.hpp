@@ -46,7 +46,7 @@ struct bsp_sides {
 
 /// The cells of a partition while they are divided. The items of a cell stand in a balanced tree of boxes, so that a
 /// line or plane sends groups that lie at one side of it there as a whole, and looks only at the items that it comes
-/// near: of a convex body, whose planes each leave all the rest on one side, at the neighbours alone.
+/// near: of a convex body, whose planes each leave all the rest on one side, at neighbours alone, some sqrt(n) of them.
 /// needs   fewer than 2^31 items
 template <class Item, Floating T, int N>
 class IRG_APART bsp_cells {
