@@ -375,7 +375,8 @@ place between(const tree& t, std::uint32_t triangle, test::random& r) {
   return p;
 }
 
-// Where the ray from the eye over a point meets a triangle within its sides, as a share of that way; 0 where it does not.
+// Where the ray from the eye over a point meets a triangle within its sides, as a share of that way; 0 where it does
+// not.
 Q meeting(const tree& t, std::uint32_t triangle, const place& eye, const place& over) {
   const irg::bsp_plane_3d plane{triangle, irg::bsp_plane_3d::of_triangle};
   const Q f = distance(t, plane, eye), g = distance(t, plane, over);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which bodies have a shell that is turned inside out: one of negative volume, by an exact sign, that is no cavity. What
-// cutting bodies at each other shows of that only where they meet is found here for all shells.
+// Which bodies have a shell that is turned inside out: one of negative volume, by an exact sign, that is no cavity.
+// What cutting bodies at each other shows of that only where they meet is found here for all shells.
 #pragma once
 
 #include <algorithm>
@@ -86,8 +86,8 @@ private:
     starts_.push_back(count);
   }
 
-  // In rounded numbers, where these are sure: with u = 2^-53, each determinant of differences is off by less than 16u of
-  // `size`, the product of its rows' sums, and n of them summed by less than n u of the sum of sizes more.
+  // In rounded numbers, where these are sure: with u = 2^-53, each determinant of differences is off by less than 16u
+  // of `size`, the product of its rows' sums, and n of them summed by less than n u of the sum of sizes more.
   constexpr int sign_of_volume(std::uint32_t shell) const {
     const point<double, 3>& from = b_.positions[b_.triangles[order_[starts_[shell]]].v[0]];
     double volume = 0, size = 0;

@@ -174,8 +174,8 @@ private:
     std::size_t judges, cut;
   };
 
-  // Whether a piece reaches across its cell: no side of its triangle is left. Its plane cuts what goes through it alone,
-  // so that it makes no cut that is not needed (Paterson and Yao 1990: free cuts).
+  // Whether a piece reaches across its cell: no side of its triangle is left. Its plane cuts what goes through it
+  // alone, so that it makes no cut that is not needed (Paterson and Yao 1990).
   constexpr bool reaches_across(const open_piece& p) const noexcept {
     if (p.count == 0) return false;
     for (std::uint32_t k = 0; k < p.count; ++k)
