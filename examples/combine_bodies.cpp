@@ -39,7 +39,7 @@ const char* sentence_of(irg::solid_boolean_status s) {
     case irg::solid_boolean_status::edge_of_many_faces: return "faces of the body do not fit at an edge";
     case irg::solid_boolean_status::not_a_body: break;
   }
-  return "bodies cut themselves, have faces without area where they meet, or are not turned outward";
+  return "a body cuts itself, has faces without area where it meets the other, or is turned inside out";
 }
 
 void run(program::command_line& line) {
@@ -71,7 +71,7 @@ void run(program::command_line& line) {
   const auto second = irg::transform_mesh(program::read_model(line, words[2]), irg::translation(move));
   const auto made = irg::solid_boolean(first, second, static_cast<irg::boolean_operation>(which));
   if (made.status != irg::solid_boolean_status::done)
-    line.fail(std::string(sentence_of(made.status)) + ": " + words[made.body == 0 ? 0 : 2]);
+    line.fail(sentence_of(made.status) + (made.body > 1 ? std::string() : ": " + words[made.body == 0 ? 0 : 2]));
   std::size_t from[2] = {0, 0};
   for (const irg::solid_face_origin& f : made.faces) ++from[f.body];
   if (!out.empty())

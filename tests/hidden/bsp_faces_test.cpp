@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <irg/hidden/bsp_faces.hpp>
 
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
 #include "method_scenes.hpp"
 #include "support/check_both.hpp"
 
@@ -74,3 +78,85 @@ TEST_CASE("bsp_of_faces: coplanar faces are not split; many parallel ones need n
 }
 
 TEST_CASE("bsp_painter: the exact picture") { CHECK(test::differing_pixels(irg::bsp_painter<>{}, 1606, 18) == 0); }
+
+namespace {
+
+// A bowl over a lattice, convex without rounding, and a lid of one plane: triangles whose corners are multiples of
+// `step`, moved by `offset`, both in 1/256 pixel.
+std::vector<irg::screen_face> bowl(int cells, int step, int offset) {
+  std::vector<irg::screen_face> faces;
+  const auto deep = [&](int i, int j) { return static_cast<float>(i * i + i * j + j * j) * 0x1p-20f; };
+  const auto add = [&](const auto& a, const auto& b, const auto& c) {
+    faces.push_back(irg::make_screen_face(a, b, c, static_cast<std::uint32_t>(faces.size())));
+  };
+  for (int i = -cells; i < cells; ++i)
+    for (int j = -cells; j < cells; ++j) {
+      const auto at = [&](int x, int y) {
+        return irg::screen_vertex{{(x + cells) * step + offset, (y + cells) * step + offset}, deep(x, y)};
+      };
+      add(at(i, j), at(i + 1, j), at(i, j + 1));
+      add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return faces;
+}
+// A cone of slices seen from aside, snapped.
+std::vector<irg::screen_face> cone(int slices, double width, double height) {
+  std::vector<irg::screen_face> faces;
+  const auto snapped = [&](double x, double y, double z) {
+    return irg::screen_vertex{
+        {static_cast<std::int32_t>(std::lround(256 * width * (0.5 + 0.4 * x))),
+         static_cast<std::int32_t>(std::lround(256 * height * (0.5 + 0.4 * (0.9 * y + 0.4 * z))))},
+        static_cast<float>(0.5 + 0.2 * (0.9 * z - 0.4 * y))};
+  };
+  const auto rim = [&](int i) {
+    const double angle = 6.283185307179586 * i / slices;
+    return snapped(std::cos(angle), std::sin(angle), -0.5);
+  };
+  for (int i = 0; i < slices; ++i)
+    for (const double tip : {0.8, -0.5})
+      faces.push_back(
+          irg::make_screen_face(snapped(0, 0, tip), rim(i), rim(i + 1), static_cast<std::uint32_t>(faces.size())));
+  return faces;
+}
+
+// The tree's pieces, where it draws the picture.
+std::int64_t pieces_of(const std::vector<irg::screen_face>& faces, int width, int height) {
+  const auto tree = irg::build_bsp(faces, irg::cell_window{0, 0, width, height});
+  test::id_image ids(width, height, irg::no_face);
+  irg::draw_bsp(tree, ids);
+  for (int y = 0; y < height; y += 1 + height / 40)
+    for (int x = 0; x < width; x += 1 + width / 60)
+      if (ids(x, y) != irg::picture_face_at(faces, x, y)) return -1;
+  return tree.counts.pieces;
+}
+
+}  // namespace
+
+TEST_CASE("bsp_of_faces: growth, a convex body makes no pieces, also where centres of pixels lie on its edges") {
+  for (const int cells : {3, std::getenv("IRG_RELEASE_TIER") != nullptr ? 100 : 5})
+    for (const int step : {512, 768, 700})
+      for (const int offset : {0, 128}) {
+        const auto faces = bowl(cells, step, offset);
+        const int size = 2 * cells * step / 256 + 1;
+        CHECK(pieces_of(faces, size, size) == static_cast<std::int64_t>(faces.size()));
+      }
+}
+
+TEST_CASE("bsp_of_faces: growth, a fan that is convex but for rounding makes few pieces") {
+  for (const int slices : {std::getenv("IRG_RELEASE_TIER") != nullptr ? 4000 : 32, 64}) {
+    const auto faces = cone(slices, 1200, 800);
+    const std::int64_t pieces = pieces_of(faces, 1200, 800);
+    CHECK(pieces >= static_cast<std::int64_t>(faces.size()));
+    CHECK(pieces <= static_cast<std::int64_t>(faces.size() + faces.size() / 8));
+  }
+}
+
+TEST_CASE("bsp_of_faces: faces through each other are cut where their planes cut them") {
+  // Sheets that all stand on edge to each other along one line of the picture: each is cut once by those before it.
+  std::vector<irg::screen_face> fan;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const float low = 0.25f + static_cast<float>(i) * 0x1p-9f, high = 0.75f - static_cast<float>(i) * 0x1p-9f;
+    fan.push_back(irg::make_screen_face({{0, 0}, low}, {{8192, 0}, high}, {{0, 40000}, low}, i));
+  }
+  CHECK(pieces_of(fan, 32, 32) <= 80);
+}

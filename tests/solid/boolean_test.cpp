@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <irg/geometry/orient3d.hpp>
@@ -309,6 +310,83 @@ TEST_CASE("solid_boolean: what is no body is refused with the reason") {
   body inside_out = cube(0, 0, 0);
   for (std::size_t f = 0; f < 12; ++f) std::swap(inside_out.corners[3 * f], inside_out.corners[3 * f + 1]);
   CHECK(status(inside_out) == solid_boolean_status::not_a_body);
+}
+
+namespace {
+
+// Adds the faces of a body to another, as they are or turned.
+void add_shell(body& to, const body& shell, bool is_turned) {
+  const auto first = static_cast<std::uint32_t>(to.positions.size());
+  to.positions.insert(to.positions.end(), shell.positions.begin(), shell.positions.end());
+  for (std::size_t f = 0; f < shell.face_count(); ++f) {
+    std::vector<std::uint32_t> corners;
+    for (std::size_t k = 0; k < shell.face_size(f); ++k) corners.push_back(first + shell.corner(f, k).position);
+    if (is_turned) std::reverse(corners.begin(), corners.end());
+    irg::add_face(to, corners);
+  }
+}
+body shells(std::initializer_list<std::pair<body, bool>> list) {
+  body all;
+  for (const auto& [shell, is_turned] : list) add_shell(all, shell, is_turned);
+  return all;
+}
+constexpr std::uint32_t no_body = irg::solid_boolean_result<double>::none;
+
+// That a body is refused and named, first and second, by every operation; or taken.
+void check_culprit(const body& good, const body& bad, bool is_named = true) {
+  for (const auto operation : all_operations) {
+    const auto second = solid_boolean(good, bad, operation), first = solid_boolean(bad, good, operation);
+    CHECK(second.status == solid_boolean_status::not_a_body);
+    CHECK(first.status == solid_boolean_status::not_a_body);
+    CHECK(second.body == (is_named ? 1 : no_body));
+    CHECK(first.body == (is_named ? 0 : no_body));
+    CHECK(second.value == body{});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("solid_boolean: a shell turned inside out is refused, and named, wherever it is") {
+  const body good = cube(0, 0, 0), inside_out = shells({{cube(0, 0, 0), true}});
+  for (const double x : {0.5, 1.0, 5.0}) check_culprit(cube(x, 0, 0), inside_out);  // cuts it, touches it, is apart
+  check_culprit(cube(-1, -1, -1, 4), inside_out);
+  check_culprit(cube(0.25, 0.25, 0.25, 0.5), inside_out);
+  check_culprit(cube(9, 0, 0), shells({{cube(0, 0, 0), false}, {cube(3, 0, 0), true}}));
+  check_culprit(cube(9, 0, 0), shells({{cube(0, 0, 0, 4), true}, {cube(1, 1, 1, 2), false}}));  // all of it turned
+  // Small, far off, of all magnitudes: the sign of the volume is exact.
+  for (const double size : {0x1p-340, 0x1p-20, 0x1p340}) check_culprit(good, shells({{cube(0, 0, 0, size), true}}));
+  check_culprit(good, shells({{tetrahedron({0x1p-300, 5, 0}, {0x1p300, 5, 1}, {0, 6, 0}, {7, 7, 0x1p-200}), true}}));
+  CHECK(solid_boolean(good, good, boolean_operation::unite).body == no_body);
+}
+
+TEST_CASE("solid_boolean: cavities, shells in them and shells that touch are a body") {
+  const body good = cube(9, 0, 0);
+  const auto sum = [&](const body& b) { return volume(good, b, boolean_operation::unite); };
+  CHECK(sum(shells({{cube(0, 0, 0, 4), false}, {cube(1, 1, 1, 2), true}})) == 57);
+  CHECK(sum(shells({{cube(1, 1, 1, 2), true}, {cube(0, 0, 0, 4), false}})) == 57);
+  CHECK(sum(shells({{cube(0, 0, 0, 8), false}, {cube(1, 1, 1, 6), true}, {cube(2, 2, 2, 2), false}})) == 305);
+  CHECK(sum(shells({{cube(0, 0, 0, 4), false}, {cube(0, 0, 0, 2), true}})) == 57);  // a notch, as a shell
+  CHECK(sum(shells({{cube(0, 0, 0), false}, {cube(1, 1, 0), false}})) == 3);  // joined in an edge
+  body sponge = cube(0, 0, 0, 100);
+  int holes = 0;
+  for (int i = 0, n = trials(500, 20000); i < n; ++i, ++holes)
+    add_shell(sponge, cube(1 + i % 30 * 3, 1 + i / 30 % 30 * 3, 1 + i / 900 * 3, 1), true);
+  const body away = cube(200, 0, 0);
+  CHECK(volume(away, sponge, boolean_operation::unite) == 1e6 - holes + 1);
+}
+
+TEST_CASE("solid_boolean: a body that cuts itself is named where it shows") {
+  const body crossed = shells({{cube(0, 0, 0, 2), false}, {cube(1, 1, 1, 2), false}});
+  check_culprit(cube(1.25, 1.25, 1.25, 0.5), crossed);  // where it is twice
+  check_culprit(cube(1.5, 1.5, 1.5, 4), crossed);
+  // A face without area where the other body meets it.
+  body flat = cube(0, 0, 0);
+  const auto mid = static_cast<std::uint32_t>(flat.positions.size());
+  flat.positions.push_back({0.5, 0, 0});
+  irg::add_face(flat, std::vector<std::uint32_t>{0, 1, mid});
+  const auto r = solid_boolean(cube(0.25, -0.5, -0.5), flat, boolean_operation::unite);
+  CHECK(r.status != solid_boolean_status::done);
+  CHECK(r.body == 1);
 }
 
 TEST_CASE("solid_boolean: a chain of a thousand steps stays a body") {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "support/big_rational.hpp"
@@ -79,6 +80,68 @@ TEST_CASE("bsp_tree_2d: degenerate input") {
   CHECK(tree(rungs).nodes().size() == 1000);
   CHECK(tree(rungs, {.candidates = 1}).locate({5, 7}) == irg::bsp_place{7, 0});
   CHECK(tree(rungs, {.candidates = 1}).locate({5, 999.5}) == irg::bsp_place{999, 1});
+}
+
+std::vector<S> ring(int walls, double radius) {
+  std::vector<S> all;
+  const auto at = [&](int i) {
+    const double angle = 6.283185307179586 * i / walls;
+    return P{radius * std::cos(angle), radius * std::sin(angle)};
+  };
+  for (int i = 0; i < walls; ++i) all.push_back({at(i), at(i + 1 < walls ? i + 1 : 0)});
+  return all;
+}
+
+TEST_CASE("bsp_tree_2d: walls round convex rooms are not cut") {
+  const int walls = std::getenv("IRG_RELEASE_TIER") ? 100'000 : 2000;
+  const tree t(ring(walls, 1));
+  CHECK(t.splits() == 0);
+  CHECK(t.nodes().size() == static_cast<std::size_t>(walls));
+  std::size_t visited = 0;
+  t.visit({0.3, 0.2}, irg::bsp_order::back_to_front, [&](const irg::bsp_piece_2d&) { ++visited; });
+  CHECK(visited == static_cast<std::size_t>(walls));
+}
+
+TEST_CASE("bsp_cells: growth, the line of a wall in a ring meets few of the others") {
+  using cells = irg::bsp_cells<int, double, 2>;
+  const int most = std::getenv("IRG_RELEASE_TIER") ? 100'000 : 10'000;
+  for (int n = 1000; n <= most; n *= 10) {
+    const auto walls = ring(n, 5);
+    std::vector<cells::entry> items;
+    for (int i = 0; i < n; ++i) {
+      const S& s = walls[static_cast<std::size_t>(i)];
+      const irg::box<double, 2> around{{std::min(s.a[0], s.b[0]), std::min(s.a[1], s.b[1])},
+                                       {std::max(s.a[0], s.b[0]), std::max(s.a[1], s.b[1])}};
+      items.push_back({i, around, static_cast<std::uint32_t>(i)});
+    }
+    cells all;
+    std::uint32_t cell = all.make_cell(std::move(items));
+    CHECK(all.size(cell) == static_cast<std::size_t>(n));
+    CHECK(all.first(cell) == 0);
+    std::size_t looks = 0;
+    int wrong = 0;
+    for (int left = n; left > 0; --left) {
+      const int i = all.at(cell, static_cast<std::size_t>(left) / 2);
+      const S& by = walls[static_cast<std::size_t>(i)];
+      const auto side_of = [&](const irg::box<double, 2>& b) {
+        ++looks;
+        int sum = 0;
+        for (const P& p : {b.low, b.high, P{b.low[0], b.high[1]}, P{b.high[0], b.low[1]}})
+          sum += irg::orient2d(by.a, by.b, p);
+        return sum / 4;
+      };
+      const auto halves = all.divide(cell, side_of, [&](cells::entry&& e, const auto& front, const auto&) {
+        ++looks;
+        if (e.item != i) front(std::move(e));
+      });
+      wrong += halves.back != irg::bsp_none;  // walls run counter-clockwise: all others are left of each
+      wrong += all.size(halves.front) != static_cast<std::size_t>(left) - 1;
+      cell = halves.front;
+    }
+    CHECK(wrong == 0);
+    // Boxes of walls that lean stand out over the lines of others nearer than the square root of all.
+    CHECK(static_cast<double>(looks) <= 4 * n * std::sqrt(n));
+  }
 }
 
 #ifdef IRG_HAVE_MPFR

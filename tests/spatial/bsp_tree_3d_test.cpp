@@ -55,6 +55,61 @@ std::vector<std::uint32_t> triangles_from(const tree& t, const P& eye, bsp_order
   return seen;
 }
 
+// Triangles with corners anywhere in a cube, and the points that three of them have in common, in doubles.
+struct crossing_triangles {
+  std::vector<P> v;
+  std::vector<irg::triangle_indices> t;
+
+  crossing_triangles(int n, std::uint64_t seed) {
+    test::random r(seed);
+    for (int i = 0; i < 3 * n; ++i) {
+      const double x = r.unit(), y = r.unit();
+      v.push_back({x, y, r.unit()});
+    }
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(n); ++i) t.push_back({{3 * i, 3 * i + 1, 3 * i + 2}});
+  }
+  std::size_t meeting_points() const {
+    struct plane {
+      irg::vec<double, 3> n;
+      double d;
+    };
+    std::vector<plane> planes;
+    for (const auto& [c] : t) {
+      const auto n = cross(v[c[1]] - v[c[0]], v[c[2]] - v[c[0]]);
+      planes.push_back({n, dot(n, v[c[0]] - P{0, 0, 0})});
+    }
+    const auto is_in = [&](std::size_t i, const P& p) {
+      const auto& [c] = t[i];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (dot(planes[i].n, cross(v[c[(k + 1) % 3]] - v[c[k]], p - v[c[k]])) < 0) return false;
+      return true;
+    };
+    std::size_t points = 0;
+    for (std::size_t i = 0; i < t.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (std::size_t k = 0; k < j; ++k) {
+          const auto &a = planes[i], &b = planes[j], &c = planes[k];
+          const double whole = dot(a.n, cross(b.n, c.n));
+          const auto at = (cross(b.n, c.n) * a.d + cross(c.n, a.n) * b.d + cross(a.n, b.n) * c.d) * (1 / whole);
+          const P p{at[0], at[1], at[2]};
+          points += is_in(i, p) && is_in(j, p) && is_in(k, p);
+        }
+    return points;
+  }
+};
+
+TEST_CASE("bsp_tree_3d: growth, triangles through each other make little more pieces than they must") {
+  const int most = std::getenv("IRG_RELEASE_TIER") != nullptr ? 384 : 192;
+  for (int n = 96; n <= most; n *= 2) {
+    const crossing_triangles scene(n, 71);
+    const tree t(scene.v, scene.t);
+    const std::size_t must = scene.meeting_points();
+    INFO(n << " triangles, " << t.data().pieces.size() << " pieces, " << must << " points of three");
+    CHECK(t.data().pieces.size() >= must);
+    CHECK(t.data().pieces.size() <= must + static_cast<std::size_t>(n * n / 3));
+  }
+}
+
 TEST_CASE("bsp_tree_3d: a wall through a floor, in constant evaluation too") {
   CHECK_BOTH(order_from({0, 0, 5}, bsp_order::back_to_front) == 212);
   CHECK_BOTH(order_from({0, 0, 5}, bsp_order::front_to_back) == 212);
@@ -320,7 +375,8 @@ place between(const tree& t, std::uint32_t triangle, test::random& r) {
   return p;
 }
 
-// Where the ray from the eye over a point meets a triangle within its sides, as a share of that way; 0 where it does not.
+// Where the ray from the eye over a point meets a triangle within its sides, as a share of that way; 0 where it does
+// not.
 Q meeting(const tree& t, std::uint32_t triangle, const place& eye, const place& over) {
   const irg::bsp_plane_3d plane{triangle, irg::bsp_plane_3d::of_triangle};
   const Q f = distance(t, plane, eye), g = distance(t, plane, over);

@@ -17,7 +17,8 @@ namespace irg::inline IRG_ABI {
 /// The smallest circle or sphere around the points of a range or ring.
 /// gives   nothing for no points, and when a coordinate is NaN or infinite; radius 0 when all points are equal
 /// exact   the points it rests on; centre and radius as sphere_through's, so that points may stand out by that much
-/// cost    some ten passes over the points as a rule, also where all lie on one sphere up to rounding; nothing allocates
+/// cost    some ten passes over the points as a rule, also where all lie on one sphere up to rounding; nothing
+///         allocates
 /// source  Welzl 1991, for the few points that matter; these are found by taking in the farthest point each time, after
 ///         Gaertner 1999
 template <PolygonRing R>

@@ -80,8 +80,8 @@ constexpr window_order order_of_part(const bsp_open_part& p, const screen_face& 
   return order == window_order::crossing ? order_of_pixels<Order>(p.pixels, *p.node.part.face, plane) : order;
 }
 
-// Builds a tree. Parts stand in cells with boxes of pixels and depths; depths are stretched so that the picture is about
-// as deep as wide, by a power of two, which rounds nothing.
+// Builds a tree. Parts stand in cells with boxes of pixels and depths; depths are stretched so that the picture is
+// about as deep as wide, by a power of two, which rounds nothing.
 template <DepthOrder Order>
 class bsp_face_builder {
 public:
@@ -90,7 +90,8 @@ public:
     for (const screen_face& f : tree.faces) low = lesser(low, f.depth_low), high = greater(high, f.depth_high);
     const double wide = greater(window.x_last - window.x_first, window.y_last - window.y_first);
     for (const double deep = widened(high) - widened(low); deep > 0 && deep * stretch_ < wide;) stretch_ *= 2;
-    for (const double deep = widened(high) - widened(low); deep * stretch_ > 2 * wide;) stretch_ *= 0.5;
+    for (const double deep = widened(high) - widened(low); deep * stretch_ > 2 * wide && stretch_ > 0x1p-200;)
+      stretch_ *= 0.5;
     std::vector<bsp_face_cells::entry> all;
     all.reserve(tree.faces.size());
     for (const screen_face& f : tree.faces) {
@@ -225,7 +226,8 @@ private:
     }
   }
 
-  // Faces without pixels have no side: they become a balanced tree of their own, below the last node on the way farther.
+  // Faces without pixels have no side: they become a balanced tree of their own, below the last node on the way
+  // farther.
   constexpr void hang_unseen() {
     const std::size_t first = tree_.nodes.size();
     std::int64_t depth = 1;
@@ -262,13 +264,13 @@ inline namespace IRG_ABI {
 
 /// The tree of the faces that a window of the picture may show.
 /// shape   faces: a container of screen_face
-/// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels lie
-///         before and some behind: of a convex body none, but for pixels on its outline's edges, where faces are equally
-///         near
+/// gives   an empty tree where no face touches the window. A face is cut by the planes alone that some of its pixels
+///         lie before and some behind: none of a convex body, but where pixels on its outline belong to two faces
+///         equally near, or where rounding has bent its faces
 /// exact   sides by is_nearer at pixel centres
-/// cost    n log n where planes split little: 8 planes are tried on 24 parts for each node, and meet the parts that boxes
-///         do not tell from them; faces that go through each other make as many pieces as their planes cut them in.
-///         Allocates
+/// cost    n log n where planes split little, n^1.5 for convex bodies: 8 planes are tried for each node, up to 32 where
+///         all of them cut, and meet the parts that boxes do not tell from them. Faces that go through each other make
+///         as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater, class Faces>
 [[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {

@@ -14,6 +14,8 @@
 #include <irg/mesh/mesh.hpp>
 #include <irg/solid/detail/body_cutter.hpp>
 #include <irg/solid/detail/seam_remover.hpp>
+#include <irg/solid/detail/shell_sides.hpp>
+#include <irg/solid/self_intersections.hpp>
 
 namespace irg {
 
@@ -23,7 +25,7 @@ enum class [[nodiscard]] solid_boolean_status {
   not_finite,  ///< a position is NaN or infinite
   open_edge,  ///< an edge has one face
   edge_of_many_faces,  ///< faces do not run along an edge as often one way as the other
-  not_a_body,  ///< the bodies cut themselves, have faces without area where they meet, or are not turned outward
+  not_a_body,  ///< a body cuts itself, has faces without area where it meets another, or a shell turned inside out
 };
 
 /// Where a face of the result comes from.
@@ -47,8 +49,10 @@ struct solid_corner_origin {
 /// A combination of bodies.
 template <Floating T>
 struct solid_boolean_result {
+  static constexpr std::uint32_t none = 0xffffffffu;
   solid_boolean_status status = solid_boolean_status::done;
-  std::uint32_t body = 0;  // where status is not done, which of them is to blame, if it is one
+  std::uint32_t body =
+      none;  // where status is not done, the first of them that is to blame, or none if it is not known
   mesh<T> value{};  // of triangles
   std::vector<solid_face_origin> faces{};  // of each face
   std::vector<solid_corner_origin> corners{};  // of each position
@@ -155,8 +159,15 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
     case surface_fault::open_edge: return {solid_boolean_status::open_edge, b.faulty};
     case surface_fault::edge_of_many_faces: return {solid_boolean_status::edge_of_many_faces, b.faulty};
   }
+  if (const std::uint32_t turned = shell_sides(b).find_inside_out(); turned != no_index)
+    return {solid_boolean_status::not_a_body, turned};
   body_cutter cut(b, is_in);
-  if (cut.failed || !are_cuts_closed(cut)) return {solid_boolean_status::not_a_body};
+  if (cut.failed || !are_cuts_closed(cut)) {
+    std::uint32_t culprit = cut.culprit;
+    for (std::uint32_t i = 0; i < bodies.size() && culprit == no_index; ++i)
+      if (!self_intersections(*bodies[i]).empty()) culprit = i;
+    return {solid_boolean_status::not_a_body, culprit};
+  }
   solid_boolean_result<T> out;
   collect_result(out, cut, b, keep_triangles(cut, b));
   return out;
@@ -177,7 +188,8 @@ inline namespace IRG_ABI {
 /// gives   always a closed surface, which faces run along every edge of as often one way as the other; empty where
 ///         nothing is left. Where bodies touch from outside in an edge or a corner, it belongs to both sides: such an
 ///         edge has four faces. Faces that lie on each other count once, or not at all where they part nothing. A
-///         status other than done, and no faces, for what is no body
+///         status other than done, and no faces, for what is no body: where it meets nothing, too, for a shell of
+///         negative volume that no other of its body goes round; for bodies that cut themselves where that shows
 /// exact   every decision, for all finite floats and doubles; places of new corners within 1 ulp of each coordinate
 /// cost    O(n log n) for bodies that meet in few places, and what is cut: of two faces of n corners that lie on each
 ///         other, as many as n^2 pieces; the first parts are placed by a pass over the other body each, many of them by

@@ -46,8 +46,8 @@ inline namespace IRG_ABI {
 /// needs   a mesh in which validate() finds no defect, with finite positions
 /// gives   nothing for faces without area, whose sides are their neighbours'; pieces of one face are not compared
 /// exact   always, for the triangles that triangulate() makes of the faces
-/// cost    O(n log n) and the pairs of triangles whose boxes meet: some dozen for each triangle where bodies are smooth,
-///         all pairs of those around one corner
+/// cost    O(n log n) and the pairs of triangles whose boxes meet: some dozen for each triangle where bodies are
+///         smooth, all pairs of those around one corner
 template <Floating T>
 [[nodiscard]] constexpr std::vector<face_pair> self_intersections(const mesh<T>& m) {
   detail::body_triangles b;

@@ -46,7 +46,7 @@ struct bsp_sides {
 
 /// The cells of a partition while they are divided. The items of a cell stand in a balanced tree of boxes, so that a
 /// line or plane sends groups that lie at one side of it there as a whole, and looks only at the items that it comes
-/// near: of a convex body, whose planes each leave all the rest on one side, at the neighbours alone.
+/// near: of a convex body, whose planes each leave all the rest on one side, at neighbours alone, some sqrt(n) of them.
 /// needs   fewer than 2^31 items
 template <class Item, Floating T, int N>
 class IRG_APART bsp_cells {
@@ -80,8 +80,9 @@ public:
   }
 
   /// Divides a cell, which is no more then.
-  /// needs   side_of(box): 1 or -1 where all that may lie in a box is in front, or behind, and 0 where that is not sure;
-  ///         part(entry, front, back): calls front(entry) or back(entry) with what becomes of an item, or both, or none
+  /// needs   side_of(box): 1 or -1 where all that may lie in a box is in front, or behind, and 0 where that is not
+  ///         sure; part(entry, front, back): calls front(entry) or back(entry) with what becomes of an item, or both,
+  ///         or none
   /// cost    what is not told by its box, and some log n for each; nothing allocated but for what is cut
   template <class SideOf, class Part>
   constexpr bsp_halves divide(std::uint32_t cell, const SideOf& side_of, const Part& part) {
@@ -121,7 +122,7 @@ private:
     std::uint32_t count = 1, place = 0, item = bsp_none;
   };
 
-  constexpr std::uint32_t item_at(std::uint32_t cell, std::size_t i) const noexcept {
+  [[nodiscard]] constexpr std::uint32_t item_at(std::uint32_t cell, std::size_t i) const noexcept {
     while (nodes_[cell].child[0] != bsp_none) {
       const std::size_t first = nodes_[nodes_[cell].child[0]].count;
       const bool is_second = i >= first;
@@ -151,7 +152,7 @@ private:
     }
     return add_node(leaf);
   }
-  static constexpr box<T, N> box_around(const box<T, N>& a, const box<T, N>& b) noexcept {
+  [[nodiscard]] static constexpr box<T, N> box_around(const box<T, N>& a, const box<T, N>& b) noexcept {
     box<T, N> both;
     for (int k = 0; k < N; ++k) both.low[k] = lesser(a.low[k], b.low[k]), both.high[k] = greater(a.high[k], b.high[k]);
     return both;

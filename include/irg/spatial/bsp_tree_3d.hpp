@@ -28,7 +28,9 @@ public:
   /// gives   triangles without area, or with NaN or infinity, are left out and counted
   /// cost    allocates. A cell is divided by the plane of one of its triangles or, where that cuts fewer or leaves the
   ///         sides more alike, by one across an axis through a corner, so that convex bodies make no chains; every
-  ///         plane meets every piece in its cell. O(n log n) where little is cut, n^2 pieces at worst
+  ///         plane meets every piece in its cell. A piece without a side of its triangle, which reaches across its
+  ///         cell, is taken first: its plane cuts only what goes through it. O(n log n) where little is cut; triangles
+  ///         that go through each other make a piece at least for each point that three of them have in common
   /// source  Fuchs, Kedem and Naylor 1980
   IRG_APART constexpr bsp_tree_3d(std::span<const point<T, 3>> vertices, std::span<const triangle_indices> triangles,
                                   const bsp_choice& choice = {}) {

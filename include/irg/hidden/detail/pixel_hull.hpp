@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The pixels of a part of a face by the corners of their convex hull. A part is what planes leave of a triangle, so that
-// its pixels are all that lie in the hull; and where one plane is nearer than another is a half of the picture, so that
-// the corners tell of all pixels.
+// The pixels of a part of a face by the corners of their convex hull. A part is what planes leave of a triangle, so
+// that its pixels are all that lie in the hull; and where one plane is nearer than another is a half of the picture, so
+// that the corners tell of all pixels.
 #pragma once
 
 #include <cstddef>
@@ -152,13 +152,13 @@ constexpr pixels_in_plane find_pixels_in_plane(const pixel_hull& h, const screen
 }
 
 /// Where all that may lie in a box of pixels and stretched depths lies to the plane of a face: 1 before it, -1 behind,
-/// 0 where rounded numbers do not tell. Depths at the pixels of a face lie between those of its corners, so that a box of
-/// faces is on a side as a whole when its corners are.
+/// 0 where rounded numbers do not tell. Depths at the pixels of a face lie between those of its corners, so that a box
+/// of faces is on a side as a whole when its corners are.
 ///
 /// The value is area (z - z0) - (right (x - x0) + down (y - y0)). Differences of positions are exact, those of depths
-/// off by u = 2^-53 of themselves; area by u, right and down by 4u of the sum of their terms. All together is off by less
-/// than 8u of the sum of all terms, of which the bound takes 32u. Nothing is subnormal: depths are floats, stretched by
-/// less than 2^160.
+/// off by u = 2^-53 of themselves; area by u, right and down by 4u of the sum of their terms. All together is off by
+/// less than 8u of the sum of all terms, of which the bound takes 32u. Nothing is subnormal: depths are floats,
+/// stretched by less than 2^160.
 template <DepthOrder Order>
 class box_to_plane {
 public:

@@ -40,6 +40,7 @@ public:
   std::vector<std::array<std::uint32_t, 3>> cuts;  // edges at which parts end: from, to, the triangle
   std::vector<unsigned char> is_seam;  // of each vertex, whether it may lie within a plane face or a straight edge
   bool failed = false;  // the bodies cut themselves, or are not turned outward
+  std::uint32_t culprit = no_index;  // the body that is to blame, where a look at what failed tells it
 
   /// needs   is_in(v): whether what is inside of the bodies b with v[b] != 0 alone is in the combination
   template <class IsIn>
@@ -80,9 +81,12 @@ private:
     const std::size_t bodies = b_.ends.size();
     std::vector<std::vector<std::uint32_t>> lots(bodies);
     body_boxes_.assign(bodies, no_box());
-    for (std::uint32_t t = 0; t < b_.triangles.size(); ++t) {
-      lots[b_.body[t]].push_back(t);
-      body_boxes_[b_.body[t]].add(boxes_[t]);
+    for (std::uint32_t i = 0; i < bodies; ++i) {
+      lots[i].resize(b_.ends[i] - b_.first_of(i), 0);
+      for (std::uint32_t t = b_.first_of(i); t < b_.ends[i]; ++t) {
+        lots[i][t - b_.first_of(i)] = t;
+        body_boxes_[i].add(boxes_[t]);
+      }
     }
     for (const std::vector<std::uint32_t>& lot : lots) trees_.emplace_back(lot, 2);  // seen from above
     const auto use = [this](std::uint32_t s, std::uint32_t t) { add_contacts(s, t); };
@@ -95,6 +99,7 @@ private:
     const auto a = see_triangle(b_.positions, b_.triangles[s], s), b = see_triangle(b_.positions, b_.triangles[t], t);
     if (a.turn == 0 || b.turn == 0) {
       failed = true;
+      culprit = b_.body[a.turn == 0 ? s : t];
       return;
     }
     const contact_finder found(a, b);
@@ -316,8 +321,10 @@ private:
     }
   }
 
-  constexpr bool is_in_winding(const upward_crossings& count) {
-    failed = failed || count.on_surface || count.winding < 0 || count.winding > 1;
+  constexpr bool is_in_winding(std::uint32_t body, const upward_crossings& count) {
+    const bool is_none = count.winding < 0 || count.winding > 1;
+    if (is_none && !count.on_surface && culprit == no_index) culprit = body;
+    failed = failed || count.on_surface || is_none;
     return count.winding > 0;
   }
 
@@ -339,7 +346,7 @@ private:
       each_above(p, 0.0, body, [&](const triangle_indices& t) {
         count_upward_crossing(b_.positions[t.v[0]], b_.positions[t.v[1]], b_.positions[t.v[2]], p, count);
       });
-      if (is_in_winding(count)) sides.below[body] = sides.above[body] = 1;
+      if (is_in_winding(body, count)) sides.below[body] = sides.above[body] = 1;
     }
   }
 
@@ -369,7 +376,7 @@ private:
       upward_crossings count;
       each_above(nearby, slack, body,
                  [&](const triangle_indices& other) { count_exact_crossing(b_.positions, other, at, count); });
-      if (is_in_winding(count)) sides.below[body] = sides.above[body] = 1;
+      if (is_in_winding(body, count)) sides.below[body] = sides.above[body] = 1;
     }
     return true;
   }

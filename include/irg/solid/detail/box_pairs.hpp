@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pairs of boxes that meet, one of each of two lots: both lots are halved together, and a half without boxes of one of
-// them is done with. So only what is near both costs more than a look. And the boxes that may stand over a point, from a
-// tree of them.
+// them is done with. So only what is near both costs more than a look. And the boxes that may stand over a point, from
+// a tree of them.
 #pragma once
 
 #include <algorithm>
@@ -123,13 +123,17 @@ public:
 
   constexpr void search(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
     constexpr double most = (std::numeric_limits<double>::max)();
-    halve(first, second, {{-most, -most, -most}, {most, most, most}}, 0);
+    halve(first, second, {{{-most, -most, -most}, {most, most, most}}, 0});
   }
 
 private:
   using lot = std::vector<std::uint32_t>;
   static constexpr std::size_t few = 400;  // pairs that are looked at one by one
   static constexpr int deepest = 100;
+  struct call {
+    space_box cell;  // what it answers for: pairs whose common box begins in it
+    int depth;
+  };
 
   constexpr space_box box_of(const lot& l) const noexcept {
     space_box all = no_box();
@@ -138,15 +142,18 @@ private:
   }
   constexpr lot within(const lot& l, const space_box& region) {
     looks += l.size();
-    lot kept;
-    kept.reserve(l.size());
-    for (const std::uint32_t i : l)
-      if (boxes_[i].meets(region)) kept.push_back(i);
+    lot kept(l.size(), 0);
+    std::size_t n = 0;
+    for (const std::uint32_t i : l) {
+      kept[n] = i;
+      n += boxes_[i].meets(region) ? 1 : 0;
+    }
+    kept.resize(n, 0);
     return kept;
   }
 
-  // `cell` is what this call answers for: pairs whose common box begins in it.
-  constexpr void halve(const lot& first, const lot& second, const space_box& cell, int depth) {
+  constexpr void halve(const lot& first, const lot& second, const call& of) {
+    const space_box& cell = of.cell;
     space_box region = box_of(first);
     const space_box other = box_of(second);
     for (int i = 0; i < 3; ++i) {
@@ -156,14 +163,14 @@ private:
     }
     const lot a = within(first, region), b = within(second, region);
     if (a.empty() || b.empty()) return;
-    if (a.size() * b.size() > few && depth < deepest) {
+    if (a.size() * b.size() > few && of.depth < deepest) {
       const auto half = [&](int i) { return region.high[i] * 0.5 - region.low[i] * 0.5; };
       int axes[] = {0, 1, 2};
       if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
       if (half(axes[2]) > half(axes[1])) std::swap(axes[1], axes[2]);
       if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
       for (const int axis : axes)
-        if (halve_along(axis, a, b, region, cell, depth)) return;
+        if (halve_along(axis, a, b, region, of)) return;
       return ask_tree(a, b, cell);
     }
     looks += a.size() * b.size();
@@ -172,9 +179,8 @@ private:
   }
 
   // False where halving does not tell boxes apart: where nearly all are in both halves.
-  constexpr bool halve_along(int axis, const lot& a, const lot& b, const space_box& region, const space_box& cell,
-                             int depth) {
-    space_box lower = cell, upper = cell;
+  constexpr bool halve_along(int axis, const lot& a, const lot& b, const space_box& region, const call& of) {
+    space_box lower = of.cell, upper = of.cell;
     const double middle = region.low[axis] * 0.5 + region.high[axis] * 0.5;
     if (!(region.low[axis] < middle && middle < region.high[axis])) return false;
     lower.high[axis] = upper.low[axis] = middle;
@@ -183,8 +189,8 @@ private:
     const lot a_low = within(a, lower_region), a_high = within(a, upper_region);
     const lot b_low = within(b, lower_region), b_high = within(b, upper_region);
     if ((a_low.size() + a_high.size() + b_low.size() + b_high.size()) * 2 >= (a.size() + b.size()) * 3) return false;
-    halve(a_low, b_low, lower, depth + 1);
-    halve(a_high, b_high, upper, depth + 1);
+    halve(a_low, b_low, {lower, of.depth + 1});
+    halve(a_high, b_high, {upper, of.depth + 1});
     return true;
   }
 
@@ -192,8 +198,8 @@ private:
     if (boxes_[i].meets(boxes_[k]) && begins_in(boxes_[i], boxes_[k], cell)) use_(i, k);
   }
 
-  // Boxes that no middle plane tells apart, such as the faces of shells in shells: each of one lot is asked for in a tree
-  // of the other.
+  // Boxes that no middle plane tells apart, such as the faces of shells in shells: each of one lot is asked for in a
+  // tree of the other.
   constexpr void ask_tree(const lot& a, const lot& b, const space_box& cell) {
     box_tree tree(b, 3);
     for (const std::uint32_t i : a)

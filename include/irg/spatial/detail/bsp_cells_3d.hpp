@@ -137,16 +137,7 @@ public:
   constexpr bsp_plane_3d dividing_plane(const std::vector<open_piece>& pieces, const bsp_choice& choice) const {
     const std::size_t n = pieces.size(), tried = lesser(choice.candidates, n), judges = lesser(choice.judges, n);
     best best_one{{pieces.front().triangle, bsp_plane_3d::of_triangle}, ~std::size_t{0}};
-    if (tried > 1) {
-      std::vector<std::uint32_t> across;
-      for (const open_piece& p : pieces)
-        if (reaches_across(p)) across.push_back(p.triangle);
-      const std::size_t some = lesser(tried, across.size());
-      for (std::size_t i = 0; i < some; ++i)
-        judge({across[i * across.size() / some], bsp_plane_3d::of_triangle}, pieces, {judges, choice.cut_costs},
-              best_one);
-      if (some > 0) return best_one.plane;
-    }
+    if (tried > 1 && judge_across(pieces, tried, {judges, choice.cut_costs}, best_one)) return best_one.plane;
     for (std::size_t i = 0; tried > 1 && i < tried; ++i)
       judge({pieces[i * n / tried].triangle, bsp_plane_3d::of_triangle}, pieces, {judges, choice.cut_costs}, best_one);
     for (std::uint32_t axis = 0; tried > 1 && n > tried && axis < 3; ++axis)
@@ -183,6 +174,8 @@ private:
     std::size_t judges, cut;
   };
 
+  // Whether a piece reaches across its cell: no side of its triangle is left. Its plane cuts what goes through it
+  // alone, so that it makes no cut that is not needed (Paterson and Yao 1990).
   constexpr bool reaches_across(const open_piece& p) const noexcept {
     if (p.count == 0) return false;
     for (std::uint32_t k = 0; k < p.count; ++k)
@@ -294,6 +287,18 @@ private:
       take(plane(at, 0.0).sign());
     }
     return {front, back};
+  }
+
+  // Judges some of the pieces that reach across the cell; false where there are none.
+  constexpr bool judge_across(const std::vector<open_piece>& pieces, std::size_t tried, const costs& c,
+                              best& best_one) const {
+    std::vector<std::uint32_t> across;
+    for (const open_piece& p : pieces)
+      if (reaches_across(p)) across.push_back(p.triangle);
+    const std::size_t some = lesser(tried, across.size());
+    for (std::size_t i = 0; i < some; ++i)
+      judge({across[i * across.size() / some], bsp_plane_3d::of_triangle}, pieces, c, best_one);
+    return some > 0;
   }
 
   // Takes a plane if it costs less. One across an axis must leave something at each side, or nothing is won.
