@@ -56,8 +56,7 @@ template <irg::DepthOrder Order = greater>
 void check_exact(const triangle_scene& s, const test::id_picture& p, face_culling culling = face_culling::none) {
   const auto oracle = oracle_of<Order>(s, culling);
   for (int y = 0; y < s.height; ++y)
-    for (int x = 0; x < s.width; ++x)
-      REQUIRE(p.id(x, y) == oracle.at(x, y).nearest);
+    for (int x = 0; x < s.width; ++x) REQUIRE(p.id(x, y) == oracle.at(x, y).nearest);
 }
 
 // The ids are the same, all those of the second picture counted as 1; and so are the depths, but for rounding.

@@ -154,8 +154,8 @@ IRG_INLINE void uncount_beside(const tile& out, const tile_triangle<J>& t, const
                                const cell_window& part, tile_counts& counts) noexcept {
   using F = lanes<pack<float, lanes<J>::count>>;
   for_each_register(t, box, part, [&](const J(&f)[3], int at) {
-    counts.tested = counts.tested + both(none_negative(f[0], f[1], f[2]),
-                                         F::load(out.key + at) == F::broadcast(beyond_everything));
+    counts.tested =
+        counts.tested + both(none_negative(f[0], f[1], f[2]), F::load(out.key + at) == F::broadcast(beyond_everything));
   });
 }
 
@@ -230,8 +230,8 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>&
   // keys of pixels are reckoned. Of subnormal numbers each product loses up to 2^-150, those of slopes times the pixels
   // of a tile: less than 2^-140 together, and slack is more.
   const auto rise = high_of(slope_right, zero) * last + high_of(slope_down, zero) * last;
-  const auto nearest_first = ((start[0] + t.rest) + (start[1] + start[2])) +
-                             (rise + (size * F::broadcast(0x1p-18f) + t.slack));
+  const auto nearest_first =
+      ((start[0] + t.rest) + (start[1] + start[2])) + (rise + (size * F::broadcast(0x1p-18f) + t.slack));
   pack<float, lane_count> nearest[static_cast<unsigned>(chunks)];
   for (int c = 0; c < chunks; ++c)
     nearest[c] =
