@@ -21,6 +21,12 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
+// How a tile's list is drawn.
+struct tile_order {
+  float sign;  // of keys
+  bool front_to_back;  // nearer ones first, and with rejection by depth
+};
+
 // Triangles of a tile, ready to be drawn, a lane each. F is taken at the first pixel of the box.
 struct tile_triangles {
   static constexpr int most = native_lanes<std::int32_t>;
@@ -46,9 +52,9 @@ struct tile_triangle {
 // By how much the key of a triangle has to differ from another so that the order of both is that of the exact depths.
 // `largest` is the size of the triangle's keys.
 //
-// A key errs by 8 roundings of 2^-24 at most (see depth_at), less than 2^-21 (1 + 2^-15) of its size: all its terms have
-// one sign. Of two keys of which the farther is less than half as large again as `largest`, both errors together are
-// less than 2^-19 of `largest`; where it is larger, they differ by a third of it. Of subnormal numbers each product
+// A key errs by 8 roundings of 2^-24 at most (see depth_at), less than 2^-21 (1 + 2^-15) of its size: all its terms
+// have one sign. Of two keys of which the farther is less than half as large again as `largest`, both errors together
+// are less than 2^-19 of `largest`; where it is larger, they differ by a third of it. Of subnormal numbers each product
 // loses up to 2^-126, times edge functions below 2^53: less than 2^-72 in all. Where the depths of a triangle have both
 // signs, terms cancel, and its keys err by as much of the largest: whoever meets it needs its slack, too.
 template <class F>
@@ -67,8 +73,8 @@ struct pixels_of_tile {
   std::uint32_t* id;
 };
 
-// What drawing a triangle leaves to be done: in a window, or in blocks, a bit each. `close` has pixels whose keys are too
-// close to tell, `beside` such as lie beside the picture, and were counted all the same.
+// What drawing a triangle leaves to be done: in a window, or in blocks, a bit each. `close` has pixels whose keys are
+// too close to tell, `beside` such as lie beside the picture, and were counted all the same.
 struct tile_rest {
   std::uint64_t close = 0, beside = 0;
   cell_window window{};  // empty: in blocks
@@ -86,8 +92,8 @@ struct tile_rest {
   }
 };
 
-// One register of pixels: those covered and nearer than what is there become the triangle's. Where keys are too close to
-// tell, `close` is set and the pixel kept: see close_pixels. Pixels beside the picture are counted, too: see
+// One register of pixels: those covered and nearer than what is there become the triangle's. Where keys are too close
+// to tell, `close` is set and the pixel kept: see close_pixels. Pixels beside the picture are counted, too: see
 // uncount_beside.
 template <tile_test Test, class J>
 IRG_INLINE void tile_pixels(const tile_triangle<J>& t, const J (&f)[3], const pixels_of_tile& at,
