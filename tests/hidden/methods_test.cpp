@@ -21,7 +21,7 @@ int number_from(const char* variable, int otherwise) {
   return text == nullptr ? otherwise : std::atoi(text);
 }
 
-// The z-buffer with the depths of draw_triangle.
+// The textbook's z-buffer with the depths of draw_triangle, which are compared as they are.
 test::id_image zbuffer_ids(const test::face_list& faces, int size) {
   test::id_image ids(size, size, irg::no_face);
   irg::image<float> depth(size, size);
@@ -61,5 +61,6 @@ TEST_CASE("hidden-surface methods: the same picture, the exact one, on scenes of
           CHECK(oracle.ulps_behind(buffered(x, y) + 1, x, y) <= 8);
         }
   }
-  MESSAGE(scenes, " scenes, ", pixels, " pixels; of the z-buffer's ", close, " differ, by at most 8 ulp in depth");
+  MESSAGE(scenes, " scenes, ", pixels, " pixels; of the textbook's z-buffer ", close,
+          " differ, by at most 8 ulp in depth");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depths without colours are the depths that draw_batches leaves.
+// Depths without colours are the depths that draw_batches leaves, or nearer ones of faces too close to tell.
 #include <irg/render/draw_depth.hpp>
 
 #include <irg/core/threads.hpp>
@@ -28,10 +28,23 @@ constexpr std::pair<irg::image<float>, irg::render_stats> depths(const triangle_
   return {depth, stats};
 }
 
+// Whether all depths are the same, or nearer by 8 ulp at most; `nearer` counts these.
+template <class Order>
+bool same_or_close(const irg::image<float>& a, const irg::image<float>& b, long long& nearer) {
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const float d = a(x, y), e = b(x, y), size = d < e ? e : d;
+      if (d == e) continue;
+      if (!Order::nearer(d, e) || (d < e ? e - d : d - e) > 8 * size * 0x1p-23f) return false;
+      ++nearer;
+    }
+  return true;
+}
+
 template <class Order, class T>
 void equal_on_random_scenes(std::uint64_t seed, int scenes) {
   test::random r(seed);
-  long long drawn = 0;
+  long long drawn = 0, nearer = 0;
   for (int i = 0; i < scenes; ++i) {
     const int width = static_cast<int>(r.integer(1, 200)), height = static_cast<int>(r.integer(1, 100));
     test::scene_maker make(r, static_cast<scene_kind>(i % (test::scene_kinds + 1)), width, height);
@@ -41,7 +54,7 @@ void equal_on_random_scenes(std::uint64_t seed, int scenes) {
     const test::id_picture expected = test::visible_ids<Order, T>(s, culling);
     const auto [depth, stats] = depths<Order, T>(s, culling);
     CAPTURE(i);
-    REQUIRE(depth == expected.depth);
+    REQUIRE(same_or_close<Order>(depth, expected.depth, nearer));
     REQUIRE(stats.skipped == expected.stats.skipped);
     REQUIRE(stats.pixels.tested == expected.stats.pixels.tested);
     REQUIRE(stats.pixels.shaded == 0);
@@ -54,9 +67,10 @@ void equal_on_random_scenes(std::uint64_t seed, int scenes) {
     drawn += expected.stats.pixels.shaded;
   }
   CHECK(drawn > scenes * 1000);
+  CHECK(nearer * 1000 < drawn);
 }
 
-TEST_CASE("draw_depth: the depths of draw_batches, bit for bit, whatever is skipped and whoever works") {
+TEST_CASE("draw_depth: the depths of draw_batches, the nearer one where faces are close, whatever is skipped") {
   const int scenes = test::is_release_tier() ? 5000 : 180;
   test::with_each_order(
       301, [scenes]<class Order, class T>(std::uint64_t seed) { equal_on_random_scenes<Order, T>(seed, scenes); });

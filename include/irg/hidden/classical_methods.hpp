@@ -11,7 +11,7 @@
 
 namespace irg {
 
-/// The methods of textbooks. All but the last draw the same picture, which is the z-buffer's outside of ties.
+/// The methods of textbooks. All but the last draw the same picture, which is render's.
 enum class classical_method { ray_casting, warnock, painter_newell, bsp, painter_by_centroid };
 
 /// A hidden-surface method that is chosen when the program runs.

@@ -187,7 +187,7 @@ constexpr occlusion test_triangles(const occluder_depths& m, const triangle_batc
 /// The depths of occluders over a picture, with the farthest of each 8 x 8 block and each 64 x 64 tile.
 /// shape   width x height pixels, each at the farthest depth at first
 /// needs   1 <= width, height <= 65536 when anything is drawn
-/// exact   depths equal to those of draw_batches; the same answers for every executor, compiler and instruction set
+/// exact   depths equal to those of draw_depth; the same answers for every executor, compiler and instruction set
 template <DepthOrder Order = nearer_is_greater>
   requires(detail::key_sign<Order> != 0 && !std::same_as<Order, drawing_order>)
 class occlusion_mask {

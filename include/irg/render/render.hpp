@@ -172,7 +172,7 @@ constexpr render_stats render(const scene<T>& world, render_target<Colour, Depth
 /// gives   what the method finds. Nothing is left out because something else hides it, `options.hidden` has no say, and
 ///         edges are not faces: `wire` is drawn as `flat`. A method that says that it `finds_nearest()` is not asked
 ///         about windows that show the front faces of one convex body alone: pixels.convex counts these faces
-/// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer
+/// exact   where the method finds the nearest face by the picture's rule, the bytes of the z-buffer, depths included
 template <Floating T, RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, HiddenSurfaceMethod<T> Method,
           Executor E = sequential>
   requires std::same_as<pixel_of<Colour>, rgba8> && std::same_as<pixel_of<Depth>, float>

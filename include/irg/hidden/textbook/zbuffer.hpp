@@ -207,7 +207,7 @@ constexpr void zbuffer_span(const B& buffers, const span_of_cells& s, Walk& walk
 }
 
 /// Draws a face of a picture: the pixels that it covers, with the depths that draw_triangle has there. Faces drawn in
-/// the order of their numbers leave what render shows.
+/// the order of their numbers leave what render shows, but where two depths are too close to tell as floats.
 /// gives   nothing for a face without area; depth_inverse_w keeps the corners' inverse_w
 /// exact   coverage in integers; depths bit for bit those of draw_triangle and render
 template <ZBuffer B, class V = typename B::value_type>

@@ -85,6 +85,12 @@ IRG_INLINE void refresh_farthest(tile& t) noexcept {
   t.farthest = least_of(least);
 }
 
+// What is at this key is not seen.
+IRG_INLINE void hide_key(tile& t, float key) noexcept {
+  for (int i = 0; i < tile_size * tile_stride; ++i)
+    if (t.key[i] == key) t.id[i] = no_face;
+}
+
 // The least key of a block.
 IRG_INLINE float farthest_of_block(const tile& t, int block) noexcept {
   using F = lanes<pack<float, tile_lanes>>;

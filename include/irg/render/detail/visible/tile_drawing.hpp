@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include <irg/render/detail/visible/tile_kernel.hpp>
 #include <irg/render/detail/visible/visible_window.hpp>
@@ -16,12 +15,6 @@ namespace irg {
 namespace detail {
 
 inline namespace IRG_ABI {
-
-// How a tile's list is drawn.
-struct tile_order {
-  float sign;  // of keys
-  bool front_to_back;  // nearer ones first, and with rejection by depth
-};
 
 template <class T>
 struct tile_painter {
@@ -129,11 +122,6 @@ struct tile_painter {
     if (!is_seen) return;
     show(place, key, at);
     holds_farthest |= at_farthest;
-  }
-  // What is kept at the farthest key is not seen.
-  IRG_INLINE void drop_farthest() noexcept {
-    for (int i = 0; i < tile_size * tile_stride; ++i)
-      if (out.key[i] == farthest_key) out.id[i] = no_face;
   }
 
   // What is left to do of a group: a bit for each triangle whose sides are too long for 32-bit lanes, and for each one
@@ -381,7 +369,7 @@ struct tile_painter {
       }
       if (first % counted == 0) add_counts();
     }
-    if (holds_farthest) drop_farthest();
+    if (holds_farthest) hide_key(out, farthest_key);
     add_counts();
   }
 
@@ -404,38 +392,6 @@ struct tile_painter {
     counts = {lanes<integers>::broadcast(0), lanes<integers>::broadcast(0)};
   }
 };
-
-// The numbers of a list, roughly from the nearest triangle to the farthest: sorted by 8 bits of the greatest key.
-template <class T>
-std::vector<std::uint32_t> front_to_back(std::span<const std::uint32_t> numbers, const triangle_finder<T>& find,
-                                         float sign) {
-  constexpr int count = tile_triangles::most;
-  using F = lanes<pack<float, count>>;
-  const std::size_t size = numbers.size();
-  std::vector<float> key(size + count);
-  auto least = F::broadcast(beyond_everything), greatest = F::broadcast(-beyond_everything);
-  for (std::size_t i = 0; i < size; i += count) {
-    corner_lanes<count> c;
-    c.collect(find, numbers.data() + i, static_cast<int>(lesser(size - i, std::size_t{count})));
-    const auto of = [&](int k) { return c.depth[k] * F::broadcast(sign); };
-    const auto nearest = high_of(high_of(of(0), of(1)), of(2));
-    F::store(key.data() + i, nearest);
-    least = low_of(nearest, least);
-    greatest = high_of(nearest, greatest);
-  }
-  const float front = -least_of(F::broadcast(0.0f) - greatest), range = front - least_of(least);
-  const float scale = 0.0f < range ? 255.0f / range : 0.0f;
-  std::vector<std::uint8_t> bucket(size);
-  std::uint32_t start[257] = {};
-  for (std::size_t i = 0; i < size; ++i) {
-    bucket[i] = static_cast<std::uint8_t>(clamp((front - key[i]) * scale, 0.0f, 255.0f));
-    ++start[bucket[i] + 1];
-  }
-  for (int b = 0; b < 256; ++b) start[b + 1] += start[b];
-  std::vector<std::uint32_t> sorted(size);
-  for (std::size_t i = 0; i < size; ++i) sorted[start[bucket[i]]++] = numbers[i];
-  return sorted;
-}
 
 }  // namespace IRG_ABI
 }  // namespace detail

@@ -11,6 +11,7 @@
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/triangle_batch.hpp>
+#include <irg/render/detail/visible/front_to_back.hpp>
 #include <irg/render/detail/visible/streamed_rows.hpp>
 #include <irg/render/detail/visible/tile_drawing.hpp>
 #include <irg/render/detail/visible/visible_window.hpp>

@@ -21,6 +21,12 @@ namespace irg {
 namespace detail {
 inline namespace IRG_ABI {
 
+// How a tile's list is drawn.
+struct tile_order {
+  float sign;  // of keys
+  bool front_to_back;  // nearer ones first, and with rejection by depth
+};
+
 // Triangles of a tile, ready to be drawn, a lane each. F is taken at the first pixel of the box.
 struct tile_triangles {
   static constexpr int most = native_lanes<std::int32_t>;
@@ -46,9 +52,9 @@ struct tile_triangle {
 // By how much the key of a triangle has to differ from another so that the order of both is that of the exact depths.
 // `largest` is the size of the triangle's keys.
 //
-// A key errs by 8 roundings of 2^-24 at most (see depth_at), less than 2^-21 (1 + 2^-15) of its size: all its terms have
-// one sign. Of two keys of which the farther is less than half as large again as `largest`, both errors together are
-// less than 2^-19 of `largest`; where it is larger, they differ by a third of it. Of subnormal numbers each product
+// A key errs by 8 roundings of 2^-24 at most (see depth_at), less than 2^-21 (1 + 2^-15) of its size: all its terms
+// have one sign. Of two keys of which the farther is less than half as large again as `largest`, both errors together
+// are less than 2^-19 of `largest`; where it is larger, they differ by a third of it. Of subnormal numbers each product
 // loses up to 2^-126, times edge functions below 2^53: less than 2^-72 in all. Where the depths of a triangle have both
 // signs, terms cancel, and its keys err by as much of the largest: whoever meets it needs its slack, too.
 template <class F>
@@ -67,8 +73,8 @@ struct pixels_of_tile {
   std::uint32_t* id;
 };
 
-// What drawing a triangle leaves to be done: in a window, or in blocks, a bit each. `close` has pixels whose keys are too
-// close to tell, `beside` such as lie beside the picture, and were counted all the same.
+// What drawing a triangle leaves to be done: in a window, or in blocks, a bit each. `close` has pixels whose keys are
+// too close to tell, `beside` such as lie beside the picture, and were counted all the same.
 struct tile_rest {
   std::uint64_t close = 0, beside = 0;
   cell_window window{};  // empty: in blocks
@@ -86,8 +92,8 @@ struct tile_rest {
   }
 };
 
-// One register of pixels: those covered and nearer than what is there become the triangle's. Where keys are too close to
-// tell, `close` is set and the pixel kept: see close_pixels. Pixels beside the picture are counted, too: see
+// One register of pixels: those covered and nearer than what is there become the triangle's. Where keys are too close
+// to tell, `close` is set and the pixel kept: see close_pixels. Pixels beside the picture are counted, too: see
 // uncount_beside.
 template <tile_test Test, class J>
 IRG_INLINE void tile_pixels(const tile_triangle<J>& t, const J (&f)[3], const pixels_of_tile& at,
@@ -154,8 +160,8 @@ IRG_INLINE void uncount_beside(const tile& out, const tile_triangle<J>& t, const
                                const cell_window& part, tile_counts& counts) noexcept {
   using F = lanes<pack<float, lanes<J>::count>>;
   for_each_register(t, box, part, [&](const J(&f)[3], int at) {
-    counts.tested = counts.tested + both(none_negative(f[0], f[1], f[2]),
-                                         F::load(out.key + at) == F::broadcast(beyond_everything));
+    counts.tested =
+        counts.tested + both(none_negative(f[0], f[1], f[2]), F::load(out.key + at) == F::broadcast(beyond_everything));
   });
 }
 
@@ -230,8 +236,8 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>&
   // keys of pixels are reckoned. Of subnormal numbers each product loses up to 2^-150, those of slopes times the pixels
   // of a tile: less than 2^-140 together, and slack is more.
   const auto rise = high_of(slope_right, zero) * last + high_of(slope_down, zero) * last;
-  const auto nearest_first = ((start[0] + t.rest) + (start[1] + start[2])) +
-                             (rise + (size * F::broadcast(0x1p-18f) + t.slack));
+  const auto nearest_first =
+      ((start[0] + t.rest) + (start[1] + start[2])) + (rise + (size * F::broadcast(0x1p-18f) + t.slack));
   pack<float, lane_count> nearest[static_cast<unsigned>(chunks)];
   for (int c = 0; c < chunks; ++c)
     nearest[c] =
