@@ -96,6 +96,19 @@ constexpr vec3 accumulated() {
 }
 
 // Archetypes have what Vector asks and nothing more; dot and cross must not ask for more either.
+static_assert(std::same_as<irg::assignable<irg::point<double, 2>>, irg::point<double, 2>>);
+static_assert(std::same_as<irg::assignable<archetype::point<int, 2>>, irg::point<int, 2>>);
+static_assert(std::same_as<irg::assignable<archetype::vector<int, 3>>, irg::vec<int, 3>>);
+static_assert(std::same_as<irg::assignable<archetype::homogeneous_point<int, 3>>, irg::hpoint<int, 2>>);
+static_assert(std::same_as<irg::assignable<archetype::any_kind<int, 3>>, std::array<int, 3>>);
+static_assert([] {
+  const auto p = archetype::point<int, 3>::of(1, 2, 3);
+  const irg::point<int, 3> kept = irg::as_assignable(p);
+  const auto again = irg::from_assignable<archetype::point<int, 3>>(kept);
+  const auto zero = irg::zero_coordinates<archetype::point<int, 3>>();
+  return kept == irg::point<int, 3>{1, 2, 3} && again.nth(0) == 1 && again.nth(2) == 3 && zero.nth(1) == 0;
+}());
+
 constexpr bool archetypes_are_enough() {
   using number = archetype::scalar;
   using vector = archetype::vector<number, 3>;

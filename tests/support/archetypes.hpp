@@ -66,6 +66,10 @@ using point = coordinates<T, N, irg::coordinate_kind::point>;
 template <class T, int N>
 using homogeneous_point = coordinates<T, N, irg::coordinate_kind::homogeneous>;
 
+/// Coordinates that may be a vector or a point, as most foreign types'.
+template <class T, int N>
+using any_kind = coordinates<T, N, irg::coordinate_kind::any>;
+
 /// Points and vectors that are made without a value and assigned, too: for algorithms that keep rows of them.
 template <class T, int N, irg::coordinate_kind Kind>
 class kept_coordinates {

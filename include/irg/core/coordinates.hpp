@@ -215,8 +215,8 @@ IRG_INLINE constexpr T generate_coordinates(F&& f) {
   }(std::make_integer_sequence<int, size_of<T>>{});
 }
 
-/// A T whose coordinates are 0: what stands in a result that has no point. Types need no default constructor for it; T{}
-/// of another library may leave them as they were in memory.
+/// A T whose coordinates are 0: what stands in a result without a point. Types need no default constructor for it, and
+/// T{} of another library may hold anything.
 template <Coordinates T>
 [[nodiscard]] IRG_INLINE constexpr T zero_coordinates() {
   return generate_coordinates<T>([](int) { return scalar_of<T>(0); });

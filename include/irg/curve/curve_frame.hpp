@@ -15,7 +15,7 @@ namespace irg {
 /// Three axes of length 1 at right angles: binormal = tangent x normal.
 template <class V>
 struct curve_frame {
-  V tangent{}, normal{}, binormal{};
+  V tangent = zero_coordinates<V>(), normal = zero_coordinates<V>(), binormal = zero_coordinates<V>();
   bool operator==(const curve_frame&) const = default;
 };
 

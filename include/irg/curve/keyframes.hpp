@@ -18,7 +18,7 @@ namespace irg {
 template <Coordinates P>
 struct keyframe {
   scalar_of<P> time{};
-  P place{};
+  P place = zero_coordinates<P>();
 };
 
 namespace detail {

@@ -19,7 +19,7 @@ namespace irg {
 /// A point of a line or segment and its parameter.
 template <Point P>
 struct point_on_line {
-  P at{};
+  P at = zero_coordinates<P>();
   scalar_of<P> t{};
 };
 
@@ -29,7 +29,7 @@ enum class triangle_region { face, corner_a, corner_b, corner_c, edge_ab, edge_b
 /// A point of a triangle abc, the part it lies on, and its barycentric coordinates.
 template <Point P>
 struct point_on_triangle {
-  P at{};
+  P at = zero_coordinates<P>();
   triangle_region region = triangle_region::face;
   std::array<scalar_of<P>, 3> weights{};
 };
@@ -37,7 +37,7 @@ struct point_on_triangle {
 /// Points on two lines or segments, and their parameters there.
 template <Point P>
 struct point_pair {
-  P first{}, second{};
+  P first = zero_coordinates<P>(), second = zero_coordinates<P>();
   scalar_of<P> t{}, s{};
 };
 

@@ -46,9 +46,14 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] constexpr std::optional<V> try_normalize(const V& v) noexcept {
-  assignable<V> unit = as_assignable(v);
-  if (!detail::put_direction(as_assignable(v), unit)) return std::nullopt;
-  return from_assignable<V>(unit);
+  if constexpr (std::semiregular<V>) {
+    V unit = v;
+    if (!detail::put_direction(v, unit)) return std::nullopt;
+    return unit;
+  } else {
+    const auto unit = try_normalize(as_assignable(v));
+    return unit ? std::optional<V>(from_assignable<V>(*unit)) : std::nullopt;
+  }
 }
 
 /// The vector of length 1 in the direction of v; the zero vector where there is none.
@@ -57,10 +62,14 @@ template <Vector V>
 template <Vector V>
   requires Floating<scalar_of<V>>
 [[nodiscard]] IRG_INLINE constexpr V normalized(const V& v) noexcept {
-  assignable<V> unit = as_assignable(v);
-  const bool has_direction = detail::put_direction(as_assignable(v), unit);
-  if constexpr (std::same_as<scalar_of<V>, float>) return from_assignable<V>(unit);
-  return has_direction ? from_assignable<V>(unit) : zero_coordinates<V>();
+  if constexpr (std::semiregular<V>) {
+    V unit = v;
+    const bool has_direction = detail::put_direction(v, unit);
+    if constexpr (std::same_as<scalar_of<V>, float>) return unit;
+    return has_direction ? unit : zero_coordinates<V>();
+  } else {
+    return from_assignable<V>(normalized(as_assignable(v)));
+  }
 }
 
 /// The length of v without care for the ends of the exponents, for inner loops.

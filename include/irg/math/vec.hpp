@@ -3,6 +3,7 @@
 // thing to each. Functions such as dot and cross take any Vector, the operators only irg's own types.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
@@ -294,14 +295,30 @@ template <Point P>
 
 }  // namespace IRG_ABI
 
-/// What algorithms keep and change for a vector or point of type P: a P, where one can be made without a value and be
-/// assigned; otherwise irg's own.
+namespace detail {
+// irg's own type of the same meaning; a foreign type that may be a vector or a point becomes an array, which may, too.
 template <Coordinates P>
-using assignable = std::conditional_t<
-    std::semiregular<P>, P,
-    std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::homogeneous, hpoint<scalar_of<P>, size_of<P> - 1>,
-                       std::conditional_t<coordinate_traits<P>::kind == coordinate_kind::vector,
-                                          vec<scalar_of<P>, size_of<P>>, point<scalar_of<P>, size_of<P>>>>>;
+struct own_coordinates {
+  using type = std::array<scalar_of<P>, static_cast<std::size_t>(size_of<P>)>;
+};
+template <detail::means<coordinate_kind::vector> P>
+struct own_coordinates<P> {
+  using type = vec<scalar_of<P>, size_of<P>>;
+};
+template <detail::means<coordinate_kind::point> P>
+struct own_coordinates<P> {
+  using type = point<scalar_of<P>, size_of<P>>;
+};
+template <detail::means<coordinate_kind::homogeneous> P>
+struct own_coordinates<P> {
+  using type = hpoint<scalar_of<P>, size_of<P> - 1>;
+};
+}  // namespace detail
+
+/// What algorithms keep and change for a vector or point of type P: a P, where one can be made without a value and be
+/// assigned; otherwise a type of irg's or an array.
+template <Coordinates P>
+using assignable = std::conditional_t<std::semiregular<P>, P, typename detail::own_coordinates<P>::type>;
 
 inline namespace IRG_ABI {
 
