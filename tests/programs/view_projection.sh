@@ -105,15 +105,15 @@ v 4 1 1.5
 END
 run "0 0 9  0 0 0" box.obj --fit
 check "--fit: exit 0: $err" is "$status" 0
-# Their box goes from (2, 0, 1) to (10, 4, 3): its centre is (6, 2, 2), its longest side 8. Seen straight down, x is up.
-check "--fit: $(line eye | tr '\n' ';')" is "$(line eye | tr '\n' ';')" "-0.5 -1 9.25;0.5 1 8.75;-0.25 -0.5 9.125;"
+# Their box goes from (2, 0, 1) to (10, 4, 3): its centre is (6, 2, 2), its longest side 8. Seen straight down, x is up, y to the left.
+check "--fit: $(line eye | tr '\n' ';')" is "$(line eye | tr '\n' ';')" "0.5 -1 9.25;-0.5 1 8.75;0.25 -0.5 9.125;"
 run "0 0 9  0 0 0" box.obj
 check "without it they are where they are" is "$(line eye | head -n 1)" "0 2 8"
 check "a body fitted is in [-1, 1]" is "$(for m in teapot cube sphere torus; do
   run '0 0 9  0 0 0' $m --fit
   line eye | awk '{ for (i = 1; i <= 2; ++i) if ($i > 1 + 1e-15 || $i < -1 - 1e-15) bad = 1; if ($3 > 10 || $3 < 8) bad = 1
     for (i = 1; i <= 3; ++i) { x = i == 3 ? $3 - 9 : $i; if (x < 0) x = -x; if (x > most) most = x } }
-    END { print bad + 0, most > 1 - 1e-15 }'; done | tr '\n' ';')" "0 1;0 1;0 1;0 1;"
+    END { print bad + 0, (most > 1 - 1e-15) }'; done | tr '\n' ';')" "0 1;0 1;0 1;0 1;"
 refused "--fit without a model" "--fit needs a model" "0 0 9 0 0 0 0" --fit
 printf 'v 3 3 3\nv 3 3 3\n' >one.obj
 run "0 0 9  0 0 0" one.obj --fit
