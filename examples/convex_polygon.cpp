@@ -111,8 +111,7 @@ problem read_problem(program::command_line& line, const settings& s) {
     out.rounded.push_back(irg::snap(out.ring.back()));
   }
   out.convex = irg::is_convex(out.ring);
-  if (!out.convex && s.rule != fill_choice::top_left)
-    in.fail_at_word(only_top_left);
+  if (!out.convex && s.rule != fill_choice::top_left) in.fail_at_word(only_top_left);
   number_input::prompt_if_terminal("x y of the point: ", s.input);
   out.p.x = in.number("x of the point");
   out.p.y = in.number("y of the point");

@@ -10,6 +10,7 @@
 #include <irg/shade/shading.hpp>
 
 #include "support/command_line.hpp"
+#include "support/eye_inside.hpp"
 #include "support/number_output.hpp"
 #include "support/rendering.hpp"
 #include "support/run_or_fail.hpp"
@@ -20,12 +21,15 @@ const std::string help = R"(shaded_body - the shaded faces of a body
 
 usage: shaded_body MODEL [options]
 
+usage: shaded_body MODEL [options]
 Prints how many triangles the model has, its faces cut, and how many belong to faces that turn their outer side towards
 the eye. The others are back faces, and so are those seen from their edge. A face is as bright as the ambient and the
 diffuse light on its centre make it: Ia ka + Ii kd (L.N), summed over the lamps and cut off at 255, with Ia = 100,
-ka = 0.2, Ii = 200, kd = 0.6.
+ka = 0.2, Ii = 200, kd = 0.6. Where the eye is inside a closed body, which is meant to be seen from outside, a line on
+standard error says so.
 
   MODEL                a body as OBJ, STL, PLY, OFF or XML, or one of teapot, cube, sphere, torus
+  --fit                move the model's centre to the origin and scale it until its longest side goes from -1 to 1
   --list               print instead, for every face of the model: its intensity, 0 to 255, or hidden for a back face
   -o OUT               draw the body in this light: .png, .ppm or .svg
 )" + std::string(program::render_options_help);
@@ -89,6 +93,8 @@ void run(program::command_line& line) {
     const std::string_view word = line.take();
     if (word == "--list")
       list = true;
+    else if (word == "--fit")
+      s.fit = true;
     else
       s.read(line, word);
   }
@@ -102,6 +108,8 @@ void run(program::command_line& line) {
   world.objects.push_back({program::load_model(line, s)});
   world.objects[0].surface = {grey(ambient_share), grey(diffuse_share), {}, 1};
   world.view = program::camera_of(line, s, world.objects[0].shape);
+  if (world.view.projection == irg::projection_kind::perspective)
+    program::hint_if_inside(line, world.objects[0].shape, world.view.eye);
   world.lights = s.lights.empty() ? std::vector{program::shoulder_light(world.view)} : s.lights;
   for (auto& l : world.lights) l.intensity = grey(lamp / brightest);
   world.ambient = grey(ambient_light / brightest);

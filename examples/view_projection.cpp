@@ -18,6 +18,7 @@
 #include <irg/view/textbook/view_transform.hpp>
 
 #include "support/command_line.hpp"
+#include "support/eye_inside.hpp"
 #include "support/model_edges.hpp"
 #include "support/model_input.hpp"
 #include "support/number_input.hpp"
@@ -32,13 +33,16 @@ constexpr std::string_view help =
 
 usage: view_projection [MODEL] [options] <POINTS
 
+usage: view_projection [MODEL] [options] <NUMBERS
 Reads the eye x y z and the target x y z, then n and x y z of each of the n points, from standard input; with MODEL only
 the eye and the target, the points are the model's vertices. z is up in the scene. The picture plane passes through the
 target. Prints the view transform T and the projection P, 16 numbers by rows, for row vectors; H, the distance from eye
 to target; then for every point its place in the eye's system (x right, y up, z ahead) and in the picture plane, or none
-at and behind the eye and where a coordinate is beyond the largest number.
+at and behind the eye and where a coordinate is beyond the largest number. Where the eye is inside a closed model, which
+is meant to be seen from outside, a line on standard error says so.
 
   MODEL                a body as OBJ, STL, PLY, OFF or XML, or one of teapot, cube, sphere, torus
+  --fit                move the model's centre to the origin and scale it until its longest side goes from -1 to 1
   --input FILE         read the numbers from FILE
   --list               print the places in the picture plane instead: x y, or none
   -o OUT               draw the points, joined in their order, or the model's wire frame: .png, .ppm or .svg
@@ -50,6 +54,7 @@ using place = std::optional<irg::point<double, 2>>;
 
 struct settings : program::drawing_options {
   std::string model;
+  bool fit = false;
 };
 
 settings read_settings(program::command_line& line) {
@@ -58,6 +63,8 @@ settings read_settings(program::command_line& line) {
     const std::string_view word = line.take();
     if (word.empty())
       line.fail("a model's name is empty");
+    else if (word == "--fit")
+      s.fit = true;
     else if (word[0] == '-')
       s.read(line, word);
     else if (s.model.empty())
@@ -66,6 +73,7 @@ settings read_settings(program::command_line& line) {
       line.fail("one model at a time, not also '" + std::string(word) + "'");
   }
   s.finish(line);
+  if (s.fit && s.model.empty()) line.fail("option --fit needs a model");
   if (program::one_file(s.out, s.model)) line.fail("the model would be overwritten: " + s.model);
   return s;
 }
@@ -143,8 +151,9 @@ void set_view(problem& p, const program::number_input& in, const point& eye, con
 problem read_problem(program::command_line& line, const settings& s) {
   using program::number_input;
   problem p;
-  const irg::mesh<double> model = s.model.empty() ? irg::mesh<double>{} : program::read_model(line, s.model);
+  irg::mesh<double> model = s.model.empty() ? irg::mesh<double>{} : program::read_model(line, s.model);
   if (!s.model.empty() && model.positions.empty()) line.fail("the model has no vertices: " + s.model);
+  if (s.fit) program::fit_model(line, model, s.model);
   number_input::prompt_if_terminal("x y z of the eye: ", s.input);
   number_input in(line, s.input);
   const point eye = read_point(in, "the eye");
@@ -156,6 +165,7 @@ problem read_problem(program::command_line& line, const settings& s) {
     for (const point& v : model.positions)
       if (!add(p, v))
         line.fail("vertex " + std::to_string(p.eye.size() + 1) + " is too far out to be seen: " + s.model);
+    program::hint_if_inside(line, model, eye);
     if (!s.out.empty()) p.edges = program::edges_of(model);
     return p;
   }

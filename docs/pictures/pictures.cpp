@@ -491,5 +491,6 @@ int main(int argc, char** argv) {
   save("visibility_buffer", occlusion_pictures::ids());
   save("occlusion_culling", occlusion_culling_pictures::seen_from_above());
   save("studio", studio_pictures::both_views());
+  save("studio_window", studio_pictures::window());
   return failures == 0 ? 0 : 1;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <irg/io/mesh_file.hpp>
+#include <irg/mesh/fit.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 
@@ -23,6 +24,11 @@ inline irg::mesh<double> read_model(const command_line& line, const std::string&
   auto mesh = irg::load_mesh<double>(model);
   if (!mesh) line.fail(with_place(mesh.error(), model));
   return *std::move(mesh);
+}
+
+/// Moves and scales a model into [-1, 1], what --fit asks for; ends the program where a vertex is not finite.
+inline void fit_model(const command_line& line, irg::mesh<double>& m, const std::string& name) {
+  if (irg::fit_mesh(m) == irg::fit_status::not_finite) line.fail("the model has a vertex that is not finite: " + name);
 }
 
 }  // namespace program

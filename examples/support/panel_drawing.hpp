@@ -32,9 +32,11 @@ struct typed_line {
   void key(std::string_view name) {
     const auto inside = [&](std::size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
     std::size_t left = cursor, right = cursor;
-    if (left > 0) do --left;
+    if (left > 0) do
+        --left;
       while (left > 0 && inside(left));
-    if (right < text.size()) do ++right;
+    if (right < text.size()) do
+        ++right;
       while (inside(right));
     if (name == "left") cursor = left;
     if (name == "right") cursor = right;
@@ -150,7 +152,8 @@ inline void draw_cell(irg::image_view<irg::rgba8> p, const panel_cell& c) {
   if (c.look == label) return text_in(p, c.text, irg::text_along::left, c.choice ? k.ink : k.faint);
   paint(box, c.look == on ? k.on : c.look == button ? k.button : k.white);
   frame(box, 1, c.look == on ? k.on : k.line);
-  text_in(p, c.text, c.look == value ? irg::text_along::right : irg::text_along::centre, c.look == on ? k.white : k.ink);
+  text_in(p, c.text, c.look == value ? irg::text_along::right : irg::text_along::centre,
+          c.look == on ? k.white : k.ink);
 }
 
 }  // namespace panel
@@ -165,7 +168,7 @@ inline void draw_panel(irg::image_view<irg::rgba8> p, const panel_rows& rows, in
     if (top < 0 || top + row_height > p.height()) continue;
     if (rows[r].chosen)
       paint(part_of(p, {panel_margin - 2, top}, {panel_width - 2 * panel_margin + 4, row_height}),
-                 panel_colours.chosen);
+            panel_colours.chosen);
     for (std::size_t i = 0; i < rows[r].cells.size(); ++i) {
       const panel_cell& c = rows[r].cells[i];
       const auto part = part_of(p, {c.left, top}, {c.width, row_height});
@@ -175,7 +178,8 @@ inline void draw_panel(irg::image_view<irg::rgba8> p, const panel_rows& rows, in
   }
   const int all = static_cast<int>(rows.size()) * row_height + 2 * panel_margin;
   if (all > p.height())  // how much of it is seen
-    paint(part_of(p, {p.width() - 5, p.height() * scrolled / all}, {4, p.height() * p.height() / all}), panel_colours.on);
+    paint(part_of(p, {p.width() - 5, p.height() * scrolled / all}, {4, p.height() * p.height() / all}),
+          panel_colours.on);
 }
 
 /// The name of a view in its upper corner; that of the chosen one is bright.

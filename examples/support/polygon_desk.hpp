@@ -53,7 +53,8 @@ public:
     }
     int y = 6;
     const auto text = [&](std::string_view line, irg::rgba8 colour) {
-      irg::draw_text(picture_, line, {8, static_cast<double>(y)}, {.size = 15, .across = irg::text_across::top}, colour);
+      irg::draw_text(picture_, line, {8, static_cast<double>(y)}, {.size = 15, .across = irg::text_across::top},
+                     colour);
       y += 19;
     };
     if (!sentence_.empty()) text(sentence_, red);

@@ -85,6 +85,7 @@ struct render_settings {
   bool hidden_line = false;  // in place of options.style
   bool dashed = false;  // hidden edges, with hidden_line
   bool shadows = false;
+  bool fit = false;  // the model into [-1, 1]
   double mirror = 0;
   int samples = 1;
 
@@ -193,6 +194,7 @@ inline void bring_into_range(irg::mesh<double>& shape, render_settings& s) {
 inline irg::mesh<double> load_model(const command_line& line, render_settings& s) {
   auto mesh = read_model(line, s.model);
   if (mesh.face_count() == 0) line.fail("the model has no faces: " + s.model);
+  if (s.fit) fit_model(line, mesh, s.model);
   bring_into_range(mesh, s);
   irg::assign_crease_normals(mesh, irg::radians(s.crease));
   return mesh;

@@ -37,7 +37,8 @@ public:
       const int from = view_left(v), to = v == irg::studio_view::main ? view_left(irg::studio_view::outer) : width_;
       const auto part = part_of(all, {from, 0}, {to - from, bottom});
       session_.draw(part, v);
-      if (left > 0) draw_view_name(part, v == irg::studio_view::main ? "main camera" : "outer camera", v == choice_.view);
+      if (left > 0)
+        draw_view_name(part, v == irg::studio_view::main ? "main camera" : "outer camera", v == choice_.view);
     }
     if (left > 0) {
       for (std::size_t i = 0; i < 2; ++i)
@@ -223,8 +224,8 @@ private:
   bool key_of_view(std::string_view k) {
     const std::string view = panel::name_of(choice_.view);
     const irg::studio_camera<double>& c = session_.state().of(choice_.view);
-    constexpr std::pair<const char*, const char*> orbits[] = {{"j", "-5 0"},   {"l", "5 0"},      {"i", "0 5"},
-                                                              {"k", "0 -5"},   {"n", "0 0 0.9"}, {"m", "0 0 1.1"}};
+    constexpr std::pair<const char*, const char*> orbits[] = {{"j", "-5 0"}, {"l", "5 0"},     {"i", "0 5"},
+                                                              {"k", "0 -5"}, {"n", "0 0 0.9"}, {"m", "0 0 1.1"}};
     for (const auto& [name, by] : orbits)
       if (k == name) return say("orbit " + view + " " + by), true;
     if (k == "v") {
@@ -248,12 +249,21 @@ private:
 
   // Keys about the chosen body and the chosen one of its transformations.
   void key_of_body(std::string_view k, const irg::studio_body<double>& b) {
-    constexpr std::pair<const char*, const char*> additions[] = {
-        {"left", "translate -0.25 0 0"}, {"right", "translate 0.25 0 0"},    {"up", "translate 0 0.25 0"},
-        {"down", "translate 0 -0.25 0"}, {"pageup", "translate 0 0 -0.25"},  {"pagedown", "translate 0 0 0.25"},
-        {"x", "rotate-x 15"},            {"y", "rotate-y 15"},               {"z", "rotate-z 15"},
-        {"shift-x", "rotate-x -15"},     {"shift-y", "rotate-y -15"},        {"shift-z", "rotate-z -15"},
-        {"r", "rotate-y 15"},            {"+", "scale 1.25 1.25 1.25"},      {"-", "scale 0.8 0.8 0.8"}};
+    constexpr std::pair<const char*, const char*> additions[] = {{"left", "translate -0.25 0 0"},
+                                                                 {"right", "translate 0.25 0 0"},
+                                                                 {"up", "translate 0 0.25 0"},
+                                                                 {"down", "translate 0 -0.25 0"},
+                                                                 {"pageup", "translate 0 0 -0.25"},
+                                                                 {"pagedown", "translate 0 0 0.25"},
+                                                                 {"x", "rotate-x 15"},
+                                                                 {"y", "rotate-y 15"},
+                                                                 {"z", "rotate-z 15"},
+                                                                 {"shift-x", "rotate-x -15"},
+                                                                 {"shift-y", "rotate-y -15"},
+                                                                 {"shift-z", "rotate-z -15"},
+                                                                 {"r", "rotate-y 15"},
+                                                                 {"+", "scale 1.25 1.25 1.25"},
+                                                                 {"-", "scale 0.8 0.8 0.8"}};
     constexpr const char* colours[] = {"255 255 255", "205 128 70", "60 120 200", "80 160 90",
                                        "220 200 90",  "200 70 60",  "150 90 180", "90 96 110"};
     const std::string name = " " + quoted(b) + " ", stage = panel::name_of(choice_.stage);
@@ -323,15 +333,14 @@ private:
       choice_.stage = stage;
       choice_.transformation = which;
     };
-    if (const auto* e = std::get_if<irg::add_transformation<double>>(&c.event)) choose(e->name, e->stage, std::size_t(-1));
+    if (const auto* e = std::get_if<irg::add_transformation<double>>(&c.event))
+      choose(e->name, e->stage, std::size_t(-1));
     if (const auto* e = std::get_if<irg::change_transformation<double>>(&c.event)) choose(e->name, e->stage, e->which);
     if (const auto* e = std::get_if<irg::move_transformation>(&c.event)) choose(e->name, e->stage, e->to);
     if (const auto* e = std::get_if<irg::remove_transformation>(&c.event)) choose(e->name, e->stage, e->which);
     lay_out();
   }
-  void save_window() {
-    session_.write_picture("studio_window.png", draw());
-  }
+  void save_window() { session_.write_picture("studio_window.png", draw()); }
 
   studio_session& session_;
   irg::image<irg::rgba8> picture_{};

@@ -84,9 +84,7 @@ inline std::string shown(double v, int digits = 4) {
   return text;
 }
 inline double rounded(double v, int digits) { return std::strtod(shown(v, digits).c_str(), nullptr); }
-inline double next_of(double v, double step, int way) {
-  return rounded((std::floor(v / step + 0.5) + way) * step, 10);
-}
+inline double next_of(double v, double step, int way) { return rounded((std::floor(v / step + 0.5) + way) * step, 10); }
 inline double grown(double v, int way) {
   if (v == 0) return 0.1 * way;
   return rounded(way > 0 ? v * 1.25 : v * 0.8, 3);
@@ -206,11 +204,12 @@ inline void adding_rows(panel_rows& rows, const body& b, const studio_choice& ch
     by[static_cast<std::size_t>(axis)] = back ? -0.25 : 0.25;
     return "translate" + words_of(by);
   });
-  six("scale", [](int axis, bool back) {
-    std::array<double, 3> by{1, 1, 1};
-    by[static_cast<std::size_t>(axis)] = back ? 0.8 : 1.25;
-    return "scale" + words_of(by);
-  })
+  six("scale",
+      [](int axis, bool back) {
+        std::array<double, 3> by{1, 1, 1};
+        by[static_cast<std::size_t>(axis)] = back ? 0.8 : 1.25;
+        return "scale" + words_of(by);
+      })
       .skip(4)
       .button("all-", 36, start + "scale 0.8 0.8 0.8")
       .button("all+", 36, start + "scale 1.25 1.25 1.25");

@@ -72,7 +72,8 @@ inline void projection_rows(panel_rows& rows, const irg::studio<double>& s, cons
   row_writer(rows)
       .label("oblique", 70)
       .reading("angle", 47)
-      .value(c.oblique_angle, 82, [&](double v) { return oblique(v, c.oblique_factor); }, by(5))
+      .value(
+          c.oblique_angle, 82, [&](double v) { return oblique(v, c.oblique_factor); }, by(5))
       .reading("factor", 47)
       .value(c.oblique_factor, 82, [&](double v) { return oblique(c.oblique_angle, v); }, by(0.1));
   const irg::view_pyramid<double>& p = c.pyramid;

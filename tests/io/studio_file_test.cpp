@@ -60,8 +60,7 @@ irg::studio_event<double> any_event(std::mt19937_64& random) {
       irg::studio_transformation<double> t{static_cast<irg::studio_map>(upto(10)), {}};
       for (std::size_t i = 0; i < irg::studio_maps[static_cast<std::size_t>(t.kind)].numbers; ++i)
         t.numbers[i] = number();
-      if (upto(4) == 0)
-        return irg::change_transformation<double>{name, stage, static_cast<std::size_t>(upto(2)), t};
+      if (upto(4) == 0) return irg::change_transformation<double>{name, stage, static_cast<std::size_t>(upto(2)), t};
       return irg::add_transformation<double>{name, stage, t};
     }
     case 8:

@@ -78,7 +78,7 @@ printf 'v 1e200 0 0\nv -1e200 0 0\nv 0 1e200 0\nf 1 2 3\n' >huge.obj
 run "" --help
 check "--help: exit 0" is "$status" 0
 check "--help: silent on standard error" is "$err" ""
-for word in MODEL --list -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip \
+for word in usage: MODEL --fit --list -o --stats --size --eye --target --up --fov --project --hidden --style --light --cull --skip \
   --threads teapot cube sphere torus; do
   check "--help names $word" has "$out" "$word"
 done
@@ -103,6 +103,25 @@ listed "the same eye in perspective sees more" "hidden hidden 73.3699507995993 7
 for project in isometric dimetric trimetric oblique; do
   listed "$project" "hidden hidden 73.3699507995993 78.3997116070745 46.9076633390697 47.3702931657094 hidden hidden hidden hidden 106.74768752147 105.115923873823" cube.obj --project $project $lamp
 done
+
+# ---- into [-1, 1], and an eye inside
+sed 's/^v \(.*\) \(.*\) \(.*\)$/v \1e3 \2e3 \3e3/' cube.obj >large.obj
+listed "a large cube fitted: the course's twice as large about the origin" "hidden hidden 73.3699507995993 78.3997116070745 46.9076633390697 47.3702931657094 hidden hidden hidden hidden 106.74768752147 105.115923873823" large.obj --fit --eye 5,3,3 --light 5,3,7
+run "" cube.obj --eye 5,3,3 --light 5,3,7 --list
+check "which it is not without --fit" is_not "$(one_line)" "$(run "" cube.obj --fit --eye 5,3,3 --light 5,3,7 --list; one_line)"
+run "" huge.obj --fit --eye 0,0,5 --list
+check "fitted from the end of the range: exit 0: $err" is "$status" 0
+check "and seen from the eye that is given" is "$(one_line | awk '{ print ($1 > 20) }')" 1
+word="shaded_body: the eye is inside the body, which is meant to be seen from outside"
+run "" cube.obj --eye 0.5,0.4,0.6 --list
+check "an eye inside: exit 0" is "$status" 0
+check "and a word about it: $err" is "$err" "$word"
+run "" cube.obj --eye 0.5,0.4,0.6 --list --project orthographic
+check "in parallel projection no eye is inside: $err" is "$err" ""
+run "" cube.obj --eye 0,0.4,0.6 --list
+check "on a face it is not inside: $err" is "$err" ""
+run "" cube.obj --eye -0.5,0.4,0.6 --fit --list
+check "inside of what is fitted: $err" is "$err" "$word"
 
 # ---- faces of more corners: one line a face, counted as triangles
 run "" square.obj --eye 0,0,5 --light 0,0,9 --list

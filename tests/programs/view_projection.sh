@@ -26,7 +26,7 @@ refused() {
 # ---- help
 run "" --help
 check "--help: exit 0" is "$status" 0
-for word in MODEL --input --list --size -o; do
+for word in usage: MODEL --fit --input --list --size -o; do
   check "--help names $word" has "$out" "$word"
 done
 
@@ -97,6 +97,41 @@ printf 'v 1 2 x\n' >bad.obj
 refused "a model that is no model" "bad.obj:1:7" "1 1 3 0 0 0" bad.obj
 printf '# nothing\n' >empty.obj
 refused "a model without vertices" "empty.obj" "1 1 3 0 0 0" empty.obj
+# ---- into [-1, 1], and an eye inside
+cat >box.obj <<'END'
+v 2 0 1
+v 10 4 3
+v 4 1 1.5
+END
+run "0 0 9  0 0 0" box.obj --fit
+check "--fit: exit 0: $err" is "$status" 0
+# Their box goes from (2, 0, 1) to (10, 4, 3): its centre is (6, 2, 2), its longest side 8. Seen straight down, x is up, y to the left.
+check "--fit: $(line eye | tr '\n' ';')" is "$(line eye | tr '\n' ';')" "0.5 -1 9.25;-0.5 1 8.75;0.25 -0.5 9.125;"
+run "0 0 9  0 0 0" box.obj
+check "without it they are where they are" is "$(line eye | head -n 1)" "0 2 8"
+check "a body fitted is in [-1, 1]" is "$(for m in teapot cube sphere torus; do
+  run '0 0 9  0 0 0' $m --fit
+  line eye | awk '{ for (i = 1; i <= 2; ++i) if ($i > 1 + 1e-15 || $i < -1 - 1e-15) bad = 1; if ($3 > 10 || $3 < 8) bad = 1
+    for (i = 1; i <= 3; ++i) { x = i == 3 ? $3 - 9 : $i; if (x < 0) x = -x; if (x > most) most = x } }
+    END { print bad + 0, (most > 1 - 1e-15) }'; done | tr '\n' ';')" "0 1;0 1;0 1;0 1;"
+refused "--fit without a model" "--fit needs a model" "0 0 9 0 0 0 0" --fit
+printf 'v 3 3 3\nv 3 3 3\n' >one.obj
+run "0 0 9  0 0 0" one.obj --fit
+check "one place goes to the origin: $err" is "$(line eye | tail -n 1)" "0 0 9"
+word="view_projection: the eye is inside the body, which is meant to be seen from outside"
+run "0.5 0.25 0.75  3 2 1" cube
+check "an eye inside: exit 0" is "$status" 0
+check "and a word about it: $err" is "$err" "$word"
+run "0 0.25 0.5  3 2 1" cube --fit
+check "inside of what is fitted: $err" is "$err" "$word"
+for input in "-0.1 0.5 0.5  3 2 1" "0 0.5 0.5  3 2 1" "1.5 0.5 0.5  3 2 1"; do
+  run "$input" cube
+  check "from $input nothing: $err" is "$err" ""
+done
+run "0.25 0.25 0.25  3 2 1" points.obj
+check "nothing about a model that encloses nothing: $err" is "$err" ""
+run "0 0 0  3 2 1" torus
+check "nothing in the hole of a torus: $err" is "$err" ""
 printf 'v 1e308 1.7e308 1.7e308\n' >far.obj
 refused "a model out of range" "vertex 1 is too far out" "0 0 0 1 1 1" far.obj
 refused "two models" "one model" "1 1 3 0 0 0" cube torus

@@ -89,10 +89,9 @@ TEST_CASE("studio picture: a body of many surfaces is kept in parts of its size"
 }
 
 TEST_CASE("studio picture: of faces alone it is the renderer's, in every shading and projection, by three lamps") {
-  studio s =
-      studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}},
-                 irg::set_lamp<double>{1, {{3, -2, 0.5, 0}, {0.5, 0.25, 1}}},
-                 irg::set_lamp<double>{2, {{0.5, 8, -1, 1}, {0.125, 1, 0}}}});
+  studio s = studio_of({load("teapot", irg::shape_teapot<double>({4})), irg::colour_body{"teapot", {250, 20, 90, 255}},
+                        irg::set_lamp<double>{1, {{3, -2, 0.5, 0}, {0.5, 0.25, 1}}},
+                        irg::set_lamp<double>{2, {{0.5, 8, -1, 1}, {0.125, 1, 0}}}});
   CHECK(apply_event(s, moved("teapot", 0.5, -1, 0)) == irg::studio_status::done);
   const irg::rgb<float> decoded = irg::decode({250, 20, 90, 255});
   const irg::rgb<double> light{irg::widened(decoded.r), irg::widened(decoded.g), irg::widened(decoded.b)};

@@ -180,14 +180,14 @@ TEST_CASE("studio events: lists of transformations, added to, reordered, taken f
   CHECK(order() == "4231");
   CHECK(apply_event(s, irg::move_transformation{"kocka", before, 1, 1}) == done);
   CHECK(order() == "4231");
-  CHECK(apply_event(s, irg::change_transformation<double>{
-            "kocka", before, 1, {irg::studio_map::translate, {7}}}) == done);
+  CHECK(apply_event(s, irg::change_transformation<double>{"kocka", before, 1, {irg::studio_map::translate, {7}}}) ==
+        done);
   CHECK(order() == "4731");
   refused(s, irg::change_transformation<double>{"kocka", before, 4, {}}, no_such_transformation);
   refused(s, irg::change_transformation<double>{"kocka", before, 0, {irg::studio_map::mirror, {}}}, no_matrix);
   refused(s, irg::change_transformation<double>{"gomb", before, 0, {}}, no_such_body);
-  CHECK(apply_event(s, irg::change_transformation<double>{
-            "kocka", before, 1, {irg::studio_map::translate, {2}}}) == done);
+  CHECK(apply_event(s, irg::change_transformation<double>{"kocka", before, 1, {irg::studio_map::translate, {2}}}) ==
+        done);
   CHECK(apply_event(s, irg::remove_transformation{"kocka", before, 3}) == done);
   CHECK(order() == "423");
   CHECK(s.bodies[0].transformations[1].size() == 1);

@@ -129,11 +129,10 @@ struct drop_lamp {
 
 /// Any of them.
 template <Floating T>
-using studio_event =
-    std::variant<load_body<T>, drop_body, show_part, shade_body, set_opacity<T>, colour_body, add_transformation<T>,
-                 move_transformation, remove_transformation, aim_camera<T>, orbit_camera<T>, set_projection<T>,
-                 see_along<T>, set_pyramid<T>, show_helper, set_light<T>, change_transformation<T>, set_ambient<T>,
-                 set_lamp<T>, drop_lamp>;
+using studio_event = std::variant<load_body<T>, drop_body, show_part, shade_body, set_opacity<T>, colour_body,
+                                  add_transformation<T>, move_transformation, remove_transformation, aim_camera<T>,
+                                  orbit_camera<T>, set_projection<T>, see_along<T>, set_pyramid<T>, show_helper,
+                                  set_light<T>, change_transformation<T>, set_ambient<T>, set_lamp<T>, drop_lamp>;
 
 inline namespace IRG_ABI {
 
