@@ -251,7 +251,7 @@ private:
     colours[unit] = {0.7, 0.2, 0.12};
     for (std::size_t kind = 1; kind < wall_colours.size(); ++kind) {
       const irg::rgb<float> light = irg::decode(wall_colours[kind]);
-      colours[no_wall + kind] = {light.r, light.g, light.b};
+      colours[no_wall + kind] = {double(light.r), double(light.g), double(light.b)};
     }
     scene_.objects.assign(parts, {});
     beside_.assign(parts, {});
