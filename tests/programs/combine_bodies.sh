@@ -41,6 +41,8 @@ fails "an open body" "" cube union open.obj
 check "which: $err" ends "$err" "an edge has one face: open.obj"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n' >inside_out.obj
 fails "a body turned inside out" "" cube union inside_out.obj --move 0.5,0.5,0.5
+fails "a body turned inside out that meets nothing" "" cube union inside_out.obj --move 5,0,0
+check "which: $err" ends "$err" ": inside_out.obj"
 fails "no such file" "" cube union none.obj
 fails "no such operation" "" cube minus cube
 fails "one body" "" cube union

@@ -102,8 +102,8 @@ TEST_CASE("bsp_tree_2d: walls round convex rooms are not cut") {
   CHECK(visited == static_cast<std::size_t>(walls));
 }
 
-TEST_CASE("bsp_cells: growth, the line of a wall in a ring meets few of the others") {
-  using cells = irg::bsp_cells<int, double, 2>;
+TEST_CASE("bsp_open_cells: growth, the line of a wall in a ring meets few of the others") {
+  using cells = irg::bsp_open_cells<int, double, 2>;
   const int most = std::getenv("IRG_RELEASE_TIER") ? 100'000 : 10'000;
   for (int n = 1000; n <= most; n *= 10) {
     const auto walls = ring(n, 5);

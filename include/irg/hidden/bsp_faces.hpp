@@ -57,7 +57,7 @@ struct bsp_open_part {
   bsp_of_faces::node node;
   pixel_hull pixels{};
 };
-using bsp_face_cells = bsp_cells<bsp_open_part, double, 3>;
+using bsp_face_cells = bsp_open_cells<bsp_open_part, double, 3>;
 
 // Parts that a subtree is made of, and where it is hung.
 struct bsp_task {

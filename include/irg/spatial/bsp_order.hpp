@@ -34,7 +34,7 @@ struct bsp_choice {
   std::size_t cut_costs = 4;  // as much as so many more on one side than on the other
 };
 
-/// What lies at the two sides of a line or plane: cells of bsp_cells, or bsp_none.
+/// What lies at the two sides of a line or plane: cells of bsp_open_cells, or bsp_none.
 struct bsp_halves {
   std::uint32_t front = bsp_none, back = bsp_none;
 };
@@ -49,7 +49,7 @@ struct bsp_sides {
 /// near: of a convex body, whose planes each leave all the rest on one side, at neighbours alone, some sqrt(n) of them.
 /// needs   fewer than 2^31 items
 template <class Item, Floating T, int N>
-class IRG_APART bsp_cells {
+class IRG_APART bsp_open_cells {
 public:
   /// An item, a box that it lies in, and the place that it was given at.
   struct entry {

@@ -47,7 +47,7 @@ public:
   IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
       : segments_(segments.begin(), segments.end()) {
     IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
-    bsp_cells<bsp_piece_2d, T, 2> cells;
+    bsp_open_cells<bsp_piece_2d, T, 2> cells;
     std::vector<cell> open;
     open.push_back({cells.make_cell(usable()), bsp_none, 0});
     while (!open.empty()) {
@@ -127,10 +127,10 @@ private:
     bool own;  // only the node's own pieces are left to call
   };
   struct cell {
-    std::uint32_t pieces, parent;  // a cell of bsp_cells, a node
+    std::uint32_t pieces, parent;  // a cell of bsp_open_cells, a node
     int side;
   };
-  using entry = typename bsp_cells<bsp_piece_2d, T, 2>::entry;
+  using entry = typename bsp_open_cells<bsp_piece_2d, T, 2>::entry;
 
   [[nodiscard]] IRG_APART constexpr int side(const bsp_node_2d& n, const point<T, 2>& p) const noexcept {
     return orient2d(segments_[n.segment].a, segments_[n.segment].b, p);
