@@ -141,10 +141,12 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
   const irg::picture_colours colours;
   clear(picture, colours.background);
   const auto to_clip = view_projection(world.view, static_cast<double>(s.size.width) / s.size.height);
+  // The hidden edges of a closed body are mostly those between faces that face away.
+  const auto culling = s.dashed && !s.says_culling ? irg::face_culling::none : s.options.culling;
   irg::line_drawing drawing;
   for (const irg::object<double>& o : world.objects)
     add_mesh(drawing, o.shape, to_clip * o.placement, irg::map_to_screen<double>(s.size.width, s.size.height),
-             {.edges = irg::drawn_edges::every, .culling = s.options.culling});
+             {.edges = irg::drawn_edges::every, .culling = culling});
   ms.stage[static_cast<int>(irg::render_stage::project)] = watch.lap();
   if (s.hidden == hidden_name::none) drawing.faces.clear();
   irg::render_stats stats;
