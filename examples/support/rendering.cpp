@@ -156,14 +156,14 @@ irg::mesh<double> joined(const irg::mesh<double>& shape) {
 }
 
 /// Adds the edges that the options ask for, and the faces that hide.
-void add_body(irg::line_drawing& drawing, const render_settings& s, const irg::mesh<double>& shape,
-              const irg::mat<double, 4, 4>& to_clip) {
+void add_body(irg::line_drawing& drawing, const render_settings& s, irg::face_culling culling,
+              const irg::mesh<double>& shape, const irg::mat<double, 4, 4>& to_clip) {
   irg::line_drawing_options<double> options;
   options.edges = s.edges == edge_choice::all       ? irg::drawn_edges::every
                   : s.edges == edge_choice::outline ? irg::drawn_edges::outline
                                                     : irg::drawn_edges::features;
   options.crease = irg::radians(s.edge_crease);
-  options.culling = s.options.culling;
+  options.culling = culling;
   const irg::mesh<double> body = joined(shape);
   add_mesh(drawing, body, to_clip, irg::map_to_screen<double>(s.size.width, s.size.height), options);
   const auto triangles = [](const irg::mesh<double>& m) {
@@ -180,8 +180,10 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
   const irg::picture_colours colours;
   clear(picture, colours.background);
   const auto to_clip = view_projection(world.view, static_cast<double>(s.size.width) / s.size.height);
+  // The hidden edges of a closed body are mostly those between faces that face away.
+  const auto culling = s.dashed && !s.says_culling ? irg::face_culling::none : s.options.culling;
   irg::line_drawing drawing;
-  for (const irg::object<double>& o : world.objects) add_body(drawing, s, o.shape, to_clip * o.placement);
+  for (const irg::object<double>& o : world.objects) add_body(drawing, s, culling, o.shape, to_clip * o.placement);
   ms.stage[static_cast<int>(irg::render_stage::project)] = watch.lap();
   if (s.hidden == hidden_name::none) drawing.faces.clear();
   irg::render_stats stats;

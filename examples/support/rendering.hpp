@@ -47,7 +47,7 @@ inline constexpr std::string_view render_options_help =
                        edges sharper than --crease, or than 30 where that is not given
   --hidden-edges WHAT  none, dashed: what is drawn of hidden edges, with --style hidden-line
   --light x,y,z        a lamp's position; repeatable (one lamp at infinity, over the eye's left shoulder)
-  --cull WHAT          back, none
+  --cull WHAT          back, none (back; none with --hidden-edges dashed: hidden edges are those of back faces)
   --crease DEG         edges sharper than this stay sharp where the model has no normals (60)
   --skip SWITCH        on, off: leave out work that cannot change the picture
   --threads N          1 to 256 (1)
@@ -84,6 +84,7 @@ struct render_settings {
   irg::render_options options;
   bool hidden_line = false;  // in place of options.style
   bool dashed = false;  // hidden edges, with hidden_line
+  bool says_culling = false;  // --cull was given
   bool shadows = false;
   bool fit = false;  // the model into [-1, 1]
   double mirror = 0;
@@ -137,10 +138,11 @@ struct render_settings {
       read_style(line);
     else if (word == "--light")
       lights.push_back({irg::to_homogeneous(triple()), {1, 1, 1}});
-    else if (word == "--cull")
+    else if (word == "--cull") {
       options.culling =
           std::array{irg::face_culling::back, irg::face_culling::none}[line.choice(word, {"back", "none"})];
-    else if (word == "--crease") {
+      says_culling = true;
+    } else if (word == "--crease") {
       crease = line.numbers(word, 1)[0];
       if (!(crease >= 0 && crease <= 180)) line.fail("option --crease needs an angle from 0 to 180 degrees");
       edge_crease = crease;

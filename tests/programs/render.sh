@@ -254,6 +254,11 @@ check "dashed: exit 0: $err" is "$status" 0
 check "dashed: two groups, the first of dashes" is "$(grep -n '^<g ' dashed.svg | grep -c dasharray)/$(grep -c '^<g ' dashed.svg)" 1/2
 check "dashed: three lines before nine" is "$(sed '/^<\/g>/q' dashed.svg | grep -c '^<line ')/$(lines_of dashed.svg)" 3/12
 run "" cube $small --style hidden-line --cull none -o plain.svg
+run "" cube $small --style hidden-line --hidden-edges dashed -o default.svg
+check "dashed: back faces are not culled unless one says so" cmp dashed.svg default.svg
+run "" cube $small --style hidden-line --cull back --hidden-edges dashed -o fronts.svg
+check "dashed, backs culled: nothing is hidden" is "$(sed '/^<\/g>/q' fronts.svg | grep -c '^<line ')" 0
+
 run "" cube $small --style hidden-line --cull none --hidden-edges none -o none.svg
 check "hidden edges are left out unless asked for" cmp plain.svg none.svg
 check "the visible ones are the same" is "$(sed '1,/^<\/g>/d' dashed.svg | grep '^<line ')" "$(grep '^<line ' plain.svg)"
