@@ -28,7 +28,7 @@ template <PolygonRing R>
 [[nodiscard]] constexpr auto newell_normal(const R& ring) noexcept {
   using T = scalar_of<typename ring_traits<R>::point>;
   const auto position = [&](std::size_t k) { return ring_traits<R>::vertex(ring, k); };
-  const detail::polygon_edges edges{ring_traits<R>::size(ring), position, 1, 1};
+  const detail::polygon_edges edges{ring_size(ring), position, 1, 1};
   const vec<double, 3> sum = detail::newell_sum(edges);
   return generate_coordinates<vec<T, 3>>([&](int i) { return detail::narrow<T>(sum[i]); });
 }
