@@ -133,7 +133,7 @@ std::int64_t pieces_of(const std::vector<irg::screen_face>& faces, int width, in
 }  // namespace
 
 TEST_CASE("bsp_of_faces: growth, a convex body makes no pieces, also where centres of pixels lie on its edges") {
-  for (const int cells : {3, std::getenv("IRG_RELEASE_TIER") != nullptr ? 100 : 5})
+  for (const int cells : {3, std::getenv("IRG_RELEASE_TIER") != nullptr ? 20 : 5})
     for (const int step : {512, 768, 700})
       for (const int offset : {0, 128}) {
         const auto faces = bowl(cells, step, offset);
@@ -143,7 +143,7 @@ TEST_CASE("bsp_of_faces: growth, a convex body makes no pieces, also where centr
 }
 
 TEST_CASE("bsp_of_faces: growth, a fan that is convex but for rounding makes few pieces") {
-  for (const int slices : {std::getenv("IRG_RELEASE_TIER") != nullptr ? 4000 : 32, 64}) {
+  for (const int slices : {std::getenv("IRG_RELEASE_TIER") != nullptr ? 1000 : 32, 64}) {
     const auto faces = cone(slices, 1200, 800);
     const std::int64_t pieces = pieces_of(faces, 1200, 800);
     CHECK(pieces >= static_cast<std::int64_t>(faces.size()));
