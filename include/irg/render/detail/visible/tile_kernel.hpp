@@ -292,8 +292,10 @@ IRG_INLINE tile_rest tile_blocks(tile& out, const tile_triangle<J>& t, const cel
       rest.close |= std::uint64_t{1} << block;
   }
   counts.tested = tested;
-  if (Test == tile_test::nearer && (out.width % block_size != 0 || out.height % block_size != 0)) [[unlikely]]
-    rest.beside = blocks;
+  if (Test == tile_test::nearer && out.width % block_size != 0) [[unlikely]]
+    rest.beside |= blocks & std::uint64_t{0x0101010101010101u} << out.width / block_size;
+  if (Test == tile_test::nearer && out.height % block_size != 0) [[unlikely]]
+    rest.beside |= blocks & std::uint64_t{0xff} << out.height / block_size * blocks_across;
   return rest;
 }
 
