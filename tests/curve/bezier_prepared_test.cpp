@@ -155,7 +155,7 @@ TEST_CASE("prepared Bezier curves: batches about the borders between two expansi
           if (how == 1) place = std::nextafter(place, -end);
           if (how == 2) place = std::nextafter(place, end);
           if (how == 3) place = node + static_cast<T>(r.unit() - 0.5) * step;
-          if (how == 9) place = static_cast<T>(how * (r.unit() - 0.5));
+          if (how == 9) place = static_cast<T>(static_cast<double>(how) * (r.unit() - 0.5));
           if (how == 8) place = std::numeric_limits<T>::quiet_NaN();
         }
         irg::bezier_points(curve, t, std::span<Point>(batch));

@@ -514,7 +514,7 @@ TEST_CASE("foreign types: points that can only be copied get the results of irg'
     const auto poor_near = irg::closest_point_on_triangle(pe, pf, pg, ph);
     CHECK(equal_coordinates(poor_near->at, near->at));
     CHECK(poor_near->region == near->region);
-    for (int i = 0; i < 3; ++i) CHECK(poor_near->weights[i] == near->weights[i]);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(poor_near->weights[i] == near->weights[i]);
     const auto pair = irg::closest_points_of_segments(e, f, g, h);
     const auto poor_pair = irg::closest_points_of_segments(pe, pf, pg, ph);
     CHECK(equal_coordinates(poor_pair->first, pair->first));

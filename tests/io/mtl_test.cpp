@@ -111,10 +111,10 @@ TEST_CASE("mtl: libraries are named, and opened by the caller alone, beside the 
     CHECK(elsewhere.has_value() == (std::string_view(name) == "..."));
   }
   CHECK_BOTH([] {
-    const auto open = [](std::string_view name) {
+    const auto found = [](std::string_view name) {
       return irg::result<std::string_view>(std::string_view(name == "a" ? "newmtl x" : "newmtl"));
     };
-    return irg::read_materials<float>("mtllib ./a", open).has_value();
+    return irg::read_materials<float>("mtllib ./a", found).has_value();
   }());
   opened = 0;
   CHECK(std::string(irg::read_materials<double>("mtllib ../../secret", open).error().message) ==

@@ -51,15 +51,21 @@ constexpr T adaptive_length(const F& speed, T a, T b, T whole, T tolerance, int 
          adaptive_length(speed, middle, b, right, tolerance / 2, depth - 1);
 }
 
-// The place in [begin, end] where length_to(place) is `wanted` within `noise`, from t on: Newton's steps, each within
-// the stretch that is known to hold the place, and halves where a step would leave it. length_to is asked for t first,
-// then for each place that a step leads to.
+// What is looked for between two places: where the length is `wanted`, within `noise`.
+template <Floating T>
+struct wanted_length {
+  T begin, end, wanted, noise;
+};
+
+// The place where length_to(place) is what is wanted, from t on: Newton's steps, each within the stretch that is known to
+// hold the place, and halves where a step would leave it. length_to is asked for t first, then for each place that a step
+// leads to.
 template <Floating T, class Speed, class Length>
-constexpr T place_of_length(const Speed& speed, const Length& length_to, T begin, T end, T t, T wanted, T noise) {
-  T a = begin, b = end;
+constexpr T place_of_length(const Speed& speed, const Length& length_to, const wanted_length<T>& search, T t) {
+  T a = search.begin, b = search.end;
   for (int step = 0; step < 60; ++step) {
-    const T excess = length_to(t) - wanted;
-    if (magnitude(excess) <= noise) break;
+    const T excess = length_to(t) - search.wanted;
+    if (magnitude(excess) <= search.noise) break;
     (excess > T(0) ? b : a) = t;
     const T pace = speed(t);
     T next = pace > T(0) ? t - excess / pace : t;
@@ -131,12 +137,12 @@ template <Floating T, class Speed>
   const auto place = [&](std::size_t k) {
     return table.first + product(table.last - table.first, static_cast<T>(static_cast<int>(k)) / pieces);
   };
-  const T begin = place(low), wanted = s - table.lengths[low];
-  const T end = high + 1 == table.lengths.size() ? table.last : place(high);
+  const T begin = place(low), end = high + 1 == table.lengths.size() ? table.last : place(high);
   const T noise = product(table.length(), std::numeric_limits<T>::epsilon());
-  const T guess = begin + product(end - begin, wanted / (table.lengths[high] - table.lengths[low]));
-  const T near = detail::place_of_length(
-      speed, [&](T t) { return detail::gauss_legendre(speed, begin, t); }, begin, end, guess, wanted, noise);
+  const detail::wanted_length<T> search{begin, end, s - table.lengths[low], noise};
+  const T guess = begin + product(end - begin, search.wanted / (table.lengths[high] - table.lengths[low]));
+  const T near =
+      detail::place_of_length(speed, [&](T t) { return detail::gauss_legendre(speed, begin, t); }, search, guess);
   // One rule of seven places may be far off over a long piece: what counts is the adaptive length, from place to place.
   T at = begin, run = T(0);
   const auto length_to = [&](T t) {
@@ -144,7 +150,7 @@ template <Floating T, class Speed>
     at = t;
     return run;
   };
-  return detail::place_of_length(speed, length_to, begin, end, near, wanted, noise);
+  return detail::place_of_length(speed, length_to, search, near);
 }
 
 }  // namespace IRG_ABI

@@ -146,7 +146,7 @@ private:
     std::size_t n = 0;
     for (const std::uint32_t i : l) {
       kept[n] = i;
-      n += boxes_[i].meets(region) ? 1 : 0;
+      n += boxes_[i].meets(region) ? 1u : 0u;
     }
     kept.resize(n, 0);
     return kept;

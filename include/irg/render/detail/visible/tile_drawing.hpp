@@ -94,7 +94,6 @@ struct tile_painter {
   IRG_INLINE void draw_close_dot(std::uint32_t place, float key, int at, float slack) noexcept {
     const float behind = out.key[at] - key;
     if (slack < behind) return;
-    if (behind == 0) ++ties;
     decide_close(place, key, at);
   }
   IRG_INLINE void show(std::uint32_t place, float key, int at) noexcept {
@@ -112,6 +111,7 @@ struct tile_painter {
     const float stored = out.key[at];
     const std::uint32_t other = out.id[at];
     const bool at_farthest = key == farthest_key;
+    if (key == stored) ++ties;
     bool is_seen = stored < key || (at_farthest && key == stored);
     if (other != no_face) {
       const numbered_depth a{numbers[place], key * order.sign}, b{numbers[other], stored * order.sign};
@@ -225,7 +225,7 @@ struct tile_painter {
       const std::uint64_t blocks = blocks_to_draw(out, t, box, order.front_to_back);
       if (blocks == 0) return {};
       note_seen(t.place);
-      return tile_blocks<Test>(out, t, box, blocks, counts, order.front_to_back);
+      return tile_blocks<Test>(out, t, {box, blocks}, counts, order.front_to_back);
     }
     if (order.front_to_back) {
       float farthest = beyond_everything;
@@ -246,7 +246,7 @@ struct tile_painter {
   IRG_INLINE void finish(const tile_triangle<J>& t, const cell_window& box, const tile_rest& rest) noexcept {
     rest.for_each(rest.beside, [&](const cell_window& part) { uncount_beside(out, t, box, part, counts); });
     rest.for_each(rest.close, [&](const cell_window& part) {
-      close_pixels(out, t, box, part, counts, [&](float key, int at) { decide_close(t.place, key, at); });
+      close_pixels(out, t, box, part, [&](float key, int at) { decide_close(t.place, key, at); });
     });
   }
 

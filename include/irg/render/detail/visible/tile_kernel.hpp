@@ -138,17 +138,16 @@ IRG_INLINE void for_each_register(const tile_triangle<J>& t, const cell_window& 
 // The pixels of a part that tile_pixels may have found close: decide(key, at) for each.
 template <class J, class Decide>
 IRG_INLINE void close_pixels(const tile& out, const tile_triangle<J>& t, const cell_window& box,
-                             const cell_window& part, tile_counts& counts, const Decide& decide) noexcept {
+                             const cell_window& part, const Decide& decide) noexcept {
   constexpr int lane_count = lanes<J>::count;
   using F = lanes<pack<float, lane_count>>;
   typedef pack<std::int32_t, lane_count> mask;
   for_each_register(t, box, part, [&](const J(&f)[3], int at) {
     const auto key = depth_at<pack<float, lane_count>>(f, t);
-    const auto stored = F::load(out.key + at), ahead = key - stored;
+    const auto ahead = key - F::load(out.key + at);
     mask close = both(none_negative(f[0], f[1], f[2]), both(ahead <= t.slack, t.minus_slack <= ahead));
     for (int i = 0; i < lane_count; ++i)
       if (out.id[at + i] == t.place) set_lane(close, i, 0);  // drawn just now
-    counts.ties = counts.ties - both(close, key == stored);
     for (int i = 0; i < lane_count; ++i)
       if (close[i] != 0) decide(key[i], at + i);
   });
@@ -259,10 +258,16 @@ IRG_INLINE std::uint64_t blocks_to_draw(const tile& out, const tile_triangle<J>&
   return blocks & (row * 0x0101010101010101u);
 }
 
-// Blocks of a box, one after the other.
+// Blocks of a tile that a box meets, a bit each.
+struct blocks_of_box {
+  const cell_window& box;
+  std::uint64_t bits;
+};
+
+// These blocks, one after the other.
 template <tile_test Test, class J>
-IRG_INLINE tile_rest tile_blocks(tile& out, const tile_triangle<J>& t, const cell_window& box, std::uint64_t blocks,
-                                 tile_counts& counts, bool by_depth) noexcept {
+IRG_INLINE tile_rest tile_blocks(tile& out, const tile_triangle<J>& t, const blocks_of_box& blocks, tile_counts& counts,
+                                 bool by_depth) noexcept {
   constexpr int lane_count = lanes<J>::count, parts = block_size / lane_count;
   using K = lanes<J>;
   using integer = typename tile_triangle<J>::integer;
@@ -270,7 +275,7 @@ IRG_INLINE tile_rest tile_blocks(tile& out, const tile_triangle<J>& t, const cel
   const J down[3] = {K::broadcast(t.down[0]), K::broadcast(t.down[1]), K::broadcast(t.down[2])};
   mask tested = counts.tested;
   tile_rest rest;
-  for (std::uint64_t bits = blocks; bits != 0; bits &= bits - 1) {
+  for (std::uint64_t bits = blocks.bits; bits != 0; bits &= bits - 1) {
     const int block = std::countr_zero(bits), bx = block % blocks_across, by = block / blocks_across;
     mask close = lanes<mask>::broadcast(0);
     J f[static_cast<unsigned>(parts)][3];
@@ -278,8 +283,9 @@ IRG_INLINE tile_rest tile_blocks(tile& out, const tile_triangle<J>& t, const cel
       for (int part = 0; part < parts; ++part)
         f[part][i] =
             t.ramp[i] +
-            K::broadcast(t.f[i] + t.right[i] * static_cast<integer>(bx * block_size + part * lane_count - box.x_first) +
-                         t.down[i] * static_cast<integer>(by * block_size - box.y_first));
+            K::broadcast(t.f[i] +
+                         t.right[i] * static_cast<integer>(bx * block_size + part * lane_count - blocks.box.x_first) +
+                         t.down[i] * static_cast<integer>(by * block_size - blocks.box.y_first));
     int at = by * block_size * tile_stride + bx * block_size;
     for (int y = 0; y < block_size; ++y, at += tile_stride)
       for (int part = 0; part < parts; ++part) {
@@ -293,9 +299,9 @@ IRG_INLINE tile_rest tile_blocks(tile& out, const tile_triangle<J>& t, const cel
   }
   counts.tested = tested;
   if (Test == tile_test::nearer && out.width % block_size != 0) [[unlikely]]
-    rest.beside |= blocks & std::uint64_t{0x0101010101010101u} << out.width / block_size;
+    rest.beside |= blocks.bits & std::uint64_t{0x0101010101010101u} << out.width / block_size;
   if (Test == tile_test::nearer && out.height % block_size != 0) [[unlikely]]
-    rest.beside |= blocks & std::uint64_t{0xff} << out.height / block_size * blocks_across;
+    rest.beside |= blocks.bits & std::uint64_t{0xff} << out.height / block_size * blocks_across;
   return rest;
 }
 
