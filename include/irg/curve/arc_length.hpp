@@ -57,9 +57,9 @@ struct wanted_length {
   T begin, end, wanted, noise;
 };
 
-// The place where length_to(place) is what is wanted, from t on: Newton's steps, each within the stretch that is known to
-// hold the place, and halves where a step would leave it. length_to is asked for t first, then for each place that a step
-// leads to.
+// The place where length_to(place) is what is wanted, from t on: Newton's steps, each within the stretch that is known
+// to hold the place, and halves where a step would leave it. length_to is asked for t first, then for each place that a
+// step leads to.
 template <Floating T, class Speed, class Length>
 constexpr T place_of_length(const Speed& speed, const Length& length_to, const wanted_length<T>& search, T t) {
   T a = search.begin, b = search.end;
