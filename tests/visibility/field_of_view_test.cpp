@@ -214,4 +214,74 @@ TEST_CASE("field_of_view: several viewers, and those that are nowhere") {
   CHECK(field_of_view(g, cell{0, 0}, none).count() == 1);
 }
 
+// A corridor that is shut; an open map; a room of one cell, for whose walls' corners two cells beside it are looked at;
+// a post that ends the open rows; a circle; a shaft in space.
+constexpr irg::view_counts counts_of(const walled_grid& g, const cell3& viewer, int radius = 1000) {
+  irg::view_counts counts;
+  irg::view_options o;
+  o.radius = radius;
+  (void)field_of_view(g, viewer, o, counts);
+  return counts;
+}
+constexpr bool counted_by_hand() {
+  walled_grid corridor(grid_extent{9, 1, 1}), room(grid_extent{9, 9, 1}), post(grid_extent{5, 5, 1});
+  walled_grid shaft(grid_extent{1, 1, 3});
+  corridor.set({5, 0, 0});
+  for (int y = 3; y <= 5; ++y)
+    for (int x = 3; x <= 5; ++x) room.set({x, y, 0}, x != 4 || y != 4);
+  post.set({2, 1, 0});
+  shaft.set({0, 0, 1});
+  const walled_grid open(grid_extent{20, 10, 1}), block(grid_extent{3, 3, 3});
+  return counts_of(corridor, {0, 0, 0}) == irg::view_counts{9, 6, 0, 0} &&
+         counts_of(open, {3, 7, 0}) == irg::view_counts{200, 200, 200, 0} &&
+         counts_of(room, {4, 4, 0}) == irg::view_counts{81, 11, 0, 0} &&
+         counts_of(post, {2, 4, 0}) == irg::view_counts{25, 25, 15, 0} &&
+         counts_of(room, {0, 0, 0}, 2) == irg::view_counts{6, 6, 0, 0} &&
+         counts_of(block, {1, 1, 1}) == irg::view_counts{27, 27, 0, 0} &&
+         counts_of(shaft, {0, 0, 0}) == irg::view_counts{3, 2, 0, 1};
+}
+static_assert(counted_by_hand());
+
+TEST_CASE("field_of_view: counts of scenes worked out by hand, and what adds nothing to them") {
+  CHECK(counted_by_hand());
+  walled_grid g(grid_extent{9, 1, 1});
+  g.set({5, 0, 0});
+  const std::vector<cell3> units{{0, 0, 0}, {9, 0, 0}, {8, 0, 0}};
+  irg::view_counts counts{1, 1, 1, 1};
+  CHECK(field_of_view(g.cells(), std::span(units), {}, counts).count() == 9);
+  CHECK(counts == irg::view_counts{19, 11, 1, 1});  // 6 cells are looked at from the left, 4 from the right
+  irg::view_options tested;
+  tested.rules.ends = irg::end_cells::tested;
+  CHECK(field_of_view(g, cell{5, 0}, tested, counts).count() == 0);
+  CHECK(counts == irg::view_counts{19, 11, 1, 1});
+}
+
+TEST_CASE("field_of_view: counting changes nothing, and what was not looked at does not matter") {
+  test::random r(6);
+  irg::counted_view_memory memory;
+  for (int i = 0; i < (release() ? 20000 : 400); ++i) {
+    const bool flat = i % 4 != 0;
+    const grid_extent e = flat ? grid_extent{static_cast<int>(r.integer(1, 80)), static_cast<int>(r.integer(1, 20)), 1}
+                               : grid_extent{static_cast<int>(r.integer(1, 7)), static_cast<int>(r.integer(1, 7)), 6};
+    walled_grid g = test::random_map(r, e, static_cast<int>(r.integer(0, 3) * r.integer(0, 15)),
+                                     static_cast<int>(r.integer(0, 3) == 0));
+    const cell3 viewer = any_cell(r, e);
+    irg::view_options o = any_options(r);
+    o.rules.ends = irg::end_cells::untested;
+    const cell_grid plain = field_of_view(g, viewer, o);
+    cell_grid counted(e);
+    memory.counts = {};
+    add_field_of_view(g, viewer, counted, memory, o);
+    CHECK(plain == counted);
+    CHECK(plain.count() <= memory.counts.looked_at);
+    CHECK(memory.counts.looked_at <= memory.counts.in_reach);
+    CHECK(memory.counts.in_open_rows <= memory.counts.looked_at);
+    for (int z = 0; z < e.depth; ++z)
+      for (int y = 0; y < e.height; ++y)
+        for (int x = 0; x < e.width; ++x)
+          if (const cell3 c{x, y, z}; !memory.looked_at.is_full(c) && r.integer(0, 1) == 0) g.set(c, !g.is_full(c));
+    CHECK(plain == field_of_view(g, viewer, o));
+  }
+}
+
 }  // namespace

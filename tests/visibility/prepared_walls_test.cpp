@@ -97,4 +97,19 @@ TEST_CASE("prepared_walls: walls that are not finite, in a box without inside") 
     for (const place from : {place{0.5, 0.25}, place{7, 7}, place{nan, 0}}) CHECK(same(walls, from, domain));
 }
 
+TEST_CASE("prepared_walls: walls in hidden tiles are counted as passed over") {
+  std::vector<wall> walls{{{-1, -1}, {1, -1}}, {{1, -1}, {1, 1}}, {{1, 1}, {-1, 1}}, {{-1, 1}, {-1, -1}}};
+  for (int i = 0; i < 60; ++i) walls.push_back({{6.0 + i % 8 / 4.0, i / 8 - 3.75}, {6.1 + i % 8 / 4.0, i / 8 - 3.65}});
+  const irg::box<double, 2> domain{{-8, -8}, {8, 8}};
+  const irg::prepared_walls<double> prepared(walls, domain);
+  irg::sight_counts counts;
+  CHECK(prepared.seen_from({0.25, 0.125}, counts) == prepared.seen_from({0.25, 0.125}));
+  CHECK(counts.walls == 68);
+  CHECK(counts.passed_over == 60);  // the room round the source, and the domain's edges behind it, are compared
+  CHECK(counts.directions == 8);
+  irg::sight_counts outside;
+  CHECK(prepared.seen_from({9, 0}, outside).ring.empty());
+  CHECK(outside == irg::sight_counts{68, 68, 0, 0, 0});
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include <irg/raster/image.hpp>
 
@@ -62,6 +63,45 @@ TEST_CASE("viewshed: against prisms clipped one by one") {
         wrong += irg::see_over(h, eye, {x, y}, {1, 1}) != irg::see_over(h, {x, y}, eye, {1, 1});
       }
     CHECK(wrong == 0);
+  }
+}
+
+// A row of cells behind a post; a flat square, whose diagonal is one step; a raster without cells.
+constexpr bool counted_by_hand() {
+  irg::image<int> post(5, 1, 0);
+  post(1, 0) = 2;
+  irg::viewshed_counts behind, flat, none, twice;
+  const bool same = irg::viewshed(post, {0, 0}, {}, behind) == irg::viewshed(post, {0, 0});
+  (void)irg::viewshed(irg::image<int>(2, 2, 0), {0, 0}, {}, flat);
+  (void)irg::viewshed(post, {5, 0}, {}, none);
+  (void)irg::viewshed(irg::image<int>(), {0, 0}, {}, none);
+  for (int i = 0; i < 2; ++i) (void)irg::viewshed(post, {0, 0}, {}, twice);
+  // The lines to cells 2, 3 and 4 end at the post, a step from the eye; 1, 2 and 3 steps are left of them.
+  return same && behind == irg::viewshed_counts{5, 3, 4, 6} && flat == irg::viewshed_counts{4, 0, 3, 0} &&
+         none == irg::viewshed_counts{} && twice == irg::viewshed_counts{10, 6, 8, 12};
+}
+static_assert(counted_by_hand());
+
+TEST_CASE("viewshed: counting changes nothing, and adds up to the lengths of all lines") {
+  CHECK(counted_by_hand());
+  test::random r(11);
+  for (int i = 0; i < 100; ++i) {
+    irg::image<int> h(static_cast<int>(r.integer(1, 12)), static_cast<int>(r.integer(1, 12)), 0);
+    for (int y = 0; y < h.height(); ++y)
+      for (int x = 0; x < h.width(); ++x) h(x, y) = static_cast<int>(r.integer(0, 4));
+    const cell eye{static_cast<int>(r.integer(0, h.width() - 1)), static_cast<int>(r.integer(0, h.height() - 1))};
+    irg::viewshed_counts counts;
+    const irg::cell_grid seen = irg::viewshed(h, eye, {1, 1}, counts);
+    CHECK(seen == irg::viewshed(h, eye, {1, 1}));
+    std::int64_t steps = 0;  // borders, of which those that cross in a corner of the line are one
+    for (int y = 0; y < h.height(); ++y)
+      for (int x = 0; x < h.width(); ++x) {
+        const int dx = x < eye.x ? eye.x - x : x - eye.x, dy = y < eye.y ? eye.y - y : y - eye.y, g = std::gcd(dx, dy);
+        steps += dx + dy - (g != 0 && dx / g % 2 != 0 && dy / g % 2 != 0 ? g : 0);
+      }
+    CHECK(counts.lines == std::int64_t{h.width()} * h.height());
+    CHECK(counts.lines - counts.cut_short == seen.count());
+    CHECK(counts.steps + counts.passed_over == steps);
   }
 }
 

@@ -49,6 +49,54 @@ constexpr bool nothing_there() {
   return nan.status == visibility_status::not_finite && none.status == visibility_status::source_outside &&
          beyond.status == visibility_status::source_outside && nan.ring.empty() && beyond.ring.empty();
 }
+// No wall; one before an edge of the room; two that cross, seen before one edge; what stops nothing; no polygon at all.
+constexpr irg::sight_counts counts_of(const place& source, const window& domain, std::span<const wall> walls) {
+  irg::sight_counts counts;
+  const auto seen = irg::visibility_polygon(source, domain, walls, {}, counts);
+  return seen == irg::visibility_polygon(source, domain, walls) ? counts : irg::sight_counts{-1};
+}
+constexpr bool counted_by_hand() {
+  const wall one[] = {{{1, 1}, {1, -1}}}, cross[] = {{{1, -1}, {2, 1}}, {{2, -1}, {1, 1}}};
+  const wall idle[] = {{{1, 1}, {1, 1}}, {{1, 0}, {2, 0}}};
+  constexpr window tall{{-4, -8}, {4, 8}};
+  // Of those that cross, the edge of the room behind is held against the second from its lower end to the direction
+  // where the turn begins, against either on its side of the crossing after that; once they are held against each other.
+  return counts_of({0, 0}, room, {}) == irg::sight_counts{4, 4, 4, 0, 0} &&
+         counts_of({0, 0}, room, one) == irg::sight_counts{5, 3, 4, 1, 0} &&
+         counts_of({0, 0}, tall, cross) == irg::sight_counts{6, 3, 8, 4, 1} &&
+         counts_of({0, 0}, room, idle) == irg::sight_counts{6, 6, 4, 0, 0} &&
+         counts_of({5, 0}, room, one) == irg::sight_counts{5, 5, 6, 0, 0} &&
+         counts_of({0, 0}, window{}, one) == irg::sight_counts{1, 1, 0, 0, 0} &&
+         counts_of({0, std::numeric_limits<double>::infinity()}, room, one).passed_over <= 5;
+}
+static_assert(counted_by_hand());
+TEST_CASE("visibility_polygon: counts of scenes worked out by hand") { CHECK(counted_by_hand()); }
+
+TEST_CASE("visibility_polygon: counting changes nothing, and adds") {
+  test::random r(23);
+  irg::sight_counts sum;
+  std::int64_t walls = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<wall> some;
+    for (auto n = r.integer(0, 12); n > 0; --n) {
+      const auto number = [&] { return static_cast<double>(r.integer(-6, 6)); };
+      const place a{number(), number()};
+      const place b{number(), number()};
+      some.push_back({a, b});
+    }
+    const irg::sight_options options{i % 2 == 0 ? obstacle_ends::closed : obstacle_ends::open};
+    const place source{static_cast<double>(r.integer(-4, 4)), static_cast<double>(r.integer(-4, 4))};
+    const irg::sight_counts before = sum;
+    CHECK(irg::visibility_polygon(source, room, some, options, sum) ==
+          irg::visibility_polygon(source, room, some, options));
+    walls += static_cast<std::int64_t>(some.size()) + 4;
+    CHECK(sum.walls == walls);
+    CHECK(before.passed_over <= sum.passed_over);
+    CHECK(sum.passed_over - before.passed_over <= sum.walls - before.walls);
+    CHECK(sum.crossings - before.crossings <= sum.compared - before.compared);
+  }
+}
+
 // Walls cross in one direction twice, and only the nearer crossing, at (-40/17, 134/17), is seen.
 constexpr bool one_crossing_behind_another() {
   const wall walls[] = {{{-2, 9}, {-4, 6}}, {{-2, 8}, {-8, 6}}, {{8, 7}, {5, 12}}, {{-2, 2}, {-3, 1}},

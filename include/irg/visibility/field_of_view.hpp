@@ -37,6 +37,30 @@ struct view_memory {
   std::vector<detail::sweep_gap> now, next;
 };
 
+/// What fields of view took. Summed over viewers.
+/// gives   in_reach - looked_at cells that nobody looked at, since they lie behind what was found before
+struct view_counts {
+  std::int64_t in_reach = 0;  // cells of the map within the radius, whatever the cone
+  std::int64_t looked_at = 0;  // of these, looked at for what blocks, singly or 64 at a time, with the viewer's own
+  std::int64_t in_open_rows = 0;  // of these, in rows that were taken whole, there being nothing in the way
+  std::int64_t sight_lines = 0;  // in space: cells of which see() was asked
+
+  IRG_INLINE constexpr view_counts& operator+=(const view_counts& o) noexcept {
+    in_reach += o.in_reach;
+    looked_at += o.looked_at;
+    in_open_rows += o.in_open_rows;
+    sight_lines += o.sight_lines;
+    return *this;
+  }
+  constexpr bool operator==(const view_counts&) const = default;
+};
+
+/// The same memory for who wants to know what was looked at: each field of view is added to the counts.
+struct counted_view_memory : view_memory {
+  view_counts counts;
+  cell_grid looked_at;  // by the last viewer
+};
+
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -52,6 +76,40 @@ struct centre_marks {
                   static_cast<int>(viewer.y + sign_y * y), 0);
   }
 };
+
+// The same, and marks what was looked at.
+struct counted_marks : centre_marks {
+  cell_grid* looked_at;
+
+  constexpr void looked(std::int64_t y, std::int64_t first, std::int64_t last) const noexcept {
+    if (first <= last) centre_marks{looked_at, viewer, sign_x, sign_y}.centres(y, first, last);
+  }
+};
+
+// What is looked at in space.
+struct counted_looks {
+  counted_view_memory* memory;
+
+  constexpr void cells(const cell3& a, const cell3& b) const noexcept {
+    for (int z = lesser(a.z, b.z); z <= greater(a.z, b.z); ++z)
+      for (int y = lesser(a.y, b.y); y <= greater(a.y, b.y); ++y)
+        memory->looked_at.set_run(lesser(a.x, b.x), greater(a.x, b.x) + 1, y, z);
+  }
+  constexpr void line() const noexcept { ++memory->counts.sight_lines; }
+};
+
+// Adds up the cells within the radius, and those of them that were looked at.
+constexpr void count_looks(const cell3& viewer, std::int64_t radius, counted_view_memory& memory) {
+  const grid_extent e = memory.looked_at.extent();
+  for (int z = 0; z < e.depth; ++z)
+    for (int y = 0; y < e.height; ++y)
+      for (int x = 0; x < e.width; ++x) {
+        const std::int64_t dx = x - viewer.x, dy = y - viewer.y, dz = z - viewer.z;
+        if (dx * dx + dy * dy + dz * dz > radius * radius) continue;
+        ++memory.counts.in_reach;
+        if (memory.looked_at.is_full({x, y, z})) ++memory.counts.looked_at;
+      }
+}
 
 constexpr bool in_cone(const sight_cone& cone, const cell3& viewer, const cell3& c) noexcept {
   struct direction {
@@ -87,21 +145,44 @@ constexpr std::int64_t open_rows(const walled_grid& map, cell viewer, int sign_y
   return n;
 }
 
-template <std::same_as<walled_grid> Map>
-constexpr void sweep(const Map& map, const cell3& viewer, const view_options& o, view_memory& memory, cell_grid& seen) {
+template <std::same_as<walled_grid> Map, std::derived_from<view_memory> Memory>
+constexpr void sweep(const Map& map, const cell3& viewer, const view_options& o, Memory& memory, cell_grid& seen) {
+  constexpr bool counts = std::derived_from<Memory, counted_view_memory>;
+  if constexpr (counts) {
+    if (memory.looked_at.extent() == map.extent())
+      memory.looked_at.clear();
+    else
+      memory.looked_at = cell_grid(map.extent());
+  }
   if (map.extent().depth == 1) {
     const cell at{viewer.x, viewer.y};
     for (int sign_y = -1; sign_y <= 1; sign_y += 2) {
       const std::int64_t begin = o.radius > map.extent().width ? open_rows(map, at, sign_y, o.radius, seen) : 0;
+      if constexpr (counts) {
+        for (std::int64_t y = 0; y < begin; ++y)
+          memory.looked_at.set_run(0, map.extent().width, static_cast<int>(at.y + sign_y * y), 0);
+        // The viewer's row is taken from both sides.
+        memory.counts.in_open_rows += map.extent().width * (sign_y < 0 || begin == 0 ? begin : begin - 1);
+      }
       for (int sign_x = -1; sign_x <= 1; sign_x += 2) {
-        centre_marks marks{&seen, at, sign_x, sign_y};
-        row_sweep<centre_marks>({&map, at, sign_x, sign_y, o.rules.corners, o.radius}, memory.now, memory.next, marks)
-            .run(begin);
+        const auto run = [&]<class Marks>(Marks marks) {
+          row_sweep<Marks>({&map, at, sign_x, sign_y, o.rules.corners, o.radius}, memory.now, memory.next, marks)
+              .run(begin);
+        };
+        const centre_marks marks{&seen, at, sign_x, sign_y};
+        if constexpr (counts)
+          run(counted_marks{marks, &memory.looked_at});
+        else
+          run(marks);
       }
     }
-    return;
+  } else if constexpr (counts) {
+    memory.looked_at.set(viewer);
+    sector_sweep<Map, counted_looks>({&map, viewer, o.rules.corners, o.radius}, seen, {&memory}).run();
+  } else {
+    sector_sweep<Map>({&map, viewer, o.rules.corners, o.radius}, seen).run();
   }
-  sector_sweep(map, viewer, o.rules.corners, o.radius, seen).run();
+  if constexpr (counts) count_looks(viewer, o.radius, memory);
 }
 
 }  // namespace IRG_ABI
@@ -115,9 +196,10 @@ inline namespace IRG_ABI {
 /// gives   nothing when the viewer is no cell of the map
 /// exact   always
 /// cost    in the plane: a few operations per row and gap between what blocks, and per word of 64 cells that are seen;
-///         in space: a few per row of each sector that is wholly open, see() for cells at the borders of what is hidden
-template <std::same_as<walled_grid> Map>
-constexpr void add_field_of_view(const Map& map, const cell3& viewer, cell_grid& seen, view_memory& memory,
+///         in space: a few per row of each sector that is wholly open, see() for cells at borders of what is hidden.
+///         With a counted_view_memory also a few per cell of the map
+template <std::same_as<walled_grid> Map, std::derived_from<view_memory> Memory>
+constexpr void add_field_of_view(const Map& map, const cell3& viewer, cell_grid& seen, Memory& memory,
                                  const view_options& o = {}) {
   IRG_EXPECTS(seen.extent() == map.extent());
   if (!map.extent().holds(viewer) || o.radius < 0) return;
@@ -151,6 +233,26 @@ template <CellGrid G>
 template <CellGrid G>
 [[nodiscard]] constexpr cell_grid field_of_view(const G& map, const cell3& viewer, const view_options& o = {}) {
   return field_of_view(map, std::span<const cell3>(&viewer, 1), o);
+}
+
+/// The same, and adds to the counts what was looked at. A viewer who sees nothing adds nothing.
+template <CellGrid G>
+[[nodiscard]] constexpr cell_grid field_of_view(const G& map, std::span<const cell3> viewers, const view_options& o,
+                                                view_counts& counts) {
+  if constexpr (std::is_same_v<G, walled_grid>) {
+    cell_grid seen(map.extent());
+    counted_view_memory memory;
+    for (const cell3& viewer : viewers) add_field_of_view(map, viewer, seen, memory, o);
+    counts += memory.counts;
+    return seen;
+  } else {
+    return field_of_view(with_walls(map), viewers, o, counts);
+  }
+}
+template <CellGrid G>
+[[nodiscard]] constexpr cell_grid field_of_view(const G& map, const cell3& viewer, const view_options& o,
+                                                view_counts& counts) {
+  return field_of_view(map, std::span<const cell3>(&viewer, 1), o, counts);
 }
 
 }  // namespace IRG_ABI

@@ -40,24 +40,44 @@ public:
   /// cost    the tiles that are seen, and a visibility polygon of the walls in them that no nearer tiles hide; where
   ///         these are more than a sixteenth of all, visibility_polygon and as much again at most
   [[nodiscard]] constexpr visible_region<T> seen_from(const point<T, 2>& source) const {
-    if (!is_finite_) return visibility_polygon(source, domain_, walls_);  // says what comes first
+    return look(source,
+                [&](std::span<const segment<T, 2>> walls) { return visibility_polygon(source, domain_, walls); });
+  }
+
+  /// The same, and adds to the counts what it took: walls in tiles that nearer ones hide are passed over.
+  [[nodiscard]] constexpr visible_region<T> seen_from(const point<T, 2>& source, sight_counts& counts) const {
+    sight_counts took;
+    visible_region<T> seen = look(source, [&](std::span<const segment<T, 2>> walls) {
+      return visibility_polygon(source, domain_, walls, {}, took);
+    });
+    const std::int64_t all = static_cast<std::int64_t>(walls_.size()) + (is_empty(domain_) ? 0 : 4);
+    took.passed_over += all - took.walls;
+    took.walls = all;
+    counts += took;
+    return seen;
+  }
+
+private:
+  // Polygon gives the visibility polygon among walls; it is asked once at most.
+  template <class Polygon>
+  constexpr visible_region<T> look(const point<T, 2>& source, const Polygon& polygon) const {
+    if (!is_finite_) return polygon(walls_);  // says what comes first
     visible_region<T> seen = visibility_polygon(source, domain_);
     if (seen.ring.empty()) return seen;
     std::vector<std::uint32_t> nearby;
     if (tiles_.count() == 1 || !detail::wall_horizon<T>(tiles_, tiled_, source).find(64 + walls_.size() / 16, nearby))
-      return visibility_polygon(source, domain_, walls_);
+      return polygon(walls_);
     for (std::uint32_t& w : nearby) w = numbers_[w];
     std::sort(nearby.begin(), nearby.end());
     std::vector<segment<T, 2>> walls;
     walls.reserve(nearby.size());
     for (const std::uint32_t w : nearby) walls.push_back(walls_[w]);
-    seen = visibility_polygon(source, domain_, walls);
+    seen = polygon(walls);
     for (auto& v : seen.ring)
       if (v.stop == sight_stop::obstacle) v.index = nearby[v.index];
     return seen;
   }
 
-private:
   std::vector<segment<T, 2>> walls_;
   std::vector<segment<T, 2>> tiled_{};    // the same in the order of tiles
   std::vector<std::uint32_t> numbers_{};  // which they are of the walls

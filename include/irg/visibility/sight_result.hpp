@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <irg/core/ring.hpp>
@@ -55,6 +56,26 @@ struct visible_region {
   visibility_status status = visibility_status::done;
   std::vector<sight_vertex<T>> ring{};
   constexpr bool operator==(const visible_region&) const = default;
+};
+
+/// What a visibility polygon took. Where ends lie in one direction `compared` and `crossings` may depend on the order
+/// in which std::sort leaves them, and so may `passed_over`.
+struct sight_counts {
+  std::int64_t walls = 0;  // obstacles, and edges of the domain
+  std::int64_t passed_over = 0;  // of these, never compared with another one
+  std::int64_t directions = 0;  // of ends that were put in order; ends in one direction count once
+  std::int64_t compared = 0;  // how often the nearer of two walls was looked for
+  std::int64_t crossings = 0;  // of these, between walls that cross
+
+  constexpr sight_counts& operator+=(const sight_counts& o) noexcept {
+    walls += o.walls;
+    passed_over += o.passed_over;
+    directions += o.directions;
+    compared += o.compared;
+    crossings += o.crossings;
+    return *this;
+  }
+  constexpr bool operator==(const sight_counts&) const = default;
 };
 
 /// How much is seen of a source from a place, or of each other from two regions: of these, whether no place in one sees

@@ -8,6 +8,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -20,6 +21,24 @@
 #include <irg/visibility/sight_result.hpp>
 
 namespace irg {
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Hands a sweep all that stops sight.
+template <class Sweep, Floating T, PlanePolygon Domain>
+constexpr void add_walls(Sweep& sweep, const Domain& domain, std::span<const segment<T, 2>> obstacles) {
+  sweep.expect_obstacles(obstacles.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i) sweep.add_obstacle(obstacles[i], i);
+  if constexpr (PlaneRing<Domain>)
+    sweep.add_ring(domain);
+  else
+    for (std::size_t i = 0; i < std::size(domain); ++i) sweep.add_ring(domain[i]);
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
 inline namespace IRG_ABI {
 
 /// What is seen from the source, counter-clockwise: all points to which the way from the source meets no obstacle
@@ -42,12 +61,7 @@ template <Floating T, PlanePolygon Domain>
     const point<T, 2>& source, const Domain& domain,
     std::span<const std::type_identity_t<segment<T, 2>>> obstacles = {}, const sight_options& options = {}) {
   detail::visible_ring_builder<T> sweep(source, options);
-  sweep.expect_obstacles(obstacles.size());
-  for (std::size_t i = 0; i < obstacles.size(); ++i) sweep.add_obstacle(obstacles[i], i);
-  if constexpr (PlaneRing<Domain>)
-    sweep.add_ring(domain);
-  else
-    for (std::size_t i = 0; i < std::size(domain); ++i) sweep.add_ring(domain[i]);
+  detail::add_walls(sweep, domain, obstacles);
   return sweep.run();
 }
 
@@ -60,6 +74,34 @@ template <Floating T>
   if (is_empty(domain)) return {visibility_status::source_outside, {}};
   const point<T, 2> ring[] = {low, {high.x, low.y}, high, {low.x, high.y}};
   return visibility_polygon(source, ring, obstacles, options);
+}
+
+/// The same, and adds to the counts what it took. Where there is no polygon, all walls are passed over.
+template <Floating T, PlanePolygon Domain>
+  requires std::same_as<scalar_of<polygon_point<Domain>>, T>
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const Domain& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const sight_options& options, sight_counts& counts) {
+  detail::visible_ring_builder<T, detail::sight_tally> sweep(source, options);
+  detail::add_walls(sweep, domain, obstacles);
+  visible_region<T> seen = sweep.run();
+  counts += sweep.counts(obstacles.size());
+  return seen;
+}
+
+/// The same in a box. An empty box has no edges.
+template <Floating T>
+[[nodiscard]] constexpr visible_region<T> visibility_polygon(
+    const point<T, 2>& source, const box<T, 2>& domain, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const sight_options& options, sight_counts& counts) {
+  const point<T, 2>&low = domain.low, &high = domain.high;
+  const auto walls = static_cast<std::int64_t>(obstacles.size());
+  if (is_empty(domain)) {
+    counts += {.walls = walls, .passed_over = walls};
+    return {visibility_status::source_outside, {}};
+  }
+  const point<T, 2> ring[] = {low, {high.x, low.y}, high, {low.x, high.y}};
+  return visibility_polygon(source, ring, obstacles, options, counts);
 }
 
 }  // namespace IRG_ABI

@@ -76,7 +76,8 @@ IRG_INLINE constexpr std::uint64_t bits_from(const std::uint64_t* row, int words
 }
 
 // One quadrant of a flat map, seen from a cell of it. Emit is told what is seen: centres(y, first, last), or where it
-// has the member light(y, first, last, low, high), which cells are reached by light between two slopes.
+// has the member light(y, first, last, low, high), which cells are reached by light between two slopes. Where it has
+// the member looked(y, first, last), it is told which cells were looked at for what blocks.
 template <class Emit>
 class row_sweep {
 public:
@@ -129,6 +130,7 @@ public:
 
 private:
   static constexpr bool has_light = requires(Emit& e, const sweep_slope& s) { e.light(1, 1, 1, s, s); };
+  static constexpr bool has_looked = requires(Emit& e) { e.looked(1, 1, 1); };
 
   constexpr int column(std::int64_t x) const noexcept { return static_cast<int>(task_.viewer.x + task_.sign_x * x); }
   constexpr int line(std::int64_t y) const noexcept { return static_cast<int>(task_.viewer.y + task_.sign_y * y); }
@@ -149,6 +151,11 @@ private:
   }
   // The first column from x to last with a cell or a wall to its right that blocks; last + 1 when there is none.
   constexpr std::int64_t next_blocker(std::int64_t y, std::int64_t x, std::int64_t last) const noexcept {
+    const std::int64_t b = find_blocker(y, x, last);
+    if constexpr (has_looked) emit_.looked(y, x, lesser(b, last));
+    return b;
+  }
+  constexpr std::int64_t find_blocker(std::int64_t y, std::int64_t x, std::int64_t last) const noexcept {
     for (; x <= last; x += 64) {
       std::uint64_t b = full(y, x);
       if (walled_) b |= bits(task_.map->blocking(0), y, x, 0);
@@ -165,6 +172,10 @@ private:
   // Whether light passes the corner between the cell (x, y) and (x + 1, y + 1).
   constexpr bool corner_lets(std::int64_t x, std::int64_t y) const {
     if (x < 0 || x >= right_ || y >= rows_) return true;  // no cell is behind it
+    if constexpr (has_looked) {
+      emit_.looked(y, x + 1, x + 1);
+      emit_.looked(y + 1, x, x);
+    }
     return !stops_at_corner(*task_.map, {{column(x), line(y), 0}, {task_.sign_x, task_.sign_y, 1}, 3}, task_.corners);
   }
 
@@ -231,6 +242,7 @@ private:
       std::int64_t q = b;
       if (!has_light && cell_blocks) {  // of cells side by side, those that are reached from the row below are seen
         q = run_end(y, b, last);
+        if constexpr (has_looked) emit_.looked(y, b, q);
         look(y, b + 1, lesser(q, y - 1), low, counted, g.high);
         if (b < y && y <= q && corner_lets(y - 1, y - 1)) look(y, y, y, low, counted, g.high);
       }

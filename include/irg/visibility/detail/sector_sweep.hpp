@@ -6,6 +6,8 @@
 // touches has anything in it, all centres in it are seen; where all of them are full, nothing is seen behind them.
 // Otherwise it is cut into four, and when there are hardly more centres than sectors, see() is asked. Touching counts,
 // so corners cannot matter.
+//
+// Looks is told which cells of a slab are looked at, and how many sight lines see() follows.
 #pragma once
 
 #include <concepts>
@@ -18,12 +20,26 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-template <std::same_as<walled_grid> Map>
+struct no_looks {
+  IRG_INLINE constexpr void cells(const cell3&, const cell3&) const noexcept {}
+  IRG_INLINE constexpr void line() const noexcept {}
+};
+
+template <std::same_as<walled_grid> Map, class Looks = no_looks>
 class sector_sweep {
 public:
+  struct task {
+    const Map* map;
+    cell3 viewer;
+    corner_rule corners;
+    std::int64_t radius;
+  };
+
   sector_sweep() = delete;
-  constexpr sector_sweep(const Map& map, const cell3& viewer, corner_rule corners, std::int64_t radius, cell_grid& seen)
-      : map_(map), viewer_(viewer), rules_{corners, end_cells::untested}, radius_(radius), seen_(seen) {
+  constexpr sector_sweep(const task& t, cell_grid& seen, Looks looks = {})
+      : map_(*t.map), viewer_(t.viewer), rules_{t.corners, end_cells::untested}, radius_(t.radius), seen_(seen),
+        looks_(looks) {
+    const Map& map = map_;
     if (!map.walled()) return;
     in_the_way_ = map.cells();
     for (int axis = 0; axis < 3; ++axis)
@@ -142,8 +158,10 @@ private:
                 v = both(centres(s.v, s.level, slab, true), v_range_);
     for (std::int64_t j = v.first; j <= v.last; ++j)
       for (std::int64_t i = u.first; i <= u.last; ++i)
-        if (const cell3 c = cell_at(slab, i, j); !seen_.is_full(c) && is_near(c) && see(map_, viewer_, c, rules_))
-          seen_.set(c);
+        if (const cell3 c = cell_at(slab, i, j); !seen_.is_full(c) && is_near(c)) {
+          looks_.line();
+          if (see(map_, viewer_, c, rules_)) seen_.set(c);
+        }
   }
 
   // Whether full cells of a slab are all that the sector touches at a distance, so that nothing is seen behind them.
@@ -159,6 +177,7 @@ private:
       const range u = both(touched(s.u, s.level, 2 * slab - 1, 2 * slab + 1), u_range_),
                   v = both(touched(s.v, s.level, 2 * slab - 1, 2 * slab + 1), v_range_);
       if (u.empty() || v.empty()) return;  // the sector has left the map
+      looks_.cells(cell_at(slab, u.first, v.first), cell_at(slab, u.last, v.last));
       if (open && all_are(things, slab, u, v, false)) {
         // Slopes of 1 leave the viewer's own cell through its edges, which the closed rule asks about: see() tells.
         const bool edges = rules_.corners == corner_rule::closed;
@@ -184,6 +203,7 @@ private:
   sight_rules rules_;
   std::int64_t radius_;
   cell_grid& seen_;
+  [[no_unique_address]] Looks looks_;
   cell_grid in_the_way_;  // full cells and those with walls, where there are walls
   int axis_ = 0, sign_ = 1, u_axis_ = 0, v_axis_ = 0;
   std::int64_t slabs_ = 0;

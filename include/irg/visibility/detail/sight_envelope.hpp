@@ -67,7 +67,26 @@ constexpr int compare_crossing_directions(const point<T, 2>& source, const std::
   return irg::sign_of<6>(formula, in) * sign(*edges[0], *edges[1]) * sign(*edges[2], *edges[3]);
 }
 
-template <Floating T>
+// Does not count what is compared.
+struct no_sight_tally {
+  IRG_INLINE constexpr void compared(std::uint32_t, std::uint32_t, int) const noexcept {}
+};
+
+// Counts it, and keeps which edges were compared. The pseudo-edge at the source is none.
+struct sight_tally {
+  std::int64_t pairs = 0, crossings = 0;
+  std::vector<std::uint8_t> was_compared{};  // by edge
+
+  constexpr void compared(std::uint32_t a, std::uint32_t b, int outcome) {
+    if (a == at_source || b == at_source) return;
+    ++pairs;
+    if (outcome == 2 || outcome == -2) ++crossings;
+    if (was_compared.size() <= greater(a, b)) was_compared.resize(greater(a, b) + std::size_t{1}, std::uint8_t{0});
+    was_compared[a] = was_compared[b] = 1;
+  }
+};
+
+template <Floating T, class Tally = no_sight_tally>
 class sight_envelope {
 public:
   // Where something changes: at the beginning of a slot, or within one, where the edges a and b cross.
@@ -83,6 +102,7 @@ public:
   std::vector<sight_edge<T>> edges{};
   std::vector<point<T, 2>> towards{};  // a point in each direction
   std::vector<item> nearest{};
+  [[no_unique_address]] Tally tally{};
 
   constexpr std::uint32_t ranks() const noexcept { return static_cast<std::uint32_t>(towards.size()); }
 
@@ -195,9 +215,11 @@ private:
 
   // Appends what is nearest of a and b from `from` to `to`.
   constexpr void append_nearest(std::vector<item>& out, std::size_t first, std::uint32_t a, std::uint32_t b,
-                                const std::pair<place, place>& span) const {
+                                const std::pair<place, place>& span) {
     const auto& [from, to] = span;
-    const int nearer = a == no_sight_edge ? -1 : b == no_sight_edge ? 1 : compare(a, b);
+    const bool both = a != no_sight_edge && b != no_sight_edge;
+    const int nearer = both ? compare(a, b) : a == no_sight_edge ? -1 : 1;
+    if (both) tally.compared(a, b, nearer);
     if (nearer == 1 || nearer == -1) return append(out, first, from, nearer > 0 ? a : b);
     const std::uint32_t before = nearer > 0 ? a : b, after = nearer > 0 ? b : a;
     const place at = crossing_place(a, b, from, to);
@@ -206,7 +228,7 @@ private:
     if (ends) append(out, first, begins ? at : from, after);
   }
 
-  constexpr void merge_runs(std::size_t i, std::size_t middle, std::size_t end, std::vector<item>& out) const {
+  constexpr void merge_runs(std::size_t i, std::size_t middle, std::size_t end, std::vector<item>& out) {
     const std::size_t first = out.size();
     std::size_t k = middle;
     std::uint32_t a = no_sight_edge, b = no_sight_edge;

@@ -3,6 +3,7 @@
 // nearest in each direction, then the vertices.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -19,7 +20,7 @@
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-template <Floating T>
+template <Floating T, class Tally = no_sight_tally>
 class visible_ring_builder {
 public:
   constexpr visible_ring_builder(const point<T, 2>& source, const sight_options& options) : options_(options) {
@@ -59,8 +60,25 @@ public:
     return std::move(out_);
   }
 
+  // What run() took among so many obstacles. An obstacle that the source lies on may be two edges.
+  constexpr sight_counts counts(std::size_t obstacles) const
+    requires std::same_as<Tally, sight_tally>
+  {
+    std::vector<std::uint8_t> was_compared(obstacles + boundary_edges_, std::uint8_t{0});
+    for (std::size_t i = 0; i < envelope_.tally.was_compared.size(); ++i) {
+      const auto& e = envelope_.edges[i];
+      if (envelope_.tally.was_compared[i] != 0) was_compared[e.is_boundary ? obstacles + e.index : e.index] = 1;
+    }
+    sight_counts out{.walls = static_cast<std::int64_t>(was_compared.size()),
+                     .directions = envelope_.ranks(),
+                     .compared = envelope_.tally.pairs,
+                     .crossings = envelope_.tally.crossings};
+    for (const std::uint8_t compared : was_compared) out.passed_over += 1 - compared;
+    return out;
+  }
+
 private:
-  using item = typename sight_envelope<T>::item;
+  using item = typename sight_envelope<T, Tally>::item;
   // An edge of the domain runs from the source to this point, or from there to the source: how much greater the winding
   // number is on the left of the way there than on its right.
   struct boundary_ray {
@@ -69,7 +87,7 @@ private:
   };
 
   sight_options options_;
-  sight_envelope<T> envelope_{};
+  sight_envelope<T, Tally> envelope_{};
   std::vector<boundary_ray> through_{};
   visible_region<T> out_{};
   std::size_t boundary_edges_ = 0;
