@@ -164,6 +164,7 @@ void add_body(irg::line_drawing& drawing, const render_settings& s, irg::face_cu
                                                     : irg::drawn_edges::features;
   options.crease = irg::radians(s.edge_crease);
   options.culling = culling;
+  options.frustum = s.options.skip.frustum;
   const irg::mesh<double> body = joined(shape);
   add_mesh(drawing, body, to_clip, irg::map_to_screen<double>(s.size.width, s.size.height), options);
   const auto triangles = [](const irg::mesh<double>& m) {
@@ -186,8 +187,10 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
   for (const irg::object<double>& o : world.objects) add_body(drawing, s, culling, o.shape, to_clip * o.placement);
   ms.stage[static_cast<int>(irg::render_stage::project)] = watch.lap();
   if (s.hidden == hidden_name::none) drawing.faces.clear();
+  if (s.options.skip.frustum == irg::skipping::on) leave_out_faces_beside_edges(drawing);
   irg::render_stats stats;
   stats.triangles = drawing.triangles;
+  stats.skipped.frustum = drawing.beyond;
   stats.skipped.backface = drawing.culled;
   irg::svg_drawing svg(text, s.size.width, s.size.height, colours.background);
   line_painter painter(picture, svg);
