@@ -118,7 +118,9 @@ private:
   }
 
   // The picture's borders, two pixels farther out: lines up to two pixels wide along anything beyond have no part in
-  // the picture. Asked of what is drawn, that is of snapped ends of whole edges and corners of pieces, and so exact.
+  // the picture, not even a pixel of coverage 0. Asked of the snapped ends and corners that are drawn and not of clip
+  // codes, so that no rounding comes after: a segment or a triangle lies in the box of its ends or corners, and a part
+  // of an edge between the edge's ends.
   static constexpr screen_box borders_of(const screen_mapping<T>& m) noexcept {
     constexpr std::int32_t margin = 2 * one_pixel;
     return {snap(m.centre_x - m.half_width) - margin, snap(m.centre_y - m.half_height) - margin,
@@ -239,7 +241,8 @@ inline namespace IRG_ABI {
 /// gives   with culling, faces that turn their back or their edge to the eye neither hide nor have edges of their own;
 ///         an edge beyond the eye or the guard band is cut in the points where its faces are. With frustum on, edges
 ///         wholly more than two pixels beyond a border of the picture are left out, and triangles there are counted as
-///         `beyond`, culled or not; they stay in faces, since an edge that leaves the picture may end behind one
+///         `beyond`, culled or not. They stay in faces: an edge that leaves the picture may end behind one, and its
+///         pixels depend on where it ends
 /// exact   sides are those of the snapped corners; the angle of a crease is that of rounded unit normals
 /// cost    n log n in the edges at a vertex; allocates
 template <Floating T>
@@ -249,8 +252,9 @@ constexpr void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4,
 }
 
 /// Leaves out the faces that lie beside all edges, to be called when all meshes have been added.
-/// gives   a drawing of which hidden_lines finds the same parts: a point of an edge lies in the box around all edges, and
-///         only a face that covers it can hide it. Where edges beyond the picture have been left out, so are most faces
+/// gives   a drawing of which hidden_lines finds the same parts: every point of an edge lies in the box around all
+///         edges, and only a face that covers it can hide it. Where add_mesh has left out the edges beyond the picture,
+///         these are most faces beyond it
 /// cost    linear
 constexpr void leave_out_faces_beside_edges(line_drawing& drawing) {
   if (drawing.edges.empty()) return drawing.faces.clear();
