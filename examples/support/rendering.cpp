@@ -126,9 +126,12 @@ private:
     const irg::rgba8 colour = irg::picture_colours().line;
     irg::line_aa(irg::snap(a), irg::snap(b), {0, 0, picture_.width(), picture_.height()},
                  [&](const irg::coverage_span& run) {
-                   shaded_ += run.x_last - run.x_first;
-                   for (int x = run.x_first; x < run.x_last; ++x)
-                     paint_pixel(picture_, x, run.y, colour, run.coverage[x - run.x_first]);
+                   for (int x = run.x_first; x < run.x_last; ++x) {
+                     const auto coverage = run.coverage[x - run.x_first];
+                     if (coverage == 0) continue;  // a run may begin and end beside the line
+                     ++shaded_;
+                     paint_pixel(picture_, x, run.y, colour, coverage);
+                   }
                  });
   }
   irg::image<irg::rgba8>& picture_;

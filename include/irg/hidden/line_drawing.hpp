@@ -117,10 +117,9 @@ private:
     }
   }
 
-  // The picture's borders, two pixels farther out: lines up to two pixels wide along anything beyond have no part in
-  // the picture, not even a pixel of coverage 0. Asked of the snapped ends and corners that are drawn and not of clip
-  // codes, so that no rounding comes after: a segment or a triangle lies in the box of its ends or corners, and a part
-  // of an edge between the edge's ends.
+  // The picture's borders, two pixels farther out: lines up to two pixels wide along anything beyond cover nothing of
+  // the picture. Asked of the snapped ends and corners that are drawn and not of clip codes, so that no rounding comes
+  // after: a segment or a triangle lies in the box of its ends or corners, and a part of an edge between its ends.
   static constexpr screen_box borders_of(const screen_mapping<T>& m) noexcept {
     constexpr std::int32_t margin = 2 * one_pixel;
     return {snap(m.centre_x - m.half_width) - margin, snap(m.centre_y - m.half_height) - margin,
