@@ -38,7 +38,8 @@ inline namespace IRG_ABI {
 /// needs   face_starts as in mesh.hpp
 /// gives   faces wholly beyond a border of the picture or of the depth range are passed over and counted as
 ///         skipped.frustum, none when drawn.frustum is off; of the others those that face away are left out when
-///         culling is `back`. An edge is drawn if any of its faces is. Edges to vertices that are not there are left out
+///         culling is `back`. An edge is drawn if any of its faces is. Edges to vertices that are not there are left
+///         out
 /// exact   the same pixels for every executor, and with drawn.frustum on and off; lines by line_bresenham from the
 ///         smaller vertex index to the larger
 template <Floating T = double, RowRaster Colour, Executor E = sequential>

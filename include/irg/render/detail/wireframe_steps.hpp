@@ -65,10 +65,10 @@ constexpr line_on_screen line_of(const projected_vertices<T>& v, std::uint64_t e
           cell_of(to_screen(left->second.position, mapping).position)};
 }
 
-// Whether nothing of a face is in the picture: its corners are beyond one border or depth plane, and no line of it has a
-// cell there. Decided on the cells between which the lines are drawn, not by the corners' codes alone: a corner beyond
-// a border by less than 1/512 pixel is snapped into the picture. No cell of a Bresenham line is outside the box of its
-// two ends, so a line whose ends are beyond one border draws nothing; a face that is passed over loses no pixel.
+// Whether nothing of a face is in the picture: its corners are beyond one border or depth plane, and no line of it has
+// a cell there. Decided on the cells between which the lines are drawn, not by the corners' codes alone: a corner
+// beyond a border by less than 1/512 pixel is snapped into the picture. No cell of a Bresenham line is outside the box
+// of its two ends, so a line whose ends are beyond one border draws nothing; a face passed over loses no pixel.
 template <class Drawn>
 constexpr bool lies_beyond(const Drawn& drawn, std::size_t f, const cell_window& picture) noexcept {
   const auto& v = drawn.vertices;
