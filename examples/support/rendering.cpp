@@ -126,9 +126,12 @@ private:
     const irg::rgba8 colour = irg::picture_colours().line;
     irg::line_aa(irg::snap(a), irg::snap(b), {0, 0, picture_.width(), picture_.height()},
                  [&](const irg::coverage_span& run) {
-                   shaded_ += run.x_last - run.x_first;
-                   for (int x = run.x_first; x < run.x_last; ++x)
-                     paint_pixel(picture_, x, run.y, colour, run.coverage[x - run.x_first]);
+                   for (int x = run.x_first; x < run.x_last; ++x) {
+                     const auto coverage = run.coverage[x - run.x_first];
+                     if (coverage == 0) continue;  // a run may begin and end beside the line
+                     ++shaded_;
+                     paint_pixel(picture_, x, run.y, colour, coverage);
+                   }
                  });
   }
   irg::image<irg::rgba8>& picture_;
@@ -164,6 +167,7 @@ void add_body(irg::line_drawing& drawing, const render_settings& s, irg::face_cu
                                                     : irg::drawn_edges::features;
   options.crease = irg::radians(s.edge_crease);
   options.culling = culling;
+  options.frustum = s.options.skip.frustum;
   const irg::mesh<double> body = joined(shape);
   add_mesh(drawing, body, to_clip, irg::map_to_screen<double>(s.size.width, s.size.height), options);
   const auto triangles = [](const irg::mesh<double>& m) {
@@ -186,8 +190,10 @@ irg::render_stats draw_hidden_lines(const render_settings& s, const irg::scene<d
   for (const irg::object<double>& o : world.objects) add_body(drawing, s, culling, o.shape, to_clip * o.placement);
   ms.stage[static_cast<int>(irg::render_stage::project)] = watch.lap();
   if (s.hidden == hidden_name::none) drawing.faces.clear();
+  if (s.options.skip.frustum == irg::skipping::on) leave_out_faces_beside_edges(drawing);
   irg::render_stats stats;
   stats.triangles = drawing.triangles;
+  stats.skipped.frustum = drawing.beyond;
   stats.skipped.backface = drawing.culled;
   irg::svg_drawing svg(text, s.size.width, s.size.height, colours.background);
   line_painter painter(picture, svg);

@@ -197,6 +197,37 @@ for style in gouraud wire hidden-line flat phong; do
   done
 done
 
+# ---- what is beyond the picture is passed over and counted, to the same bytes
+# The last views are of a square, a side of which is the given pixels to the left of the picture.
+near_by() { # model view...: with edges and as hidden lines, skips on and off
+  for style in wire hidden-line "hidden-line --edges all --cull none" "hidden-line --edges all --hidden-edges dashed" \
+    "hidden-line --edges all --hidden none"; do
+    drawn "$* $style" "$@" $small --style $style
+    cp p.ppm first.ppm
+    beyond=$(number frustum s.json)
+    shaded=$(number pixels_shaded s.json)
+    drawn "$* $style without skips" "$@" $small --style $style --skip off
+    check "$* $style without skips: the same bytes" cmp -s p.ppm first.ppm
+    check "$* $style without skips: as many pixels" is "$(number pixels_shaded s.json)" "$shaded"
+    check "$* $style without skips: nothing counted" is "$(number frustum s.json)" 0
+    check "$* $style: more than $least are beyond the picture: $beyond" test "$beyond" -gt "$least"
+    [ "$style" = wire ] && continue
+    for skip in on off; do run "" "$@" $small --style $style --skip $skip -o $skip.svg; done
+    check "$* $style without skips: the same lines" cmp -s on.svg off.svg
+  done
+}
+least=5000
+near_by teapot --eye 3,2,4 --target 0,1,0 --fov 5
+near_by teapot --eye 6,3,5 --target 1,1,0 --fov 3
+near_by teapot --eye 0.5,0.6,0.9 --target 0,0.5,0
+least=-1
+near_by teapot --eye 4,3,6 --target 0.4,0.8,0 --fov 22
+near_by sphere --project orthographic --fov 20
+for beside in 0.001 0.0015 0.5 1 2.5; do
+  x=$(awk "BEGIN { printf \"%.9f\", 1 + (24 + $beside) * 9 * 0.17632698 / 18 }")
+  near_by square.obj --eye $x,0,9 --target $x,0,0 --fov 20
+done
+
 # ---- hidden lines as lines: a cube seen from beside a corner has twelve edges, nine of which are seen
 lines_of() { grep -c '^<line ' "$1"; }
 run "" cube $small --style hidden-line -o lines.svg

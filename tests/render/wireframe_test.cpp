@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <irg/render/wireframe.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <vector>
 
@@ -30,11 +32,12 @@ struct drawn {
 
 template <class E = irg::sequential>
 constexpr drawn draw(const mesh& m, int width, int height, irg::face_culling culling = irg::face_culling::none,
-                     const irg::mat<double, 4, 4>& to_clip = eye_at_origin, const E& executor = {}) {
+                     const irg::mat<double, 4, 4>& to_clip = eye_at_origin, const E& executor = {},
+                     irg::skipping frustum = irg::skipping::on) {
   drawn d{picture(width, height, 0), {}};
   const auto mapping = irg::map_to_screen<double>(width, height);
   const auto v = irg::project_vertices<double>(m.positions, to_clip, mapping);
-  d.stats = irg::draw_wireframe(d.lines, irg::projected_mesh{v, m, mapping}, 1, culling, executor);
+  d.stats = irg::draw_wireframe(d.lines, irg::projected_mesh{v, m, mapping, frustum}, 1, culling, executor);
   return d;
 }
 
@@ -164,6 +167,74 @@ TEST_CASE("draw_wireframe: with culling, a face that reaches behind the eye is d
 TEST_CASE("draw_wireframe: an edge-on face is hidden by culling") {
   CHECK(count(draw(one_triangle({-1, 0, -2}, {1, 0, -2}, {0, 0, -4}), 64, 64, irg::face_culling::back).lines) == 0);
   CHECK(count(draw(one_triangle({-1, 0, -2}, {1, 0, -2}, {0, 0, -4}), 64, 64).lines) > 0);
+}
+
+drawn draw_all(const mesh& m, int width, int height, irg::face_culling culling = irg::face_culling::none,
+               const irg::mat<double, 4, 4>& to_clip = eye_at_origin) {
+  return draw(m, width, height, culling, to_clip, irg::sequential{}, irg::skipping::off);
+}
+
+TEST_CASE("draw_wireframe: what is beyond the picture is passed over to the same pixels, and counted") {
+  test::random r(2);
+  const int meshes = std::getenv("IRG_RELEASE_TIER") ? 20000 : 400;
+  std::int64_t some = 0, all = 0;
+  for (int i = 0; i < meshes; ++i) {
+    const auto kind =
+        std::array{test::positions::ordinary, test::positions::everywhere, test::positions::hostile}[i % 3];
+    mesh m = test::random_mesh<double>(r, 24, kind);
+    const double near_by = std::ldexp(1.0, static_cast<int>(r.integer(-3, 4)));
+    for (auto& p : m.positions) p = {p.x * near_by, p.y * near_by, p.z - (kind == test::positions::ordinary ? 4 : 0)};
+    const int width = static_cast<int>(r.integer(1, 60)), height = static_cast<int>(r.integer(1, 60));
+    const auto to_clip = i % 2 ? eye_at_origin : irg::perspective(irg::pi<double> / 2, 1.0, 3.0, 5.0);
+    for (const auto culling : {irg::face_culling::none, irg::face_culling::back}) {
+      const drawn on = draw(m, width, height, culling, to_clip), off = draw_all(m, width, height, culling, to_clip);
+      REQUIRE(on.lines == off.lines);
+      REQUIRE(on.stats.pixels == off.stats.pixels);
+      REQUIRE(off.stats.skipped.frustum == 0);
+      REQUIRE(on.stats.triangles == off.stats.triangles);
+      REQUIRE(on.stats.skipped.frustum + on.stats.skipped.backface >= off.stats.skipped.backface);
+      some += on.stats.skipped.frustum, all += on.stats.triangles;
+    }
+    if (kind != test::positions::ordinary || i % 2 == 0) continue;
+    // All corners in front of the eye and within the guard band: a face is beyond where all its cells are.
+    std::int64_t beyond = 0;
+    const auto v = irg::project_vertices<double>(m.positions, to_clip, irg::map_to_screen<double>(width, height));
+    REQUIRE(v.any.cut == 0);
+    for (std::size_t f = 0; f < m.face_count(); ++f) {
+      bool left = true, right = true, above = true, below = true;
+      for (std::size_t k = 0; k < m.face_size(f); ++k) {
+        const irg::subpixel p = v.screen[m.corner(f, k).position].position;
+        left &= p.x < 0, right &= p.x >= 256 * width, above &= p.y < 0, below &= p.y >= 256 * height;
+      }
+      beyond += left || right || above || below ? static_cast<std::int64_t>(m.face_size(f)) - 2 : 0;
+    }
+    REQUIRE(draw(m, width, height).stats.skipped.frustum == beyond);
+  }
+  CHECK(some > all / 10);
+  CHECK(some < all * 9 / 10);
+}
+
+TEST_CASE("draw_wireframe: a corner less than 1/512 pixel beside the picture is snapped into it, and its face drawn") {
+  // At distance 1 the picture of 64 pixels spans -1 to 1.
+  const auto beside = [](double pixels) {
+    const double x = -1 - pixels / 32;
+    return one_triangle({x, 0.5, -1}, {x, -0.5, -1}, {x - 1, 0, -1});
+  };
+  for (const auto culling : {irg::face_culling::none, irg::face_culling::back}) {
+    CHECK(draw_all(beside(1.0 / 1024), 64, 64, culling).lines == draw(beside(1.0 / 1024), 64, 64, culling).lines);
+    CHECK(draw(beside(3.0 / 1024), 64, 64, culling).stats.skipped.frustum == 1);
+  }
+  const drawn snapped = draw(beside(1.0 / 1024), 64, 64);
+  CHECK(snapped.stats.skipped.frustum == 0);
+  CHECK(count(snapped.lines) == 33);  // rows 16 to 48 of the first column
+  CHECK(draw_all(beside(3.0 / 1024), 64, 64).stats.skipped == irg::skip_counts{});
+  // Beyond the depth range: nearer than 1/8, behind, and farther than 5. A triangle around the picture is in it.
+  CHECK(draw(one_triangle({0, 0, -0.1}, {0.01, 0, -0.1}, {0, 0.01, -0.1}), 64, 64).stats.skipped.frustum == 1);
+  CHECK(draw(one_triangle({0, 0, 1}, {1, 0, 2}, {0, 1, 3}), 64, 64).stats.skipped.frustum == 1);
+  const auto shallow = irg::perspective(irg::pi<double> / 2, 1.0, 3.0, 5.0);
+  CHECK(draw(one_triangle({0, 0, -6}, {1, 0, -6}, {0, 1, -6}), 64, 64, irg::face_culling::none, shallow)
+            .stats.skipped.frustum == 1);
+  CHECK(draw(one_triangle({-9, -9, -1}, {9, -9, -1}, {0, 9, -1}), 64, 64).stats.skipped.frustum == 0);
 }
 
 TEST_CASE("draw_wireframe: empty meshes and pictures") {

@@ -16,6 +16,7 @@
 #include <irg/math/trigonometry.hpp>
 #include <irg/mesh/crease_normals.hpp>
 #include <irg/mesh/triangulate.hpp>
+#include <irg/raster/draw_counts.hpp>
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/screen_pieces.hpp>
 
@@ -39,6 +40,7 @@ struct line_drawing_options {
   drawn_edges edges = drawn_edges::features;
   T crease = T(0.5235987755982988);  // 30 degrees
   face_culling culling = face_culling::none;
+  skipping frustum = skipping::off;  // on: edges beyond a border of the picture are left out, triangles are counted
 };
 
 /// Faces and edges on the screen, ready for hidden_lines; roles[i] is that of edges[i].
@@ -46,11 +48,20 @@ struct line_drawing {
   std::vector<screen_face> faces;
   std::vector<screen_edge> edges;
   std::vector<line_role> roles;
-  std::int64_t triangles = 0, culled = 0;  // all of the meshes, and those that culling left out
+  std::int64_t triangles = 0;  // all of the meshes
+  std::int64_t beyond = 0;  // of these wholly beyond a border of the picture or of the depth range, with frustum on
+  std::int64_t culled = 0;  // of the others those that culling left out
 };
 
 namespace detail {
 inline namespace IRG_ABI {
+
+constexpr screen_box box_of_corners(const screen_face& f) noexcept {
+  return box_of({f.v[0].position, f.v[1].position, f.v[2].position});
+}
+constexpr screen_box around(const screen_box& a, const screen_box& b) noexcept {
+  return {lesser(a.left, b.left), lesser(a.top, b.top), greater(a.right, b.right), greater(a.bottom, b.bottom)};
+}
 
 // A mesh on its way into a drawing.
 template <class T>
@@ -60,7 +71,8 @@ public:
                        const line_drawing_options<T>& options)
       : mesh_(m), mapping_(mapping), options_(options),
         vertices_(project_vertices<T>(std::span<const point<T, 3>>(m.positions), to_clip, mapping)),
-        is_common_(T(0) < options.crease && options.crease < pi<T>), cosine_(is_common_ ? cos(options.crease) : T(0)) {}
+        borders_(borders_of(mapping)), is_common_(T(0) < options.crease && options.crease < pi<T>),
+        cosine_(is_common_ ? cos(options.crease) : T(0)) {}
 
   constexpr void add_to(line_drawing& drawing) {
     add_faces(drawing);
@@ -93,12 +105,37 @@ private:
       for (std::size_t k = t; k < end; ++k) area += double_area_of(triangles, k);
       const bool left_out = options_.culling == face_culling::back && area >= 0;
       drawing.triangles += static_cast<std::int64_t>(end - t);
-      if (left_out) drawing.culled += static_cast<std::int64_t>(end - t);
-      for (; t < end; ++t)
+      for (; t < end; ++t) {
+        if (options_.frustum == skipping::on && lies_beyond(triangles, t))
+          ++drawing.beyond;
+        else if (left_out)
+          ++drawing.culled;
         if (!left_out) add_triangle(drawing, triangles, t);
+      }
       side_.push_back(area < 0 ? 1 : area > 0 ? -1 : 0);
       face_of_corner_.resize(mesh_.face_starts[f + 1], static_cast<std::uint32_t>(f));
     }
+  }
+
+  // The picture's borders, two pixels farther out: lines up to two pixels wide along anything beyond cover nothing of
+  // the picture. Asked of the snapped ends and corners that are drawn and not of clip codes, so that no rounding comes
+  // after: a segment or a triangle lies in the box of its ends or corners, and a part of an edge between its ends.
+  static constexpr screen_box borders_of(const screen_mapping<T>& m) noexcept {
+    constexpr std::int32_t margin = 2 * one_pixel;
+    return {snap(m.centre_x - m.half_width) - margin, snap(m.centre_y - m.half_height) - margin,
+            snap(m.centre_x + m.half_width) + margin, snap(m.centre_y + m.half_height) + margin};
+  }
+  constexpr bool lies_beyond(const screen_box& b) const noexcept { return !boxes_meet(b, borders_); }
+  // Whether nothing of a triangle is in the picture, neither its area nor a line along it.
+  constexpr bool lies_beyond(const mesh<T>& triangles, std::size_t t) const noexcept {
+    const triangle_corners c = corners_of(triangles, t);
+    const auto& at = vertices_.screen;
+    if (c.cut == 0) return lies_beyond(box_of({at[c.v[0]].position, at[c.v[1]].position, at[c.v[2]].position}));
+    const screen_pieces pieces = pieces_of(c, 0);
+    if (pieces.size() == 0) return pieces.outside;
+    screen_box whole = box_of_corners(pieces[0].face);
+    for (const screen_piece& p : pieces) whole = around(whole, box_of_corners(p.face));
+    return lies_beyond(whole);
   }
 
   struct triangle_corners {
@@ -171,6 +208,7 @@ private:
       if (!left) return;
       line = {{to_screen(left->first.position, mapping_), to_screen(left->second.position, mapping_)}};
     }
+    if (options_.frustum == skipping::on && lies_beyond(box_of({line.v[0].position, line.v[1].position}))) return;
     const line_role role = role_of(ends);
     if (options_.edges == drawn_edges::features && role == line_role::smooth) return;
     if (options_.edges == drawn_edges::outline && role != line_role::border && role != line_role::silhouette) return;
@@ -182,6 +220,7 @@ private:
   const screen_mapping<T>& mapping_;
   const line_drawing_options<T>& options_;
   projected_vertices<T> vertices_;
+  screen_box borders_;
   bool is_common_;  // between 0 and pi, where cosines fall as angles rise
   T cosine_;  // of the crease
   std::vector<face_direction> normals_{};
@@ -199,13 +238,30 @@ inline namespace IRG_ABI {
 ///         triangulate, whose diagonals are no edges
 /// needs   a mesh in which validate() finds no defect
 /// gives   with culling, faces that turn their back or their edge to the eye neither hide nor have edges of their own;
-///         an edge beyond the eye or the guard band is cut in the points where its faces are
+///         an edge beyond the eye or the guard band is cut in the points where its faces are. With frustum on, edges
+///         wholly more than two pixels beyond a border of the picture are left out, and triangles there are counted as
+///         `beyond`, culled or not. They stay in faces: an edge that leaves the picture may end behind one, and its
+///         pixels depend on where it ends
 /// exact   sides are those of the snapped corners; the angle of a crease is that of rounded unit normals
 /// cost    n log n in the edges at a vertex; allocates
 template <Floating T>
 constexpr void add_mesh(line_drawing& drawing, const mesh<T>& m, const mat<T, 4, 4>& to_clip,
                         const screen_mapping<T>& mapping, const line_drawing_options<T>& options = {}) {
   detail::drawn_mesh<T>(m, to_clip, mapping, options).add_to(drawing);
+}
+
+/// Leaves out the faces that lie beside all edges, to be called when all meshes have been added.
+/// gives   a drawing of which hidden_lines finds the same parts: every point of an edge lies in the box around all
+///         edges, and only a face that covers it can hide it. Where add_mesh has left out the edges beyond the picture,
+///         these are most faces beyond it
+/// cost    linear
+constexpr void leave_out_faces_beside_edges(line_drawing& drawing) {
+  if (drawing.edges.empty()) return drawing.faces.clear();
+  const auto box_of_edge = [](const screen_edge& e) { return detail::box_of({e.v[0].position, e.v[1].position}); };
+  detail::screen_box edges = box_of_edge(drawing.edges[0]);
+  for (const screen_edge& e : drawing.edges) edges = detail::around(edges, box_of_edge(e));
+  std::erase_if(drawing.faces,
+                [&](const screen_face& f) { return !detail::boxes_meet(detail::box_of_corners(f), edges); });
 }
 
 }  // namespace IRG_ABI

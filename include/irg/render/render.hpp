@@ -87,8 +87,8 @@ constexpr render_stats draw_wire(const picture_frame<T>& f, Objects& objects, co
     const mesh<T>& shape = objects.shape(i);
     const auto vertices = project_vertices<T>(shape.positions, f.to_clip, f.mapping);
     run.observer(render_stage::project);
-    stats += draw_wireframe<T>(run.colour, {vertices, shape, f.mapping}, f.options.colours.line, f.options.culling,
-                               run.executor);
+    stats += draw_wireframe<T>(run.colour, {vertices, shape, f.mapping, f.options.skip.frustum}, f.options.colours.line,
+                               f.options.culling, run.executor);
     run.observer(render_stage::draw);
   }
   stats.drawn = count_other_than(run.colour, f.options.colours.background);

@@ -17,15 +17,18 @@
 
 namespace irg {
 
-/// A mesh and its positions, projected with a mapping.
+/// A mesh and its positions, projected with a mapping; whether faces beyond a border of the picture are passed over.
 template <Floating T>
 struct projected_mesh {
   const projected_vertices<T>& vertices;
   const mesh<T>& shape;
   const screen_mapping<T>& mapping;
+  skipping frustum = skipping::on;
 };
 template <class T>
 projected_mesh(const projected_vertices<T>&, const mesh<T>&, const screen_mapping<T>&) -> projected_mesh<T>;
+template <class T>
+projected_mesh(const projected_vertices<T>&, const mesh<T>&, const screen_mapping<T>&, skipping) -> projected_mesh<T>;
 
 inline namespace IRG_ABI {
 
@@ -33,18 +36,27 @@ inline namespace IRG_ABI {
 /// n corners, pixels.shaded the cells of all lines.
 /// shape   faces may have any number of corners; for doubles `{vertices, mesh, mapping}` is enough at the call
 /// needs   face_starts as in mesh.hpp
-/// gives   faces that face away are left out when culling is `back`; an edge is drawn if any of its faces is. Edges to
-///         vertices that are not there are left out
-/// exact   the same pixels for every executor; lines by line_bresenham from the smaller vertex index to the larger
+/// gives   faces wholly beyond a border of the picture or of the depth range are passed over and counted as
+///         skipped.frustum, none when drawn.frustum is off; of the others those that face away are left out when
+///         culling is `back`. An edge is drawn if any of its faces is. Edges to vertices that are not there are left
+///         out
+/// exact   the same pixels for every executor, and with drawn.frustum on and off; lines by line_bresenham from the
+///         smaller vertex index to the larger
 template <Floating T = double, RowRaster Colour, Executor E = sequential>
 constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
                                       face_culling culling = face_culling::none, const E& executor = {}) {
-  const auto& [vertices, m, mapping] = drawn;
+  const auto& [vertices, m, mapping, frustum] = drawn;
+  const cell_window picture{0, 0, width_of(colour), height_of(colour)};
+  const bool may_skip = frustum == skipping::on && vertices.any.outside != 0;
   render_stats stats;
   std::vector<std::uint64_t> edges;
   for (std::size_t f = 0; f < m.face_count(); ++f) {
     const std::size_t corners = m.face_size(f);
     stats.triangles += static_cast<std::int64_t>(corners) - 2;
+    if (may_skip && detail::lies_beyond(drawn, f, picture)) {
+      stats.skipped.frustum += static_cast<std::int64_t>(corners) - 2;
+      continue;
+    }
     if (culling == face_culling::back && detail::shows_back(vertices, m, f)) {
       stats.skipped.backface += static_cast<std::int64_t>(corners) - 2;
       continue;

@@ -65,6 +65,34 @@ constexpr line_on_screen line_of(const projected_vertices<T>& v, std::uint64_t e
           cell_of(to_screen(left->second.position, mapping).position)};
 }
 
+// Whether nothing of a face is in the picture: its corners are beyond one border or depth plane, and no line of it has
+// a cell there. Decided on the cells between which the lines are drawn, not by the corners' codes alone: a corner
+// beyond a border by less than 1/512 pixel is snapped into the picture. No cell of a Bresenham line is outside the box
+// of its two ends, so a line whose ends are beyond one border draws nothing; a face passed over loses no pixel.
+template <class Drawn>
+constexpr bool lies_beyond(const Drawn& drawn, std::size_t f, const cell_window& picture) noexcept {
+  const auto& v = drawn.vertices;
+  const auto& m = drawn.shape;
+  const std::size_t n = m.face_size(f);
+  clip_code_pair all{static_cast<std::uint8_t>(clip_planes::all), static_cast<std::uint8_t>(clip_planes::all)};
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t corner = m.corner(f, k).position;
+    if (corner >= v.codes.size()) return false;
+    all = all & v.codes[corner];
+  }
+  if (all.outside == 0) return false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint64_t edge = edge_of(m.corner(f, k).position, m.corner(f, (k + 1) % n).position);
+    const line_on_screen l = line_of(v, edge, drawn.mapping);
+    const bool beyond = (l.from.x < picture.x_first && l.to.x < picture.x_first) ||
+                        (l.from.x >= picture.x_last && l.to.x >= picture.x_last) ||
+                        (l.from.y < picture.y_first && l.to.y < picture.y_first) ||
+                        (l.from.y >= picture.y_last && l.to.y >= picture.y_last);
+    if (l.seen && !beyond) return false;
+  }
+  return true;
+}
+
 }  // namespace IRG_ABI
 }  // namespace detail
 
