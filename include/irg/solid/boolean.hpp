@@ -46,6 +46,14 @@ struct solid_corner_origin {
   constexpr bool operator==(const solid_corner_origin&) const = default;
 };
 
+/// What combining bodies took: of `pairs`, those beyond `met` were skipped; no triangle of a part was placed but one.
+struct solid_boolean_counts {
+  std::uint64_t pairs = 0;  // of triangles, one of each of two bodies
+  std::uint64_t met = 0;  // of these, pairs whose boxes have a point in common: where they meet is decided
+  std::uint64_t parts = 0;  // of all bodies' surfaces, as the cuts divide them
+  constexpr bool operator==(const solid_boolean_counts&) const = default;
+};
+
 /// A combination of bodies.
 template <Floating T>
 struct solid_boolean_result {
@@ -56,6 +64,7 @@ struct solid_boolean_result {
   mesh<T> value{};  // of triangles
   std::vector<solid_face_origin> faces{};  // of each face
   std::vector<solid_corner_origin> corners{};  // of each position
+  solid_boolean_counts counts{};  // where status is done
 };
 
 namespace detail {
@@ -169,6 +178,7 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
     return {solid_boolean_status::not_a_body, culprit};
   }
   solid_boolean_result<T> out;
+  out.counts = {cut.pairs, cut.met, cut.parts};
   collect_result(out, cut, b, keep_triangles(cut, b));
   return out;
 }
