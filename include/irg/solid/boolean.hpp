@@ -158,6 +158,15 @@ constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, cons
   }
 }
 
+template <class Cut>
+constexpr solid_boolean_counts counts_of(const Cut& cut, const body_triangles& b) noexcept {
+  solid_boolean_counts counts{0, cut.met, 0};
+  for (std::size_t i = 0; i < b.ends.size(); ++i)
+    counts.pairs += std::uint64_t{b.first_of(i)} * (b.ends[i] - b.first_of(i));
+  for (std::size_t t = 0; t < cut.triangles.size(); ++t) counts.parts += cut.triangles[t].part == t ? 1u : 0u;
+  return counts;
+}
+
 // What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
 template <Floating T, class IsIn>
 constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
@@ -178,7 +187,7 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
     return {solid_boolean_status::not_a_body, culprit};
   }
   solid_boolean_result<T> out;
-  out.counts = {cut.pairs, cut.met, cut.parts};
+  out.counts = counts_of(cut, b);
   collect_result(out, cut, b, keep_triangles(cut, b));
   return out;
 }

@@ -121,8 +121,8 @@ inline namespace IRG_ABI {
 /// gives   nothing where it crosses none and for an empty ray; of several crossed in one point the lowest number
 /// exact   which triangles are crossed, as cross_triangle; which of them is first, for all finite numbers; t and
 ///         weights as there. The same for every tree over these triangles
-/// cost    some log n boxes and triangles; nothing allocated. With ray_counts, what the ray asked is added to them; they
-///         cost nothing where they are not asked for
+/// cost    some log n boxes and triangles; nothing allocated. With ray_counts, what the ray asked is added to them;
+///         they cost nothing where they are not asked for
 template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
 [[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
                                                                 C& counts = detail::not_counted) noexcept {

@@ -41,8 +41,7 @@ public:
   std::vector<unsigned char> is_seam;  // of each vertex, whether it may lie within a plane face or a straight edge
   bool failed = false;  // the bodies cut themselves, or are not turned outward
   std::uint32_t culprit = no_index;  // the body that is to blame, where a look at what failed tells it
-  std::uint64_t pairs = 0, met = 0;  // of triangles of two bodies; of these, pairs whose boxes meet
-  std::uint64_t parts = 0;  // that were placed
+  std::uint64_t met = 0;  // pairs of triangles whose boxes meet
 
   /// needs   is_in(v): whether what is inside of the bodies b with v[b] != 0 alone is in the combination
   template <class IsIn>
@@ -91,16 +90,13 @@ private:
       }
     }
     for (const std::vector<std::uint32_t>& lot : lots) trees_.emplace_back(lot, 2);  // seen from above
-    const auto use = [this](std::uint32_t s, std::uint32_t t) { add_contacts(s, t); };
+    const auto use = [this](std::uint32_t s, std::uint32_t t) { ++met, add_contacts(s, t); };
     for (std::size_t i = 0; i < bodies; ++i)
-      for (std::size_t k = i + 1; k < bodies; ++k) {
-        pairs += std::uint64_t{lots[i].size()} * lots[k].size();
+      for (std::size_t k = i + 1; k < bodies; ++k)
         if (body_boxes_[i].meets(body_boxes_[k])) box_pair_search<decltype(use)>(boxes_, use).search(lots[i], lots[k]);
-      }
   }
 
   constexpr void add_contacts(std::uint32_t s, std::uint32_t t) {
-    ++met;
     const auto a = see_triangle(b_.positions, b_.triangles[s], s), b = see_triangle(b_.positions, b_.triangles[t], t);
     if (a.turn == 0 || b.turn == 0) {
       failed = true;
@@ -315,7 +311,6 @@ private:
         directions[t] = directions[part];  // the first of a part stands before
         continue;
       }
-      ++parts;
       sides.below.assign(b_.ends.size(), 0), sides.above.assign(b_.ends.size(), 0);
       sides.below[body_of(t)] = 1;
       if (corner[t] != no_index)
