@@ -85,6 +85,86 @@ TEST_CASE("polygon_overlay: by hand, in every life") {
   CHECK(again.rings == Rings{Ring{{0, 0}, {3, 0}, {3, 3}, {0, 3}}});
 }
 
+namespace {
+
+struct segment {
+  P p, q;
+};
+
+// What comparing all pairs of these tells: one round.
+constexpr irg::polygon_overlay_counts counted_by_force(const std::vector<segment>& all) {
+  irg::polygon_overlay_counts counts{1, 0, 0, 0};
+  const auto turn = [](const P& a, const P& b, const P& c) {  // of small whole numbers
+    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return area < 0 ? -1 : area > 0 ? 1 : 0;
+  };
+  const auto apart = [](double a, double b, double c, double d) {
+    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+  };
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const segment &a = all[i], &b = all[k];
+      ++counts.pairs;
+      if (!apart(a.p.x, a.q.x, b.p.x, b.q.x) && !apart(a.p.y, a.q.y, b.p.y, b.q.y)) ++counts.compared;
+      if (turn(a.p, a.q, b.p) * turn(a.p, a.q, b.q) < 0 && turn(b.p, b.q, a.p) * turn(b.p, b.q, a.q) < 0)
+        ++counts.crossings;
+    }
+  return counts;
+}
+constexpr std::vector<segment> edges(const Rings& rings) {
+  std::vector<segment> all;
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) all.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  return all;
+}
+constexpr irg::polygon_overlay_counts sum(const irg::polygon_overlay_counts& a, const irg::polygon_overlay_counts& b) {
+  return {a.rounds + b.rounds, a.pairs + b.pairs, a.compared + b.compared, a.crossings + b.crossings};
+}
+
+}  // namespace
+
+TEST_CASE("polygon_overlay: what was compared is counted") {
+  // Two squares cross at (2, 1) and (1, 2), where four edges fall into two pieces each: 8 pieces, then 12.
+  CHECK_BOTH(polygon_overlay(square(0, 0, 2), square(1, 1, 2)).counts ==
+             sum(counted_by_force(edges({square(0, 0, 2), square(1, 1, 2)})),
+                 counted_by_force(edges({Ring{{0, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}},
+                                         Ring{{1, 1}, {2, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 2}}}))));
+  const auto crossed = polygon_overlay(square(0, 0, 2), square(1, 1, 2), boolean_operation::unite).counts;
+  CHECK(crossed.rounds == 2);
+  CHECK(crossed.pairs == 28 + 66);
+  CHECK(crossed.crossings == 2);
+  // Apart: each edge meets but its two neighbours.
+  CHECK(polygon_overlay(square(0, 0, 2), square(5, 5, 2)).counts == irg::polygon_overlay_counts{1, 28, 8, 0});
+  // The same square twice is four pieces.
+  CHECK(polygon_overlay(square(0, 0, 2), square(0, 0, 2)).counts == irg::polygon_overlay_counts{1, 6, 4, 0});
+  // A corner on an edge is no crossing; it cuts that edge.
+  const auto touching = polygon_overlay(square(0, 0, 2), Ring{{2, 1}, {4, 0}, {4, 2}}).counts;
+  CHECK(touching.crossings == 0);
+  CHECK(touching.rounds == 2);
+  CHECK(touching.pairs == 21 + 28);
+  CHECK(polygon_overlay(Ring{}, Ring{}).counts == irg::polygon_overlay_counts{1, 0, 0, 0});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(polygon_overlay(Ring{{0, 0}, {nan, 1}, {1, 1}}, square(0, 0, 1)).counts == irg::polygon_overlay_counts{});
+  test::random r(17);
+  int wrong = 0, crossing = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto draw = [&](int n, double x) {
+      Ring ring;
+      for (int i = 0; i < n; ++i)
+        ring.push_back({x + static_cast<double>(r.integer(0, 1000)), static_cast<double>(r.integer(0, 1000))});
+      return ring;
+    };
+    const Rings both{draw(9, 0), draw(11, 300)};
+    const auto expected = counted_by_force(edges(both));
+    const auto found = polygon_overlay(both[0], both[1]).counts;
+    crossing += static_cast<int>(expected.crossings);
+    wrong += found.crossings != expected.crossings || found.rounds < 2 || found.pairs < expected.pairs ||
+             found.compared < expected.compared || found.compared > found.pairs;
+  }
+  CHECK(wrong == 0);
+  CHECK(crossing > 1000);
+}
+
 TEST_CASE("polygon_overlay: shared edges, touching vertices, equal polygons") {
   const Ring a = square(0, 0, 2);
   CHECK(polygon_overlay(a, a).rings == Rings{a});

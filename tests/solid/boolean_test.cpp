@@ -112,6 +112,66 @@ TEST_CASE("solid_boolean: a body with itself, with nothing, with what is apart, 
   CHECK(volumes(cube(1, 1, 1), cube(0, 0, 0, 4)) == numbers{64, 1, 0, 63});
 }
 
+namespace {
+
+// Pairs of triangles, and those whose boxes meet, by asking all; with a number of parts that is known otherwise.
+constexpr irg::solid_boolean_counts counted_by_force(const body& a, const body& b, std::uint64_t parts) {
+  const body of[2] = {irg::triangulate(a), irg::triangulate(b)};
+  irg::solid_boolean_counts counts{0, 0, parts};
+  for (std::size_t f = 0; f < of[0].face_count(); ++f)
+    for (std::size_t g = 0; g < of[1].face_count(); ++g) {
+      bool meet = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto at = [&](std::size_t k, std::size_t face, std::size_t corner) {
+          return of[k].positions[of[k].corner(face, corner).position][axis];
+        };
+        const auto low = [&](std::size_t k, std::size_t n) {
+          return std::min({at(k, n, 0), at(k, n, 1), at(k, n, 2)});
+        };
+        const auto high = [&](std::size_t k, std::size_t n) {
+          return std::max({at(k, n, 0), at(k, n, 1), at(k, n, 2)});
+        };
+        meet = meet && low(0, f) <= high(1, g) && low(1, g) <= high(0, f);
+      }
+      ++counts.pairs;
+      if (meet) ++counts.met;
+    }
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("solid_boolean: the pairs whose boxes meet are counted, and the parts") {
+  const auto counts = [](const body& a, const body& b, boolean_operation operation = boolean_operation::unite) {
+    return solid_boolean(a, b, operation).counts;
+  };
+  CHECK_BOTH(solid_boolean(cube(0, 0, 0), cube(5, 0, 0), boolean_operation::unite).counts ==
+             irg::solid_boolean_counts{144, 0, 2});
+  const body block = cube(0, 0, 0, 4), corner = cube(3, 3, 3, 4), within = cube(1, 1, 1);
+  CHECK(counts(block, within) == counted_by_force(block, within, 2));
+  // The corner of each is in the other: two parts each.
+  CHECK(counts(block, corner) == counted_by_force(block, corner, 4));
+  CHECK(counts(block, corner).met < 144);
+  // A bar through a block: its ends and its middle, the block's two windows and the rest. The same for what is kept.
+  const body bar = box({1, 1, -1}, {2, 2, 5});
+  for (const boolean_operation operation : all_operations)
+    CHECK(counts(block, bar, operation) == counted_by_force(block, bar, 6));
+  CHECK(counts(bar, block) == counted_by_force(bar, block, 6));
+  CHECK(counts(block, body{}) == irg::solid_boolean_counts{0, 0, 1});
+  // Where many pairs are told apart by halves: a ball that cuts a ring along two circles, and a small one in its hole.
+  const auto ring = irg::shape_torus<double>({.minor_radius = 0.4, .major_segments = 40, .minor_segments = 20});
+  body ball = irg::shape_sphere<double>({.slices = 30, .stacks = 16});
+  const auto cut = counted_by_force(ball, ring, 5);
+  CHECK(counts(ball, ring, boolean_operation::difference) == cut);
+  CHECK(cut.met * 20 < cut.pairs);
+  for (place& p : ball.positions) p = {p.x / 16, p.y / 16, p.z / 16};
+  CHECK(counts(ball, ring) == counted_by_force(ball, ring, 2));
+  body open = cube(0, 0, 0);
+  open.corners.resize(33);
+  open.face_starts.pop_back();
+  CHECK(counts(open, block) == irg::solid_boolean_counts{});
+}
+
 TEST_CASE("solid_boolean: faces in one plane that touch, overlap, face each other") {
   CHECK(volumes(cube(0, 0, 0), cube(1, 0, 0)) == numbers{2, 0, 1, 2});  // a whole face
   CHECK(volumes(cube(0, 0, 0), cube(1, 0.5, 0.25)) == numbers{2, 0, 1, 2});  // part of one

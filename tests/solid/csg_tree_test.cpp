@@ -127,6 +127,10 @@ TEST_CASE("csg_tree: nothing, bodies by themselves, the same body twice, steps t
   const auto made = irg::mesh_of(with_unused);
   CHECK(made.value.face_count() == 12);
   CHECK(made.faces[0].body == 1);
+  // Three bodies apart, of 12 triangles each: all pairs, none of which meets, and three parts.
+  const tree apart = irg::combine(irg::combine(box(0, 0, 0, 1), box(3, 0, 0, 1), boolean_operation::unite),
+                                  box(6, 0, 0, 1), boolean_operation::unite);
+  CHECK(irg::mesh_of(apart).counts == irg::solid_boolean_counts{3 * 144, 0, 3});
 }
 
 #ifdef IRG_HAVE_MPFR

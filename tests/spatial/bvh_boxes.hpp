@@ -57,4 +57,32 @@ constexpr int depth_of(const irg::bvh& tree, std::span<const irg::box<T, 3>> box
   return depth;
 }
 
+// What a ray from below along z asks of a tree until z, by each box looked at alone.
+inline irg::ray_counts asked_along_z(const irg::bvh& tree, double x, double y, double until) {
+  irg::ray_counts counts{1, 0, 0, 0};
+  if (tree.nodes.empty()) return counts;
+  const auto is_in = [&](double v, float low, float high) {
+    return static_cast<double>(low) <= v * tree.scale && v * tree.scale <= static_cast<double>(high);
+  };
+  std::vector<std::uint32_t> waiting{0};
+  while (!waiting.empty()) {
+    const irg::bvh_node& node = tree.nodes[waiting.back()];
+    waiting.pop_back();
+    ++counts.nodes;
+    for (int k = 0; k < irg::bvh_node::width; ++k) {
+      const std::uint32_t child = node.child[k];
+      if (child == irg::bvh_node::none || !is_in(x, node.low(0, k), node.high(0, k)) ||
+          !is_in(y, node.low(1, k), node.high(1, k)) || until * tree.scale < static_cast<double>(node.low(2, k)))
+        continue;
+      if (!irg::bvh_node::is_leaf(child)) {
+        waiting.push_back(child);
+        continue;
+      }
+      ++counts.leaves;
+      counts.primitives += irg::bvh_node::count_of(child);
+    }
+  }
+  return counts;
+}
+
 }  // namespace test

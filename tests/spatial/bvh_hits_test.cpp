@@ -199,6 +199,50 @@ static_assert([] {
          irg::closest_hit(tree, R{boxes[5].low, {1, 2, 3}}, always)->t == 0;
 }());
 
+TEST_CASE("bvh: what rays ask is counted as each box by itself tells, and counting changes nothing") {
+  // Two boxes in one node; a ray that meets one of them, one that has no points, a tree of nothing.
+  constexpr auto one = [] {
+    const std::vector<irg::box<double, 3>> two{{{0, 0, 0}, {1, 1, 1}}, {{4, 0, 0}, {5, 1, 1}}};
+    const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(two));
+    irg::ray_counts counts;
+    const R up{{0.5, 0.5, -1}, {0, 0, 1}};
+    const bool met = irg::any_hit(tree, up, always, counts) && !irg::any_hit(irg::bvh{}, up, always, counts) &&
+                     !irg::any_hit(tree, R{{0.5, 0.5, -1}, {0, 0, 0}}, always, counts);
+    return met ? counts : irg::ray_counts{};
+  };
+  static_assert(one().rays == 3 && one().nodes == 1 && one().leaves == 1);
+  CHECK(one() == irg::ray_counts{3, 1, 1, one().primitives});
+  test::random r(15);
+  const auto boxes = test::lattice_boxes<double>(r, 900, 1, 40);
+  for (const irg::bvh_method method :
+       {irg::bvh_method::surface_area, irg::bvh_method::morton, irg::bvh_method::spatial_splits}) {
+    const irg::bvh tree = irg::build_bvh(std::span<const irg::box<double, 3>>(boxes), {method});
+    std::size_t far = 0;
+    for (int i = 0; i < 200; ++i) {
+      const double x = static_cast<double>(r.integer(-40, 40)) + 0.375;
+      const double y = static_cast<double>(r.integer(-40, 40)) + 0.625;
+      const R up{{x, y, -100}, {0, 0, 1}};
+      const irg::ray_counts expected = test::asked_along_z(tree, x, y, infinite);
+      std::uint64_t asked = 0;
+      const auto never = [&](std::uint32_t, const R&) -> std::optional<double> { return ++asked, std::nullopt; };
+      irg::ray_counts first, any, all;
+      CHECK(!irg::closest_hit(tree, up, never, first));
+      CHECK(asked == first.primitives);
+      CHECK(!irg::any_hit(tree, up, never, any));
+      CHECK(asked == 2 * any.primitives);
+      std::vector<irg::primitive_hit<double>> counted, uncounted;
+      irg::all_hits(tree, up, always, [&](const auto& h) { counted.push_back(h); }, all);
+      irg::all_hits(tree, up, always, [&](const auto& h) { uncounted.push_back(h); });
+      CHECK(first == expected);
+      CHECK(any == expected);
+      CHECK(all == expected);
+      CHECK(counted == uncounted);
+      far += expected.nodes > 3;
+    }
+    CHECK(far > 100);
+  }
+}
+
 TEST_CASE("bvh: rays from nowhere meet nothing, and nothing is asked") {
   constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
   const std::vector<irg::box<float, 3>> boxes{{{-1, -1, -1}, {1, 1, 1}}};

@@ -14,6 +14,7 @@
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/triangulate.hpp>
 
+#include "spatial/bvh_boxes.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -385,6 +386,81 @@ TEST_CASE("closest_hits: what closest_hit gives of each ray, bit for bit") {
     irg::closest_hits(tree, std::span<const R>(rays), std::span<std::optional<irg::triangle_hit>>(hits));
     return hits[0] && hits[0]->at.t == 3 && !hits[1];
   }());
+}
+
+// Counts of both, which have to be equal, where the hits are: of rays along z from below, at places that no box ends at.
+template <class T, class U>
+int miscounted(const irg::triangle_bvh<T>& tree, const irg::ray<U, 3>& up, const irg::ray_counts& expected) {
+  irg::ray_counts first, any, all;
+  std::vector<irg::triangle_hit> counted, uncounted;
+  const bool same_first = irg::closest_hit(tree, up, first) == irg::closest_hit(tree, up);
+  const bool same_any = irg::any_hit(tree, up, any) == irg::any_hit(tree, up);
+  const bool none = !irg::any_hit(tree, up, [](std::uint32_t) { return false; }, any);
+  irg::all_hits(tree, up, [&](const irg::triangle_hit& h) { counted.push_back(h); }, all);
+  irg::all_hits(tree, up, [&](const irg::triangle_hit& h) { uncounted.push_back(h); });
+  const bool some = !counted.empty();
+  const auto within = [&](const irg::ray_counts& c, std::uint64_t rays, std::uint64_t times) {
+    return c.rays == rays && c.nodes <= times * expected.nodes && c.leaves <= times * expected.leaves &&
+           c.primitives <= times * expected.primitives && (!some || (c.leaves > 0 && c.primitives >= c.leaves));
+  };
+  return !same_first + !same_any + !none + (counted != uncounted) + (all != expected) + !within(first, 1, 1) +
+         !within(any, 2, 2) + (!some && first != expected) +
+         (!some && (any.nodes != 2 * expected.nodes || any.primitives != 2 * expected.primitives));
+}
+
+TEST_CASE("triangle_bvh: what rays ask is counted as each box by itself tells, and counting changes nothing") {
+  static_assert([] {
+    const triangles_of<double> one{{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}};
+    const irg::triangle_bvh<double> tree{std::span<const std::array<P, 3>>(one)};
+    irg::ray_counts counts;
+    const bool met = irg::closest_hit(tree, R{{0.25, 0.25, 3}, {0, 0, -1}}, counts).has_value() &&
+                     !irg::any_hit(tree, R{{9, 9, 3}, {0, 0, -1}}, counts);
+    return met && counts == irg::ray_counts{2, 2, 1, 1};
+  }());
+  test::random r(33);
+  triangles_of<double> all(700);
+  const auto c = [&](std::int64_t most) { return static_cast<double>(r.integer(-most, most)); };
+  for (auto& t : all) {
+    const P p{c(30), c(30), c(30)};
+    for (auto& q : t) q = {p.x + c(4), p.y + c(4), p.z + c(4)};
+  }
+  triangles_of<float> floats(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int axis = 0; axis < 3; ++axis) floats[i][k][axis] = static_cast<float>(all[i][k][axis]);
+  const auto by_area = build(all);
+  const auto of_floats = build(floats, {irg::bvh_method::spatial_splits, 16, 4});
+  int wrong = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double x = c(34) + 0.3125, y = c(34) + 0.6875;
+    wrong += miscounted(by_area, R{{x, y, -99}, {0, 0, 1}}, test::asked_along_z(by_area.tree(), x, y, infinite));
+    wrong += miscounted(of_floats, irg::ray<float, 3>{{static_cast<float>(x), static_cast<float>(y), -99}, {0, 0, 1}},
+                        test::asked_along_z(of_floats.tree(), x, y, infinite));
+  }
+  CHECK(wrong == 0);
+  // Sheets one over the other: what stands behind the first hit is skipped, for one ray and for 16 that go as one.
+  triangles_of<float> stack;
+  for (int z = 0; z < 500; ++z) {
+    const auto h = static_cast<float>(z);
+    stack.push_back({{{-900, -900, h}, {900, -900, h}, {0, 900, h}}});
+  }
+  const auto tree = build(stack);
+  for (const float low : {0.0f, 100.5f, 250.5f, 600.0f}) {
+    const irg::ray<float, 3> up{{0.25f, 0.5f, -1}, {0, 0, 1}, low};
+    irg::ray_counts one, many, all_of_them;
+    const auto hit = irg::closest_hit(tree, up, one);
+    CHECK(hit.has_value() == (low < 501));
+    const std::vector<irg::ray<float, 3>> rays(17, up);
+    std::vector<std::optional<irg::triangle_hit>> hits(rays.size());
+    irg::closest_hits(tree, std::span<const irg::ray<float, 3>>(rays), std::span(hits), many);
+    CHECK(hits[0] == hit);
+    CHECK(hits[16] == hit);
+    CHECK(many == irg::ray_counts{17, 2 * one.nodes, 2 * one.leaves, 2 * one.primitives});
+    if (low == 0) CHECK(one == test::asked_along_z(tree.tree(), 0.25, 0.5, 0));
+    irg::all_hits(tree, up, [](const irg::triangle_hit&) {}, all_of_them);
+    CHECK(one.primitives < (hit ? 17u : 9u));
+    if (low == 0) CHECK(all_of_them.primitives == 500);
+  }
 }
 
 TEST_CASE("triangle_bvh: executors, moved triangles, any_hit that passes some over") {

@@ -30,11 +30,23 @@ namespace irg {
 /// made new crossings again and again (never seen).
 enum class [[nodiscard]] polygon_clip_status { done, not_finite, unresolved };
 
+/// What polygon_overlay did: of `pairs`, those beyond `compared` were skipped.
+/// shape   pieces are the edges at first, then what they are cut into; edges that run along each other from end to end
+///         are one piece, or none where one takes the other back
+struct polygon_overlay_counts {
+  std::uint64_t rounds = 0;  // of cuts, the last of which finds none to make
+  std::uint64_t pairs = 0;  // of pieces, summed over the rounds
+  std::uint64_t compared = 0;  // of these, pairs whose boxes have a point in common
+  std::uint64_t crossings = 0;  // of these, pairs that cross between their ends
+  constexpr bool operator==(const polygon_overlay_counts&) const = default;
+};
+
 /// The rings of a polygon: outer ones counter-clockwise, holes clockwise (y up).
 template <Floating T>
 struct clipped_rings {
   polygon_clip_status status = polygon_clip_status::done;
   std::vector<std::vector<point<T, 2>>> rings{};
+  polygon_overlay_counts counts{};
 };
 
 namespace detail {
@@ -101,9 +113,9 @@ constexpr point<T, 2> rounded_crossing(const boundary_piece<T>& a, const boundar
 }
 
 // Notes where a and b have to be cut, so that they have no more than ends in common. With a tolerance, they bend to
-// ends that they pass that near by.
+// ends that they pass that near by. Gives whether they cross between their ends.
 template <class T>
-constexpr void cut_pair(const boundary_piece<T>& a, const boundary_piece<T>& b, T tolerance,
+constexpr bool cut_pair(const boundary_piece<T>& a, const boundary_piece<T>& b, T tolerance,
                         std::vector<point<T, 2>>& on_a, std::vector<point<T, 2>>& on_b) {
   if (tolerance > 0) {
     const std::size_t before = on_a.size() + on_b.size();
@@ -111,35 +123,42 @@ constexpr void cut_pair(const boundary_piece<T>& a, const boundary_piece<T>& b, 
       if (is_next_to_piece(a, *v, tolerance)) on_a.push_back(*v);
     for (const auto* v : {&a.p, &a.q})
       if (is_next_to_piece(b, *v, tolerance)) on_b.push_back(*v);
-    if (on_a.size() + on_b.size() > before) return;
+    if (on_a.size() + on_b.size() > before) return false;
   }
   const int bp = orient2d(a.p, a.q, b.p), bq = orient2d(a.p, a.q, b.q);
-  if (bp * bq > 0) return;
+  if (bp * bq > 0) return false;
   const int ap = orient2d(b.p, b.q, a.p), aq = orient2d(b.p, b.q, a.q);
-  if (ap * aq > 0) return;
+  if (ap * aq > 0) return false;
   if (bp * bq < 0 && ap * aq < 0) {
     const point<T, 2> at = rounded_crossing(a, b);
     if (!at_one_place(at, a.p) && !at_one_place(at, a.q)) on_a.push_back(at);
     if (!at_one_place(at, b.p) && !at_one_place(at, b.q)) on_b.push_back(at);
-    return;
+    return true;
   }
   if (is_inside_piece(a, b.p, bp)) on_a.push_back(b.p);
   if (is_inside_piece(a, b.q, bq)) on_a.push_back(b.q);
   if (is_inside_piece(b, a.p, ap)) on_b.push_back(a.p);
   if (is_inside_piece(b, a.q, aq)) on_b.push_back(a.q);
+  return false;
 }
 
 // One round of cuts among pieces sorted by p; false when none was needed.
 template <class T>
-constexpr bool cut_pieces(std::vector<boundary_piece<T>>& pieces, T tolerance = T(0)) {
+constexpr bool cut_pieces(std::vector<boundary_piece<T>>& pieces, T tolerance, polygon_overlay_counts& counts) {
   std::vector<std::vector<point<T, 2>>> cuts(pieces.size(), std::vector<point<T, 2>>{});
   bool any = false;
+  std::uint64_t compared = 0, crossings = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t k = i + 1; k < pieces.size() && !(pieces[i].q.x < pieces[k].p.x); ++k) {
       const auto &a = pieces[i], &b = pieces[k];
       if (lesser(a.p.y, a.q.y) > greater(b.p.y, b.q.y) || lesser(b.p.y, b.q.y) > greater(a.p.y, a.q.y)) continue;
-      cut_pair(a, b, tolerance, cuts[i], cuts[k]);
+      ++compared;
+      crossings += cut_pair(a, b, tolerance, cuts[i], cuts[k]) ? 1u : 0u;
     }
+  ++counts.rounds;
+  if (!pieces.empty()) counts.pairs += std::uint64_t{pieces.size()} * (pieces.size() - 1) / 2;
+  counts.compared += compared;
+  counts.crossings += crossings;
   std::vector<boundary_piece<T>> result;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const boundary_piece<T>& s = pieces[i];
@@ -281,9 +300,12 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
   const T ulp = product(largest, std::numeric_limits<T>::epsilon());
   const bool may_bend = largest < (std::numeric_limits<T>::max)() / 4;
   const std::size_t most = 1000 + pieces.size() * pieces.size();
-  for (int round = 0; cut_pieces(pieces, round < 3 || !may_bend ? T(0) : product(ulp, static_cast<T>(round / 3)));
-       ++round)
-    if (round == 60 || pieces.size() > most) return {polygon_clip_status::unresolved, {}};
+  polygon_overlay_counts counts;
+  const auto tolerance = [&](int round) {
+    return round < 3 || !may_bend ? T(0) : product(ulp, static_cast<T>(round / 3));
+  };
+  for (int round = 0; cut_pieces(pieces, tolerance(round), counts); ++round)
+    if (round == 60 || pieces.size() > most) return {polygon_clip_status::unresolved, {}, counts};
   std::vector<std::pair<point<T, 2>, point<T, 2>>> ways;
   std::vector<boundary_piece<T>> open;  // of the pieces so far, those that reach to where the next one begins
   for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -299,7 +321,7 @@ constexpr clipped_rings<T> combine_pieces(std::vector<boundary_piece<T>>& pieces
     if (on_left && !on_right) ways.push_back({pieces[k].p, pieces[k].q});
     if (on_right && !on_left) ways.push_back({pieces[k].q, pieces[k].p});
   }
-  return {polygon_clip_status::done, rings_of(ways)};
+  return {polygon_clip_status::done, rings_of(ways), counts};
 }
 
 }  // namespace IRG_ABI
@@ -313,7 +335,7 @@ inline namespace IRG_ABI {
 /// shape   floats, doubles, or integers of up to 32 bits, whose crossings are doubles
 /// gives   rings that do not cross, outer ones counter-clockwise, holes clockwise; pieces that touch in a point are
 ///         rings of their own. Vertices on straight edges are left out; no ring is without area. No rings when nothing
-///         is left; status not_finite when a coordinate is NaN or infinite
+///         is left; status not_finite when a coordinate is NaN or infinite. What was done and skipped is counted
 /// exact   crossings are rounded to within 0.501 ulp, edges bend by as much; for the polygons so bent every decision is
 ///         exact. So areas add up, a + b = union + intersection, to within an ulp of the coordinates times the length
 ///         of the boundaries; where no crossing has to be rounded nothing is lost at all
@@ -334,7 +356,7 @@ template <PlanePolygon A, PlanePolygon B>
       finite = finite && detail::add_ring(pieces, detail::ring_of(polygon, i), number);
   };
   add(a, 0), add(b, 1);
-  if (!finite) return clipped_rings<T>{polygon_clip_status::not_finite, {}};
+  if (!finite) return clipped_rings<T>{polygon_clip_status::not_finite, {}, {}};
   return detail::combine_pieces(pieces, operation, rule);
 }
 

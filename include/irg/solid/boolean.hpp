@@ -46,6 +46,14 @@ struct solid_corner_origin {
   constexpr bool operator==(const solid_corner_origin&) const = default;
 };
 
+/// What combining bodies took: of `pairs`, those beyond `met` were skipped; no triangle of a part was placed but one.
+struct solid_boolean_counts {
+  std::uint64_t pairs = 0;  // of triangles, one of each of two bodies
+  std::uint64_t met = 0;  // of these, pairs whose boxes have a point in common: where they meet is decided
+  std::uint64_t parts = 0;  // of all bodies' surfaces, as the cuts divide them
+  constexpr bool operator==(const solid_boolean_counts&) const = default;
+};
+
 /// A combination of bodies.
 template <Floating T>
 struct solid_boolean_result {
@@ -56,6 +64,7 @@ struct solid_boolean_result {
   mesh<T> value{};  // of triangles
   std::vector<solid_face_origin> faces{};  // of each face
   std::vector<solid_corner_origin> corners{};  // of each position
+  solid_boolean_counts counts{};  // where status is done
 };
 
 namespace detail {
@@ -149,6 +158,15 @@ constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, cons
   }
 }
 
+template <class Cut>
+constexpr solid_boolean_counts counts_of(const Cut& cut, const body_triangles& b) noexcept {
+  solid_boolean_counts counts{0, cut.met, 0};
+  for (std::size_t i = 0; i < b.ends.size(); ++i)
+    counts.pairs += std::uint64_t{b.first_of(i)} * (b.ends[i] - b.first_of(i));
+  for (std::size_t t = 0; t < cut.triangles.size(); ++t) counts.parts += cut.triangles[t].part == t ? 1u : 0u;
+  return counts;
+}
+
 // What is inside of a combination of bodies: where is_in(v) holds for the bodies b with v[b] != 0.
 template <Floating T, class IsIn>
 constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>*>& bodies, const IsIn& is_in) {
@@ -169,6 +187,7 @@ constexpr solid_boolean_result<T> combine_bodies(const std::vector<const mesh<T>
     return {solid_boolean_status::not_a_body, culprit};
   }
   solid_boolean_result<T> out;
+  out.counts = counts_of(cut, b);
   collect_result(out, cut, b, keep_triangles(cut, b));
   return out;
 }

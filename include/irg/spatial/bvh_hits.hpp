@@ -58,14 +58,17 @@ inline namespace IRG_ABI {
 /// gives   nothing where it meets none and for an empty ray; of those met at the same t the one of the lowest number
 /// exact   no primitive is missed whose box the ray meets; the rest is the test's. It may find what is 2^-20 of t
 ///         farther than what is nearest, but no more, before what is nearer
-template <Floating T, RayTest<T> Test>
+/// cost    some log n boxes and primitives; nothing allocated. With ray_counts, what the ray asked is added to them;
+///         they cost nothing where they are not asked for
+template <Floating T, RayTest<T> Test, detail::RayCounts C = const detail::uncounted>
 [[nodiscard]] constexpr std::optional<primitive_hit<T>> closest_hit(const bvh& tree, const ray<T, 3>& r,
-                                                                    const Test& test) {
+                                                                    const Test& test, C& counts = detail::not_counted) {
+  detail::count_rays(counts, 1);
   detail::box_ray b;
   if (!detail::set_box_ray(b, r, tree.scale)) return std::nullopt;
   ray<T, 3> rest = detail::from_zero(r);
   std::optional<primitive_hit<T>> best;
-  detail::walk_near_to_far(tree, b, [&](std::uint32_t leaf) {
+  detail::walk_near_to_far(tree, b, counts, [&](std::uint32_t leaf) {
     detail::meet_leaf(
         tree, leaf, rest, test,
         [&](std::uint32_t number, T t) {
@@ -84,12 +87,15 @@ template <Floating T, RayTest<T> Test>
 
 /// Whether the ray meets a primitive.
 /// exact   no primitive is missed whose box the ray meets
-template <Floating T, RayTest<T> Test>
-[[nodiscard]] constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test) {
+/// cost    as closest_hit, and as a rule less
+template <Floating T, RayTest<T> Test, detail::RayCounts C = const detail::uncounted>
+[[nodiscard]] constexpr bool any_hit(const bvh& tree, const ray<T, 3>& r, const Test& test,
+                                     C& counts = detail::not_counted) {
+  detail::count_rays(counts, 1);
   detail::box_ray b;
   if (!detail::set_box_ray(b, r, tree.scale)) return false;
   const ray<T, 3> whole = detail::from_zero(r);
-  return detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
+  return detail::walk_anyhow(tree, b, counts, [&](std::uint32_t leaf) {
     return detail::meet_leaf(
         tree, leaf, whole, test, [](std::uint32_t, T) { return true; }, [](std::uint32_t) { return true; });
   });
@@ -97,12 +103,15 @@ template <Floating T, RayTest<T> Test>
 
 /// All primitives that the ray meets, each once, into sink(hit), in no order that is promised.
 /// exact   as any_hit
-template <Floating T, RayTest<T> Test, class Sink>
-constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, Sink&& sink) {
+/// cost    as closest_hit; without limit to what is nearest
+template <Floating T, RayTest<T> Test, class Sink, detail::RayCounts C = const detail::uncounted>
+constexpr void all_hits(const bvh& tree, const ray<T, 3>& r, const Test& test, Sink&& sink,
+                        C& counts = detail::not_counted) {
+  detail::count_rays(counts, 1);
   detail::box_ray b;
   if (!detail::set_box_ray(b, r, tree.scale)) return;
   const ray<T, 3> whole = detail::from_zero(r);
-  detail::walk_anyhow(tree, b, [&](std::uint32_t leaf) {
+  detail::walk_anyhow(tree, b, counts, [&](std::uint32_t leaf) {
     detail::meet_leaf(
         tree, leaf, whole, test,
         [&](std::uint32_t number, T t) {

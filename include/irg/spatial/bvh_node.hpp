@@ -59,4 +59,15 @@ struct bvh {
   constexpr bool operator==(const bvh&) const = default;
 };
 
+/// What rays have asked of trees so far: of all primitives times `rays`, those beyond `primitives` were skipped.
+/// exact   for the boxes as the tree holds them, which are rounded outwards. A box that a ray passes by at less than
+///         that may count with one processor and not with another
+struct ray_counts {
+  std::uint64_t rays = 0;  // also those without points
+  std::uint64_t nodes = 0;  // gone through, eight boxes tested in each
+  std::uint64_t leaves = 0;  // come to
+  std::uint64_t primitives = 0;  // in these leaves
+  constexpr bool operator==(const ray_counts&) const = default;
+};
+
 }  // namespace irg

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -120,12 +121,13 @@ inline namespace IRG_ABI {
 /// gives   nothing where it crosses none and for an empty ray; of several crossed in one point the lowest number
 /// exact   which triangles are crossed, as cross_triangle; which of them is first, for all finite numbers; t and
 ///         weights as there. The same for every tree over these triangles
-/// cost    some log n boxes and triangles; nothing allocated
-template <Floating T, Floating U>
-[[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles,
-                                                                const ray<U, 3>& r) noexcept {
+/// cost    some log n boxes and triangles; nothing allocated. With ray_counts, what the ray asked is added to them;
+///         they cost nothing where they are not asked for
+template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
+[[nodiscard]] constexpr std::optional<triangle_hit> closest_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                                                C& counts = detail::not_counted) noexcept {
   std::optional<triangle_hit> hit;
-  detail::find_first_crossing(triangles.tree(), triangles.blocks(), r,
+  detail::find_first_crossing(triangles.tree(), triangles.blocks(), r, counts,
                               [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
                                 hit = triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)};
                               });
@@ -137,10 +139,11 @@ template <Floating T, Floating U>
 ///         4 by 4 pixels do: each 16 of them are taken through the tree as one where they can be
 /// needs   as many hits as rays
 /// exact   the same, bit for bit, as closest_hit of each ray
-/// cost    of 16 such rays some three times that of one; of others, that of each
-template <Floating T, Floating U>
+/// cost    of 16 such rays some three times that of one; of others, that of each. ray_counts count once what 16 rays
+///         come to as one
+template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
 constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ray<U, 3>> rays,
-                            std::span<std::optional<triangle_hit>> hits) {
+                            std::span<std::optional<triangle_hit>> hits, C& counts = detail::not_counted) {
   IRG_EXPECTS(rays.size() == hits.size());
   std::size_t i = 0;
   for (; i < rays.size(); ++i) {
@@ -150,32 +153,36 @@ constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ra
           hits[i + k] = triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)};
         };
         for (std::size_t k = 0; k < detail::ray_packet::size; ++k) hits[i + k] = std::nullopt;
-        if (!detail::find_packet_crossings(triangles.tree(), triangles.blocks(), rays.data() + i, put)) {
-          for (std::size_t k = 0; k < detail::ray_packet::size; ++k) hits[i + k] = closest_hit(triangles, rays[i + k]);
+        if (!detail::find_packet_crossings(triangles.tree(), triangles.blocks(), rays.data() + i, counts, put)) {
+          for (std::size_t k = 0; k < detail::ray_packet::size; ++k)
+            hits[i + k] = closest_hit(triangles, rays[i + k], counts);
         }
         i += detail::ray_packet::size;
       }
-    if (i < rays.size()) hits[i] = closest_hit(triangles, rays[i]);
+    if (i < rays.size()) hits[i] = closest_hit(triangles, rays[i], counts);
   }
 }
 
-/// Whether the ray crosses a triangle; with `counts`, one of those for which counts(number) holds.
+/// Whether the ray crosses a triangle; with `admits`, one of those for which admits(number) holds.
 /// exact, cost   as closest_hit, and as a rule less
-template <Floating T, Floating U, class Counts>
-[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Counts& counts) {
-  return detail::crosses_any(triangles.tree(), triangles.blocks(), r, counts);
+template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, detail::RayCounts C = const detail::uncounted>
+[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
+                                     C& counts = detail::not_counted) {
+  return detail::crosses_any(triangles.tree(), triangles.blocks(), r, counts, admits);
 }
-template <Floating T, Floating U>
-[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r) noexcept {
-  return any_hit(triangles, r, [](std::uint32_t) { return true; });
+template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
+[[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r,
+                                     C& counts = detail::not_counted) noexcept {
+  return any_hit(triangles, r, [](std::uint32_t) { return true; }, counts);
 }
 
 /// All triangles that the ray crosses, each once, into sink(hit), in no order that is promised.
 /// gives   of a closed surface, as many as an origin in general position would: an odd number from inside to infinity
 /// exact, cost   as closest_hit; without limit to what is nearest
-template <Floating T, Floating U, class Sink>
-constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink) {
-  detail::each_crossing(triangles.tree(), triangles.blocks(), r,
+template <Floating T, Floating U, class Sink, detail::RayCounts C = const detail::uncounted>
+constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink,
+                        C& counts = detail::not_counted) {
+  detail::each_crossing(triangles.tree(), triangles.blocks(), r, counts,
                         [&](const detail::triangle_ray& q, const detail::first_crossing& x) {
                           sink(triangle_hit{x.number, detail::finished_crossing(q, triangles.blocks(), x)});
                         });

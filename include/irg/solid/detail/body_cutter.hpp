@@ -41,6 +41,7 @@ public:
   std::vector<unsigned char> is_seam;  // of each vertex, whether it may lie within a plane face or a straight edge
   bool failed = false;  // the bodies cut themselves, or are not turned outward
   std::uint32_t culprit = no_index;  // the body that is to blame, where a look at what failed tells it
+  std::uint64_t met = 0;  // pairs of triangles whose boxes meet
 
   /// needs   is_in(v): whether what is inside of the bodies b with v[b] != 0 alone is in the combination
   template <class IsIn>
@@ -89,7 +90,7 @@ private:
       }
     }
     for (const std::vector<std::uint32_t>& lot : lots) trees_.emplace_back(lot, 2);  // seen from above
-    const auto use = [this](std::uint32_t s, std::uint32_t t) { add_contacts(s, t); };
+    const auto use = [this](std::uint32_t s, std::uint32_t t) { ++met, add_contacts(s, t); };
     for (std::size_t i = 0; i < bodies; ++i)
       for (std::size_t k = i + 1; k < bodies; ++k)
         if (body_boxes_[i].meets(body_boxes_[k])) box_pair_search<decltype(use)>(boxes_, use).search(lots[i], lots[k]);

@@ -170,8 +170,8 @@ IRG_INLINE unsigned rays_at_box(const Packet& p, const bvh_node& node, std::uint
 // Calls visit(child, bits) for the leaves that rays meet, whose bits are set; those near their beginning first. visit
 // may make p.high and p.whole.high less.
 // What waits is a place in a node: eight times its number, and which child.
-template <class Visit>
-IRG_INLINE void walk_packet(const bvh_node* nodes, ray_packet& p, const Visit& visit) {
+template <class Visit, RayCounts C>
+IRG_INLINE void walk_packet(const bvh_node* nodes, ray_packet& p, C& counts, const Visit& visit) {
   using F = packet_lanes;
   const auto wide = widen_box_ray<F, box_arithmetic::fused>(p.whole);
   std::uint64_t waiting[bvh_waiting];
@@ -179,6 +179,7 @@ IRG_INLINE void walk_packet(const bvh_node* nodes, ray_packet& p, const Visit& v
   std::uint32_t at = 0;
   for (;;) {
     const bvh_node& node = nodes[at];
+    count_node(counts);
     float times[bvh_node::width];
     std::uint64_t* const base = top;
     for (unsigned bits = meet_boxes(node, wide, p.whole.high, times); bits != 0; bits &= bits - 1) {
@@ -201,6 +202,7 @@ IRG_INLINE void walk_packet(const bvh_node* nodes, ray_packet& p, const Visit& v
         at = child;
         break;
       }
+      count_leaf(counts, child);
       visit(child, rays);
     }
   }

@@ -174,14 +174,15 @@ constexpr ray_crossing finished_crossing(const std::same_as<triangle_ray> auto& 
 }
 
 // The first crossing into use(triangle_ray, crossing), if there is one.
-template <class T, class U, class Use>
+template <class T, class U, class Use, RayCounts C>
 IRG_INLINE constexpr void find_first_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks,
-                                              const ray<U, 3>& r, const Use& use) {
+                                              const ray<U, 3>& r, C& counts, const Use& use) {
+  count_rays(counts, 1);
   box_ray b;
   if (!set_box_ray(b, r, tree.scale)) return;
   late_triangle_ray<T, U> q(tree, r);
   std::optional<first_crossing> best;
-  walk_near_to_far<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
+  walk_near_to_far<box_arithmetic::fused>(tree, b, counts, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     const unsigned open = q.open_triangles(blocks, leaf);
     if (open == 0) return;
     cross_leaf(tree, blocks, leaf, q.prepared(), open, [&](const first_crossing& x) {
@@ -212,13 +213,14 @@ struct packet_crossings {
 };
 
 // The first crossings of 16 rays into use(k, triangle_ray, crossing); false where they do not go as one.
-template <class T, class Use>
+template <class T, class Use, RayCounts C>
 bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<float, 3>* rays,
-                           const Use& use) {
+                           C& counts, const Use& use) {
   ray_packet p;
   if (!set_up_packet(p, rays, tree.scale)) return false;
+  count_rays(counts, ray_packet::size);
   std::optional<packet_crossings> found;
-  walk_packet(tree.nodes.data(), p, [&](std::uint32_t leaf, unsigned bits) {
+  walk_packet(tree.nodes.data(), p, counts, [&](std::uint32_t leaf, unsigned bits) {
     if (!found) set_packet_shear(found.emplace().shear, tree.scale, rays);
     packet_crossings& f = *found;
     bool nearer = false;
@@ -270,26 +272,28 @@ bool find_packet_crossings(const bvh& tree, std::span<const triangle_block<T>> b
   return true;
 }
 
-template <class T, class U, class Counts>
-constexpr bool crosses_any(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r,
-                           const Counts& counts) {
+template <class T, class U, class Admits, RayCounts C>
+constexpr bool crosses_any(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r, C& counts,
+                           const Admits& admits) {
+  count_rays(counts, 1);
   box_ray b;
   if (!set_box_ray(b, r, tree.scale)) return false;
   late_triangle_ray<T, U> q(tree, r);
-  return walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
+  return walk_anyhow<box_arithmetic::fused>(tree, b, counts, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     const unsigned open = q.open_triangles(blocks, leaf);
     return open != 0 && cross_leaf(tree, blocks, leaf, q.prepared(), open,
-                                   [&](const first_crossing& x) { return counts(x.number); });
+                                   [&](const first_crossing& x) { return admits(x.number); });
   });
 }
 
-template <class T, class U, class Use>
-constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r,
+template <class T, class U, class Use, RayCounts C>
+constexpr void each_crossing(const bvh& tree, std::span<const triangle_block<T>> blocks, const ray<U, 3>& r, C& counts,
                              const Use& use) {
+  count_rays(counts, 1);
   box_ray b;
   if (!set_box_ray(b, r, tree.scale)) return;
   late_triangle_ray<T, U> q(tree, r);
-  walk_anyhow<box_arithmetic::fused>(tree, b, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
+  walk_anyhow<box_arithmetic::fused>(tree, b, counts, [&](std::uint32_t leaf) IRG_NOINLINE_LAMBDA {
     const unsigned open = q.open_triangles(blocks, leaf);
     if (open == 0) return false;
     cross_leaf(tree, blocks, leaf, q.prepared(), open, [&](const first_crossing& x) {

@@ -11,22 +11,22 @@ namespace irg::detail {
 inline namespace IRG_ABI {
 
 /// Calls visit(child) for the leaves that the ray meets, those near its beginning first; visit may make r.high less.
-template <box_arithmetic A = box_arithmetic::portable, class Visit>
-constexpr void walk_near_to_far(const bvh& tree, box_ray& r, const Visit& visit) {
+template <box_arithmetic A = box_arithmetic::portable, class Visit, RayCounts C>
+constexpr void walk_near_to_far(const bvh& tree, box_ray& r, C& counts, const Visit& visit) {
   if (tree.nodes.empty()) return;
   if (walks_in_lanes())
-    walk_sorted<pack<float, native_lanes<float>>, A>(tree.nodes.data(), r, visit);
+    walk_sorted<pack<float, native_lanes<float>>, A>(tree.nodes.data(), r, visit, counts);
   else
-    walk_sorted<float, A>(tree.nodes.data(), r, visit);
+    walk_sorted<float, A>(tree.nodes.data(), r, visit, counts);
 }
 
 /// Calls visit(child) for the leaves that the ray meets, in any order, until it gives true.
 /// gives   whether it has
-template <box_arithmetic A = box_arithmetic::portable, class Visit>
-constexpr bool walk_anyhow(const bvh& tree, const box_ray& r, const Visit& visit) {
+template <box_arithmetic A = box_arithmetic::portable, class Visit, RayCounts C>
+constexpr bool walk_anyhow(const bvh& tree, const box_ray& r, C& counts, const Visit& visit) {
   if (tree.nodes.empty()) return false;
-  if (walks_in_lanes()) return walk_unsorted<pack<float, native_lanes<float>>, A>(tree.nodes.data(), r, visit);
-  return walk_unsorted<float, A>(tree.nodes.data(), r, visit);
+  if (walks_in_lanes()) return walk_unsorted<pack<float, native_lanes<float>>, A>(tree.nodes.data(), r, visit, counts);
+  return walk_unsorted<float, A>(tree.nodes.data(), r, visit, counts);
 }
 
 // Whether the leaf with this place of the order is the first of those with its primitive for which meets(box) holds.

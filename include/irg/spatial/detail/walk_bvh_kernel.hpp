@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <type_traits>
 
@@ -10,7 +11,31 @@
 #include <irg/spatial/detail/box_test_kernel.hpp>
 
 namespace irg::detail {
+
+/// Stands for ray_counts where nobody asks for them: no code is made.
+struct uncounted {};
+inline constexpr uncounted not_counted{};
+
+template <class C>
+concept RayCounts = std::same_as<C, ray_counts> || std::same_as<C, const uncounted>;
+
 inline namespace IRG_ABI {
+
+template <RayCounts C>
+IRG_INLINE constexpr void count_rays(C& counts, [[maybe_unused]] std::uint64_t rays) noexcept {
+  if constexpr (std::same_as<C, ray_counts>) counts.rays += rays;
+}
+template <RayCounts C>
+IRG_INLINE constexpr void count_node(C& counts) noexcept {
+  if constexpr (std::same_as<C, ray_counts>) ++counts.nodes;
+}
+template <RayCounts C>
+IRG_INLINE constexpr void count_leaf(C& counts, [[maybe_unused]] std::uint32_t leaf) noexcept {
+  if constexpr (std::same_as<C, ray_counts>) {
+    ++counts.leaves;
+    counts.primitives += bvh_node::count_of(leaf);
+  }
+}
 
 // A node leaves at most seven others waiting on each of the levels, of which there are at most 3*29 + 18.
 inline constexpr int bvh_waiting = 7 * (3 * 29 + 18) + 8;
@@ -29,9 +54,9 @@ struct bvh_walk {
 // The leaf that comes next in the order of times, from `at` on; none at the end, and for an empty box that a ray meets
 // whose times are not numbers. It stands apart from what is done with leaves, so that a ray's numbers stay in registers
 // from node to node.
-template <class F, box_arithmetic A>
-IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r, std::uint32_t at,
-                                             bvh_walk& walk) noexcept {
+template <class F, box_arithmetic A, RayCounts C>
+IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ray& r, std::uint32_t at, bvh_walk& walk,
+                                             C& counts) noexcept {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
   const float high = r.high;
   std::uint64_t* top = walk.top;
@@ -45,6 +70,7 @@ IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ra
   };
   while (!bvh_node::is_leaf(at)) {
     const bvh_node& node = nodes[at];
+    count_node(counts);
     float times[bvh_node::width];
     unsigned bits = meet_boxes(node, wide, high, times);
     if (bits == 0) {
@@ -78,14 +104,18 @@ IRG_INLINE constexpr std::uint32_t next_leaf(const bvh_node* nodes, const box_ra
   return at;
 }
 
-template <class F, box_arithmetic A, class Visit>
-IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
+template <class F, box_arithmetic A, class Visit, RayCounts C = const uncounted>
+IRG_INLINE constexpr void walk_sorted(const bvh_node* nodes, const box_ray& r, const Visit& visit,
+                                      C& counts = not_counted) {
   bvh_walk walk;
   walk.top = walk.waiting;
   std::uint32_t at = 0;
   for (;;) {
-    const std::uint32_t leaf = next_leaf<F, A>(nodes, r, at, walk);
-    if (leaf != bvh_node::none) visit(leaf);
+    const std::uint32_t leaf = next_leaf<F, A>(nodes, r, at, walk, counts);
+    if (leaf != bvh_node::none) {
+      count_leaf(counts, leaf);
+      visit(leaf);
+    }
     for (;;) {
       if (walk.top == walk.waiting) return;
       const std::uint64_t next = *--walk.top;
@@ -112,8 +142,9 @@ IRG_INLINE constexpr void put_met(std::uint32_t* to, const bvh_node& node, unsig
 // The last child that is met comes next, or what waits on top where none is: both are known without a branch, which
 // would be guessed wrong at most nodes. So all wait for a moment, and the next is taken from the node itself. Below
 // stands what tells the end; an empty box that a ray meets whose times are not numbers is told from that.
-template <class F, box_arithmetic A, class Visit>
-IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit) {
+template <class F, box_arithmetic A, class Visit, RayCounts C = const uncounted>
+IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r, const Visit& visit,
+                                        C& counts = not_counted) {
   const wide_box_ray<F, A> wide = widen_box_ray<F, A>(r);
   std::uint32_t waiting[bvh_waiting + bvh_node::width];
   waiting[0] = bvh_node::none;
@@ -124,6 +155,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
     while (!bvh_node::is_leaf(at)) {
       const bvh_node& node = nodes[at];
       const std::uint32_t waits = top[-1];
+      count_node(counts);
       float times[bvh_node::width];
       const unsigned bits = meet_boxes(node, wide, high, times);
       const std::uint32_t met = node.child[static_cast<unsigned>(std::bit_width(bits | 1)) - 1];
@@ -132,6 +164,7 @@ IRG_INLINE constexpr bool walk_unsorted(const bvh_node* nodes, const box_ray& r,
       at = bits != 0 ? met : waits;
     }
     if (at != bvh_node::none) {
+      count_leaf(counts, at);
       if (visit(at)) return true;
     } else if (top == waiting) {
       return false;
