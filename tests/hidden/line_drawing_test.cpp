@@ -114,7 +114,7 @@ std::vector<part> parts_near(const line_drawing& d, double size, std::size_t& ed
   edges = 0;
   for (const irg::screen_edge& e : d.edges) {
     const auto a = irg::point_on(e, 0), b = irg::point_on(e, 1);
-    edges += beyond(a.x, b.x) || beyond(a.y, b.y) ? 0 : 1;
+    edges += beyond(a.x, b.x) || beyond(a.y, b.y) ? 0u : 1u;
   }
   std::vector<part> parts;
   irg::hidden_lines(d.faces, d.edges, [&](const irg::edge_part& p) {

@@ -60,7 +60,7 @@ public:
 private:
   // Polygon gives the visibility polygon among walls; it is asked once at most.
   template <class Polygon>
-  constexpr visible_region<T> look(const point<T, 2>& source, const Polygon& polygon) const {
+  [[nodiscard]] constexpr visible_region<T> look(const point<T, 2>& source, const Polygon& polygon) const {
     if (!is_finite_) return polygon(walls_);  // says what comes first
     visible_region<T> seen = visibility_polygon(source, domain_);
     if (seen.ring.empty()) return seen;
