@@ -179,8 +179,8 @@ TEST_CASE("draw_wireframe: what is beyond the picture is passed over to the same
   const int meshes = std::getenv("IRG_RELEASE_TIER") ? 20000 : 400;
   std::int64_t some = 0, all = 0;
   for (int i = 0; i < meshes; ++i) {
-    const auto kind =
-        std::array{test::positions::ordinary, test::positions::everywhere, test::positions::hostile}[static_cast<std::size_t>(i % 3)];
+    const auto kind = std::array{test::positions::ordinary, test::positions::everywhere,
+                                 test::positions::hostile}[static_cast<std::size_t>(i % 3)];
     mesh m = test::random_mesh<double>(r, 24, kind);
     const double near_by = std::ldexp(1.0, static_cast<int>(r.integer(-3, 4)));
     for (auto& p : m.positions) p = {p.x * near_by, p.y * near_by, p.z - (kind == test::positions::ordinary ? 4 : 0)};

@@ -161,8 +161,8 @@ constexpr void collect_result(solid_boolean_result<T>& out, const Cut& cut, cons
 template <class Cut>
 constexpr solid_boolean_counts counts_of(const Cut& cut, const body_triangles& b) noexcept {
   solid_boolean_counts counts{0, cut.met, 0};
-  for (std::size_t i = 0; i < b.ends.size(); ++i)
-    counts.pairs += static_cast<std::uint64_t>(b.first_of(i)) * (b.ends[i] - b.first_of(i));
+  for (std::uint32_t i = 0; i < b.ends.size(); ++i)
+    counts.pairs += std::uint64_t{b.first_of(i)} * (b.ends[i] - b.first_of(i));
   for (std::size_t t = 0; t < cut.triangles.size(); ++t) counts.parts += cut.triangles[t].part == t ? 1u : 0u;
   return counts;
 }
