@@ -152,10 +152,11 @@ private:
     return session_.state().bodies[choice_.body].transformations[static_cast<std::size_t>(choice_.stage)];
   }
 
-  void press_cell(const panel_cell c) {  // a copy: what is said makes new panels
+  void press_cell(const panel_cell& c) {
+    const std::string edit = c.edit, press = c.press;  // copies: what is said makes new panels
     if (c.choice) choice_ = *c.choice;
-    if (!c.edit.empty()) return open_line(c.edit);
-    if (!c.press.empty()) say(c.press);
+    if (!edit.empty()) return open_line(edit);
+    if (!press.empty()) say(press);
   }
   void open_line(const std::string& text) {
     typed_.emplace();
@@ -270,7 +271,7 @@ private:
     const std::size_t shading = static_cast<std::size_t>(b.shading), chosen = choice_.transformation + 1;
     const std::string at = name + stage + " " + std::to_string(chosen);
     for (const auto& [key, what] : additions)
-      if (k == key) say("add" + name + stage + " " + what);
+      if (k == key) say(joined({"add", name, stage, " ", what}));
     if (k == "a") say("add" + name + "after rotate-z 15");
     if (k.size() == 1 && k[0] >= '1' && k[0] <= '4') {
       const auto i = static_cast<std::size_t>(k[0] - '1');

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,6 +55,13 @@ struct panel_row {
 using panel_rows = std::vector<panel_row>;
 
 inline constexpr int panel_width = 344, panel_margin = 6;
+
+/// The parts of a line of a script as one text.
+inline std::string joined(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts) text += part;
+  return text;
+}
 
 /// The name of a body as a word of a script.
 inline std::string quoted(const irg::studio_body<double>& b) { return "\"" + std::string(b.body.name) + "\""; }
@@ -178,14 +186,14 @@ inline void transformation_rows(panel_rows& rows, const body& b, std::size_t i, 
           [&](double v) {
             transformation t = list[i];
             t.numbers[k] = v;
-            return "change" + where + number + " " + std::string(form.name) + words_of(t.numbers, form.numbers);
+            return joined({"change", where, number, " ", form.name, words_of(t.numbers, form.numbers)});
           },
           [&](double v, int way) { return next_number(list[i], k, v, way); });
     if (first != 0) continue;
     row.skip(44 * (4 - static_cast<int>(std::min(form.numbers, std::size_t{4}))) + 4);
-    row.button("^", 20, "move" + where + number + " " + std::to_string(i == 0 ? 1 : i));
-    row.button("v", 20, "move" + where + number + " " + std::to_string(std::min(i + 2, list.size())));
-    row.button("x", 20, "remove" + where + number);
+    row.button("^", 20, joined({"move", where, number, " ", std::to_string(i == 0 ? 1 : i)}));
+    row.button("v", 20, joined({"move", where, number, " ", std::to_string(std::min(i + 2, list.size()))}));
+    row.button("x", 20, joined({"remove", where, number}));
   }
 }
 

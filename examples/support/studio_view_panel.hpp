@@ -98,7 +98,7 @@ inline void projection_rows(panel_rows& rows, const irg::studio<double>& s, cons
   for (std::size_t k = 0; k < 4; ++k) {
     const std::string name(helper_names[k]);
     helpers.change(name, widths[k], c.helpers[k] == irg::display::shown,
-                   "helper " + view + " " + name + switched(c.helpers[k]));
+                   joined({"helper ", view, " ", name, switched(c.helpers[k])}));
   }
 }
 
@@ -109,13 +109,13 @@ inline void look_rows(panel_rows& rows, const body& b) {
   parts.label("show", 70);
   for (std::size_t k = 0; k < 4; ++k) {
     const std::string part(part_names[k]);
-    parts.change(part, 66, b.parts[k] == irg::display::shown, "show " + name + " " + part + switched(b.parts[k]));
+    parts.change(part, 66, b.parts[k] == irg::display::shown, joined({"show ", name, " ", part, switched(b.parts[k])}));
   }
   row_writer shades(rows);
   shades.label("shade", 70);
   for (std::size_t k = 0; k < 4; ++k) {
     const std::string shade(shading_names[k]);
-    shades.change(shade, 66, static_cast<std::size_t>(b.shading) == k, "shade " + name + " " + shade);
+    shades.change(shade, 66, static_cast<std::size_t>(b.shading) == k, joined({"shade ", name, " ", shade}));
   }
   const irg::rgba8 colour = b.body.surfaces.empty() ? irg::stored_surface<double>{}.colour : b.body.surfaces[0].colour;
   const std::array<double, 3> channels{double(colour.r), double(colour.g), double(colour.b)};

@@ -141,7 +141,7 @@ template <Floating T, class Speed>
   const T noise = product(table.length(), std::numeric_limits<T>::epsilon());
   const detail::wanted_length<T> search{begin, end, s - table.lengths[low], noise};
   const T guess = begin + product(end - begin, search.wanted / (table.lengths[high] - table.lengths[low]));
-  const T near =
+  const T close =
       detail::place_of_length(speed, [&](T t) { return detail::gauss_legendre(speed, begin, t); }, search, guess);
   // One rule of seven places may be far off over a long piece: what counts is the adaptive length, from place to place.
   T at = begin, run = T(0);
@@ -150,7 +150,7 @@ template <Floating T, class Speed>
     at = t;
     return run;
   };
-  return detail::place_of_length(speed, length_to, search, near);
+  return detail::place_of_length(speed, length_to, search, close);
 }
 
 }  // namespace IRG_ABI

@@ -168,7 +168,7 @@ private:
     tree_.counts.depth = greater(tree_.counts.depth, task.depth + 1);
     const box_to_plane<Order> side_of_box(plane, stretch_);
     const bsp_halves halves =
-        cells_.divide(task.cell, side_of_box, [&](auto&& e, const auto& nearer, const auto& farther) {
+        cells_.divide(task.cell, side_of_box, [&](bsp_face_cells::entry&& e, const auto& nearer, const auto& farther) {
           bsp_open_part& p = e.item;
           if (p.node.part.face == &plane) {
             bsp_of_faces::node& here = tree_.nodes[static_cast<std::size_t>(id)];
