@@ -21,7 +21,6 @@ const std::string help = R"(shaded_body - the shaded faces of a body
 
 usage: shaded_body MODEL [options]
 
-usage: shaded_body MODEL [options]
 Prints how many triangles the model has, its faces cut, and how many belong to faces that turn their outer side towards
 the eye. The others are back faces, and so are those seen from their edge. A face is as bright as the ambient and the
 diffuse light on its centre make it: Ia ka + Ii kd (L.N), summed over the lamps and cut off at 255, with Ia = 100,

@@ -31,9 +31,8 @@ namespace {
 constexpr std::string_view help =
     R"(view_projection - points in the eye's system and in the picture plane
 
-usage: view_projection [MODEL] [options] <POINTS
-
 usage: view_projection [MODEL] [options] <NUMBERS
+
 Reads the eye x y z and the target x y z, then n and x y z of each of the n points, from standard input; with MODEL only
 the eye and the target, the points are the model's vertices. z is up in the scene. The picture plane passes through the
 target. Prints the view transform T and the projection P, 16 numbers by rows, for row vectors; H, the distance from eye
