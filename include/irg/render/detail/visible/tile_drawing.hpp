@@ -50,9 +50,8 @@ struct tile_painter {
     using J = lanes<integers>;
     for (unsigned bits = which; bits != 0; bits &= bits - 1) note_seen(place[std::countr_zero(bits)]);
     constexpr int across = 4;  // a pixel's number is across * row + column
-    float key[dots::most * across][count], surely[dots::most * across][count], slack[count];
-    const floats slacks = d.slack + lanes<floats>::broadcast(of_both_signs);
-    lanes<floats>::store(slack, slacks);
+    float key[dots::most * across][count], slack[count];
+    lanes<floats>::store(slack, d.slack + lanes<floats>::broadcast(of_both_signs));
     integers covered = J::broadcast(0), row[3] = {d.f[0], d.f[1], d.f[2]};
     const bool third_column = mask_bits(J::broadcast(2) < d.columns) != 0,
                third_row = mask_bits(J::broadcast(2) < d.rows) != 0;
@@ -64,9 +63,7 @@ struct tile_painter {
             both(none_negative(f[0], f[1], f[2]), both(J::broadcast(x) < d.columns, J::broadcast(y) < d.rows));
         counts.tested = counts.tested - here;
         covered = covered | both(here, J::broadcast(1 << pixel));
-        const floats keys = depth_at<floats>(f, d);
-        lanes<floats>::store(key[pixel], keys);
-        if constexpr (Test == tile_test::nearer) lanes<floats>::store(surely[pixel], keys - slacks);
+        lanes<floats>::store(key[pixel], depth_at<floats>(f, d));
         for (int k = 0; k < 3; ++k) f[k] = f[k] + d.right[k];
       }
       for (int k = 0; k < 3; ++k) row[k] = row[k] + d.down[k];
@@ -81,20 +78,14 @@ struct tile_painter {
         const int bit = std::countr_zero(bits), i = 4 * w + bit / 16, pixel = bit % 16;
         const int place_of_pixel = at[i] + pixel / across * tile_stride + pixel % across;
         if constexpr (Test == tile_test::nearer)
-          if (!(out.key[place_of_pixel] < surely[pixel][i])) {
-            draw_close_dot(place[i], key[pixel][i], place_of_pixel, slack[i]);
+          if (const float ahead = key[pixel][i] - out.key[place_of_pixel]; ahead <= slack[i]) {
+            if (-slack[i] <= ahead) decide_close(place[i], key[pixel][i], place_of_pixel);
             continue;
           }
         if constexpr (Test == tile_test::depth_only)
           if (key[pixel][i] <= out.key[place_of_pixel]) continue;
         show(place[i], key[pixel][i], place_of_pixel);
       }
-  }
-  // Where a pixel is not surely nearer than what is there.
-  IRG_INLINE void draw_close_dot(std::uint32_t place, float key, int at, float slack) noexcept {
-    const float behind = out.key[at] - key;
-    if (slack < behind) return;
-    decide_close(place, key, at);
   }
   IRG_INLINE void show(std::uint32_t place, float key, int at) noexcept {
     out.key[at] = key;

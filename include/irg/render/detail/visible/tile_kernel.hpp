@@ -182,7 +182,7 @@ IRG_INLINE tile_rest tile_rows(tile& out, const tile_triangle<J>& t, const cell_
     for (int i = 0; i < 3; ++i) f[i] = t.ramp[i] + K::broadcast(t.f[i] + t.right[i] * steps);
     const J down0 = K::broadcast(t.down[0]), down1 = K::broadcast(t.down[1]), down2 = K::broadcast(t.down[2]);
     int at = box.y_first * tile_stride + x;
-    for (int y = box.y_first; y < box.y_last; ++y, at += tile_stride) {
+    for (int rows = box.y_last - box.y_first; rows > 0; --rows, at += tile_stride) {
       tile_pixels<Test>(t, f, {out.key + at, out.id + at}, tested, close);
       f[0] = f[0] + down0;
       f[1] = f[1] + down1;
