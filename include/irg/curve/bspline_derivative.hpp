@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include <irg/core/contract.hpp>
 #include <irg/curve/bezier.hpp>

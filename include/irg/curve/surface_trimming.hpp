@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <type_traits>
 #include <vector>
 
 #include <irg/core/conversion.hpp>

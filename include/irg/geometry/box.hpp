@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 
 #include <irg/core/contract.hpp>
 #include <irg/core/mesh_concept.hpp>

@@ -4,14 +4,15 @@
 // simplicity where the polygon is not convex; polygon_overlay gives the pieces apart.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/detail/axis_crossing.hpp>
 #include <irg/geometry/detail/convex_clipper.hpp>
 #include <irg/geometry/detail/window_walk_kernel.hpp>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <concepts>
 #include <optional>
 #include <tuple>
 

@@ -15,7 +15,6 @@
 #include <type_traits>
 #include <utility>
 
-#include <irg/core/config.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>

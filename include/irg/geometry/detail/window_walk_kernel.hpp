@@ -18,7 +18,6 @@
 #include <irg/core/lanes.hpp>
 #include <irg/geometry/attributed_point.hpp>
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/clipped_line.hpp>
 #include <irg/geometry/detail/crossing_kernel.hpp>
 
 namespace irg::detail {
