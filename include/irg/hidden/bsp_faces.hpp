@@ -280,9 +280,9 @@ inline namespace IRG_ABI {
 ///         lie before and some behind: none of a convex body, but where pixels on its outline belong to two faces
 ///         equally near, or where rounding has bent its faces
 /// exact   sides by is_nearer at pixel centres
-/// cost    n log n where planes split little, and for convex bodies: 8 planes are tried for each node, up to 32 where all
-///         of them cut, and meet the parts that their bounds do not tell from them. Faces that go through each other make
-///         as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
+/// cost    n log n where planes split little, and for convex bodies: 8 planes are tried for each node, up to 32 where
+///         all of them cut, and meet the parts that their bounds do not tell from them. Faces that go through each
+///         other make as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater, class Faces>
 [[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {

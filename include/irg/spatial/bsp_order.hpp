@@ -45,9 +45,9 @@ struct bsp_sides {
   std::size_t front = 0, back = 0, cut = 0;
 };
 
-/// What some items lie in: a box, and the slab low <= normal . p <= high across the direction in which they are thin. Of
-/// walls or faces that turn little, a box stands out over their planes by as much as they are long, a slab by the square
-/// of it alone.
+/// What some items lie in: a box, and the slab low <= normal . p <= high across the direction in which they are thin.
+/// Of walls or faces that turn little, a box stands out over their planes by as much as they are long, a slab by the
+/// square of it alone.
 /// shape   a normal of zero: the box only
 template <int N>
 struct IRG_APART bsp_bounds {

@@ -41,9 +41,9 @@ class bsp_tree_2d {
 public:
   /// needs   fewer than 2^32 - 1 pieces; one candidate and one judge at least
   /// gives   segments without length, or with NaN or infinity, are left out and counted
-  /// cost    allocates; a line meets the pieces of its cell that their bounds do not tell from it: O(n log n) where sides
-  ///         are alike, and for walls around a convex room, each of which leaves all others on one side; segments that
-  ///         cross each other make n^2 pieces at worst
+  /// cost    allocates; a line meets the pieces of its cell that their bounds do not tell from it: O(n log n) where
+  ///         sides are alike, and for walls around a convex room, each of which leaves all others on one side; segments
+  ///         that cross each other make n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
   IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
       : segments_(segments.begin(), segments.end()) {
