@@ -14,6 +14,7 @@
 #include <irg/math/expansion.hpp>
 #include <irg/math/exponential.hpp>
 #include <irg/math/fixed_point.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/homogeneous.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/int128.hpp>

@@ -94,7 +94,7 @@ constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> p
   const detail::curve_sight<double> sight{points};
   detail::line_horizons horizons(sight);
   horizon_line_counts counts;
-  const auto is_point = [](const point<double, 2>& p) { return detail::is_finite(p.x) && detail::is_finite(p.y); };
+  const auto is_point = [](const point<double, 2>& p) { return is_finite(p.x) && is_finite(p.y); };
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     if (!is_point(points[k]) || !is_point(points[k + 1]) || points[k] == points[k + 1]) continue;
     double seen_to = 0;

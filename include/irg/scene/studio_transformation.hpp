@@ -106,11 +106,11 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr std::optional<mat<T, 4, 4>> matrix_of(const studio_transformation<T>& t) noexcept {
   for (const T& n : t.numbers)
-    if (!detail::is_finite(n)) return std::nullopt;
+    if (!is_finite(n)) return std::nullopt;
   const mat<T, 4, 4> m = detail::studio_matrix(t);
   for (const auto& row : m.m)
     for (const T& entry : row)
-      if (!detail::is_finite(entry)) return std::nullopt;
+      if (!is_finite(entry)) return std::nullopt;
   return m;
 }
 
