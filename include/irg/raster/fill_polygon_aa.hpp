@@ -5,7 +5,6 @@
 // Edges that two polygons share stay visible as seams; see fill_convex_aa.hpp.
 #pragma once
 
-#include <irg/raster/detail/fill_polygon_aa_steps.hpp>
 #include <irg/raster/detail/polygon_area_kernel.hpp>
 #include <irg/raster/detail/polygon_bands.hpp>
 #include <irg/raster/detail/polygon_fill_kernel.hpp>
@@ -37,7 +36,77 @@ inline namespace IRG_ABI {
 template <FillablePolygon P, CoverageSink Sink, class Workspace = coverage_workspace>
   requires std::same_as<Workspace&, coverage_workspace&>
 constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& sink,
-                                Workspace&& workspace = Workspace{}) {
+                                Workspace&& workspace = Workspace{});
+
+/// Paints a polygon, each pixel as far as it is covered.
+/// gives   false, and nothing painted, when a vertex is NaN, infinite or more than snap_limit pixels from the origin
+/// exact   the pixels that polygon_coverage and blend_span make
+template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel_of<R>,
+          class Workspace = coverage_workspace>
+  requires std::same_as<Workspace&, coverage_workspace&>
+constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
+                               Workspace&& workspace = Workspace{});
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Whether a ring that can be snapped turns one way only and goes round once.
+template <FillableRing R>
+constexpr bool is_convex_ring(const R& ring) {
+  const std::size_t n = ring_size(ring);
+  if (n <= 3) return true;
+  if (!goes_down_and_up_once(ring)) return false;
+  int sense = 0;
+  std::size_t before = n - 2;
+  subpixel a = near_vertex(ring, before), b = near_vertex(ring, n - 1);
+  while (before > 0 && a == b) a = near_vertex(ring, --before);  // the turn at the last vertex counts, too
+  for (std::size_t i = 0; i < n; ++i) {
+    const subpixel c = near_vertex(ring, i);
+    if (c == b) continue;
+    const std::int64_t turn = signed_double_area(a, b, c);
+    const int way = turn > 0 ? 1 : turn < 0 ? -1 : 0;
+    if (way == 0 && (std::int64_t{b.x} - a.x) * (std::int64_t{c.x} - b.x) < 0) return false;  // a spike
+    if (way != 0 && sense != 0 && way != sense) return false;
+    if (way != 0) sense = way;
+    a = b;
+    b = c;
+  }
+  return true;
+}
+
+// Collects the edges of a ring, and what they span.
+template <FillableRing R>
+constexpr void add_area_lines(std::vector<area_line>& lines, const R& ring, ring_extent<std::int32_t>& extent) {
+  const std::size_t n = ring_size(ring);
+  if (n < 3) return;
+  subpixel a = near_vertex(ring, n - 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const subpixel b = near_vertex(ring, i);
+    extent.add(b, i);
+    if (!(a == b)) {
+      area_line l;
+      l.direction = a.y < b.y ? 1 : a.y > b.y ? -1 : 0;
+      l.upper = l.direction < 0 ? b : a;
+      l.lower = l.direction < 0 ? a : b;
+      if (l.direction != 0)
+        l.slope = static_cast<double>(l.lower.x - l.upper.x) / static_cast<double>(l.lower.y - l.upper.y);
+      lines.push_back(l);
+    }
+    a = b;
+  }
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+template <FillablePolygon P, CoverageSink Sink, class Workspace>
+  requires std::same_as<Workspace&, coverage_workspace&>
+constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_window& window, Sink&& sink,
+                                Workspace&& workspace) {
   detail::area_memory& m = workspace.memory;
   if (detail::reach_of_polygon(polygon) != detail::ring_reach::within_snap_limit) return false;
   if constexpr (FillableRing<P>)
@@ -51,14 +120,9 @@ constexpr bool polygon_coverage(const P& polygon, fill_rule rule, const cell_win
   return true;
 }
 
-/// Paints a polygon, each pixel as far as it is covered.
-/// gives   false, and nothing painted, when a vertex is NaN, infinite or more than snap_limit pixels from the origin
-/// exact   the pixels that polygon_coverage and blend_span make
-template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint = pixel_of<R>,
-          class Workspace = coverage_workspace>
+template <WritableRaster R, FillablePolygon P, CoveragePaintFor<R> Paint, class Workspace>
   requires std::same_as<Workspace&, coverage_workspace&>
-constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint,
-                               Workspace&& workspace = Workspace{}) {
+constexpr bool fill_polygon_aa(R& raster, const P& polygon, fill_rule rule, const Paint& paint, Workspace&& workspace) {
   if constexpr (FillableRing<P>)
     if (detail::reach_of(polygon) == detail::ring_reach::within_snap_limit && detail::is_convex_ring(polygon))
       return fill_convex_aa(raster, polygon, paint);
