@@ -206,12 +206,12 @@ private:
 inline namespace IRG_ABI {
 
 template <Mesh M>
-constexpr bool is_closed(const M& m) {
+[[nodiscard]] constexpr bool is_closed(const M& m) {
   return detail::are_paired(detail::sorted_sides(m));
 }
 
 template <detail::mesh_in_space M>
-constexpr bool is_convex_body(const M& m) {
+[[nodiscard]] constexpr bool is_convex_body(const M& m) {
   return detail::convexity_check<M>(m)();
 }
 

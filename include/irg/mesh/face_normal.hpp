@@ -109,7 +109,7 @@ inline namespace IRG_ABI {
 
 template <PolygonRing R>
   requires(size_of<typename ring_traits<R>::point> == 3 && Floating<scalar_of<typename ring_traits<R>::point>>)
-constexpr vec<scalar_of<typename ring_traits<R>::point>, 3> newell_normal(const R& ring) noexcept {
+[[nodiscard]] constexpr vec<scalar_of<typename ring_traits<R>::point>, 3> newell_normal(const R& ring) noexcept {
   using T = scalar_of<typename ring_traits<R>::point>;
   const auto position = [&](std::size_t k) { return ring_traits<R>::vertex(ring, k); };
   const detail::polygon_edges edges{ring_size(ring), position, 1, 1};
@@ -118,7 +118,7 @@ constexpr vec<scalar_of<typename ring_traits<R>::point>, 3> newell_normal(const 
 }
 
 template <detail::mesh_in_space M>
-constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
+[[nodiscard]] constexpr std::optional<detail::mesh_normal<M>> face_normal(const M& m, std::size_t f) noexcept {
   using V = detail::mesh_normal<M>;
   const auto unit = try_normalize(detail::newell_sum(detail::edges_of_face(m, f)));
   if (!unit) return std::nullopt;

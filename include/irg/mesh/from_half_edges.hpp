@@ -156,7 +156,7 @@ constexpr void append_face(mesh<T>& m, const half_edge_mesh<T>& b, std::uint32_t
 inline namespace IRG_ABI {
 
 template <Floating T>
-constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
+[[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
   mesh<T> m;
   m.normals = b.normals;
   m.texcoords = b.texcoords;

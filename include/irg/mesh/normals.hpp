@@ -205,7 +205,7 @@ constexpr void for_weighted_corners(const M& m, std::size_t face, normal_weight 
 inline namespace IRG_ABI {
 
 template <detail::mesh_in_space M>
-constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m, normal_weight weight) {
+[[nodiscard]] constexpr std::vector<detail::mesh_normal<M>> vertex_normals(const M& m, normal_weight weight) {
   using V = detail::mesh_normal<M>;
   std::vector<V> normals(mesh_traits<M>::vertex_count(m), V{});
   const auto add = [&](std::size_t f, std::size_t k, const vec<double, 3>& n) IRG_INLINE_LAMBDA {

@@ -169,7 +169,7 @@ constexpr void add_teapot_part(mesh<T>& m, int n, const Rows& rows, int parts, i
 inline namespace IRG_ABI {
 
 template <Real T>
-constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept {
+[[nodiscard]] constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept {
   std::array<bezier_patch<point<T, 3>>, 32> patches{};
   for (std::size_t quarter = 0; quarter < 4; ++quarter) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -187,7 +187,7 @@ constexpr std::array<bezier_patch<point<T, 3>>, 32> teapot_patches() noexcept {
 }
 
 template <Floating T>
-constexpr mesh<T> shape_teapot(const teapot_options& options) {
+[[nodiscard]] constexpr mesh<T> shape_teapot(const teapot_options& options) {
   using detail::ring_end;
   const int n = detail::clamped(options.subdivisions, 1, 1024);
   mesh<T> m;

@@ -89,7 +89,7 @@ private:
 inline namespace IRG_ABI {
 
 template <Scalar T>
-constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options) {
+[[nodiscard]] constexpr mesh<T> triangulate(mesh<T> m, triangulate_options options) {
   const std::size_t triangles = m.corners.size() - 2 * m.face_count();
   IRG_EXPECTS(triangles <= 0xffffffffu / 3);
   if (triangles == m.face_count()) return m;

@@ -253,7 +253,7 @@ IRG_INLINE constexpr double depth_fixed<Bits, Order, Low>::scale(double z_near, 
 inline namespace IRG_ABI {
 
 template <DepthFormat F>
-constexpr double depth_resolution(F, double z_near, double z_far, double distance) noexcept {
+[[nodiscard]] constexpr double depth_resolution(F, double z_near, double z_far, double distance) noexcept {
   const bool usable =
       0.0 < z_near && z_near < z_far && 0.0 < distance && distance <= z_far && !detail::is_endless(distance);
   IRG_EXPECTS(usable);

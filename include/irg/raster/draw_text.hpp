@@ -145,7 +145,7 @@ struct glyph_pen {
 
 inline namespace IRG_ABI {
 
-constexpr text_extent measure_text(std::string_view text, double size) noexcept {
+[[nodiscard]] constexpr text_extent measure_text(std::string_view text, double size) noexcept {
   if (!detail::is_text_size(size)) return {};
   std::int64_t units = 0;
   for (std::size_t at = 0; at < text.size();)

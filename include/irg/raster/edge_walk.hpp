@@ -109,12 +109,12 @@ constexpr quotient_and_rest divide_down(int128 n, std::int64_t d) noexcept {
 inline namespace IRG_ABI {
 
 template <class V>
-IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noexcept {
+[[nodiscard]] IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noexcept {
   return {detail::row_from(upper.y), detail::row_from(lower.y)};
 }
 
-IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, const subpixel& lower,
-                                                       std::int64_t row) noexcept {
+[[nodiscard]] IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, const subpixel& lower,
+                                                                     std::int64_t row) noexcept {
   const std::int64_t dx = std::int64_t{lower.x} - upper.x, dy = std::int64_t{lower.y} - upper.y;
   const std::int64_t below = row * one_pixel + half_pixel - upper.y;
   // ceil(n / (256 * dy)) = floor(floor((n - 1) / 256) / dy) + 1
@@ -127,8 +127,8 @@ IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, co
           static_cast<std::int32_t>(dy)};
 }
 
-constexpr edge_walk<std::int64_t> walk_edge(const far_subpixel& upper, const far_subpixel& lower,
-                                            std::int64_t row) noexcept {
+[[nodiscard]] constexpr edge_walk<std::int64_t> walk_edge(const far_subpixel& upper, const far_subpixel& lower,
+                                                          std::int64_t row) noexcept {
   const std::int64_t dx = lower.x - upper.x, dy = lower.y - upper.y;
   const std::int64_t below = row * one_pixel + half_pixel - upper.y;
   const int128 n = (int128{upper.x - half_pixel} * dy + int128{below} * dx - 1) >> subpixel_bits;

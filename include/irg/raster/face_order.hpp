@@ -256,30 +256,32 @@ IRG_NOINLINE constexpr int compare_close_planes(const screen_face& a, const scre
 inline namespace IRG_ABI {
 
 template <DepthOrder Order>
-IRG_INLINE constexpr int compare_depths(const screen_face& a, const screen_face& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int compare_depths(const screen_face& a, const screen_face& b, int x,
+                                                      int y) noexcept {
   return detail::compare_planes<Order>(a, b, x, y);
 }
 
 template <DepthOrder Order>
-IRG_INLINE constexpr int compare_depths(const face_sample& a, const face_sample& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int compare_depths(const face_sample& a, const face_sample& b, int x,
+                                                      int y) noexcept {
   if (!detail::rounded_depths_decide(a, b)) return detail::compare_close_planes<Order>(a.face, b.face, x, y);
   return detail::depth_sense<Order> * (b.depth < a.depth ? 1 : -1);
 }
 
 template <DepthOrder Order>
-IRG_INLINE constexpr bool is_nearer(const screen_face& a, const screen_face& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_nearer(const screen_face& a, const screen_face& b, int x, int y) noexcept {
   return detail::comes_first<Order>(compare_depths<Order>(a, b, x, y), a, b);
 }
 
 template <DepthOrder Order>
-IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, int x, int y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_nearer(const face_sample& a, const face_sample& b, int x, int y) noexcept {
   if (detail::depth_sense<Order> == 0 || !detail::rounded_depths_decide(a, b))
     return detail::comes_first<Order>(detail::compare_close_planes<Order>(a.face, b.face, x, y), a.face, b.face);
   return Order::nearer(a.depth, b.depth);
 }
 
 template <DepthOrder Order>
-IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int side_of_face(const screen_face& plane, const screen_vertex& corner) noexcept {
   if (plane.coverage.double_area == 0) return 0;
   const detail::plane_depth_at here{{1, 0, 0}, 1, {corner.depth, 0.0f, 0.0f}};
   return detail::depth_sense<Order> * detail::compare_depths_at(here, detail::plane_at(plane, corner.position));
