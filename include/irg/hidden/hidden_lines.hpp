@@ -116,14 +116,15 @@ constexpr std::optional<hidden_interval> interval_hidden_by(const Face& f, const
 }  // namespace IRG_ABI
 
 // Intervals of one edge, apart from each other and in order: those that touch are one.
+template <class Interval>
 class IRG_APART interval_union {
 public:
   constexpr void clear() noexcept { list_.clear(); }
 
-  constexpr void add(const hidden_interval& added, const hidden_edge& e) {
-    const auto first = std::partition_point(
-        list_.begin(), list_.end(), [&](const hidden_interval& i) { return compare_places(i.to, added.from, e) < 0; });
-    hidden_interval whole = added;
+  constexpr void add(const Interval& added, const hidden_edge& e) {
+    const auto first = std::partition_point(list_.begin(), list_.end(),
+                                            [&](const Interval& i) { return compare_places(i.to, added.from, e) < 0; });
+    Interval whole = added;
     auto last = first;
     for (; last != list_.end() && compare_places(last->from, whole.to, e) <= 0; ++last) {
       if (compare_places(last->from, whole.from, e) < 0) whole.from = last->from;
@@ -141,10 +142,10 @@ public:
   constexpr bool is_whole() const noexcept {
     return list_.size() == 1 && list_[0].from.kind == crossing_kind::start && list_[0].to.kind == crossing_kind::end;
   }
-  constexpr const std::vector<hidden_interval>& intervals() const noexcept { return list_; }
+  constexpr const std::vector<Interval>& intervals() const noexcept { return list_; }
 
 private:
-  std::vector<hidden_interval> list_;
+  std::vector<Interval> list_;
 };
 
 // The faces near an edge. Grids over the screen, each of cells twice as wide as the one before; a face lies in the
@@ -399,8 +400,8 @@ private:
 inline namespace IRG_ABI {
 
 // Of each edge the first one in the range that has the same ends.
-template <class Edges>
-constexpr std::vector<std::size_t> first_alike(const Edges& edges) {
+template <class Index = std::size_t, class Edges>
+constexpr std::vector<Index> first_alike(const Edges& edges) {
   const auto order = [&](std::size_t i, std::size_t j) {
     const screen_edge &e = edges[i], &f = edges[j];
     for (int k = 0; k < 2; ++k) {
@@ -411,7 +412,7 @@ constexpr std::vector<std::size_t> first_alike(const Edges& edges) {
     }
     return std::strong_ordering::equal;
   };
-  std::vector<std::size_t> sorted(edges.size(), 0), first(edges.size(), 0);
+  std::vector<Index> sorted(edges.size(), Index{0}), first(edges.size(), Index{0});
   for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = i;
   std::sort(sorted.begin(), sorted.end(), [&](std::size_t i, std::size_t j) {
     const auto o = order(i, j);
@@ -490,7 +491,7 @@ private:
 
   face_grids<Sense, Faces> faces_;
   std::vector<std::uint32_t> last_tried_by_;
-  interval_union hidden_{};
+  interval_union<hidden_interval> hidden_{};
   std::uint32_t finishers_[4] = {no_face, no_face, no_face, no_face};
   std::uint32_t edges_ = 0;
   face_search search_;

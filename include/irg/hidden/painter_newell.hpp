@@ -111,15 +111,14 @@ struct keyed_place {
 inline namespace IRG_ABI {
 
 // Sorts by keys; equal ones stay in their order.
-constexpr void sort_by_keys(std::vector<keyed_place>& list) {
+template <class Keyed = keyed_place>
+constexpr void sort_by_keys(std::vector<Keyed>& list) {
   constexpr int digits = 4, values = 256;
   std::uint32_t counts[digits][values] = {};
-  const auto digit = [](const keyed_place& k, int d) {
-    return static_cast<std::size_t>((k.key >> (8 * d)) & (values - 1));
-  };
-  for (const keyed_place& k : list)
+  const auto digit = [](const Keyed& k, int d) { return static_cast<std::size_t>((k.key >> (8 * d)) & (values - 1)); };
+  for (const Keyed& k : list)
     for (int d = 0; d < digits; ++d) ++counts[d][digit(k, d)];
-  std::vector<keyed_place> sorted(list.size(), keyed_place{});
+  std::vector<Keyed> sorted(list.size(), Keyed{});
   for (int d = 0; d < digits && !list.empty(); ++d) {
     std::uint32_t(&places)[values] = counts[d];
     if (places[digit(list[0], d)] == list.size()) continue;  // all have this digit
@@ -129,7 +128,7 @@ constexpr void sort_by_keys(std::vector<keyed_place>& list) {
       places[v] = before;
       before += count;
     }
-    for (const keyed_place& k : list) sorted[places[digit(k, d)]++] = k;
+    for (const Keyed& k : list) sorted[places[digit(k, d)]++] = k;
     list.swap(sorted);
   }
 }

@@ -36,15 +36,15 @@ inline namespace IRG_ABI {
 
 // Of equal faces, whose corners are the same bits in the same order, the one of the lowest number, or the highest in
 // drawing order: the others are never seen.
-template <DepthOrder Order>
-constexpr void leave_out_equal_faces(std::vector<screen_face>& list) {
+template <DepthOrder Order, class Face>
+constexpr void leave_out_equal_faces(std::vector<Face>& list) {
   const auto bits_of = [](float depth) { return std::bit_cast<std::uint32_t>(depth); };
-  const auto is_same = [&](const screen_face& a, const screen_face& b) {
+  const auto is_same = [&](const Face& a, const Face& b) {
     for (int i = 0; i < 3; ++i)
       if (a.v[i].position != b.v[i].position || bits_of(a.v[i].depth) != bits_of(b.v[i].depth)) return false;
     return true;
   };
-  const auto hash_of = [&](const screen_face& f) {
+  const auto hash_of = [&](const Face& f) {
     std::uint64_t h = 0;
     for (const screen_vertex& v : f.v) {
       h = (h ^ static_cast<std::uint32_t>(v.position.x)) * 0x9e3779b97f4a7c15u;
@@ -61,7 +61,7 @@ constexpr void leave_out_equal_faces(std::vector<screen_face>& list) {
     std::size_t at = hash_of(list[i]) & (met.size() - 1);
     while (met[at] != no_face && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
     if (met[at] != no_face) {
-      screen_face& first = list[met[at]];
+      Face& first = list[met[at]];
       if (comes_first<Order>(0, list[i], first)) first.number = list[i].number;
       continue;
     }
@@ -69,7 +69,7 @@ constexpr void leave_out_equal_faces(std::vector<screen_face>& list) {
     if (kept != i) list[kept] = list[i];
     ++kept;
   }
-  list.resize(kept, screen_face{});
+  list.resize(kept, Face{});
 }
 
 // The faces with an area that touch a window, side by side.

@@ -56,8 +56,9 @@ struct line_of_batch {
 
 // The memory of a batch: the pieces of each tile in the order of the lines; or whole lines, their tiles, and where in
 // the sorted lines the next one of each tile goes.
+template <class Piece = line_piece>
 struct line_pieces {
-  std::vector<std::vector<line_piece>> of_tile;
+  std::vector<std::vector<Piece>> of_tile;
   std::size_t count = 0;
   std::vector<line_of_batch> sorted;
   std::vector<std::uint32_t> tile, next;
@@ -65,7 +66,7 @@ struct line_pieces {
   // Makes room for a number of tiles, all empty: an exception may have left pieces of an earlier call.
   IRG_INLINE void start(std::size_t tiles) {
     if (count != 0)
-      for (std::vector<line_piece>& t : of_tile) t.clear();
+      for (std::vector<Piece>& t : of_tile) t.clear();
     count = 0;
     if (of_tile.size() < tiles) of_tile.resize(tiles);
   }
@@ -77,10 +78,10 @@ struct line_pieces {
 class line_batch {
 public:
   /// For the use of draw_lines.
-  IRG_INLINE detail::line_pieces& pieces() noexcept { return pieces_; }
+  IRG_INLINE detail::line_pieces<>& pieces() noexcept { return pieces_; }
 
 private:
-  detail::line_pieces pieces_;
+  detail::line_pieces<> pieces_;
 };
 
 inline namespace IRG_ABI {
@@ -200,7 +201,7 @@ IRG_INLINE constexpr void cut_walk(const line_walk<std::uint32_t>& walk, const t
 // Draws the pieces of the first tiles and forgets them. value_of(line) is the pixel to write. Memory is kept for the
 // next pieces, but not without end: lines that come in the order of the tiles would have every tile keep its most.
 template <class P, class ValueOf>
-void draw_pieces(const byte_rows<P>& rows, line_pieces& pieces, std::uint32_t tiles, const ValueOf& value_of) {
+void draw_pieces(const byte_rows<P>& rows, line_pieces<>& pieces, std::uint32_t tiles, const ValueOf& value_of) {
   constexpr auto size = static_cast<std::ptrdiff_t>(sizeof(P));
   std::ptrdiff_t straight[8], aside[8];
   for (int o = 0; o < 8; ++o) {
@@ -271,7 +272,7 @@ constexpr batch_order order_that_pays(const Lines& lines, const cell_window& win
 // needs   a window within the raster, not empty
 template <EvenRowRaster R, class Lines>
 void draw_lines_by_middle(R& raster, const Lines& lines, const cell_window& window, const line_options& options,
-                          line_pieces& memory, const pixel_of<R>& value) {
+                          line_pieces<>& memory, const pixel_of<R>& value) {
   const tile_grid grid = tiles_of(window, sizeof(pixel_of<R>));
   const auto size = static_cast<std::size_t>(lines.size());
   const auto middle = [](int a, int b, int first, int last) {
@@ -306,7 +307,7 @@ void draw_lines_by_middle(R& raster, const Lines& lines, const cell_window& wind
 // needs   a window within the raster, not empty
 template <EvenRowRaster R, class Lines, class ValueOf>
 void draw_lines_by_piece(R& raster, const Lines& lines, const cell_window& window, const line_options& options,
-                         line_pieces& pieces, const ValueOf& value_of) {
+                         line_pieces<>& pieces, const ValueOf& value_of) {
   const byte_rows<pixel_of<R>> rows = byte_rows_of(raster);
   const tile_grid grid = tiles_of(window, sizeof(pixel_of<R>));
   pieces.start(grid.count);

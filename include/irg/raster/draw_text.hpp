@@ -84,15 +84,16 @@ constexpr char32_t next_code_point(std::string_view text, std::size_t& at) noexc
 }
 
 // Draws glyphs: the position of the text, its direction, where on the line the glyph begins, pixels per unit.
+template <class T>
 struct glyph_pen {
-  point<double, 2> at;
-  vec<double, 2> direction;
-  vec<double, 2> from;
-  double unit;
-  std::vector<point<double, 2>> line;
+  point<T, 2> at;
+  vec<T, 2> direction;
+  vec<T, 2> from;
+  T unit;
+  std::vector<point<T, 2>> line;
 
-  constexpr point<double, 2> placed(const vec<double, 2>& p) const noexcept {
-    const double x = from.x + product(p.x, unit), y = from.y - product(p.y, unit);
+  constexpr point<T, 2> placed(const vec<T, 2>& p) const noexcept {
+    const T x = from.x + product(p.x, unit), y = from.y - product(p.y, unit);
     return {at.x + (product(x, direction.x) - product(y, direction.y)),
             at.y + (product(x, direction.y) + product(y, direction.x))};
   }
@@ -106,10 +107,10 @@ struct glyph_pen {
   }
 
   // The parabola from the line's last point to the next.
-  constexpr void bend(const vec<double, 2>& control, const vec<double, 2>& end) {
-    const std::array<point<double, 2>, 3> c{line.back(), placed(control), placed(end)};
-    std::array<point<double, 2>, 9> scratch{};
-    flatten(c, 0x1p-4, std::span<point<double, 2>>(scratch), [&](const point<double, 2>& p) {
+  constexpr void bend(const vec<T, 2>& control, const vec<T, 2>& end) {
+    const std::array<point<T, 2>, 3> c{line.back(), placed(control), placed(end)};
+    std::array<point<T, 2>, 9> scratch{};
+    flatten(c, T(0x1p-4), std::span<point<T, 2>>(scratch), [&](const point<T, 2>& p) {
       if (!(p == line.back())) line.push_back(p);
     });
   }
@@ -117,22 +118,22 @@ struct glyph_pen {
   template <class Sink>
   constexpr void draw(std::string_view text, Sink& sink) {
     line.clear();
-    vec<double, 2> control{};
+    vec<T, 2> control{};
     bool bends = false;
     for (std::size_t i = 0; i < text.size();) {
       const bool is_control = text[i] == '~';
       if (is_control) ++i;
       const int x = number(text, i);
       const int y = number(text, ++i);
-      const vec<double, 2> p{static_cast<double>(x), static_cast<double>(y)};
+      const vec<T, 2> p{static_cast<T>(x), static_cast<T>(y)};
       if (bends)
-        bend(control, is_control ? (control + p) * 0.5 : p);
+        bend(control, is_control ? (control + p) * T(0.5) : p);
       else if (!is_control)
         line.push_back(placed(p));
       bends = is_control;
       control = p;
       if (i == text.size() || text[i] == ';') {
-        sink(std::span<const point<double, 2>>(line.data(), line.size()));
+        sink(std::span<const point<T, 2>>(line.data(), line.size()));
         line.clear();
       }
       if (i < text.size()) ++i;
@@ -166,7 +167,7 @@ constexpr bool text_strokes(std::string_view text, const point<double, 2>& at, c
                       : style.across == text_across::middle ? 0.5 * capital
                       : style.across == text_across::top    ? e.ascent
                                                             : -e.descent;
-  detail::glyph_pen pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
+  detail::glyph_pen<double> pen{at, {turn.cosine, turn.sine}, {-back, down}, style.size / stroke_font_units::size, {}};
   for (std::size_t i = 0; i < text.size();) {
     const stroke_glyph g = stroke_glyph_of(detail::next_code_point(text, i));
     pen.from.x += pen.unit * stroke_font_units::gap;

@@ -124,11 +124,12 @@ IRG_INLINE constexpr plane_depth_at plane_at(const screen_face& f, const subpixe
 // floats for zero makes a depth wrong by up to 2^-126; `least`, added to all sizes of depths, raises the bound by
 // 2^-120 of the same weights. Nothing overflows or is subnormal: terms are 0 or from 2^-149 to 2^248. Fusing a product
 // with a sum only takes roundings away.
-IRG_INLINE constexpr int rounded_sign(const plane_depth_at& a, const plane_depth_at& b) noexcept {
+template <class Plane>
+IRG_INLINE constexpr int rounded_sign(const Plane& a, const Plane& b) noexcept {
   constexpr double factor = 0x1p-50, least = 0x1p-70;
   using rounded = mean_depth<double, double>;
   const auto magnitude = [](double x) { return x < 0 ? -x : x; };
-  const auto value = [](const plane_depth_at& m) -> rounded {
+  const auto value = [](const Plane& m) -> rounded {
     const auto number = [](std::int64_t w) { return static_cast<double>(w); };
     return {{number(m.weight[0]), number(m.weight[1]), number(m.weight[2])},
             number(m.total),
@@ -170,9 +171,9 @@ constexpr wide_int<N> shifted(const float_parts& x, int shift) noexcept {
 }
 
 // The sign with depths as integers of N words, all multiplied by the same power of two.
-template <int N>
-constexpr int integer_sign(const plane_depth_at& a, const plane_depth_at& b, int lowest) noexcept {
-  const auto exact = [lowest](const plane_depth_at& m) -> mean_depth<wide_int<1>, wide_int<N>> {
+template <int N, class Plane>
+constexpr int integer_sign(const Plane& a, const Plane& b, int lowest) noexcept {
+  const auto exact = [lowest](const Plane& m) -> mean_depth<wide_int<1>, wide_int<N>> {
     const auto depth = [lowest](float d) {
       const float_parts x = parts_of(d);
       return x.significand == 0 ? wide_int<N>() : shifted<N>(x, x.place - lowest);
@@ -186,9 +187,10 @@ constexpr int integer_sign(const plane_depth_at& a, const plane_depth_at& b, int
 // Where depths lie within 37 powers of two of each other they are integers below 2^61, products with weights below
 // 2^121, the sum of three below 2^123, and with the other total below 2^183: the difference fits in 192 bits. A float
 // of any size is an integer below 2^278 times the least one, which makes the difference one below 2^401.
-IRG_NOINLINE constexpr int exact_sign(const plane_depth_at& a, const plane_depth_at& b) noexcept {
+template <class Plane>
+IRG_NOINLINE constexpr int exact_sign(const Plane& a, const Plane& b) noexcept {
   int lowest = 254, highest = 0;
-  for (const plane_depth_at* m : {&a, &b})
+  for (const Plane* m : {&a, &b})
     for (const float d : m->depth) {
       const float_parts x = parts_of(d);
       if (x.significand == 0) continue;
@@ -199,7 +201,8 @@ IRG_NOINLINE constexpr int exact_sign(const plane_depth_at& a, const plane_depth
 }
 
 // 1 where a is the greater depth, -1 where b is, 0 where they are equal.
-IRG_INLINE constexpr int compare_depths_at(const plane_depth_at& a, const plane_depth_at& b) noexcept {
+template <class Plane>
+IRG_INLINE constexpr int compare_depths_at(const Plane& a, const Plane& b) noexcept {
   const int sign = rounded_sign(a, b);
   return sign != 0 ? sign : exact_sign(a, b);
 }
