@@ -204,8 +204,8 @@ constexpr nearest_place<detail::control_point<R>> bezier_nearest(
   T largest = 0;
   for (std::size_t i = 0; i < count; ++i)
     for (int axis = 0; axis < size_of<P>; ++axis)
-      largest = greater(largest, magnitude(detail::half_difference(
-                                     coordinate(ring_traits<R>::vertex(points, i), axis), coordinate(p, axis))));
+      largest = greater(largest, magnitude(detail::half_difference(coordinate(ring_traits<R>::vertex(points, i), axis),
+                                                                   coordinate(p, axis))));
   const bool is_large = largest > (std::numeric_limits<T>::max)() / 8;
   const auto distance = [&](T t) {
     for (std::size_t i = 0; i < count; ++i)

@@ -192,8 +192,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
   if constexpr (std::is_same_v<T, float>) {
-    if (std::is_constant_evaluated() &&
-        !(is_finite(a) && is_finite(b) && is_finite(c) && is_finite(d)))
+    if (std::is_constant_evaluated() && !(is_finite(a) && is_finite(b) && is_finite(c) && is_finite(d)))
       return static_cast<float>(detail::difference_of_products_scaled(widened(a), widened(b), widened(c), widened(d)));
     return converted<float>(widened(a) * widened(b) - widened(c) * widened(d));
   } else {

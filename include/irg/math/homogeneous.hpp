@@ -65,8 +65,7 @@ template <Real T, int N>
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i) {  // compared before it is divided: constants may not overflow
       const T weight = magnitude(p[N]);
-      if (weight < T(1) && magnitude(p[i]) > product((std::numeric_limits<T>::max)(), weight))
-        return std::nullopt;
+      if (weight < T(1) && magnitude(p[i]) > product((std::numeric_limits<T>::max)(), weight)) return std::nullopt;
     }
   return to_cartesian(p);
 }

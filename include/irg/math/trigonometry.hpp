@@ -286,8 +286,7 @@ template <Floating T>
   if (detail::is_tiny_angle(x)) return {radians(x), T(1)};
   const detail::quadrant_angle angle = detail::reduce_degrees(widened(x));
   const T sine = detail::narrow<T>(detail::rounded_sine(angle));
-  return {sine == 0 && is_negative(x) ? T(-0.0) : sine + T(0),
-          detail::narrow<T>(detail::rounded_cosine(angle)) + T(0)};
+  return {sine == 0 && is_negative(x) ? T(-0.0) : sine + T(0), detail::narrow<T>(detail::rounded_cosine(angle)) + T(0)};
 }
 
 template <Floating T>
@@ -296,8 +295,7 @@ template <Floating T>
   const double wide_y = widened(y), wide_x = widened(x);
   if constexpr (std::is_same_v<T, float>)
     if (is_finite(x) && is_finite(y) && y != 0)
-      if (const double quick =
-              detail::quick_angle_of(magnitude(wide_y), magnitude(wide_x), is_negative(x));
+      if (const double quick = detail::quick_angle_of(magnitude(wide_y), magnitude(wide_x), is_negative(x));
           quick >= 0x1p-126 && detail::rounds_to_one_float<(1 << 19)>(quick))
         return converted<float>(with_sign(quick, wide_y));
   return detail::narrow<T>(detail::angle_of(wide_y, wide_x));

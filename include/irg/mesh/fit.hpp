@@ -51,8 +51,7 @@ template <Floating T>
   if (is_empty(extents)) return {};
   T half_size = 0;
   for (int i = 0; i < 3; ++i) {
-    if (!is_finite(extents.low[i]) || !is_finite(extents.high[i]))
-      return {{}, 1, fit_status::not_finite};
+    if (!is_finite(extents.low[i]) || !is_finite(extents.high[i])) return {{}, 1, fit_status::not_finite};
     half_size = greater(half_size, extents.high[i] / 2 - extents.low[i] / 2);
   }
   const bool has_scale = half_size > 1 / (std::numeric_limits<T>::max)();

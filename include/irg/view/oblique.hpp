@@ -71,8 +71,7 @@ template <Floating T>
   for (int row = 0; row < 2; ++row) {
     const T scale = m(row, row), slope = shear.value(row, 2), shift = shear.value(row, 3);
     // Half of the largest number is left for the window's own offset.
-    if (T(1) < magnitude(scale) &&
-        largest / T(2) / magnitude(scale) < greater(magnitude(slope), magnitude(shift)))
+    if (T(1) < magnitude(scale) && largest / T(2) / magnitude(scale) < greater(magnitude(slope), magnitude(shift)))
       return detail::refused<T>(projection_status::not_representable);
     m(row, 2) = product(scale, slope);
     m(row, 3) = product(scale, shift) + m(row, 3);
