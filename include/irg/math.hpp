@@ -7,6 +7,7 @@
 #include <irg/math/constants.hpp>
 #include <irg/math/coordinate_system.hpp>
 #include <irg/math/decimal.hpp>
+#include <irg/math/decimal_digit.hpp>
 #include <irg/math/determinant_exact.hpp>
 #include <irg/math/double_double.hpp>
 #include <irg/math/error_free.hpp>
@@ -15,6 +16,7 @@
 #include <irg/math/exponential.hpp>
 #include <irg/math/fixed_point.hpp>
 #include <irg/math/float_bits.hpp>
+#include <irg/math/floor_division.hpp>
 #include <irg/math/homogeneous.hpp>
 #include <irg/math/hypot.hpp>
 #include <irg/math/int128.hpp>

@@ -4,6 +4,7 @@
 
 #include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/crease_normals.hpp>
+#include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/euler_operators.hpp>
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/fit.hpp>

@@ -7,6 +7,7 @@
 #include <irg/shade/light_placement.hpp>
 #include <irg/shade/material.hpp>
 #include <irg/shade/mip_pyramid.hpp>
+#include <irg/shade/per_channel.hpp>
 #include <irg/shade/phong_lanes.hpp>
 #include <irg/shade/phong_model.hpp>
 #include <irg/shade/shading.hpp>

@@ -67,7 +67,7 @@ TEST_CASE_TEMPLATE("inverse_exact: ties go to even, subnormal ones too", T, doub
       a(2, k) = std::ldexp(a(2, k), power - half);
     }
     const auto x = inverse_exact(a);
-    const auto exact = irg::inverse(irg::detail::filled_mat<big_rational, 3, 3>(
+    const auto exact = irg::inverse(irg::generate_mat<big_rational, 3, 3>(
         [&](int p, int q) { return big_rational(static_cast<double>(a(p, q))); }));
     bool is_large = false;
     for (int p = 0; p < 3; ++p)

@@ -65,7 +65,7 @@ mat<T, N, N> random_integers(test::random& r, std::int64_t size) {
 
 template <class T, int N>
 mat<rational, N, N> exact(const mat<T, N, N>& a) {
-  return irg::detail::filled_mat<rational, N, N>(
+  return irg::generate_mat<rational, N, N>(
       [&](int i, int j) { return rational::of(static_cast<double>(a(i, j))); });
 }
 

@@ -44,7 +44,7 @@ irg::draw_counts draw_plain(canvas& c, const screen_vertex (&v)[3], const Shader
   const auto w = irg::window_of(c.colour);
   if (t.coverage.double_area == 0 || irg::intersect(t.coverage.bounds, w).empty()) return {};
   return irg::detail::triangle_rows<Order, irg::depth_policy<>, float, std::int64_t>(
-      c.colour, c.depth, t, irg::detail::shade_over<Shader>{shader}, w);
+      c.colour, c.depth, t, irg::shade_over<Shader>{shader}, w);
 }
 
 screen_vertex random_vertex(test::random& r, int pixels) {

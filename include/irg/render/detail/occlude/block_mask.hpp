@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/math/floor_division.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/render/detail/occlude/mask_query.hpp>
 #include <irg/render/detail/visible/tile.hpp>

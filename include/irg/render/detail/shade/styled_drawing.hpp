@@ -9,6 +9,7 @@
 #include <irg/raster/image.hpp>
 #include <irg/render/detail/shade/object_shading.hpp>
 #include <irg/shade/intensity_range.hpp>
+#include <irg/shade/per_channel.hpp>
 
 namespace irg {
 namespace detail {
