@@ -2,7 +2,10 @@
 // scene: objects, camera, lights: the one interface every method draws from.
 #pragma once
 
-#include <irg/scene/camera.hpp>
-#include <irg/scene/room_mesh.hpp>
 #include <irg/scene/scene.hpp>
+#include <irg/scene/room_mesh.hpp>
+#include <irg/scene/camera.hpp>
 #include <irg/scene/stored_body.hpp>
+#include <irg/scene/studio.hpp>
+#include <irg/scene/studio_events.hpp>
+#include <irg/scene/studio_transformation.hpp>
