@@ -8,8 +8,8 @@
 #include <optional>
 #include <type_traits>
 
+#include <irg/math/exact/in_numbers.hpp>
 #include <irg/math/float_bits.hpp>
-#include <irg/math/detail/polynomial_arguments.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
@@ -101,7 +101,6 @@ template <int Degree, class Polynomial, class... A>
   requires Floating<detail::argument_scalar<A...>>
 [[nodiscard]] IRG_INLINE constexpr auto filtered_value_of(const Polynomial& polynomial,
                                                           const A&... arguments) noexcept {
-  using detail::in_numbers;
   using T = detail::argument_scalar<A...>;
   bool suits = true;
   const auto input = [&](const T& x) IRG_INLINE_LAMBDA {
