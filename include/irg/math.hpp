@@ -45,6 +45,7 @@
 #include <irg/math/exact/compare_numbers.hpp>
 #include <irg/math/exact/exact_number.hpp>
 #include <irg/math/exact/filtered_number.hpp>
+#include <irg/math/exact/in_numbers.hpp>
 #include <irg/math/exact/known_number.hpp>
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/float_bits.hpp>

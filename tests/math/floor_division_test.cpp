@@ -14,7 +14,8 @@ TEST_CASE("floor_div, ceil_div: by hand, at the ends and of 128 bits") {
   CHECK_BOTH(irg::floor_div(-8, 2) == -4);
   CHECK_BOTH(irg::ceil_div(7, 2) == 4);
   CHECK_BOTH(irg::ceil_div(-7, 2) == -3);
-  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(), most = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(),
+                         most = std::numeric_limits<std::int64_t>::max();
   CHECK_BOTH(irg::floor_div(least, std::int64_t{1}) == least);
   CHECK_BOTH(irg::floor_div(least, most) == -2);
   CHECK_BOTH(irg::ceil_div(least, most) == -1);

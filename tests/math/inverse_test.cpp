@@ -159,8 +159,8 @@ TEST_CASE("inverse: rationals and floats agree on small integers") {
     singular += undo ? 0 : 1;
     if (undo) CHECK((*undo * a == identity<rational, 4>() && a * *undo == identity<rational, 4>()));
     // The same matrix in floats: absent exactly when singular.
-    const auto b = irg::generate_mat<float, 4, 4>(
-        [&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
+    const auto b =
+        irg::generate_mat<float, 4, 4>([&](int y, int x) { return static_cast<float>(static_cast<double>(a(y, x))); });
     CHECK(inverse(b).has_value() == undo.has_value());
     CHECK(inverse_accurate(b).has_value() == undo.has_value());
     CHECK(inverse_exact(b).has_value() == undo.has_value());

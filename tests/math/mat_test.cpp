@@ -66,8 +66,7 @@ mat<T, N, N> random_integers(test::random& r, std::int64_t size) {
 
 template <class T, int N>
 mat<rational, N, N> exact(const mat<T, N, N>& a) {
-  return irg::generate_mat<rational, N, N>(
-      [&](int i, int j) { return rational::of(static_cast<double>(a(i, j))); });
+  return irg::generate_mat<rational, N, N>([&](int i, int j) { return rational::of(static_cast<double>(a(i, j))); });
 }
 
 }  // namespace

@@ -179,12 +179,12 @@ inline constexpr int size_of = coordinate_traits<T>::size;
 #else
 #define IRG_REFUSED(name, parameters, reason) int name(const parameters&...) noexcept = delete
 #endif
-#define IRG_REFUSES_POINTS(name)                                                     \
-  template <class... PointWhereVectorIsWanted>                                       \
+#define IRG_REFUSES_POINTS(name)                                                         \
+  template <class... PointWhereVectorIsWanted>                                           \
     requires(... || CoordinatesOfKind<PointWhereVectorIsWanted, coordinate_kind::point>) \
   IRG_REFUSED(name, PointWhereVectorIsWanted, "a point stands where a vector is wanted")
-#define IRG_REFUSES_VECTORS(name)                                                     \
-  template <class... VectorWherePointIsWanted>                                        \
+#define IRG_REFUSES_VECTORS(name)                                                         \
+  template <class... VectorWherePointIsWanted>                                            \
     requires(... || CoordinatesOfKind<VectorWherePointIsWanted, coordinate_kind::vector>) \
   IRG_REFUSED(name, VectorWherePointIsWanted, "a vector stands where a point is wanted")
 

@@ -31,8 +31,8 @@ using mesh_point = typename mesh_traits<T>::point;
 
 /// A mesh whose positions are points of space, of floats or doubles.
 template <class T>
-concept SpaceMesh = Mesh<T> && size_of<typename mesh_traits<T>::point> == 3 &&
-                    Floating<scalar_of<typename mesh_traits<T>::point>>;
+concept SpaceMesh =
+    Mesh<T> && size_of<typename mesh_traits<T>::point> == 3 && Floating<scalar_of<typename mesh_traits<T>::point>>;
 
 inline namespace IRG_ABI {
 

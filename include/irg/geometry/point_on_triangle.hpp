@@ -60,8 +60,7 @@ template <Point P>
 [[nodiscard]] constexpr bool is_on_triangle(const P& a, const P& b, const P& c, const P& p) noexcept {
   for (int axis = 0; axis < 3; ++axis)
     if (const int turn = orientation_along(axis, a, b, c); turn != 0)
-      return orientation_along(axis, a, b, p) * turn >= 0 &&
-             orientation_along(axis, b, c, p) * turn >= 0 &&
+      return orientation_along(axis, a, b, p) * turn >= 0 && orientation_along(axis, b, c, p) * turn >= 0 &&
              orientation_along(axis, c, a, p) * turn >= 0;
   return is_on_segment(a, b, p) || is_on_segment(b, c, p) || is_on_segment(c, a, p);
 }

@@ -172,8 +172,7 @@ template <class T, int M, Vector V>
 template <class T, int N>
   requires(N >= 2)
 [[nodiscard]] constexpr mat<T, N - 1, N - 1> submatrix(const mat<T, N, N>& a, int row, int column) noexcept {
-  return generate_mat<T, N - 1, N - 1>(
-      [&](int r, int c) { return a(r < row ? r : r + 1, c < column ? c : c + 1); });
+  return generate_mat<T, N - 1, N - 1>([&](int r, int c) { return a(r < row ? r : r + 1, c < column ? c : c + 1); });
 }
 
 /// The factor by which the matrix scales lengths, areas or volumes, negative when it turns left into right.

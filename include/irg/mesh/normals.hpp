@@ -100,8 +100,8 @@ inline void put_units(unit_block& b, std::size_t count) noexcept {
   }
   for (std::size_t i = 0; i < count; ++i) b.v[2][i] = square_root_instruction(b.v[0][i]);
   for (std::size_t i = 0; i < count; ++i) {
-    const double length = hypot_from_root(b.v[0][i], b.v[2][i], magnitude(b.u[0][i]), magnitude(b.u[1][i]),
-                                          magnitude(b.u[2][i]));
+    const double length =
+        hypot_from_root(b.v[0][i], b.v[2][i], magnitude(b.u[0][i]), magnitude(b.u[1][i]), magnitude(b.u[2][i]));
     for (std::size_t k = 0; k < 3; ++k) b.u[k][i] = b.u[k][i] / length;
   }
 }

@@ -169,7 +169,8 @@ constexpr draw_counts paint_triangle(Colour& colour, Depth& depth, const covered
     constexpr int count = native_lanes<float>;
     // Lanes with 32-bit coverage where the numbers fit, else one pixel at a time with 64 bits.
     if (window.x_last - window.x_first >= count && fits_32_bits(t.coverage, w, count))
-      return detail::triangle_rows<How, Policy, pack<float, count>, pack<std::int32_t, count>>(colour, depth, t, paint, window);
+      return detail::triangle_rows<How, Policy, pack<float, count>, pack<std::int32_t, count>>(colour, depth, t, paint,
+                                                                                               window);
   }
   return detail::triangle_rows<How, Policy, float, std::int64_t>(colour, depth, t, paint, window);
 }
@@ -210,7 +211,7 @@ template <RowRaster Colour, PixelShader<pixel_of<Colour>> Shader>
 constexpr draw_counts draw_triangle(Colour& colour, const screen_vertex (&v)[3], const Shader& shader) {
   const detail::no_depth depth{};
   return paint_triangle<drawing_order, depth_policy<>>(colour, depth, cover_and_set_up(v[0], v[1], v[2]),
-                                                               shade_over<Shader>{shader}, window_of(colour));
+                                                       shade_over<Shader>{shader}, window_of(colour));
 }
 
 }  // namespace IRG_ABI

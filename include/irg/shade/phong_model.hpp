@@ -79,8 +79,8 @@ template <class L, Scalar T>
 [[nodiscard]] IRG_INLINE constexpr L diffuse_term(const L& light, const L& diffuse, const vec<T, 3>& to_light,
                                                   const vec<T, 3>& normal) noexcept {
   const T ln = dot(to_light, normal);
-  return per_channel(
-      [&](auto ii, auto kd) { return T(0) < ln ? product(product(ii, kd), ln) : decltype(ii)(0); }, light, diffuse);
+  return per_channel([&](auto ii, auto kd) { return T(0) < ln ? product(product(ii, kd), ln) : decltype(ii)(0); },
+                     light, diffuse);
 }
 
 /// (R.V)^n: how near the viewer is to the reflected ray, 1 on it.

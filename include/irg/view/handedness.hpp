@@ -30,8 +30,7 @@ template <class T>
 /// exact   the third column changes sign, nothing is rounded
 template <class T>
 [[nodiscard]] constexpr mat<T, 4, 4> from_other_handedness(const mat<T, 4, 4>& projection) noexcept {
-  return generate_mat<T, 4, 4>(
-      [&](int r, int c) { return c == 2 ? T(T(0) - projection(r, c)) : projection(r, c); });
+  return generate_mat<T, 4, 4>([&](int r, int c) { return c == 2 ? T(T(0) - projection(r, c)) : projection(r, c); });
 }
 
 /// The same map of a space into itself, in coordinates of the other handedness. Rotations stay rotations.

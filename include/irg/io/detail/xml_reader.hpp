@@ -33,7 +33,9 @@ inline constexpr std::size_t xml_depth = 32, xml_attributes = 32;
 constexpr bool begins_xml_name(char c) noexcept {
   return is_letter(c) || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
-constexpr bool continues_xml_name(char c) noexcept { return begins_xml_name(c) || is_decimal_digit(c) || c == '-' || c == '.'; }
+constexpr bool continues_xml_name(char c) noexcept {
+  return begins_xml_name(c) || is_decimal_digit(c) || c == '-' || c == '.';
+}
 
 /// The character that a reference behind & stands for, and where the text goes on; 0 when it is none that is read: the
 /// five names of XML and numbers.
