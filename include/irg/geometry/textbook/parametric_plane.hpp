@@ -30,7 +30,7 @@ template <Point P>
                                                                                                   const P& b,
                                                                                                   const P& c) noexcept {
   using T = scalar_of<P>;
-  if (detail::are_equal(a, b) || detail::are_equal(b, c) || detail::are_equal(a, c)) return std::nullopt;
+  if (same_place(a, b) || same_place(b, c) || same_place(a, c)) return std::nullopt;
   return parametric_plane<T>{detail::displacement<T>(b, a), detail::displacement<T>(b, c), detail::as_point<T>(b)};
 }
 
