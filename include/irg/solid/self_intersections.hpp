@@ -35,10 +35,9 @@ inline namespace IRG_ABI {
 /// needs   a mesh in which validate() finds no defect, with finite positions
 /// gives   nothing for faces without area, whose sides are their neighbours'; pieces of one face are not compared
 /// exact   always, for the triangles that triangulate() makes of the faces
-/// cost    O(n log n) and the pairs of triangles that are close to each other: some dozen for each triangle where
-///         bodies are smooth; those round one corner or side are told apart by their directions from it, so fans,
-///         cones and poles cost no more; thousands of slivers that lie side by side in one direction in space and
-///         cross thousands in another cost the pairs of their boxes
+/// cost    O(n log n) and the pairs of triangles that are close to each other, some dozen for each triangle; no more
+///         for fans, cones, bipyramids and poles, where thousands meet round one corner or side, as measured to 10^5;
+///         bundles that no plane tells apart cost the pairs of triangles whose boxes meet
 template <Floating T>
 [[nodiscard]] constexpr std::vector<face_pair> self_intersections(const mesh<T>& m);
 
@@ -472,8 +471,8 @@ private:
   std::vector<searched_triangle> items_{};
   std::vector<space_box> boxes_{};
   lot corners_{};  // that all pairs which were left have in common
-  // Where boxes alone tell all apart each pair is used in the cell that its common box begins in. A pair's points are
-  // elsewhere, perhaps; so where a lot is to be cut the search starts again, and uses a pair in each cell that has both.
+  // Where boxes alone tell all apart each pair is used in the cell where its common box begins. A pair's points are
+  // elsewhere, perhaps; so where a lot is to be cut the search starts again, using a pair in each cell that has both.
   bool must_cut_ = false, cuts_ = false;
   std::size_t end_ = 0;  // the looks after which no more is cut
 };
@@ -508,7 +507,7 @@ constexpr std::vector<face_pair> meeting_faces(const body_triangles& b, std::siz
 inline namespace IRG_ABI {
 
 template <Floating T>
-constexpr std::vector<face_pair> self_intersections(const mesh<T>& m) {
+[[nodiscard]] constexpr std::vector<face_pair> self_intersections(const mesh<T>& m) {
   detail::body_triangles b;
   detail::append_body(b, m);
   if (b.fault != detail::surface_fault::none) return {};
