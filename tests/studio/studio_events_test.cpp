@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/scene/studio_events.hpp>
+#include <studio/studio_events.hpp>
 
 #include <limits>
 #include <new>

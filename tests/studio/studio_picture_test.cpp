@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/render/studio_picture.hpp>
+#include <studio/studio_picture.hpp>
 
 #include <algorithm>
 #include <string>

@@ -10,7 +10,7 @@
 
 #include <irg/math/decimal.hpp>
 
-#include "command_line.hpp"
+#include "../support/command_line.hpp"
 #include "studio_desk.hpp"
 
 namespace program {

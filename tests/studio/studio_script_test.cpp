@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/io/studio_script.hpp>
+#include <studio/studio_script.hpp>
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/scene/studio_transformation.hpp>
+#include <studio/studio_transformation.hpp>
 
 #include <limits>
 #include <random>

@@ -13,13 +13,13 @@
 
 #include <irg/io/image_file.hpp>
 #include <irg/io/mesh_file.hpp>
-#include <irg/io/studio_file.hpp>
+#include "studio_file.hpp"
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/studio_picture.hpp>
+#include "studio_picture.hpp"
 
-#include "command_line.hpp"
+#include "../support/command_line.hpp"
 
 namespace program {
 

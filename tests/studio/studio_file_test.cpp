@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/io/studio_file.hpp>
+#include <studio/studio_file.hpp>
 
 #include <algorithm>
 #include <random>

@@ -9,18 +9,41 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <irg/colour/srgb.hpp>
+#include <irg/geometry/clip_homogeneous.hpp>
+#include <irg/mesh/normals.hpp>
+#include <irg/raster/draw_text.hpp>
+#include <irg/raster/image.hpp>
+#include <irg/raster/line_bresenham.hpp>
+#include <irg/raster/projected_vertices.hpp>
 #include <irg/render/detail/shade/object_shading.hpp>
-#include <irg/render/detail/studio/studio_bodies.hpp>
-#include <irg/render/detail/studio/studio_lines.hpp>
 #include <irg/render/draw_transparent.hpp>
+#include <irg/render/prepared_scene.hpp>
 #include <irg/render/wireframe.hpp>
-#include <irg/scene/studio_events.hpp>
+
+#include "studio_events.hpp"
 
 namespace irg {
+namespace detail {
+
+// A body in the world: its faces by surface, and where all its points are.
+template <class T>
+struct placed_body {
+  stored_body<T> source;
+  mat<T, 4, 4> placement;
+  bool can_be_seen = false;
+  mesh<T> shape;
+  std::vector<prepared_object<T>> parts;
+  std::vector<std::uint32_t> surface_of_part;  // the number of surfaces for faces without one
+};
+
+}  // namespace detail
 
 /// What the pictures of a studio keep from one to the next. Any studio's pictures may use it; it changes none.
 template <Floating T>
@@ -40,8 +63,200 @@ struct studio_colours {
   std::array<rgba8, 3> axis{rgba8{200, 40, 40, 255}, rgba8{30, 140, 50, 255}, rgba8{40, 80, 210, 255}};
 };
 
+inline namespace IRG_ABI {
+
+/// Draws one view of a studio into a picture, as large as its screen's proportions allow.
+/// needs   a studio that apply_event() has made
+/// gives   bodies that a projection takes to infinity or behind its eye are not drawn
+/// exact   the same bytes for every memory, compiler and instruction set. Which of the bodies' pixels are seen is as in
+///         render(); of lines and points it is rounded: they count as seen unless all pixels around are nearer
+/// cost    bodies are made ready when they have changed; then their vertices and triangles, and the pixels
+template <Floating T>
+constexpr void draw_studio_view(image_view<rgba8> picture, const studio<T>& s, studio_view view,
+                                studio_memory<T>& memory, const studio_colours& colours = {});
+
+/// Draws both views side by side, and a sentence below where there is one.
+/// needs   a studio that apply_event() has made
+/// exact   as draw_studio_view
+template <Floating T>
+constexpr void draw_studio(image_view<rgba8> picture, const studio<T>& s, studio_memory<T>& memory,
+                           std::string_view sentence = {}, const studio_colours& colours = {});
+
+/// The studio as one function: events happen one after another, and a picture is taken.
+/// gives   the status of the last event that could not be, whose sentence the picture shows; else done
+/// exact   as draw_studio_view
+template <Floating T>
+constexpr studio_status run_studio(studio<T>& s, std::type_identity_t<std::span<const studio_event<T>>> events,
+                                   image_view<rgba8> picture, studio_memory<T>& memory);
+
+}  // namespace IRG_ABI
+
 namespace detail {
 inline namespace IRG_ABI {
+
+// The bodies made ready for pictures, and kept as long as they stay the same.
+
+template <class T>
+constexpr bool is_affine(const mat<T, 4, 4>& m) noexcept {
+  return m(3, 0) == T(0) && m(3, 1) == T(0) && m(3, 2) == T(0) && m(3, 3) == T(1);
+}
+
+// The shape where the placement puts it; false when a point goes to infinity or behind the eye of a projection.
+template <class T>
+constexpr bool place_shape(mesh<T>& shape, const mat<T, 4, 4>& placement) {
+  bool good = true;
+  if (is_affine(placement)) {
+    shape = transform_mesh(std::move(shape), placement);
+  } else {
+    for (point<T, 3>& p : shape.positions) {
+      const hpoint<T, 3> q = placement * p;
+      good = good && T(0) < q.w;
+      p = {q.x / q.w, q.y / q.w, q.z / q.w};
+    }
+  }
+  for (const point<T, 3>& p : shape.positions) good = good && is_finite(p);
+  return good;
+}
+
+// The faces of a body put together by their surfaces, those without one last: of surface s from first[s] on.
+struct faces_by_surface {
+  std::vector<std::uint32_t> first, face;
+
+  constexpr faces_by_surface(std::span<const std::uint32_t> surface_of_face, std::uint32_t surfaces)
+      : first(surfaces + std::size_t{2}, 0u), face(surface_of_face.size(), 0u) {
+    for (const std::uint32_t s : surface_of_face) ++first[lesser(s, surfaces) + std::size_t{1}];
+    for (std::size_t s = 0; s <= surfaces; ++s) first[s + 1] += first[s];
+    std::vector<std::uint32_t> next = first;
+    for (std::uint32_t f = 0; f < face.size(); ++f) face[next[lesser(surface_of_face[f], surfaces)]++] = f;
+  }
+  constexpr std::span<const std::uint32_t> of(std::uint32_t surface) const noexcept {
+    return {face.data() + first[surface], first[surface + 1] - first[surface]};
+  }
+};
+
+// Some faces of a mesh that has a normal for each position, and the positions that they name. `number` has none for
+// each position, before and after.
+template <class T>
+constexpr mesh<T> part_of_mesh(const mesh<T>& m, std::span<const std::uint32_t> faces,
+                               std::vector<std::uint32_t>& number) {
+  mesh<T> out;
+  for (const std::uint32_t f : faces) {
+    for (std::size_t k = 0; k < m.face_size(f); ++k) {
+      const std::uint32_t p = m.corner(f, k).position;
+      if (number[p] == mesh_corner::none) {
+        number[p] = static_cast<std::uint32_t>(out.positions.size());
+        out.positions.push_back(m.positions[p]);
+        out.normals.push_back(m.normals[p]);
+      }
+      out.corners.push_back({number[p], number[p], mesh_corner::none});
+    }
+    out.face_starts.push_back(static_cast<std::uint32_t>(out.corners.size()));
+  }
+  for (const std::uint32_t f : faces)
+    for (std::size_t k = 0; k < m.face_size(f); ++k) number[m.corner(f, k).position] = mesh_corner::none;
+  return out;
+}
+
+template <class T>
+constexpr void place_body(placed_body<T>& p, const stored_body<T>& b, const mat<T, 4, 4>& placement) {
+  if (p.source == b && p.placement == placement) return;
+  placed_body<T> made{b, placement, false, b.shape, {}, {}};  // `p` stays as it is if memory gives out
+  made.can_be_seen = place_shape(made.shape, placement);
+  const auto surfaces = static_cast<std::uint32_t>(b.surfaces.size());
+  if (made.can_be_seen) {
+    mesh<T> smooth = made.shape;
+    assign_vertex_normals(smooth, normal_weight::average);
+    const faces_by_surface faces(b.surface_of_face, surfaces);
+    std::vector<std::uint32_t> number(smooth.positions.size(), mesh_corner::none);
+    for (std::uint32_t s = 0; s <= surfaces; ++s) {
+      if (faces.of(s).empty()) continue;
+      made.parts.push_back(prepare_object(object<T>{part_of_mesh(smooth, faces.of(s), number)}));
+      made.surface_of_part.push_back(s);
+    }
+  }
+  p = std::move(made);
+}
+
+// What light does on a surface of a body, its colour in it.
+template <class T>
+constexpr material<T> studio_material(const stored_body<T>& b, std::uint32_t surface, studio_shading shading) noexcept {
+  const stored_surface<T> s = surface < b.surfaces.size() ? b.surfaces[surface] : stored_surface<T>{};
+  const rgb<float> light = decode(s.colour);
+  const rgb<T> colour{static_cast<T>(light.r), static_cast<T>(light.g), static_cast<T>(light.b)};
+  if (shading == studio_shading::none) return {colour, {}, {}, T(1)};
+  const auto coloured = [&](const rgb<T>& share) {
+    return rgb<T>{share.r * colour.r, share.g * colour.g, share.b * colour.b};
+  };
+  return {coloured(s.reflection.ambient), coloured(s.reflection.diffuse), s.reflection.specular,
+          s.reflection.shininess};
+}
+
+// Lines and points in a picture that has depths: seen where no face is clearly nearer.
+
+// A picture with depths, greater ones nearer, and the way from the world into it.
+template <class T>
+struct studio_canvas {
+  image_view<rgba8> colour;
+  const image<float>& depth;
+  mat<T, 4, 4> to_clip;
+  screen_mapping<T> mapping;
+
+  // An edge lies in its faces, whose depths at the pixel's centre may be a little nearer or farther than the line's. So
+  // it counts as seen unless all pixels around are nearer.
+  constexpr bool sees_rounded(cell c, float own) const noexcept {
+    for (int y = greater(c.y - 1, 0); y <= lesser(c.y + 1, depth.height() - 1); ++y)
+      for (int x = greater(c.x - 1, 0); x <= lesser(c.x + 1, depth.width() - 1); ++x)
+        if (depth(x, y) <= own) return true;
+    return false;
+  }
+
+  static constexpr cell cell_at(const screen_vertex& v) noexcept {
+    return {v.position.x >> subpixel_bits, v.position.y >> subpixel_bits};
+  }
+
+  constexpr void line_rounded(const hpoint<T, 3>& a, const hpoint<T, 3>& b, const rgba8& paint) {
+    const auto left =
+        clip_segment_homogeneous(clip_vertex<T, 0>{to_clip * a}, clip_vertex<T, 0>{to_clip * b}, mapping.guard);
+    if (!left) return;
+    if (!(T(0) < left->first.position.w && T(0) < left->second.position.w)) return;
+    const screen_vertex from = to_screen(left->first.position, mapping), to = to_screen(left->second.position, mapping);
+    const cell first = cell_at(from), last = cell_at(to);
+    const int dx = last.x - first.x, dy = last.y - first.y;
+    const bool flat = (dy < 0 ? -dy : dy) <= (dx < 0 ? -dx : dx);
+    const int way = flat ? dx : dy;
+    const float rise = to.depth - from.depth, steps = static_cast<float>(way == 0 ? 1 : way);
+    line_bresenham(first, last, {0, 0, colour.width(), colour.height()}, [&](cell c) {
+      const float gone = static_cast<float>(flat ? c.x - first.x : c.y - first.y);
+      if (sees_rounded(c, from.depth + product(rise, gone / steps))) colour(c.x, c.y) = paint;
+    });
+  }
+  constexpr void line_rounded(const point<T, 3>& a, const point<T, 3>& b, const rgba8& paint) {
+    line_rounded(to_homogeneous(a), to_homogeneous(b), paint);
+  }
+
+  // Where a position is on the screen, if it is.
+  constexpr std::optional<screen_vertex> place_of(const point<T, 3>& p) const noexcept {
+    const hpoint<T, 3> at = to_clip * p;
+    if (classify(at, mapping) != clip_code_pair{}) return std::nullopt;
+    return to_screen(at, mapping);
+  }
+
+  // Nine pixels.
+  constexpr void dot_rounded(const point<T, 3>& p, const rgba8& paint) {
+    const auto v = place_of(p);
+    if (!v || !sees_rounded(cell_at(*v), v->depth)) return;
+    const cell c = cell_at(*v);
+    for (int y = greater(c.y - 1, 0); y <= lesser(c.y + 1, colour.height() - 1); ++y)
+      for (int x = greater(c.x - 1, 0); x <= lesser(c.x + 1, colour.width() - 1); ++x) colour(x, y) = paint;
+  }
+
+  constexpr void label(std::string_view text, const point<T, 3>& p, const rgba8& paint) {
+    if (const auto v = place_of(p)) {
+      const cell c = cell_at(*v);
+      draw_text(colour, text, {static_cast<double>(c.x + 3), static_cast<double>(c.y - 3)}, {.size = 13}, paint);
+    }
+  }
+};
 
 // Encodes light with an opacity.
 struct glass_encoding {
@@ -272,15 +487,9 @@ constexpr image_view<rgba8> screen_within(image_view<rgba8> all, const view_pyra
 
 inline namespace IRG_ABI {
 
-/// Draws one view of a studio into a picture, as large as its screen's proportions allow.
-/// needs   a studio that apply_event() has made
-/// gives   bodies that a projection takes to infinity or behind its eye are not drawn
-/// exact   the same bytes for every memory, compiler and instruction set. Which of the bodies' pixels are seen is as in
-///         render(); of lines and points it is rounded: they count as seen unless all pixels around are nearer
-/// cost    bodies are made ready when they have changed; then their vertices and triangles, and the pixels
 template <Floating T>
 constexpr void draw_studio_view(image_view<rgba8> picture, const studio<T>& s, studio_view view,
-                                studio_memory<T>& memory, const studio_colours& colours = {}) {
+                                studio_memory<T>& memory, const studio_colours& colours) {
   if (picture.width() <= 0 || picture.height() <= 0) return;
   clear(picture, colours.beside);
   detail::studio_drawing<T>(s, view, detail::screen_within(picture, s.of(view).pyramid),
@@ -288,12 +497,9 @@ constexpr void draw_studio_view(image_view<rgba8> picture, const studio<T>& s, s
       .draw();
 }
 
-/// Draws both views side by side, and a sentence below where there is one.
-/// needs   a studio that apply_event() has made
-/// exact   as draw_studio_view
 template <Floating T>
 constexpr void draw_studio(image_view<rgba8> picture, const studio<T>& s, studio_memory<T>& memory,
-                           std::string_view sentence = {}, const studio_colours& colours = {}) {
+                           std::string_view sentence, const studio_colours& colours) {
   const int width = picture.width(), height = picture.height(), half = width / 2;
   if (width <= 0 || height <= 0) return;
   draw_studio_view({picture.row(0), half, height, picture.stride()}, s, studio_view::main, memory, colours);
@@ -303,9 +509,6 @@ constexpr void draw_studio(image_view<rgba8> picture, const studio<T>& s, studio
   draw_text(picture, sentence, {6.0, static_cast<double>(height - 8)}, {.size = 14}, colours.dot);
 }
 
-/// The studio as one function: events happen one after another, and a picture is taken.
-/// gives   the status of the last event that could not be, whose sentence the picture shows; else done
-/// exact   as draw_studio_view
 template <Floating T>
 constexpr studio_status run_studio(studio<T>& s, std::type_identity_t<std::span<const studio_event<T>>> events,
                                    image_view<rgba8> picture, studio_memory<T>& memory) {

@@ -12,7 +12,7 @@
 
 #include <irg/core/result.hpp>
 #include <irg/io/detail/text_cursor.hpp>
-#include <irg/scene/studio_events.hpp>
+#include "studio_events.hpp"
 
 namespace irg {
 

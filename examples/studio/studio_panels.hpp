@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include <irg/scene/studio.hpp>
+#include "studio.hpp"
 
-#include "number_output.hpp"
+#include "../support/number_output.hpp"
 
 namespace program {
 

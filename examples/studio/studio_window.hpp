@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "picture_window.hpp"
+#include "../support/picture_window.hpp"
 #include "studio_desk.hpp"
 
 namespace program {

@@ -8,7 +8,7 @@
 
 #include <irg/scene/camera.hpp>
 #include <irg/scene/stored_body.hpp>
-#include <irg/scene/studio_transformation.hpp>
+#include "studio_transformation.hpp"
 #include <irg/shade/light.hpp>
 #include <irg/view/view_pyramid.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/scene/studio.hpp>
+#include <studio/studio.hpp>
 
 #include "support/check_both.hpp"
 
