@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -394,8 +393,7 @@ constexpr studio_status apply_event(studio<T>& s, const aim_camera<T>& e) noexce
 }
 template <Floating T>
 constexpr studio_status apply_event(studio<T>& s, const orbit_camera<T>& e) noexcept {
-  if (!detail::is_finite(e.azimuth) || !detail::is_finite(e.elevation) || !detail::is_finite(e.factor))
-    return studio_status::not_finite;
+  if (!is_finite(e.azimuth) || !is_finite(e.elevation) || !is_finite(e.factor)) return studio_status::not_finite;
   studio_camera<T> c = s.of(e.view);
   polar_camera<T> polar = polar_of(look_at_frame(c.eye, c.target, c.up), length(c.target - c.eye));
   polar.target = c.target;

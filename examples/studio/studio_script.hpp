@@ -31,6 +31,19 @@ struct studio_command {
   std::size_t line = 0, column = 0;
 };
 
+inline namespace IRG_ABI {
+
+/// The commands of a script, a line each; # begins a comment.
+/// gives   the first error with line and column: a word that is not known, a number that is none or not finite, a
+///         transformation without a matrix, a line that ends too early or goes on. Whether a body of a name is there
+///         only apply_event() knows
+/// exact   numbers are correctly rounded to T
+/// cost    linear; no line is kept
+template <Floating T = double>
+[[nodiscard]] constexpr result<std::vector<studio_command<T>>> read_studio_script(std::string_view text);
+
+}  // namespace IRG_ABI
+
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -259,13 +272,7 @@ struct studio_script_reader {
 
 inline namespace IRG_ABI {
 
-/// The commands of a script, a line each; # begins a comment.
-/// gives   the first error with line and column: a word that is not known, a number that is none or not finite, a
-///         transformation without a matrix, a line that ends too early or goes on. Whether a body of a name is there
-///         only apply_event() knows
-/// exact   numbers are correctly rounded to T
-/// cost    linear; no line is kept
-template <Floating T = double>
+template <Floating T>
 [[nodiscard]] constexpr result<std::vector<studio_command<T>>> read_studio_script(std::string_view text) {
   std::vector<studio_command<T>> commands;
   text = detail::without_byte_order_mark(text);

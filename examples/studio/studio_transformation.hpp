@@ -55,6 +55,23 @@ struct studio_transformation {
   constexpr bool operator==(const studio_transformation&) const = default;
 };
 
+inline namespace IRG_ABI {
+
+/// The matrix of a transformation, for columns.
+/// units   degrees
+/// gives   nothing where there is none: a number is NaN or infinite, a plane has no normal, a direction runs along its
+///         plane, an eye lies in it, an entry would overflow. An axis without length turns nothing
+/// exact   as the functions of `view` that it comes from
+template <Floating T>
+[[nodiscard]] constexpr std::optional<mat<T, 4, 4>> matrix_of(const studio_transformation<T>& t) noexcept;
+
+/// The matrix of a list: the first transformation comes first.
+/// gives   those without a matrix change nothing
+template <Floating T>
+[[nodiscard]] constexpr mat<T, 4, 4> matrix_of(std::span<const studio_transformation<T>> list) noexcept;
+
+}  // namespace IRG_ABI
+
 namespace detail {
 inline namespace IRG_ABI {
 
@@ -98,24 +115,17 @@ constexpr mat<T, 4, 4> studio_matrix(const studio_transformation<T>& t) noexcept
 
 inline namespace IRG_ABI {
 
-/// The matrix of a transformation, for columns.
-/// units   degrees
-/// gives   nothing where there is none: a number is NaN or infinite, a plane has no normal, a direction runs along its
-///         plane, an eye lies in it, an entry would overflow. An axis without length turns nothing
-/// exact   as the functions of `view` that it comes from
 template <Floating T>
 [[nodiscard]] constexpr std::optional<mat<T, 4, 4>> matrix_of(const studio_transformation<T>& t) noexcept {
   for (const T& n : t.numbers)
-    if (!detail::is_finite(n)) return std::nullopt;
+    if (!is_finite(n)) return std::nullopt;
   const mat<T, 4, 4> m = detail::studio_matrix(t);
   for (const auto& row : m.m)
     for (const T& entry : row)
-      if (!detail::is_finite(entry)) return std::nullopt;
+      if (!is_finite(entry)) return std::nullopt;
   return m;
 }
 
-/// The matrix of a list: the first transformation comes first.
-/// gives   those without a matrix change nothing
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> matrix_of(std::span<const studio_transformation<T>> list) noexcept {
   auto m = identity<T, 4>();
