@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "method_scenes.hpp"
@@ -149,6 +150,48 @@ TEST_CASE("bsp_of_faces: growth, a fan that is convex but for rounding makes few
     CHECK(pieces >= static_cast<std::int64_t>(faces.size()));
     CHECK(pieces <= static_cast<std::int64_t>(faces.size() + faces.size() / 8));
   }
+}
+
+namespace {
+
+// Strips behind each other, all of which lean the same way.
+std::vector<irg::screen_face> row(int strips) {
+  std::vector<irg::screen_face> faces;
+  for (int i = 0; i < strips; ++i) {
+    const float depth = static_cast<float>(i) * 0x1p-20f;
+    faces.push_back(irg::make_screen_face({{0, 0}, depth}, {{20000, 0}, depth + 0x1p-6f}, {{0, 20000}, depth + 0x1p-7f},
+                                          static_cast<std::uint32_t>(i)));
+  }
+  return faces;
+}
+// Cones in each other.
+std::vector<irg::screen_face> shells(int number) {
+  std::vector<irg::screen_face> faces;
+  for (int i = 0; i < number; ++i)
+    for (irg::screen_face f : cone(32, 400.0 * (i + 1) / number, 300.0 * (i + 1) / number)) {
+      f.number = static_cast<std::uint32_t>(faces.size());
+      faces.push_back(f);
+    }
+  return faces;
+}
+
+}  // namespace
+
+TEST_CASE("bsp_of_faces: growth, few parts are asked for their side one by one: bowls, cones, rows, shells") {
+  const auto check = [](const std::string& name, const std::vector<irg::screen_face>& faces, int size, double most) {
+    const irg::bsp_counts counts = irg::build_bsp(faces, irg::cell_window{0, 0, size, size}).counts;
+    INFO(name, ": ", counts.faces, " faces, ", counts.pieces, " pieces, ", counts.asked, " asked");
+    const double n = static_cast<double>(counts.pieces);
+    CHECK(static_cast<double>(counts.asked) <= most * n * std::log2(n));
+  };
+  const bool many = std::getenv("IRG_RELEASE_TIER") != nullptr;
+  for (const int n : {1000, many ? 100'000 : 8000}) {
+    const int cells = static_cast<int>(std::sqrt(n / 8.0));
+    check("bowl", bowl(cells, 512, 0), 4 * cells + 1, 2);
+    check("row", row(n), 80, 1);
+  }
+  for (const int n : {64, many ? 2000 : 256}) check("cone", cone(n, 1200, 800), 1200, 40);
+  for (const int n : {4, many ? 60 : 12}) check("shells", shells(n), 400, 40);
 }
 
 TEST_CASE("bsp_of_faces: faces through each other are cut where their planes cut them") {

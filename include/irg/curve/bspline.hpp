@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -13,10 +14,12 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/core/coordinates.hpp>
+#include <irg/core/lane_masks.hpp>
+#include <irg/core/lanes.hpp>
 #include <irg/core/ring.hpp>
 #include <irg/core/scalar.hpp>
 #include <irg/curve/bezier.hpp>
-#include <irg/curve/detail/bspline_kernel.hpp>
+#include <irg/math/error_free.hpp>
 #include <irg/math/homogeneous.hpp>
 
 namespace irg {
@@ -58,26 +61,6 @@ struct knots_degree<degree_at_run_time> {
   constexpr int degree() const noexcept { return degree_at_hand; }
 };
 
-// Values of a basis times the weights that belong to them, over the sum; false where there is no such thing.
-template <class V, Floating T>
-constexpr bool make_rational(V& value, std::span<const T> weights) noexcept {
-  T largest = 0;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    if (!(weights[i] >= 0) || !is_finite(weights[i])) return false;
-    if (value[i] > 0) largest = largest < weights[i] ? weights[i] : largest;
-  }
-  if (largest == 0) return false;
-  T sum = 0;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    value[i] = value[i] > 0 ? product(value[i], weights[i] / largest) : T(0);  // elsewhere the quotient may overflow
-    sum = sum + value[i];
-  }
-  if (!(sum > 0)) return false;
-  for (std::size_t i = 0; i < value.size(); ++i) value[i] = value[i] / sum;
-  make_sum_one(value);
-  return true;
-}
-
 }  // namespace IRG_ABI
 }  // namespace detail
 
@@ -86,24 +69,10 @@ inline namespace IRG_ABI {
 /// What is wrong with the knots of a B-spline of this degree, or none.
 /// cost    one pass
 template <Floating T>
-[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept {
-  constexpr T largest = (std::numeric_limits<T>::max)() / 8;
-  if (degree < 0) return knots_error::negative_degree;
-  const std::size_t order = static_cast<std::size_t>(degree) + 1;
-  if (knots.size() / 2 < order) return knots_error::too_few;
-  for (const T& u : knots)
-    if (!(u <= largest && u >= -largest)) return knots_error::not_finite;
-  for (std::size_t i = 1; i < knots.size(); ++i)
-    if (knots[i] < knots[i - 1]) return knots_error::decreasing;
-  for (std::size_t i = order; i < knots.size(); ++i)
-    if (knots[i] == knots[i - order]) return knots_error::too_many_equal;
-  return knots[order - 1] < knots[knots.size() - order] ? knots_error::none : knots_error::empty;
-}
+[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept;
 template <int Degree, Floating T>
   requires(Degree >= 0)
-[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots) noexcept {
-  return check_knots(knots, Degree);
-}
+[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots) noexcept;
 
 }  // namespace IRG_ABI
 
@@ -142,8 +111,311 @@ private:
   std::span<const T> knots_;
 };
 
-namespace detail {
 inline namespace IRG_ABI {
+
+/// The knots, if they are legal; check_knots tells why they are not.
+template <int Degree, Floating T>
+[[nodiscard]] constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<const T> knots) noexcept;
+template <Floating T>
+[[nodiscard]] constexpr std::optional<bspline_knots<T, degree_at_run_time>> make_bspline_knots(std::span<const T> knots,
+                                                                                               int degree) noexcept;
+
+/// The basis functions at t that are not zero.
+/// gives   nothing for NaN and for t outside of [first(), last()]; at a knot the functions of the stretch behind it, at
+///         last() those of the last stretch
+/// exact   never negative, their sum within 4u of 1 for every legal knot vector (u = 2^-53, float 2^-24); at an end
+///         knot of full multiplicity exactly one of them is 1
+/// source  Cox 1972; de Boor 1972; Piegl and Tiller 1997, A2.2
+template <Floating T, int Degree>
+  requires(Degree >= 0)
+[[nodiscard]] constexpr std::optional<bspline_values<T, Degree>> bspline_basis(const bspline_knots<T, Degree>& knots,
+                                                                               std::type_identity_t<T> t) noexcept;
+
+/// The same in the first order() of `value`, for any degree; the result is the index of the first of these functions.
+/// needs   room for order() values
+/// gives   nothing, and `value` as it was, where the other form gives nothing
+template <Floating T, int Degree>
+constexpr std::optional<std::size_t> bspline_basis(const bspline_knots<T, Degree>& knots, std::type_identity_t<T> t,
+                                                   std::type_identity_t<std::span<T>> value) noexcept;
+
+/// The point of a B-spline curve at t.
+/// needs   as many control points as knots.size()
+/// gives   nothing for NaN and for t outside of the knots' range
+/// exact   an end point of full multiplicity is the control point, bit for bit; elsewhere each product and sum rounded
+///         once, within the box of the control points up to some u of their size
+template <Floating T, int Degree, ControlPolygon R>
+  requires(Degree >= 0)
+[[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots,
+                                                                   const R& points, std::type_identity_t<T> t) noexcept;
+
+/// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
+template <Floating T, int Degree, ControlPolygon R>
+constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                     std::type_identity_t<T> t,
+                                                     std::type_identity_t<std::span<T>> scratch) noexcept;
+
+/// The basis functions at t of a rational B-spline (NURBS): each times its weight, over the sum of these.
+/// needs   as many weights as knots.size()
+/// gives   nothing for NaN, for t outside of the knots' range, and where a weight is negative, NaN or infinite or all
+///         that count are zero
+/// exact   as bspline_basis
+template <Floating T, int Degree>
+  requires(Degree >= 0)
+[[nodiscard]] constexpr std::optional<bspline_values<T, Degree>> nurbs_basis(
+    const bspline_knots<T, Degree>& knots, std::type_identity_t<std::span<const T>> weights,
+    std::type_identity_t<T> t) noexcept;
+
+/// The same in the first order() of `value`, for any degree; the result is the index of the first of these functions.
+/// needs   as many weights as knots.size(); room for order() values
+template <Floating T, int Degree>
+constexpr std::optional<std::size_t> nurbs_basis(const bspline_knots<T, Degree>& knots,
+                                                 std::type_identity_t<std::span<const T>> weights,
+                                                 std::type_identity_t<T> t,
+                                                 std::type_identity_t<std::span<T>> value) noexcept;
+
+/// The point of a rational B-spline curve (NURBS) at t.
+/// needs   as many control points and weights as knots.size()
+/// gives   as nurbs_basis
+/// exact   as bspline_point
+/// source  Piegl and Tiller 1997
+template <Floating T, int Degree, ControlPolygon R>
+  requires(Degree >= 0)
+[[nodiscard]] constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                                 std::type_identity_t<std::span<const T>> weights,
+                                                                 std::type_identity_t<T> t) noexcept;
+
+/// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
+template <Floating T, int Degree, ControlPolygon R>
+constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                                   std::type_identity_t<std::span<const T>> weights,
+                                                   std::type_identity_t<T> t,
+                                                   std::type_identity_t<std::span<T>> scratch) noexcept;
+
+/// The point of a rational B-spline curve (NURBS) of homogeneous control points at t.
+/// needs   as many control points as knots.size()
+/// gives   nothing for NaN, for t outside of the knots' range, and where the weight is 0 or not finite
+/// exact   as bspline_point, and a quotient
+/// source  Piegl and Tiller 1997, A4.1
+template <Floating T, int Degree, ControlPolygon R>
+  requires(Degree >= 0 && coordinate_traits<ring_point<R>>::kind == coordinate_kind::homogeneous)
+[[nodiscard]] constexpr auto nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
+                                         std::type_identity_t<T> t) noexcept
+    -> decltype(try_to_cartesian(ring_vertex(points, 0)));
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_ABI {
+
+// The sums and shares that B-splines are made of, in registers where points fill one.
+
+// Adds to the largest value what the sum of all lacks of 1. Of numbers, or of packs lane by lane.
+template <class V>
+constexpr void make_sum_one(V& value) noexcept {
+  using F = std::remove_cvref_t<decltype(value[0])>;
+  const auto index = [](std::size_t i) {
+    if constexpr (std::is_arithmetic_v<F>)
+      return i;
+    else
+      return lanes<F>::broadcast(static_cast<typename lanes<F>::scalar>(static_cast<std::ptrdiff_t>(i)));
+  };
+  const F zero = lanes<F>::broadcast(0);
+  F sum = value[0], error = zero, most = value[0];
+  auto largest = index(0);
+  for (std::size_t i = 1; i < value.size(); ++i) {
+    const F next = value[i], s = sum + next, part = s - sum;  // two_sum
+    error = error + ((sum - (s - part)) + (next - part));
+    sum = s;
+    largest = select(most < next, index(i), largest);  // no jumps: which one it is changes from place to place
+    most = high_of(most, next);
+  }
+  const F lacking = (lanes<F>::broadcast(1) - sum) - error;
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = value[i] + select(largest == index(i), lacking, zero);
+}
+
+// How t divides the stretch between two knots: what is right of it and what is left, of 1. The greater part is what the
+// lesser one leaves.
+template <class F>
+struct stretch_shares {
+  F rest, t;
+};
+template <class F>
+IRG_INLINE constexpr stretch_shares<F> shares_of_stretch(const F& from, const F& to, const F& t) noexcept {
+  const F right = to - t, left = t - from;
+  const auto distant = right < left;  // no jumps here either
+  const F less = select(distant, right, left) / (to - from), more = lanes<F>::broadcast(1) - less;
+  return {select(distant, less, more), select(distant, more, less)};
+}
+template <Floating T>
+IRG_INLINE constexpr curve_parameter<T> share_of_stretch(const T& from, const T& to, const T& t) noexcept {
+  const auto shares = shares_of_stretch(from, to, t);
+  return {shares.rest, shares.t};
+}
+
+// The greatest `low` of [low, high) with u(low) <= t.
+// needs   u(low) <= t < u(high)
+template <class Knots, Floating T>
+constexpr std::size_t stretch_between(const Knots& u, std::size_t low, std::size_t high, T t) noexcept {
+  // Evenly spaced knots are found at once.
+  const auto guess = low + static_cast<std::size_t>((t - u[low]) / (u[high] - u[low]) *
+                                                    static_cast<T>(static_cast<std::ptrdiff_t>(high - low)));
+  if (guess < high && u[guess] <= t && t < u[guess + 1]) return guess;
+  for (std::size_t n = high - low; n > 1;) {
+    const std::size_t half = n / 2;
+    low = u[low + half] <= t ? low + half : low;
+    n -= half;
+  }
+  return low;
+}
+
+// Cox's and de Boor's recursion in the stretch from knot(low) on, each level at a place of its own: at one t the basis
+// functions, at successive knots of a refined list the coefficients of a refined control point. Of numbers, or of packs
+// lane by lane.
+template <class V, class Knot, class Place>
+constexpr void fill_bspline_values(V& value, const Knot& knot, std::size_t low, const Place& place) noexcept {
+  using F = std::remove_cvref_t<decltype(value[0])>;
+  const F zero = lanes<F>::broadcast(0);
+  value[0] = lanes<F>::broadcast(1);
+  for (std::size_t k = 1; k < value.size(); ++k) {
+    F carried = zero;
+    for (std::size_t r = 0; r < k; ++r) {
+      const F before = value[r];
+      const auto none = before == zero;  // its share may be any number then
+      if constexpr (std::is_same_v<decltype(none), const bool>)
+        if (none) {
+          value[r] = carried;
+          carried = zero;
+          continue;
+        }
+      const auto share = shares_of_stretch<F>(knot(low + r + 1 - k), knot(low + r + 1), place(k));
+      value[r] = carried + select(none, zero, product(before, share.rest));
+      carried = select(none, zero, product(before, share.t));
+    }
+    value[k] = carried;
+  }
+  make_sum_one(value);
+}
+
+// Two bases at a place each, `u` and `v` beginning with the first knot that counts; of one degree side by side.
+template <Floating T, std::size_t U, std::size_t V>
+constexpr void fill_two_bases(std::array<T, U>& value_u, std::span<const T> u, T at_u, std::array<T, V>& value_v,
+                              std::span<const T> v, T at_v) noexcept {
+  if constexpr (U == V && has_lanes && std::is_same_v<T, double>)
+    if (!std::is_constant_evaluated()) {
+      using F = pack<T, 2>;
+      const F at = pack_of(at_u, at_v);
+      std::array<F, U> value;
+      fill_bspline_values(
+          value, [&](std::size_t i) { return pack_of(u[i], v[i]); }, U - 1, [&](std::size_t) { return at; });
+      for (std::size_t i = 0; i < U; ++i) {
+        value_u[i] = lane(value[i], 0);
+        value_v[i] = lane(value[i], 1);
+      }
+      return;
+    }
+  fill_bspline_values(value_u, [&](std::size_t i) { return u[i]; }, U - 1, [&](std::size_t) { return at_u; });
+  fill_bspline_values(value_v, [&](std::size_t i) { return v[i]; }, V - 1, [&](std::size_t) { return at_v; });
+}
+
+// Points that fill a register.
+template <class P>
+inline constexpr bool fills_lanes = has_lanes && std::is_trivially_copyable_v<P> && size_of<P> == 4 &&
+                                    sizeof(P) == 4 * sizeof(scalar_of<P>) && Floating<scalar_of<P>>;
+
+// The sum of at(i), each times its value, in registers.
+template <class V, class At>
+IRG_INLINE auto lanes_of_multiples(const V& value, const At& at) noexcept {
+  using F = std::remove_cvref_t<decltype(at(std::size_t{}))>;
+  F sum = lanes<F>::broadcast(0);
+  for (std::size_t i = 0; i < value.size(); ++i) sum = sum + lanes<F>::broadcast(value[i]) * at(i);
+  return sum;
+}
+template <class P>
+IRG_INLINE pack<scalar_of<P>, 4> lanes_of(const P& p) noexcept {
+  return lanes<pack<scalar_of<P>, 4>>::load_bytes(&p);
+}
+template <class P>
+IRG_INLINE P point_of(const pack<scalar_of<P>, 4>& sum) noexcept {
+  std::array<scalar_of<P>, 4> result;
+  lanes<pack<scalar_of<P>, 4>>::store(result.data(), sum);
+  return std::bit_cast<P>(result);
+}
+
+// The sum of at(i), each times its value. Those of value 0 do not count, whatever they are: an end point is the control
+// point itself.
+template <class V, class At>
+IRG_INLINE constexpr auto sum_of_multiples(const V& value, const At& at) noexcept {
+  using P = std::remove_cvref_t<decltype(at(std::size_t{}))>;
+  using T = scalar_of<P>;
+  if constexpr (fills_lanes<P>) {
+    if (!std::is_constant_evaluated()) {
+      using F = pack<T, 4>;
+      F sum = lanes<F>::broadcast(0);
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        if (value[i] == T(0)) continue;
+        const auto coordinates = std::bit_cast<std::array<T, 4>>(at(i));
+        sum = sum + lanes<F>::broadcast(value[i]) * lanes<F>::load(coordinates.data());
+      }
+      return point_of<P>(sum);
+    }
+  }
+  return generate_coordinates<P>([&](int axis) {
+    T sum = 0;
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (value[i] != T(0)) sum = sum + product(value[i], coordinate(at(i), axis));
+    return sum;
+  });
+}
+
+// The sum of row(i)[j], each times its two values; in registers all of them, as long as none is infinite.
+template <class U, class V, class Row>
+IRG_INLINE constexpr auto sum_of_rows(const U& u, const V& v, const Row& row) noexcept {
+  using P = std::remove_cvref_t<decltype(row(0)[0])>;
+  if constexpr (fills_lanes<P>)
+    if (!std::is_constant_evaluated()) {
+      const auto sum = lanes_of_multiples(u, [&](std::size_t i) {
+        return lanes_of_multiples(v, [at = row(i)](std::size_t j) { return lanes_of(at[j]); });
+      });
+      if (all_lanes(sum - sum == lanes<pack<scalar_of<P>, 4>>::broadcast(0))) return point_of<P>(sum);
+    }
+  return sum_of_multiples(
+      u, [&](std::size_t i) { return sum_of_multiples(v, [at = row(i)](std::size_t j) { return at[j]; }); });
+}
+
+template <class V, PolygonRing R>
+constexpr ring_point<R> blend_points(const V& value, std::size_t first, const R& points) noexcept {
+  return sum_of_multiples(value, [&](std::size_t i) { return ring_vertex(points, first + i); });
+}
+
+// try_to_cartesian, whose exceptions are looked for only where a quotient is not finite.
+template <Floating T, int N>
+IRG_INLINE constexpr std::optional<point<T, N>> cartesian_of(const hpoint<T, N>& p) noexcept {
+  if (std::is_constant_evaluated()) return try_to_cartesian(p);
+  const point<T, N> q = generate_coordinates<point<T, N>>([&](int i) { return p[i] / p[N]; });
+  T none = p[N] - p[N];
+  for (int i = 0; i < N; ++i) none = none + (q[i] - q[i]);
+  return none == T(0) ? std::optional(q) : try_to_cartesian(p);
+}
+
+// Values of a basis times the weights that belong to them, over the sum; false where there is no such thing.
+template <class V, Floating T>
+constexpr bool make_rational(V& value, std::span<const T> weights) noexcept {
+  T largest = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (!(weights[i] >= 0) || !is_finite(weights[i])) return false;
+    if (value[i] > 0) largest = largest < weights[i] ? weights[i] : largest;
+  }
+  if (largest == 0) return false;
+  T sum = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    value[i] = value[i] > 0 ? product(value[i], weights[i] / largest) : T(0);  // elsewhere the quotient may overflow
+    sum = sum + value[i];
+  }
+  if (!(sum > 0)) return false;
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = value[i] / sum;
+  make_sum_one(value);
+  return true;
+}
 
 // The index of the knot at which the stretch of t begins: the one behind t, at last() the last one.
 // needs   first() <= t <= last()
@@ -155,17 +427,37 @@ constexpr std::size_t bspline_stretch(const bspline_knots<T, Degree>& knots, T t
   return high - 1;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
-/// The knots, if they are legal; check_knots tells why they are not.
+template <Floating T>
+[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots, int degree) noexcept {
+  constexpr T largest = (std::numeric_limits<T>::max)() / 8;
+  if (degree < 0) return knots_error::negative_degree;
+  const std::size_t order = static_cast<std::size_t>(degree) + 1;
+  if (knots.size() / 2 < order) return knots_error::too_few;
+  for (const T& u : knots)
+    if (!(u <= largest && u >= -largest)) return knots_error::not_finite;
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    if (knots[i] < knots[i - 1]) return knots_error::decreasing;
+  for (std::size_t i = order; i < knots.size(); ++i)
+    if (knots[i] == knots[i - order]) return knots_error::too_many_equal;
+  return knots[order - 1] < knots[knots.size() - order] ? knots_error::none : knots_error::empty;
+}
+
+template <int Degree, Floating T>
+  requires(Degree >= 0)
+[[nodiscard]] constexpr knots_error check_knots(std::span<const T> knots) noexcept {
+  return check_knots(knots, Degree);
+}
+
 template <int Degree, Floating T>
 [[nodiscard]] constexpr std::optional<bspline_knots<T, Degree>> make_bspline_knots(std::span<const T> knots) noexcept {
   if (check_knots<Degree>(knots) != knots_error::none) return std::nullopt;
   return bspline_knots<T, Degree>(knots);
 }
+
 template <Floating T>
 [[nodiscard]] constexpr std::optional<bspline_knots<T, degree_at_run_time>> make_bspline_knots(std::span<const T> knots,
                                                                                                int degree) noexcept {
@@ -173,12 +465,6 @@ template <Floating T>
   return bspline_knots<T, degree_at_run_time>(knots, degree);
 }
 
-/// The basis functions at t that are not zero.
-/// gives   nothing for NaN and for t outside of [first(), last()]; at a knot the functions of the stretch behind it, at
-///         last() those of the last stretch
-/// exact   never negative, their sum within 4u of 1 for every legal knot vector (u = 2^-53, float 2^-24); at an end
-///         knot of full multiplicity exactly one of them is 1
-/// source  Cox 1972; de Boor 1972; Piegl and Tiller 1997, A2.2
 template <Floating T, int Degree>
   requires(Degree >= 0)
 [[nodiscard]] constexpr std::optional<bspline_values<T, Degree>> bspline_basis(const bspline_knots<T, Degree>& knots,
@@ -191,9 +477,6 @@ template <Floating T, int Degree>
   return basis;
 }
 
-/// The same in the first order() of `value`, for any degree; the result is the index of the first of these functions.
-/// needs   room for order() values
-/// gives   nothing, and `value` as it was, where the other form gives nothing
 template <Floating T, int Degree>
 constexpr std::optional<std::size_t> bspline_basis(const bspline_knots<T, Degree>& knots, std::type_identity_t<T> t,
                                                    std::type_identity_t<std::span<T>> value) noexcept {
@@ -205,11 +488,6 @@ constexpr std::optional<std::size_t> bspline_basis(const bspline_knots<T, Degree
   return low + 1 - knots.order();
 }
 
-/// The point of a B-spline curve at t.
-/// needs   as many control points as knots.size()
-/// gives   nothing for NaN and for t outside of the knots' range
-/// exact   an end point of full multiplicity is the control point, bit for bit; elsewhere each product and sum rounded
-///         once, within the box of the control points up to some u of their size
 template <Floating T, int Degree, ControlPolygon R>
   requires(Degree >= 0)
 [[nodiscard]] constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots,
@@ -221,7 +499,6 @@ template <Floating T, int Degree, ControlPolygon R>
   return detail::blend_points(basis->value, basis->first, points);
 }
 
-/// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
 template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                      std::type_identity_t<T> t,
@@ -232,11 +509,6 @@ constexpr std::optional<ring_point<R>> bspline_point(const bspline_knots<T, Degr
   return detail::blend_points(scratch.first(knots.order()), *first, points);
 }
 
-/// The basis functions at t of a rational B-spline (NURBS): each times its weight, over the sum of these.
-/// needs   as many weights as knots.size()
-/// gives   nothing for NaN, for t outside of the knots' range, and where a weight is negative, NaN or infinite or all
-///         that count are zero
-/// exact   as bspline_basis
 template <Floating T, int Degree>
   requires(Degree >= 0)
 [[nodiscard]] constexpr std::optional<bspline_values<T, Degree>> nurbs_basis(
@@ -248,8 +520,6 @@ template <Floating T, int Degree>
   return basis;
 }
 
-/// The same in the first order() of `value`, for any degree; the result is the index of the first of these functions.
-/// needs   as many weights as knots.size(); room for order() values
 template <Floating T, int Degree>
 constexpr std::optional<std::size_t> nurbs_basis(const bspline_knots<T, Degree>& knots,
                                                  std::type_identity_t<std::span<const T>> weights,
@@ -263,11 +533,6 @@ constexpr std::optional<std::size_t> nurbs_basis(const bspline_knots<T, Degree>&
   return first;
 }
 
-/// The point of a rational B-spline curve (NURBS) at t.
-/// needs   as many control points and weights as knots.size()
-/// gives   as nurbs_basis
-/// exact   as bspline_point
-/// source  Piegl and Tiller 1997
 template <Floating T, int Degree, ControlPolygon R>
   requires(Degree >= 0)
 [[nodiscard]] constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
@@ -279,7 +544,6 @@ template <Floating T, int Degree, ControlPolygon R>
   return detail::blend_points(basis->value, basis->first, points);
 }
 
-/// The same for any degree, with working space of the caller's for order() numbers; its contents are lost.
 template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
                                                    std::type_identity_t<std::span<const T>> weights,
@@ -291,11 +555,6 @@ constexpr std::optional<ring_point<R>> nurbs_point(const bspline_knots<T, Degree
   return detail::blend_points(scratch.first(knots.order()), *first, points);
 }
 
-/// The point of a rational B-spline curve (NURBS) of homogeneous control points at t.
-/// needs   as many control points as knots.size()
-/// gives   nothing for NaN, for t outside of the knots' range, and where the weight is 0 or not finite
-/// exact   as bspline_point, and a quotient
-/// source  Piegl and Tiller 1997, A4.1
 template <Floating T, int Degree, ControlPolygon R>
   requires(Degree >= 0 && coordinate_traits<ring_point<R>>::kind == coordinate_kind::homogeneous)
 [[nodiscard]] constexpr auto nurbs_point(const bspline_knots<T, Degree>& knots, const R& points,
@@ -306,5 +565,4 @@ template <Floating T, int Degree, ControlPolygon R>
   return detail::cartesian_of(*p);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

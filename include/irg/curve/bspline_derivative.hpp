@@ -8,15 +8,13 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include <irg/core/contract.hpp>
 #include <irg/curve/bezier.hpp>
 #include <irg/curve/bspline.hpp>
-#include <irg/curve/detail/bspline_derivative_steps.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The point of a B-spline curve at t, by blends of two points at a time.
 /// needs   as many control points as knots.size(); scratch for knots.order() points, its contents are lost
@@ -29,13 +27,7 @@ inline namespace IRG_ABI {
 template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots<T, Degree>& knots, const R& points,
                                                              std::type_identity_t<T> t,
-                                                             std::span<ring_point<R>> scratch) noexcept {
-  IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= knots.order());
-  if (!(knots.first() <= t && t <= knots.last())) return std::nullopt;
-  const std::size_t low = detail::bspline_stretch(knots, t), first = low + 1 - knots.order();
-  for (std::size_t i = 0; i < knots.order(); ++i) scratch[i] = ring_vertex(points, first + i);
-  return detail::de_boor_in_stretch(knots, low, t, scratch.first(knots.order()));
-}
+                                                             std::span<ring_point<R>> scratch) noexcept;
 
 /// The point of a B-spline curve and its derivatives at t: derivatives[k] is the k-th, derivatives[0] the point's
 /// own coordinates.
@@ -49,6 +41,81 @@ constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots
 template <Floating T, int Degree, ControlPolygon R>
 constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
                                    std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
+                                   std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept;
+
+/// The point of a B-spline curve at t and its derivative there.
+/// needs   as bspline_derivatives
+/// gives   nothing for NaN and for t outside of the knots' range
+/// exact   as bspline_derivatives
+template <Floating T, int Degree, ControlPolygon R>
+constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
+    const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
+    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept;
+
+}  // namespace irg::inline IRG_ABI
+
+namespace irg::detail::inline IRG_ABI {
+
+// The point at t that `local`, the control points of degree local.size() - 1 in the stretch from knot low on, lead to;
+// their values are lost.
+template <Floating T, int Degree, Coordinates P>
+constexpr P de_boor_in_stretch(const bspline_knots<T, Degree>& knots, std::size_t low, T t,
+                               std::span<P> local) noexcept {
+  const std::size_t degree = local.size() - 1;
+  for (std::size_t r = 1; r <= degree; ++r)
+    for (std::size_t i = degree; i >= r; --i)
+      local[i] = blend(local[i - 1], local[i], share_of_stretch<T>(knots[low - degree + i], knots[low + 1 + i - r], t));
+  return local[degree];
+}
+
+// The derivatives at t of the curve that `local` controls in the stretch from knot low on; local and work are lost.
+template <Floating T, int Degree, Coordinates V>
+constexpr void derivatives_in_stretch(const bspline_knots<T, Degree>& knots, std::size_t low, T t,
+                                      std::span<V> derivatives, std::span<V> local_and_work) noexcept {
+  const std::size_t order = knots.order();
+  const auto local = local_and_work.first(order), work = local_and_work.subspan(order, order);
+  for (std::size_t k = 0; k < derivatives.size(); ++k) {
+    if (k >= order) {
+      derivatives[k] = zero_coordinates<V>();
+      continue;
+    }
+    const std::size_t degree = order - 1 - k;  // of this derivative; its control points are local[0 ... degree]
+    for (std::size_t i = 0; i <= degree; ++i) work[i] = local[i];
+    derivatives[k] = de_boor_in_stretch(knots, low, t, work.first(degree + 1));
+    for (std::size_t i = 0; i < degree; ++i) {
+      const T stretch = knots[low + 1 + i] - knots[low + 1 + i - degree];
+      local[i] = generate_coordinates<V>([&](int axis) {
+        const T difference = coordinate(local[i + 1], axis) - coordinate(local[i], axis);
+        return product(difference / stretch, static_cast<T>(static_cast<int>(degree)));
+      });
+    }
+  }
+}
+
+// A point as the vector from the origin; homogeneous points as they are.
+template <Coordinates P>
+constexpr typename curve_sample<P>::vector as_vector(const P& p) noexcept {
+  return generate_coordinates<typename curve_sample<P>::vector>([&](int axis) { return coordinate(p, axis); });
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, int Degree, ControlPolygon R>
+constexpr std::optional<ring_point<R>> bspline_point_de_boor(const bspline_knots<T, Degree>& knots, const R& points,
+                                                             std::type_identity_t<T> t,
+                                                             std::span<ring_point<R>> scratch) noexcept {
+  IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= knots.order());
+  if (!(knots.first() <= t && t <= knots.last())) return std::nullopt;
+  const std::size_t low = detail::bspline_stretch(knots, t), first = low + 1 - knots.order();
+  for (std::size_t i = 0; i < knots.order(); ++i) scratch[i] = ring_vertex(points, first + i);
+  return detail::de_boor_in_stretch(knots, low, t, scratch.first(knots.order()));
+}
+
+template <Floating T, int Degree, ControlPolygon R>
+constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
+                                   std::span<typename curve_sample<ring_point<R>>::vector> derivatives,
                                    std::span<typename curve_sample<ring_point<R>>::vector> scratch) noexcept {
   const std::size_t order = knots.order();
   IRG_EXPECTS(ring_size(points) == knots.size() && scratch.size() >= 2 * order);
@@ -59,10 +126,6 @@ constexpr bool bspline_derivatives(const bspline_knots<T, Degree>& knots, const 
   return true;
 }
 
-/// The point of a B-spline curve at t and its derivative there.
-/// needs   as bspline_derivatives
-/// gives   nothing for NaN and for t outside of the knots' range
-/// exact   as bspline_derivatives
 template <Floating T, int Degree, ControlPolygon R>
 constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
     const bspline_knots<T, Degree>& knots, const R& points, std::type_identity_t<T> t,
@@ -74,5 +137,4 @@ constexpr std::optional<curve_sample<ring_point<R>>> bspline_sample(
       generate_coordinates<ring_point<R>>([&](int axis) { return coordinate(d[0], axis); }), d[1]};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/ring.hpp>
-#include <irg/geometry/detail/smallest_sphere_steps.hpp>
 #include <irg/geometry/sphere.hpp>
+#include <irg/math/double_double.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg::inline IRG_ABI {
@@ -21,6 +22,196 @@ namespace irg::inline IRG_ABI {
 ///         allocates
 /// source  Welzl 1991, for the few points that matter; these are found by taking in the farthest point each time, after
 ///         Gaertner 1999
+template <PolygonRing R>
+  requires(Point<ring_point<R>> && Floating<ring_scalar<R>> &&
+           (size_of<ring_point<R>> == 2 || size_of<ring_point<R>> == 3))
+[[nodiscard]] constexpr std::optional<bounding_sphere<ring_scalar<R>, size_of<ring_point<R>>>> smallest_sphere(
+    const R& points) noexcept;
+
+}  // namespace irg::inline IRG_ABI
+
+namespace irg::detail {
+
+// The points that a ball rests on, by their numbers.
+template <std::size_t D>
+struct ball_support {
+  std::array<std::size_t, D + 1> at{};
+  std::size_t count = 0;
+};
+
+inline namespace IRG_ABI {
+
+// Whether p is outside of the smallest sphere through the points `on`.
+template <Point P, std::same_as<P>... More>
+constexpr bool is_outside(const P& p, const P& on, const More&... more) noexcept {
+  const auto [gap, turn] = sign_of<6>(
+      [](const auto& x, const auto& from, const auto&... to) {
+        const auto c = centre_of_sphere((to - from)...);
+        const auto way = x - from;
+        return std::array{dot(way, way) * c.divisor - dot(way, c.offset), c.divisor};
+      },
+      p, on, more...);
+  return gap * turn > 0;  // the divisor of a ball on D + 1 points may be negative
+}
+
+// A ball by one of the points that it rests on and its centre from there, in double-double: where points lie to it to
+// some 90 bits, for those that lie on it up to rounding. With way = p - from, |p - c|^2 - r^2 is
+// (way . way divisor - way . offset) / divisor.
+//
+// Ways are exact. With L the greatest coordinate of a way to a point that the ball rests on, all numbers of
+// centre_of_sphere are sums of at most 48 products of coordinates, divisor of degree k and offset of k + 1; each passes
+// at most 12 operations, of relative errors below 5 * 2^-106, so that both are off by less than 48 * 12 * 5 * 2^-106 <
+// 2^-94 times L^k and L^(k+1). The two products and their sums with p add less than 2^-98 of their sizes. Sizes between
+// 2^-60 and 2^60 keep what underflows, some 2^-1074 times 2^360, far below that.
+template <int N>
+struct close_ball {
+  vec<double, N> from{};
+  double_double divisor{};
+  vec<double_double, N> offset{};
+  double divisor_off = 0, offset_off = 0, divisor_size = 0, offset_size = 0;  // offset_off 0: nothing is known
+
+  template <Point P>
+  IRG_INLINE constexpr vec<double_double, N> way_to(const P& p) const noexcept {
+    vec<double_double, N> way;
+    for (int i = 0; i < N; ++i) {
+      const auto [value, error] = two_sum(widened(coordinate(p, i)), -from[i]);
+      way[i] = double_double(value, error);
+    }
+    return way;
+  }
+};
+
+template <Point P, std::same_as<P>... More>
+constexpr close_ball<size_of<P>> close_ball_on(const P& a, const More&... more) noexcept {
+  constexpr int N = size_of<P>;
+  close_ball<N> ball;
+  for (int i = 0; i < N; ++i) ball.from[i] = widened(coordinate(a, i));
+  double size = 0;
+  const auto look = [&](const vec<double_double, N>& way) {
+    for (int i = 0; i < N; ++i) size = greater(size, magnitude(way[i].high));
+  };
+  (look(ball.way_to(more)), ...);
+  if (!(size > 0x1p-60) || !(size < 0x1p60)) return ball;
+  const auto centre = centre_of_sphere(ball.way_to(more)...);
+  ball.divisor = centre.divisor, ball.offset = centre.offset;
+  constexpr int degree = sizeof...(More) == 3 ? 3 : sizeof...(More) == 2 && N == 3 ? 4 : 2;
+  ball.divisor_off = 0x1p-94;
+  for (int i = 0; i < degree; ++i) ball.divisor_off = product(ball.divisor_off, size);
+  ball.offset_off = product(ball.divisor_off, size);
+  ball.divisor_size = magnitude(ball.divisor.high);
+  for (int i = 0; i < N; ++i) ball.offset_size = greater(ball.offset_size, magnitude(ball.offset[i].high));
+  return ball;
+}
+
+// The smallest ball around D + 2 points at most.
+template <Point P>
+class smallest_ball {
+public:
+  static constexpr std::size_t D = static_cast<std::size_t>(size_of<P>);
+  using T = scalar_of<P>;
+  using ball = bounding_sphere<T, size_of<P>>;
+  using support = ball_support<D>;
+
+  constexpr explicit smallest_ball(const P& p) noexcept { points_[size_++] = p; }
+
+  // Takes p, which is outside of the ball, in; those points that the new ball does not rest on are forgotten.
+  constexpr void grow(const P& p) noexcept {
+    points_[size_++] = p;
+    const support s = around(size_, {});
+    std::array<P, D + 2> kept{};
+    for (std::size_t k = 0; k < s.count; ++k) kept[k] = points_[s.at[k]];
+    points_ = kept;
+    size_ = s.count;
+  }
+  constexpr bool is_outside(const P& p) const noexcept {
+    support all;
+    for (; all.count < size_; ++all.count) all.at[all.count] = all.count;
+    return is_outside_of(all, p);
+  }
+  constexpr close_ball<size_of<P>> close() const noexcept {
+    if (size_ == 2) return close_ball_on(points_[0], points_[1]);
+    if (size_ == 3) return close_ball_on(points_[0], points_[1], points_[2]);
+    if constexpr (D == 3)
+      if (size_ == 4) return close_ball_on(points_[0], points_[1], points_[2], points_[3]);
+    return {};
+  }
+  constexpr ball rounded() const noexcept {
+    if (size_ == 2) return *sphere_through(points_[0], points_[1]);
+    if (size_ == 3) return *sphere_through(points_[0], points_[1], points_[2]);
+    if constexpr (D == 3)
+      if (size_ == 4) return *sphere_through(points_[0], points_[1], points_[2], points_[3]);
+    return {generate_coordinates<point<T, size_of<P>>>([&](int i) { return coordinate(points_[0], i); }), T(0)};
+  }
+
+private:
+  // The points that the smallest ball around the first `count` points rests on when it passes through `forced`.
+  constexpr support around(std::size_t count, const support& forced) const noexcept {
+    support s = forced;
+    if (forced.count == D + 1) return s;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_outside_of(s, points_[i])) continue;
+      support more = forced;
+      more.at[more.count++] = i;
+      s = around(i, more);
+    }
+    return s;
+  }
+  constexpr bool is_outside_of(const support& s, const P& p) const noexcept {
+    std::array<P, 4> on{};
+    for (std::size_t k = 0; k < s.count; ++k) on[k] = points_[s.at[k]];
+    if (s.count == 0) return true;
+    if (s.count == 1) return !are_equal(on[0], p);
+    if (s.count == 2) return detail::is_outside(p, on[0], on[1]);
+    if constexpr (D == 3)
+      if (s.count == 4) return detail::is_outside(p, on[0], on[1], on[2], on[3]);
+    return detail::is_outside(p, on[0], on[1], on[2]);
+  }
+
+  std::array<P, D + 2> points_{};
+  std::size_t size_ = 0;
+};
+
+// How far p is from the ball's centre, squared, less the radius squared, about; and whether it is outside (1) or inside
+// (-1) by far more than what rounding can do to the ball and to this; 0 when that is not sure.
+struct guessed_side {
+  double excess = 0;
+  int side = 0;
+};
+template <Floating T, int N, Point P>
+constexpr guessed_side guess_side(const bounding_sphere<T, N>& ball, const P& p) noexcept {
+  const double radius = widened(ball.radius);
+  double squared = 0, reach = radius;
+  for (int i = 0; i < N; ++i) {
+    const double c = widened(ball.centre[i]), x = widened(coordinate(p, i));
+    reach = greater(reach, greater(magnitude(c), magnitude(x)));
+    if (!(reach < 0x1p400)) return {0, 0};
+    squared = squared + product(x - c, x - c);
+  }
+  const double slack = reach * (sizeof(T) == 4 ? 0x1p-18 : 0x1p-44), inner = radius - slack, outer = radius + slack;
+  const double excess = squared - product(radius, radius);
+  if (!(slack > 0x1p-400)) return {excess, 0};
+  if (squared > product(outer, outer)) return {excess, 1};
+  return {excess, inner > 0 && squared < product(inner, inner) ? -1 : 0};
+}
+template <int N, Point P>
+constexpr guessed_side close_side(const close_ball<N>& ball, const P& p) noexcept {
+  if (ball.offset_off == 0) return {};
+  const vec<double_double, N> way = ball.way_to(p);
+  double size = 0;
+  for (int i = 0; i < N; ++i) size = greater(size, magnitude(way[i].high));
+  if (!(size < 0x1p60)) return {};
+  const double_double gap = dot(way, way) * ball.divisor - dot(way, ball.offset);
+  const double error = 3.1 * (product(product(size, size), ball.divisor_off + ball.divisor_size * 0x1p-98) +
+                              product(size, ball.offset_off + ball.offset_size * 0x1p-98));
+  if (!(magnitude(gap.high) > error)) return {};
+  return {gap.high / ball.divisor.high, (gap.high > 0) == (ball.divisor.high > 0) ? 1 : -1};
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+namespace irg::inline IRG_ABI {
+
 template <PolygonRing R>
   requires(Point<ring_point<R>> && Floating<ring_scalar<R>> &&
            (size_of<ring_point<R>> == 2 || size_of<ring_point<R>> == 3))

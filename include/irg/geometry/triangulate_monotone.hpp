@@ -3,14 +3,19 @@
 // triangles in the same pass. Every decision is exact.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include <irg/geometry/detail/monotone_sweep.hpp>
+#include <irg/geometry/detail/fold.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
+#include <irg/geometry/detail/sweep_order.hpp>
+#include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg {
 
@@ -46,12 +51,531 @@ inline namespace IRG_ABI {
 /// source  Lee and Preparata 1977; Garey, Johnson, Preparata and Tarjan 1978; de Berg et al. 2008, chapter 3. Here both
 ///         passes are one, and ties are broken by the rings themselves
 template <PlanePolygon P>
-[[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
-  triangulation result;
-  if (!irg::is_finite(polygon)) {
-    result.state = triangulation_state::not_finite;
-    return result;
+[[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon);
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_ABI {
+
+// The order of the sweeps: upwards, to the right along a level.
+template <Scalar T>
+constexpr bool is_lower(const point<T, 2>& a, const point<T, 2>& b) noexcept {
+  return a.y < b.y || (a.y == b.y && a.x < b.x);
+}
+
+// Whether rings cross themselves or each other at a point, whatever touches or coincides: a sweep from the lowest
+// vertex up that keeps the edges in their order (Shamos and Hoey 1976) and, at each vertex, sees whether two ways
+// lead through each other.
+template <Scalar T>
+class crossing_search {
+public:
+  using place = point<T, 2>;
+
+  // Adds points[first] to points[first + n - 1] as a ring; where it stands still counts for nothing.
+  constexpr void add_ring(const std::vector<place>& points, std::size_t first, std::size_t n) {
+    const std::size_t begin = vertices_.size();
+    for (std::size_t i = first; i < first + n; ++i)
+      if (vertices_.size() == begin || !same_place(points[i], vertices_.back().at))
+        vertices_.push_back({points[i], 0, 0});
+    while (vertices_.size() > begin + 1 && same_place(vertices_[begin].at, vertices_.back().at)) vertices_.pop_back();
+    const auto low = static_cast<std::uint32_t>(begin), high = static_cast<std::uint32_t>(vertices_.size());
+    if (high - low < 2) {
+      vertices_.resize(begin);
+      return;
+    }
+    for (std::uint32_t i = low; i < high; ++i) {
+      vertices_[i].previous = i > low ? i - 1 : high - 1;
+      vertices_[i].next = i + 1 < high ? i + 1 : low;
+    }
   }
+
+  // Whether two edges cross within both, or a way through a vertex crosses an edge or another way there. Ways that
+  // have a stretch in common only touch.
+  constexpr bool run() {
+    std::vector<std::uint32_t> events;
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) events.push_back(i);
+    std::sort(events.begin(), events.end(), [&](std::uint32_t i, std::uint32_t j) { return is_lower(at(i), at(j)); });
+    for (std::size_t begin = 0, end = 0; begin < events.size(); begin = end) {
+      while (end < events.size() && !is_lower(at(events[begin]), at(events[end]))) ++end;
+      if (crosses_at(events.data() + begin, end - begin)) return true;
+    }
+    return false;
+  }
+
+private:
+  static constexpr std::uint32_t none = sweep_order<std::uint32_t>::none;
+  struct vertex {
+    place at;
+    std::uint32_t previous, next;
+  };
+  struct way {
+    std::uint32_t from, to;  // vertices, then directions by their number around the place
+  };
+
+  std::vector<vertex> vertices_;  // edge i leads from vertex i to the next
+  sweep_order<std::uint32_t> order_;
+  std::vector<std::uint32_t> through_, rising_, around_;
+  std::vector<way> ways_;
+
+  constexpr const place& at(std::uint32_t i) const noexcept { return vertices_[i].at; }
+  constexpr bool rises(std::uint32_t e) const noexcept { return is_lower(at(e), at(vertices_[e].next)); }
+  constexpr std::uint32_t low(std::uint32_t e) const noexcept { return rises(e) ? e : vertices_[e].next; }
+  constexpr std::uint32_t high(std::uint32_t e) const noexcept { return rises(e) ? vertices_[e].next : e; }
+  // 1 where p is left of edge e, -1 where it is right of it.
+  constexpr int side(std::uint32_t e, const place& p) const noexcept { return orient2d(at(low(e)), at(high(e)), p); }
+  constexpr bool cross_within(std::uint32_t e, std::uint32_t f) const noexcept {
+    return side(e, at(low(f))) * side(e, at(high(f))) < 0 && side(f, at(low(e))) * side(f, at(high(e))) < 0;
+  }
+
+  // All vertices at one place.
+  constexpr bool crosses_at(const std::uint32_t* found, std::size_t n) {
+    const place p = at(found[0]);
+    std::uint32_t before = none, first = none;  // the last edge left of p, the first that p is on
+    for (std::uint32_t e = order_.root(); e != none;) {
+      const int s = side(e, p);
+      if (s < 0) before = e;
+      if (s == 0) first = e;
+      e = s < 0 ? order_.right(e) : order_.left(e);
+    }
+    through_.clear(), rising_.clear(), ways_.clear();
+    std::uint32_t after = first;
+    while (after != none && side(after, p) == 0) {
+      const std::uint32_t e = after;
+      after = order_.next(e);
+      if (is_lower(p, at(high(e)))) {
+        through_.push_back(e);
+        ways_.push_back({low(e), high(e)});
+      } else {
+        order_.erase(e);
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      const vertex& v = vertices_[found[k]];
+      ways_.push_back({v.previous, v.next});
+      if (is_lower(p, at(v.next))) rising_.push_back(found[k]);
+      if (is_lower(p, at(v.previous))) rising_.push_back(v.previous);
+    }
+    if (ways_.size() > 1 && ways_cross(p)) return true;
+    insert_rising(p, before);
+    std::uint32_t e = before != none ? before : !through_.empty() ? through_[0] : !rising_.empty() ? rising_[0] : after;
+    for (; e != none && e != after; e = order_.next(e))
+      if (const std::uint32_t f = order_.next(e); f != none && cross_within(e, f)) return true;
+    return false;
+  }
+
+  // Counter-clockwise round p, from its right on.
+  constexpr auto turns_before(const place& p) const noexcept {
+    return [this, &p](std::uint32_t i, std::uint32_t j) {
+      const bool i_below = is_lower(at(i), p), j_below = is_lower(at(j), p);
+      return i_below != j_below ? j_below : orient2d(p, at(i), at(j)) > 0;
+    };
+  }
+
+  // Whether the ends of two ways through p alternate round it. Ways that share a direction do not cross.
+  constexpr bool ways_cross(const place& p) {
+    around_.clear();
+    for (const way& w : ways_) around_.insert(around_.end(), {w.from, w.to});
+    std::sort(around_.begin(), around_.end(), turns_before(p));
+    const auto number = [&](std::uint32_t i) {
+      return static_cast<std::uint32_t>(std::lower_bound(around_.begin(), around_.end(), i, turns_before(p)) -
+                                        around_.begin());
+    };
+    for (way& w : ways_) {
+      const std::uint32_t i = number(w.from), j = number(w.to);
+      w = i < j ? way{i, j} : way{j, i};
+    }
+    std::sort(ways_.begin(), ways_.end(),
+              [](const way& v, const way& w) { return v.from != w.from ? v.from < w.from : v.to > w.to; });
+    std::size_t open = 0;  // the ways that are open lie at the beginning, each within the one before
+    for (const way& w : ways_) {
+      const way now = w;
+      while (open > 0 && ways_[open - 1].to <= now.from) --open;
+      if (open > 0 && ways_[open - 1].from < now.from && ways_[open - 1].to < now.to) return true;
+      ways_[open++] = now;
+    }
+    return false;
+  }
+
+  // Puts the edges that begin at p behind `before`, around those that pass through p.
+  constexpr void insert_rising(const place& p, std::uint32_t before) {
+    const auto top = [&](std::uint32_t e) { return at(high(e)); };
+    std::sort(rising_.begin(), rising_.end(), [&](std::uint32_t e, std::uint32_t f) {
+      const int t = orient2d(p, top(e), top(f));
+      return t != 0 ? t < 0 : e < f;
+    });
+    std::uint32_t where = before;
+    bool is_left = !through_.empty();
+    for (const std::uint32_t e : rising_) {
+      if (is_left && orient2d(p, top(through_[0]), top(e)) <= 0) {
+        where = through_.back();
+        is_left = false;
+      }
+      order_.insert_after(where, e);
+      where = e;
+    }
+  }
+};
+
+// The triangles between two edges of an upward sweep: what is open there is a chain of vertices that no triangle could
+// be cut off from yet; each new vertex, on the left or on the right, cuts off what it can.
+
+// A chain from its newest vertex down. All but the lowest lie on one side, where the newest begins an edge; on the
+// other the lowest does. Seen from inside, it turns nowhere towards the inside.
+struct open_chain {
+  std::uint32_t top = 0xffffffffu;  // a link
+  bool on_right = false;
+};
+
+// What is open between an edge and its right neighbour: one chain, or two that met at a vertex which ended the outside
+// between them and awaits the next vertex to be joined to.
+struct open_gap {
+  open_chain first, second;
+};
+
+template <Scalar T>
+class monotone_chains {
+public:
+  using triangle = std::array<std::uint32_t, 3>;
+
+  constexpr monotone_chains(const std::vector<point<T, 2>>& points, std::vector<triangle>& out)
+      : points_(&points), out_(&out) {}
+
+  constexpr open_gap begin(std::uint32_t v) { return {{push(v, none), false}, {}}; }
+
+  // v is on the gap's left edge.
+  constexpr void add_left(open_gap& gap, std::uint32_t v) {
+    if (gap.second.top != none) {
+      fan(gap.first, v);
+      gap.first = gap.second;
+      gap.second = {};
+    }
+    extend(gap.first, v, false);
+  }
+  constexpr void add_right(open_gap& gap, std::uint32_t v) {
+    if (gap.second.top != none) {
+      fan(gap.second, v);
+      gap.second = {};
+    }
+    extend(gap.first, v, true);
+  }
+  // Both edges of the gap end at v.
+  constexpr void finish(open_gap& gap, std::uint32_t v) {
+    fan(gap.first, v);
+    if (gap.second.top != none) fan(gap.second, v);
+  }
+  // The outside begins at v, within the gap: returns the gap to its right and keeps the one to its left.
+  constexpr open_gap split(open_gap& gap, std::uint32_t v) {
+    open_gap right;
+    if (gap.second.top != none) {
+      right.first = gap.second;
+      gap.second = {};
+    } else {
+      const open_chain fresh{push(links_[gap.first.top].vertex, none), false};
+      right.first = gap.first.on_right ? fresh : gap.first;
+      if (!gap.first.on_right) gap.first = fresh;
+    }
+    extend(gap.first, v, true);
+    extend(right.first, v, false);
+    return right;
+  }
+  // The outside between two gaps ends at v.
+  constexpr void merge(open_gap& left, open_gap& right, std::uint32_t v) {
+    add_right(left, v);
+    add_left(right, v);
+    left.second = right.first;
+  }
+
+private:
+  static constexpr std::uint32_t none = 0xffffffffu;
+  struct link {
+    std::uint32_t vertex, below;
+  };
+  const std::vector<point<T, 2>>* points_;
+  std::vector<triangle>* out_;
+  std::vector<link> links_;
+
+  constexpr std::uint32_t push(std::uint32_t v, std::uint32_t below) {
+    links_.push_back({v, below});
+    return static_cast<std::uint32_t>(links_.size() - 1);
+  }
+  constexpr void give(bool chain_on_right, std::uint32_t lower, std::uint32_t upper, std::uint32_t v) {
+    out_->push_back(chain_on_right ? triangle{lower, upper, v} : triangle{upper, lower, v});
+  }
+  // The triangles of v with every edge of the chain.
+  constexpr void fan(const open_chain& chain, std::uint32_t v) {
+    for (std::uint32_t upper = chain.top; links_[upper].below != none; upper = links_[upper].below)
+      give(chain.on_right, links_[links_[upper].below].vertex, links_[upper].vertex, v);
+  }
+  // Whether the chain turns towards the inside at `upper`, so that a triangle can be cut off there. Vertices at one
+  // place turn nowhere; they go at once, lest a corner that is made of several be taken for none.
+  constexpr bool can_cut(std::uint32_t lower, std::uint32_t upper, std::uint32_t v, bool on_right) const noexcept {
+    const point<T, 2>&a = (*points_)[lower], &b = (*points_)[upper], &c = (*points_)[v];
+    const int turn = orient2d(a, b, c);
+    return turn == 0 ? same_place(a, b) || same_place(b, c) : (turn > 0) == on_right;
+  }
+  // Adds v on the left or on the right.
+  constexpr void extend(open_chain& chain, std::uint32_t v, bool on_right) {
+    std::uint32_t top = chain.top;
+    if (chain.on_right != on_right && links_[top].below != none) {
+      fan(chain, v);
+      chain = {push(v, push(links_[top].vertex, none)), on_right};
+      return;
+    }
+    for (std::uint32_t below = links_[top].below; below != none; top = below, below = links_[top].below) {
+      const std::uint32_t lower = links_[below].vertex, upper = links_[top].vertex;
+      if (!can_cut(lower, upper, v, on_right)) break;
+      give(on_right, lower, upper, v);
+    }
+    chain = {push(v, top), on_right};
+  }
+};
+
+// The sweep of triangulate_monotone: from the lowest vertex up, edges in their order from left to right. Only where a
+// vertex begins two edges is a place looked for; all others stand where an edge ends. So an order in which edges that
+// coincide and vertices that touch edges lie beside each other, once chosen, is kept, and it suffices to see that
+// neighbours never change sides: then no edges cross.
+template <Scalar T>
+class monotone_sweep {
+public:
+  using triangle = std::array<std::uint32_t, 3>;
+
+  constexpr explicit monotone_sweep(std::vector<triangle>& out) : chains_(points_, out), out_(&out) {}
+
+  template <PlaneRing R>
+  constexpr void add_ring(const R& ring) {
+    const auto first = static_cast<std::uint32_t>(points_.size()), n = static_cast<std::uint32_t>(ring_size(ring));
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const auto p = ring_vertex(ring, i);
+      points_.push_back({coordinate(p, 0), coordinate(p, 1)});
+      next_.push_back(first + (i + 1 < n ? i + 1 : 0));
+      previous_.push_back(first + (i > 0 ? i - 1 : n - 1));
+    }
+    if (n < 3) {
+      for (std::uint32_t i = 0; i < n; ++i) next_[first + i] = none;
+      return;
+    }
+    rings_.push_back({first, n});
+    remove_folds(first, n);
+  }
+
+  // Whether no edges cross.
+  constexpr bool run() {
+    if (has_folds_ && whole_rings_cross()) return false;
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+      if (next_[i] != none) events_.push_back(i);
+    std::sort(events_.begin(), events_.end(),
+              [&](std::uint32_t i, std::uint32_t j) { return is_before(i, j) || (i < j && !is_before(j, i)); });
+    arriving_.assign(2 * points_.size(), none);
+    for (std::size_t begin = 0, end = 0; begin < events_.size(); begin = end) {
+      while (end < events_.size() && !is_before(events_[begin], events_[end])) ++end;
+      if (!pass(begin, end)) return false;
+    }
+    return true;
+  }
+
+private:
+  static constexpr std::uint32_t none = sweep_order<std::uint32_t>::none;
+  struct edge {
+    std::uint32_t low = none, high = none;
+    bool inside_on_right = false;
+    open_gap gap;  // to the right, where that is inside
+  };
+  struct ring_range {
+    std::uint32_t first, size;
+  };
+
+  std::vector<point<T, 2>> points_;
+  std::vector<std::uint32_t> next_, previous_;  // next_ is none for a vertex that has been removed
+  std::vector<ring_range> rings_;
+  bool has_folds_ = false;
+  monotone_chains<T> chains_;
+  std::vector<triangle>* out_;
+  std::vector<std::uint32_t> events_, arriving_;  // the edges that come to a vertex from its neighbours
+  sweep_order<std::uint32_t> order_;
+  std::vector<edge> edges_;
+  std::vector<std::uint32_t> unused_, starts_, changed_;
+
+  constexpr const point<T, 2>& at(std::uint32_t i) const noexcept { return points_[i]; }
+  constexpr bool is_before(std::uint32_t i, std::uint32_t j) const noexcept { return is_lower(at(i), at(j)); }
+  constexpr int turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const noexcept {
+    return orient2d(points_[i], points_[j], points_[k]);
+  }
+
+  // The sweep sees the rings without their folds, which may cross what is left.
+  constexpr bool whole_rings_cross() const {
+    crossing_search<T> search;
+    for (const ring_range& r : rings_) search.add_ring(points_, r.first, r.size);
+    return search.run();
+  }
+
+  // Vertices where the ring stands still or turns back go, as triangles without area.
+  constexpr void remove_folds(std::uint32_t first, std::uint32_t n) {
+    std::uint32_t left = n;
+    for (std::uint32_t i = first, quiet = 0; quiet < left;) {
+      const std::uint32_t before = previous_[i], after = next_[i];
+      if (!is_fold(at(before), at(i), at(after))) {
+        ++quiet;
+        i = after;
+        continue;
+      }
+      has_folds_ = true;
+      out_->push_back({before, i, after});
+      next_[before] = after;
+      previous_[after] = before;
+      next_[i] = none;
+      quiet = 0;
+      if (--left == 2) {
+        next_[before] = next_[after] = none;
+        return;
+      }
+      i = before;
+    }
+  }
+
+  // All vertices at one place: first the ends of edges, then what goes on, then the beginnings.
+  constexpr bool pass(std::size_t begin, std::size_t end) {
+    starts_.clear();
+    changed_.clear();
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t v = events_[k];
+      const bool from_previous = is_before(previous_[v], v), from_next = is_before(next_[v], v);
+      if (from_previous && from_next)
+        end_edges(v);
+      else if (!from_previous && !from_next)
+        starts_.push_back(v);
+    }
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t v = events_[k];
+      const bool from_previous = is_before(previous_[v], v), from_next = is_before(next_[v], v);
+      if (from_previous && from_next && arriving_[2 * v] != none) return false;  // others lie between its edges
+      if (from_previous != from_next) go_on(v, from_previous);
+    }
+    if (starts_.size() > 1) sort_starts();
+    for (const std::uint32_t v : starts_)
+      if (!start_edges(v)) return false;
+    for (const std::uint32_t e : changed_)
+      if (!in_order(e)) return false;
+    return true;
+  }
+
+  // Ends the two edges that meet at v if they are neighbours, and then those around them that meet at the same place.
+  constexpr void end_edges(std::uint32_t v) {
+    for (;;) {
+      std::uint32_t l = arriving_[2 * v], r = arriving_[2 * v + 1];
+      if (l == none) return;
+      if (order_.next(l) != r) std::swap(l, r);
+      if (order_.next(l) != r) return;
+      const std::uint32_t before = order_.previous(l), after = order_.next(r);
+      if (edges_[l].inside_on_right)
+        chains_.finish(edges_[l].gap, v);
+      else
+        chains_.merge(edges_[before].gap, edges_[r].gap, v);
+      for (const std::uint32_t e : {l, r}) {
+        order_.erase(e);
+        edges_[e].high = none;
+        unused_.push_back(e);
+      }
+      arriving_[2 * v] = arriving_[2 * v + 1] = none;
+      if (before == none || after == none) return;
+      changed_.push_back(before);
+      const std::uint32_t next = edges_[before].high;
+      if (next != edges_[after].high || is_before(v, next)) return;
+      v = next;
+    }
+  }
+
+  constexpr void go_on(std::uint32_t v, bool from_previous) {
+    const std::uint32_t e = arriving_[2 * v + (from_previous ? 0 : 1)];
+    if (edges_[e].inside_on_right)
+      chains_.add_left(edges_[e].gap, v);
+    else
+      chains_.add_right(edges_[order_.previous(e)].gap, v);
+    lead(e, v, from_previous);
+  }
+
+  // Lets edge e run from v to its next or previous vertex.
+  constexpr void lead(std::uint32_t e, std::uint32_t v, bool to_next) {
+    edges_[e].low = v;
+    edges_[e].high = to_next ? next_[v] : previous_[v];
+    arriving_[2 * edges_[e].high + (to_next ? 0 : 1)] = e;
+    changed_.push_back(e);
+  }
+
+  constexpr bool next_is_left(std::uint32_t v) const noexcept { return turn(v, previous_[v], next_[v]) > 0; }
+
+  // From left to right by their left edges, the wider ones first: wedges within others come after them.
+  constexpr void sort_starts() {
+    const auto ends = [&](std::uint32_t v) {
+      return next_is_left(v) ? std::array{next_[v], previous_[v]} : std::array{previous_[v], next_[v]};
+    };
+    std::sort(starts_.begin(), starts_.end(), [&](std::uint32_t u, std::uint32_t v) {
+      const auto a = ends(u), b = ends(v);
+      const int left = turn(u, a[0], b[0]), right = turn(u, a[1], b[1]);
+      return left != 0 ? left < 0 : right != 0 ? right > 0 : u < v;
+    });
+  }
+
+  constexpr bool start_edges(std::uint32_t v) {
+    std::uint32_t before = none;
+    for (std::uint32_t e = order_.root(); e != none;) {
+      int side = turn(edges_[e].low, edges_[e].high, v);
+      if (side == 0) {  // v is on it: where v's own edges lie decides
+        const int a = turn(edges_[e].low, edges_[e].high, previous_[v]);
+        const int b = turn(edges_[e].low, edges_[e].high, next_[v]);
+        if (a * b < 0) return false;
+        side = a + b;
+      }
+      if (side <= 0) before = e;
+      e = side > 0 ? order_.left(e) : order_.right(e);
+    }
+    const std::uint32_t l = new_edge(), r = new_edge();
+    const bool to_next = next_is_left(v);
+    order_.insert_after(before, l);
+    order_.insert_after(l, r);
+    const bool inside = before != none && edges_[before].inside_on_right;
+    edges_[l].inside_on_right = !inside;
+    edges_[r].inside_on_right = inside;
+    if (inside)
+      edges_[r].gap = chains_.split(edges_[before].gap, v);
+    else
+      edges_[l].gap = chains_.begin(v);
+    lead(l, v, to_next);
+    lead(r, v, !to_next);
+    return true;
+  }
+
+  constexpr std::uint32_t new_edge() {
+    if (unused_.empty()) {
+      unused_.push_back(static_cast<std::uint32_t>(edges_.size()));
+      edges_.push_back({});
+    }
+    const std::uint32_t e = unused_.back();
+    unused_.pop_back();
+    edges_[e] = {};
+    return e;
+  }
+
+  // Whether edge e, if it is still there, keeps to its side of its neighbours as far as they go beside each other.
+  constexpr bool in_order(std::uint32_t e) const noexcept {
+    if (edges_[e].high == none) return true;
+    const std::uint32_t before = order_.previous(e), after = order_.next(e);
+    return (before == none || in_order(edges_[before], edges_[e])) &&
+           (after == none || in_order(edges_[e], edges_[after]));
+  }
+  constexpr bool in_order(const edge& l, const edge& r) const noexcept {
+    return is_before(r.high, l.high) ? turn(l.low, l.high, r.high) <= 0 : turn(r.low, r.high, l.high) >= 0;
+  }
+};
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
+template <PlanePolygon P>
+[[nodiscard]] constexpr triangulation triangulate_monotone(const P& polygon) {
+  if (!irg::is_finite(polygon)) return {triangulation_state::not_finite, {}};
+  triangulation result;
   detail::monotone_sweep<scalar_of<polygon_point<P>>> sweep(result.triangles);
   bool clockwise = false, first = true;
   detail::each_ring(polygon, [&](const auto& ring) {
@@ -69,5 +593,4 @@ template <PlanePolygon P>
   return result;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -8,6 +8,7 @@
 // coplanar faces have an order, too.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,7 @@ namespace irg {
 struct bsp_counts {
   std::int64_t faces = 0, pieces = 0;  // pieces: nodes, of which faces that were split have several
   std::int64_t depth = 0;
+  std::int64_t asked = 0;  // parts that were asked, one by one, on which side of a plane they lie
   constexpr bool operator==(const bsp_counts&) const = default;
 };
 
@@ -57,7 +59,7 @@ struct bsp_open_part {
   bsp_of_faces::node node;
   pixel_hull pixels{};
 };
-using bsp_face_cells = bsp_open_cells<bsp_open_part, double, 3>;
+using bsp_face_cells = bsp_open_cells<bsp_open_part, 3>;
 
 // Parts that a subtree is made of, and where it is hung.
 struct bsp_task {
@@ -120,18 +122,25 @@ private:
     const box<double, 3> bounds{
         {static_cast<double>(w.x_first), static_cast<double>(w.y_first), widened(f.depth_low) * stretch_},
         {static_cast<double>(w.x_last - 1), static_cast<double>(w.y_last - 1), widened(f.depth_high) * stretch_}};
-    return {std::move(p), bounds, place};
+    bsp_bounds<3> within =
+        bounds_of<3>(std::array{stretched(f.v[0], stretch_), stretched(f.v[1], stretch_), stretched(f.v[2], stretch_)},
+                     plane_form<Order>(f, stretch_).slope);
+    within.around = bounds;
+    return {std::move(p), within, place};
   }
 
   // How the parts of a cell lie to a plane, or some of them where many lie near it.
   constexpr bsp_sides sides_of(std::uint32_t cell, const screen_face& plane) const {
     const auto count = [&](const bsp_open_part& p, bsp_sides& sides) {
       if (p.node.part.face == &plane) return;
+      ++tree_.counts.asked;
       const window_order order = order_of_part<Order>(p, plane);
       ++(order == window_order::nearer ? sides.front : order == window_order::farther ? sides.back : sides.cut);
     };
     const std::size_t n = cells_.size(cell), asked = lesser(bsp_sample, n);
-    bsp_sides sides = cells_.count_sides(cell, box_to_plane<Order>(plane, stretch_), count, bsp_looks);
+    const linear_form<3> form = plane_form<Order>(plane, stretch_);
+    const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
+    bsp_sides sides = cells_.count_sides(cell, side_of, count, bsp_looks);
     if (sides.front + sides.back + sides.cut + bsp_sample < n) {
       sides = {};
       for (std::size_t i = 0; i < asked; ++i) count(cells_.at(cell, i * n / asked), sides);
@@ -166,9 +175,10 @@ private:
     }
     tree_.nodes.push_back({});
     tree_.counts.depth = greater(tree_.counts.depth, task.depth + 1);
-    const box_to_plane<Order> side_of_box(plane, stretch_);
+    const linear_form<3> form = plane_form<Order>(plane, stretch_);
+    const auto side_of = [&](const bsp_bounds<3>& b) { return rounded_side_of(b, form); };
     const bsp_halves halves =
-        cells_.divide(task.cell, side_of_box, [&](bsp_face_cells::entry&& e, const auto& nearer, const auto& farther) {
+        cells_.divide(task.cell, side_of, [&](bsp_face_cells::entry&& e, const auto& nearer, const auto& farther) {
           bsp_open_part& p = e.item;
           if (p.node.part.face == &plane) {
             bsp_of_faces::node& here = tree_.nodes[static_cast<std::size_t>(id)];
@@ -178,6 +188,7 @@ private:
               farther(std::move(e));
             return;
           }
+          ++tree_.counts.asked;
           window_order order = order_of_part<Order>(p, plane);
           if (order == window_order::crossing) order = order_without_ties(p, plane);
           if (order == window_order::crossing)
@@ -214,8 +225,9 @@ private:
       faces_ = known_.make_cell(std::move(all));
     }
     for (cell at = ties.first;; at.x += ties.step.x, at.y += ties.step.y) {
-      const auto may_hold = [&](const box<double, 3>& b) {
-        return b.low[0] <= at.x && at.x <= b.high[0] && b.low[1] <= at.y && at.y <= b.high[1];
+      const auto may_hold = [&](const bsp_bounds<3>& b) {
+        const auto& [low, high] = b.around;
+        return low[0] <= at.x && at.x <= high[0] && low[1] <= at.y && at.y <= high[1];
       };
       if (known_.any_of(faces_, may_hold, [&](const bsp_open_part& other) {
             const screen_face& g = *other.node.part.face;
@@ -268,9 +280,9 @@ inline namespace IRG_ABI {
 ///         lie before and some behind: none of a convex body, but where pixels on its outline belong to two faces
 ///         equally near, or where rounding has bent its faces
 /// exact   sides by is_nearer at pixel centres
-/// cost    n log n where planes split little, n^1.5 for convex bodies: 8 planes are tried for each node, up to 32 where
-///         all of them cut, and meet the parts that boxes do not tell from them. Faces that go through each other make
-///         as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
+/// cost    n log n where planes split little, and for convex bodies: 8 planes are tried for each node, up to 32 where
+///         all of them cut, and meet the parts that their bounds do not tell from them. Faces that go through each
+///         other make as many pieces as their planes cut them in. Allocates; no recursion deeper than log n
 /// source  Fuchs, Kedem and Naylor 1980
 template <DepthOrder Order = nearer_is_greater, class Faces>
 [[nodiscard]] constexpr bsp_of_faces build_bsp(const Faces& faces, const cell_window& window) {

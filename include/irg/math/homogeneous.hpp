@@ -8,7 +8,6 @@
 #include <optional>
 
 #include <irg/core/conversion.hpp>
-#include <irg/math/detail/homogeneous_steps.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/math/wide_int.hpp>
@@ -39,16 +38,7 @@ template <class T, int N>
 /// gives   false when one is nothing (all zero, NaN, infinite)
 /// exact   for all finite floats, all integers and rationals: the products across are compared exactly
 template <class T, int N>
-[[nodiscard]] constexpr bool same_position(const hpoint<T, N>& p, const hpoint<T, N>& q) noexcept {
-  if (homogeneous_kind_of(p) == homogeneous_kind::nothing || homogeneous_kind_of(q) == homogeneous_kind::nothing)
-    return false;
-  int k = N;
-  while (p[k] == T(0)) --k;
-  if (q[k] == T(0)) return false;
-  for (int i = 0; i <= N; ++i)
-    if (i != k && !detail::products_equal(p[k], q[i], p[i], q[k])) return false;
-  return true;
-}
+[[nodiscard]] constexpr bool same_position(const hpoint<T, N>& p, const hpoint<T, N>& q) noexcept;
 
 /// The homogeneous form of p of weight h: h times its coordinates, then h.
 /// needs   h != 0
@@ -79,6 +69,58 @@ template <Real T, int N>
         return std::nullopt;
     }
   return to_cartesian(p);
+}
+
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_ABI {
+
+// a*b as value + error times 2^exponent, which is one way to write it: 1 <= |value| < 2.
+struct normalized_product {
+  double value, error;
+  int exponent;
+  constexpr bool operator==(const normalized_product&) const = default;
+};
+constexpr normalized_product normalized_product_of(double a, double b) noexcept {
+  const scaled_number x = decompose(a), y = decompose(b);
+  const auto p = fast_two_product(x.significand, y.significand);
+  const int up = magnitude(p.value) >= 2 ? (magnitude(p.value) >= 4 ? 2 : 1) : 0;
+  const double back = power_of_two(-up);
+  return {p.value * back, p.error * back, x.exponent + y.exponent + up};
+}
+
+// Whether a*b == c*d.
+template <class T>
+constexpr bool products_equal(const T& a, const T& b, const T& c, const T& d) noexcept {
+  if constexpr (std::same_as<T, float>) {
+    return widened(a) * widened(b) == widened(c) * widened(d);
+  } else if constexpr (std::same_as<T, double>) {
+    if (a == 0 || b == 0 || c == 0 || d == 0) return (a == 0 || b == 0) == (c == 0 || d == 0);
+    return normalized_product_of(a, b) == normalized_product_of(c, d);
+  } else if constexpr (std::integral<T> && sizeof(T) == 8) {
+    return wide_int<2>(a) * wide_int<2>(b) == wide_int<2>(c) * wide_int<2>(d);
+  } else if constexpr (std::integral<T>) {
+    using W = std::conditional_t<std::is_signed_v<T>, std::int64_t, std::uint64_t>;
+    return W{a} * W{b} == W{c} * W{d};
+  } else {
+    return a * b == c * d;
+  }
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+template <class T, int N>
+[[nodiscard]] constexpr bool same_position(const hpoint<T, N>& p, const hpoint<T, N>& q) noexcept {
+  if (homogeneous_kind_of(p) == homogeneous_kind::nothing || homogeneous_kind_of(q) == homogeneous_kind::nothing)
+    return false;
+  int k = N;
+  while (p[k] == T(0)) --k;
+  if (q[k] == T(0)) return false;
+  for (int i = 0; i <= N; ++i)
+    if (i != k && !detail::products_equal(p[k], q[i], p[i], q[k])) return false;
+  return true;
 }
 
 }  // namespace IRG_ABI

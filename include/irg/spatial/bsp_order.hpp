@@ -10,6 +10,7 @@
 
 #include <irg/geometry/box.hpp>
 #include <irg/math/error_free.hpp>
+#include <irg/math/vec.hpp>
 
 namespace irg {
 
@@ -44,17 +45,143 @@ struct bsp_sides {
   std::size_t front = 0, back = 0, cut = 0;
 };
 
-/// The cells of a partition while they are divided. The items of a cell stand in a balanced tree of boxes, so that a
+/// What some items lie in: a box, and the slab low <= normal . p <= high across the direction in which they are thin.
+/// Of walls or faces that turn little, a box stands out over their planes by as much as they are long, a slab by the
+/// square of it alone.
+/// shape   a normal of zero: the box only
+template <int N>
+struct IRG_APART bsp_bounds {
+  box<double, N> around;
+  vec<double, N> normal{};
+  double low = 0, high = 0;
+};
+
+/// The sum of slope . (p - origin), whose coefficients were rounded sums of terms of the size `size`.
+template <int N>
+struct IRG_APART linear_form {
+  vec<double, N> slope, size;
+  point<double, N> origin{};
+};
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// A normal made as long that its greatest coordinate is 1 or -1; zero where that is `least` or less.
+template <int N>
+constexpr vec<double, N> scaled_normal(const vec<double, N>& v, double least) noexcept {
+  double most = 0;
+  for (int k = 0; k < N; ++k) most = greater(most, magnitude(v[k]));
+  vec<double, N> n{};
+  if (most > least)
+    for (int k = 0; k < N; ++k) n[k] = v[k] / most;
+  return n;
+}
+
+// The least and the greatest value of a form within bounds. A share of the form is taken along the normal, where the
+// slab tells, and the rest within the box.
+//
+// With u = 2^-53, each term passes at most 6 roundings (two differences, the share and its product, a product, a sum),
+// the sum N more, and what the share is does not matter; so all are off by less than 16u of the sum of their sizes, and
+// as much again for the sizes themselves: the bound is 2^-46 of it, 128u. Numbers below 2^-1022, which may be taken for
+// zero, lose less than 2^-800 in products with others below 2^201.
+template <int N>
+constexpr box<double, 1> values_within(const linear_form<N>& f, const bsp_bounds<N>& b) noexcept {
+  double along = 0, square = 0, start = 0, error = 0;
+  for (int k = 0; k < N; ++k) {
+    along += product(f.slope[k], b.normal[k]);
+    square += product(b.normal[k], b.normal[k]);
+    start += product(b.normal[k], f.origin[k]);
+    error += magnitude(product(b.normal[k], f.origin[k]));
+  }
+  const double share = square > 0 ? along / square : 0.0;
+  const double first = product(share, b.low - start), last = product(share, b.high - start);
+  double low = lesser(first, last), high = greater(first, last);
+  error = product(magnitude(share), error + greater(magnitude(b.low), magnitude(b.high)));
+  for (int k = 0; k < N; ++k) {
+    const double taken = product(share, b.normal[k]), left = f.slope[k] - taken;
+    const double from = b.around.low[k] - f.origin[k], to = b.around.high[k] - f.origin[k];
+    const double p = product(left, from), q = product(left, to);
+    low += lesser(p, q);
+    high += greater(p, q);
+    error += product(f.size[k] + magnitude(taken), greater(magnitude(from), magnitude(to)));
+  }
+  error = product(error, 0x1p-46) + 0x1p-800;
+  return {{low - error}, {high + error}};
+}
+
+template <int N>
+constexpr linear_form<N> form_along(const vec<double, N>& normal) noexcept {
+  linear_form<N> f{normal, normal};
+  for (int k = 0; k < N; ++k) f.size[k] = magnitude(normal[k]);
+  return f;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+/// 1 where the form is positive all over the bounds, -1 where it is negative, 0 where rounded numbers do not tell.
+/// needs   coordinates and slopes up to 2^201 in size
+template <int N>
+[[nodiscard]] constexpr int rounded_side_of(const bsp_bounds<N>& b, const linear_form<N>& f) noexcept {
+  const auto sure = [](const box<double, 1>& v) { return v.low[0] > 0 ? 1 : v.high[0] < 0 ? -1 : 0; };
+  const int side = sure(detail::values_within(f, b));
+  return side != 0 || b.normal == vec<double, N>{} ? side : sure(detail::values_within(f, bsp_bounds<N>{b.around}));
+}
+
+/// Bounds of the points of a segment, a triangle or a polygon, thin along a normal of any length.
+template <int N, class Points>
+[[nodiscard]] constexpr bsp_bounds<N> bounds_of(const Points& points, const vec<double, N>& normal) noexcept {
+  bsp_bounds<N> b{{points[0], points[0]}};
+  for (const point<double, N>& p : points)
+    for (int k = 0; k < N; ++k) {
+      b.around.low[k] = lesser(b.around.low[k], p[k]);
+      b.around.high[k] = greater(b.around.high[k], p[k]);
+    }
+  b.normal = detail::scaled_normal(normal, 0.0);
+  const linear_form<N> f = detail::form_along(b.normal);
+  bool any = false;
+  for (const point<double, N>& p : points) {
+    const box<double, 1> at = detail::values_within(f, bsp_bounds<N>{{p, p}});
+    b.low = any ? lesser(b.low, at.low[0]) : at.low[0];
+    b.high = any ? greater(b.high, at.high[0]) : at.high[0];
+    any = true;
+  }
+  return b;
+}
+
+/// Bounds of what either of two holds.
+template <int N>
+[[nodiscard]] constexpr bsp_bounds<N> bounds_of_both(const bsp_bounds<N>& a, const bsp_bounds<N>& b) noexcept {
+  bsp_bounds<N> both = a;
+  for (int k = 0; k < N; ++k) {
+    both.around.low[k] = lesser(a.around.low[k], b.around.low[k]);
+    both.around.high[k] = greater(a.around.high[k], b.around.high[k]);
+  }
+  constexpr double cancelled = 0x1p-10;
+  const bool turned = dot(a.normal, b.normal) < 0;  // of a normal either way serves
+  both.normal = detail::scaled_normal(turned ? a.normal - b.normal : a.normal + b.normal, cancelled);
+  const linear_form<N> f = detail::form_along(both.normal);
+  const box<double, 1> first = detail::values_within(f, a), second = detail::values_within(f, b);
+  both.low = lesser(first.low[0], second.low[0]);
+  both.high = greater(first.high[0], second.high[0]);
+  return both;
+}
+
+}  // namespace IRG_ABI
+
+/// The cells of a partition while they are divided. The items of a cell stand in a balanced tree of bounds, so that a
 /// line or plane sends groups that lie at one side of it there as a whole, and looks only at the items that it comes
-/// near: of a convex body, whose planes each leave all the rest on one side, at neighbours alone, some sqrt(n) of them.
+/// near: of a convex body, whose planes each leave all the rest on one side, at neighbours alone, some log n of them.
 /// needs   fewer than 2^31 items
-template <class Item, Floating T, int N>
+template <class Item, int N>
 class IRG_APART bsp_open_cells {
 public:
-  /// An item, a box that it lies in, and the place that it was given at.
+  /// An item, what it lies in, and the place that it was given at.
   struct entry {
     Item item;
-    box<T, N> bounds;
+    bsp_bounds<N> bounds;
     std::uint32_t place = 0;
   };
 
@@ -80,10 +207,10 @@ public:
   }
 
   /// Divides a cell, which is no more then.
-  /// needs   side_of(box): 1 or -1 where all that may lie in a box is in front, or behind, and 0 where that is not
+  /// needs   side_of(bounds): 1 or -1 where all that may lie in them is in front, or behind, and 0 where that is not
   ///         sure; part(entry, front, back): calls front(entry) or back(entry) with what becomes of an item, or both,
   ///         or none
-  /// cost    what is not told by its box, and some log n for each; nothing allocated but for what is cut
+  /// cost    what is not told by its bounds, and some log n for each; nothing allocated but for what is cut
   template <class SideOf, class Part>
   constexpr bsp_halves divide(std::uint32_t cell, const SideOf& side_of, const Part& part) {
     const int side = side_of(nodes_[cell].bounds);
@@ -107,7 +234,7 @@ public:
     return sides;
   }
 
-  /// Whether holds(item) is true for one of a cell's items whose boxes pass may_hold(box).
+  /// Whether holds(item) is true for one of a cell's items whose bounds pass may_hold(bounds).
   template <class MayHold, class Holds>
   [[nodiscard]] constexpr bool any_of(std::uint32_t cell, const MayHold& may_hold, const Holds& holds) const {
     if (cell == bsp_none || !may_hold(nodes_[cell].bounds)) return false;
@@ -117,7 +244,7 @@ public:
 
 private:
   struct node {
-    box<T, N> bounds;
+    bsp_bounds<N> bounds;
     std::uint32_t child[2]{bsp_none, bsp_none};
     std::uint32_t count = 1, place = 0, item = bsp_none;
   };
@@ -152,33 +279,30 @@ private:
     }
     return add_node(leaf);
   }
-  [[nodiscard]] static constexpr box<T, N> box_around(const box<T, N>& a, const box<T, N>& b) noexcept {
-    box<T, N> both;
-    for (int k = 0; k < N; ++k) both.low[k] = lesser(a.low[k], b.low[k]), both.high[k] = greater(a.high[k], b.high[k]);
-    return both;
-  }
   constexpr std::uint32_t join(std::uint32_t a, std::uint32_t b) {
     if (a == bsp_none || b == bsp_none) return a == bsp_none ? b : a;
     const node &m = nodes_[a], &n = nodes_[b];
-    return add_node({box_around(m.bounds, n.bounds), {a, b}, m.count + n.count, lesser(m.place, n.place), bsp_none});
+    return add_node(
+        {bounds_of_both(m.bounds, n.bounds), {a, b}, m.count + n.count, lesser(m.place, n.place), bsp_none});
   }
 
   // The tree of a run of items, halved along the longest side of the box round it.
   constexpr std::uint32_t make(std::vector<entry>& items, std::size_t begin, std::size_t end) {
     if (end - begin == 1) return add_leaf(std::move(items[begin]));
-    box<T, N> around = items[begin].bounds;
-    for (std::size_t i = begin + 1; i < end; ++i) around = box_around(around, items[i].bounds);
+    box<double, N> around = items[begin].bounds.around;
+    for (std::size_t i = begin + 1; i < end; ++i)
+      for (int k = 0; k < N; ++k) {
+        around.low[k] = lesser(around.low[k], items[i].bounds.around.low[k]);
+        around.high[k] = greater(around.high[k], items[i].bounds.around.high[k]);
+      }
     int axis = 0;
-    const auto half = [](const box<T, N>& b, int k) { return product(b.high[k], T(0.5)) - product(b.low[k], T(0.5)); };
     for (int k = 1; k < N; ++k)
-      if (half(around, k) > half(around, axis)) axis = k;
+      if (around.high[k] - around.low[k] > around.high[axis] - around.low[axis]) axis = k;
     const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
-    const auto centre = [axis](const entry& e) {
-      return product(e.bounds.low[axis], T(0.5)) + product(e.bounds.high[axis], T(0.5));
-    };
+    const auto centre = [axis](const entry& e) { return e.bounds.around.low[axis] + e.bounds.around.high[axis]; };
     const std::size_t middle = begin + (end - begin) / 2;
     std::nth_element(at(begin), at(middle), at(end), [&](const entry& a, const entry& b) {
-      const T p = centre(a), q = centre(b);
+      const double p = centre(a), q = centre(b);
       return p != q ? p < q : a.place < b.place;
     });
     const std::uint32_t left = make(items, begin, middle), right = make(items, middle, end);

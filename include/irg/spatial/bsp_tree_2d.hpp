@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,14 +41,14 @@ class bsp_tree_2d {
 public:
   /// needs   fewer than 2^32 - 1 pieces; one candidate and one judge at least
   /// gives   segments without length, or with NaN or infinity, are left out and counted
-  /// cost    allocates; a line meets the pieces of its cell that boxes do not tell from it: O(n log n) where sides are
-  ///         alike, n^1.5 for walls around a convex room, each of which leaves all others on one side; segments that
-  ///         cross each other make n^2 pieces at worst
+  /// cost    allocates; a line meets the pieces of its cell that their bounds do not tell from it: O(n log n) where
+  ///         sides are alike, and for walls around a convex room, each of which leaves all others on one side; segments
+  ///         that cross each other make n^2 pieces at worst
   /// source  Fuchs, Kedem and Naylor 1980
   IRG_APART constexpr explicit bsp_tree_2d(std::span<const segment<T, 2>> segments, const bsp_choice& choice = {})
       : segments_(segments.begin(), segments.end()) {
     IRG_EXPECTS(choice.candidates > 0 && choice.judges > 0);
-    bsp_open_cells<bsp_piece_2d, T, 2> cells;
+    bsp_open_cells<bsp_piece_2d, 2> cells;
     std::vector<cell> open;
     open.push_back({cells.make_cell(usable()), bsp_none, 0});
     while (!open.empty()) {
@@ -130,7 +131,7 @@ private:
     std::uint32_t pieces, parent;  // a cell of bsp_open_cells, a node
     int side;
   };
-  using entry = typename bsp_open_cells<bsp_piece_2d, T, 2>::entry;
+  using entry = typename bsp_open_cells<bsp_piece_2d, 2>::entry;
 
   [[nodiscard]] IRG_APART constexpr int side(const bsp_node_2d& n, const point<T, 2>& p) const noexcept {
     return orient2d(segments_[n.segment].a, segments_[n.segment].b, p);
@@ -142,27 +143,32 @@ private:
     if (cut == bsp_none) return orient2d(l.a, l.b, at_a ? s.a : s.b);
     return side_of_crossing(s, segments_[cut], l).value_or(0);
   }
-  // Where all that lies in a box lies to a line: 1 left, -1 right, 0 where the line may meet the box.
-  [[nodiscard]] IRG_APART constexpr int box_side(std::uint32_t line, const box<T, 2>& b) const noexcept {
-    const segment<T, 2>& l = segments_[line];
-    const int first = orient2d(l.a, l.b, b.low);
-    if (first == 0 || orient2d(l.a, l.b, b.high) != first) return 0;
-    if (orient2d(l.a, l.b, point<T, 2>{b.low[0], b.high[1]}) != first) return 0;
-    return orient2d(l.a, l.b, point<T, 2>{b.high[0], b.low[1]}) == first ? first : 0;
+  // A point in doubles that no difference of overflows.
+  [[nodiscard]] IRG_APART constexpr point<double, 2> scaled(const point<T, 2>& p) const noexcept {
+    return {product(widened(p[0]), scale_), product(widened(p[1]), scale_)};
+  }
+  // The line of a segment: positive to the left of it.
+  [[nodiscard]] IRG_APART constexpr linear_form<2> form_of(const segment<T, 2>& s) const noexcept {
+    const point<double, 2> a = scaled(s.a), b = scaled(s.b);
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    return {{-dy, dx}, {magnitude(dy), magnitude(dx)}, a};
   }
   IRG_APART constexpr std::vector<entry> usable() {
     std::vector<entry> all;
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
       const segment<T, 2>& s = segments_[i];
-      const bool finite = detail::is_finite(s.a[0]) && detail::is_finite(s.a[1]) && detail::is_finite(s.b[0]) &&
-                          detail::is_finite(s.b[1]);
-      if (!finite || s.a == s.b) {
+      if (!is_finite(s.a, s.b) || s.a == s.b)
         ++left_out_;
-        continue;
-      }
-      box<T, 2> bounds;
-      for (int k = 0; k < 2; ++k) bounds.low[k] = lesser(s.a[k], s.b[k]), bounds.high[k] = greater(s.a[k], s.b[k]);
-      all.push_back({{i, bsp_none, bsp_none}, bounds, i});
+      else
+        all.push_back({{i, bsp_none, bsp_none}, {}, i});
+    }
+    for (const entry& e : all)
+      for (const point<T, 2>& p : {segments_[e.place].a, segments_[e.place].b})
+        if (greater(magnitude(widened(p[0])), magnitude(widened(p[1]))) > 0x1p200) scale_ = 0x1p-850;
+    for (entry& e : all) {
+      const segment<T, 2>& s = segments_[e.place];
+      const linear_form<2> line = form_of(s);
+      e.bounds = bounds_of<2>(std::array{scaled(s.a), scaled(s.b)}, line.slope);
     }
     return all;
   }
@@ -197,8 +203,9 @@ private:
     if (c.parent != bsp_none) (c.side > 0 ? nodes_[c.parent].left : nodes_[c.parent].right) = here;
     const std::uint32_t line = dividing_line(cells, c.pieces, choice);
     const std::size_t first = pieces_.size();
+    const linear_form<2> form = form_of(segments_[line]);
     const bsp_halves halves = cells.divide(
-        c.pieces, [&](const box<T, 2>& b) { return box_side(line, b); },
+        c.pieces, [&](const bsp_bounds<2>& b) { return rounded_side_of(b, form); },
         [&](entry&& e, const auto& left, const auto& right) {
           const bsp_piece_2d& p = e.item;
           const int a = p.segment == line ? 0 : end_side(line, p, true),
@@ -229,6 +236,7 @@ private:
   std::vector<bsp_node_2d> nodes_{};
   std::vector<bsp_piece_2d> pieces_{};
   std::size_t splits_ = 0, left_out_ = 0;
+  double scale_ = 1;
 };
 
 }  // namespace irg

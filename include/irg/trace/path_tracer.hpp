@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Path tracing: the light along a ray as the mean of random paths, for dull surfaces lit by each other and by surfaces
-// that shine.
+// Path tracing: the light along a ray as the mean of random paths, for diffuse surfaces lit by each other and by
+// surfaces that emit light.
 //
-// The estimator of one path: what the first surface shines with; then at each surface of diffuse share k, up to
-// `bounces` of them, the light of one place y chosen evenly on all shining surfaces,
-//     share * k * L(y) * cos * cos' * area / (pi r^2)    where nothing is between,
-// and a next direction chosen with the density cos / pi, along which share becomes share * k. What a next surface
-// shines with is not counted there: the place chosen before it stood for it. Its mean is the light that is reflected at
-// most `bounces` times; the error of n paths falls as 1 / sqrt(n).
+// The estimator of one path: what the first surface emits; then at each surface of albedo k, up to `bounces` of them,
+// the light of one place y sampled evenly on all emitters (next-event estimation),
+//     throughput * k * L(y) * cos * cos' * area / (pi r^2)    where nothing is between,
+// and a next direction sampled with the density cos / pi, along which throughput becomes throughput * k. What a next
+// surface emits is not counted there: the place sampled before it stood for it. Its mean is the light that is reflected
+// at most `bounces` times; the error of n paths falls as 1 / sqrt(n).
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ private:
 
 // A direction about a normal of length 1, with density cos / pi.
 template <class T>
-constexpr vec<T, 3> dull_direction(const vec<T, 3>& n, T u, T v) noexcept {
+constexpr vec<T, 3> sample_cosine_hemisphere(const vec<T, 3>& n, T u, T v) noexcept {
   const vec<T, 3> other = magnitude(n.x) < T(0.5) ? vec<T, 3>{T(1), T(0), T(0)} : vec<T, 3>{T(0), T(1), T(0)};
   const vec<T, 3> x = normalized(cross(other, n)), y = cross(n, x);
   const T radius = sqrt(u), angle = v * T(2) * pi<T>;
@@ -62,13 +62,13 @@ constexpr vec<T, 3> dull_direction(const vec<T, 3>& n, T u, T v) noexcept {
 }  // namespace IRG_ABI
 }  // namespace detail
 
-/// A world made ready for paths: the places that shine.
+/// A world made ready for paths: its emitters.
 /// needs   a world that outlives it
 template <Floating T>
 class path_tracer {
 public:
   IRG_APART constexpr explicit path_tracer(const ray_world<T>& world) : world_(world) {
-    const auto each_shining = [&world](const auto& use) {
+    const auto each_emitter = [&world](const auto& use) {
       for (std::uint32_t b = 0; b < world.body_count(); ++b) {
         const traced_body<T>& body = world.body(b);
         if (!(T(0) < detail::greatest_channel(body.emitted))) continue;
@@ -79,17 +79,17 @@ public:
         }
       }
     };
-    each_shining([this](std::uint32_t, const vec<T, 3>& u, const vec<T, 3>& v) {
+    each_emitter([this](std::uint32_t, const vec<T, 3>& u, const vec<T, 3>& v) {
       const T scale = detail::scale_of(u, v);
       if (T(0) < scale) scale_ = T(0) < scale_ ? lesser(scale, scale_) : scale;
     });
     T rest = T(0);  // what rounding took from the sum
-    each_shining([this, &rest](std::uint32_t t, const vec<T, 3>& u, const vec<T, 3>& v) {
+    each_emitter([this, &rest](std::uint32_t t, const vec<T, 3>& u, const vec<T, 3>& v) {
       const T area = length(cross(u * scale_, v * scale_)) / T(2);
       if (!(area <= (std::numeric_limits<T>::max)())) return;  // a corner is no number: the triangle is not there
       const exact_sum<T> sum = two_sum(area_, area + rest);
       area_ = sum.value, rest = sum.error;
-      shining_.push_back({area_, t});
+      emitters_.push_back({area_, t});
     });
   }
 
@@ -111,32 +111,32 @@ public:
 
 private:
   IRG_APART constexpr rgb<T> light_of_path(ray<T, 3> r, int bounces, detail::path_numbers& numbers) const noexcept {
-    rgb<T> sum{}, share{T(1), T(1), T(1)};
+    rgb<T> sum{}, throughput{T(1), T(1), T(1)};
     for (int depth = 0;; ++depth) {
       const auto s = world_.meet(r);
-      if (!s) return sum + detail::filtered_light(share, world_.background());
+      if (!s) return sum + detail::filtered_light(throughput, world_.background());
       const traced_body<T>& body = world_.body(s->body);
       if (depth == 0 && s->side == facing::front) sum = sum + body.emitted;
       if (depth >= bounces) return sum;
-      share = detail::filtered_light(share, body.surface.diffuse);
-      const point<T, 3> from = detail::beside(*s, s->face);
-      sum = sum + detail::filtered_light(share, light_of_place(from, s->face, numbers));
+      throughput = detail::filtered_light(throughput, body.surface.diffuse);
+      const point<T, 3> from = detail::offset_origin(*s, s->face);
+      sum = sum + detail::filtered_light(throughput, sample_light(from, s->face, numbers));
       const T u = numbers.next<T>(), v = numbers.next<T>();
-      r = {from, detail::dull_direction(s->face, u, v)};
+      r = {from, detail::sample_cosine_hemisphere(s->face, u, v)};
     }
   }
 
-  // What arrives of a place chosen on all that shines, over pi and over the chance of its choice.
-  IRG_APART constexpr rgb<T> light_of_place(const point<T, 3>& from, const vec<T, 3>& normal,
-                                            detail::path_numbers& numbers) const noexcept {
-    if (shining_.empty()) return {};
+  // What arrives of a place sampled on the emitters, over pi and over the density of the sample.
+  IRG_APART constexpr rgb<T> sample_light(const point<T, 3>& from, const vec<T, 3>& normal,
+                                          detail::path_numbers& numbers) const noexcept {
+    if (emitters_.empty()) return {};
     const T where = numbers.next<T>() * area_;
-    const auto found = std::upper_bound(shining_.begin(), shining_.end() - 1, where,
+    const auto found = std::upper_bound(emitters_.begin(), emitters_.end() - 1, where,
                                         [](T a, const auto& place) { return a < place.first; });
     const std::uint32_t triangle = found->second;
     const T root = sqrt(numbers.next<T>()), v = numbers.next<T>();
     const surface_point<T> y = world_.point_of(triangle, root * (T(1) - v), root * v, facing::front);
-    const vec<T, 3> way = detail::beside(y, y.face) - from;
+    const vec<T, 3> way = detail::offset_origin(y, y.face) - from;
     const T scale = detail::scale_of(way, way), larger = scale / scale_;  // than that of areas
     const vec<T, 3> near_one = way * scale;
     const T distance = dot(near_one, near_one), cosine = dot(near_one, normal), back = -dot(near_one, y.face);
@@ -148,7 +148,7 @@ private:
   }
 
   const ray_world<T>& world_;
-  std::vector<std::pair<T, std::uint32_t>> shining_{};  // the area up to and with each triangle
+  std::vector<std::pair<T, std::uint32_t>> emitters_{};  // the area up to and with each triangle
   T area_ = T(0), scale_ = T(0);  // areas are times scale^2
 };
 

@@ -114,7 +114,7 @@ template <Floating T>
                                                      int samples) {
   const int n = clamp(samples, 1, 64);
   const material<T>& surface = world.body(s.body).surface;
-  const point<T, 3> from = detail::beside(s, s.face);
+  const point<T, 3> from = detail::offset_origin(s, s.face);
   const vec<T, 3> to_viewer = normalized(eye - s.at);
   rgb<T> sum{};
   for (const area_light<T>& lamp : lights) {

@@ -39,7 +39,7 @@ IRG_INLINE constexpr T greatest_channel(const rgb<T>& a) noexcept {
 
 // A point beside the surface, on the side of a normal of length 1: farther than what the point was rounded by.
 template <class T>
-IRG_INLINE constexpr point<T, 3> beside(const surface_point<T>& s, const vec<T, 3>& face) noexcept {
+IRG_INLINE constexpr point<T, 3> offset_origin(const surface_point<T>& s, const vec<T, 3>& face) noexcept {
   constexpr T roundings = 32;
   return s.at + face * (product(s.reach, std::numeric_limits<T>::epsilon()) * roundings);
 }
@@ -74,7 +74,7 @@ template <Floating T>
                                                 shadow_rays shadows = shadow_rays::on) noexcept {
   const material<T>& surface = world.body(s.body).surface;
   if (shadows == shadow_rays::off) return phong_model(surface, world.light(), eye, {s.at, s.normal});
-  const point<T, 3> from = detail::beside(s, s.face);
+  const point<T, 3> from = detail::offset_origin(s, s.face);
   return phong_model(surface, world.light(), eye, {s.at, s.normal}, [&](std::size_t i, const rgb<T>& emitted) {
     const light<T>& source = world.light().lights[i];
     const vec<T, 3> to_light = direction_to_light(source, from);
@@ -104,13 +104,13 @@ namespace detail {
 template <class T>
 struct pending_ray {
   ray<T, 3> r{};
-  rgb<T> share{};
+  rgb<T> throughput{};
   int bounces = 0;
 };
 
 inline namespace IRG_ABI {
 
-// The rays that a point sends on, into push(ray, share).
+// The rays that a point sends on, into push(ray, throughput).
 template <class T, class Push>
 constexpr void send_on(const ray_world<T>& world, const surface_point<T>& s, const vec<T, 3>& direction,
                        const Push& push) noexcept {
@@ -124,12 +124,12 @@ constexpr void send_on(const ray_world<T>& world, const surface_point<T>& s, con
     if (!inside)
       mirrored = mirrored + optic.transmitted;
     else if (dot(*inside, s.face) < T(0))
-      push(ray<T, 3>{beside(s, -s.face), *inside}, optic.transmitted);
+      push(ray<T, 3>{offset_origin(s, -s.face), *inside}, optic.transmitted);
   }
   if (!(T(0) < greatest_channel(mirrored))) return;
   vec<T, 3> back = d - s.normal * (dot(d, s.normal) * T(2));
   if (!(T(0) < dot(back, s.face))) back = d - s.face * (dot(d, s.face) * T(2));
-  push(ray<T, 3>{beside(s, s.face), back}, mirrored);
+  push(ray<T, 3>{offset_origin(s, s.face), back}, mirrored);
 }
 
 // The light of all pending rays and of those that they send on.
@@ -141,13 +141,13 @@ constexpr rgb<T> light_of_pending(const ray_world<T>& world, pending_ray<T> (&pe
     const pending_ray<T> next = pending[--count];
     const auto s = world.meet(next.r);
     if (!s) {
-      sum = sum + filtered_light(next.share, world.background());
+      sum = sum + filtered_light(next.throughput, world.background());
       continue;
     }
-    sum = sum + filtered_light(next.share, light_of_surface(world, *s, next.r.origin, limits.shadows));
+    sum = sum + filtered_light(next.throughput, light_of_surface(world, *s, next.r.origin, limits.shadows));
     if (next.bounces <= 0) continue;
-    send_on(world, *s, next.r.direction, [&](const ray<T, 3>& r, const rgb<T>& share) {
-      const rgb<T> whole = filtered_light(next.share, share);
+    send_on(world, *s, next.r.direction, [&](const ray<T, 3>& r, const rgb<T>& throughput) {
+      const rgb<T> whole = filtered_light(next.throughput, throughput);
       if (count < Size && limits.least_share <= greatest_channel(whole))
         pending[count++] = {r, whole, next.bounces - 1};
     });
@@ -172,8 +172,8 @@ template <Floating T>
   if (bounces <= 0) return sum;
   detail::pending_ray<T> pending[detail::most_bounces + 2]{};
   std::size_t count = 0;
-  detail::send_on(world, s, s.at - eye, [&](const ray<T, 3>& r, const rgb<T>& share) {
-    if (limits.least_share <= detail::greatest_channel(share)) pending[count++] = {r, share, bounces - 1};
+  detail::send_on(world, s, s.at - eye, [&](const ray<T, 3>& r, const rgb<T>& throughput) {
+    if (limits.least_share <= detail::greatest_channel(throughput)) pending[count++] = {r, throughput, bounces - 1};
   });
   return sum + detail::light_of_pending(world, pending, count, limits);
 }

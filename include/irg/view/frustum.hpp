@@ -12,7 +12,6 @@
 #include <irg/geometry/plane.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
-#include <irg/view/detail/frustum_steps.hpp>
 #include <irg/view/projection.hpp>
 
 namespace irg {
@@ -66,7 +65,103 @@ inline namespace IRG_ABI {
 /// source  Gribb and Hartmann 2001
 template <Real T>
 [[nodiscard]] constexpr frustum<T> frustum_of(const mat<T, 4, 4>& to_clip,
-                                              depth_range depth = depth_range::reversed) noexcept {
+                                              depth_range depth = depth_range::reversed) noexcept;
+
+/// The corners of a frustum, each one where three of its planes meet.
+/// gives   nothing unless every corner is in front of the other three planes: for planes that enclose no volume. With
+///         the far plane at infinity the far corners are the directions of the edges
+/// exact   in rationals; in floats within about 100u times the condition of the three planes
+template <Real T>
+[[nodiscard]] constexpr std::optional<frustum_corner_points<T>> frustum_corners(const frustum<T>& f) noexcept;
+
+/// Where a box lies with regard to a frustum.
+/// gives   outside when all of it is below one plane, and for an empty box; inside when all of it is above every plane.
+///         A box beside an edge or corner of the frustum may be below no single plane: then it is called crossing
+///         though it has no point in common. Crossing also for NaN planes and infinite boxes
+/// exact   in rationals. In floats the margin of 16u covers the rounding of the planes, of this test and of the clip
+///         coordinates: for every position of a box called outside, m * p has the clip code of the same plane, unless
+///         products in m * p are subnormal
+/// cost    per plane two scalar products
+/// source  Assarsson and Moller 2000: the corner nearest to the plane and the one farthest from it
+template <Real T>
+[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept;
+
+/// Where a ball lies with regard to a frustum.
+/// needs   normals of length 1, as frustum_of and with_unit_normals have them
+/// gives   as for a box; outside for a negative radius, crossing for NaN
+/// exact   as for a box
+/// cost    per plane one scalar product
+template <Floating T>
+[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept;
+
+/// Where a position lies with regard to a frustum; on its boundary, in floats beside it by rounding: crossing.
+/// gives   in rationals inside for the boundary too; crossing for NaN
+/// exact   as for a box
+template <Real T>
+[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
+  const box<T, 3> b{p, p};
+  return is_empty(b) ? containment::crossing : side_of(f, b);
+}
+
+/// The frustum with normals of length 1.
+/// exact   each coefficient within 2u
+template <Floating T>
+[[nodiscard]] constexpr frustum<T> with_unit_normals(frustum<T> f) noexcept;
+
+}  // namespace IRG_ABI
+
+namespace detail::inline IRG_ABI {
+
+template <class T>
+IRG_INLINE constexpr T coefficient_of(const plane<T>& p, int i) noexcept {
+  return i == 0 ? p.a : i == 1 ? p.b : i == 2 ? p.c : p.d;
+}
+
+// The plane with its normal at length 1, and its weights on the same scale.
+template <class T>
+constexpr void normalise_frustum_plane(plane<T>& p, plane<T>& weight) noexcept {
+  const T length_of_normal = length(normal_of(p));
+  const auto over = [&](T x) { return quotient(x, length_of_normal); };
+  if (T(0) < length_of_normal && is_finite(length_of_normal) && is_finite(p.d) && is_finite(over(p.d))) {
+    p = {over(p.a), over(p.b), over(p.c), over(p.d)};
+    weight = {over(weight.a), over(weight.b), over(weight.c), over(weight.d)};
+  } else {
+    const bool at_infinity = length_of_normal == T(0) && T(0) < p.d;
+    p = {T(0), T(0), T(0), at_infinity ? T(1) : T(0)};
+    weight = p;
+  }
+}
+
+// What rounding may have moved the value of a plane by, for positions whose coordinates are at most `size`.
+template <class T>
+constexpr T frustum_margin(const plane<T>& weight, const point<T, 3>& size) noexcept {
+  if constexpr (Floating<T>) {
+    constexpr T u16 = T(8) * std::numeric_limits<T>::epsilon();
+    const T sum = product(weight.a, size.x) + product(weight.b, size.y) + product(weight.c, size.z) + weight.d;
+    return product(u16, sum) + (std::numeric_limits<T>::min)();
+  } else {
+    return T(0);
+  }
+}
+
+// The position that three planes have in common, homogeneous; all zero when there is none or more than one.
+template <class T>
+constexpr hpoint<T, 3> common_position(const plane<T>& p, const plane<T>& q, const plane<T>& r) noexcept {
+  const auto det = [&](int i, int j, int k) {
+    const mat<T, 3, 3> m{{{coefficient_of(p, i), coefficient_of(p, j), coefficient_of(p, k)},
+                          {coefficient_of(q, i), coefficient_of(q, j), coefficient_of(q, k)},
+                          {coefficient_of(r, i), coefficient_of(r, j), coefficient_of(r, k)}}};
+    return determinant(m);
+  };
+  return {det(1, 2, 3), T(0) - det(0, 2, 3), det(0, 1, 3), T(0) - det(0, 1, 2)};
+}
+
+}  // namespace detail::inline IRG_ABI
+
+inline namespace IRG_ABI {
+
+template <Real T>
+[[nodiscard]] constexpr frustum<T> frustum_of(const mat<T, 4, 4>& to_clip, depth_range depth) noexcept {
   const auto size = [](const T& x) { return x < T(0) ? T(-x) : x; };
   frustum<T> f{};
   const auto set = [&](frustum_plane which, int row, bool with_w, bool minus) {
@@ -93,10 +188,6 @@ template <Real T>
   return f;
 }
 
-/// The corners of a frustum, each one where three of its planes meet.
-/// gives   nothing unless every corner is in front of the other three planes: for planes that enclose no volume. With
-///         the far plane at infinity the far corners are the directions of the edges
-/// exact   in rationals; in floats within about 100u times the condition of the three planes
 template <Real T>
 [[nodiscard]] constexpr std::optional<frustum_corner_points<T>> frustum_corners(const frustum<T>& f) noexcept {
   using enum frustum_plane;
@@ -121,15 +212,6 @@ template <Real T>
   return corners;
 }
 
-/// Where a box lies with regard to a frustum.
-/// gives   outside when all of it is below one plane, and for an empty box; inside when all of it is above every plane.
-///         A box beside an edge or corner of the frustum may be below no single plane: then it is called crossing
-///         though it has no point in common. Crossing also for NaN planes and infinite boxes
-/// exact   in rationals. In floats the margin of 16u covers the rounding of the planes, of this test and of the clip
-///         coordinates: for every position of a box called outside, m * p has the clip code of the same plane, unless
-///         products in m * p are subnormal
-/// cost    per plane two scalar products
-/// source  Assarsson and Moller 2000: the corner nearest to the plane and the one farthest from it
 template <Real T>
 [[nodiscard]] constexpr containment side_of(const frustum<T>& f, const box<T, 3>& b) noexcept {
   if (is_empty(b)) return containment::outside;
@@ -151,11 +233,6 @@ template <Real T>
   return inside ? containment::inside : containment::crossing;
 }
 
-/// Where a ball lies with regard to a frustum.
-/// needs   normals of length 1, as frustum_of and with_unit_normals have them
-/// gives   as for a box; outside for a negative radius, crossing for NaN
-/// exact   as for a box
-/// cost    per plane one scalar product
 template <Floating T>
 [[nodiscard]] constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
   if (ball.radius < T(0)) return containment::outside;
@@ -173,17 +250,6 @@ template <Floating T>
   return inside ? containment::inside : containment::crossing;
 }
 
-/// Where a position lies with regard to a frustum; on its boundary, in floats beside it by rounding: crossing.
-/// gives   in rationals inside for the boundary too; crossing for NaN
-/// exact   as for a box
-template <Real T>
-[[nodiscard]] constexpr containment side_of(const frustum<T>& f, const point<T, 3>& p) noexcept {
-  const box<T, 3> b{p, p};
-  return is_empty(b) ? containment::crossing : side_of(f, b);
-}
-
-/// The frustum with normals of length 1.
-/// exact   each coefficient within 2u
 template <Floating T>
 [[nodiscard]] constexpr frustum<T> with_unit_normals(frustum<T> f) noexcept {
   for (int k = 0; k < 6; ++k) detail::normalise_frustum_plane(f.planes[k], f.weights[k]);

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <irg/core/sinks.hpp>
-#include <irg/geometry/box.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/raster/triangle_coverage.hpp>
+#include <irg/spatial/bsp_order.hpp>
 
 namespace irg::detail {
 
@@ -151,55 +151,28 @@ constexpr pixels_in_plane find_pixels_in_plane(const pixel_hull& h, const screen
   return found;
 }
 
-/// Where all that may lie in a box of pixels and stretched depths lies to the plane of a face: 1 before it, -1 behind,
-/// 0 where rounded numbers do not tell. Depths at the pixels of a face lie between those of its corners, so that a box
-/// of faces is on a side as a whole when its corners are.
-///
-/// The value is area (z - z0) - (right (x - x0) + down (y - y0)). Differences of positions are exact, those of depths
-/// off by u = 2^-53 of themselves; area by u, right and down by 4u of the sum of their terms. All together is off by
-/// less than 8u of the sum of all terms, of which the bound takes 32u. Nothing is subnormal: depths are floats,
-/// stretched by less than 2^160.
-template <DepthOrder Order>
-class box_to_plane {
-public:
-  constexpr box_to_plane(const screen_face& f, double stretch) noexcept
-      : x_(f.v[0].position.x - static_cast<double>(half_pixel)),
-        y_(f.v[0].position.y - static_cast<double>(half_pixel)), z_(widened(f.v[0].depth) * stretch),
-        area_(static_cast<double>(signed_double_area(f.v[0].position, f.v[1].position, f.v[2].position))),
-        sign_(area_ < 0 ? -depth_sense<Order> : depth_sense<Order>) {
-    const double x1 = static_cast<double>(f.v[1].position.x) - f.v[0].position.x,
-                 y1 = static_cast<double>(f.v[1].position.y) - f.v[0].position.y,
-                 x2 = static_cast<double>(f.v[2].position.x) - f.v[0].position.x,
-                 y2 = static_cast<double>(f.v[2].position.y) - f.v[0].position.y;
-    const double z1 = widened(f.v[1].depth) * stretch - z_, z2 = widened(f.v[2].depth) * stretch - z_;
-    const double a = product(z1, y2), b = product(z2, y1), c = product(z2, x1), d = product(z1, x2);
-    right_ = a - b, down_ = c - d;
-    right_size_ = magnitude(a) + magnitude(b), down_size_ = magnitude(c) + magnitude(d);
-  }
-  constexpr int operator()(const box<double, 3>& b) const noexcept {
-    if (sign_ == 0) return 0;
-    const double low = b.low[2] - z_, high = b.high[2] - z_;
-    const double size = product(magnitude(area_), greater(magnitude(low), magnitude(high)));
-    const double at_low = product(area_, low), at_high = product(area_, high);
-    bool before = true, behind = true;
-    for (int corner = 0; corner < 4 && (before || behind); ++corner) {
-      const double x = (corner % 2 != 0 ? b.high : b.low)[0] * one_pixel - x_,
-                   y = (corner > 1 ? b.high : b.low)[1] * one_pixel - y_;
-      const double there = product(right_, x) + product(down_, y);
-      const double error = 0x1p-48 * (size + product(right_size_, magnitude(x)) + product(down_size_, magnitude(y)));
-      const double least = lesser(sign_ * (at_low - there), sign_ * (at_high - there)),
-                   most = greater(sign_ * (at_low - there), sign_ * (at_high - there));
-      before = before && least > error;
-      behind = behind && most < -error;
-    }
-    return before ? 1 : behind ? -1 : 0;
-  }
+/// A corner of a face among pixels and stretched depths, whose places are the centres of pixels.
+constexpr point<double, 3> stretched(const screen_vertex& v, double stretch) noexcept {
+  const auto place = [](std::int32_t at) { return product(static_cast<double>(at) - half_pixel, 1.0 / one_pixel); };
+  return {place(v.position.x), place(v.position.y), product(widened(v.depth), stretch)};
+}
 
-private:
-  double x_, y_, z_, area_;
-  int sign_;  // 1 where a greater value is nearer
-  double right_ = 0, down_ = 0, right_size_ = 0, down_size_ = 0;
-};
+/// The plane of a face among pixels and stretched depths: positive before it. Zero for orders that know no depths.
+///
+/// The form is area (z - z0) - (right (x - x0) + down (y - y0)), where differences of positions are exact, those of
+/// depths off by u = 2^-53 of themselves, area by u, right and down by 4u of the sum of their terms. Nothing is
+/// subnormal: depths are floats, stretched by less than 2^160.
+template <DepthOrder Order>
+constexpr linear_form<3> plane_form(const screen_face& f, double stretch) noexcept {
+  const point<double, 3> o = stretched(f.v[0], stretch), p = stretched(f.v[1], stretch), q = stretched(f.v[2], stretch);
+  const vec<double, 3> u = p - o, v = q - o;
+  const double a = product(u[2], v[1]), b = product(v[2], u[1]), c = product(v[2], u[0]), d = product(u[2], v[0]);
+  const double e = product(u[0], v[1]), g = product(u[1], v[0]), area = e - g;
+  const double sign = area < 0 ? -depth_sense<Order> : depth_sense<Order>;
+  return {{sign * (b - a), sign * (d - c), sign * area},
+          {magnitude(a) + magnitude(b), magnitude(c) + magnitude(d), magnitude(e) + magnitude(g)},
+          o};
+}
 
 }  // namespace IRG_ABI
 }  // namespace irg::detail
