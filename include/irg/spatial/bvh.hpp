@@ -244,8 +244,8 @@ constexpr void list_references(bvh& tree, std::size_t primitives, std::size_t he
   for (const std::uint32_t number : tree.order) references += number != bvh_node::none ? 1u : 0u;
   if (references == held) return;
   std::vector<std::uint32_t> last(primitives, bvh_node::none);
-  tree.earlier.resize(tree.order.size(), bvh_node::none);
-  tree.boxes.resize(tree.order.size() / bvh_node::block, bvh_node::none);
+  tree.earlier.assign(tree.order.size(), bvh_node::none);
+  tree.boxes.assign(tree.order.size() / bvh_node::block, bvh_node::none);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
     for (std::uint32_t k = 0; k < bvh_node::width; ++k) {
       const std::uint32_t child = tree.nodes[n].child[k];
