@@ -38,7 +38,7 @@ bool mirrors(const mesh<T>& m, T x, T y, T z) {
 /// A hash of every bit of a mesh's positions and normals.
 constexpr std::uint64_t hash(const mesh<double>& m) {
   std::uint64_t h = 14695981039346656037u;
-  const auto add = [&](double x) { h = (h ^ detail::bits_of(x)) * 1099511628211u; };
+  const auto add = [&](double x) { h = (h ^ bits_of(x)) * 1099511628211u; };
   for (const auto& p : m.positions) add(p.x), add(p.y), add(p.z);
   for (const auto& n : m.normals) add(n.x), add(n.y), add(n.z);
   return h;

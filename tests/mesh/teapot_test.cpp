@@ -38,7 +38,7 @@ constexpr mesh<double> without_bottom(int n) { return shape_teapot<double>({n, t
 template <class T>
 constexpr std::uint64_t hash(const mesh<T>& m) {
   std::uint64_t h = 14695981039346656037u;
-  const auto add = [&](T x) { h = (h ^ detail::bits_of(static_cast<double>(x))) * 1099511628211u; };
+  const auto add = [&](T x) { h = (h ^ bits_of(static_cast<double>(x))) * 1099511628211u; };
   for (const auto& p : m.positions) add(p.x), add(p.y), add(p.z);
   for (const auto& n : m.normals) add(n.x), add(n.y), add(n.z);
   return h;
@@ -83,7 +83,7 @@ TEST_CASE("teapot: the patches are Newell's, exactly") {
   for (const auto& patch : patches)
     for (const auto& line : patch.points)
       for (const P3& p : line)
-        for (int i = 0; i < 3; ++i) h = (h ^ detail::bits_of(p[i])) * 1099511628211u;
+        for (int i = 0; i < 3; ++i) h = (h ^ bits_of(p[i])) * 1099511628211u;
   CHECK(h == std::uint64_t{2040237524079003905u});
 }
 

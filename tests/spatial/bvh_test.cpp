@@ -81,7 +81,7 @@ TEST_CASE("build_bvh: every scale, and depths that stay bounded where sizes do n
     }
   boxes_of spiral;  // each split by area would leave one
   for (int i = -1000; i < 1000; ++i) {
-    const double x = irg::detail::power_of_two(i);
+    const double x = irg::power_of_two(i);
     spiral.push_back({{x, x, x}, {x, x, x}});
   }
   CHECK(check_tree(build(spiral), spiral) < 60);

@@ -153,9 +153,7 @@ TEST_CASE("cross_triangle: against rationals, with corners a few steps beside th
   test::random random(20);
   int crossed = 0;
   for (int i = 0; i < trials(3000, 300000); ++i) {
-    const auto size = [&] {
-      return i % 2 == 0 ? 1.0 : irg::detail::power_of_two(static_cast<int>(random.integer(-60, 60)));
-    };
+    const auto size = [&] { return i % 2 == 0 ? 1.0 : irg::power_of_two(static_cast<int>(random.integer(-60, 60))); };
     const auto coordinate = [&] { return (random.unit() - 0.5) * size(); };
     const P o{coordinate(), coordinate(), coordinate()};
     const irg::vec<double, 3> d{coordinate(), coordinate(), coordinate()};

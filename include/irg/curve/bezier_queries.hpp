@@ -119,15 +119,15 @@ constexpr box<scalar_of<detail::control_point<R>>, size_of<detail::control_point
     T largest = 0, least = coordinate(ring_traits<R>::vertex(points, 0), axis), greatest = least;
     for (std::size_t i = 0; i < count; ++i) {
       c[i] = {coordinate(ring_traits<R>::vertex(points, i), axis)};
-      largest = greater(largest, detail::magnitude(c[i][0]));
+      largest = greater(largest, magnitude(c[i][0]));
       least = lesser(least, c[i][0]), greatest = greater(greatest, c[i][0]);
-      if (!detail::is_finite(c[i][0])) largest = std::numeric_limits<T>::infinity();
+      if (!is_finite(c[i][0])) largest = std::numeric_limits<T>::infinity();
     }
     auto& from = low[static_cast<std::size_t>(axis)];
     auto& to = high[static_cast<std::size_t>(axis)];
     from = lesser(c[0][0], c[count - 1][0]), to = greater(c[0][0], c[count - 1][0]);
-    if (!detail::is_finite(largest)) from = (std::numeric_limits<T>::lowest)(), to = (std::numeric_limits<T>::max)();
-    if (count < 3 || !detail::is_finite(largest)) continue;
+    if (!is_finite(largest)) from = (std::numeric_limits<T>::lowest)(), to = (std::numeric_limits<T>::max)();
+    if (count < 3 || !is_finite(largest)) continue;
     for (std::size_t i = 0; i + 1 < count; ++i) slopes[i] = {detail::half_difference(c[i + 1][0], c[i][0])};
     const T off = product(largest, std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 4;
     bernstein_zeros(std::span<const vec<T, 1>>(slopes), off, work, [&](const zero_stretch<T>& z) {
@@ -157,8 +157,8 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
   bool is_sound = true, is_large = false;
   for (int i = 0; i < 2; ++i)
     for (const T& x : {coordinate(a, i), coordinate(b, i)}) {
-      is_sound = is_sound && detail::is_finite(x);
-      is_large = is_large || detail::magnitude(x) > T(1);
+      is_sound = is_sound && is_finite(x);
+      is_large = is_large || magnitude(x) > T(1);
     }
   if (!is_sound) return false;
   const auto along = try_normalize(generate_coordinates<vec<T, 2>>([&](int i) {
@@ -173,7 +173,7 @@ constexpr bool bezier_line_crossings(const R& points, const detail::control_poin
     const T x = product(detail::half_difference(coordinate(p, 0), coordinate(a, 0)), T(0.5));
     const T y = product(detail::half_difference(coordinate(p, 1), coordinate(a, 1)), T(0.5));
     scratch[k] = {difference_of_products(along->x, y, along->y, x)};
-    largest = greater(largest, detail::magnitude(x) + detail::magnitude(y));
+    largest = greater(largest, magnitude(x) + magnitude(y));
   }
   const T off = product(largest, 8 * std::numeric_limits<T>::epsilon()) + std::numeric_limits<T>::denorm_min() * 8;
   bernstein_zeros(std::span<const vec<T, 1>>(scratch.first(count)), off, scratch.subspan(count, 3 * count), sink);
@@ -204,8 +204,8 @@ constexpr nearest_place<detail::control_point<R>> bezier_nearest(
   T largest = 0;
   for (std::size_t i = 0; i < count; ++i)
     for (int axis = 0; axis < size_of<P>; ++axis)
-      largest = greater(largest, detail::magnitude(detail::half_difference(
-                                     coordinate(ring_traits<R>::vertex(points, i), axis), coordinate(p, axis))));
+      largest = greater(largest, magnitude(detail::half_difference(coordinate(ring_traits<R>::vertex(points, i), axis),
+                                                                   coordinate(p, axis))));
   const bool is_large = largest > (std::numeric_limits<T>::max)() / 8;
   const auto distance = [&](T t) {
     for (std::size_t i = 0; i < count; ++i)

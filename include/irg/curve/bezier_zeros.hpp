@@ -114,10 +114,10 @@ constexpr void bernstein_zeros(std::span<const vec<T, 1>> coefficients, std::typ
   const std::size_t n = coefficients.size();
   IRG_EXPECTS(n > 0 && scratch.size() >= 3 * n && !(uncertainty < 0));
   T largest = 0;
-  bool is_sound = detail::is_finite(uncertainty);
+  bool is_sound = is_finite(uncertainty);
   for (const auto& c : coefficients) {
-    is_sound = is_sound && detail::is_finite(c[0]);
-    largest = greater(largest, detail::magnitude(c[0]));
+    is_sound = is_sound && is_finite(c[0]);
+    largest = greater(largest, magnitude(c[0]));
   }
   if (!is_sound) {
     sink(zero_stretch<T>{0, 1, 0, 0});

@@ -207,7 +207,7 @@ constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
   places[0] = T(0);
   for (std::size_t k = 0; k < points.size() && spacing != fit_spacing::uniform; ++k)
     for (int axis = 0; axis < size_of<P>; ++axis)
-      if (!detail::is_finite(coordinate(points[k], axis))) return false;
+      if (!is_finite(coordinate(points[k], axis))) return false;
   const auto step_to = [&](std::size_t k) {
     if (spacing == fit_spacing::uniform) return T(1);
     const T distant = length(detail::scaled_difference(points[k - 1], points[k], 1));
@@ -216,7 +216,7 @@ constexpr bool fit_places(std::span<const P> points, fit_spacing spacing,
   for (std::size_t k = 1; k < points.size(); ++k) places[k] = places[k - 1] + step_to(k);
   const std::size_t last = points.size() - 1;
   const T all = places[last];
-  if (!(all > T(0)) || !detail::is_finite(all)) return false;
+  if (!(all > T(0)) || !is_finite(all)) return false;
   for (std::size_t k = 1; k < last; ++k) places[k] = places[k] / all;
   places[last] = T(1);
   return true;

@@ -26,7 +26,7 @@ constexpr knots_error insert_knots(const bspline_knots<T, Degree>& knots,
   const auto old = knots.list();
   IRG_EXPECTS(merged.size() >= old.size() + inserted.size());
   for (std::size_t i = 0; i < inserted.size(); ++i) {
-    if (!detail::is_finite(inserted[i])) return knots_error::not_finite;
+    if (!is_finite(inserted[i])) return knots_error::not_finite;
     if (i > 0 && inserted[i] < inserted[i - 1]) return knots_error::decreasing;
     if (!(knots.first() <= inserted[i] && inserted[i] <= knots.last())) return knots_error::outside;
   }

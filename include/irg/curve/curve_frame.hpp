@@ -86,8 +86,8 @@ template <Vector V>
   const auto axis = try_normalize(turn);
   if (!axis) return std::nullopt;
   if (c.scale == 0) return T(0);
-  const int places = detail::exponent_of(a.scale) + detail::exponent_of(b.scale) - detail::exponent_of(c.scale);
-  return converted<T>(detail::times_power_of_two(widened(dot(*axis, moderate(c)) / length(turn)), places));
+  const int places = exponent_of(a.scale) + exponent_of(b.scale) - exponent_of(c.scale);
+  return converted<T>(times_power_of_two(widened(dot(*axis, moderate(c)) / length(turn)), places));
 }
 
 /// Frenet's frame: the normal points to where the curve bends.
@@ -117,7 +117,7 @@ template <Vector V>
     if (const auto frame = detail::frame_towards(*along, *above)) return frame;
   int axis = 0;
   for (int i = 1; i < 3; ++i)
-    if (detail::magnitude(coordinate(*along, i)) < detail::magnitude(coordinate(*along, axis))) axis = i;
+    if (magnitude(coordinate(*along, i)) < magnitude(coordinate(*along, axis))) axis = i;
   const V farthest = generate_coordinates<V>([&](int i) { return static_cast<scalar_of<V>>(i == axis); });
   return detail::frame_towards(*along, farthest);
 }

@@ -34,7 +34,7 @@ constexpr bool rational_derivatives(std::span<const hpoint<T, N>> homogeneous,
   IRG_EXPECTS(homogeneous.size() >= derivatives.size());
   if (derivatives.empty()) return true;
   const T weight = coordinate(homogeneous[0], N);
-  if (weight == T(0) || !detail::is_finite(weight)) return false;
+  if (weight == T(0) || !is_finite(weight)) return false;
   for (std::size_t k = 0; k < derivatives.size(); ++k)
     derivatives[k] = generate_coordinates<vec<T, N>>([&](int axis) {
       T rest = coordinate(homogeneous[k], axis), binomial = 1;

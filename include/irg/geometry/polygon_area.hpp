@@ -35,7 +35,7 @@ template <PlanePolygon P>
 [[nodiscard]] constexpr auto polygon_area_exact(const P& polygon) noexcept {
   using T = scalar_of<polygon_point<P>>;
   if constexpr (Floating<T>) {
-    if (!irg::is_finite(polygon)) return detail::not_a_number<T>;
+    if (!irg::is_finite(polygon)) return not_a_number<T>;
     auto twice = detail::shoelace(polygon);
     const double area = twice.rounded(-1);
     if constexpr (std::is_same_v<T, double>) {
@@ -123,7 +123,7 @@ template <PlanePolygon P>
     const double sum = area.sum.value + area.sum.error;
     // Sums of n terms in two parts, after Ogita, Rump and Oishi; 4 for the parts of each term.
     // Beside a sum of more than 2^-400 it does not count what underflowed.
-    const double bound = product(product(vertices, vertices) * 0x1p-102, area.size), size = detail::magnitude(sum);
+    const double bound = product(product(vertices, vertices) * 0x1p-102, area.size), size = magnitude(sum);
     if (area.is_moderate && vertices < 0x1p40 && size > 0x1p-400 && size * 0x1p-60 >= bound)
       return converted<T>(sum * 0.5);
   }

@@ -110,7 +110,7 @@ template <PlanePolygon P>
   using T = scalar_of<polygon_point<P>>;
   constexpr T most = (std::numeric_limits<T>::max)(), infinity = std::numeric_limits<T>::infinity();
   // Asked before sums are made: constants may not overflow.
-  const auto overflows = [](T a, T b) { return detail::magnitude(a / 2 + b / 2) > most / 2; };
+  const auto overflows = [](T a, T b) { return magnitude(a / 2 + b / 2) > most / 2; };
   const auto length = [&](const auto& scaled) {
     T sum(0), error(0);
     detail::each_edge(polygon, [&](const auto& p, const auto& q) {

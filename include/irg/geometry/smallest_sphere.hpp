@@ -221,7 +221,7 @@ template <PolygonRing R>
   if (ring_size(points) == 0) return std::nullopt;
   for (std::size_t i = 0; i < ring_size(points); ++i)
     for (int k = 0; k < size_of<P>; ++k)
-      if (!detail::is_finite(coordinate(ring_vertex(points, i), k))) return std::nullopt;
+      if (!is_finite(coordinate(ring_vertex(points, i), k))) return std::nullopt;
   detail::smallest_ball<P> ball(as_assignable(ring_vertex(points, 0)));
   for (;;) {  // the ball grows each time, and there are only so many
     const auto rounded = ball.rounded();

@@ -112,7 +112,7 @@ template <Point P>
 [[nodiscard]] constexpr scalar_of<P> triangle_area(const P& a, const P& b, const P& c) noexcept {
   const double z = detail::signed_area_in_plane(a, b, c, 0, 1);
   if constexpr (size_of<P> == 2) {
-    return detail::narrow<scalar_of<P>>(detail::magnitude(z));
+    return detail::narrow<scalar_of<P>>(magnitude(z));
   } else {
     const double x = detail::signed_area_in_plane(a, b, c, 1, 2), y = detail::signed_area_in_plane(a, b, c, 2, 0);
     return detail::narrow<scalar_of<P>>(hypot(x, y, z));
@@ -131,7 +131,7 @@ template <Floating T>
 [[nodiscard]] constexpr std::optional<T> triangle_area_from_sides(T a, T b, T c) noexcept {
   double x = widened(greater(a, greater(b, c))), z = widened(lesser(a, lesser(b, c)));
   double y = widened(greater(lesser(a, b), lesser(greater(a, b), c)));
-  if (!(a >= 0 && b >= 0 && c >= 0) || !detail::is_finite(x)) return std::nullopt;
+  if (!(a >= 0 && b >= 0 && c >= 0) || !is_finite(x)) return std::nullopt;
   const bool is_small = x < 0x1p-900;
   if (is_small) x *= 0x1p100, y *= 0x1p100, z *= 0x1p100;
   if (z < x - y) return std::nullopt;
@@ -141,13 +141,13 @@ template <Floating T>
   for (const double factor :
        {0.25 * x + (0.25 * y + 0.25 * z), z - (x - y), z + (x - y), 0.25 * x + (0.25 * y - 0.25 * z)}) {
     if (factor == 0) return T(0);
-    const detail::scaled_number parts = detail::decompose(factor);
+    const scaled_number parts = decompose(factor);
     factors = product(factors, parts.significand);
     place += parts.exponent;
   }
   if ((place & 1) != 0) factors *= 2;
   const double root = sqrt(factors);
-  const detail::scaled_number parts = detail::decompose(root);
+  const scaled_number parts = decompose(root);
   return detail::narrow<T>(
       detail::scale({parts.significand, 0}, parts.exponent + (place - (place & 1)) / 2 - (is_small ? 200 : 0)));
 }

@@ -14,15 +14,28 @@
 #include <vector>
 
 #include <irg/math/determinant_exact.hpp>
+#include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/raster/screen_face.hpp>
 #include <irg/raster/screen_mapping.hpp>
 #include <irg/spatial/bsp_tree_3d.hpp>
-#include <irg/hidden/detail/bsp_scene_steps.hpp>
 
 namespace irg {
+namespace detail {
+
+// A plane of space on the screen: right x + down y + depth z + rest is positive in front of it, x and y being those of
+// a pixel's centre in pixels.
+struct plane_on_screen {
+  double right = 0, down = 0, depth = 0, rest = 0;
+
+  IRG_INLINE constexpr double at(double x, double y) const noexcept {
+    return product(right, x) + product(down, y) + rest;
+  }
+};
+
+}  // namespace detail
 
 /// A hidden-surface method for one eye: the pieces of a tree in their order from back to front.
 /// shape   a method for `render`: the faces it is given have the numbers of the tree's triangles
@@ -82,43 +95,7 @@ private:
                 [&](const bsp_piece_3d& p) { placed_[next[p.triangle]++] = {rank++, p.limits}; });
   }
 
-  IRG_APART constexpr void put_planes_on_screen(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping) {
-    const bsp_data_3d<T>& d = tree_.data();
-    mat<double, 4, 4> m;
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) m(i, k) = widened(to_clip(i, k));
-    // (p, 1), (a, 1), (u, 0) and (v, 0) have the determinant (u x v) . (p - a), and to_clip multiplies it by its own.
-    const bool turned = determinant_sign(m) < 0;
-    const auto put = [&](const double(&a)[3], const double(&u)[3], const double(&v)[3]) {
-      const detail::plane_on_screen p = detail::to_plane_on_screen(a, u, v, m, mapping);
-      return turned ? detail::plane_on_screen{-p.right, -p.down, -p.depth, -p.rest} : p;
-    };
-    const auto put_triangle = [&](std::uint32_t triangle) {
-      double a[3], u[3], v[3];
-      for (int k = 0; k < 3; ++k) {
-        const auto at = [&](std::size_t corner) { return widened(d.vertices[d.triangles[triangle].v[corner]][k]); };
-        a[k] = at(0);
-        u[k] = at(1) - at(0);
-        v[k] = at(2) - at(0);
-      }
-      return put(a, u, v);
-    };
-    const auto put_axis = [&](const bsp_plane_3d& plane) {
-      double a[3], u[3] = {}, v[3] = {};
-      for (int k = 0; k < 3; ++k) a[k] = widened(d.vertices[plane.source][k]);
-      u[(plane.axis + 1) % 3] = 1;
-      v[(plane.axis + 2) % 3] = 1;
-      return put(a, u, v);
-    };
-    of_node_.assign(d.nodes.size(), {});
-    of_triangle_.assign(d.triangles.size(), {});
-    for (const bsp_limit_3d& l : d.limits)
-      if (detail::plane_on_screen& p = of_node_[l.node]; p.right == 0 && p.down == 0 && p.depth == 0 && p.rest == 0)
-        p = d.nodes[l.node].plane.axis == bsp_plane_3d::of_triangle ? put_triangle(d.nodes[l.node].plane.source)
-                                                                    : put_axis(d.nodes[l.node].plane);
-    for (const bsp_piece_3d& p : d.pieces)
-      if (p.limits != bsp_none) of_triangle_[p.triangle] = put_triangle(p.triangle);
-  }
+  IRG_APART constexpr void put_planes_on_screen(const mat<T, 4, 4>& to_clip, const screen_mapping<T>& mapping);
 
   IRG_APART constexpr void paint(std::uint32_t limits, const screen_face& f, const cell_window& window,
                                  image<std::uint32_t>& ids) const {
@@ -151,5 +128,81 @@ private:
   std::vector<placed_piece> placed_{};
   std::vector<detail::plane_on_screen> of_node_{}, of_triangle_{};
 };
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// From a point of the plane and two directions in it, u x v pointing to its front.
+template <class T>
+constexpr plane_on_screen to_plane_on_screen(const double (&a)[3], const double (&u)[3], const double (&v)[3],
+                                             const mat<double, 4, 4>& to_clip, const screen_mapping<T>& mapping) {
+  vec<double, 4> at, along, across;
+  for (int i = 0; i < 4; ++i) {
+    const auto moved = [&](const double(&w)[3]) {
+      return product(to_clip(i, 0), w[0]) + product(to_clip(i, 1), w[1]) + product(to_clip(i, 2), w[2]);
+    };
+    at[i] = moved(a) + to_clip(i, 3);
+    along[i] = moved(u);
+    across[i] = moved(v);
+  }
+  // Their sizes are free, and products of three must stay within the range.
+  const auto ordinary_at = scaled(at), ordinary_along = scaled(along), ordinary_across = scaled(across);
+  const auto &p = ordinary_at.c, &q = ordinary_along.c, &r = ordinary_across.c;
+  // What is perpendicular to all three.
+  double k[4];
+  for (int i = 0; i < 4; ++i) {
+    const int x = (i + 1) % 4, y = (i + 2) % 4, z = (i + 3) % 4;
+    const double minor = product(p[x], product(q[y], r[z]) - product(q[z], r[y])) -
+                         product(p[y], product(q[x], r[z]) - product(q[z], r[x])) +
+                         product(p[z], product(q[x], r[y]) - product(q[y], r[x]));
+    k[i] = i % 2 == 0 ? minor : -minor;
+  }
+  const double right = k[0] / widened(mapping.half_width), down = -k[1] / widened(mapping.half_height);
+  return {right, down, k[2],
+          k[3] - product(right, widened(mapping.centre_x)) - product(down, widened(mapping.centre_y))};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+template <Floating T>
+constexpr void bsp_scene_painter<T>::put_planes_on_screen(const mat<T, 4, 4>& to_clip,
+                                                          const screen_mapping<T>& mapping) {
+  const bsp_data_3d<T>& d = tree_.data();
+  mat<double, 4, 4> m;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 4; ++k) m(i, k) = widened(to_clip(i, k));
+  // (p, 1), (a, 1), (u, 0) and (v, 0) have the determinant (u x v) . (p - a), and to_clip multiplies it by its own.
+  const bool turned = determinant_sign(m) < 0;
+  const auto put = [&](const double(&a)[3], const double(&u)[3], const double(&v)[3]) {
+    const detail::plane_on_screen p = detail::to_plane_on_screen(a, u, v, m, mapping);
+    return turned ? detail::plane_on_screen{-p.right, -p.down, -p.depth, -p.rest} : p;
+  };
+  const auto put_triangle = [&](std::uint32_t triangle) {
+    double a[3], u[3], v[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto at = [&](std::size_t corner) { return widened(d.vertices[d.triangles[triangle].v[corner]][k]); };
+      a[k] = at(0);
+      u[k] = at(1) - at(0);
+      v[k] = at(2) - at(0);
+    }
+    return put(a, u, v);
+  };
+  const auto put_axis = [&](const bsp_plane_3d& plane) {
+    double a[3], u[3] = {}, v[3] = {};
+    for (int k = 0; k < 3; ++k) a[k] = widened(d.vertices[plane.source][k]);
+    u[(plane.axis + 1) % 3] = 1;
+    v[(plane.axis + 2) % 3] = 1;
+    return put(a, u, v);
+  };
+  of_node_.assign(d.nodes.size(), {});
+  of_triangle_.assign(d.triangles.size(), {});
+  for (const bsp_limit_3d& l : d.limits)
+    if (detail::plane_on_screen& p = of_node_[l.node]; p.right == 0 && p.down == 0 && p.depth == 0 && p.rest == 0)
+      p = d.nodes[l.node].plane.axis == bsp_plane_3d::of_triangle ? put_triangle(d.nodes[l.node].plane.source)
+                                                                  : put_axis(d.nodes[l.node].plane);
+  for (const bsp_piece_3d& p : d.pieces)
+    if (p.limits != bsp_none) of_triangle_[p.triangle] = put_triangle(p.triangle);
+}
 
 }  // namespace irg

@@ -74,7 +74,7 @@ template <class Height>
                                                                  const point<double, 3>& eye) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto over = [](double v) { return v > 0 && v < 1; };
-  if (!(detail::is_finite(eye.x) && detail::is_finite(eye.y) && detail::is_finite(eye.z))) return {};
+  if (!(is_finite(eye.x) && is_finite(eye.y) && is_finite(eye.z))) return {};
   if (over(eye.x) && over(eye.z)) return {};
   const double scale = magnitude(eye.x) < 0x1p500 && magnitude(eye.z) < 0x1p500 ? 1 : 0x1p-550;  // for the squares
   const double ahead_x = (0.5 - eye.x) * scale, ahead_z = (0.5 - eye.z) * scale;

@@ -6,11 +6,13 @@
 // A point is hidden when steps of nearer curves, ends included, pass both above and below it. Touching hides nothing.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include <irg/hidden/detail/curve_sight.hpp>
 #include <irg/hidden/detail/grid_parts.hpp>
+#include <irg/hidden/detail/grid_sight.hpp>
 #include <irg/hidden/edge_part.hpp>
 #include <irg/math/error_free.hpp>
 
@@ -27,7 +29,141 @@ struct horizon_line_counts {
   std::int64_t pieces = 0;  // of both horizons, at the end
 };
 
+inline namespace IRG_ABI {
+
+/// Sends the parts of curves that nearer curves, and nearer steps of the same one, leave to be seen to sink(edge_part).
+/// shape   points: those of all curves, near ones first, y up; one that is not finite parts two curves, or two parts of
+///         one. Edge k is the step from point k to k + 1; its parts follow each other, in order. With drawn_parts::all
+///         what is hidden is sent as well, between them
+/// needs   less than 2^31 points; nearer ones to the front at each x
+/// gives   upright steps hide nothing; steps without length, and to or from points that are not finite, have no parts
+/// exact   every decision; places are rounded once, to the nearest double
+/// cost    some steps along the horizons for each step of a curve; memory for the horizons
+/// source  Special-cases chapter, 2, with horizons of lines in place of pixels
+template <class Emit>
+constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& sink,
+                                             drawn_parts which = drawn_parts::visible);
+
+}  // namespace IRG_ABI
+
 namespace detail {
+inline namespace IRG_ABI {
+
+// Curves in a picture, and what is decided of their steps, exactly: which passes above another at some x, and where
+// they cross. Directions are the places from left to right; it is what grid_perimeter asks of a sight.
+
+// How far point 2c lies to the left of the line from a to b, times its length.
+template <class X>
+constexpr auto plane_turn(const X& x, std::size_t a, std::size_t b, std::size_t c) noexcept {
+  return (x[2 * b] - x[2 * a]) * (x[2 * c + 1] - x[2 * a + 1]) - (x[2 * b + 1] - x[2 * a + 1]) * (x[2 * c] - x[2 * a]);
+}
+
+}  // namespace IRG_ABI
+
+// Edge e joins points e and e + 1.
+template <class T>
+struct IRG_APART curve_sight {
+  std::span<const point<T, 2>> points;
+
+  constexpr const point<T, 2>& at(std::uint32_t v) const noexcept { return points[v]; }
+  static constexpr std::uint32_t low(grid_edge e) noexcept { return e; }
+  static constexpr std::uint32_t high(grid_edge e) noexcept { return e + 1; }
+  constexpr turning_edge turning(grid_edge e) const noexcept {
+    return at(e).x < at(e + 1).x ? turning_edge{e, e + 1} : turning_edge{e + 1, e};
+  }
+
+  // Curves begin and end anywhere: horizons jump there, at the place of a vertex.
+  static constexpr bool has_jumps = true;
+  static constexpr grid_edge stop_bit = grid_edge{1} << 31;
+  static constexpr grid_edge stop_at(std::uint32_t vertex) noexcept { return vertex | stop_bit; }
+  static constexpr bool is_vertex(grid_edge stop) noexcept { return (stop & stop_bit) != 0; }
+  static constexpr std::uint32_t vertex_of(grid_edge stop) noexcept { return stop & ~stop_bit; }
+
+  // The ends of the picture, left and right.
+  static constexpr std::uint32_t axes = 2;
+  constexpr int behind_axis(std::uint32_t k, std::uint32_t) const noexcept { return k == 0 ? 1 : -1; }
+
+  constexpr int turn(std::uint32_t b, std::uint32_t c) const noexcept {
+    return at(c).x > at(b).x ? 1 : at(c).x < at(b).x ? -1 : 0;
+  }
+  constexpr int above_vertex(grid_edge e, std::uint32_t c) const noexcept {
+    const turning_edge t = turning(e);
+    return c == t.from || c == t.to ? 0 : -orient2d(at(t.from), at(t.to), at(c));
+  }
+
+  template <class... Vertex>
+  constexpr auto coordinates(Vertex... v) const noexcept {
+    std::array<T, 2 * sizeof...(v)> out{};
+    std::size_t next = 0;
+    const auto put = [&](const point<T, 2>& p) {
+      out[next] = p.x, out[next + 1] = p.y;
+      next += 2;
+    };
+    (put(at(v)), ...);
+    return out;
+  }
+
+  // 1 where f passes above e at the x of vertex c, -1 where below.
+  constexpr int compare_at(grid_edge f, grid_edge e, std::uint32_t c) const noexcept {
+    const turning_edge s = turning(e), t = turning(f);
+    const auto formula = [](const auto& p) {
+      return plane_turn(p, 0, 1, 4) * (p[6] - p[4]) - plane_turn(p, 2, 3, 4) * (p[2] - p[0]);
+    };
+    return irg::sign_of<3>(formula, coordinates(s.from, s.to, t.from, t.to, c));
+  }
+
+  // -1 where g passes above the crossing of e and f, of which f is the higher one behind it, 1 where below; the other
+  // way round where e is the higher one.
+  constexpr int planes_turn(grid_edge e, grid_edge f, grid_edge g) const noexcept {
+    const turning_edge r = turning(e), s = turning(f), t = turning(g);
+    const auto formula = [](const auto& p) {
+      // Each line as rise, run, and the height where it meets the upright line through the last point, times the run.
+      const auto run = [&](std::size_t k) { return p[4 * k + 2] - p[4 * k]; };
+      const auto rise = [&](std::size_t k) { return p[4 * k + 3] - p[4 * k + 1]; };
+      const auto height = [&](std::size_t k) { return (p[4 * k + 1] - p[11]) * run(k) - rise(k) * (p[4 * k] - p[10]); };
+      return rise(0) * (height(2) * run(1) - height(1) * run(2)) + height(0) * (rise(1) * run(2) - rise(2) * run(1)) +
+             run(0) * (height(1) * rise(2) - height(2) * rise(1));
+    };
+    return irg::sign_of<4>(formula, coordinates(r.from, r.to, s.from, s.to, t.from, t.to));
+  }
+
+  // How far along g it meets the line of e, or the place of a vertex.
+  constexpr T place(grid_edge g, grid_edge e) const noexcept {
+    if (is_vertex(e)) {
+      const auto along = [](const auto& p) { return std::array{p[1] - p[0], p[2] - p[0]}; };
+      return irg::quotient_of<1>(along, std::array<T, 3>{at(low(g)).x, at(high(g)).x, at(vertex_of(e)).x})
+          .value_or(T(0));
+    }
+    const auto formula = [](const auto& p) {
+      const auto a = plane_turn(p, 0, 1, 2), b = plane_turn(p, 0, 1, 3);
+      return std::array{a - b, a};
+    };
+    return irg::quotient_of<2>(formula, coordinates(low(e), high(e), low(g), high(g))).value_or(T(0));
+  }
+
+  // -1, 0 or 1: where g meets the line of e (or the place of a vertex) before that of f, at one place, or behind.
+  constexpr int compare_places(grid_edge g, grid_edge e, grid_edge f) const noexcept {
+    const int way = at(low(g)).x < at(high(g)).x ? 1 : -1;
+    if (is_vertex(e) && is_vertex(f)) return way * turn(vertex_of(f), vertex_of(e));
+    if (is_vertex(e)) return -compare_places(g, f, e);
+    const auto falls = [&](grid_edge of) {
+      const int a = orient2d(at(low(of)), at(high(of)), at(low(g)));
+      return a != 0 ? a : -orient2d(at(low(of)), at(high(of)), at(high(g)));
+    };
+    if (is_vertex(f)) {
+      const auto mixed = [](const auto& p) {
+        return plane_turn(p, 0, 1, 2) * (p[6] - p[8]) + plane_turn(p, 0, 1, 3) * (p[8] - p[4]);
+      };
+      return falls(e) * way * irg::sign_of<3>(mixed, coordinates(low(e), high(e), low(g), high(g), vertex_of(f)));
+    }
+    const auto formula = [](const auto& p) {
+      return plane_turn(p, 2, 3, 4) * plane_turn(p, 0, 1, 5) - plane_turn(p, 0, 1, 4) * plane_turn(p, 2, 3, 5);
+    };
+    return falls(e) * falls(f) *
+           irg::sign_of<4>(formula, coordinates(low(e), high(e), low(f), high(f), low(g), high(g)));
+  }
+};
+
 inline namespace IRG_ABI {
 
 template <class Sight>
@@ -79,22 +215,12 @@ private:
 
 inline namespace IRG_ABI {
 
-/// Sends the parts of curves that nearer curves, and nearer steps of the same one, leave to be seen to sink(edge_part).
-/// shape   points: those of all curves, near ones first, y up; one that is not finite parts two curves, or two parts of
-///         one. Edge k is the step from point k to k + 1; its parts follow each other, in order. With drawn_parts::all
-///         what is hidden is sent as well, between them
-/// needs   less than 2^31 points; nearer ones to the front at each x
-/// gives   upright steps hide nothing; steps without length, and to or from points that are not finite, have no parts
-/// exact   every decision; places are rounded once, to the nearest double
-/// cost    some steps along the horizons for each step of a curve; memory for the horizons
-/// source  Special-cases chapter, 2, with horizons of lines in place of pixels
 template <class Emit>
-constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& sink,
-                                             drawn_parts which = drawn_parts::visible) {
+constexpr horizon_line_counts visible_curves(std::span<const point<double, 2>> points, Emit&& sink, drawn_parts which) {
   const detail::curve_sight<double> sight{points};
   detail::line_horizons horizons(sight);
   horizon_line_counts counts;
-  const auto is_point = [](const point<double, 2>& p) { return detail::is_finite(p.x) && detail::is_finite(p.y); };
+  const auto is_point = [](const point<double, 2>& p) { return is_finite(p.x) && is_finite(p.y); };
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     if (!is_point(points[k]) || !is_point(points[k + 1]) || points[k] == points[k + 1]) continue;
     double seen_to = 0;

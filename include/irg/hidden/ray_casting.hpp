@@ -3,13 +3,14 @@
 // definition of the picture, carried out; the other methods give the same and do less.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <irg/raster/draw_counts.hpp>
 #include <irg/raster/face_order.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/hidden/detail/ray_casting_steps.hpp>
 
 namespace irg {
 
@@ -27,20 +28,83 @@ struct ray_casting {
 
   template <class Faces>
   IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                      draw_counts& counts) const {
-    const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
-    for (int y = window.y_first; y < window.y_last; ++y)
-      for (int x = window.x_first; x < window.x_last; ++x) {
-        const screen_face* nearest = nullptr;
-        for (const screen_face& f : list) {
-          if (!covers(f, x, y)) continue;
-          ++counts.tested;
-          if (nearest != nullptr && compare_depths<Order>(f, *nearest, x, y) == 0) ++counts.ties;
-          if (nearest == nullptr || is_nearer<Order>(f, *nearest, x, y)) nearest = &f;
-        }
-        if (nearest != nullptr) ids(x, y) = nearest->number;
-      }
-  }
+                                      draw_counts& counts) const;
 };
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Of equal faces, whose corners are the same bits in the same order, the one of the lowest number, or the highest in
+// drawing order: the others are never seen.
+template <DepthOrder Order, class Face>
+constexpr void leave_out_equal_faces(std::vector<Face>& list) {
+  const auto bits_of = [](float depth) { return std::bit_cast<std::uint32_t>(depth); };
+  const auto is_same = [&](const Face& a, const Face& b) {
+    for (int i = 0; i < 3; ++i)
+      if (a.v[i].position != b.v[i].position || bits_of(a.v[i].depth) != bits_of(b.v[i].depth)) return false;
+    return true;
+  };
+  const auto hash_of = [&](const Face& f) {
+    std::uint64_t h = 0;
+    for (const screen_vertex& v : f.v) {
+      h = (h ^ static_cast<std::uint32_t>(v.position.x)) * 0x9e3779b97f4a7c15u;
+      h = (h ^ (h >> 32) ^ static_cast<std::uint32_t>(v.position.y)) * 0xd1b54a32d192ed03u;
+      h = (h ^ (h >> 29) ^ bits_of(v.depth)) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 32;
+    }
+    return h;
+  };
+  // The places in the list of those met before, open addressing.
+  std::vector<std::uint32_t> met(std::bit_ceil(2 * list.size()), no_face);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::size_t at = hash_of(list[i]) & (met.size() - 1);
+    while (met[at] != no_face && !is_same(list[met[at]], list[i])) at = (at + 1) & (met.size() - 1);
+    if (met[at] != no_face) {
+      Face& first = list[met[at]];
+      if (comes_first<Order>(0, list[i], first)) first.number = list[i].number;
+      continue;
+    }
+    met[at] = static_cast<std::uint32_t>(kept);
+    if (kept != i) list[kept] = list[i];
+    ++kept;
+  }
+  list.resize(kept, Face{});
+}
+
+// The faces with an area that touch a window, side by side.
+template <DepthOrder Order, class Faces>
+constexpr std::vector<screen_face> copied_faces(const Faces& faces, const cell_window& window) {
+  constexpr std::size_t many = 10000;
+  std::vector<screen_face> list;
+  list.reserve(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const screen_face f = faces[i];
+    if (f.coverage.double_area != 0 && !intersect(f.coverage.bounds, window).empty()) list.push_back(f);
+  }
+  if (list.size() > many) leave_out_equal_faces<Order>(list);
+  return list;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+template <DepthOrder Order>
+template <class Faces>
+constexpr void ray_casting<Order>::operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                              draw_counts& counts) const {
+  const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
+  for (int y = window.y_first; y < window.y_last; ++y)
+    for (int x = window.x_first; x < window.x_last; ++x) {
+      const screen_face* nearest = nullptr;
+      for (const screen_face& f : list) {
+        if (!covers(f, x, y)) continue;
+        ++counts.tested;
+        if (nearest != nullptr && compare_depths<Order>(f, *nearest, x, y) == 0) ++counts.ties;
+        if (nearest == nullptr || is_nearer<Order>(f, *nearest, x, y)) nearest = &f;
+      }
+      if (nearest != nullptr) ids(x, y) = nearest->number;
+    }
+}
 
 }  // namespace irg

@@ -13,9 +13,10 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-#include <irg/hidden/detail/cell_outlines.hpp>
+#include <irg/hidden/detail/window_cells.hpp>
 #include <irg/hidden/hidden_lines.hpp>
 #include <irg/math/vec.hpp>
 
@@ -39,8 +40,160 @@ struct visible_polygon_map {
   std::size_t cells = 0;  // convex ones, of which the regions were put together
 };
 
-namespace detail {
 inline namespace IRG_ABI {
+
+/// The window cut into regions by the faces that are seen in it.
+/// shape   faces is a range with size() and [i], of screen_face
+/// units   pixels
+/// needs   the window and positions within snap_limit pixels of the origin, finite depths
+/// gives   regions that fill the window without gaps or overlap: where two of them meet, both have the same corners,
+///         bit for bit, in opposite order. A corner stands only where a boundary turns or another one ends. A ring may
+///         touch itself or others of its number in a corner. Pieces of one number are one region. Faces without area
+///         are not seen; an empty window has no rings
+/// exact   everything but the places, which are rounded to the nearest 2^-30 of a pixel: one map for every order of the
+///         faces. Places closer than that may fall together, and rings become thinner than nothing by as much
+/// cost    about n log n cells for faces of like sizes, each allocated; grows with the visible crossings of sides
+template <DepthOrder Order = nearer_is_greater, class Faces>
+  requires(detail::depth_sense<Order> != 0)
+[[nodiscard]] constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window);
+
+/// The corner i of a ring, in pixels.
+/// needs   i < ring.count
+[[nodiscard]] constexpr point<double, 2> corner_of(const visible_polygon_map& map, const visible_ring& ring,
+                                                   std::size_t i) noexcept {
+  return map.places[map.corners[ring.first + i]];
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+
+// From cells to the outlines of what they show: points that are one are found exactly, boundaries between cells of one
+// number vanish, and what is left is cut where outlines meet and nowhere else, and linked to rings.
+
+inline constexpr std::uint64_t beside_window = std::uint64_t{1} << 32;
+
+// A part of a line between two points, by their order, and the numbers on both sides of it.
+struct outline_part {
+  std::uint32_t line = 0, from = 0, to = 0;
+  std::uint64_t number[2] = {beside_window, beside_window};  // of which it is part of a ring from `from` to `to`; back
+};
+struct IRG_APART outline_step {
+  std::uint32_t number, from, to;
+  friend constexpr bool operator<(const outline_step& a, const outline_step& b) noexcept {
+    return a.number != b.number ? a.number < b.number : a.from != b.from ? a.from < b.from : a.to < b.to;
+  }
+};
+
+inline namespace IRG_ABI {
+
+template <class Cutter>
+class cell_outlines {
+public:
+  constexpr explicit cell_outlines(const Cutter& cutter) : cutter_(cutter) {
+    order_points();
+    collect_parts();
+    join_parts();
+  }
+
+  std::vector<std::uint32_t> points{};  // one of each place, by x, then y
+  std::vector<outline_step> steps{};  // of all rings
+
+private:
+  constexpr void order_points() {
+    const auto& all = cutter_.points;
+    std::vector<std::uint32_t> sorted(all.size(), 0u);
+    for (std::size_t i = 0; i < all.size(); ++i) sorted[i] = static_cast<std::uint32_t>(i);
+    const auto order = [&](std::uint32_t i, std::uint32_t j) {
+      const int by_x = cutter_.compare_coordinate(0, all[i], all[j]);
+      return by_x != 0 ? by_x : cutter_.compare_coordinate(1, all[i], all[j]);
+    };
+    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t i, std::uint32_t j) { return order(i, j) < 0; });
+    rank_.assign(all.size(), 0u);
+    for (const std::uint32_t i : sorted) {
+      if (points.empty() || order(points.back(), i) != 0) points.push_back(i);
+      rank_[i] = static_cast<std::uint32_t>(points.size() - 1);
+    }
+  }
+
+  // Along each line by which cells were parted, the numbers on both sides: places on a line have the order of points.
+  constexpr void collect_parts() {
+    std::vector<outline_part> sides;
+    for (const finished_cell& cell : cutter_.cells)
+      for (std::size_t i = 0; i < cell.corners.size(); ++i) {
+        const cell_corner& c = cell.corners[i];
+        const cell_corner& next = cell.corners[i + 1 == cell.corners.size() ? 0 : i + 1];
+        outline_part part{c.line, rank_[c.point], rank_[next.point]};
+        const bool back = part.from > part.to;
+        if (back) std::swap(part.from, part.to);
+        part.number[back ? 1 : 0] = cell.number;
+        sides.push_back(part);
+      }
+    std::sort(sides.begin(), sides.end(), [](const outline_part& a, const outline_part& b) {
+      return a.line != b.line ? a.line < b.line : a.from != b.from ? a.from < b.from : a.number[0] < b.number[0];
+    });
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+      while (end < sides.size() && sides[end].line == sides[i].line) ++end;
+      collect_line({sides.data() + i, end - i});
+    }
+  }
+
+  // The parts of either side of a line lie apart from each other and come in order.
+  constexpr void collect_line(std::span<const outline_part> sides) {
+    places_.clear();
+    for (const outline_part& s : sides) {
+      places_.push_back(s.from);
+      places_.push_back(s.to);
+    }
+    std::sort(places_.begin(), places_.end());
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    std::size_t next = 0;
+    outline_part on[2];
+    for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
+      for (; next < sides.size() && sides[next].from == places_[k]; ++next)
+        on[sides[next].number[0] == beside_window ? 1 : 0] = sides[next];
+      outline_part part{sides[0].line, places_[k], places_[k + 1]};
+      for (int s = 0; s < 2; ++s)
+        if (on[s].to > places_[k]) part.number[s] = on[s].number[s];
+      if (part.number[0] != part.number[1]) parts_.push_back(part);
+    }
+  }
+
+  // Parts that only continue each other become one.
+  constexpr void join_parts() {
+    struct ends {
+      std::uint32_t count = 0, to = 0, from = 0;
+    };
+    std::vector<ends> at(points.size(), ends{});
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      ends &start = at[parts_[i].from], &end = at[parts_[i].to];
+      ++start.count;
+      ++end.count;
+      start.from = static_cast<std::uint32_t>(i + 1);
+      end.to = static_cast<std::uint32_t>(i + 1);
+    }
+    const auto goes_on = [&](std::uint32_t place) {
+      const ends& e = at[place];
+      return e.count == 2 && e.to != 0 && e.from != 0 &&
+             cutter_.are_parallel(cutter_.lines[parts_[e.to - 1].line], cutter_.lines[parts_[e.from - 1].line]);
+    };
+    std::vector<std::uint8_t> passed(points.size(), std::uint8_t{0});
+    for (std::size_t i = 0; i < passed.size(); ++i)
+      passed[i] = goes_on(static_cast<std::uint32_t>(i)) ? std::uint8_t{1} : std::uint8_t{0};
+    for (const outline_part& p : parts_) {
+      if (passed[p.from] != 0) continue;
+      std::uint32_t to = p.to;
+      while (passed[to] != 0) to = parts_[at[to].from - 1].to;
+      if (p.number[0] != beside_window) steps.push_back({static_cast<std::uint32_t>(p.number[0]), p.from, to});
+      if (p.number[1] != beside_window) steps.push_back({static_cast<std::uint32_t>(p.number[1]), to, p.from});
+    }
+    std::sort(steps.begin(), steps.end());
+  }
+
+  const Cutter& cutter_;
+  std::vector<std::uint32_t> rank_{}, places_{};
+  std::vector<outline_part> parts_{};
+};
 
 // Links steps, sorted by number and start, to rings.
 template <class Step>
@@ -73,18 +226,7 @@ constexpr void link_outlines(const std::vector<Step>& steps, visible_polygon_map
 
 inline namespace IRG_ABI {
 
-/// The window cut into regions by the faces that are seen in it.
-/// shape   faces is a range with size() and [i], of screen_face
-/// units   pixels
-/// needs   the window and positions within snap_limit pixels of the origin, finite depths
-/// gives   regions that fill the window without gaps or overlap: where two of them meet, both have the same corners,
-///         bit for bit, in opposite order. A corner stands only where a boundary turns or another one ends. A ring may
-///         touch itself or others of its number in a corner. Pieces of one number are one region. Faces without area
-///         are not seen; an empty window has no rings
-/// exact   everything but the places, which are rounded to the nearest 2^-30 of a pixel: one map for every order of the
-///         faces. Places closer than that may fall together, and rings become thinner than nothing by as much
-/// cost    about n log n cells for faces of like sizes, each allocated; grows with the visible crossings of sides
-template <DepthOrder Order = nearer_is_greater, class Faces>
+template <DepthOrder Order, class Faces>
   requires(detail::depth_sense<Order> != 0)
 [[nodiscard]] constexpr visible_polygon_map visible_polygons(const Faces& faces, const cell_window& window) {
   visible_polygon_map map;
@@ -113,13 +255,6 @@ template <DepthOrder Order = nearer_is_greater, class Faces>
   for (std::uint32_t& c : map.corners) c = place_of_point[c];
   map.cells = cutter.cells.size();
   return map;
-}
-
-/// The corner i of a ring, in pixels.
-/// needs   i < ring.count
-[[nodiscard]] constexpr point<double, 2> corner_of(const visible_polygon_map& map, const visible_ring& ring,
-                                                   std::size_t i) noexcept {
-  return map.places[map.corners[ring.first + i]];
 }
 
 }  // namespace IRG_ABI

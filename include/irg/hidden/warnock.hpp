@@ -14,10 +14,10 @@
 #include <vector>
 
 #include <irg/hidden/detail/crowded_window.hpp>
-#include <irg/hidden/detail/face_sets.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {
 
@@ -39,7 +39,108 @@ struct no_window_observer {
   IRG_INLINE constexpr void operator()(const cell_window&, warnock_case) const noexcept {}
 };
 
+inline namespace IRG_ABI {
+
+/// Writes the numbers of the faces that are seen in a window's pixels, by Warnock's subdivision.
+/// shape   faces: a container of screen_face; ids holds the window; observer(window, how it ended) for each window
+/// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are. A window
+///         of one row or column is halved
+/// exact   as picture_face_at, in every pixel: coverage in integers, depths by is_nearer
+/// cost    some 20 ns for each face on a window's list; memory for the lists on the way down to one pixel, none for
+///         depths
+/// source  Warnock 1969
+template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no_window_observer>
+constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      Observer&& observer = {});
+
+/// The face in a picture whose pixels are cut into k x k, for subdivision beyond the pixel: drawn into k times as many
+/// rows and columns, each pixel's share of every face is the share of its k*k parts.
+/// needs   k > 0, positions that stay within snap_limit
+/// exact   nothing is rounded
+[[nodiscard]] constexpr screen_face subdivided_face(const screen_face& f, int k) noexcept {
+  const auto corner = [&](int i) {
+    return screen_vertex{{f.v[i].position.x * k, f.v[i].position.y * k}, f.v[i].depth, f.v[i].inverse_w};
+  };
+  return make_screen_face(corner(0), corner(1), corner(2), f.number);
+}
+
+}  // namespace IRG_ABI
+
+/// Warnock's subdivision as a hidden-surface method for render.
+/// gives   what draw_warnock gives; counts.tested counts the faces held against windows
+template <DepthOrder Order = nearer_is_greater>
+struct warnock {
+  /// Whether the picture is the exact one.
+  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
+
+  template <class Faces>
+  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
+                                      draw_counts& counts) const {
+    counts.tested += draw_warnock<Order>(faces, window, ids).classified;
+  }
+};
+
 namespace detail {
+
+// For each pixel of a small window the set of the faces that cover it, as bits: what touches or surrounds a part of the
+// window is then the union or the common part of a few numbers.
+
+class IRG_APART face_sets {
+public:
+  static constexpr int side = 16;
+  static constexpr std::size_t most = 64;  // faces
+
+  static constexpr bool holds(const cell_window& w) noexcept {
+    return w.x_last - w.x_first <= side && w.y_last - w.y_first <= side;
+  }
+
+  // Empty sets for the pixels of a window.
+  constexpr void start(const cell_window& w) noexcept {
+    window_ = w;
+    for (int y = w.y_first; y < w.y_last; ++y)
+      for (int x = w.x_first; x < w.x_last; ++x) place(x, y) = 0;
+  }
+  // Puts the face that has this bit into the sets of the pixels that it covers.
+  constexpr void add(const triangle_coverage& t, std::uint64_t bit) noexcept {
+    const cell_window both = intersect(t.bounds, window_);
+    std::int64_t row[3];
+    for (int i = 0; i < 3; ++i) row[i] = t.edge[i](both.x_first, both.y_first);
+    for (int y = both.y_first; y < both.y_last; ++y) {
+      std::int64_t e[3] = {row[0], row[1], row[2]};
+      for (int x = both.x_first; x < both.x_last; ++x) {
+        place(x, y) |= (e[0] | e[1] | e[2]) < 0 ? 0 : bit;  // no branch: nobody can foretell it
+        for (int i = 0; i < 3; ++i) e[i] += t.edge[i].right;
+      }
+      for (int i = 0; i < 3; ++i) row[i] += t.edge[i].down;
+    }
+  }
+
+  constexpr std::uint64_t operator()(int x, int y) const noexcept {
+    return sets_[(y - window_.y_first) * side + (x - window_.x_first)];
+  }
+
+  // The faces that cover some pixel of a part of the window, and those that cover them all.
+  struct touching_window {
+    std::uint64_t somewhere, everywhere;
+  };
+  constexpr touching_window touching(const cell_window& w) const noexcept {
+    touching_window t{0, ~std::uint64_t{0}};
+    for (int y = w.y_first; y < w.y_last; ++y)
+      for (int x = w.x_first; x < w.x_last; ++x) {
+        t.somewhere |= (*this)(x, y);
+        t.everywhere &= (*this)(x, y);
+      }
+    return t;
+  }
+
+private:
+  constexpr std::uint64_t& place(int x, int y) noexcept {
+    return sets_[(y - window_.y_first) * side + (x - window_.x_first)];
+  }
+
+  std::uint64_t sets_[side * side] = {};
+  cell_window window_{};
+};
 
 // A face on a window's list.
 struct warnock_face {
@@ -208,47 +309,13 @@ private:
 
 inline namespace IRG_ABI {
 
-/// Writes the numbers of the faces that are seen in a window's pixels, by Warnock's subdivision.
-/// shape   faces: a container of screen_face; ids holds the window; observer(window, how it ended) for each window
-/// gives   the number of the nearest face into the pixels that some face covers; the others stay as they are. A window
-///         of one row or column is halved
-/// exact   as picture_face_at, in every pixel: coverage in integers, depths by is_nearer
-/// cost    some 20 ns for each face on a window's list; memory for the lists on the way down to one pixel, none for
-///         depths
-/// source  Warnock 1969
-template <DepthOrder Order = nearer_is_greater, class Faces, class Observer = no_window_observer>
+template <DepthOrder Order, class Faces, class Observer>
 constexpr warnock_counts draw_warnock(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                      Observer&& observer = {}) {
+                                      Observer&& observer) {
   if (window.empty()) return {};
   const std::vector<screen_face> list = detail::copied_faces<Order>(faces, window);
   return detail::warnock_division<Order, std::remove_reference_t<Observer>>(ids, observer)(list, window);
 }
 
-/// The face in a picture whose pixels are cut into k x k, for subdivision beyond the pixel: drawn into k times as many
-/// rows and columns, each pixel's share of every face is the share of its k*k parts.
-/// needs   k > 0, positions that stay within snap_limit
-/// exact   nothing is rounded
-[[nodiscard]] constexpr screen_face subdivided_face(const screen_face& f, int k) noexcept {
-  const auto corner = [&](int i) {
-    return screen_vertex{{f.v[i].position.x * k, f.v[i].position.y * k}, f.v[i].depth, f.v[i].inverse_w};
-  };
-  return make_screen_face(corner(0), corner(1), corner(2), f.number);
-}
-
 }  // namespace IRG_ABI
-
-/// Warnock's subdivision as a hidden-surface method for render.
-/// gives   what draw_warnock gives; counts.tested counts the faces held against windows
-template <DepthOrder Order = nearer_is_greater>
-struct warnock {
-  /// Whether the picture is the exact one.
-  [[nodiscard]] IRG_APART static constexpr bool finds_nearest() noexcept { return true; }
-
-  template <class Faces>
-  IRG_APART constexpr void operator()(const Faces& faces, const cell_window& window, image<std::uint32_t>& ids,
-                                      draw_counts& counts) const {
-    counts.tested += draw_warnock<Order>(faces, window, ids).classified;
-  }
-};
-
 }  // namespace irg

@@ -53,7 +53,7 @@ template <Floating T>
   const detail::decimal_text text = detail::scan_decimal(first, last);
   if (text.digits_end == nullptr) return {T{0}, first, decimal_status::none};
   using bits_type = detail::bits_of_decimal<T>;
-  const bits_type bits = std::bit_cast<bits_type>(detail::magnitude<T>(text));
+  const bits_type bits = std::bit_cast<bits_type>(unsigned_value<T>(text));
   decimal_status status = decimal_status::ok;
   if (bits == std::bit_cast<bits_type>(std::numeric_limits<T>::infinity())) status = decimal_status::overflow;
   if (bits == 0 && text.mantissa != 0) status = decimal_status::underflow;
@@ -89,7 +89,7 @@ template <Floating T>
   detail::decimal_text text{nullptr};
   text.mantissa = mantissa;
   text.exponent = -decimals;
-  return detail::magnitude<T>(text);
+  return unsigned_value<T>(text);
 }
 
 /// The integer that the decimal digits at the head of [first, last) write.

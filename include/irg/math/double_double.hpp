@@ -81,7 +81,7 @@ public:
   /// source  Li et al. 2002 (AccurateDWPlusDW)
   IRG_INLINE friend constexpr double_word operator+(const double_word& x, const double_word& y) noexcept {
     const auto [heads, heads_error] = two_sum(x.high, y.high);
-    if (!detail::is_finite(heads)) return heads;
+    if (!is_finite(heads)) return heads;
     const auto [tails, tails_error] = two_sum(x.low, y.low);
     const auto [sum, sum_error] = fast_two_sum(heads, heads_error + tails);
     return detail::normalised_words(sum, tails_error + sum_error);
@@ -91,7 +91,7 @@ public:
   /// source  Joldes, Muller and Popescu 2017 (DWPlusFP)
   IRG_INLINE friend constexpr double_word operator+(const double_word& x, T y) noexcept {
     const auto [heads, heads_error] = two_sum(x.high, y);
-    if (!detail::is_finite(heads)) return heads;
+    if (!is_finite(heads)) return heads;
     return detail::normalised_words(heads, x.low + heads_error);
   }
   IRG_INLINE friend constexpr double_word operator+(T x, const double_word& y) noexcept { return y + x; }
@@ -107,13 +107,13 @@ public:
   IRG_INLINE friend constexpr double_word operator*(const double_word& x, const double_word& y) noexcept {
     const auto [heads, error] = two_product(x.high, y.high);
     const T cross = product(x.high, y.low) + product(x.low, y.high);
-    return detail::is_finite(heads) ? detail::normalised_words(heads, error + cross) : double_word(heads);
+    return is_finite(heads) ? detail::normalised_words(heads, error + cross) : double_word(heads);
   }
   /// exact   relative error at most 3u^2
   /// source  Joldes, Muller and Popescu 2017 (DWTimesFP2)
   IRG_INLINE friend constexpr double_word operator*(const double_word& x, T y) noexcept {
     const auto [heads, error] = two_product(x.high, y);
-    return detail::is_finite(heads) ? detail::normalised_words(heads, error + product(x.low, y)) : double_word(heads);
+    return is_finite(heads) ? detail::normalised_words(heads, error + product(x.low, y)) : double_word(heads);
   }
   IRG_INLINE friend constexpr double_word operator*(T x, const double_word& y) noexcept { return y * x; }
 
@@ -122,8 +122,8 @@ public:
   /// source  Joldes, Muller and Popescu 2017 (DWDivDW2)
   IRG_INLINE friend constexpr double_word operator/(const double_word& x, const double_word& y) noexcept {
     const T quotient = x.high / y.high;
-    if (!detail::is_finite(quotient) || quotient == 0 || !detail::is_finite(y.high)) return quotient;
-    const T size = detail::magnitude(x.high);
+    if (!is_finite(quotient) || quotient == 0 || !is_finite(y.high)) return quotient;
+    const T size = magnitude(x.high);
     if (size < detail::least_of_exact_words<T> || size > detail::most_of_exact_words<T>)
       return detail::scaled_quotient(x, y);
     const double_word back = y * quotient;
@@ -178,7 +178,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr double_word<T> sqrt(const double_word<T>& x) noexcept {
   const T root = sqrt(x.high);
-  if (!(root > 0) || !detail::is_finite(root)) return root;
+  if (!(root > 0) || !is_finite(root)) return root;
   if (x.high < detail::least_of_exact_words<T>) {
     constexpr bool is_double = std::is_same_v<T, double>;
     constexpr T up = is_double ? T(0x1p600) : T(0x1p80f), back = is_double ? T(0x1p-300) : T(0x1p-40f);

@@ -11,7 +11,7 @@
 #include <irg/core/contraction.hpp>
 #include <irg/core/instructions.hpp>
 #include <irg/core/scalar.hpp>
-#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/float_bits.hpp>
 
 namespace irg {
 
@@ -168,14 +168,14 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr exact_sum<T> two_product(T a, T b) noexcept {
   if constexpr (std::is_same_v<T, float>) {
-    if (std::is_constant_evaluated() && !(detail::is_finite(a) && detail::is_finite(b)))
+    if (std::is_constant_evaluated() && !(is_finite(a) && is_finite(b)))
       return {static_cast<float>(detail::endless_product(widened(a), widened(b))), 0.0f};
     const exact_sum<float> p = fast_two_product(a, b);
-    return {p.value, detail::is_finite(p.value) ? p.error : 0.0f};
+    return {p.value, is_finite(p.value) ? p.error : 0.0f};
   } else {
     if (std::is_constant_evaluated() && !detail::product_is_moderate(a, b)) return detail::two_product_constant(a, b);
-    const double size = detail::magnitude(a * b);
-    if (size >= 0x1p-968 && size < 0x1p1021 && detail::magnitude(a) <= 0x1p995 && detail::magnitude(b) <= 0x1p995)
+    const double size = magnitude(a * b);
+    if (size >= 0x1p-968 && size < 0x1p1021 && magnitude(a) <= 0x1p995 && magnitude(b) <= 0x1p995)
       return fast_two_product(a, b);
     return detail::two_product_scaled(a, b);
   }
@@ -192,8 +192,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr T difference_of_products(T a, T b, T c, T d) noexcept {
   if constexpr (std::is_same_v<T, float>) {
-    if (std::is_constant_evaluated() &&
-        !(detail::is_finite(a) && detail::is_finite(b) && detail::is_finite(c) && detail::is_finite(d)))
+    if (std::is_constant_evaluated() && !(is_finite(a) && is_finite(b) && is_finite(c) && is_finite(d)))
       return static_cast<float>(detail::difference_of_products_scaled(widened(a), widened(b), widened(c), widened(d)));
     return converted<float>(widened(a) * widened(b) - widened(c) * widened(d));
   } else {

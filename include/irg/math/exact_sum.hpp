@@ -270,7 +270,7 @@ template <int K>
 [[nodiscard]] IRG_INLINE constexpr exact_sum<double> exact_accumulator<K>::rounded_parts(int shift) const noexcept {
   const double value = rounded(shift);
   const detail::integer_double v = detail::integer_parts(value);
-  if (!detail::is_finite(value) || v.significand == 0) return {value, 0.0};
+  if (!is_finite(value) || v.significand == 0) return {value, 0.0};
   // The value times 2^-shift is a multiple of the lowest bit; its significand may reach further, in zeros.
   const int place = v.place - 1074 - shift - lowest;
   const std::uint64_t significand = place < 0 ? v.significand >> -place : v.significand;

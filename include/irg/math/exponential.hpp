@@ -355,9 +355,9 @@ template <Floating T>
 
 template <Floating T>
 [[nodiscard]] constexpr T cbrt(T x) noexcept {
-  const double size = detail::magnitude(widened(x));
-  if (!(size > 0 && size < detail::infinity<double>)) return x;
-  return detail::narrow<T>(detail::with_sign(detail::cbrt_of(size), widened(x)));
+  const double size = magnitude(widened(x));
+  if (!(size > 0 && size < infinity<double>)) return x;
+  return detail::narrow<T>(with_sign(detail::cbrt_of(size), widened(x)));
 }
 
 }  // namespace irg::inline IRG_ABI

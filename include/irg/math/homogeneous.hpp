@@ -26,7 +26,7 @@ template <class T, int N>
   bool all_zero = true;
   for (int i = 0; i <= N; ++i) {
     if constexpr (Floating<T>)
-      if (!detail::is_finite(p[i])) return homogeneous_kind::nothing;
+      if (!is_finite(p[i])) return homogeneous_kind::nothing;
     all_zero = all_zero && p[i] == T(0);
   }
   if (all_zero) return homogeneous_kind::nothing;
@@ -64,9 +64,8 @@ template <Real T, int N>
   if (homogeneous_kind_of(p) != homogeneous_kind::position) return std::nullopt;
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i) {  // compared before it is divided: constants may not overflow
-      const T weight = detail::magnitude(p[N]);
-      if (weight < T(1) && detail::magnitude(p[i]) > product((std::numeric_limits<T>::max)(), weight))
-        return std::nullopt;
+      const T weight = magnitude(p[N]);
+      if (weight < T(1) && magnitude(p[i]) > product((std::numeric_limits<T>::max)(), weight)) return std::nullopt;
     }
   return to_cartesian(p);
 }

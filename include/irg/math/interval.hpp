@@ -47,15 +47,15 @@ public:
   /// All numbers.
   IRG_INLINE static constexpr interval whole() noexcept {
     interval all;
-    all.lower_ = -detail::infinity<T>;
-    all.upper_ = detail::infinity<T>;
+    all.lower_ = -infinity<T>;
+    all.upper_ = infinity<T>;
     return all;
   }
   /// No number.
   IRG_INLINE static constexpr interval empty() noexcept {
     interval none;
-    none.lower_ = detail::infinity<T>;
-    none.upper_ = -detail::infinity<T>;
+    none.lower_ = infinity<T>;
+    none.upper_ = -infinity<T>;
     return none;
   }
 
@@ -124,7 +124,7 @@ template <Floating T>
 /// Whether x is one of the numbers.
 template <Floating T>
 [[nodiscard]] constexpr bool contains(const interval<T>& a, std::type_identity_t<T> x) noexcept {
-  return a.lower() <= x && x <= a.upper() && detail::is_finite(x);
+  return a.lower() <= x && x <= a.upper() && is_finite(x);
 }
 
 /// Whether every number of b is in a.
@@ -324,9 +324,9 @@ IRG_INLINE constexpr interval<T>::interval(T lower, T upper) noexcept : lower_(l
     *this = whole();
   else if (upper < lower)
     *this = empty();
-  else if (lower == detail::infinity<T>)
+  else if (lower == infinity<T>)
     lower_ = detail::largest_number<T>;
-  else if (upper == -detail::infinity<T>)
+  else if (upper == -infinity<T>)
     upper_ = -detail::largest_number<T>;
 }
 
@@ -339,7 +339,7 @@ template <Floating T>
 
 template <Floating T>
 [[nodiscard]] constexpr T middle(const interval<T>& a) noexcept {
-  const bool left = detail::is_finite(a.lower()), right = detail::is_finite(a.upper());
+  const bool left = is_finite(a.lower()), right = is_finite(a.upper());
   if (!left || !right) return left ? detail::largest_number<T> : right ? -detail::largest_number<T> : T(0);
   const T sum = T(0.5) * a.lower() + T(0.5) * a.upper();
   return clamp(sum, a.lower(), a.upper());

@@ -9,7 +9,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/scalar.hpp>
-#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/detail/length_kernel.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/hypot.hpp>

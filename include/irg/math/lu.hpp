@@ -237,7 +237,7 @@ template <Floating T, int N>
   const auto right = generate_coordinates<vec<double, N>>([&](int i) { return widened(b[i]); });
   if (!detail::entries_finite<double>(wide, N, N)) return std::nullopt;
   for (int i = 0; i < N; ++i)
-    if (!detail::is_finite(right[i])) return std::nullopt;
+    if (!is_finite(right[i])) return std::nullopt;
   const auto s = detail::factor_scaled(wide, detail::scaling::by_largest);
   auto x = detail::refined_solution<T>(s, wide, right);
   if (!x && s.sizes.may_hide_regular()) {
@@ -250,7 +250,7 @@ template <Floating T, int N>
     }
   }
   for (int j = 0; x && j < N; ++j)
-    if (!detail::is_finite((*x)[j])) return std::nullopt;
+    if (!is_finite((*x)[j])) return std::nullopt;
   return x;
 }
 

@@ -208,7 +208,7 @@ template <PolynomialCoefficients C>
     const detail::compensated_sum sum = detail::bounded_horner(n, wide, at);
     return detail::narrow<T>(sum.value + sum.error);
   }
-  if (!detail::is_finite(at) || !detail::all_finite(n, wide)) return evaluate_polynomial(c, x);
+  if (!is_finite(at) || !detail::all_finite(n, wide)) return evaluate_polynomial(c, x);
   if (n == 0 || at == 0) return n == 0 ? T(0) : c[0];
   return detail::narrow<T>(detail::scaled_horner(n, wide, at));
 }
@@ -233,7 +233,7 @@ template <Floating T, std::size_t N>
   if (detail::can_be_bounded(N, at, widened(x))) {
     const detail::compensated_sum sum = detail::bounded_horner(N, at, widened(x));
     const double value = sum.value + sum.error;
-    if (detail::magnitude(value) > 2 * sum.bound) return value < 0 ? -1 : 1;
+    if (magnitude(value) > 2 * sum.bound) return value < 0 ? -1 : 1;
     if (value == 0 && sum.bound == 0) return 0;
   }
   return detail::exact_horner(wide, widened(x)).sign();

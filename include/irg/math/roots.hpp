@@ -500,8 +500,7 @@ inline namespace IRG_ABI {
 
 template <Floating T>
 [[nodiscard]] constexpr real_roots<T, 2> quadratic_roots(T a, T b, T c) noexcept {
-  if (!detail::is_finite(a) || !detail::is_finite(b) || !detail::is_finite(c))
-    return detail::no_equation<T, 2>(roots_kind::undefined);
+  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return detail::no_equation<T, 2>(roots_kind::undefined);
   return detail::roots_of_quadratic<T, 2>(widened(a), widened(b), widened(c));
 }
 

@@ -304,7 +304,7 @@ template <Real T, int N, int M>
   }
   if constexpr (Floating<T>)
     for (int i = 0; i < N; ++i)
-      if (!detail::is_finite(s.x[i])) return {solvability::not_finite, N, {}};
+      if (!is_finite(s.x[i])) return {solvability::not_finite, N, {}};
   return s;
 }
 

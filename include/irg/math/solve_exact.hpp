@@ -27,7 +27,7 @@ template <Floating T, int N, int M>
   system_solution<T, N> s{solvability::unique, N, {}};
   for (int k = 0; k < N; ++k) {
     s.x[k] = system.template component<T>(k);
-    if (!detail::is_finite(s.x[k])) return {solvability::not_finite, N, {}};
+    if (!is_finite(s.x[k])) return {solvability::not_finite, N, {}};
   }
   return s;
 }

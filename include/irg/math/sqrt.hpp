@@ -45,9 +45,9 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] IRG_INLINE constexpr T sqrt(T x) noexcept {
   if (!std::is_constant_evaluated()) return square_root_instruction(x);
-  if (!(x > T(0))) return x == T(0) ? x : detail::not_a_number<T>;
+  if (!(x > T(0))) return x == T(0) ? x : not_a_number<T>;
   // A float's root taken in double rounds to the right float: 53 >= 2 * 24 + 2 bits.
-  return detail::is_finite(x) ? converted<T>(detail::sqrt_of_positive(widened(x))) : x;
+  return is_finite(x) ? converted<T>(detail::sqrt_of_positive(widened(x))) : x;
 }
 
 }  // namespace IRG_ABI

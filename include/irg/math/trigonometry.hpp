@@ -255,7 +255,7 @@ inline namespace IRG_ABI {
 
 template <Floating T>
 [[nodiscard]] constexpr sine_and_cosine<T> sin_cos(T x) noexcept {
-  if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
+  if (!is_finite(x)) return {not_a_number<T>, not_a_number<T>};
   const auto angle = detail::reduce_radians(x);
   return {detail::is_tiny_angle(x) ? x : detail::nearest_sine(x, angle), detail::nearest_cosine(x, angle)};
 }
@@ -263,52 +263,50 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr T sin(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;
-  if (!detail::is_finite(x)) return detail::not_a_number<T>;
+  if (!is_finite(x)) return not_a_number<T>;
   return detail::nearest_sine(x, detail::reduce_radians(x));
 }
 
 template <Floating T>
 [[nodiscard]] constexpr T cos(T x) noexcept {
-  if (!detail::is_finite(x)) return detail::not_a_number<T>;
+  if (!is_finite(x)) return not_a_number<T>;
   return detail::nearest_cosine(x, detail::reduce_radians(x));
 }
 
 template <Floating T>
 [[nodiscard]] constexpr T tan(T x) noexcept {
   if (detail::is_tiny_angle(x)) return x;
-  if (!detail::is_finite(x)) return detail::not_a_number<T>;
+  if (!is_finite(x)) return not_a_number<T>;
   return detail::narrow<T>(detail::rounded_tangent(detail::reduce_radians(x)));
 }
 
 template <Floating T>
 [[nodiscard]] constexpr sine_and_cosine<T> sin_cos_degrees(T x) noexcept {
-  if (!detail::is_finite(x)) return {detail::not_a_number<T>, detail::not_a_number<T>};
+  if (!is_finite(x)) return {not_a_number<T>, not_a_number<T>};
   if (detail::is_tiny_angle(x)) return {radians(x), T(1)};
   const detail::quadrant_angle angle = detail::reduce_degrees(widened(x));
   const T sine = detail::narrow<T>(detail::rounded_sine(angle));
-  return {sine == 0 && detail::is_negative(x) ? T(-0.0) : sine + T(0),
-          detail::narrow<T>(detail::rounded_cosine(angle)) + T(0)};
+  return {sine == 0 && is_negative(x) ? T(-0.0) : sine + T(0), detail::narrow<T>(detail::rounded_cosine(angle)) + T(0)};
 }
 
 template <Floating T>
 [[nodiscard]] constexpr T atan2(T y, T x) noexcept {
-  if (detail::is_nan(x) || detail::is_nan(y)) return detail::not_a_number<T>;
+  if (is_nan(x) || is_nan(y)) return not_a_number<T>;
   const double wide_y = widened(y), wide_x = widened(x);
   if constexpr (std::is_same_v<T, float>)
-    if (detail::is_finite(x) && detail::is_finite(y) && y != 0)
-      if (const double quick =
-              detail::quick_angle_of(detail::magnitude(wide_y), detail::magnitude(wide_x), detail::is_negative(x));
+    if (is_finite(x) && is_finite(y) && y != 0)
+      if (const double quick = detail::quick_angle_of(magnitude(wide_y), magnitude(wide_x), is_negative(x));
           quick >= 0x1p-126 && detail::rounds_to_one_float<(1 << 19)>(quick))
-        return converted<float>(detail::with_sign(quick, wide_y));
+        return converted<float>(with_sign(quick, wide_y));
   return detail::narrow<T>(detail::angle_of(wide_y, wide_x));
 }
 
 template <Floating T>
 [[nodiscard]] constexpr T atan(T x) noexcept {
-  if (detail::is_nan(x)) return detail::not_a_number<T>;
+  if (is_nan(x)) return not_a_number<T>;
   const double wide = widened(x);
   if constexpr (std::is_same_v<T, float>)
-    if (const double quick = detail::times_sign(detail::quick_angle_of(detail::magnitude(wide), 1, false), wide);
+    if (const double quick = detail::times_sign(detail::quick_angle_of(magnitude(wide), 1, false), wide);
         detail::rounds_to_one_float<(1 << 19)>(quick))
       return converted<float>(quick);
   return detail::nearest_result<detail::symmetry::odd>(x, detail::arctangent(wide), detail::hard_arctangents);
@@ -316,7 +314,7 @@ template <Floating T>
 
 template <Floating T>
 [[nodiscard]] constexpr T asin(T x) noexcept {
-  if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
+  if (!(magnitude(x) <= 1)) return not_a_number<T>;
   const double wide = widened(x);
   if constexpr (std::is_same_v<T, float>)
     if (const double quick = detail::quick_angle_of_sine(wide); detail::rounds_to_one_float<(1 << 19)>(quick))
@@ -326,7 +324,7 @@ template <Floating T>
 
 template <Floating T>
 [[nodiscard]] constexpr T acos(T x) noexcept {
-  if (!(detail::magnitude(x) <= 1)) return detail::not_a_number<T>;
+  if (!(magnitude(x) <= 1)) return not_a_number<T>;
   const double wide = widened(x);
   if constexpr (std::is_same_v<T, float>)
     if (const double quick = detail::quick_angle_of_cosine(wide); detail::rounds_to_one_float<(1 << 19)>(quick))

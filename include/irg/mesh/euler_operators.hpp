@@ -11,15 +11,191 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <irg/mesh/detail/euler_operators_steps.hpp>
 #include <irg/mesh/half_edge_mesh.hpp>
 
 namespace irg {
-
 inline namespace IRG_ABI {
 
 /// A new shell: one face whose loop is one vertex at p (mvfs).
 /// gives   the loop and its vertex, from which make_edge_vertex goes on
+template <Scalar T>
+constexpr lone_vertex make_shell(half_edge_mesh<T>& b, const point<T, 3>& p);
+
+/// Undoes make_shell (kvfs).
+/// gives   false, and b as it was, unless the vertex is all there is of its face
+template <Scalar T>
+constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v);
+
+/// A new vertex at p and an edge to it, from the vertex that `first` and `last` leave (mev). The half-edges from
+/// `first` on, clockwise seen from outside, up to the one before `last` leave the new vertex then; none when the two
+/// are the same: the edge stands free in the loop, before it.
+/// gives   the half-edge to the new vertex; none, and b as it was, when the two do not leave the same vertex
+template <Scalar T>
+constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
+                                         const point<T, 3>& p);
+
+/// The same from a vertex without edges.
+template <Scalar T>
+constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from, const point<T, 3>& p);
+
+/// Undoes make_edge_vertex (kev): the edge goes with the vertex that h leads to, and what left that leaves h's origin.
+/// gives   false, and b as it was, when h is no half-edge or both its ends are the same vertex
+template <Scalar T>
+constexpr bool kill_edge_vertex(half_edge_mesh<T>& b, std::uint32_t h);
+
+/// An edge from the vertex that `from` leaves to the one that `to` leaves, across their face (mef). The half-edges from
+/// `from` to the one before `to` bound the new face.
+/// shape   `from` and `to` are of one loop; the edge stands before both
+/// gives   the new half-edge in the old face; none, and b as it was, when the two are the same or of two loops
+template <Scalar T>
+constexpr std::uint32_t make_edge_face(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to);
+
+/// Undoes make_edge_face (kef): the edge goes, and what lies beyond it becomes part of the face of h, with its rings.
+/// gives   false, and b as it was, when the same face or a border is on both sides
+template <Scalar T>
+constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h);
+
+/// Takes an edge away that has the same loop on both sides (kemr): the loop falls into two, one of which becomes a
+/// ring.
+/// gives   the ring, which is what follows h and comes first of its face's; none, and b as it was, when there are two
+///         loops beside the edge
+template <Scalar T>
+constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h);
+
+/// Undoes kill_edge_make_ring where that has left no lone vertex (mekr): an edge from the vertex that `from` leaves to
+/// the one that `to` leaves, of another loop of the same face, which becomes part of the loop of `from`.
+/// gives   the new half-edge, of which `to` comes next; none, and b as it was, when the two are of one loop or of two
+///         faces
+template <Scalar T>
+constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to);
+
+/// A face becomes a ring of another (kfmrh): joins two shells, or makes a hole through one.
+/// gives   the ring; none, and b as it was, when the two are the same or `face` has rings
+template <Scalar T>
+constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face, std::uint32_t into);
+
+/// Undoes kill_face_make_ring_hole (mfkrh): a ring becomes the outer loop of a new face.
+/// gives   the face; none, and b as it was, when the loop is no ring
+template <Scalar T>
+constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring);
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+template <Scalar T>
+class euler_editor {
+public:
+  /// Makes room for what one operator adds: where there is no memory, nothing has changed yet.
+  constexpr explicit euler_editor(half_edge_mesh<T>& b) : b_(b) {
+    make_room(b.positions, b.positions.size() + 1);
+    make_room(b.half_edge_at, b.half_edge_at.size() + 1);
+    make_room(b.half_edges, b.half_edges.size() + 2);
+    make_room(b.loops, b.loops.size() + 1);
+    make_room(b.faces, b.faces.size() + 1);
+    make_room(b.lone_vertices, b.lone_vertices.size() + 2);
+    if (!b.attributes.empty()) make_room(b.attributes, b.half_edges.size() + 2);
+    if (!b.parts.empty()) make_room(b.face_parts, b.faces.size() + 1);
+  }
+  static constexpr std::uint32_t none = half_edge::none;
+
+  constexpr bool is_edge(std::uint32_t h) const noexcept {
+    return h < b_.half_edges.size() && b_.half_edges[h].origin != none;
+  }
+  constexpr bool is_face(std::uint32_t f) const noexcept { return f < b_.faces.size() && b_.faces[f] != none; }
+  constexpr std::uint32_t& loop(std::uint32_t h) noexcept { return b_.half_edges[h].loop; }
+
+  constexpr std::uint32_t add_vertex(const point<T, 3>& p) {
+    b_.positions.push_back(p);
+    b_.half_edge_at.push_back(none);
+    return static_cast<std::uint32_t>(b_.positions.size() - 1);
+  }
+  constexpr std::uint32_t add_edge(std::uint32_t from, std::uint32_t to) {
+    const auto h = static_cast<std::uint32_t>(b_.half_edges.size());
+    b_.half_edges.push_back({from, none, none, none});
+    b_.half_edges.push_back({to, none, none, none});
+    if (!b_.attributes.empty()) b_.attributes.resize(b_.half_edges.size(), half_edge_attributes{});
+    return h;
+  }
+  constexpr std::uint32_t add_loop(std::uint32_t first, std::uint32_t face) {
+    b_.loops.push_back({first, face, none});
+    return static_cast<std::uint32_t>(b_.loops.size() - 1);
+  }
+  constexpr std::uint32_t add_face(std::uint32_t loop, std::uint32_t like) {
+    b_.faces.push_back(loop);
+    const auto f = static_cast<std::uint32_t>(b_.faces.size() - 1);
+    if (!b_.parts.empty()) {
+      b_.face_parts.resize(b_.faces.size(), none);
+      if (like != none) b_.face_parts[f] = b_.face_parts[like];
+    }
+    b_.loops[loop].face = f;
+    return f;
+  }
+
+  constexpr void link(std::uint32_t before, std::uint32_t after) noexcept {
+    b_.half_edges[before].next = after;
+    b_.half_edges[after].previous = before;
+  }
+  // All half-edges from h on come to belong to l.
+  constexpr void give_loop(std::uint32_t h, std::uint32_t l) noexcept {
+    for (std::uint32_t g = h; b_.half_edges[g].loop != l; g = b_.next(g)) b_.half_edges[g].loop = l;
+    b_.loops[l].first = h;
+  }
+  constexpr void remove_edge(std::uint32_t h) noexcept { b_.half_edges[h] = b_.half_edges[b_.twin(h)] = half_edge{}; }
+  constexpr void remove_vertex(std::uint32_t v) noexcept { b_.half_edge_at[v] = half_edge_mesh<T>::gone; }
+
+  // Takes a loop off its face's list; an outer loop is followed by the face's first ring.
+  constexpr void take_off(std::uint32_t l) noexcept {
+    std::uint32_t* at = &b_.faces[b_.loops[l].face];
+    while (*at != l) at = &b_.loops[*at].next;
+    *at = b_.loops[l].next;
+    b_.loops[l].next = none;
+  }
+  // A loop, and those that follow it, come next to the face's outer one: its other rings, of which there may be many,
+  // are not gone through.
+  constexpr void add_rings(std::uint32_t face, std::uint32_t l) noexcept {
+    std::uint32_t& first = b_.loops[b_.faces[face]].next;
+    const std::uint32_t others = first;
+    first = l;
+    std::uint32_t last = l;
+    for (; l != none; l = b_.loops[l].next) {
+      b_.loops[l].face = face;
+      last = l;
+    }
+    b_.loops[last].next = others;
+  }
+  constexpr void make_lone(std::uint32_t l, std::uint32_t v) {
+    b_.loops[l].first = none;
+    b_.half_edge_at[v] = none;
+    b_.lone_vertices.push_back({l, v});
+  }
+  // The place of the loop's vertex in the list, or its end.
+  constexpr std::size_t lone_place(lone_vertex v) const noexcept {
+    std::size_t i = 0;
+    while (i < b_.lone_vertices.size() &&
+           (b_.lone_vertices[i].loop != v.loop || b_.lone_vertices[i].vertex != v.vertex))
+      ++i;
+    return i;
+  }
+  constexpr void forget_lone(std::size_t i) {
+    b_.lone_vertices.erase(b_.lone_vertices.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+
+private:
+  template <class Elements>
+  static constexpr void make_room(Elements& elements, std::size_t count) {
+    if (elements.capacity() < count) elements.reserve(2 * count);
+  }
+
+  half_edge_mesh<T>& b_;
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
 template <Scalar T>
 constexpr lone_vertex make_shell(half_edge_mesh<T>& b, const point<T, 3>& p) {
   detail::euler_editor<T> edit(b);
@@ -29,8 +205,6 @@ constexpr lone_vertex make_shell(half_edge_mesh<T>& b, const point<T, 3>& p) {
   return {l, v};
 }
 
-/// Undoes make_shell (kvfs).
-/// gives   false, and b as it was, unless the vertex is all there is of its face
 template <Scalar T>
 constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v) {
   detail::euler_editor<T> edit(b);
@@ -45,10 +219,6 @@ constexpr bool kill_shell(half_edge_mesh<T>& b, lone_vertex v) {
   return true;
 }
 
-/// A new vertex at p and an edge to it, from the vertex that `first` and `last` leave (mev). The half-edges from
-/// `first` on, clockwise seen from outside, up to the one before `last` leave the new vertex then; none when the two
-/// are the same: the edge stands free in the loop, before it.
-/// gives   the half-edge to the new vertex; none, and b as it was, when the two do not leave the same vertex
 template <Scalar T>
 constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t first, std::uint32_t last,
                                          const point<T, 3>& p) {
@@ -74,7 +244,6 @@ constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, std::uint32_t fir
   return there;
 }
 
-/// The same from a vertex without edges.
 template <Scalar T>
 constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from, const point<T, 3>& p) {
   detail::euler_editor<T> edit(b);
@@ -91,8 +260,6 @@ constexpr std::uint32_t make_edge_vertex(half_edge_mesh<T>& b, lone_vertex from,
   return there;
 }
 
-/// Undoes make_edge_vertex (kev): the edge goes with the vertex that h leads to, and what left that leaves h's origin.
-/// gives   false, and b as it was, when h is no half-edge or both its ends are the same vertex
 template <Scalar T>
 constexpr bool kill_edge_vertex(half_edge_mesh<T>& b, std::uint32_t h) {
   detail::euler_editor<T> edit(b);
@@ -118,10 +285,6 @@ constexpr bool kill_edge_vertex(half_edge_mesh<T>& b, std::uint32_t h) {
   return true;
 }
 
-/// An edge from the vertex that `from` leaves to the one that `to` leaves, across their face (mef). The half-edges from
-/// `from` to the one before `to` bound the new face.
-/// shape   `from` and `to` are of one loop; the edge stands before both
-/// gives   the new half-edge in the old face; none, and b as it was, when the two are the same or of two loops
 template <Scalar T>
 constexpr std::uint32_t make_edge_face(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
   detail::euler_editor<T> edit(b);
@@ -142,8 +305,6 @@ constexpr std::uint32_t make_edge_face(half_edge_mesh<T>& b, std::uint32_t from,
   return there;
 }
 
-/// Undoes make_edge_face (kef): the edge goes, and what lies beyond it becomes part of the face of h, with its rings.
-/// gives   false, and b as it was, when the same face or a border is on both sides
 template <Scalar T>
 constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
   detail::euler_editor<T> edit(b);
@@ -176,10 +337,6 @@ constexpr bool kill_edge_face(half_edge_mesh<T>& b, std::uint32_t h) {
   return true;
 }
 
-/// Takes an edge away that has the same loop on both sides (kemr): the loop falls into two, one of which becomes a
-/// ring.
-/// gives   the ring, which is what follows h and comes first of its face's; none, and b as it was, when there are two
-///         loops beside the edge
 template <Scalar T>
 constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t h) {
   detail::euler_editor<T> edit(b);
@@ -208,10 +365,6 @@ constexpr std::uint32_t kill_edge_make_ring(half_edge_mesh<T>& b, std::uint32_t 
   return ring;
 }
 
-/// Undoes kill_edge_make_ring where that has left no lone vertex (mekr): an edge from the vertex that `from` leaves to
-/// the one that `to` leaves, of another loop of the same face, which becomes part of the loop of `from`.
-/// gives   the new half-edge, of which `to` comes next; none, and b as it was, when the two are of one loop or of two
-///         faces
 template <Scalar T>
 constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t from, std::uint32_t to) {
   detail::euler_editor<T> edit(b);
@@ -237,8 +390,6 @@ constexpr std::uint32_t make_edge_kill_ring(half_edge_mesh<T>& b, std::uint32_t 
   return there;
 }
 
-/// A face becomes a ring of another (kfmrh): joins two shells, or makes a hole through one.
-/// gives   the ring; none, and b as it was, when the two are the same or `face` has rings
 template <Scalar T>
 constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint32_t face, std::uint32_t into) {
   detail::euler_editor<T> edit(b);
@@ -250,8 +401,6 @@ constexpr std::uint32_t kill_face_make_ring_hole(half_edge_mesh<T>& b, std::uint
   return l;
 }
 
-/// Undoes kill_face_make_ring_hole (mfkrh): a ring becomes the outer loop of a new face.
-/// gives   the face; none, and b as it was, when the loop is no ring
 template <Scalar T>
 constexpr std::uint32_t make_face_kill_ring_hole(half_edge_mesh<T>& b, std::uint32_t ring) {
   detail::euler_editor<T> edit(b);

@@ -51,8 +51,7 @@ template <Floating T>
   if (is_empty(extents)) return {};
   T half_size = 0;
   for (int i = 0; i < 3; ++i) {
-    if (!detail::is_finite(extents.low[i]) || !detail::is_finite(extents.high[i]))
-      return {{}, 1, fit_status::not_finite};
+    if (!is_finite(extents.low[i]) || !is_finite(extents.high[i])) return {{}, 1, fit_status::not_finite};
     half_size = greater(half_size, extents.high[i] / 2 - extents.low[i] / 2);
   }
   const bool has_scale = half_size > 1 / (std::numeric_limits<T>::max)();
@@ -69,7 +68,7 @@ template <Mesh M>
 [[nodiscard]] constexpr auto fit_of(const M& m) noexcept -> fit<scalar_of<typename mesh_traits<M>::point>> {
   for (std::size_t v = 0; v < mesh_traits<M>::vertex_count(m); ++v)
     for (int i = 0; i < 3; ++i)
-      if (!detail::is_finite(coordinate(mesh_traits<M>::position(m, v), i))) return {{}, 1, fit_status::not_finite};
+      if (!is_finite(coordinate(mesh_traits<M>::position(m, v), i))) return {{}, 1, fit_status::not_finite};
   return fit_of(enclosing_box(m));
 }
 

@@ -8,7 +8,6 @@
 
 #include <irg/geometry/triangulate_monotone.hpp>
 #include <irg/math/vec.hpp>
-#include <irg/mesh/detail/from_half_edges_steps.hpp>
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/half_edge_mesh.hpp>
 
@@ -40,41 +39,7 @@ inline namespace IRG_ABI {
 /// exact   positions and attributes are copied; rings are cut as triangulate_monotone does
 /// cost    linear, but for the faces with rings, which cost as triangulate_monotone
 template <Floating T>
-[[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
-  mesh<T> m;
-  m.normals = b.normals, m.texcoords = b.texcoords;
-  std::vector<std::uint32_t> number(b.positions.size(), half_edge::none);
-  for (std::size_t v = 0; v < b.positions.size(); ++v) {
-    if (b.half_edge_at[v] == half_edge_mesh<T>::gone) continue;
-    number[v] = static_cast<std::uint32_t>(m.positions.size());
-    m.positions.push_back(b.positions[v]);
-  }
-  const auto corner = [&](std::uint32_t h) {
-    const half_edge_attributes a = h < b.attributes.size() ? b.attributes[h] : half_edge_attributes{};
-    return mesh_corner{number[b.origin(h)], a.normal, a.texcoord};
-  };
-  // The faces of one part after the other, those of none last.
-  const std::size_t parts = b.parts.size();
-  const auto part_of = [&](std::size_t f) {
-    return f < b.face_parts.size() && b.face_parts[f] < parts ? std::size_t{b.face_parts[f]} : parts;
-  };
-  std::vector<std::size_t> start(parts + 2, 0);
-  for (std::size_t f = 0; f < b.faces.size(); ++f) ++start[part_of(f) + 1];
-  for (std::size_t i = 0; i <= parts; ++i) start[i + 1] += start[i];
-  std::vector<std::uint32_t> order(b.faces.size(), 0);
-  for (std::uint32_t f = 0; f < b.faces.size(); ++f) order[start[part_of(f)]++] = f;  // start tells the ends then
-  for (std::size_t i = 0, k = 0; i <= parts; ++i) {
-    const std::size_t first = m.face_count();
-    for (; k < start[i]; ++k)
-      if (b.faces[order[k]] != half_edge::none) detail::append_face(m, b, order[k], corner);
-    const std::size_t count = m.face_count() - first;
-    if (i < parts)
-      m.parts.push_back({b.parts[i].object, b.parts[i].group, b.parts[i].material, first, count});
-    else if (parts != 0 && count != 0)
-      m.parts.push_back({{}, {}, {}, first, count});
-  }
-  return m;
-}
+[[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b);
 
 /// The shells of a boundary representation: faces that are joined over edges, and over the rings of faces.
 /// shape   numbered from 0 by their lowest face
@@ -132,6 +97,100 @@ template <Scalar T>
   n.genus = signed_of(n.shells) -
             (signed_of(n.vertices) - signed_of(n.edges) + signed_of(n.faces + n.borders) - signed_of(n.rings)) / 2;
   return n;
+}
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The triangles of a face with rings, as half-edges that leave their corners.
+template <Scalar T>
+constexpr std::vector<std::uint32_t> triangles_of_ringed_face(const half_edge_mesh<T>& b, std::uint32_t face) {
+  std::vector<std::uint32_t> corners, triangles;
+  std::vector<std::vector<point<T, 2>>> rings;
+  mesh<T> outer;  // by itself, for its normal
+  each_half_edge_of(b, b.faces[face], [&](std::uint32_t h) {
+    outer.corners.push_back({static_cast<std::uint32_t>(outer.positions.size())});
+    outer.positions.push_back(b.positions[b.origin(h)]);
+  });
+  outer.face_starts.push_back(static_cast<std::uint32_t>(outer.corners.size()));
+  const vec<T, 3> normal = face_normal(outer, 0).value_or(vec<T, 3>{});
+  const auto size = [&](int i) { return normal[i] < T(0) ? T(0) - normal[i] : normal[i]; };
+  const int axis = size(0) < size(1) ? (size(1) < size(2) ? 2 : 1) : (size(0) < size(2) ? 2 : 0);
+  each_loop_of(b, face, [&](std::uint32_t l) {
+    rings.emplace_back();
+    each_half_edge_of(b, l, [&](std::uint32_t h) {
+      const point<T, 3>& p = b.positions[b.origin(h)];
+      rings.back().push_back({p[axis == 0 ? 1 : 0], p[axis == 2 ? 1 : 2]});
+      corners.push_back(h);
+    });
+  });
+  for (const auto& t : triangulate_monotone(rings).triangles)
+    for (const std::uint32_t k : t) triangles.push_back(corners[k]);
+  return triangles;
+}
+
+// Appends one face to a mesh, as it is or, with rings, as triangles.
+template <Scalar T, class Corner>
+constexpr void append_face(mesh<T>& m, const half_edge_mesh<T>& b, std::uint32_t face, const Corner& corner) {
+  if (b.loops[b.faces[face]].next != half_edge::none) {
+    for (const std::uint32_t h : triangles_of_ringed_face(b, face)) {
+      m.corners.push_back(corner(h));
+      if ((m.corners.size() - m.face_starts.back()) % 3 == 0)
+        m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+    }
+    return;
+  }
+  const std::size_t before = m.corners.size();
+  each_half_edge_of(b, b.faces[face], [&](std::uint32_t h) { m.corners.push_back(corner(h)); });
+  if (m.corners.size() - before < 3)
+    m.corners.resize(before, mesh_corner{});
+  else
+    m.face_starts.push_back(static_cast<std::uint32_t>(m.corners.size()));
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+template <Floating T>
+[[nodiscard]] constexpr mesh<T> from_half_edges(const half_edge_mesh<T>& b) {
+  mesh<T> m;
+  m.normals = b.normals;
+  m.texcoords = b.texcoords;
+  std::vector<std::uint32_t> number(b.positions.size(), half_edge::none);
+  for (std::size_t v = 0; v < b.positions.size(); ++v) {
+    if (b.half_edge_at[v] == half_edge_mesh<T>::gone) continue;
+    number[v] = static_cast<std::uint32_t>(m.positions.size());
+    m.positions.push_back(b.positions[v]);
+  }
+  const auto corner = [&](std::uint32_t h) {
+    const half_edge_attributes a = h < b.attributes.size() ? b.attributes[h] : half_edge_attributes{};
+    return mesh_corner{number[b.origin(h)], a.normal, a.texcoord};
+  };
+  // The faces of one part after the other, those of none last.
+  const std::size_t parts = b.parts.size();
+  const auto part_of = [&](std::size_t f) {
+    return f < b.face_parts.size() && b.face_parts[f] < parts ? std::size_t{b.face_parts[f]} : parts;
+  };
+  std::vector<std::size_t> start(parts + 2, 0);
+  for (std::size_t f = 0; f < b.faces.size(); ++f) ++start[part_of(f) + 1];
+  for (std::size_t i = 0; i <= parts; ++i) start[i + 1] += start[i];
+  std::vector<std::uint32_t> order(b.faces.size(), 0);
+  for (std::uint32_t f = 0; f < b.faces.size(); ++f) order[start[part_of(f)]++] = f;  // start tells the ends then
+  for (std::size_t i = 0, k = 0; i <= parts; ++i) {
+    const std::size_t first = m.face_count();
+    for (; k < start[i]; ++k)
+      if (b.faces[order[k]] != half_edge::none) detail::append_face(m, b, order[k], corner);
+    const std::size_t count = m.face_count() - first;
+    if (i < parts)
+      m.parts.push_back({b.parts[i].object, b.parts[i].group, b.parts[i].material, first, count});
+    else if (parts != 0 && count != 0)
+      m.parts.push_back({{}, {}, {}, first, count});
+  }
+  return m;
 }
 
 }  // namespace IRG_ABI

@@ -11,7 +11,6 @@
 #include <bit>
 #include <cstdint>
 
-#include <irg/raster/detail/edge_walk_steps.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/subpixel.hpp>
 
@@ -53,14 +52,67 @@ inline namespace IRG_ABI {
 /// The rows whose centre line the edge crosses; none for a level one.
 /// needs   upper.y <= lower.y
 template <class V>
-[[nodiscard]] IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noexcept {
-  return {detail::row_from(upper.y), detail::row_from(lower.y)};
-}
+[[nodiscard]] IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noexcept;
 
 /// The edge as it stands in a row.
 /// needs   a row of rows_of_edge(upper, lower); coordinates within snap_limit pixels of the origin
 /// exact   every column
 /// cost    one division
+[[nodiscard]] IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, const subpixel& lower,
+                                                                     std::int64_t row) noexcept;
+
+/// The same for an edge that may reach far.
+/// needs   a row of rows_of_edge(upper, lower); coordinates within far_limit pixels of the origin
+/// cost    two divisions of 128 bits
+[[nodiscard]] constexpr edge_walk<std::int64_t> walk_edge(const far_subpixel& upper, const far_subpixel& lower,
+                                                          std::int64_t row) noexcept;
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// The first row whose centre line is at or below y: an edge crosses the rows from the one of its upper end up to,
+// without it, the one of its lower end.
+IRG_INLINE constexpr std::int64_t row_from(std::int64_t y) noexcept { return (y + half_pixel - 1) >> subpixel_bits; }
+
+struct quotient_and_rest {
+  std::int64_t quotient, rest;
+};
+
+// n / d rounded down, by way of 1/d in double. Exact for |n| < 2^53, 0 < d < 2^31 and |n / d| < 2^50: the estimate is
+// off by less than 1/2, so the integer nearest to it is the quotient or the next one; the rest says which.
+IRG_INLINE constexpr quotient_and_rest divide_down(std::int64_t n, std::int64_t d, double reciprocal) noexcept {
+  constexpr double to_integer = 0x1.8p52;  // the sum's low bits are the nearest integer
+  std::int64_t q = std::bit_cast<std::int64_t>(static_cast<double>(n) * reciprocal + to_integer) -
+                   std::bit_cast<std::int64_t>(to_integer);
+  std::int64_t r = n - q * d;
+  const bool too_great = r < 0;
+  q -= too_great ? 1 : 0;
+  r += too_great ? d : 0;
+  return {q, r};
+}
+
+// n / d rounded down; d > 0, and the quotient fits.
+constexpr quotient_and_rest divide_down(int128 n, std::int64_t d) noexcept {
+  std::int64_t q = static_cast<std::int64_t>(n / d), r = static_cast<std::int64_t>(n % d);
+  if (r < 0) {
+    --q;
+    r += d;
+  }
+  return {q, r};
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+template <class V>
+[[nodiscard]] IRG_INLINE constexpr row_range rows_of_edge(const V& upper, const V& lower) noexcept {
+  return {detail::row_from(upper.y), detail::row_from(lower.y)};
+}
+
 [[nodiscard]] IRG_INLINE constexpr edge_walk<std::int32_t> walk_edge(const subpixel& upper, const subpixel& lower,
                                                                      std::int64_t row) noexcept {
   const std::int64_t dx = std::int64_t{lower.x} - upper.x, dy = std::int64_t{lower.y} - upper.y;
@@ -75,9 +127,6 @@ template <class V>
           static_cast<std::int32_t>(dy)};
 }
 
-/// The same for an edge that may reach far.
-/// needs   a row of rows_of_edge(upper, lower); coordinates within far_limit pixels of the origin
-/// cost    two divisions of 128 bits
 [[nodiscard]] constexpr edge_walk<std::int64_t> walk_edge(const far_subpixel& upper, const far_subpixel& lower,
                                                           std::int64_t row) noexcept {
   const std::int64_t dx = lower.x - upper.x, dy = lower.y - upper.y;

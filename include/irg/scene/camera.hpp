@@ -120,7 +120,7 @@ template <Floating T>
       c.projection == projection_kind::oblique ? direction_to_viewer(c.receding) : vec<T, 3>{T(0), T(0), T(1)};
   const vec<T, 3> to_viewer = transpose(submatrix(view, 3, 3)) * seen;
   constexpr T room = (std::numeric_limits<T>::max)() / T(0x1p33);
-  const auto size = [](T x) { return lesser(detail::magnitude(x), room); };
+  const auto size = [](T x) { return lesser(magnitude(x), room); };
   const T reach = size(length(c.target - c.eye)) + size(c.near_distance) + size(c.far_distance);
   return c.eye + to_viewer * (reach * T(0x1p30));
 }

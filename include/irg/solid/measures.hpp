@@ -80,10 +80,10 @@ template <detail::mesh_in_space M>
   bool is_infinite = false;
   detail::each_solid_triangle(triangulate(to_mesh<T>(surface)), [&](const auto& a, const auto& b, const auto& c) {
     const double area = widened(triangle_area(a, b, c));
-    is_infinite = is_infinite || !detail::is_finite(area);
-    if (detail::is_finite(area)) sum.add(area);
+    is_infinite = is_infinite || !is_finite(area);
+    if (is_finite(area)) sum.add(area);
   });
-  return is_infinite ? detail::infinity<T> : converted<T>(sum.rounded());
+  return is_infinite ? infinity<T> : converted<T>(sum.rounded());
 }
 
 /// The centre of mass of a closed body of one density.

@@ -109,7 +109,7 @@ public:
   template <class Sink>
   IRG_APART constexpr void visit(const point<T, 3>& eye, bsp_order order, Sink&& sink) const {
     const double at[3] = {widened(eye[0]), widened(eye[1]), widened(eye[2])};
-    const double reach = greater(greater(detail::magnitude(at[0]), detail::magnitude(at[1])), detail::magnitude(at[2]));
+    const double reach = greater(greater(magnitude(at[0]), magnitude(at[1])), magnitude(at[2]));
     walk(order, sink, [&](std::uint32_t i) {
       const int sure = steps_[i].plane(at, reach).sign();
       return sure != 0 ? sure : detail::exact_side(data_, data_.nodes[i].plane, eye);

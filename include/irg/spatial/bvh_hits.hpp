@@ -76,7 +76,7 @@ template <Floating T, RayTest<T> Test, detail::RayCounts C = const detail::uncou
             best = {number, t};
             rest.high = t;
             // What is subnormal in T is off by more than later_time's slack.
-            b.high = detail::later_time(b, detail::exactly_widened(t) + widened((std::numeric_limits<T>::min)()));
+            b.high = detail::later_time(b, exactly_widened(t) + widened((std::numeric_limits<T>::min)()));
           }
           return false;
         },

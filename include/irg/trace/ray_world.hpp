@@ -133,8 +133,7 @@ public:
     const vec<T, 3> ab = b - a, ac = c - a;
     s.at = a + (ab * weight1 + ac * weight2);
     for (int axis = 0; axis < 3; ++axis)
-      s.reach = greater(s.reach, greater(detail::magnitude(a[axis]),
-                                         greater(detail::magnitude(b[axis]), detail::magnitude(c[axis]))));
+      s.reach = greater(s.reach, greater(magnitude(a[axis]), greater(magnitude(b[axis]), magnitude(c[axis]))));
     const bool front = side == facing::front;
     const T scale = detail::scale_of(ab, ac);
     const vec<T, 3> face = normalized(cross(ab * scale, ac * scale));

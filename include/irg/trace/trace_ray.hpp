@@ -78,7 +78,7 @@ template <Floating T>
   return phong_model(surface, world.light(), eye, {s.at, s.normal}, [&](std::size_t i, const rgb<T>& emitted) {
     const light<T>& source = world.light().lights[i];
     const vec<T, 3> to_light = direction_to_light(source, from);
-    const T w = source.position.w, size = detail::magnitude(w);
+    const T w = source.position.w, size = magnitude(w);
     if (!(T(0) < dot(to_light, s.face)) || !(T(0) < dot(to_light, s.normal))) return rgb<T>{};
     const T share = w == T(0) ? std::numeric_limits<T>::infinity() : T(1) / size;
     return detail::filtered_light(emitted, light_through(world, from, to_light, share));

@@ -135,8 +135,7 @@ template <Floating T>
 [[nodiscard]] constexpr vec<T, 3> with_axis_up(const vec<T, 3>& direction, const vec<T, 3>& up) noexcept {
   const auto y = try_normalize(up);
   if (!y) return direction;
-  const bool z_up =
-      detail::magnitude(y->x) < detail::magnitude(y->z) && detail::magnitude(y->y) < detail::magnitude(y->z);
+  const bool z_up = magnitude(y->x) < magnitude(y->z) && magnitude(y->y) < magnitude(y->z);
   const vec<T, 3> front = z_up ? vec<T, 3>{T(0), T(-1), T(0)} : vec<T, 3>{T(0), T(0), T(1)};
   const vec<T, 3> x = normalized(cross(*y, front)), z = cross(x, *y);
   return x * direction.x + *y * direction.y + z * direction.z;

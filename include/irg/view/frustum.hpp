@@ -236,7 +236,7 @@ template <Real T>
 template <Floating T>
 [[nodiscard]] constexpr containment side_of(const frustum<T>& f, const bounding_sphere<T, 3>& ball) noexcept {
   if (ball.radius < T(0)) return containment::outside;
-  const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return detail::magnitude(ball.centre[i]); });
+  const auto reach = generate_coordinates<point<T, 3>>([&](int i) { return magnitude(ball.centre[i]); });
   bool inside = true;
   for (int k = 0; k < 6; ++k) {
     const plane<T>& p = f.planes[k];

@@ -38,11 +38,11 @@ template <Floating T>
     const oblique_depth<T>& how) noexcept {
   const T plane_z = how.plane_z;
   constexpr T largest = (std::numeric_limits<T>::max)();
-  if (!detail::is_finite(how.angle)) return detail::refused<T>(projection_status::bad_angle);
-  if (!detail::is_finite(how.factor)) return detail::refused<T>(projection_status::bad_factor);
-  if (!detail::is_finite(plane_z)) return detail::refused<T>(projection_status::bad_depth);
+  if (!is_finite(how.angle)) return detail::refused<T>(projection_status::bad_angle);
+  if (!is_finite(how.factor)) return detail::refused<T>(projection_status::bad_factor);
+  if (!is_finite(plane_z)) return detail::refused<T>(projection_status::bad_depth);
   const T x = product(how.factor, cos(how.angle)), y = product(how.factor, sin(how.angle));
-  if (T(1) < detail::magnitude(plane_z) && largest / detail::magnitude(plane_z) < detail::magnitude(how.factor))
+  if (T(1) < magnitude(plane_z) && largest / magnitude(plane_z) < magnitude(how.factor))
     return detail::refused<T>(projection_status::not_representable);
   auto m = identity<T, 4>();
   m(0, 2) = T(0) - x;
@@ -71,8 +71,7 @@ template <Floating T>
   for (int row = 0; row < 2; ++row) {
     const T scale = m(row, row), slope = shear.value(row, 2), shift = shear.value(row, 3);
     // Half of the largest number is left for the window's own offset.
-    if (T(1) < detail::magnitude(scale) &&
-        largest / T(2) / detail::magnitude(scale) < greater(detail::magnitude(slope), detail::magnitude(shift)))
+    if (T(1) < magnitude(scale) && largest / T(2) / magnitude(scale) < greater(magnitude(slope), magnitude(shift)))
       return detail::refused<T>(projection_status::not_representable);
     m(row, 2) = product(scale, slope);
     m(row, 3) = product(scale, shift) + m(row, 3);
@@ -95,7 +94,7 @@ template <Floating T>
 /// gives   0, 0, 1 where angle or factor is not finite
 template <Floating T>
 [[nodiscard]] constexpr vec<T, 3> direction_to_viewer(const oblique_depth<T>& how) noexcept {
-  if (!detail::is_finite(how.angle) || !detail::is_finite(how.factor)) return {T(0), T(0), T(1)};
+  if (!is_finite(how.angle) || !is_finite(how.factor)) return {T(0), T(0), T(1)};
   return normalized(vec<T, 3>{product(how.factor, cos(how.angle)), product(how.factor, sin(how.angle)), T(1)});
 }
 

@@ -95,8 +95,7 @@ projection_onto_plane_checked(const P& onto, const hpoint<typename plane_traits<
   const T from[4] = {eye.x, eye.y, eye.z, eye.w};
   if constexpr (Floating<T>)
     for (int k = 0; k < 4; ++k)
-      if (!detail::is_finite(plane[k]) || !detail::is_finite(from[k]))
-        return detail::refused_plane_projection<T>(not_finite);
+      if (!is_finite(plane[k]) || !is_finite(from[k])) return detail::refused_plane_projection<T>(not_finite);
   const T zero = T(0);
   if (plane[0] == zero && plane[1] == zero && plane[2] == zero) return detail::refused_plane_projection<T>(no_plane);
   if (from[0] == zero && from[1] == zero && from[2] == zero && from[3] == zero)
@@ -113,7 +112,7 @@ projection_onto_plane_checked(const P& onto, const hpoint<typename plane_traits<
       const wide n = projector.numerator(r, c);
       if constexpr (Floating<T>) {
         const double entry = detail::quotient(n, height);
-        if (!(detail::magnitude(entry) <= static_cast<double>((std::numeric_limits<T>::max)())))
+        if (!(magnitude(entry) <= static_cast<double>((std::numeric_limits<T>::max)())))
           return detail::refused_plane_projection<T>(not_representable);
         result.value(r, c) = converted<T>(entry);
       } else {

@@ -101,7 +101,7 @@ template <Floating T>
                                                                 polar_axis axis = polar_axis::y_up) noexcept {
   constexpr T large = (std::numeric_limits<T>::max)() / 4;
   const vec<T, 3> d = detail::to_y_up(v, axis);
-  const bool halved = large < detail::magnitude(d.x) || large < detail::magnitude(d.z);
+  const bool halved = large < magnitude(d.x) || large < magnitude(d.z);
   const T level = halved ? hypot(d.x / 2, d.z / 2) : hypot(d.x, d.z);
   return {hypot(d.x, d.y, d.z), detail::angle_or_zero(d.x, d.z), detail::angle_or_zero(halved ? d.y / 2 : d.y, level)};
 }
@@ -133,7 +133,7 @@ template <Floating T>
 [[nodiscard]] constexpr std::optional<camera_frame<T>> try_frame_of(const polar_camera<T>& c,
                                                                     polar_axis axis = polar_axis::y_up) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)();
-  if (!detail::within(c.target, most / 4) || !(detail::magnitude(c.distance) <= most / 4) ||
+  if (!detail::within(c.target, most / 4) || !(magnitude(c.distance) <= most / 4) ||
       !detail::within(vec<T, 3>{c.azimuth, c.elevation, c.roll}, most))
     return std::nullopt;
   return polar_frame(c.target, c.distance, polar_turn<T>{sin_cos(c.azimuth), sin_cos(c.elevation), sin_cos(c.roll)},
@@ -160,7 +160,7 @@ template <Floating T>
   const vec<T, 3> x = detail::to_y_up(f.right, axis), y = detail::to_y_up(f.up, axis);
   const vec<T, 3> back = -detail::to_y_up(f.forward, axis);
   polar_camera<T> c{f.position + f.forward * distance, distance};
-  if (detail::magnitude(x.y) <= 4 * std::numeric_limits<T>::epsilon()) {
+  if (magnitude(x.y) <= 4 * std::numeric_limits<T>::epsilon()) {
     c.azimuth = detail::angle_or_zero(-x.z, x.x);
     c.elevation = detail::angle_or_zero(back.y, y.y);
     return c;
@@ -183,12 +183,12 @@ template <Floating T>
                                                 std::type_identity_t<T> by_elevation,
                                                 const orbit_limits<T>& limits = {}) noexcept {
   constexpr T most = (std::numeric_limits<T>::max)() / 4;
-  if (detail::magnitude(by_azimuth) <= most) c.azimuth = c.azimuth + by_azimuth;
-  if (pi<T> < detail::magnitude(c.azimuth)) {
+  if (magnitude(by_azimuth) <= most) c.azimuth = c.azimuth + by_azimuth;
+  if (pi<T> < magnitude(c.azimuth)) {
     const sine_and_cosine<T> a = sin_cos(c.azimuth);
     c.azimuth = atan2(a.sine, a.cosine);
   }
-  const T lifted = detail::magnitude(by_elevation) <= most ? c.elevation + by_elevation : c.elevation;
+  const T lifted = magnitude(by_elevation) <= most ? c.elevation + by_elevation : c.elevation;
   c.elevation = clamp(lifted, limits.lowest, limits.highest);
   return c;
 }

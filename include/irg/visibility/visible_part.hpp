@@ -6,11 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/math/trigonometry.hpp>
 #include <irg/visibility/field_of_view.hpp>
-#include <irg/visibility/detail/visible_part_steps.hpp>
 
 namespace irg {
-
 inline namespace IRG_ABI {
 
 /// How much of each cell of a flat map is seen, in percent: the angle of the directions from the viewer's centre that
@@ -20,6 +19,83 @@ inline namespace IRG_ABI {
 /// exact   0 and 100; what is between is the quotient of two sums of angles, within 8 ulp per summand
 /// cost    as field_of_view, and an arc tangent per cell and gap
 /// source  Fabris 2012, 6, which asks for it
+template <CellGrid G>
+[[nodiscard]] constexpr std::vector<double> visible_percentages(const G& map, cell viewer);
+
+/// The cells of a flat map that are seen at all, be it a sliver. Not symmetric.
+template <CellGrid G>
+[[nodiscard]] constexpr cell_grid field_of_view_permissive(const G& map, cell viewer);
+
+/// The cells of a flat map that are seen whole: every direction to them is free. Not symmetric.
+template <CellGrid G>
+[[nodiscard]] constexpr cell_grid field_of_view_restrictive(const G& map, cell viewer);
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Light on the cells of a quadrant, for visible_percentages.
+
+// The angle from one direction x/y to another.
+constexpr double angle_between(const sweep_slope& a, const sweep_slope& b) noexcept {
+  return irg::atan2(static_cast<double>(b.num * a.den - a.num * b.den),
+                    static_cast<double>(a.num * b.num + a.den * b.den));
+}
+
+// Between which slopes a cell of a quadrant lies.
+struct cell_slopes {
+  sweep_slope low, high;
+};
+IRG_INLINE constexpr cell_slopes slopes_of(std::int64_t x, std::int64_t y) noexcept {
+  return {x > 0 ? sweep_slope{2 * x - 1, 2 * y + 1} : sweep_slope{},
+          y > 0 ? sweep_slope{2 * x + 1, 2 * y - 1} : sweep_slope{1, 0}};
+}
+
+// Sums up how much of each cell of a quadrant is lit.
+struct light_sums {
+  struct sum {
+    double lit = 0;
+    int wholes = 0;  // of the quadrants that have a part of the cell, those that see all of it
+  };
+  std::vector<sum>* sums;
+  int width;
+  cell viewer;
+  int sign_x, sign_y;
+
+  constexpr void light(std::int64_t y, std::int64_t first, std::int64_t last, const sweep_slope& low,
+                       const sweep_slope& high) const {
+    for (std::int64_t x = first; x <= last; ++x) {
+      const cell_slopes s = slopes_of(x, y);
+      if (compare(s.low, high) >= 0) return;
+      if (compare(s.high, low) <= 0) continue;
+      const bool cut_low = compare(s.low, low) < 0, cut_high = compare(high, s.high) < 0;
+      const sweep_slope a = cut_low ? low : s.low, b = cut_high ? high : s.high;
+      if (compare(a, b) >= 0) continue;
+      sum& to = (*sums)[static_cast<std::size_t>((viewer.y + sign_y * y) * width + viewer.x + sign_x * x)];
+      to.lit += angle_between(a, b);
+      to.wholes += cut_low || cut_high ? 0 : 1;
+    }
+  }
+};
+
+template <class G, class Keep>
+constexpr cell_grid cells_by_percentage(const G& map, cell viewer, const Keep& keep) {
+  const std::vector<double> percent = visible_percentages(map, viewer);
+  cell_grid out(extent_of(map));
+  const int width = extent_of(map).width;
+  for (std::size_t i = 0; i < percent.size(); ++i)
+    if (keep(percent[i]))
+      out.set(cell{static_cast<int>(i % static_cast<std::size_t>(width)),
+                   static_cast<int>(i / static_cast<std::size_t>(width))});
+  return out;
+}
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
 template <CellGrid G>
 [[nodiscard]] constexpr std::vector<double> visible_percentages(const G& map, cell viewer) {
   const grid_extent e = extent_of(map);
@@ -54,34 +130,11 @@ template <CellGrid G>
   return out;
 }
 
-}  // namespace IRG_ABI
-
-namespace detail {
-inline namespace IRG_ABI {
-
-template <class G, class Keep>
-constexpr cell_grid cells_by_percentage(const G& map, cell viewer, const Keep& keep) {
-  const std::vector<double> percent = visible_percentages(map, viewer);
-  cell_grid out(extent_of(map));
-  const int width = extent_of(map).width;
-  for (std::size_t i = 0; i < percent.size(); ++i)
-    if (keep(percent[i]))
-      out.set(cell{static_cast<int>(i % static_cast<std::size_t>(width)),
-                   static_cast<int>(i / static_cast<std::size_t>(width))});
-  return out;
-}
-}  // namespace IRG_ABI
-}  // namespace detail
-
-inline namespace IRG_ABI {
-
-/// The cells of a flat map that are seen at all, be it a sliver. Not symmetric.
 template <CellGrid G>
 [[nodiscard]] constexpr cell_grid field_of_view_permissive(const G& map, cell viewer) {
   return detail::cells_by_percentage(map, viewer, [](double p) { return p > 0; });
 }
 
-/// The cells of a flat map that are seen whole: every direction to them is free. Not symmetric.
 template <CellGrid G>
 [[nodiscard]] constexpr cell_grid field_of_view_restrictive(const G& map, cell viewer) {
   return detail::cells_by_percentage(map, viewer, [](double p) { return p == 100; });

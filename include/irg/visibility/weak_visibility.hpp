@@ -6,15 +6,26 @@
 // each of which sees as much as one place in it does.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <irg/core/checked.hpp>
 #include <irg/geometry/box.hpp>
+#include <irg/geometry/convex_hull.hpp>
+#include <irg/geometry/intersect_segments.hpp>
+#include <irg/geometry/orient2d.hpp>
+#include <irg/geometry/point_in_polygon.hpp>
+#include <irg/geometry/polygon_convexity.hpp>
+#include <irg/geometry/polygon_orientation.hpp>
 #include <irg/geometry/segment.hpp>
-#include <irg/visibility/detail/source_regions_builder.hpp>
+#include <irg/visibility/detail/finite_point.hpp>
+#include <irg/visibility/detail/sight_arrangement.hpp>
+#include <irg/visibility/detail/source_view.hpp>
 #include <irg/visibility/sight_result.hpp>
 
 namespace irg {
@@ -34,9 +45,7 @@ inline namespace IRG_ABI {
 template <Floating T>
 [[nodiscard]] constexpr source_regions<T> weak_visibility(
     std::span<const point<T, 2>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const box<T, 2>& window) {
-  return detail::source_regions_builder<T>(window).run(source, obstacles, detail::line_choice::needed);
-}
+    const box<T, 2>& window);
 
 /// The same for the segment from source.a to source.b.
 template <Floating T>
@@ -53,9 +62,7 @@ template <Floating T>
 template <Floating T>
 [[nodiscard]] constexpr source_regions<T> weak_visibility(
     std::span<const std::vector<point<T, 2>>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
-    const box<T, 2>& window) {
-  return detail::source_regions_builder<T>(window).run(source, obstacles, detail::line_choice::needed);
-}
+    const box<T, 2>& window);
 
 /// What a point, a segment or an area sees of the inside of a ring, and it of them: each place in one each place in the
 /// other, some of them, or nothing.
@@ -63,6 +70,298 @@ template <Floating T>
 /// gives   what is seen in single lines only counts as nothing; `none` beside every status but `done`
 /// exact   for all finite floats and doubles
 /// cost    as weak_visibility
+template <Floating T>
+[[nodiscard]] constexpr checked<seen_share, visibility_status> sight_between(
+    std::span<const point<T, 2>> source, std::span<const std::type_identity_t<point<T, 2>>> region,
+    std::span<const std::type_identity_t<segment<T, 2>>> obstacles);
+
+}  // namespace IRG_ABI
+
+namespace detail {
+inline namespace IRG_ABI {
+
+// Rings as the outline of a region: that they meet neither each other nor themselves, and which way each has to run so
+// that the region lies to its left.
+
+template <Floating T>
+using plane_ring = std::vector<point<T, 2>>;
+
+// The ring without corners that repeat the one before.
+template <Floating T, class Ring>
+constexpr plane_ring<T> without_repeats(const Ring& ring) {
+  plane_ring<T> out;
+  for (const point<T, 2>& p : ring)
+    if (out.empty() || !(out.back() == p)) out.push_back(p);
+  while (out.size() > 1 && out.back() == out.front()) out.pop_back();
+  return out;
+}
+
+// Whether two edges have more in common than the end of the first, where the second begins.
+template <Floating T>
+constexpr bool edges_touch(const segment<T, 2>& e, const segment<T, 2>& f, bool is_next) noexcept {
+  const auto common = intersect_segments(e, f);
+  return common.relation == segment_relation::overlap || (common.relation == segment_relation::point && !is_next);
+}
+
+// Whether no edge touches another one, but for neighbours at their corner.
+// needs   rings without repeats
+// cost    the square of the corners
+template <Floating T>
+constexpr bool are_apart(const std::vector<plane_ring<T>>& rings) noexcept {
+  struct edge {
+    segment<T, 2> s;
+    std::size_t ring, index;
+  };
+  std::vector<edge> edges;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const std::size_t n = rings[r].size();
+    if (n < 3) return false;
+    for (std::size_t i = 0; i < n; ++i) edges.push_back({{rings[r][i], rings[r][(i + 1) % n]}, r, i});
+  }
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      const edge &e = edges[i], &f = edges[k];
+      const bool is_last = f.index + 1 == rings[f.ring].size() && e.index == 0;
+      const bool is_next = e.ring == f.ring && (f.index == e.index + 1 || is_last);
+      if (edges_touch(e.s, f.s, is_next)) return false;
+    }
+  return true;
+}
+
+// Turns each ring so that the region of all of them, by the even-odd rule, lies to its left.
+// needs   rings that are apart
+template <Floating T>
+constexpr void turn_outwards(std::vector<plane_ring<T>>& rings) {
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    bool is_hole = false;
+    for (std::size_t k = 0; k < rings.size(); ++k)
+      if (k != i && point_in_polygon(rings[k], rings[i][0], fill_rule::even_odd) == location::inside)
+        is_hole = !is_hole;
+    const bool runs_left = orientation_of(rings[i]) == orientation::counter_clockwise;
+    if (runs_left == is_hole) reverse_ring(rings[i]);
+  }
+}
+
+// From a source and obstacles to the rings of the parts that see all, some and none of it.
+
+// Which sight lines cut the window: those at which something can change, or all, for the same parts in smaller pieces.
+enum class line_choice { needed, all };
+
+// The rings around the parts of one kind: label[e] is the kind of the part to the left of half-edge e.
+template <Floating T>
+constexpr std::vector<std::vector<point<T, 2>>> rings_around(const sight_arrangement<T>& parts,
+                                                             const std::vector<int>& label, int kind) {
+  const auto& edges = parts.edges;
+  std::vector<std::uint8_t> used(edges.size(), std::uint8_t{0});
+  std::vector<std::vector<point<T, 2>>> rings;
+  const auto is_border = [&](std::uint32_t e) { return label[e] == kind && label[e ^ 1u] != kind; };
+  const auto following = [&](std::uint32_t e) {
+    for (e = edges[e].next; !is_border(e);) e = edges[e ^ 1u].next;
+    return e;
+  };
+  for (std::uint32_t start = 0; start < edges.size(); ++start) {
+    if (used[start] != 0 || !is_border(start)) continue;
+    std::vector<point<T, 2>> ring;
+    for (std::uint32_t e = start; used[e] == 0; e = following(e)) {
+      used[e] = 1;
+      const std::uint32_t next = following(e);
+      const bool goes_straight =
+          turn_between(parts.direction(edges[e]), parts.direction(edges[next])) == 0 && next != (e ^ 1u);
+      if (!goes_straight) ring.push_back(parts.vertices[edges[next].origin].at);
+    }
+    if (ring.size() > 2) rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
+template <Floating T>
+class source_regions_builder {
+public:
+  constexpr explicit source_regions_builder(const box<T, 2>& window) : bounds_(window) {
+    const point<T, 2>&low = window.low, &high = window.high;
+    is_flat_ = !(low.x < high.x && low.y < high.y);
+    is_finite_ = is_empty(window) || (is_finite_sight_point(low) && is_finite_sight_point(high));
+    const std::array<point<T, 2>, 4> corners{low, point<T, 2>{high.x, low.y}, high, point<T, 2>{low.x, high.y}};
+    for (std::size_t i = 0; i < 4; ++i) window_.push_back({corners[i], corners[(i + 1) % 4]});
+  }
+
+  // In the inside of a ring.
+  constexpr explicit source_regions_builder(std::span<const point<T, 2>> ring) {
+    for (const auto& p : ring) is_finite_ = is_finite_ && is_finite_sight_point(p);
+    if (!is_finite_) return;
+    std::vector<plane_ring<T>> rings(1, without_repeats<T>(ring));
+    is_simple_ = are_apart(rings);
+    if (!is_simple_) return;
+    turn_outwards(rings);
+    const std::size_t n = rings[0].size();
+    for (std::size_t i = 0; i < n; ++i) {
+      bounds_ = enclosing_box(bounds_, rings[0][i]);
+      window_.push_back({rings[0][i], rings[0][(i + 1) % n]});
+    }
+  }
+
+  // The source is the points of one, or a list of rings.
+  template <class Source>
+  constexpr source_regions<T> run(std::span<const Source> source, std::span<const segment<T, 2>> obstacles,
+                                  line_choice choice) {
+    source_regions<T> out;
+    out.status = read(source, obstacles);
+    if (out.status != visibility_status::done || is_flat_) return out;
+    const std::vector<int> label = cut(choice, out);
+    out.all = rings_around(parts_, label, static_cast<int>(seen_share::all));
+    out.some = rings_around(parts_, label, static_cast<int>(seen_share::some));
+    out.none = rings_around(parts_, label, static_cast<int>(seen_share::none));
+    return out;
+  }
+
+  // What the window as a whole and the source see of each other.
+  constexpr checked<seen_share, visibility_status> run_whole(std::span<const point<T, 2>> source,
+                                                             std::span<const segment<T, 2>> obstacles) {
+    const auto status = read(source, obstacles);
+    if (status != visibility_status::done) return {seen_share::none, status};
+    source_regions<T> counts;
+    bool all = true, none = true;
+    for (const int share : cut(line_choice::needed, counts)) {
+      all = all && (share < 0 || share == static_cast<int>(seen_share::all));
+      none = none && (share < 0 || share == static_cast<int>(seen_share::none));
+    }
+    return {none ? seen_share::none : all ? seen_share::all : seen_share::some, status};
+  }
+
+private:
+  box<T, 2> bounds_{};
+  std::vector<segment<T, 2>> window_{};  // its outline, the inside to the left
+  bool is_finite_ = true, is_flat_ = false, is_simple_ = true;
+  source_view<T> view_{};
+  sight_arrangement<T> parts_{};
+
+  constexpr std::vector<int> cut(line_choice choice, source_regions<T>& out) {
+    add_cuts(choice, out);
+    parts_.build(bounds_);
+    return labels();
+  }
+
+  constexpr visibility_status read(std::span<const point<T, 2>> source, std::span<const segment<T, 2>> obstacles) {
+    for (const auto& p : source) is_finite_ = is_finite_ && is_finite_sight_point(p);
+    if (const auto status = take(obstacles); status != visibility_status::done) return status;
+    if (source.size() == 0) return visibility_status::source_not_simple;
+    if (!is_convex(source)) {
+      std::vector<plane_ring<T>> ring(1, without_repeats<T>(source));
+      return take_rings(std::move(ring));
+    }
+    plane_ring<T> corners;
+    for (const std::uint32_t i : convex_hull(source)) corners.push_back(source[i]);
+    view_.add_source(corners);
+    return crossing_status();
+  }
+
+  constexpr visibility_status read(std::span<const plane_ring<T>> source, std::span<const segment<T, 2>> obstacles) {
+    std::vector<plane_ring<T>> rings;
+    for (const auto& ring : source) {
+      for (const auto& p : ring) is_finite_ = is_finite_ && is_finite_sight_point(p);
+      rings.push_back(without_repeats<T>(ring));
+    }
+    const auto status = take(obstacles);
+    return status != visibility_status::done ? status : take_rings(std::move(rings));
+  }
+
+  constexpr visibility_status take(std::span<const segment<T, 2>> obstacles) {
+    for (const auto& o : obstacles) is_finite_ = is_finite_ && is_finite_sight_point(o.a) && is_finite_sight_point(o.b);
+    if (!is_finite_) return visibility_status::not_finite;
+    if (!is_simple_) return visibility_status::window_not_simple;
+    view_.obstacles.assign(obstacles.begin(), obstacles.end());
+    return visibility_status::done;
+  }
+
+  constexpr visibility_status take_rings(std::vector<plane_ring<T>> rings) {
+    if (rings.empty()) return visibility_status::source_not_simple;
+    bool are_segments = true;
+    for (const auto& ring : rings) are_segments = are_segments && ring.size() == 2;
+    if (!are_segments && !are_apart(rings)) return visibility_status::source_not_simple;
+    if (!are_segments) turn_outwards(rings);
+    for (const auto& ring : rings) view_.add_source(ring);
+    return crossing_status();
+  }
+
+  constexpr visibility_status crossing_status() const noexcept {
+    return view_.crosses_obstacle() ? visibility_status::source_crosses_obstacle : visibility_status::done;
+  }
+
+  constexpr void add_cuts(line_choice choice, source_regions<T>& out) {
+    auto& cuts = parts_.cuts;
+    parts_.sources = view_.source;
+    std::vector<point<T, 2>> ends;
+    const auto add_end = [&](const point<T, 2>& p) {
+      for (const auto& e : ends)
+        if (e == p) return;
+      ends.push_back(p);
+    };
+    for (const auto& p : view_.source) add_end(p);
+    for (const auto& o : view_.obstacles) {
+      add_end(o.a);
+      add_end(o.b);
+      if (!(o.a == o.b)) cuts.push_back({o, false, choice == line_choice::needed});
+    }
+    const std::size_t step = view_.has_area ? 1 : 2;  // segments are there and back
+    for (std::size_t i = 0; i < view_.outline.size(); i += step) cuts.push_back({view_.outline[i], false, false});
+    for (const auto& u : ends)
+      for (const auto& v : ends) {
+        if (u == v) continue;
+        ++out.lines;
+        if (choice == line_choice::all || view_.matters_beyond(u, v))
+          cuts.push_back({{u, v}, true, false});
+        else
+          ++out.skipped;
+      }
+    for (const auto& side : window_) cuts.push_back({side, false, false});
+  }
+
+  // For each half-edge the share of the source that is seen from the part to its left; -1 out of the window.
+  constexpr std::vector<int> labels() const {
+    const auto& edges = parts_.edges;
+    constexpr int unknown = -2;
+    std::vector<int> label(edges.size(), unknown);
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+      if (label[e] != unknown) continue;
+      std::uint32_t best = e;  // where the origin is given, sides cost least
+      for (std::uint32_t k = edges[e].next; k != e; k = edges[k].next)
+        if (parts_.vertices[edges[k].origin].is_given) best = k;
+      const int share = label_beside(best);
+      std::uint32_t k = e;
+      do {
+        label[k] = share;
+        k = edges[k].next;
+      } while (k != e);
+    }
+    return label;
+  }
+
+  constexpr int label_beside(std::uint32_t edge) const {
+    const auto side = [&](const point<T, 2>& u, const point<T, 2>& v) { return parts_.side_beside(edge, u, v); };
+    if (!holds_place(window_, side)) return -1;
+    return static_cast<int>(view_.share(side));
+  }
+};
+
+}  // namespace IRG_ABI
+}  // namespace detail
+
+inline namespace IRG_ABI {
+
+template <Floating T>
+[[nodiscard]] constexpr source_regions<T> weak_visibility(
+    std::span<const point<T, 2>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const box<T, 2>& window) {
+  return detail::source_regions_builder<T>(window).run(source, obstacles, detail::line_choice::needed);
+}
+
+template <Floating T>
+[[nodiscard]] constexpr source_regions<T> weak_visibility(
+    std::span<const std::vector<point<T, 2>>> source, std::span<const std::type_identity_t<segment<T, 2>>> obstacles,
+    const box<T, 2>& window) {
+  return detail::source_regions_builder<T>(window).run(source, obstacles, detail::line_choice::needed);
+}
+
 template <Floating T>
 [[nodiscard]] constexpr checked<seen_share, visibility_status> sight_between(
     std::span<const point<T, 2>> source, std::span<const std::type_identity_t<point<T, 2>>> region,

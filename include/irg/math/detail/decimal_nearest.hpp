@@ -372,7 +372,7 @@ IRG_NOINLINE constexpr T nearest_by_naturals(const decimal_text& text, T below) 
 
 /// The T nearest to the text's number without its sign.
 template <Floating T>
-constexpr T magnitude(const decimal_text& text) noexcept {
+constexpr T unsigned_value(const decimal_text& text) noexcept {
   // The mantissa is less than 10^19.
   if (text.mantissa == 0 || text.exponent < -342) return T{0};
   if (text.exponent > 308) return std::numeric_limits<T>::infinity();

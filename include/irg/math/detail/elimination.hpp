@@ -7,7 +7,7 @@
 
 #include <irg/core/contraction.hpp>
 #include <irg/core/scalar.hpp>
-#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/float_bits.hpp>
 
 namespace irg::detail::inline IRG_ABI {
 

@@ -3,7 +3,7 @@
 // residuals in twice the precision.
 #pragma once
 
-#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/mat.hpp>
 

@@ -169,7 +169,7 @@ template <class N, class T>
   requires(Floating<T> || std::is_integral_v<T>)
 [[nodiscard]] IRG_INLINE constexpr N exactly(const T& x) noexcept {
   if constexpr (Floating<T>) {
-    return N(detail::exactly_widened(x));
+    return N(exactly_widened(x));
   } else if constexpr (sizeof(T) <= 4) {
     return N(static_cast<double>(x));
   } else {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <type_traits>
 
-#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/detail/polynomial_arguments.hpp>
 #include <irg/math/vec.hpp>
 

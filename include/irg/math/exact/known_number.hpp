@@ -9,7 +9,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
-#include <irg/math/detail/float_bits.hpp>
+#include <irg/math/float_bits.hpp>
 #include <irg/math/detail/twofold.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/sqrt.hpp>
@@ -71,7 +71,7 @@ inline namespace IRG_ABI {
   const int apart = x.exponent - y.exponent;
   if (apart > 200) return x;
   if (apart < -200) return -y;
-  const double scale = detail::power_of_two(-apart);
+  const double scale = power_of_two(-apart);
   const detail::twofold d = detail::twofold(x.high, x.low, 0) - detail::twofold(y.high * scale, y.low * scale, 0);
   return {d.high, d.low, x.exponent};
 }
@@ -123,13 +123,13 @@ template <Floating T>
   if (x.exponent == 0 && magnitude(x.high) > 0x1p-1000) return converted<T>(x.high);
   const known_number y = detail::normalized_number(x);
   if (y.high == 0) return T(0);
-  double value = y.exponent < 0 ? 0.0 : y.high < 0 ? -detail::infinity<double> : detail::infinity<double>;
-  if (y.exponent >= -1022 && y.exponent <= 1023) value = y.high * detail::power_of_two(y.exponent);
+  double value = y.exponent < 0 ? 0.0 : y.high < 0 ? -infinity<double> : infinity<double>;
+  if (y.exponent >= -1022 && y.exponent <= 1023) value = y.high * power_of_two(y.exponent);
   if (y.exponent < -1022 && y.exponent > -1080) {
-    value = y.high * 0x1p-1000 * detail::power_of_two(y.exponent + 1000);
+    value = y.high * 0x1p-1000 * power_of_two(y.exponent + 1000);
     // `high` has been rounded before: where it is halfway between two numbers, `low` tells which one is nearer.
-    const double rest = y.high - value * 0x1p1000 * detail::power_of_two(-y.exponent - 1000);
-    if (magnitude(rest) == detail::power_of_two(-1075 - y.exponent) && y.low != 0 && (rest > 0) == (y.low > 0))
+    const double rest = y.high - value * 0x1p1000 * power_of_two(-y.exponent - 1000);
+    if (magnitude(rest) == power_of_two(-1075 - y.exponent) && y.low != 0 && (rest > 0) == (y.low > 0))
       value = value + (rest > 0 ? 0x1p-1074 : -0x1p-1074);
   }
   return converted<T>(value);

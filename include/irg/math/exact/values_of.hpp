@@ -97,9 +97,9 @@ template <int Degree, class Polynomial, class... A>
     const auto twice = [&](const T& x) IRG_INLINE_LAMBDA {
       double wide = 0;
       if constexpr (Floating<T>) {
-        wide = detail::exactly_widened(x);
+        wide = exactly_widened(x);
         suits = suits && detail::suits_twofold(wide);
-        finite = finite && detail::is_finite(x);
+        finite = finite && is_finite(x);
       } else {
         wide = static_cast<double>(x);
         suits = suits && -0x1p53 < wide && wide < 0x1p53;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of a double: what the elementary functions need to know of the format.
+// The parts of a floating-point number: its sign, exponent and bits, and products with powers of two, in constant
+// evaluation, too.
 #pragma once
 
 #include <bit>
@@ -12,31 +13,42 @@
 #include <irg/core/is_finite.hpp>
 #include <irg/core/scalar.hpp>
 
-namespace irg::detail::inline IRG_ABI {
+namespace irg {
 
+/// x = significand * 2^exponent with 1 <= |significand| < 2.
+struct scaled_number {
+  double significand;
+  int exponent;
+};
+
+inline namespace IRG_ABI {
+
+/// Greater than every number.
 template <Floating T>
 inline constexpr T infinity = std::numeric_limits<T>::infinity();
+/// A quiet NaN.
 template <Floating T>
 inline constexpr T not_a_number = std::numeric_limits<T>::quiet_NaN();
 
-IRG_INLINE constexpr std::uint64_t bits_of(double x) noexcept { return std::bit_cast<std::uint64_t>(x); }
-IRG_INLINE constexpr double from_bits(std::uint64_t bits) noexcept { return std::bit_cast<double>(bits); }
+/// The bits of a number, and the number of some bits.
+[[nodiscard]] IRG_INLINE constexpr std::uint64_t bits_of(double x) noexcept { return std::bit_cast<std::uint64_t>(x); }
+[[nodiscard]] IRG_INLINE constexpr double from_bits(std::uint64_t bits) noexcept { return std::bit_cast<double>(bits); }
 
 /// Whether the sign bit is set, which tells -0 from 0.
-IRG_INLINE constexpr bool is_negative(double x) noexcept { return (bits_of(x) >> 63) != 0; }
-IRG_INLINE constexpr bool is_negative(float x) noexcept { return (std::bit_cast<std::uint32_t>(x) >> 31) != 0; }
-
-using irg::is_finite;
-using irg::magnitude;
+[[nodiscard]] IRG_INLINE constexpr bool is_negative(double x) noexcept { return (bits_of(x) >> 63) != 0; }
+[[nodiscard]] IRG_INLINE constexpr bool is_negative(float x) noexcept {
+  return (std::bit_cast<std::uint32_t>(x) >> 31) != 0;
+}
 
 /// The magnitude of x with the sign of y.
-IRG_INLINE constexpr double with_sign(double x, double y) noexcept {
+[[nodiscard]] IRG_INLINE constexpr double with_sign(double x, double y) noexcept {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   return from_bits((bits_of(x) & ~sign) | (bits_of(y) & sign));
 }
 
+/// Whether x is NaN.
 template <Floating T>
-IRG_INLINE constexpr bool is_nan(T x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_nan(T x) noexcept {
   return x != x;
 }
 
@@ -44,7 +56,7 @@ IRG_INLINE constexpr bool is_nan(T x) noexcept {
 /// comparison of doubles of such a question, and that takes subnormal numbers for zero where the processor is told to.
 /// needs   -1022 <= low < high <= 1024
 template <int Low, int High>
-IRG_INLINE constexpr bool is_zero_or_within(double x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_zero_or_within(double x) noexcept {
   constexpr std::uint64_t low = std::uint64_t{Low + 1023} << 53, high = std::uint64_t{High + 1023} << 53;
   const std::uint64_t size = bits_of(x) << 1;
   return size - 1 >= low - 1 && size < high;
@@ -52,14 +64,14 @@ IRG_INLINE constexpr bool is_zero_or_within(double x) noexcept {
 
 /// Whether x is 0 or 2^low <= |x|.
 template <int Low>
-IRG_INLINE constexpr bool is_zero_or_from(double x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr bool is_zero_or_from(double x) noexcept {
   constexpr std::uint64_t low = std::uint64_t{Low + 1023} << 53;
   return (bits_of(x) << 1) - 1 >= low - 1;
 }
 
 /// x as a double, made of its bits where the processor might take it for zero.
-IRG_INLINE constexpr double exactly_widened(double x) noexcept { return x; }
-IRG_INLINE constexpr double exactly_widened(float x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr double exactly_widened(double x) noexcept { return x; }
+[[nodiscard]] IRG_INLINE constexpr double exactly_widened(float x) noexcept {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   if ((bits >> 23 & 0xff) != 0) return widened(x);
   const double size = static_cast<double>(bits & 0x7fffff) * 0x1p-149;
@@ -68,17 +80,13 @@ IRG_INLINE constexpr double exactly_widened(float x) noexcept {
 
 /// 2^k.
 /// needs   -1074 <= k <= 1023
-IRG_INLINE constexpr double power_of_two(int k) noexcept {
+[[nodiscard]] IRG_INLINE constexpr double power_of_two(int k) noexcept {
   return k >= -1022 ? from_bits(static_cast<std::uint64_t>(k + 1023) << 52) : from_bits(std::uint64_t{1} << (k + 1074));
 }
 
-/// x = significand * 2^exponent with 1 <= |significand| < 2.
-struct scaled_number {
-  double significand;
-  int exponent;
-};
+/// x as a significand and a power of two.
 /// needs   x finite and not zero
-IRG_INLINE constexpr scaled_number decompose(double x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr scaled_number decompose(double x) noexcept {
   const bool is_subnormal = magnitude(x) < 0x1p-1022;
   const std::uint64_t bits = bits_of(is_subnormal ? x * 0x1p54 : x);
   const int biased = static_cast<int>((bits >> 52) & 0x7ff);
@@ -87,13 +95,13 @@ IRG_INLINE constexpr scaled_number decompose(double x) noexcept {
 
 /// The exponent e of x: 2^e <= |x| < 2^(e + 1).
 /// needs   x finite and not zero
-IRG_INLINE constexpr int exponent_of(double x) noexcept {
+[[nodiscard]] IRG_INLINE constexpr int exponent_of(double x) noexcept {
   const int field = static_cast<int>((bits_of(x) >> 52) & 0x7ff);
   return field != 0 ? field - 1023 : decompose(x).exponent;
 }
 
 /// x * 2^e for any e, rounded once.
-IRG_INLINE constexpr double times_power_of_two(double x, int e) noexcept {
+[[nodiscard]] IRG_INLINE constexpr double times_power_of_two(double x, int e) noexcept {
   const int field = static_cast<int>((bits_of(x) >> 52) & 0x7ff);
   if (field != 0 && field + e > 0 && field < 0x7ff && field + e < 0x7ff)
     return from_bits(bits_of(x) + (static_cast<std::uint64_t>(e) << 52));
@@ -106,4 +114,5 @@ IRG_INLINE constexpr double times_power_of_two(double x, int e) noexcept {
   return parts.significand * 0.5 * 0x1p-1074;
 }
 
-}  // namespace irg::detail::inline IRG_ABI
+}  // namespace IRG_ABI
+}  // namespace irg
