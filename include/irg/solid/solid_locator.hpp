@@ -102,7 +102,8 @@ public:
   }
 
   /// winding_number of the body; counts what it asks in `counts`, where that is given.
-  /// gives, exact   as winding_number
+  /// gives   as winding_number
+  /// exact   as winding_number
   /// cost    some log n boxes and the triangles above and beside p; nothing allocated
   IRG_APART constexpr std::optional<int> winding_number(const point<T, 3>& p,
                                                         solid_locator_counts* counts = nullptr) const {
@@ -112,7 +113,8 @@ public:
   }
 
   /// point_in_solid of the body.
-  /// gives, exact   as point_in_solid
+  /// gives   as point_in_solid
+  /// exact   as point_in_solid
   /// cost    as winding_number
   IRG_APART constexpr location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
                                           solid_locator_counts* counts = nullptr) const {

@@ -41,7 +41,8 @@ public:
   /// needs   fewer than 2^28 triangles
   /// gives   a tree that rays pass by where there are none. Triangles with a corner that is NaN or infinite are left
   ///         out
-  /// exact, cost   as build_bvh; 160 bytes a triangle of floats, 270 of doubles. Spatial splits cut the triangles
+  /// exact   as build_bvh
+  /// cost    as build_bvh; 160 bytes a triangle of floats, 270 of doubles. Spatial splits cut the triangles
   ///         themselves, not their boxes
   template <Executor E = sequential>
   IRG_APART constexpr explicit triangle_bvh(std::span<const triangle> triangles, const bvh_config& config = {},
@@ -62,7 +63,9 @@ public:
 
   /// The same triangles with their corners moved.
   /// needs   as many triangles as the tree was built of
-  /// gives, exact, cost   as refit of a bvh
+  /// gives   as refit of a bvh
+  /// exact   as refit of a bvh
+  /// cost    as refit of a bvh
   IRG_APART constexpr void refit(std::span<const triangle> triangles) {
     const auto at = [triangles](std::size_t i) -> const triangle& { return triangles[i]; };
     const std::vector<box<T, 3>> boxes = boxes_of(triangles.size(), at, sequential{});
@@ -145,7 +148,8 @@ constexpr void closest_hits(const triangle_bvh<T>& triangles, std::span<const ra
                             std::span<std::optional<triangle_hit>> hits, C& counts = detail::not_counted);
 
 /// Whether the ray crosses a triangle; with `admits`, one of those for which admits(number) holds.
-/// exact, cost   as closest_hit, and as a rule less
+/// exact   as closest_hit
+/// cost    as closest_hit, and as a rule less
 template <Floating T, Floating U, std::predicate<std::uint32_t> Admits, detail::RayCounts C = const detail::uncounted>
 [[nodiscard]] constexpr bool any_hit(const triangle_bvh<T>& triangles, const ray<U, 3>& r, const Admits& admits,
                                      C& counts = detail::not_counted);
@@ -155,7 +159,8 @@ template <Floating T, Floating U, detail::RayCounts C = const detail::uncounted>
 
 /// All triangles that the ray crosses, each once, into sink(hit), in no order that is promised.
 /// gives   of a closed surface, as many as an origin in general position would: an odd number from inside to infinity
-/// exact, cost   as closest_hit; without limit to what is nearest
+/// exact   as closest_hit
+/// cost    as closest_hit; without limit to what is nearest
 template <Floating T, Floating U, class Sink, detail::RayCounts C = const detail::uncounted>
 constexpr void all_hits(const triangle_bvh<T>& triangles, const ray<U, 3>& r, Sink&& sink,
                         C& counts = detail::not_counted);
