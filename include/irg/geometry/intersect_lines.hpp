@@ -11,7 +11,7 @@
 #include <type_traits>
 
 #include <irg/geometry/detail/exact_forms.hpp>
-#include <irg/geometry/flat_relation.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/parametric_line.hpp>
 #include <irg/math/exact/values_of.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <irg/core/side.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/math/exact/values_of.hpp>

@@ -17,8 +17,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/attributed_point.hpp>
-#include <irg/geometry/boolean_operation.hpp>
-#include <irg/geometry/clipped_line.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/containment.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/raster/draw_triangle.hpp>

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/exact_point.hpp>
 #include <irg/mesh/convex_body.hpp>
 #include <irg/mesh/from_half_edges.hpp>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <irg/core/scalar.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/sqrt.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/mesh/to_mesh.hpp>

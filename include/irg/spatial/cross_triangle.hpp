@@ -14,7 +14,7 @@
 #include <concepts>
 #include <optional>
 
-#include <irg/core/facing.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/spatial/detail/ray_shear.hpp>
 #include <irg/math/exact/quotients_of.hpp>

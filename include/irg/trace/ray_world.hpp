@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <irg/math/length.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/shade/light.hpp>
 #include <irg/shade/material.hpp>
 #include <irg/spatial/triangle_bvh.hpp>

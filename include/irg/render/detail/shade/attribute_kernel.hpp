@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/render/attribute_shading.hpp>
 #include <irg/render/detail/shade/tile_shading.hpp>
@@ -215,7 +216,7 @@ struct attribute_kernel {
   using pixel = pixel_of<Colour>;
   static constexpr int lane_count = setup::lane_count;
   static constexpr unsigned everyone = (1u << lane_count) - 1;
-  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::uint32_t none = no_index;
 
   const std::uint32_t* place_at;  // what each pixel shows: its place in the list
   setup set_up;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/hidden/newell_step.hpp>
+#include <irg/hidden/vocabulary.hpp>
 
 #include "support/check_both.hpp"
 

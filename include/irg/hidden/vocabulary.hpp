@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: MIT
-// What the algorithm of Newell, Newell and Sancha does, step by step: for counts and for those who look on.
+// The words of hidden surfaces: parts of edges that are seen or hidden, and the steps of Newell's method.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <irg/core/config.hpp>
 
 namespace irg {
+
+/// Whether a part of an edge is seen.
+enum class line_visibility { visible, hidden };
+
+/// A part of an edge, the whole of it having one visibility.
+/// shape   edge: the number of the edge in its range; from < to: of the way from its first end to the second. Parts
+///         that meet share the place
+struct edge_part {
+  std::size_t edge;
+  line_visibility visibility;
+  double from, to;
+};
 
 /// The tests of Newell, Newell and Sancha by which P does not hide Q, the last of them where the extents of P and Q
 /// meet; and what is done.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/raster/line_options.hpp>
+#include <irg/raster/line_style.hpp>
 
 #include <vector>
 
