@@ -11,6 +11,5 @@
 #include <irg/fractal/escape_time.hpp>
 #include <irg/fractal/mandelbrot.hpp>
 #include <irg/fractal/julia.hpp>
-#include <irg/fractal/smooth_count.hpp>
-#include <irg/fractal/complex_plane.hpp>
 #include <irg/fractal/escape_colour.hpp>
+#include <irg/fractal/complex_plane.hpp>

@@ -2,6 +2,7 @@
 // geometry: exact predicates, lines, planes, triangles, polygons, distances, bounds, all clipping.
 #pragma once
 
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient2d_batch.hpp>
 #include <irg/geometry/orient3d.hpp>
@@ -12,12 +13,10 @@
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/geometry/exact_point.hpp>
 #include <irg/geometry/side_of_meeting.hpp>
-#include <irg/geometry/side_of_crossing.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/line.hpp>
 #include <irg/geometry/parametric_line.hpp>
 #include <irg/geometry/line_forms.hpp>
-#include <irg/geometry/segment.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/intersect_segments.hpp>
 #include <irg/geometry/plane.hpp>
@@ -64,14 +63,9 @@
 #include <irg/geometry/textbook/intersect_plane_line.hpp>
 #include <irg/geometry/textbook/intersect_planes.hpp>
 #include <irg/geometry/textbook/line.hpp>
-#include <irg/geometry/textbook/newell_plane.hpp>
-#include <irg/geometry/textbook/parametric_plane.hpp>
-#include <irg/geometry/textbook/plane_by_inversion.hpp>
+#include <irg/geometry/textbook/planes.hpp>
 #include <irg/geometry/textbook/polygon.hpp>
 #include <irg/geometry/textbook/triangle_area.hpp>
 #include <irg/geometry/attributed_point.hpp>
-#include <irg/geometry/boolean_operation.hpp>
-#include <irg/geometry/clipped_line.hpp>
-#include <irg/geometry/flat_relation.hpp>
 #include <irg/geometry/point_on_triangle.hpp>
 #include <irg/geometry/ray.hpp>

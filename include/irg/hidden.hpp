@@ -2,6 +2,7 @@
 // hidden: back faces; ray casting, Warnock, painter, BSP of faces; hidden lines; the textbook z-buffer.
 #pragma once
 
+#include <irg/hidden/vocabulary.hpp>
 #include <irg/hidden/back_faces.hpp>
 #include <irg/hidden/textbook/back_faces.hpp>
 #include <irg/hidden/ray_casting.hpp>
@@ -31,7 +32,5 @@
 #include <irg/hidden/grid_surface.hpp>
 #include <irg/hidden/grid_covering_order.hpp>
 #include <irg/hidden/textbook/grid_surface.hpp>
-#include <irg/hidden/edge_part.hpp>
 #include <irg/hidden/horizon_view.hpp>
-#include <irg/hidden/newell_step.hpp>
 #include <irg/hidden/surface_camera.hpp>

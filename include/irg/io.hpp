@@ -12,8 +12,6 @@
 #include <irg/io/ply.hpp>
 #include <irg/io/off.hpp>
 #include <irg/io/body_xml.hpp>
-#include <irg/io/studio_file.hpp>
-#include <irg/io/studio_script.hpp>
 #include <irg/io/png.hpp>
 #include <irg/io/png_read.hpp>
 #include <irg/io/apng.hpp>

@@ -11,7 +11,7 @@
 #include <irg/math/matrix_concept.hpp>
 #include <irg/math/matrix.hpp>
 #include <irg/math/inverse.hpp>
-#include <irg/math/inverse_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 #include <irg/math/solve.hpp>
 #include <irg/math/solve_exact.hpp>
 #include <irg/math/textbook/solve_gauss.hpp>
@@ -41,7 +41,6 @@
 #include <irg/math/decimal.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/decimal_digit.hpp>
-#include <irg/math/determinant_exact.hpp>
 #include <irg/math/exact/compare_numbers.hpp>
 #include <irg/math/exact/exact_number.hpp>
 #include <irg/math/exact/filtered_number.hpp>

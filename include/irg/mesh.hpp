@@ -8,9 +8,7 @@
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/normals.hpp>
 #include <irg/mesh/crease_normals.hpp>
-#include <irg/mesh/shape_polyhedra.hpp>
-#include <irg/mesh/shape_sphere.hpp>
-#include <irg/mesh/shape_sweeps.hpp>
+#include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/to_half_edges.hpp>
 #include <irg/mesh/half_edge_mesh.hpp>
@@ -24,5 +22,4 @@
 #include <irg/mesh/fit.hpp>
 #include <irg/mesh/edge_ends.hpp>
 #include <irg/mesh/part_name.hpp>
-#include <irg/mesh/shapes.hpp>
 #include <irg/mesh/to_mesh.hpp>

@@ -6,6 +6,3 @@
 #include <irg/scene/room_mesh.hpp>
 #include <irg/scene/camera.hpp>
 #include <irg/scene/stored_body.hpp>
-#include <irg/scene/studio.hpp>
-#include <irg/scene/studio_events.hpp>
-#include <irg/scene/studio_transformation.hpp>

@@ -18,7 +18,6 @@
 #include <irg/visibility/cut_source.hpp>
 #include <irg/visibility/sight_in_space.hpp>
 #include <irg/visibility/guard_cover.hpp>
-#include <irg/visibility/guard_result.hpp>
 #include <irg/visibility/potentially_visible.hpp>
 #include <irg/visibility/view_through_portals.hpp>
 #include <irg/visibility/cell_plan.hpp>
