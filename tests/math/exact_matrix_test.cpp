@@ -67,8 +67,7 @@ TEST_CASE("determinant_exact: against rationals, rounded by MPFR") {
                              : std::ldexp(r.unit() - 0.5, static_cast<int>(r.integer(-9, 9)));
     if (i % 2 == 0)  // the last row depends on the others, but for roundings
       for (int c = 0; c < 4; ++c) a(3, c) = a(0, c) * 0.5 + (i % 3 == 0 ? 0 : a(1, c) * 0.3);
-    const auto exact_of =
-        irg::generate_mat<big_rational, 4, 4>([&](int y, int x) { return big_rational(a(y, x)); });
+    const auto exact_of = irg::generate_mat<big_rational, 4, 4>([&](int y, int x) { return big_rational(a(y, x)); });
     const big_rational truth = determinant(exact_of);
     CHECK(determinant_sign(a) == truth.sign());
     singular += truth.sign() == 0 ? 1 : 0;
