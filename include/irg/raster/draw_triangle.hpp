@@ -156,8 +156,8 @@ concept KeepsDepths = DepthKeeping<How, pixel_of<R>> && (DepthFormat<How> || std
 
 inline namespace IRG_ABI {
 
-/// draw_triangle with a painter in the place of the shader: paint(row, bits, weights) is given a row from some pixel on, as
-/// many bits as registers have lanes, set for the pixels that are to be drawn, and the weights of all these lanes.
+/// draw_triangle with a painter in place of the shader: paint(row, bits, weights) is given a row from some pixel on,
+/// as many bits as registers have lanes, set for the pixels to be drawn, and the weights of all these lanes.
 /// shape   How, Policy, window and counts as draw_triangle has them; shade_over is the painter for shaders
 /// needs   a painter for weights of float and of registers of float
 template <class How, DepthPolicy Policy, RowRaster Colour, class Depth, class Paint>
