@@ -10,9 +10,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/coordinates.hpp>
 #include <irg/math/float_bits.hpp>
-#include <irg/math/detail/twofold.hpp>
-#include <irg/math/error_free.hpp>
-#include <irg/math/sqrt.hpp>
+#include <irg/math/detail/unrounded.hpp>
 
 namespace irg {
 
@@ -25,11 +23,15 @@ struct known_number {
   constexpr known_number() = default;
   IRG_INLINE constexpr explicit known_number(double x) noexcept : high(x) {}
   IRG_INLINE constexpr known_number(double h, double l, int e) noexcept : high(h), low(l), exponent(e) {}
+  IRG_INLINE constexpr known_number(const exact_sum<double>& x, int e) noexcept
+      : high(x.value), low(x.error), exponent(e) {}
   constexpr bool operator==(const known_number&) const = default;
 };
 
 namespace detail {
 inline namespace IRG_ABI {
+
+IRG_INLINE constexpr unrounded parts_of(const known_number& x) noexcept { return {x.high, x.low}; }
 
 // Whether products and quotients with another such number stay far within the range as they are.
 IRG_INLINE constexpr bool is_middling(const known_number& x) noexcept {
@@ -59,8 +61,7 @@ inline namespace IRG_ABI {
 /// a * b to some 100 bits.
 [[nodiscard]] constexpr known_number operator*(const known_number& a, const known_number& b) noexcept {
   const known_number x = detail::tamed_number(a), y = detail::tamed_number(b);
-  const detail::twofold p = detail::twofold(x.high, x.low, 0) * detail::twofold(y.high, y.low, 0);
-  return {p.high, p.low, x.exponent + y.exponent};
+  return {detail::multiply(detail::parts_of(x), detail::parts_of(y)), x.exponent + y.exponent};
 }
 
 /// a - b, to some 100 bits unless they cancel.
@@ -72,8 +73,7 @@ inline namespace IRG_ABI {
   if (apart > 200) return x;
   if (apart < -200) return -y;
   const double scale = power_of_two(-apart);
-  const detail::twofold d = detail::twofold(x.high, x.low, 0) - detail::twofold(y.high * scale, y.low * scale, 0);
-  return {d.high, d.low, x.exponent};
+  return {detail::add_accurately(detail::parts_of(x), {-(y.high * scale), -(y.low * scale)}), x.exponent};
 }
 
 /// a + b, to some 100 bits unless they cancel.
@@ -87,11 +87,8 @@ inline namespace IRG_ABI {
 /// needs   b is not zero
 [[nodiscard]] constexpr known_number operator/(const known_number& a, const known_number& b) noexcept {
   const known_number x = detail::tamed_number(a), y = detail::tamed_number(b);
-  const double q = x.high / y.high;
-  const auto back = fast_two_product(q, y.high);
-  const double rest = ((x.high - back.value) - back.error) + (x.low - product(q, y.low));
-  const auto whole = fast_two_sum(q, rest / y.high);
-  return {whole.value, whole.error, x.exponent - y.exponent};
+  const auto quotient = detail::divide(detail::parts_of(x), detail::parts_of(y));
+  return {detail::renormalised(quotient), x.exponent - y.exponent};
 }
 
 /// -1, 0 or 1, as x is negative, zero or positive.
@@ -108,12 +105,8 @@ template <Scalar T>
 [[nodiscard]] constexpr known_number sqrt(const known_number& a) noexcept {
   known_number x = detail::tamed_number(a);
   if (x.high <= 0) return {};
-  const int odd = x.exponent & 1;
-  if (odd != 0) x = {x.high * 2, x.low * 2, x.exponent - 1};
-  const double r = sqrt(x.high);
-  const auto back = fast_two_product(r, r);
-  const auto whole = fast_two_sum(r, (((x.high - back.value) - back.error) + x.low) / (r + r));
-  return {whole.value, whole.error, x.exponent / 2};
+  if ((x.exponent & 1) != 0) x = {x.high * 2, x.low * 2, x.exponent - 1};
+  return {detail::renormalised(detail::unrounded_sqrt(detail::parts_of(x))), x.exponent / 2};
 }
 
 /// The number as T; infinity beyond the range.
