@@ -37,12 +37,12 @@
 #include <irg/math/vector_batch.hpp>
 #include <irg/math/vector_projection.hpp>
 #include <irg/math/wide_int.hpp>
+#include <irg/math/exact/big_float.hpp>
 #include <irg/math/exact/compare_numbers.hpp>
-#include <irg/math/exact/exact_number.hpp>
 #include <irg/math/exact/filtered_number.hpp>
-#include <irg/math/exact/known_number.hpp>
 #include <irg/math/exact/nearest_float.hpp>
 #include <irg/math/exact/quotients_of.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/math/exact/values_of.hpp>
 #include <irg/math/textbook/roots.hpp>

@@ -38,7 +38,7 @@ template <int Degree, class Polynomials, class... A>
 namespace irg::detail::inline IRG_ABI {
 
 IRG_INLINE constexpr bool is_middling(const bounded_double_double& x) noexcept {
-  return is_middling(known_number(x, 0));
+  return is_middling(scaled_double_double(x, 0));
 }
 
 // Writes the T nearest to a/b, where `inverse` is about 1/|b|; false where bounds leave more than one, or a is not
@@ -60,7 +60,7 @@ constexpr bool divides_surely(const bounded_double_double& a, const bounded_doub
 
 template <int Degree, Floating T, class Polynomials, class... A>
 IRG_NOINLINE constexpr auto exact_quotients_of(const Polynomials& polynomials, const A&... arguments) noexcept {
-  using number = exact_number<Degree + 1>;
+  using number = big_float<Degree + 1>;
   const auto v = polynomials(in_numbers<number>(arguments, [](const T& x) { return exactly<number>(x); })...);
   std::array<T, std::tuple_size_v<decltype(v)> - 1> nearest{};
   if (v[0].sign() == 0) return std::optional<decltype(nearest)>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Values of polynomials right to 60 bits with the exact sign, for all finite floats and doubles: a polynomial is
-// computed in twice the precision, and in exact numbers where that does not suffice. Quotients of such values are what
+// computed in twice the precision, and in big floats where that does not suffice. Quotients of such values are what
 // intersections and nearest points are made of.
 #pragma once
 
@@ -13,20 +13,20 @@
 
 #include <irg/math/detail/polynomial_arguments.hpp>
 #include <irg/math/detail/unrounded.hpp>
-#include <irg/math/exact/exact_number.hpp>
-#include <irg/math/exact/known_number.hpp>
+#include <irg/math/exact/big_float.hpp>
+#include <irg/math/exact/scaled_double_double.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {
 
 /// What values_of knows the value of a polynomial in numbers of type T as.
 template <Scalar T>
-using known_value = std::conditional_t<Floating<T>, known_number, T>;
+using known_value = std::conditional_t<Floating<T>, scaled_double_double, T>;
 
 inline namespace IRG_ABI {
 
-/// The values polynomial(arguments...): known numbers for floats, doubles and integers, other scalars compute in their
-/// arithmetic.
+/// The values polynomial(arguments...): scaled double-doubles for floats, doubles and integers, other scalars compute in
+/// their arithmetic.
 /// shape   the polynomial takes its arguments with numbers of any type that has + - and * in the place of T: numbers
 ///         for numbers, vec, point and hpoint for vectors and points, arrays for larger arrays, and the same template
 ///         for what overloads in_numbers, as planes do; it gives a number, or an array, vec or tuple of numbers
@@ -122,7 +122,7 @@ IRG_INLINE constexpr auto for_numbers(const std::tuple<N...>& t, const F& each) 
 
 template <int Degree, class Polynomial, class... A>
 IRG_NOINLINE constexpr auto exact_values_of(const Polynomial& polynomial, const A&... arguments) noexcept {
-  using number = exact_number<Degree>;
+  using number = big_float<Degree>;
   const auto exact = [](const auto& x) { return exactly<number>(x); };
   return for_numbers(polynomial(in_numbers<number>(arguments, exact)...), [](const number& x) { return x.rounded(); });
 }
@@ -152,7 +152,7 @@ template <int Degree, class Polynomial, class... A>
       return detail::bounded_double_double(wide);
     };
     const auto stages = [&](const auto&... x) IRG_INLINE_LAMBDA {
-      const auto known = [](const detail::bounded_double_double& v) { return known_number(v, 0); };
+      const auto known = [](const detail::bounded_double_double& v) { return scaled_double_double(v, 0); };
       using known_values = decltype(detail::for_numbers(polynomial(x...), known));
       if (suits) {
         const auto values = polynomial(x...);
