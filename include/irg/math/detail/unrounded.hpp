@@ -27,20 +27,30 @@ IRG_INLINE constexpr unrounded add(const unrounded& a, const unrounded& b) noexc
   return fast_two_sum(heads.value, heads.error + (a.error + b.error));
 }
 
-/// a + b, off by at most 3u^2 + 13u^3 of the sum, u = 2^-53, also where a and b cancel.
-/// needs   values that are the numbers rounded
-/// source  Joldes, Muller and Popescu 2017 (AccurateDWPlusDW)
-IRG_INLINE constexpr unrounded add_accurately(const unrounded& a, const unrounded& b) noexcept {
-  const unrounded heads = two_sum(a.value, b.value), tails = two_sum(a.error, b.error);
-  const unrounded upper = fast_two_sum(heads.value, heads.error + tails.value);
+/// a + b, off by at most 3u^2 + 13u^3 of the sum, u = 2^-53 (float: 2^-24), also where a and b cancel.
+/// needs   values that are the numbers rounded, heads == two_sum(a.value, b.value)
+/// source  Li et al. 2002 (AccurateDWPlusDW); Joldes, Muller and Popescu 2017 (its bound)
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> accurate_sum(const exact_sum<T>& heads, const exact_sum<T>& a,
+                                               const exact_sum<T>& b) noexcept {
+  const exact_sum<T> tails = two_sum(a.error, b.error);
+  const exact_sum<T> upper = fast_two_sum(heads.value, heads.error + tails.value);
   return fast_two_sum(upper.value, tails.error + upper.error);
+}
+IRG_INLINE constexpr unrounded accurate_sum(const unrounded& a, const unrounded& b) noexcept {
+  return accurate_sum(two_sum(a.value, b.value), a, b);
 }
 
 /// a * b, off by at most 5u^2 of it.
-/// source  Joldes, Muller and Popescu 2017 (DWTimesDW1)
-IRG_INLINE constexpr unrounded multiply(const unrounded& a, const unrounded& b) noexcept {
-  const unrounded heads = fast_two_product(a.value, b.value);
+/// needs   heads == two_product(a.value, b.value)
+/// source  Dekker 1971 (DWTimesDW1); Joldes, Muller and Popescu 2017 (its bound)
+template <Floating T>
+IRG_INLINE constexpr exact_sum<T> multiply(const exact_sum<T>& heads, const exact_sum<T>& a,
+                                           const exact_sum<T>& b) noexcept {
   return fast_two_sum(heads.value, heads.error + (product(a.value, b.error) + product(a.error, b.value)));
+}
+IRG_INLINE constexpr unrounded multiply(const unrounded& a, const unrounded& b) noexcept {
+  return multiply(fast_two_product(a.value, b.value), a, b);
 }
 
 /// a - quotient * b, exactly but for the last rounding, where quotient is about a/b.

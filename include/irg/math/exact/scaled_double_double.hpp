@@ -80,7 +80,7 @@ inline namespace IRG_ABI {
   if (apart > 200) return x;
   if (apart < -200) return -y;
   const double scale = power_of_two(-apart);
-  return {detail::add_accurately(detail::parts_of(x), {-(y.high * scale), -(y.low * scale)}), x.exponent};
+  return {detail::accurate_sum(detail::parts_of(x), {-(y.high * scale), -(y.low * scale)}), x.exponent};
 }
 
 /// a + b, to some 100 bits unless they cancel.

@@ -25,8 +25,8 @@ using known_value = std::conditional_t<Floating<T>, scaled_double_double, T>;
 
 inline namespace IRG_ABI {
 
-/// The values polynomial(arguments...): scaled double-doubles for floats, doubles and integers, other scalars compute in
-/// their arithmetic.
+/// The values polynomial(arguments...): scaled double-doubles for floats, doubles and integers; other scalars compute
+/// in their arithmetic.
 /// shape   the polynomial takes its arguments with numbers of any type that has + - and * in the place of T: numbers
 ///         for numbers, vec, point and hpoint for vectors and points, arrays for larger arrays, and the same template
 ///         for what overloads in_numbers, as planes do; it gives a number, or an array, vec or tuple of numbers
@@ -70,7 +70,7 @@ struct bounded_double_double : unrounded {
   }
   IRG_INLINE friend constexpr bounded_double_double operator+(const bounded_double_double& a,
                                                               const bounded_double_double& b) noexcept {
-    const unrounded sum = add_accurately(a, b);
+    const unrounded sum = accurate_sum(a, b);
     return {sum, a.bound + b.bound + (is_exact(a, b) ? 0.0 : magnitude(sum.value) * 0x1p-104)};
   }
   IRG_INLINE friend constexpr bounded_double_double operator-(const bounded_double_double& a,
