@@ -236,7 +236,7 @@ TEST_CASE("decimal: every way gives the same") {
   long wrong = 0;
   const auto check = [&wrong](auto type, irg::detail::decimal_text text) {
     using T = decltype(type);
-    const T value = irg::magnitude<T>(text);
+    const T value = irg::detail::unsigned_value<T>(text);
     T other{};
     if (text.mantissa <= std::uint64_t{1} << 53 && text.exponent >= -22 && text.exponent <= 22 &&
         irg::detail::nearest_by_double(text.mantissa, static_cast<int>(text.exponent), other))
