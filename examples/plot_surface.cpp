@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <irg/hidden/draw_plot.hpp>
+#include <irg/hidden/plot_surface.hpp>
 #include <irg/hidden/height_grid.hpp>
 #include <irg/io/apng.hpp>
 #include <irg/io/file.hpp>

@@ -6,15 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "support/desk_replay.hpp"
+#include "studio/desk_replay.hpp"
 #include "support/picture_options.hpp"
 #include "support/run_or_fail.hpp"
-#include "support/studio_desk.hpp"
-#include "support/studio_keys.hpp"
-#include "support/studio_session.hpp"
+#include "studio/studio_desk.hpp"
+#include "studio/studio_keys.hpp"
+#include "studio/studio_session.hpp"
 #include "support/text_input.hpp"
 #ifdef IRG_HAVE_SDL2
-#include "support/studio_window.hpp"
+#include "studio/studio_window.hpp"
 #endif
 
 namespace {

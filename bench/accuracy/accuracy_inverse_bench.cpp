@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <irg/math/inverse.hpp>
-#include <irg/math/inverse_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 #include <irg/math/solve.hpp>
 #include <irg/math/solve_exact.hpp>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <irg/geometry/textbook/newell_plane.hpp>
+#include <irg/geometry/textbook/planes.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/math/length.hpp>

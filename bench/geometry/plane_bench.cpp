@@ -2,7 +2,7 @@
 // Run time against error of planes through polygons and of the point two lines have in common, on input whose
 // difficulty is set. Errors are measured in rationals of any size.
 #include <irg/geometry/intersect_lines.hpp>
-#include <irg/geometry/textbook/newell_plane.hpp>
+#include <irg/geometry/textbook/planes.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 #include <irg/math/constants.hpp>
 

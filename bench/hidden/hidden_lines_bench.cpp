@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <irg/hidden/line_drawing.hpp>
-#include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/view/affine.hpp>
 #include <irg/view/look_at.hpp>

@@ -8,8 +8,8 @@
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/studio_picture.hpp>
 
+#include "../../examples/studio/studio_picture.hpp"
 #include "support/measure.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/mesh/shape_sphere.hpp>
+#include <irg/mesh/shapes.hpp>
 #include <irg/raster/image.hpp>
 #include <irg/render/render_rooms.hpp>
 #include <irg/scene/room_mesh.hpp>

@@ -14,7 +14,7 @@
 #include <irg/geometry/line.hpp>
 #include <irg/geometry/parametric_line.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/side_of_line.hpp>
 
 #include "sketch.hpp"

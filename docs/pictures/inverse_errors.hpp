@@ -11,7 +11,7 @@
 #include <string>
 
 #include <irg/math/inverse.hpp>
-#include <irg/math/inverse_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 #include <irg/math/trigonometry.hpp>
 
 namespace inverse_errors {

@@ -7,7 +7,6 @@
 
 #include <irg/hidden/line_drawing.hpp>
 #include <irg/hidden/visible_polygons.hpp>
-#include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/fill_polygon_aa.hpp>

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include <irg/geometry/textbook/parametric_plane.hpp>
+#include <irg/geometry/textbook/planes.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 #include <irg/geometry/intersect_planes.hpp>
 #include <irg/geometry/parametric_plane.hpp>

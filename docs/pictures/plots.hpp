@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include <irg/hidden/draw_plot.hpp>
+#include <irg/hidden/plot_surface.hpp>
 #include <irg/hidden/height_grid.hpp>
 #include <irg/hidden/horizon_curves.hpp>
 #include <irg/math/hypot.hpp>

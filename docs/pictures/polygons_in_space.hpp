@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <irg/geometry/flat_ring.hpp>
-#include <irg/geometry/textbook/newell_plane.hpp>
+#include <irg/geometry/textbook/planes.hpp>
 #include <irg/geometry/plane.hpp>
 
 #include "board.hpp"

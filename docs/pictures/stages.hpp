@@ -9,7 +9,7 @@
 
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/hidden/back_faces.hpp>
-#include <irg/mesh/shape_sphere.hpp>
+#include <irg/mesh/shapes.hpp>
 #include <irg/raster/draw_line.hpp>
 #include <irg/raster/draw_triangle.hpp>
 #include <irg/raster/screen_mapping.hpp>

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <utility>
 
-#include <irg/io/studio_script.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/raster/image.hpp>
-#include <irg/render/studio_picture.hpp>
 
-#include "../../examples/support/studio_desk.hpp"
+#include "../../examples/studio/studio_desk.hpp"
+#include "../../examples/studio/studio_picture.hpp"
+#include "../../examples/studio/studio_script.hpp"
 
 namespace studio_pictures {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All of irg but core/threads.hpp, plots and the studio. The order is the order of the chapters: each includes earlier ones only.
+// All of irg but core/threads.hpp and plots. The order is the order of the chapters: each includes earlier ones only.
 #pragma once
 
 #include <irg/core.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <irg/core/coordinates.hpp>
 
 #include <array>
@@ -138,6 +139,19 @@ TEST_CASE("coordinates: plain structs, arrays and archetypes are read and made")
   CHECK_BOTH((round_trip<std::array<double, 1>>() && round_trip<std::array<std::int8_t, 7>>()));
   CHECK_BOTH((round_trip<tagged>() && round_trip<marked_point>() && round_trip<derived>()));
   CHECK_BOTH((round_trip<poor_vector>() && round_trip<poor_point>() && round_trip<poor_homogeneous>()));
+}
+
+TEST_CASE("same_place, comes_before: coordinate by coordinate; NaN is nowhere") {
+  using A = std::array<double, 3>;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_BOTH(irg::same_place(A{0.0, 1, 2}, A{-0.0, 1, 2}));
+  CHECK_BOTH(!irg::same_place(A{0, 1, 2}, A{0, 1, 3}));
+  CHECK_BOTH(!irg::same_place(A{nan, 1, 2}, A{nan, 1, 2}));
+  CHECK_BOTH(irg::comes_before(A{0, 1, 2}, A{0, 1, 3}));
+  CHECK_BOTH(irg::comes_before(A{-1, 9, 9}, A{0, 1, 3}));
+  CHECK_BOTH(!irg::comes_before(A{0, 1, 3}, A{0, 1, 3}));
+  CHECK_BOTH(!irg::comes_before(A{nan, 1, 2}, A{0, 2, 3}));
+  CHECK_BOTH(!irg::comes_before(A{0, 1, 2}, A{nan, 2, 3}));
 }
 
 TEST_CASE("coordinates: each keeps its place") {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <irg/math/determinant_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 #include <irg/math/inverse.hpp>
-#include <irg/math/inverse_exact.hpp>
 #include <irg/math/solve_exact.hpp>
 
 #include "hashes.hpp"

@@ -10,7 +10,7 @@
 #include <irg/hidden/plane_depth.hpp>
 #include <irg/math.hpp>
 #include <irg/mesh/face_normal.hpp>
-#include <irg/mesh/shape_sweeps.hpp>
+#include <irg/mesh/shapes.hpp>
 #include <irg/raster/draw_polyline.hpp>
 #include <irg/raster/fill_convex.hpp>
 #include <irg/raster/fill_convex_aa.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <irg/geometry/textbook/parametric_plane.hpp>
+#include <irg/geometry/textbook/planes.hpp>
 #include <irg/geometry/textbook/intersect_plane_line.hpp>
 #include <irg/geometry/intersect_plane_line.hpp>
 

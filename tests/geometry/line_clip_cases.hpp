@@ -4,7 +4,7 @@
 
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/clip_line_liang_barsky.hpp>
-#include <irg/geometry/clipped_line.hpp>
+#include <irg/geometry/vocabulary.hpp>
 
 #include <cmath>
 #include <cstdlib>

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <irg/math/constants.hpp>
-#include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/view/affine.hpp>
 #include <irg/view/projection.hpp>

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/core/triangle_indices.hpp>
-#include <irg/mesh/shape_polyhedra.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/raster/image.hpp>

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include <irg/math/inverse_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 
 #include "support/big_rational.hpp"
 #include "support/check_both.hpp"

@@ -9,13 +9,12 @@
 #include <string>
 
 #include <irg/math/compensated.hpp>
-#include <irg/math/determinant_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 #include <irg/math/double_double.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/expansion.hpp>
 #include <irg/math/homogeneous.hpp>
 #include <irg/math/interval.hpp>
-#include <irg/math/inverse_exact.hpp>
 #include <irg/math/angle_between.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/polynomial.hpp>

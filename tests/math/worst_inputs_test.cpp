@@ -6,7 +6,7 @@
 #include <irg/math/compensated.hpp>
 #include <irg/math/exponential.hpp>
 #include <irg/math/inverse.hpp>
-#include <irg/math/inverse_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/lu.hpp>
 #include <irg/math/trigonometry.hpp>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <irg/mesh/shape_polyhedra.hpp>
+#include <irg/mesh/shapes.hpp>
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"

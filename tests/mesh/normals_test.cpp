@@ -8,8 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include <irg/mesh/shape_polyhedra.hpp>
-#include <irg/mesh/shape_sphere.hpp>
+#include <irg/mesh/shapes.hpp>
 
 #include "support/check_both.hpp"
 #include "support/random.hpp"

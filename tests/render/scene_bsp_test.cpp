@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <irg/render/scene_bsp.hpp>
 
-#include <irg/mesh/shape_polyhedra.hpp>
 #include <irg/mesh/shapes.hpp>
 #include <irg/view/affine.hpp>
 

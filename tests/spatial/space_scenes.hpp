@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/vec.hpp>
 
 #include "support/random.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <irg/core/sinks.hpp>
-#include <irg/raster/line_options.hpp>
+#include <irg/raster/line_style.hpp>
 #include <irg/raster/window.hpp>
 
 #include "line_properties.hpp"

@@ -13,7 +13,7 @@
 
 #include <irg/core/raster_concept.hpp>
 #include <irg/core/sinks.hpp>
-#include <irg/raster/line_options.hpp>
+#include <irg/raster/line_style.hpp>
 
 #include "random.hpp"
 

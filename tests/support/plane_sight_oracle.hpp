@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <irg/visibility/sight_result.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 
 namespace test::plane_sight {
 

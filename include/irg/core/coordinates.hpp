@@ -199,6 +199,23 @@ template <Coordinates T>
   return coordinate_traits<T>::get(v, i);
 }
 
+/// Whether all coordinates of a and b are equal: 0 and -0 are, NaN equals nothing.
+template <Coordinates T>
+[[nodiscard]] IRG_INLINE constexpr bool same_place(const T& a, const T& b) noexcept {
+  for (int i = 0; i < size_of<T>; ++i)
+    if (!(coordinate(a, i) == coordinate(b, i))) return false;
+  return true;
+}
+
+/// Whether a comes before b: by the first coordinate in which they differ.
+/// gives   false where that is NaN
+template <Coordinates T>
+[[nodiscard]] IRG_INLINE constexpr bool comes_before(const T& a, const T& b) noexcept {
+  for (int i = 0; i < size_of<T>; ++i)
+    if (!(coordinate(a, i) == coordinate(b, i))) return coordinate(a, i) < coordinate(b, i);
+  return false;
+}
+
 /// A T with the given coordinates.
 template <Coordinates T, class... S>
   requires(sizeof...(S) == static_cast<std::size_t>(size_of<T>))

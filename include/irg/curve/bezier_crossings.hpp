@@ -10,7 +10,7 @@
 #include <span>
 #include <type_traits>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/curve/bezier.hpp>
 #include <irg/math/error_free.hpp>

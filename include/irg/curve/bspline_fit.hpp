@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/curve/bspline.hpp>
 #include <irg/curve/bspline_derivative.hpp>

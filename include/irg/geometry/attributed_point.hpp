@@ -82,21 +82,5 @@ IRG_INLINE constexpr V placed_at(V v, const vertex_position<V>& p) {
   return v;
 }
 
-// Whether a comes before b: by the first coordinate in which they differ.
-template <Point P>
-IRG_INLINE constexpr bool comes_before(const P& a, const P& b) noexcept {
-  for (int i = 0; i < size_of<P>; ++i) {
-    if (coordinate(a, i) < coordinate(b, i)) return true;
-    if (coordinate(b, i) < coordinate(a, i)) return false;
-  }
-  return false;
-}
-template <Point P>
-IRG_INLINE constexpr bool at_one_place(const P& a, const P& b) noexcept {
-  for (int i = 0; i < size_of<P>; ++i)
-    if (!(coordinate(a, i) == coordinate(b, i))) return false;
-  return true;
-}
-
 }  // namespace detail::inline IRG_ABI
 }  // namespace irg

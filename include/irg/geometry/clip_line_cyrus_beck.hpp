@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include <irg/geometry/clipped_line.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/detail/half_space.hpp>
 
 namespace irg {

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include <irg/geometry/clipped_line.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/detail/line_window.hpp>
 
 namespace irg {

@@ -287,12 +287,12 @@ struct span_sink {
     ++count;
   }
   IRG_INLINE constexpr void enter(const V& v) {
-    if (count == 0 || count > room || !at_one_place(position_of(out[count - 1]), position_of(v))) put(v);
+    if (count == 0 || count > room || !same_place(position_of(out[count - 1]), position_of(v))) put(v);
   }
   // A cut at the place of the corner before or after it is left out.
   constexpr void put(const V& v, bool is_cut) {
     if (0 < count && count <= room && (is_cut || after_cut) &&
-        at_one_place(position_of(out[count - 1]), position_of(v))) {
+        same_place(position_of(out[count - 1]), position_of(v))) {
       if (is_cut) return;
       --count;
     }
@@ -301,7 +301,7 @@ struct span_sink {
   }
   // The number of vertices; none where no area can be left.
   constexpr std::size_t finished() {
-    while (count > 1 && count <= room && at_one_place(position_of(out[count - 1]), position_of(out[0]))) --count;
+    while (count > 1 && count <= room && same_place(position_of(out[count - 1]), position_of(out[0]))) --count;
     return count < 3 ? 0 : count;
   }
 };

@@ -67,7 +67,7 @@ template <Point P>
 [[nodiscard]] constexpr std::optional<point_on_line<P>> closest_point_on_line(const P& a, const P& b,
                                                                               const P& p) noexcept {
   const auto foot = detail::foot_on_line(a, b, p);
-  if (!foot || detail::are_equal(a, b)) return std::nullopt;
+  if (!foot || same_place(a, b)) return std::nullopt;
   return point_on_line<P>{detail::point_of_foot(a, b, p), rounded_to<scalar_of<P>>(foot->t / foot->divisor)};
 }
 
@@ -148,7 +148,7 @@ template <Point P>
 [[nodiscard]] constexpr std::optional<point_pair<P>> closest_points_of_lines(const P& a, const P& b, const P& c,
                                                                              const P& d) noexcept {
   using T = scalar_of<P>;
-  if (detail::are_equal(a, b) || detail::are_equal(c, d)) return std::nullopt;
+  if (same_place(a, b) || same_place(c, d)) return std::nullopt;
   const auto lines = detail::nearest_on_lines(a, b, c, d);
   if (!lines) return std::nullopt;
   const auto& v = *lines;

@@ -32,8 +32,8 @@ public:
     const auto n = static_cast<std::uint32_t>(ring_size(*points_));
     std::uint32_t lowest = 0, highest = 0;
     for (std::uint32_t i = 1; i < n; ++i) {
-      if (leads_forward(at(i), at(lowest))) lowest = i;
-      if (leads_forward(at(highest), at(i))) highest = i;
+      if (comes_before(at(i), at(lowest))) lowest = i;
+      if (comes_before(at(highest), at(i))) highest = i;
     }
     if (n == 0) return 0;
     hull_[0] = lowest;
@@ -43,7 +43,7 @@ public:
     const auto first = hull_.begin();
     std::sort(first + 1, first + upper - 1, [&](std::uint32_t i, std::uint32_t j) { return precedes(i, j); });
     std::sort(first + upper, first + last_, [&](std::uint32_t i, std::uint32_t j) {
-      return leads_forward(at(j), at(i)) || (same_place(at(i), at(j)) && i < j);
+      return comes_before(at(j), at(i)) || (same_place(at(i), at(j)) && i < j);
     });
     size_ = base_ = 0;
     push(lowest);
@@ -65,7 +65,7 @@ private:
 
   constexpr ring_point<R> at(std::uint32_t i) const noexcept { return ring_vertex(*points_, i); }
   constexpr bool precedes(std::uint32_t i, std::uint32_t j) const noexcept {
-    return leads_forward(at(i), at(j)) || (i < j && same_place(at(i), at(j)));
+    return comes_before(at(i), at(j)) || (i < j && same_place(at(i), at(j)));
   }
 
   // The points farthest out in eight directions, nearly: any will do.

@@ -49,7 +49,7 @@ template <Point P>
   requires(Floating<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr std::optional<scalar_of<P>> distance_to_line(const P& a, const P& b, const P& p) noexcept {
   const auto v = detail::squared_from_line(a, b, p);
-  if (!v || detail::are_equal(a, b)) return std::nullopt;
+  if (!v || same_place(a, b)) return std::nullopt;
   return rounded_to<scalar_of<P>>(sqrt((*v)[0] / (*v)[1]));
 }
 
@@ -127,7 +127,7 @@ template <Point P>
   requires(size_of<P> == 3 && Floating<scalar_of<P>>)
 [[nodiscard]] constexpr std::optional<scalar_of<P>> distance_of_lines(const P& a, const P& b, const P& c,
                                                                       const P& d) noexcept {
-  if (detail::are_equal(a, b) || detail::are_equal(c, d)) return std::nullopt;
+  if (same_place(a, b) || same_place(c, d)) return std::nullopt;
   const auto lines = detail::nearest_on_lines(a, b, c, d);
   if (!lines) return std::nullopt;
   const auto& v = *lines;

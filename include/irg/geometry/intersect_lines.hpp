@@ -11,7 +11,7 @@
 #include <type_traits>
 
 #include <irg/geometry/detail/exact_forms.hpp>
-#include <irg/geometry/flat_relation.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/parametric_line.hpp>
 #include <irg/math/exact/values_of.hpp>
 
@@ -135,7 +135,7 @@ template <Point P>
   requires(Scalar<scalar_of<P>> && (size_of<P> == 2 || size_of<P> == 3))
 [[nodiscard]] constexpr auto intersect_lines(const P& a, const P& b, const P& c, const P& d) noexcept
     -> lines_meeting<detail::meeting_point<P>> {
-  if (detail::are_equal(a, b) || detail::are_equal(c, d)) return {};
+  if (same_place(a, b) || same_place(c, d)) return {};
   return detail::rounded_meeting<detail::meeting_point<P>>(detail::cross_lines(a, b, c, d));
 }
 

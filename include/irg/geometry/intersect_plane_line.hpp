@@ -66,7 +66,7 @@ inline namespace IRG_ABI {
 template <Plane L, Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>> && std::same_as<plane_scalar<L>, scalar_of<P>>)
 [[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const L& plane, const P& a, const P& b) noexcept {
-  if (detail::are_equal(a, b) || detail::is_zero(normal_of(plane))) return {};
+  if (same_place(a, b) || detail::is_zero(normal_of(plane))) return {};
   return detail::rounded_plane_meeting<P>(values_of<3>(
       [](const auto& l, const auto& from, const auto& to) {
         const auto n = normal_of(l);
@@ -96,7 +96,7 @@ template <Point P>
   requires(size_of<P> == 3 && Real<scalar_of<P>>)
 [[nodiscard]] constexpr plane_line_meeting<P> intersect_plane_line(const P& p, const P& q, const P& r, const P& a,
                                                                    const P& b) noexcept {
-  if (detail::are_equal(a, b)) return {};
+  if (same_place(a, b)) return {};
   const auto m = detail::rounded_plane_meeting<P>(values_of<4>(
       [](const auto& base, const auto& second, const auto& third, const auto& from, const auto& to) {
         const auto n = cross(second - base, third - base);

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <irg/core/side.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/detail/exact_forms.hpp>
 #include <irg/geometry/side_of_line.hpp>
 #include <irg/math/exact/values_of.hpp>
@@ -47,7 +47,7 @@ template <Point P>
   requires(size_of<P> == 2)
 [[nodiscard]] constexpr std::optional<line<scalar_of<P>>> line_through(const P& p, const P& q) noexcept {
   using T = scalar_of<P>;
-  if (detail::are_equal(p, q)) return std::nullopt;
+  if (same_place(p, q)) return std::nullopt;
   return detail::rounded_line<T>(values_of<2>(
       [](const auto& a, const auto& b) { return vec{a.y - b.y, b.x - a.x, a.x * b.y - b.x * a.y}; }, p, q));
 }

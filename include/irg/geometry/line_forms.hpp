@@ -21,7 +21,8 @@ template <Scalar T>
 }
 
 /// The implicit form of the line through two homogeneous points.
-/// gives, exact   as line_through
+/// gives   as line_through
+/// exact   as line_through
 template <Scalar T>
 [[nodiscard]] constexpr std::optional<line<T>> implicit_line_of(const homogeneous_line<T, 2>& l) noexcept {
   return line_through(l.start, l.end);

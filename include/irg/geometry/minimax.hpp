@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 
 namespace irg {
 namespace detail {

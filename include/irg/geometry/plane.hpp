@@ -6,7 +6,7 @@
 
 #include <irg/core/plane_concept.hpp>
 #include <irg/core/ring.hpp>
-#include <irg/core/side.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/math/vec.hpp>
 

@@ -3,7 +3,7 @@
 // side is (0 0 0 D). It needs a plane that avoids the origin; plane_through for homogeneous points needs not.
 #pragma once
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/plane_through_points.hpp>
 

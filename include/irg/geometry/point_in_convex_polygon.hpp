@@ -73,7 +73,7 @@ private:
   }
   // Whether p, on the line through vertices 0 and i, lies in the direction of vertex i.
   constexpr bool same_way(std::size_t i, const ring_point<R>& p) const noexcept {
-    return leads_forward(vertex(0), vertex(i)) == leads_forward(vertex(0), p);
+    return comes_before(vertex(0), vertex(i)) == comes_before(vertex(0), p);
   }
 
   // 1 for counter-clockwise, -1 for clockwise, 0 for a polygon without area.

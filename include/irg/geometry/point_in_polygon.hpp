@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <irg/core/location.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
 

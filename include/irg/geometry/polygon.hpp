@@ -45,18 +45,6 @@ using polygon_point = typename detail::polygon_point_of<P>::type;
 
 namespace detail::inline IRG_ABI {
 
-template <Point P>
-IRG_INLINE constexpr bool same_place(const P& a, const P& b) noexcept {
-  return coordinate(a, 0) == coordinate(b, 0) && coordinate(a, 1) == coordinate(b, 1);
-}
-
-// Whether the way from a to b leads to greater x, or straight to greater y.
-template <Point P>
-IRG_INLINE constexpr bool leads_forward(const P& a, const P& b) noexcept {
-  return coordinate(a, 0) < coordinate(b, 0) ||
-         (coordinate(a, 0) == coordinate(b, 0) && coordinate(a, 1) < coordinate(b, 1));
-}
-
 // Whether p, which is on the line through a and b, is between them or on one of them.
 template <Point P>
 constexpr bool is_between(const P& a, const P& b, const P& p) noexcept {

@@ -20,18 +20,18 @@ template <PlaneRing R>
   const std::size_t n = ring_size(ring);
   if (!is_finite(ring)) return false;
   std::size_t start = 1;  // an edge that has a length ends there
-  while (start <= n && detail::same_place(ring_vertex(ring, start - 1), ring_vertex(ring, start))) ++start;
+  while (start <= n && same_place(ring_vertex(ring, start - 1), ring_vertex(ring, start))) ++start;
   if (n == 0 || start > n) return true;
   auto a = as_assignable(ring_vertex(ring, start - 1)), b = as_assignable(ring_vertex(ring, start));
   bool turns_left = false, turns_right = false;
   int changes = 0;  // of leading forward and leading back: two in one round
   for (std::size_t i = start + 1; i <= start + n; ++i) {
     const auto c = as_assignable(ring_vertex(ring, i));
-    if (detail::same_place(b, c)) continue;
+    if (same_place(b, c)) continue;
     const int turn = orient2d(a, b, c);
     turns_left = turns_left || turn > 0;
     turns_right = turns_right || turn < 0;
-    changes += detail::leads_forward(a, b) != detail::leads_forward(b, c);
+    changes += comes_before(a, b) != comes_before(b, c);
     if ((turns_left && turns_right) || changes > 2) return false;
     a = b;
     b = c;

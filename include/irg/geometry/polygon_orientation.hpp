@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <irg/core/orientation.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>

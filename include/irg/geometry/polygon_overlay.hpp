@@ -17,8 +17,7 @@
 
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/attributed_point.hpp>
-#include <irg/geometry/boolean_operation.hpp>
-#include <irg/geometry/clipped_line.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/polygon.hpp>
@@ -63,7 +62,7 @@ inline namespace IRG_ABI {
 template <class T>
 constexpr void add_piece(std::vector<boundary_piece<T>>& pieces, const point<T, 2>& p, const point<T, 2>& q,
                          const int (&times)[2]) {
-  if (at_one_place(p, q)) return;
+  if (same_place(p, q)) return;
   if (comes_before(p, q))
     pieces.push_back({p, q, {times[0], times[1]}});
   else
@@ -74,12 +73,12 @@ constexpr void add_piece(std::vector<boundary_piece<T>>& pieces, const point<T, 
 template <class T>
 constexpr void merge_pieces(std::vector<boundary_piece<T>>& pieces) {
   std::sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
-    return at_one_place(a.p, b.p) ? comes_before(a.q, b.q) : comes_before(a.p, b.p);
+    return same_place(a.p, b.p) ? comes_before(a.q, b.q) : comes_before(a.p, b.p);
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pieces.size();) {
     boundary_piece<T> sum = pieces[i];
-    for (++i; i < pieces.size() && at_one_place(pieces[i].p, sum.p) && at_one_place(pieces[i].q, sum.q); ++i)
+    for (++i; i < pieces.size() && same_place(pieces[i].p, sum.p) && same_place(pieces[i].q, sum.q); ++i)
       for (int k = 0; k < 2; ++k) sum.times[k] += pieces[i].times[k];
     if (sum.times[0] != 0 || sum.times[1] != 0) pieces[kept++] = sum;
   }
@@ -131,8 +130,8 @@ constexpr bool cut_pair(const boundary_piece<T>& a, const boundary_piece<T>& b, 
   if (ap * aq > 0) return false;
   if (bp * bq < 0 && ap * aq < 0) {
     const point<T, 2> at = rounded_crossing(a, b);
-    if (!at_one_place(at, a.p) && !at_one_place(at, a.q)) on_a.push_back(at);
-    if (!at_one_place(at, b.p) && !at_one_place(at, b.q)) on_b.push_back(at);
+    if (!same_place(at, a.p) && !same_place(at, a.q)) on_a.push_back(at);
+    if (!same_place(at, b.p) && !same_place(at, b.q)) on_b.push_back(at);
     return true;
   }
   if (is_inside_piece(a, b.p, bp)) on_a.push_back(b.p);
@@ -252,8 +251,7 @@ constexpr std::vector<std::vector<point<T, 2>>> rings_of(std::vector<std::pair<p
     std::size_t best = ways.size();
     const auto first = std::lower_bound(ways.begin(), ways.end(), at,
                                         [](const auto& way, const auto& v) { return comes_before(way.first, v); });
-    for (auto k = static_cast<std::size_t>(first - ways.begin()); k < ways.size() && at_one_place(ways[k].first, at);
-         ++k)
+    for (auto k = static_cast<std::size_t>(first - ways.begin()); k < ways.size() && same_place(ways[k].first, at); ++k)
       if (used[k] == 0 && (best == ways.size() || turns_first(at, from, ways[k].second, ways[best].second))) best = k;
     return best;
   };

@@ -29,8 +29,8 @@ struct stretch_on_line {
   bool any = false;
   IRG_INLINE constexpr void add(const P& q) noexcept {
     const auto p = as_assignable(q);
-    if (!any || leads_forward(p, first)) first = p;
-    if (!any || leads_forward(last, p)) last = p;
+    if (!any || comes_before(p, first)) first = p;
+    if (!any || comes_before(last, p)) last = p;
     any = true;
   }
 };
@@ -52,7 +52,7 @@ constexpr polygon_overlap across_edge(const A& own, const B& other, const ring_p
     const auto v = ring_vertex(own, i);
     if (orient2d(p, q, v) == 0) a.add(v);
   }
-  const bool apart = leads_forward(a.last, b.first) || leads_forward(b.last, a.first);
+  const bool apart = comes_before(a.last, b.first) || comes_before(b.last, a.first);
   return apart ? polygon_overlap::separate : polygon_overlap::touching;
 }
 
@@ -90,7 +90,7 @@ constexpr bool is_within_angle(const P& p, const P& u, const P& w, const P& v) n
 }
 template <Point P>
 constexpr bool same_direction(const P& p, const P& u, const P& v) noexcept {
-  return orient2d(p, u, v) == 0 && leads_forward(p, u) == leads_forward(p, v);
+  return orient2d(p, u, v) == 0 && comes_before(p, u) == comes_before(p, v);
 }
 // Whether two angles at p, each counter-clockwise from its first to its second point, have an open part in common.
 template <Point P>
@@ -169,7 +169,7 @@ template <PlaneRing A, PlaneRing B>
   if (by_b != polygon_overlap::overlapping) return by_b;
   const auto p = ring_vertex(a, 0), q = ring_vertex(b, 0);
   const bool a_is_point = detail::is_one_place(a), b_is_point = detail::is_one_place(b);
-  if (a_is_point && b_is_point && !detail::same_place(p, q)) return polygon_overlap::separate;
+  if (a_is_point && b_is_point && !same_place(p, q)) return polygon_overlap::separate;
   const bool flat = detail::shoelace_sign(a) == 0 || detail::shoelace_sign(b) == 0;
   return flat ? polygon_overlap::touching : polygon_overlap::overlapping;
 }

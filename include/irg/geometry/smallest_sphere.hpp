@@ -160,7 +160,7 @@ private:
     std::array<P, 4> on{};
     for (std::size_t k = 0; k < s.count; ++k) on[k] = points_[s.at[k]];
     if (s.count == 0) return true;
-    if (s.count == 1) return !are_equal(on[0], p);
+    if (s.count == 1) return !same_place(on[0], p);
     if (s.count == 2) return detail::is_outside(p, on[0], on[1]);
     if constexpr (D == 3)
       if (s.count == 4) return detail::is_outside(p, on[0], on[1], on[2], on[3]);

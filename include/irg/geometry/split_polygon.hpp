@@ -285,9 +285,9 @@ private:
     std::vector<V> ring;
     for (const std::uint32_t k : ring_) {
       const V& v = entries_[k].vertex;
-      if (ring.empty() || !at_one_place(position_of(ring.back()), position_of(v))) ring.push_back(v);
+      if (ring.empty() || !same_place(position_of(ring.back()), position_of(v))) ring.push_back(v);
     }
-    while (ring.size() > 1 && at_one_place(position_of(ring.back()), position_of(ring.front()))) ring.pop_back();
+    while (ring.size() > 1 && same_place(position_of(ring.back()), position_of(ring.front()))) ring.pop_back();
     if (ring.size() < 3) return;
     const ring_of_positions<std::vector<V>, vertex_position<V>> positions{&ring};
     if constexpr (D == 2) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/detail/fold.hpp>
 #include <irg/geometry/detail/shoelace.hpp>
 #include <irg/geometry/detail/sweep_order.hpp>
@@ -287,7 +288,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::uint32_t none = no_index;
   struct link {
     std::uint32_t vertex, below;
   };

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/core/facing.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/orient2d.hpp>
 #include <irg/geometry/orient3d.hpp>

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/math/determinant_exact.hpp>
+#include <irg/math/exact_matrix.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/raster/draw_counts.hpp>

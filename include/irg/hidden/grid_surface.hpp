@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/hidden/detail/grid_parts.hpp>
 #include <irg/hidden/detail/grid_sight.hpp>
 #include <irg/hidden/grid_covering_order.hpp>

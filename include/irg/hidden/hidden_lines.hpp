@@ -16,7 +16,7 @@
 #include <vector>
 
 #include <irg/hidden/detail/edge_crossing.hpp>
-#include <irg/hidden/edge_part.hpp>
+#include <irg/hidden/vocabulary.hpp>
 #include <irg/raster/face_order.hpp>
 
 namespace irg {

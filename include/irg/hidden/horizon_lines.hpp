@@ -13,7 +13,7 @@
 
 #include <irg/hidden/detail/grid_parts.hpp>
 #include <irg/hidden/detail/grid_sight.hpp>
-#include <irg/hidden/edge_part.hpp>
+#include <irg/hidden/vocabulary.hpp>
 #include <irg/math/error_free.hpp>
 
 namespace irg {

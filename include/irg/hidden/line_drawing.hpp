@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <irg/core/facing.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/hidden/hidden_lines.hpp>
 #include <irg/math/angle_between.hpp>
 #include <irg/math/constants.hpp>

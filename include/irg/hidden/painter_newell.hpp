@@ -19,7 +19,7 @@
 
 #include <irg/core/memory_access.hpp>
 #include <irg/hidden/detail/crowded_window.hpp>
-#include <irg/hidden/newell_step.hpp>
+#include <irg/hidden/vocabulary.hpp>
 #include <irg/hidden/order_in_window.hpp>
 #include <irg/hidden/ray_casting.hpp>
 #include <irg/raster/draw_counts.hpp>

@@ -10,7 +10,7 @@
 #include <irg/core/scalar.hpp>
 #include <irg/hidden/plot_ticks.hpp>
 #include <irg/math/vec.hpp>
-#include <irg/raster/text_style.hpp>
+#include <irg/raster/line_style.hpp>
 
 namespace irg {
 

@@ -6,21 +6,105 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include <irg/core/result.hpp>
-#include <irg/io/detail/file_access.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+#if defined(__unix__) || defined(__APPLE__)
+#include <stdlib.h>
+#define IRG_HAS_REALPATH 1
+#endif
+#if defined(__unix__) || defined(__APPLE__) || defined(__wasi__) || defined(_WIN32)
+#include <sys/stat.h>
+#define IRG_HAS_STAT 1
+#endif
+
+namespace irg::inline IRG_ABI {
 
 /// The bytes of a file.
 /// gives   one sentence when the file does not exist, may not be opened, is a directory, cannot be read, is empty or
 ///         holds more than 4 GiB; line and column are 0
 /// cost    twice the file's size in memory while it is read
+[[nodiscard]] inline result<std::string> read_file(const std::string& path);
+
+/// Writes a whole file; absent when that succeeded, else the reason, and then the path is as it was before.
+/// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
+///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither
+///         file nor directory, such as a pipe or /dev/null, is written to directly
+[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes);
+
+/// The same for bytes that are no text.
+[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path,
+                                                                      std::span<const std::uint8_t> bytes) {
+  return write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace irg::inline IRG_ABI
+
+namespace irg::detail::inline IRG_ABI {
+
+// What the operating system is asked about a file, and its bytes written.
+
+enum class file_kind { unknown, regular, directory, other };
+
+/// What stands at the path; unknown when nothing does, or where the system cannot say.
+inline file_kind kind_of_file(const char* path) noexcept {
+#ifdef IRG_HAS_STAT
+  struct stat status{};
+  if (stat(path, &status) != 0) return file_kind::unknown;
+  if ((status.st_mode & S_IFMT) == S_IFREG) return file_kind::regular;
+  return (status.st_mode & S_IFMT) == S_IFDIR ? file_kind::directory : file_kind::other;
+#else
+  return static_cast<void>(path), file_kind::unknown;
+#endif
+}
+
+/// The path with its links followed, so that what they lead to is replaced and not the link; the path itself when that
+/// fails.
+inline std::string without_links(const std::string& path) {
+#ifdef IRG_HAS_REALPATH
+  if (char* const real = realpath(path.c_str(), nullptr); real != nullptr) {
+    std::string resolved = real;
+    std::free(real);
+    return resolved;
+  }
+#endif
+  return path;
+}
+
+/// More is not read: endless devices end, too.
+inline constexpr std::size_t most_bytes = sizeof(std::size_t) > 4 ? std::size_t{1} << 32 : std::size_t{1} << 31;
+
+/// The sentence for the system's reason not to open a file.
+inline parse_error open_error(int reason, const char* missing, const char* otherwise) noexcept {
+  if (reason == ENOENT) return {0, 0, missing};
+  if (reason == EACCES) return {0, 0, "permission to open the file is denied"};
+  if (reason == EISDIR) return {0, 0, "path is a directory, not a file"};
+  if (reason == ENOTDIR) return {0, 0, "a part of the path is not a directory"};
+  return {0, 0, otherwise};
+}
+
+/// Writes and closes; says whether everything arrived.
+inline bool write_and_close(std::FILE* file, std::string_view bytes) noexcept {
+  const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  return (std::fclose(file) == 0) && written;
+}
+
+inline bool replace_file(const char* from, const char* to) noexcept {
+#ifdef _WIN32
+  std::remove(to);  // rename does not replace there
+#endif
+  return std::rename(from, to) == 0;
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
 [[nodiscard]] inline result<std::string> read_file(const std::string& path) {
   if (detail::kind_of_file(path.c_str()) == detail::file_kind::directory)
     return parse_error{0, 0, "path is a directory, not a file"};
@@ -42,10 +126,6 @@ inline namespace IRG_ABI {
   return bytes;
 }
 
-/// Writes a whole file; absent when that succeeded, else the reason, and then the path is as it was before.
-/// gives   the bytes go to a new file beside the path, which takes the path's place when all of them have arrived and
-///         is removed otherwise. Links are followed; a file that stood there loses its permissions. What is neither
-///         file nor directory, such as a pipe or /dev/null, is written to directly
 [[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path, std::string_view bytes) {
   const detail::file_kind kind = detail::kind_of_file(path.c_str());
   if (kind == detail::file_kind::directory) return parse_error{0, 0, "path is a directory, not a file"};
@@ -70,11 +150,4 @@ inline namespace IRG_ABI {
   return parse_error{0, 0, written ? "file cannot be replaced" : "not all bytes could be written"};
 }
 
-/// The same for bytes that are no text.
-[[nodiscard]] inline std::optional<parse_error> write_file_atomically(const std::string& path,
-                                                                      std::span<const std::uint8_t> bytes) {
-  return write_file_atomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -8,13 +8,10 @@
 #include <vector>
 
 #include <irg/core/result.hpp>
-#include <irg/io/detail/obj_write_steps.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/mesh_options.hpp>
 
-namespace irg {
-
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// The bytes of an OBJ text that describes the mesh.
 /// gives   an error when the mesh does not pass validate()
@@ -23,6 +20,48 @@ inline namespace IRG_ABI {
 ///         has one, and names have no line breaks and bytes 0 (which become blanks) and no blanks at their ends
 /// cost    linear
 /// source  Wavefront
+template <Floating T>
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m);
+
+}  // namespace irg::inline IRG_ABI
+
+namespace irg::detail::inline IRG_ABI {
+
+/// Writes a statement that names what follows. A blank behind a backslash keeps it from swallowing the next line.
+template <class Bytes>
+constexpr void write_obj_name(Bytes& out, std::string_view word, const part_name& name) {
+  append_text(out, word);
+  if (!name.empty()) append_text(out, " ");
+  append_line_of(out, name);
+  append_text(out, !name.empty() && name.data()[name.size() - 1] == '\\' ? " \n" : "\n");
+}
+
+/// Writes i, i/t, i//n or i/t/n, counted from 1.
+template <class Bytes>
+constexpr void write_obj_corner(Bytes& out, const mesh_corner& c) {
+  const auto put = [&](std::uint32_t index) { append_number(out, std::uint64_t{index} + 1); };
+  append_text(out, " ");
+  put(c.position);
+  if (c.texcoord != mesh_corner::none || c.normal != mesh_corner::none) append_text(out, "/");
+  if (c.texcoord != mesh_corner::none) put(c.texcoord);
+  if (c.normal == mesh_corner::none) return;
+  append_text(out, "/");
+  put(c.normal);
+}
+
+template <int Count, class Bytes, class Vectors>
+constexpr void write_obj_vectors(Bytes& out, std::string_view word, const Vectors& vectors) {
+  for (const auto& v : vectors) {
+    append_text(out, word);
+    append_numbers(out, v, Count);
+    append_text(out, "\n");
+  }
+}
+
+}  // namespace irg::detail::inline IRG_ABI
+
+namespace irg::inline IRG_ABI {
+
 template <Floating T>
 [[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_obj(const mesh<T>& m) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
@@ -46,5 +85,4 @@ template <Floating T>
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

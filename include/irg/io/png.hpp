@@ -22,8 +22,21 @@ struct png_options {
   channels kept = channels::needed;
 };
 
-namespace detail {
 inline namespace IRG_ABI {
+
+/// The bytes of a PNG file that shows the raster: 8 bits per channel, marked as sRGB.
+/// shape   gray, gray with opacity, RGB or RGBA: the fewest channels that keep every pixel, unless options say rgba
+/// gives   an error when the raster has no pixel or more than max_picture_pixels
+/// exact   every pixel as to_rgba8 gives it; the same file from every compiler, flag set and constant evaluation
+/// cost    each pixel is read once; memory for about 9 bytes per pixel besides the file
+/// source  PNG; RFC 1950; RFC 1951
+template <EncodableRaster R>
+constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& raster, const png_options& options = {});
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_ABI {
 
 /// The pixels of a raster, each read once, and which channels they need.
 template <class Bytes = std::vector<std::uint8_t>>
@@ -152,19 +165,12 @@ constexpr void append_in_chunks(const Bytes& stream, const Append& append) {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
-/// The bytes of a PNG file that shows the raster: 8 bits per channel, marked as sRGB.
-/// shape   gray, gray with opacity, RGB or RGBA: the fewest channels that keep every pixel, unless options say rgba
-/// gives   an error when the raster has no pixel or more than max_picture_pixels
-/// exact   every pixel as to_rgba8 gives it; the same file from every compiler, flag set and constant evaluation
-/// cost    each pixel is read once; memory for about 9 bytes per pixel besides the file
-/// source  PNG; RFC 1950; RFC 1951
 template <EncodableRaster R>
-constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& raster, const png_options& options = {}) {
+constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& raster, const png_options& options) {
   const int width = width_of(raster), height = height_of(raster);
   if (const auto refused = detail::refuse_picture_size(width, height)) return *refused;
 
@@ -176,5 +182,4 @@ constexpr result<std::vector<std::uint8_t>, encode_error> encode_png(const R& ra
   return file;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

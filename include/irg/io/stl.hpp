@@ -7,18 +7,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <irg/core/conversion.hpp>
+#include <irg/core/is_finite.hpp>
 #include <irg/core/result.hpp>
 #include <irg/io/detail/byte_cursor.hpp>
-#include <irg/io/detail/stl_reader.hpp>
+#include <irg/io/detail/text_cursor.hpp>
 #include <irg/io/detail/text_writer.hpp>
 #include <irg/io/mesh_options.hpp>
-#include <irg/mesh/merge_positions.hpp>
 #include <irg/mesh/face_normal.hpp>
+#include <irg/mesh/merge_positions.hpp>
+#include <irg/mesh/mesh.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/mesh/validate.hpp>
 
@@ -43,30 +47,149 @@ inline namespace IRG_ABI {
 /// cost    linear; O(n log n) with shared positions; memory at most 16 times the file and 1 MiB
 /// source  StereoLithography
 template <Floating T = double>
-[[nodiscard]] constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options = {}) {
-  if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
-  const std::string_view text =
-      detail::has_length_of_binary_stl(bytes) ? bytes : detail::without_byte_order_mark(bytes);
-  mesh<T> read;
-  if (detail::is_binary_stl(text)) {
-    if (const auto wrong = detail::read_binary_stl(text, read))
-      return parse_error{0, wrong->column + (bytes.size() - text.size()), wrong->message};
-  } else {
-    if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos)
-      return detail::error_at_byte(bytes, bytes.data() + nul,
-                                   "byte 0 stands in text, and binary STL would have another length");
-    detail::stl_text_reader<T> reader(text);
-    if (!reader.text()) return detail::error_at(text, reader.cursor.place, reader.cursor.message);
-    read = std::move(reader.read);
-  }
-  if (options.positions == stl_positions::shared) read = merge_positions(std::move(read));
-  return read;
-}
+[[nodiscard]] constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options = {});
+
+/// The bytes of an STL file that describes the mesh; polygons become triangles (triangulate).
+/// gives   an error when the mesh does not pass validate(), when there are more than 1,431,655,765 triangles, and for
+///         binary files when a position is beyond the range of float. Little endian is STL's only binary order, big is
+///         refused
+/// exact   read_stl of the ASCII bytes gives the same mesh again, if it is of triangles, without normals and texture
+///         coordinates, positions are distinct and stand in the order of their first use, and all parts have faces and
+///         an object's name alone, without line breaks and bytes 0 and without blanks at its ends; of the binary bytes,
+///         if T is float and there are no parts. Normals are written for other readers: zero where a triangle has none
+/// cost    linear, after triangulate
+/// source  StereoLithography
+template <Floating T>
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_stl(
+    const mesh<T>& m, mesh_encoding encoding = mesh_encoding::text);
 
 }  // namespace IRG_ABI
+}  // namespace irg
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
+
+// STL's two forms, told apart by the length that the binary one states, and read.
+
+inline constexpr std::size_t stl_head = 84, stl_triangle = 50;
+
+/// Whether the bytes have the length that binary STL states in them. No text has: its bytes, taken as a count, make
+/// more than 4 GiB of triangles.
+constexpr bool has_length_of_binary_stl(std::string_view bytes) noexcept {
+  return bytes.size() >= stl_head &&
+         bytes.size() == stl_head + stl_triangle * ordered_bits<4>(bytes.data() + 80, byte_order::little);
+}
+
+/// Whether bytes that do not begin with the word solid are a text none the less: no control characters up to where
+/// binary STL has its count, which would make more than 4 GiB, and no byte 0 anywhere.
+constexpr bool is_text_for_stl(std::string_view bytes) noexcept {
+  for (const char c : bytes.substr(0, stl_head))
+    if ((static_cast<unsigned char>(c) < 0x20 && !is_blank(c) && !is_line_break(c)) || c == '\x7f') return false;
+  return bytes.find('\0') == std::string_view::npos;
+}
+
+/// Whether the bytes are to be read as binary STL: they have its length, or neither begin with the word solid nor are a
+/// text.
+constexpr bool is_binary_stl(std::string_view bytes) noexcept {
+  if (has_length_of_binary_stl(bytes)) return true;
+  text_cursor text(bytes, '\0');
+  return text.skip_space() && !is_word(text.word(), "solid") && !is_text_for_stl(bytes);
+}
+
+/// Adds the face of the last three positions.
+template <Floating T>
+constexpr void add_stl_face(mesh<T>& m) {
+  const auto count = static_cast<std::uint32_t>(m.positions.size());
+  add_face(m, std::initializer_list<std::uint32_t>{count - 3, count - 2, count - 1});
+}
+
+template <Floating T>
+constexpr std::optional<parse_error> read_binary_stl(std::string_view bytes, mesh<T>& into) {
+  if (bytes.size() < stl_head) return parse_error{0, bytes.size() + 1, "file is too short for STL, or no STL at all"};
+  const std::uint64_t count = ordered_bits<4>(bytes.data() + 80, byte_order::little);
+  if (bytes.size() != stl_head + stl_triangle * count)
+    return error_at_byte(bytes, bytes.data() + 80,
+                         bytes.size() < stl_head + stl_triangle * count
+                             ? "file is too short for the number of triangles that stands here"
+                             : "file is too long for the number of triangles that stands here");
+  into.positions.reserve(3 * static_cast<std::size_t>(count));
+  into.corners.reserve(3 * static_cast<std::size_t>(count));
+  into.face_starts.reserve(static_cast<std::size_t>(count) + 1);
+  const char* p = bytes.data() + stl_head;
+  for (std::uint64_t f = 0; f < count; ++f, p += stl_triangle) {
+    for (std::size_t k = 1; k <= 3; ++k) {
+      point<T, 3> position;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const char* const at = p + 12 * k + 4 * i;
+        const float x = load_float(at, byte_order::little);
+        if (!is_finite(x)) return error_at_byte(bytes, at, "number is not finite");
+        position[static_cast<int>(i)] = converted<T>(x);
+      }
+      into.positions.push_back(position);
+    }
+    add_stl_face(into);
+  }
+  return std::nullopt;
+}
+
+/// Reads ASCII STL: solids of facets.
+template <Floating T>
+struct stl_text_reader {
+  text_cursor cursor;
+  mesh<T> read{};
+  bool has_names = false;
+
+  constexpr explicit stl_text_reader(std::string_view text) noexcept : cursor(text, '\0') {}
+
+  constexpr bool text() {
+    if (!cursor.skip_space()) return cursor.fail(cursor.at, "text has no word solid");
+    while (cursor.skip_space())
+      if (!expect("solid", "expected the word solid") || !solid()) return false;
+    if (!has_names) read.parts.clear();
+    return true;
+  }
+
+  constexpr bool expect(std::string_view word, const char* message) noexcept {
+    if (!cursor.skip_space()) return cursor.fail(cursor.at, "text ends within a solid");
+    const char* const start = cursor.at;
+    return is_word(cursor.word(), word) || cursor.fail(start, message);
+  }
+
+  constexpr bool solid() {
+    const std::string_view name = cursor.rest_of_line();
+    const std::size_t first = read.face_count();
+    for (;;) {
+      if (!cursor.skip_space()) return cursor.fail(cursor.at, "text ends within a solid");
+      const char* const start = cursor.at;
+      const std::string_view word = cursor.word();
+      if (is_word(word, "endsolid")) break;
+      if (!is_word(word, "facet")) return cursor.fail(start, "expected facet or endsolid");
+      if (!facet()) return false;
+    }
+    cursor.skip_to_line_end();
+    if (read.face_count() == first) return true;
+    read.parts.push_back({name, {}, {}, first, read.face_count() - first});
+    has_names = has_names || !name.empty();
+    return true;
+  }
+
+  constexpr bool facet() {
+    if (!expect("normal", "expected the word normal")) return false;
+    for (int i = 0; i < 3; ++i)  // whatever they are: writers put nan there, and worse
+      if (cursor.word_in_line().empty()) return cursor.fail(cursor.at, "normal has fewer than three numbers");
+    if (!expect("outer", "expected outer loop") || !expect("loop", "expected outer loop")) return false;
+    for (int k = 0; k < 3; ++k) {
+      if (!expect("vertex", "expected the word vertex: a facet has three")) return false;
+      point<T, 3> position;
+      for (int i = 0; i < 3; ++i)
+        if (!cursor.number(position[i])) return false;
+      read.positions.push_back(position);
+    }
+    if (!expect("endloop", "expected endloop: a facet has three vertices")) return false;
+    if (!expect("endfacet", "expected endfacet")) return false;
+    add_stl_face(read);
+    return true;
+  }
+};
 
 template <Floating T>
 constexpr vec<T, 3> stl_normal(const mesh<T>& m, std::size_t f) noexcept {
@@ -129,24 +252,34 @@ constexpr std::optional<encode_error> write_binary_stl(Bytes& out, const mesh<T>
   return std::nullopt;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
-/// The bytes of an STL file that describes the mesh; polygons become triangles (triangulate).
-/// gives   an error when the mesh does not pass validate(), when there are more than 1,431,655,765 triangles, and for
-///         binary files when a position is beyond the range of float. Little endian is STL's only binary order, big is
-///         refused
-/// exact   read_stl of the ASCII bytes gives the same mesh again, if it is of triangles, without normals and texture
-///         coordinates, positions are distinct and stand in the order of their first use, and all parts have faces and
-///         an object's name alone, without line breaks and bytes 0 and without blanks at its ends; of the binary bytes,
-///         if T is float and there are no parts. Normals are written for other readers: zero where a triangle has none
-/// cost    linear, after triangulate
-/// source  StereoLithography
 template <Floating T>
-[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_stl(
-    const mesh<T>& m, mesh_encoding encoding = mesh_encoding::text) {
+[[nodiscard]] constexpr result<mesh<T>> read_stl(std::string_view bytes, stl_options options) {
+  if (const auto too_long = detail::refuse_long_file(bytes)) return *too_long;
+  const std::string_view text =
+      detail::has_length_of_binary_stl(bytes) ? bytes : detail::without_byte_order_mark(bytes);
+  mesh<T> read;
+  if (detail::is_binary_stl(text)) {
+    if (const auto wrong = detail::read_binary_stl(text, read))
+      return parse_error{0, wrong->column + (bytes.size() - text.size()), wrong->message};
+  } else {
+    if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos)
+      return detail::error_at_byte(bytes, bytes.data() + nul,
+                                   "byte 0 stands in text, and binary STL would have another length");
+    detail::stl_text_reader<T> reader(text);
+    if (!reader.text()) return detail::error_at(text, reader.cursor.place, reader.cursor.message);
+    read = std::move(reader.read);
+  }
+  if (options.positions == stl_positions::shared) read = merge_positions(std::move(read));
+  return read;
+}
+
+template <Floating T>
+[[nodiscard]] constexpr result<std::vector<std::uint8_t>, encode_error> encode_stl(const mesh<T>& m,
+                                                                                   mesh_encoding encoding) {
   if (const auto refused = detail::refuse_mesh(m)) return *refused;
   if (encoding == mesh_encoding::big_endian) return encode_error{"binary STL is little endian, not big endian"};
   if (m.corners.size() - 2 * m.face_count() > 0xffffffffu / 3) return encode_error{"mesh has too many triangles"};
@@ -161,5 +294,4 @@ template <Floating T>
   return out;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

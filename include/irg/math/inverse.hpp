@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The inverse of a square matrix in three tiers: by cofactors for inner loops; with a bound for its error; and by
 // elimination with corrections in twice the precision, right to the last place up to conditions of 5e14. Where a tier
-// cannot tell a matrix from a singular one, the result is absent. inverse_exact (math/inverse_exact.hpp) decides
+// cannot tell a matrix from a singular one, the result is absent. inverse_exact (math/exact_matrix.hpp) decides
 // exactly.
 #pragma once
 

@@ -309,7 +309,9 @@ template <Real T, int N, int M>
 }
 
 /// The solution of a * x = b.
-/// gives, exact, cost   as for the rows of a with b behind them
+/// gives   as for the rows of a with b behind them
+/// exact   as for the rows of a with b behind them
+/// cost    as for the rows of a with b behind them
 template <Real T, int N>
 [[nodiscard]] constexpr system_solution<T, N> solve_gauss(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {
   return solve_gauss(detail::filled_mat<T, N, N + 1>([&](int r, int c) { return c < N ? a(r, c) : b[r]; }));

@@ -33,7 +33,9 @@ template <Floating T, int N, int M>
 }
 
 /// The solution of a * x = b for the exact values of the numbers.
-/// gives, exact, cost   as for the rows of a with b behind them
+/// gives   as for the rows of a with b behind them
+/// exact   as for the rows of a with b behind them
+/// cost    as for the rows of a with b behind them
 template <Floating T, int N>
   requires(N <= 4)
 [[nodiscard]] constexpr system_solution<T, N> solve_exact(const mat<T, N, N>& a, const vec<T, N>& b) noexcept {

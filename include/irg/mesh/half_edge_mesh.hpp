@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/contract.hpp>
 #include <irg/mesh/mesh.hpp>
 
@@ -14,7 +15,7 @@ namespace irg {
 
 /// One of the two sides of an edge, in the direction in which its loop runs.
 struct half_edge {
-  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::uint32_t none = no_index;
   std::uint32_t origin = none;  // the vertex that it leaves
   std::uint32_t next = none, previous = none;  // in its loop
   std::uint32_t loop = none;  // none beside the border of an open surface

@@ -11,7 +11,7 @@
 
 #include <irg/mesh/detail/equal_vectors.hpp>
 #include <irg/mesh/mesh.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/mesh/triangulate.hpp>
 
 namespace irg {

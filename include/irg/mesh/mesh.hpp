@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/mesh_concept.hpp>
 #include <irg/math/vec.hpp>
 #include <irg/mesh/part_name.hpp>
@@ -15,7 +16,7 @@ namespace irg {
 
 /// One corner of a face: indices into positions, normals and texcoords.
 struct mesh_corner {
-  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::uint32_t none = no_index;
   std::uint32_t position = 0;
   std::uint32_t normal = none;
   std::uint32_t texcoord = none;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/mesh/half_edge_mesh.hpp>
 
 namespace irg {

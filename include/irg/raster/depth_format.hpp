@@ -15,7 +15,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/raster/depth.hpp>
-#include <irg/raster/screen_vertex.hpp>
+#include <irg/raster/subpixel.hpp>
 
 namespace irg {
 namespace detail {

@@ -5,7 +5,7 @@
 // same cells without asking for each; a level line is one run of pixels.
 #pragma once
 
-#include <irg/raster/cell_position.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/detail/line_kernel.hpp>
 #include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/paint.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <irg/raster/draw_line.hpp>
-#include <irg/raster/stroke_style.hpp>
+#include <irg/raster/line_style.hpp>
 
 namespace irg {
 

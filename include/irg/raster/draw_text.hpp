@@ -16,7 +16,7 @@
 #include <irg/math/trigonometry.hpp>
 #include <irg/raster/stroke.hpp>
 #include <irg/raster/stroke_font.hpp>
-#include <irg/raster/text_style.hpp>
+#include <irg/raster/line_style.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {

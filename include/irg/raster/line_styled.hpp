@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include <irg/raster/cell_position.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/line_bresenham.hpp>
 #include <irg/raster/paint.hpp>
 

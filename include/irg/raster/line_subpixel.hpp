@@ -8,7 +8,7 @@
 #pragma once
 
 #include <irg/raster/detail/floor_division.hpp>
-#include <irg/raster/line_options.hpp>
+#include <irg/raster/line_style.hpp>
 #include <irg/raster/paint.hpp>
 #include <irg/raster/subpixel.hpp>
 #include <irg/raster/window.hpp>

@@ -11,7 +11,7 @@
 #include <irg/raster/detail/integer_sqrt.hpp>
 #include <irg/raster/detail/line_frame.hpp>
 #include <irg/raster/fill_span.hpp>
-#include <irg/raster/line_pen.hpp>
+#include <irg/raster/line_style.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {

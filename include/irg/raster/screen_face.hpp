@@ -7,13 +7,13 @@
 #include <cstdint>
 
 #include <irg/core/contract.hpp>
-#include <irg/core/facing.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/raster/triangle_setup.hpp>
 
 namespace irg {
 
 /// The number that pixels hold which show no face.
-inline constexpr std::uint32_t no_face = 0xffffffff;
+inline constexpr std::uint32_t no_face = no_index;
 
 /// A face on the screen, made by make_screen_face.
 /// shape   v in the order of the source, which coverage.edge is not where it is `flipped`; coverage.bounds is the box

@@ -8,7 +8,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/clip_homogeneous.hpp>
 #include <irg/math/mat.hpp>
-#include <irg/raster/screen_vertex.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/view/viewport.hpp>
 
 namespace irg {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <irg/core/sinks.hpp>
-#include <irg/raster/cell_position.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/fill_span.hpp>
 #include <irg/raster/window.hpp>
 

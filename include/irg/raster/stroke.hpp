@@ -14,7 +14,7 @@
 #include <irg/math/length.hpp>
 #include <irg/math/trigonometry.hpp>
 #include <irg/raster/fill_polygon_aa.hpp>
-#include <irg/raster/stroke_style.hpp>
+#include <irg/raster/line_style.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {

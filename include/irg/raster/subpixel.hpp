@@ -3,14 +3,33 @@
 // decided without any rounding.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 #include <irg/core/contract.hpp>
+#include <irg/core/coordinates.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/math/vec.hpp>
-#include <irg/raster/cell_position.hpp>
 
 namespace irg {
+
+struct subpixel;
+
+/// Points of ints that name a cell without being one: glm::ivec2, cv::Point, std::array<int, 2>, structs of x and y.
+template <class P>
+concept CellPosition = Point<P> && size_of<P> == 2 && std::same_as<scalar_of<P>, int> && !std::same_as<P, cell> &&
+                       !std::same_as<P, subpixel>;
+
+inline namespace IRG_ABI {
+
+/// The cell that a point of ints names.
+template <CellPosition P>
+[[nodiscard]] IRG_INLINE constexpr cell as_cell(const P& p) noexcept {
+  return {coordinate(p, 0), coordinate(p, 1)};
+}
+[[nodiscard]] IRG_INLINE constexpr cell as_cell(cell c) noexcept { return c; }
+
+}  // namespace IRG_ABI
 
 /// Bits behind the binary point of a snapped coordinate.
 inline constexpr int subpixel_bits = 8;
@@ -92,4 +111,12 @@ concept ScreenPosition = requires(const P& p) {
   { can_snap(p) } -> std::same_as<bool>;
   { snap(p) } -> std::same_as<subpixel>;
 };
+
+/// A vertex on the screen: where it was snapped to, its depth, and one over its weight (1 for an affine picture).
+struct screen_vertex {
+  subpixel position;
+  float depth = 0.0f;
+  float inverse_w = 1.0f;
+};
+
 }  // namespace irg

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <irg/core/facing.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/raster/projected_vertices.hpp>
 
 namespace irg {

@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include <irg/core/orientation.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/floor_division.hpp>
 #include <irg/raster/subpixel.hpp>

@@ -7,7 +7,7 @@
 
 #include <irg/core/lanes.hpp>
 #include <irg/raster/pixel_weights.hpp>
-#include <irg/raster/screen_vertex.hpp>
+#include <irg/raster/subpixel.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include <irg/core/interleaved_lanes.hpp>
-#include <irg/raster/screen_vertex.hpp>
+#include <irg/raster/subpixel.hpp>
 
 namespace irg {
 inline namespace IRG_ABI {

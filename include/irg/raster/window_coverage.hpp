@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include <irg/core/containment.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 
 namespace irg {

@@ -8,12 +8,14 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <irg/colour/over.hpp>
-#include <irg/render/detail/shade/transparent_kernel.hpp>
+#include <irg/raster/draw_triangle.hpp>
+#include <irg/render/detail/shade/tile_shading.hpp>
 #include <irg/render/draw_triangles.hpp>
 
 namespace irg {
@@ -26,8 +28,93 @@ struct transparent_settings {
   Blend blend{};  // blend(pixel below, what a pixel shader gives) -> pixel
 };
 
-namespace detail {
 inline namespace IRG_ABI {
+
+/// Draws transparent triangles into a picture whose opaque part, with its depths, is finished; returns what it did.
+/// shape   as draw_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
+///         rgba8 whose `a` is the opacity, the colour not multiplied by it, and mixes light. An AttributeShading with
+///         opacity among its attributes gives every vertex an opacity of its own
+/// needs   `depth` of the same order and size, no part of it NaN where something is to be seen
+/// gives   from the farthest to the nearest, by the depth z/w of the triangles' centroids in clip space, each over what
+///         was there; of equal ones the first given first; those whose centroid is not in front of the eye last. With
+///         drawing_order, in the order given. Test says which depths are seen: by default those nearer than the opaque
+///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that
+///         is not finite are left out, and those that name a vertex that is not there. Where pieces of a clipped
+///         triangle lie on each other (raster/screen_pieces.hpp), it is blended twice
+/// exact   the same bytes for every executor, all skips on and off; depths by draw_triangle's arithmetic; centroids
+///         rounded in T
+/// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates
+/// source  Newell, Newell and Sancha 1972 for the order, Porter and Duff 1984 for "over"
+template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::nearer, Floating T = double,
+          RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, class MakeShader,
+          class Blend = over_in_light, Executor E = sequential>
+  requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
+constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings = {},
+                                        const E& executor = {});
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_ABI {
+
+// What transparent triangles need beside draw_triangle: blending, and the depths behind which nothing of them is seen.
+
+// Blends what a shader gives over the pixels that are there.
+template <class Shader, class Blend>
+struct blend_over {
+  const Shader& shader;
+  const Blend& blend;
+  const piece_weights* piece;
+
+  template <class F, class P>
+  IRG_INLINE constexpr void operator()(P* row, unsigned bits, pixel_weights<F> at) const {
+    if (piece != nullptr) at = in_source(at, *piece);
+    for (; bits != 0; bits &= bits - 1) {
+      const int i = std::countr_zero(bits);
+      row[i] = blend(row[i], shader(pixel_weights<float>{lane(at.weight1, i), lane(at.weight2, i), lane(at.depth, i)}));
+    }
+  }
+};
+
+// The farthest depths of a tile, block by block, each found when it is first asked for.
+template <class Order, class Depth>
+struct farthest_depths {
+  static constexpr int block = 8, across = 8;
+  Depth& depth;
+  cell_window window;  // at most 64 x 64 pixels
+  std::uint64_t known = 0;
+  float farthest[across * across]{};
+
+  // The farthest depth that is a number. (Where there is none, nothing passes, whatever comes out here.)
+  constexpr float of_block(int bx, int by) {
+    const int i = by * across + bx;
+    if ((known >> i & 1) != 0) return farthest[i];
+    known |= std::uint64_t{1} << i;
+    const int x_first = window.x_first + bx * block, y_first = window.y_first + by * block;
+    const int x_last = lesser(x_first + block, window.x_last), y_last = lesser(y_first + block, window.y_last);
+    bool any = false;
+    float hidden_at = 0;
+    for (int y = y_first; y < y_last; ++y) {
+      const float* row = raster_traits<Depth>::row(depth, y);
+      for (int x = x_first; x < x_last; ++x) {
+        if (row[x] != row[x] || (any && !Order::nearer(hidden_at, row[x]))) continue;
+        hidden_at = row[x];
+        any = true;
+      }
+    }
+    return farthest[i] = hidden_at;
+  }
+
+  // Whether no pixel of a triangle in w, none of them nearer than `nearest`, passes.
+  template <depth_test Test>
+  constexpr bool hides(float nearest, const cell_window& w) {
+    for (int by = (w.y_first - window.y_first) / block; window.y_first + by * block < w.y_last; ++by)
+      for (int bx = (w.x_first - window.x_first) / block; window.x_first + bx * block < w.x_last; ++bx)
+        if (passes<Test, Order>(nearest, of_block(bx, by))) return false;
+    return true;
+  }
+};
 
 // The depth of a triangle's centroid: z / w of the sum of its corners in clip space. Not in front of the eye counts as
 // nearest of all, and so do triangles that are not drawn because a vertex is not there.
@@ -133,33 +220,16 @@ constexpr draw_counts blend_tile(const Tiles& tiles, std::span<const std::uint32
   return counts;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
-/// Draws transparent triangles into a picture whose opaque part, with its depths, is finished; returns what it did.
-/// shape   as draw_batches. What a pixel shader gives is handed to blend(pixel below, it) -> pixel; the default takes
-///         rgba8 whose `a` is the opacity, the colour not multiplied by it, and mixes light. An AttributeShading with
-///         opacity among its attributes gives every vertex an opacity of its own
-/// needs   `depth` of the same order and size, no part of it NaN where something is to be seen
-/// gives   from the farthest to the nearest, by the depth z/w of the triangles' centroids in clip space, each over what
-///         was there; of equal ones the first given first; those whose centroid is not in front of the eye last. With
-///         drawing_order, in the order given. Test says which depths are seen: by default those nearer than the opaque
-///         ones, so that a face on a wall is hidden by the wall. `depth` stays as it is. Triangles with a corner that
-///         is not finite are left out, and those that name a vertex that is not there. Where pieces of a clipped
-///         triangle lie on each other (raster/screen_pieces.hpp), it is blended twice
-/// exact   the same bytes for every executor, all skips on and off; depths by draw_triangle's arithmetic; centroids
-///         rounded in T
-/// cost    one pass over the triangles, n log n to sort them once, then their pixels; allocates
-/// source  Newell, Newell and Sancha 1972 for the order, Porter and Duff 1984 for "over"
-template <DepthOrder Order = nearer_is_greater, depth_test Test = depth_test::nearer, Floating T = double,
-          RowRaster Colour = image<rgba8>, RowRaster Depth = image<float>, class MakeShader,
-          class Blend = over_in_light, Executor E = sequential>
+template <DepthOrder Order, depth_test Test, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader,
+          class Blend, Executor E>
   requires std::same_as<pixel_of<Depth>, float> && detail::blends_into<Blend, MakeShader, T, pixel_of<Colour>>
 constexpr render_stats draw_transparent(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings = {},
-                                        const E& executor = {}) {
+                                        const MakeShader& make_shader, const transparent_settings<Blend>& settings,
+                                        const E& executor) {
   const detail::picture_tiles grid(width_of(target.colour), height_of(target.colour));
   const std::span<const triangle_batch<T>> batches = triangles.batches();
   detail::triangle_bins bins;
@@ -182,5 +252,4 @@ constexpr render_stats draw_transparent(render_target<Colour, Depth> target, con
   return stats;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -23,8 +23,42 @@ struct draw_settings {
   draw_workspace* workspace = nullptr;  // the caller's lists, kept from picture to picture; null: lists for this one
 };
 
-namespace detail {
 inline namespace IRG_ABI {
+
+/// Draws batches of triangles into a picture and its depth buffer, and returns what it did.
+/// shape   make_shader(batch, triangle, facing) gives the pixel shader of a
+///         triangle of a batch, or is an AttributeShading; first_number of the batches counts their triangles through
+/// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless they are cleared first; shaders
+///         without memory: each visible pixel is shaded once, in no stated order
+/// gives   of equally near triangles the first one; triangles with a corner that is not finite are left out, and those
+///         that name a vertex that is not there
+/// exact   the same bytes for every executor and for all skips on and off
+/// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
+          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+  requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
+constexpr render_stats draw_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                    const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings = {},
+                                    const E& executor = {});
+
+/// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
+template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
+          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+  requires std::same_as<pixel_of<Depth>, float> && requires(const MakeShader& make_shader) {
+    { make_shader(std::uint32_t{}, facing::front) } -> PixelShader<pixel_of<Colour>>;
+  }
+constexpr render_stats draw_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
+                                      const MakeShader& make_shader,
+                                      const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
+  return draw_batches<Order>(
+      target, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
+      settings, executor);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail::inline IRG_ABI {
 
 // Colours what tiles show.
 template <class T, class Colour, class MakeShader>
@@ -56,26 +90,15 @@ private:
   const pixel_of<Colour>* background_;  // for pixels without a triangle; null when they keep what is there
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace irg::detail::inline IRG_ABI
 
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
-/// Draws batches of triangles into a picture and its depth buffer, and returns what it did.
-/// shape   make_shader(batch, triangle, facing) gives the pixel shader of a
-///         triangle of a batch, or is an AttributeShading; first_number of the batches counts their triangles through
-/// needs   at most 2^31 triangles; `depth` holds depths of the same order, unless they are cleared first; shaders
-///         without memory: each visible pixel is shaded once, in no stated order
-/// gives   of equally near triangles the first one; triangles with a corner that is not finite are left out, and those
-///         that name a vertex that is not there
-/// exact   the same bytes for every executor and for all skips on and off
-/// cost    one pass over the triangles, then the pixels; allocates what the workspace lacks
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
-          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
+template <DepthOrder Order, Floating T, RowRaster Colour, RowRaster Depth, class MakeShader, Executor E>
   requires std::same_as<pixel_of<Depth>, float> && detail::shades_into<MakeShader, T, pixel_of<Colour>>
 constexpr render_stats draw_batches(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                    const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings = {},
-                                    const E& executor = {}) {
+                                    const MakeShader& make_shader, const draw_settings<pixel_of<Colour>>& settings,
+                                    const E& executor) {
   draw_workspace own;
   return detail::draw_tiles<T>(
       detail::zbuffer_method<Order>{}, target.depth, detail::job_of(triangles, settings, own),
@@ -83,19 +106,4 @@ constexpr render_stats draw_batches(render_target<Colour, Depth> target, const p
       executor);
 }
 
-/// Draws the triangles of one object; make_shader(triangle, facing) gives their pixel shaders.
-template <DepthOrder Order = nearer_is_greater, Floating T = double, RowRaster Colour = image<rgba8>,
-          RowRaster Depth = image<float>, class MakeShader, Executor E = sequential>
-  requires std::same_as<pixel_of<Depth>, float> && requires(const MakeShader& make_shader) {
-    { make_shader(std::uint32_t{}, facing::front) } -> PixelShader<pixel_of<Colour>>;
-  }
-constexpr render_stats draw_triangles(render_target<Colour, Depth> target, const projected_triangles<T>& triangles,
-                                      const MakeShader& make_shader,
-                                      const draw_settings<pixel_of<Colour>>& settings = {}, const E& executor = {}) {
-  return draw_batches<Order>(
-      target, triangles, [&](const triangle_batch<T>&, std::uint32_t i, facing side) { return make_shader(i, side); },
-      settings, executor);
-}
-
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

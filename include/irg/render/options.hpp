@@ -3,7 +3,7 @@
 #pragma once
 
 #include <irg/colour/pixel.hpp>
-#include <irg/core/facing.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/raster/draw_counts.hpp>
 #include <irg/shade/intensity_range.hpp>
 

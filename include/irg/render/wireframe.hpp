@@ -8,12 +8,11 @@
 
 #include <irg/core/executor.hpp>
 #include <irg/mesh/mesh.hpp>
-#include <irg/raster/fill_span.hpp>
 #include <irg/raster/draw_line.hpp>
-#include <irg/render/options.hpp>
+#include <irg/raster/fill_span.hpp>
 #include <irg/raster/projected_vertices.hpp>
 #include <irg/raster/triangle_coverage.hpp>
-#include <irg/render/detail/wireframe_steps.hpp>
+#include <irg/render/options.hpp>
 
 namespace irg {
 
@@ -44,7 +43,97 @@ inline namespace IRG_ABI {
 ///         smaller vertex index to the larger
 template <Floating T = double, RowRaster Colour, Executor E = sequential>
 constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
-                                      face_culling culling = face_culling::none, const E& executor = {}) {
+                                      face_culling culling = face_culling::none, const E& executor = {});
+
+}  // namespace IRG_ABI
+}  // namespace irg
+
+namespace irg::detail {
+
+// Where the line of an edge runs on the screen, if any of it can be seen.
+struct line_on_screen {
+  bool seen = false;
+  cell from{}, to{};
+};
+
+inline namespace IRG_ABI {
+
+// The pixel that holds a snapped position.
+IRG_INLINE constexpr cell cell_of(const subpixel& p) noexcept { return {p.x >> subpixel_bits, p.y >> subpixel_bits}; }
+
+// Whether a face shows its back, by the sign of its area on the screen; faces that reach behind the eye or beyond the
+// guard band are taken to show their front, and so are those of which a vertex is not there.
+template <class T>
+constexpr bool shows_back(const projected_vertices<T>& v, const mesh<T>& m, std::size_t f) noexcept {
+  std::int64_t area = 0;
+  const std::size_t n = m.face_size(f);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t corner = m.corner(f, k).position;
+    if (corner >= v.codes.size() || v.codes[corner].cut != 0) return false;
+  }
+  const subpixel origin = v.screen[m.corner(f, 0).position].position;
+  for (std::size_t k = 1; k + 1 < n; ++k)
+    area += signed_double_area(origin, v.screen[m.corner(f, k).position].position,
+                               v.screen[m.corner(f, k + 1).position].position);
+  return area >= 0;
+}
+
+// An edge between two vertices as one number, the smaller index first: the same for both faces that share it.
+IRG_INLINE constexpr std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) noexcept {
+  return std::uint64_t{lesser(p, q)} << 32 | greater(p, q);
+}
+
+// The line of an edge; not seen when it is out of sight, or a vertex is not there.
+template <class T>
+constexpr line_on_screen line_of(const projected_vertices<T>& v, std::uint64_t edge,
+                                 const screen_mapping<T>& mapping) noexcept {
+  const auto a = static_cast<std::size_t>(edge >> 32), b = static_cast<std::size_t>(edge & 0xffffffff);
+  if (b >= v.codes.size()) return {};
+  const clip_planes cut = (v.codes[a] | v.codes[b]).cut_planes();
+  if (cut == clip_planes::none) return {true, cell_of(v.screen[a].position), cell_of(v.screen[b].position)};
+  const auto left = clip_segment_homogeneous(clip_vertex<T, 0>{clip_position(v, a)},
+                                             clip_vertex<T, 0>{clip_position(v, b)}, mapping.guard);
+  if (!left) return {};
+  return {true, cell_of(to_screen(left->first.position, mapping).position),
+          cell_of(to_screen(left->second.position, mapping).position)};
+}
+
+// Whether nothing of a face is in the picture: its corners are beyond one border or depth plane, and no line of it has
+// a cell there. Decided on the cells between which the lines are drawn, not by the corners' codes alone: a corner
+// beyond a border by less than 1/512 pixel is snapped into the picture. No cell of a Bresenham line is outside the box
+// of its two ends, so a line whose ends are beyond one border draws nothing; a face passed over loses no pixel.
+template <class Drawn>
+constexpr bool lies_beyond(const Drawn& drawn, std::size_t f, const cell_window& picture) noexcept {
+  const auto& v = drawn.vertices;
+  const auto& m = drawn.shape;
+  const std::size_t n = m.face_size(f);
+  clip_code_pair all{static_cast<std::uint8_t>(clip_planes::all), static_cast<std::uint8_t>(clip_planes::all)};
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t corner = m.corner(f, k).position;
+    if (corner >= v.codes.size()) return false;
+    all = all & v.codes[corner];
+  }
+  if (all.outside == 0) return false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint64_t edge = edge_of(m.corner(f, k).position, m.corner(f, (k + 1) % n).position);
+    const line_on_screen l = line_of(v, edge, drawn.mapping);
+    const bool beyond = (l.from.x < picture.x_first && l.to.x < picture.x_first) ||
+                        (l.from.x >= picture.x_last && l.to.x >= picture.x_last) ||
+                        (l.from.y < picture.y_first && l.to.y < picture.y_first) ||
+                        (l.from.y >= picture.y_last && l.to.y >= picture.y_last);
+    if (l.seen && !beyond) return false;
+  }
+  return true;
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+namespace irg::inline IRG_ABI {
+
+template <Floating T, RowRaster Colour, Executor E>
+constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& drawn, const pixel_of<Colour>& line,
+                                      face_culling culling, const E& executor) {
   const auto& [vertices, m, mapping, frustum] = drawn;
   const cell_window picture{0, 0, width_of(colour), height_of(colour)};
   const bool may_skip = frustum == skipping::on && vertices.any.outside != 0;
@@ -84,5 +173,4 @@ constexpr render_stats draw_wireframe(Colour& colour, const projected_mesh<T>& d
   return stats;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/colour/pixel.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/shade/material.hpp>
@@ -33,7 +34,7 @@ struct stored_edge {
 ///         no_surface
 template <Floating T>
 struct stored_body {
-  static constexpr std::uint32_t no_surface = 0xffffffffu;
+  static constexpr std::uint32_t no_surface = no_index;
   part_name name;
   mesh<T> shape;
   std::vector<stored_edge> edges;

@@ -9,8 +9,9 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/conversion.hpp>
-#include <irg/geometry/boolean_operation.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/mesh/mesh.hpp>
 #include <irg/solid/detail/body_cutter.hpp>
 #include <irg/solid/detail/seam_remover.hpp>
@@ -41,7 +42,7 @@ struct solid_face_origin {
 ///         of[0] to of[1] and the plane of of[2], of[3] and of[4]; edges from of[0] to of[1] and from of[2] to of[3];
 ///         the planes of three positions each from of[0], of[3] and of[6] on
 struct solid_corner_origin {
-  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::uint32_t none = no_index;
   std::uint32_t of[9] = {none, none, none, none, none, none, none, none, none};
   constexpr bool operator==(const solid_corner_origin&) const = default;
 };
@@ -57,7 +58,7 @@ struct solid_boolean_counts {
 /// A combination of bodies.
 template <Floating T>
 struct solid_boolean_result {
-  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::uint32_t none = no_index;
   solid_boolean_status status = solid_boolean_status::done;
   std::uint32_t body =
       none;  // where status is not done, the first of them that is to blame, or none if it is not known

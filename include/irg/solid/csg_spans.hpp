@@ -66,7 +66,10 @@ public:
   }
 
   /// The stretches of the upright line at (x, y), by their heights.
-  /// needs, gives, exact, cost   as along
+  /// needs   as along
+  /// gives   as along
+  /// exact   as along
+  /// cost    as along
   [[nodiscard]] constexpr std::vector<solid_span<T>> upward(T x, T y) const {
     constexpr T most = std::numeric_limits<T>::infinity();
     if (!is_finite(x) || !is_finite(y)) return {};

@@ -8,13 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/solid/boolean.hpp>
 
 namespace irg {
 
 /// A step of a tree: a body, or an operation on two earlier steps.
 struct csg_step {
-  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::uint32_t none = no_index;
   std::uint32_t body = none;  // of bodies; none for an operation
   boolean_operation operation{};
   std::uint32_t first = none, second = none;  // steps

@@ -44,7 +44,10 @@ template <detail::mesh_in_space M>
 
 /// Where p lies against a body, convex or not, of any number of shells: on a face, side or corner, inside or outside.
 /// shape   `rule` says which winding numbers are inside: even_odd is the parity of the faces that a ray meets
-/// needs, gives, exact, cost   as winding_number
+/// needs   as winding_number
+/// gives   as winding_number
+/// exact   as winding_number
+/// cost    as winding_number
 /// source  Mihajlovic 2016, 4.8 (the parity of a ray's faces); Hoffmann 1989
 template <detail::mesh_in_space M>
 [[nodiscard]] constexpr location point_in_solid(const M& body, const mesh_point<M>& p,

@@ -8,11 +8,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <irg/solid/detail/box_block_kernel.hpp>
+#include <irg/core/lanes.hpp>
+#include <irg/math/vec.hpp>
 #include <irg/solid/point_in_solid.hpp>
 
 namespace irg {
@@ -21,6 +24,67 @@ namespace irg {
 struct solid_locator_counts {
   std::uint64_t points = 0, boxes = 0, triangles = 0;  // asked; triangles / points of all are not skipped
 };
+
+}  // namespace irg
+
+namespace irg::detail {
+
+// Eight boxes side by side, as they are seen from above with their tops, and which of them a ray upward may meet.
+template <Floating T>
+struct IRG_APART box_block {
+  static constexpr int width = 8;
+  T low[2][width], high[2][width], top[width];
+
+  // No boxes.
+  constexpr box_block() noexcept {
+    constexpr T most = (std::numeric_limits<T>::max)();
+    for (int i = 0; i < width; ++i) {
+      low[0][i] = low[1][i] = most;
+      high[0][i] = high[1][i] = top[i] = -most;
+    }
+  }
+
+  IRG_INLINE constexpr void enclose(int i, T x, T y, T z) noexcept {
+    low[0][i] = lesser(low[0][i], x), high[0][i] = greater(high[0][i], x);
+    low[1][i] = lesser(low[1][i], y), high[1][i] = greater(high[1][i], y);
+    top[i] = greater(top[i], z);
+  }
+  // The box round all of another block becomes part of box i.
+  constexpr void enclose(int i, const box_block& b) noexcept {
+    for (int k = 0; k < width; ++k)
+      if (b.low[0][k] <= b.high[0][k]) {
+        enclose(i, b.low[0][k], b.low[1][k], b.top[k]);
+        enclose(i, b.high[0][k], b.high[1][k], b.top[k]);
+      }
+  }
+};
+
+inline namespace IRG_ABI {
+
+// A bit for each box that is not beside or below p.
+template <class F, class T>
+IRG_INLINE constexpr unsigned ask_boxes(const box_block<T>& b, const point<T, 3>& p) noexcept {
+  using f = lanes<F>;
+  const F x = f::broadcast(p.x), y = f::broadcast(p.y), z = f::broadcast(p.z);
+  unsigned bits = 0;
+  for (int k = 0; k < box_block<T>::width; k += f::count) {
+    const auto in_x = both(f::load(b.low[0] + k) <= x, x <= f::load(b.high[0] + k));
+    const auto in_y = both(f::load(b.low[1] + k) <= y, y <= f::load(b.high[1] + k));
+    bits |= static_cast<unsigned>(mask_bits(both(both(in_x, in_y), z <= f::load(b.top + k)))) << k;
+  }
+  return bits;
+}
+
+template <class T>
+IRG_INLINE constexpr unsigned boxes_over(const box_block<T>& b, const point<T, 3>& p) noexcept {
+  if (!has_lanes || std::is_constant_evaluated()) return ask_boxes<T>(b, p);
+  return ask_boxes<pack<T, lesser(box_block<T>::width, native_lanes<T>)>>(b, p);
+}
+
+}  // namespace IRG_ABI
+}  // namespace irg::detail
+
+namespace irg {
 
 /// A body made ready for point_in_solid and winding_number of many points.
 template <Floating T>
@@ -38,7 +102,8 @@ public:
   }
 
   /// winding_number of the body; counts what it asks in `counts`, where that is given.
-  /// gives, exact   as winding_number
+  /// gives   as winding_number
+  /// exact   as winding_number
   /// cost    some log n boxes and the triangles above and beside p; nothing allocated
   IRG_APART constexpr std::optional<int> winding_number(const point<T, 3>& p,
                                                         solid_locator_counts* counts = nullptr) const {
@@ -48,7 +113,8 @@ public:
   }
 
   /// point_in_solid of the body.
-  /// gives, exact   as point_in_solid
+  /// gives   as point_in_solid
+  /// exact   as point_in_solid
   /// cost    as winding_number
   IRG_APART constexpr location operator()(const point<T, 3>& p, fill_rule rule = fill_rule::non_zero,
                                           solid_locator_counts* counts = nullptr) const {

@@ -8,7 +8,7 @@
 
 #include <irg/geometry/point_on_triangle.hpp>
 #include <irg/math/vec.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/spatial/bsp_order.hpp>
 
 namespace irg {

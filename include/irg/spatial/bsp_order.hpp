@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/math/vec.hpp>
@@ -15,7 +16,7 @@
 namespace irg {
 
 /// No segment, no triangle, no node.
-inline constexpr std::uint32_t bsp_none = 0xffffffff;
+inline constexpr std::uint32_t bsp_none = no_index;
 
 /// Where a point lies: on the line or plane of a node (side 0), or in the cell without a node at that side of it.
 struct bsp_place {

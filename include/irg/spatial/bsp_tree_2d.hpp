@@ -16,8 +16,8 @@
 #include <irg/core/coordinates.hpp>
 #include <irg/geometry/intersect_lines.hpp>
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/segment.hpp>
-#include <irg/geometry/side_of_crossing.hpp>
+#include <irg/geometry/vocabulary.hpp>
+#include <irg/geometry/crossing_point.hpp>
 #include <irg/math/error_free.hpp>
 #include <irg/spatial/bsp_order.hpp>
 

@@ -12,7 +12,7 @@
 
 #include <irg/core/contract.hpp>
 #include <irg/geometry/parametric_line.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/spatial/bsp_data_3d.hpp>
 #include <irg/spatial/detail/bsp_cells_3d.hpp>
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/config.hpp>
 
 namespace irg {
@@ -14,7 +15,7 @@ namespace irg {
 ///         nothing are empty
 struct alignas(32) bvh_node {
   static constexpr int width = 8;
-  static constexpr std::uint32_t none = 0xffffffff, leaf = 0x80000000;
+  static constexpr std::uint32_t none = no_index, leaf = 0x80000000;
   static constexpr std::uint32_t block = 4, most = 8;  // leaves take places of the order by fours, eight at most
 
   float bounds[6 * width];

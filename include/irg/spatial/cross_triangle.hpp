@@ -14,7 +14,7 @@
 #include <concepts>
 #include <optional>
 
-#include <irg/core/facing.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/spatial/detail/ray_shear.hpp>
 #include <irg/math/exact/quotients_of.hpp>
@@ -254,7 +254,7 @@ template <Floating T>
   if (is_empty(r)) return std::nullopt;
   detail::triangle_ray q;
   detail::set_triangle_ray(q, r);
-  const detail::space_point p[3] = {exactly_widened(a), exactly_widened(b), exactly_widened(c)};
+  const detail::space_point p[3] = {detail::exactly_widened(a), detail::exactly_widened(b), detail::exactly_widened(c)};
   const double m = detail::largest_from(q.r.origin, p[0], p[1], p[2]);
   const auto sides = detail::sides_round(q, p[0], p[1], p[2]);
   const detail::timed_crossing found = detail::cross_in_time(q, p[0], p[1], p[2], sides, m);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <irg/math/length.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/shade/light.hpp>
 #include <irg/shade/material.hpp>
 #include <irg/spatial/triangle_bvh.hpp>
@@ -77,7 +77,8 @@ public:
   constexpr ray_world() = default;
 
   /// gives   a world in which triangles with a corner that is NaN or infinite are not there
-  /// exact, cost   as build_bvh
+  /// exact   as build_bvh
+  /// cost    as build_bvh
   template <Executor E = sequential>
   IRG_APART constexpr ray_world(std::vector<traced_body<T>> bodies, const lighting<T>& light,
                                 const rgb<T>& background = {}, const E& executor = {})

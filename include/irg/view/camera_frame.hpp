@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/coordinate_system.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>

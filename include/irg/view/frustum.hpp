@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include <irg/core/containment.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/length.hpp>

@@ -3,7 +3,7 @@
 // parallel to the view, and eye at target, give a documented camera, never NaN.
 #pragma once
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/length.hpp>
 #include <irg/math/mat.hpp>
 

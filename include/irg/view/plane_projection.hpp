@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/plane.hpp>
 #include <irg/math/length.hpp>

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/constants.hpp>
 #include <irg/math/mat.hpp>
 #include <irg/math/trigonometry.hpp>

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/math/length.hpp>
 #include <irg/view/view_window.hpp>
 #include <irg/view/viewport.hpp>

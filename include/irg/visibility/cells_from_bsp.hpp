@@ -17,8 +17,7 @@
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/segment.hpp>
-#include <irg/geometry/side_of_crossing.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/triangulate_ear_clipping.hpp>
 #include <irg/spatial/bsp_tree_2d.hpp>
 #include <irg/visibility/cell_plan.hpp>

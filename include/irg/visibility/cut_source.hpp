@@ -12,7 +12,7 @@
 #include <irg/geometry/compare.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/math/vec.hpp>
 
 namespace irg {

@@ -11,10 +11,11 @@
 #include <type_traits>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/contraction.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/visibility_polygon.hpp>
 
@@ -135,7 +136,7 @@ public:
   // Numbers the walls anew, as tiles hold them first: what is near each other is so in memory, too. Gives the numbers
   // that they had.
   constexpr std::vector<std::uint32_t> renumber(std::size_t walls) {
-    constexpr std::uint32_t none = 0xffffffffu;
+    constexpr std::uint32_t none = no_index;
     std::vector<std::uint32_t> now(walls, none), before;
     before.reserve(walls);
     for (std::uint32_t& w : list_) {

@@ -8,8 +8,8 @@
 #include <type_traits>
 
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/segment.hpp>
-#include <irg/geometry/side_of_crossing.hpp>
+#include <irg/geometry/vocabulary.hpp>
+#include <irg/geometry/crossing_point.hpp>
 #include <irg/visibility/detail/turn_between.hpp>
 #include <irg/visibility/sight_result.hpp>
 

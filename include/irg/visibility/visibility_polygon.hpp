@@ -19,7 +19,7 @@
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/polygon.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/detail/sight_envelope.hpp>
 #include <irg/visibility/sight_result.hpp>

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <irg/core/checked.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/convex_hull.hpp>
 #include <irg/geometry/intersect_segments.hpp>
@@ -22,7 +22,7 @@
 #include <irg/geometry/point_in_polygon.hpp>
 #include <irg/geometry/polygon_convexity.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/visibility/detail/finite_point.hpp>
 #include <irg/visibility/detail/sight_arrangement.hpp>
 #include <irg/visibility/detail/source_view.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <irg/geometry/textbook/intersect_planes.hpp>
 
-#include <irg/geometry/textbook/parametric_plane.hpp>
+#include <irg/geometry/textbook/planes.hpp>
 
 #include "support/check_both.hpp"
 #include "support/rational.hpp"

@@ -299,8 +299,8 @@ private:
       if constexpr (D == 2)
         if (is_stretch(c)) {
           const auto first = ends_of(c.line), second = ends_of(along(c.boundary));
-          if (at_one_place(first.second, second.first)) return first.second;
-          if (at_one_place(first.first, second.second)) return first.first;
+          if (same_place(first.second, second.first)) return first.second;
+          if (same_place(first.first, second.second)) return first.first;
         }
       const auto found = rounded(c);
       IRG_EXPECTS(found.has_value());

@@ -48,11 +48,4 @@ constexpr int largest_coordinate(const vec<V, 3>& v) noexcept {
   return k;
 }
 
-template <Coordinates P>
-IRG_INLINE constexpr bool are_equal(const P& a, const P& b) noexcept {
-  for (int i = 0; i < size_of<P>; ++i)
-    if (!(coordinate(a, i) == coordinate(b, i))) return false;
-  return true;
-}
-
 }  // namespace irg::detail::inline IRG_ABI

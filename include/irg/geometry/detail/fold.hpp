@@ -11,7 +11,7 @@ namespace irg::detail::inline IRG_ABI {
 template <Point P>
 constexpr bool is_fold(const P& a, const P& b, const P& c) noexcept {
   if (orient2d(a, b, c) != 0) return false;
-  return same_place(a, b) || same_place(b, c) || leads_forward(a, b) != leads_forward(b, c);
+  return same_place(a, b) || same_place(b, c) || comes_before(a, b) != comes_before(b, c);
 }
 
 }  // namespace irg::detail::inline IRG_ABI

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include <irg/geometry/box.hpp>
-#include <irg/geometry/clipped_line.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/geometry/detail/axis_crossing.hpp>
 #include <irg/geometry/orient2d.hpp>
 

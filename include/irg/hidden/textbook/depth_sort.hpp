@@ -23,7 +23,7 @@
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/polygons_overlap.hpp>
-#include <irg/hidden/newell_step.hpp>
+#include <irg/hidden/vocabulary.hpp>
 
 namespace irg {
 namespace textbook {

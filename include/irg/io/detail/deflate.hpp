@@ -10,12 +10,189 @@
 #include <span>
 #include <vector>
 
+#include <irg/core/contract.hpp>
+#include <irg/core/scalar.hpp>
 #include <irg/io/detail/checksum.hpp>
-#include <irg/io/detail/match_finder.hpp>
-#include <irg/io/detail/prefix_code.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
+
+// Where the same bytes stood before: the search of DEFLATE's compressor, through chains of equal hashes.
+
+inline constexpr std::size_t window_size = 32768;
+inline constexpr int shortest_match = 4, longest_match = 258;  // the format allows 3, which seldom pays in pictures
+
+/// How hard to look for matches.
+struct deflate_effort {
+  int candidates = 0;         // earlier places looked at per position; 0 stores the data as it is
+  int improve_below = 1;      // a match shorter than this is dropped for a longer one that starts a byte later
+  int content = longest_match;  // a match of this length ends the search
+};
+
+/// Eight bytes as a number, the first the lowest; compilers make one load of it.
+IRG_INLINE constexpr std::uint64_t eight_bytes(const std::uint8_t* p) noexcept {
+  return std::uint64_t{p[0]} | std::uint64_t{p[1]} << 8 | std::uint64_t{p[2]} << 16 | std::uint64_t{p[3]} << 24 |
+         std::uint64_t{p[4]} << 32 | std::uint64_t{p[5]} << 40 | std::uint64_t{p[6]} << 48 | std::uint64_t{p[7]} << 56;
+}
+IRG_INLINE constexpr std::uint32_t four_bytes(const std::uint8_t* p) noexcept {
+  return std::uint32_t{p[0]} | std::uint32_t{p[1]} << 8 | std::uint32_t{p[2]} << 16 | std::uint32_t{p[3]} << 24;
+}
+
+/// How many bytes from a and b on are equal, `limit` at most.
+IRG_INLINE constexpr int common_length(const std::uint8_t* a, const std::uint8_t* b, int limit) noexcept {
+  int n = 0;
+  for (; n + 8 <= limit; n += 8) {
+    const std::uint64_t difference = eight_bytes(a + n) ^ eight_bytes(b + n);
+    if (difference != 0) return n + std::countr_zero(difference) / 8;
+  }
+  while (n < limit && a[n] == b[n]) ++n;
+  return n;
+}
+
+/// A copy of earlier output: `length` bytes from `distance` bytes back; none when length is 0.
+struct match {
+  int length = 0;
+  std::size_t distance = 0;
+};
+
+/// Finds earlier occurrences of the bytes at a position. Positions are kept modulo 2^16 (Position's range): a distance
+/// read back from them may be stale, but a match is believed only after its bytes were compared.
+template <class Position = std::uint16_t>
+class match_finder {
+public:
+  constexpr explicit match_finder(std::span<const std::uint8_t> data)
+      : data_(data.data()), size_(data.size()), shift_(32 - lesser(static_cast<int>(std::bit_width(data.size())), 15)),
+        mask_(data.size() < window_size ? std::bit_ceil(data.size() + 1) - 1 : window_size - 1),
+        newest_(std::size_t{1} << (32 - shift_), Position{0}), older_(mask_ + 1, Position{0}) {}
+
+  /// Makes the position known to later searches.
+  IRG_INLINE constexpr void insert(std::size_t position) noexcept {
+    if (size_ - position < 4) return;
+    Position& newest = newest_[hash(position)];
+    older_[position & mask_] = newest;
+    newest = static_cast<Position>(position);
+  }
+
+  /// The longest match at a position among those longer than `than`; the nearest of equals.
+  constexpr match longer(std::size_t position, int than, const deflate_effort& effort) const noexcept {
+    if (size_ - position < 4) return {};
+    const int limit = size_ - position < longest_match ? static_cast<int>(size_ - position) : longest_match;
+    const std::uint8_t* here = data_ + position;
+    match best{than < shortest_match ? shortest_match - 1 : than, 0};
+    if (best.length >= limit) return {};
+    std::size_t last = 0;
+    Position candidate = newest_[hash(position)];
+    for (int i = 0; i < effort.candidates; ++i, candidate = older_[candidate & mask_]) {
+      const std::size_t distance = static_cast<Position>(position - candidate);
+      if (distance <= last || distance > window_size || distance > position) break;
+      last = distance;
+      const std::uint8_t* there = here - distance;
+      if (there[best.length] != here[best.length] || four_bytes(there) != four_bytes(here)) continue;
+      const int length = common_length(there, here, limit);
+      if (length <= best.length) continue;
+      best = {length, distance};
+      if (length == limit || length >= effort.content) break;
+    }
+    return best.distance == 0 ? match{} : best;
+  }
+
+private:
+  IRG_INLINE constexpr std::size_t hash(std::size_t position) const noexcept {
+    return (four_bytes(data_ + position) * 2654435769u) >> shift_;  // Knuth's multiplicative hash
+  }
+
+  const std::uint8_t* data_;
+  std::size_t size_;
+  int shift_;
+  std::size_t mask_;
+  std::vector<Position> newest_;  // by hash
+  std::vector<Position> older_;   // by position modulo the window
+};
+
+// Prefix codes of limited length, as DEFLATE uses them: optimal lengths from frequencies, canonical codes from lengths.
+
+/// A canonical prefix code over the symbols 0 to N - 1.
+/// shape   length 0: the symbol has no code; bits stand in the order they are sent, the lowest first
+template <std::size_t N>
+struct prefix_code {
+  std::array<std::uint8_t, N> length{};
+  std::array<std::uint16_t, N> bits{};
+};
+
+/// Code lengths, none above `limit`, that need the fewest bits for these frequencies.
+/// needs   two or more frequencies > 0 and at most 2^limit of them; limit <= 15; a sum below 2^32 / limit
+/// exact   an optimal code; equal frequencies are ordered by symbol
+/// cost    O(N * limit), and O(N^2) short steps of sorting
+/// source  Larmore and Hirschberg 1990 (package-merge)
+template <std::size_t N>
+constexpr std::array<std::uint8_t, N> limited_code_lengths(const std::array<std::uint32_t, N>& frequency,
+                                                           int limit) noexcept {
+  std::array<std::size_t, N> order{};  // the used symbols, rarest first
+  std::size_t used = 0;
+  for (std::size_t symbol = 0; symbol < N; ++symbol) {
+    if (frequency[symbol] == 0) continue;
+    std::size_t k = used++;
+    for (; k > 0 && frequency[order[k - 1]] > frequency[symbol]; --k) order[k] = order[k - 1];
+    order[k] = symbol;
+  }
+  IRG_EXPECTS(used >= 2 && used <= std::size_t{1} << limit && limit <= 15);
+
+  // Row by row, merge the symbols with the pairs of the row before, by weight. is_symbol keeps what each item was.
+  const std::size_t wanted = 2 * used - 2;
+  std::array<std::array<bool, 2 * N>, 15> is_symbol;
+  std::array<std::array<std::uint32_t, 2 * N>, 2> weights;
+  std::size_t size_before = 0;
+  for (std::size_t row = 0; row < static_cast<std::size_t>(limit); ++row) {
+    const auto& before = weights[(row + 1) % 2];
+    auto& weight = weights[row % 2];
+    std::size_t size = 0, symbol = 0, pair = 0;
+    while (size < wanted && (symbol < used || pair + 1 < size_before)) {
+      const bool pair_is_lighter =
+          pair + 1 < size_before && symbol < used && before[pair] + before[pair + 1] < frequency[order[symbol]];
+      is_symbol[row][size] = symbol < used && !pair_is_lighter;
+      if (is_symbol[row][size]) {
+        weight[size++] = frequency[order[symbol++]];
+      } else {
+        weight[size++] = before[pair] + before[pair + 1];
+        pair += 2;
+      }
+    }
+    size_before = size;
+  }
+
+  // Unpack from the last row: every symbol met makes its code one bit longer, every pair asks for two items above.
+  std::array<std::uint8_t, N> length{};
+  std::size_t items = wanted;
+  for (std::size_t row = static_cast<std::size_t>(limit); row-- > 0;) {
+    std::size_t symbols = 0;
+    for (std::size_t i = 0; i < items; ++i)
+      if (is_symbol[row][i]) ++length[order[symbols++]];
+    items = 2 * (items - symbols);
+  }
+  return length;
+}
+
+/// The canonical code with these lengths.
+/// needs   lengths that fulfil Kraft's inequality, none above 15
+/// source  RFC 1951, 3.2.2
+template <std::size_t N>
+constexpr prefix_code<N> canonical_code(const std::array<std::uint8_t, N>& length) noexcept {
+  std::array<std::uint32_t, 16> next{};
+  for (const std::uint8_t l : length) ++next[l];
+  next[0] = 0;
+  std::uint32_t first = 0;
+  for (std::uint32_t& n : next) {
+    const std::uint32_t count = n;
+    n = first;
+    first = (first + count) << 1;
+  }
+  prefix_code<N> code{length, {}};
+  for (std::size_t symbol = 0; symbol < N; ++symbol) {
+    std::uint32_t value = length[symbol] == 0 ? 0 : next[length[symbol]]++;
+    for (int bit = 0; bit < length[symbol]; ++bit, value >>= 1)
+      code.bits[symbol] = static_cast<std::uint16_t>((std::uint32_t{code.bits[symbol]} << 1) | (value & 1));
+  }
+  return code;
+}
 
 // Whatever touches the output is a template over its container: where a debugging std::vector is no constexpr type, a
 // plain constexpr function could not even be declared.
@@ -267,5 +444,4 @@ constexpr Bytes zlib_compress(std::span<const std::uint8_t> data, const deflate_
   return bytes;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

@@ -13,7 +13,7 @@
 #include <irg/core/conversion.hpp>
 #include <irg/core/lanes.hpp>
 #include <irg/math/sqrt.hpp>
-#include <irg/raster/line_aa_options.hpp>
+#include <irg/raster/line_style.hpp>
 #include <irg/raster/subpixel.hpp>
 
 namespace irg {

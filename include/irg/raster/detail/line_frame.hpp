@@ -12,7 +12,7 @@
 
 #include <irg/core/sinks.hpp>
 #include <irg/raster/detail/floor_division.hpp>
-#include <irg/raster/line_options.hpp>
+#include <irg/raster/line_style.hpp>
 #include <irg/raster/window.hpp>
 
 namespace irg {

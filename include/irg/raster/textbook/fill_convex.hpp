@@ -151,7 +151,10 @@ constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_windo
 }
 
 /// Paints the convex polygon's cells; row y of the raster is y of the polygon.
-/// needs, gives, exact, cost   as convex_spans
+/// needs   as convex_spans
+/// gives   as convex_spans
+/// exact   as convex_spans
+/// cost    as convex_spans
 template <WritableRaster R, LatticeRing Ring, PaintFor<R> Paint = pixel_of<R>>
 constexpr void fill_convex(R& raster, const Ring& ring, sample_rule rule, const Paint& paint) {
   convex_spans(ring, rule, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });

@@ -9,7 +9,7 @@
 
 #include <irg/mesh/face_normal.hpp>
 #include <irg/mesh/to_mesh.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/solid/detail/box_pairs.hpp>
 #include <irg/solid/detail/triangle_contacts.hpp>

@@ -20,6 +20,8 @@ namespace irg::detail {
 struct IRG_APART space_box {
   double low[3], high[3];
 
+  constexpr bool operator==(const space_box&) const = default;
+
   constexpr void add(const point<double, 3>& p) noexcept {
     for (int i = 0; i < 3; ++i) low[i] = lesser(low[i], p[i]), high[i] = greater(high[i], p[i]);
   }
@@ -38,6 +40,26 @@ inline namespace IRG_ABI {
 constexpr space_box no_box() noexcept {
   constexpr double most = (std::numeric_limits<double>::max)();
   return {{most, most, most}, {-most, -most, -most}};
+}
+
+/// Whether the common box of two that meet begins in a cell: cells have their lower side, the last one its upper one,
+/// too, so one of those that a space is divided into has it.
+constexpr bool begins_in(const space_box& a, const space_box& b, const space_box& cell) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    const double begin = greater(a.low[i], b.low[i]);
+    if (begin < cell.low[i] || !(begin < cell.high[i] || cell.high[i] == (std::numeric_limits<double>::max)()))
+      return false;
+  }
+  return true;
+}
+
+/// The axes along which a box is long, the longest first.
+constexpr void order_axes(const space_box& box, int* axes) noexcept {
+  const auto half = [&](int i) { return box.high[i] * 0.5 - box.low[i] * 0.5; };
+  for (int i = 0; i < 3; ++i) axes[i] = i;
+  if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
+  if (half(axes[2]) > half(axes[1])) std::swap(axes[1], axes[2]);
+  if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
 }
 
 /// Some boxes, asked time and again: after the first passes over all of them they become a tree by their places, which
@@ -164,11 +186,8 @@ private:
     const lot a = within(first, region), b = within(second, region);
     if (a.empty() || b.empty()) return;
     if (a.size() * b.size() > few && of.depth < deepest) {
-      const auto half = [&](int i) { return region.high[i] * 0.5 - region.low[i] * 0.5; };
-      int axes[] = {0, 1, 2};
-      if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
-      if (half(axes[2]) > half(axes[1])) std::swap(axes[1], axes[2]);
-      if (half(axes[1]) > half(axes[0])) std::swap(axes[0], axes[1]);
+      int axes[3]{};
+      order_axes(region, axes);
       for (const int axis : axes)
         if (halve_along(axis, a, b, region, of)) return;
       return ask_tree(a, b, cell);
@@ -206,16 +225,6 @@ private:
       looks += tree.each(
           boxes_, [&](const space_box& other) { return !boxes_[i].meets(other); },
           [&](std::uint32_t k) { use_pair(i, k, cell); });
-  }
-
-  // Cells have their lower side, the last one its upper one, too.
-  static constexpr bool begins_in(const space_box& a, const space_box& b, const space_box& cell) noexcept {
-    for (int i = 0; i < 3; ++i) {
-      const double begin = greater(a.low[i], b.low[i]);
-      if (begin < cell.low[i] || !(begin < cell.high[i] || cell.high[i] == (std::numeric_limits<double>::max)()))
-        return false;
-    }
-    return true;
   }
 
   const std::vector<space_box>& boxes_;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 #include <irg/geometry/exact_point.hpp>
 #include <irg/solid/detail/exact_vertices.hpp>
 #include <irg/solid/detail/point_in_solid_steps.hpp>

@@ -11,7 +11,7 @@
 
 #include <irg/geometry/orient3d.hpp>
 #include <irg/geometry/point_on_triangle.hpp>
-#include <irg/core/triangle_indices.hpp>
+#include <irg/core/vocabulary.hpp>
 
 namespace irg::detail {
 
@@ -25,7 +25,7 @@ struct contact_key {
   std::uint32_t v[4];
   constexpr auto operator<=>(const contact_key&) const = default;
 };
-inline constexpr std::uint32_t no_index = 0xffffffffu, three_triangles = 0xfffffffeu;
+inline constexpr std::uint32_t three_triangles = no_index - 1;
 
 struct triangle_contact {
   contact_key key;

@@ -23,6 +23,8 @@ struct ray_shear {
 
 using space_point = point<double, 3>;
 
+using irg::exactly_widened;  // of numbers, beside which stand those of points and rays
+
 template <Floating T>
 IRG_INLINE constexpr space_point exactly_widened(const point<T, 3>& p) noexcept {
   return {exactly_widened(p.x), exactly_widened(p.y), exactly_widened(p.z)};

@@ -13,8 +13,7 @@
 #include <irg/geometry/box.hpp>
 #include <irg/geometry/crossing_point.hpp>
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/segment.hpp>
-#include <irg/geometry/side_of_crossing.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/visibility/detail/turn_between.hpp>
 

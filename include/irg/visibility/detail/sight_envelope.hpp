@@ -11,17 +11,18 @@
 #include <utility>
 #include <vector>
 
+#include <irg/core/vocabulary.hpp>
 #include <irg/core/conversion.hpp>
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/segment.hpp>
-#include <irg/geometry/side_of_crossing.hpp>
+#include <irg/geometry/vocabulary.hpp>
+#include <irg/geometry/crossing_point.hpp>
 #include <irg/math/exact/sign_of.hpp>
 #include <irg/visibility/detail/direction_order.hpp>
 
 namespace irg::detail {
 inline namespace IRG_ABI {
 
-inline constexpr std::uint32_t no_sight_edge = 0xffffffffu;
+inline constexpr std::uint32_t no_sight_edge = no_index;
 inline constexpr std::uint32_t at_source = 0xfffffffeu;  // nothing is seen at all
 
 // Whether p, on the line through a and b, is between them or on one of them.

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <irg/geometry/orient2d.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/visibility/detail/turn_between.hpp>
 #include <irg/visibility/sight_result.hpp>
 

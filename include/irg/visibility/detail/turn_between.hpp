@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include <irg/core/conversion.hpp>
-#include <irg/geometry/segment.hpp>
+#include <irg/geometry/vocabulary.hpp>
 #include <irg/math/exact/sign_of.hpp>
 
 namespace irg::detail {

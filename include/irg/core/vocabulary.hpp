@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The words that many chapters share: on which side, inside or outside, which way round, which way it faces; a value
+// and how it came about; no index. And where types of your own come in, each explained in its header:
+//
+//   yours                    enters by                what fits without a word from you
+//   a vector, a point        coordinate_traits<T>     x, y, z, w; [i] of fixed size        core/coordinates.hpp
+//   a polygon                ring_traits<T>           size() and [i]; arrays               core/ring.hpp
+//   a plane                  plane_traits<T>          a, b, c, d; four coordinates         core/plane_concept.hpp
+//   an image                 raster_traits<T>         width(), height() and (x, y)         core/raster_concept.hpp
+//   a mesh                   mesh_traits<T>           irg's own                            core/mesh_concept.hpp
+//   a matrix                 matrix_traits<T>         GLM's, Eigen's, OpenCV's             math/matrix_concept.hpp
+//   a grid of cells          grid_traits<T>           extent() and is_full(cell)           spatial/grid_concept.hpp
+//   a thread pool            being called             executor(count, task)                core/executor.hpp
+//   what takes the output    being called             sink(cell), sink(span), ...          core/sinks.hpp
+#pragma once
+
+#include <cstdint>
+
+#include <irg/core/config.hpp>
+
+namespace irg {
+
+/// What stands for no index: of a vertex, a face, a node.
+inline constexpr std::uint32_t no_index = 0xffffffffu;
+
+/// On which side of a plane or a line a point lies: where the normal points to (above), on it, or on the other side.
+/// The values are the signs of the equation there.
+enum class side { below = -1, on = 0, above = 1 };
+
+/// Where a point lies with regard to a polygon, a body or another region that has a boundary.
+enum class location { outside = -1, boundary = 0, inside = 1 };
+
+/// What an eye sees of a face: the inner side (back), its edge, or the outer side (front). The values are the signs of
+/// its plane's equation at the eye.
+enum class facing { back = -1, edge_on = 0, front = 1 };
+
+/// Which faces are left out because of the way they face.
+enum class face_culling { back, none };
+
+/// Which way round a polygon or a triangle runs, as the sign of its area says: `degenerate` when that is zero.
+enum class orientation { clockwise = -1, degenerate = 0, counter_clockwise = 1 };
+
+/// How something lies with regard to a region: a box to a view frustum, a window of pixels to a triangle.
+enum class containment {
+  outside,  // surely no point of it is in the region
+  crossing,  // anything else
+  inside  // surely all of it is in the region
+};
+
+/// Three indices of vertices, counter-clockwise seen from outside.
+struct triangle_indices {
+  std::uint32_t v[3];
+  constexpr bool operator==(const triangle_indices&) const = default;
+};
+
+/// A value, and what its arguments amounted to.
+/// shape   S is an enum whose first value says that all is well
+template <class T, class S>
+struct [[nodiscard]] checked {
+  T value{};
+  S status{};
+
+  /// Whether the value is what was asked for.
+  [[nodiscard]] IRG_INLINE constexpr bool is_ordinary() const noexcept { return status == S{}; }
+  bool operator==(const checked&) const = default;
+};
+
+}  // namespace irg

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include <irg/core/vocabulary.hpp>
+
+#include <type_traits>
+
+#include "support/check_both.hpp"
+
+namespace {
+
+TEST_CASE("triangle_indices: three words in a row, all of them compared") {
+  using irg::triangle_indices;
+  static_assert(std::is_trivially_copyable_v<triangle_indices> && sizeof(triangle_indices) == 12);
+  CHECK_BOTH(triangle_indices{{1, 2, 3}} == triangle_indices{{1, 2, 3}});
+  CHECK_BOTH(triangle_indices{{1, 2, 3}} != triangle_indices{{0, 2, 3}});
+  CHECK_BOTH(triangle_indices{{1, 2, 3}} != triangle_indices{{1, 3, 3}});
+  CHECK_BOTH(triangle_indices{{1, 2, 3}} != triangle_indices{{1, 2, 1}});
+}
+
+enum class outcome { ordinary, refused };
+using number = irg::checked<int, outcome>;
+
+}  // namespace
+
+TEST_CASE("checked: a value and what became of it") {
+  CHECK_BOTH((number{7}.is_ordinary() && number{7}.value == 7));
+  CHECK_BOTH(!(number{0, outcome::refused}.is_ordinary()));
+  CHECK_BOTH((number{0, outcome::refused} != number{0}));
+  CHECK_BOTH((number{} == number{0, outcome::ordinary}));
+}
