@@ -37,10 +37,6 @@ template <int Degree, class Polynomials, class... A>
 
 namespace irg::detail::inline IRG_ABI {
 
-IRG_INLINE constexpr bool is_middling(const bounded_double_double& x) noexcept {
-  return is_middling(scaled_double_double(x, 0));
-}
-
 // Writes the T nearest to a/b, where `inverse` is about 1/|b|; false where bounds leave more than one, or a is not
 // middling. b is.
 template <Floating T>
@@ -48,7 +44,7 @@ constexpr bool divides_surely(const bounded_double_double& a, const bounded_doub
                               T& nearest) noexcept {
   nearest = T(0);
   if (a.value == 0 && a.bound == 0) return true;
-  if (!is_middling(a)) return false;
+  if (!is_middling(a.value)) return false;
   const double q = a.value / b.value, rest = residual(a, q, b);
   const double correction = product(b.value < 0 ? -rest : rest, inverse), size = magnitude(q);
   const double off = product((a.bound + product(size, b.bound)) * 2, inverse) + size * 0x1p-98;
@@ -95,7 +91,7 @@ template <int Degree, class Polynomials, class... A>
       bool sure = suits;
       if (sure) {
         const auto v = polynomials(x...);
-        sure = v[0].is_sure() && detail::is_middling(v[0]);
+        sure = v[0].is_sure() && detail::is_middling(v[0].value);
         const double inverse = sure ? 1 / magnitude(v[0].value) : 0.0;
         for (std::size_t i = 0; i < nearest.size() && sure; ++i)
           sure = detail::divides_surely(v[i + 1], v[0], inverse, nearest[i]);

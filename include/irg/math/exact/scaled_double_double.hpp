@@ -37,9 +37,9 @@ inline namespace IRG_ABI {
 IRG_INLINE constexpr unrounded parts_of(const scaled_double_double& x) noexcept { return {x.high, x.low}; }
 
 // Whether products and quotients with another such number stay far within the range as they are.
-IRG_INLINE constexpr bool is_middling(const scaled_double_double& x) noexcept {
-  const double size = magnitude(x.high);
-  return x.exponent == 0 && size > 0x1p-200 && size < 0x1p200;
+IRG_INLINE constexpr bool is_middling(double x) noexcept {
+  const double size = magnitude(x);
+  return size > 0x1p-200 && size < 0x1p200;
 }
 
 // Numbers of any exponent come here with 1 <= |high| < 2, so that their products and quotients stay in range.
@@ -51,7 +51,7 @@ constexpr scaled_double_double normalized_number(const scaled_double_double& x) 
 }
 
 IRG_INLINE constexpr scaled_double_double tamed_number(const scaled_double_double& x) noexcept {
-  return is_middling(x) ? x : normalized_number(x);
+  return x.exponent == 0 && is_middling(x.high) ? x : normalized_number(x);
 }
 
 }  // namespace IRG_ABI
