@@ -23,3 +23,4 @@
 #include <irg/render/weight_derivatives.hpp>
 #include <irg/render/window_faces.hpp>
 #include <irg/render/wireframe.hpp>
+#include <irg/render/textbook/pipeline.hpp>
