@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The course's fill of a convex polygon, in its own words: each edge is a left or a right one; in each row L is the
+// The lecture's fill of a convex polygon, in its own words: each edge is a left or a right one; in each row L is the
 // greatest crossing with a left edge, D the least with a right edge, and the cells from L to D are drawn. Cells are the
-// points of the integer grid. What the course leaves open, which cells L and D themselves bring, is sample_rule.
+// points of the integer grid. What the lecture leaves open, which cells L and D themselves bring, is sample_rule.
 //
 // It is meant for reading and for comparison: every row asks every edge. fill_convex is the one for drawing.
 #pragma once
@@ -18,7 +18,7 @@ namespace irg::textbook {
 
 /// Which cells a row from L to D has; L and D are rarely integers.
 enum class sample_rule {
-  course,  // ceil(L) to floor(D), drawn if L < D: a row that is one point is left out
+  course,  // the rule of lectures: ceil(L) to floor(D), drawn if L < D: a row that is one point is left out
   closed,  // ceil(L) to floor(D), drawn if L <= D: all cells inside and on the boundary
   rounded,  // both ends rounded to the nearest integer, halves up, drawn if L < D
   half_open,  // L <= x < D in the rows y_min <= y < y_max: polygons side by side share no cell and leave none out

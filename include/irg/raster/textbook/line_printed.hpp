@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line procedures of two course texts exactly as they are printed, each with the domain in which it is meant and
+// The line procedures of two lectures' texts exactly as they are printed, each with the domain in which it is meant and
 // the faults it has there. textbook::line_bresenham is what they mean; irg::line_bresenham is what to use.
 //
 // All take D > 0 literally. Up to line_bresenham_steps steps rounding can spoil that test only where D should be 0: at
