@@ -33,5 +33,6 @@
 #include <irg/hidden/textbook/depth_sort.hpp>
 #include <irg/hidden/textbook/floating_horizon.hpp>
 #include <irg/hidden/textbook/grid_surface.hpp>
+#include <irg/hidden/textbook/newell_tests.hpp>
 #include <irg/hidden/textbook/painter.hpp>
 #include <irg/hidden/textbook/zbuffer.hpp>
