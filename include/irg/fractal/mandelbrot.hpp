@@ -60,7 +60,7 @@ template <Floating T>
 
 /// How many steps the orbit of 0 under z^2 + c takes: `most` for the numbers of the set, and a few more.
 /// gives   0 for NaN
-/// exact   in floats as they come: the course's loop in doubles, never contracted
+/// exact   in floats as they come: the lecture's loop in doubles, never contracted
 /// source  Mandelbrot 1980; Mihajlovic 2016, chapter 8
 template <Floating T>
 [[nodiscard]] constexpr int mandelbrot_count(const point<T, 2>& c, const escape_limit<T>& limit) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Barycentric coordinates: the weights t1, t2, t3 of the corners A, B, C of a triangle whose weighted sum is a point T.
 // In the plane and in space they exist for every triangle with an area; in space T is seen along a coordinate axis, or
-// at right angles to the plane. The course's own methods, the inverse of the matrix [A B C] and the replacement of one
+// at right angles to the plane. The lecture's own methods, the inverse of the matrix [A B C] and the replacement of one
 // of its rows, stand in textbook/barycentric.hpp.
 #pragma once
 

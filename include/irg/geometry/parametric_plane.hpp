@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// parametric_plane<T>: the points origin + s1*first + s2*second, made as both courses make it, its matrices, and the
+// parametric_plane<T>: the points origin + s1*first + s2*second, made as both texts make it, its matrices, and the
 // ways to the implicit plane and back.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The course's plane by inversion of a 4 x 4 matrix: its rows are three homogeneous points and (0 0 0 1), the right
+// The lecture's plane by inversion of a 4 x 4 matrix: its rows are three homogeneous points and (0 0 0 1), the right
 // side is (0 0 0 D). It needs a plane that avoids the origin; plane_through for homogeneous points needs not.
 #pragma once
 

@@ -57,7 +57,7 @@ constexpr void add_central_normals(mesh<T>& m) {
 
 inline namespace IRG_ABI {
 
-/// The unit cube of the course, from (0, 0, 0) to (1, 1, 1).
+/// The unit cube that exercises use, from (0, 0, 0) to (1, 1, 1).
 /// shape   8 vertices, 12 triangles in the order of figure 4.1's file, counter-clockwise from outside, 6 normals
 /// exact   yes
 /// source  Mihajlovic 2016, 4.6, its f list (its P list runs the other way round)

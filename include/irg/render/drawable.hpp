@@ -55,7 +55,7 @@ private:
 
 inline namespace IRG_ABI {
 
-/// The triangles of a mesh. Meshes without normals get the course's vertex normals (the average of the faces around).
+/// The triangles of a mesh. Meshes without normals get the usual vertex normals (the average of the faces around).
 /// needs   a valid mesh (mesh/validate.hpp)
 /// cost    linear; allocates the result
 template <Floating T>

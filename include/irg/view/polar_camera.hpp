@@ -17,7 +17,7 @@ namespace irg {
 /// axis' tip in either case.
 enum class polar_axis {
   y_up,  // azimuth from +z towards +x; Hank's
-  z_up  // azimuth from +x towards +y; geography's, for the course's scene
+  z_up  // azimuth from +x towards +y; geography's, for the lecture's scene
 };
 
 /// A displacement as its length and two angles.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Barycentric coordinates as the course computes them: by the inverse of the matrix whose columns are the corners, and,
+// Barycentric coordinates as lectures compute them: by the inverse of the matrix whose columns are the corners, and,
 // where that matrix is singular, with one of its rows replaced by t1 + t2 + t3 = 1. The matrix is singular whenever the
 // plane of the triangle contains the origin; which row may then be replaced depends on the triangle. barycentric()
 // needs no such choice.

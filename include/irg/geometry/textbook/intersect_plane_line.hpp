@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plane and a line: the course's formula, and Hank's program's three equations in s1, s2 and t by its own Gauss
+// A plane and a line: the lecture's formula, and Hank's program's three equations in s1, s2 and t by its own Gauss
 // elimination.
 // intersect_plane_line (geometry/intersect_plane_line.hpp) is the one to use.
 #pragma once
@@ -13,7 +13,7 @@
 namespace irg::textbook {
 inline namespace IRG_ABI {
 
-/// The parameter by the course's formula, t = -(V1 R)/((V2 - V1) R), as printed for points of weight 1.
+/// The parameter by the lecture's formula, t = -(V1 R)/((V2 - V1) R), as printed for points of weight 1.
 /// gives   nothing when the divisor comes out as zero: parallel or contained, or nearly
 /// exact   in rationals; in floats each operation rounded once
 /// source  Mihajlovic 2016, 4.5

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The course's view transform T = T1 T2 T3 T4 T5 and projection P, for row vectors: [x y z 1] * T. The scene is
+// The lecture's view transform T = T1 T2 T3 T4 T5 and projection P, for row vectors: [x y z 1] * T. The scene is
 // right-handed with z up; the eye's system is left-handed: x to the right, y up, z the distance along the view. T takes
 // the eye to the origin and the view point to (0, 0, H). Each step is a function of its own. look_at is the same camera
 // for column vectors, right-handed: its rows are T's columns, the third one negated.
@@ -20,7 +20,7 @@ namespace irg::textbook {
 /// What an eye and a view point amount to.
 enum class [[nodiscard]] view_status {
   ordinary,
-  view_vertical,  // along the scene's z axis, where the course divides 0 by 0: sin 0, cos 1 took its place in T2
+  view_vertical,  // along the scene's z axis, where the lecture divides 0 by 0: sin 0, cos 1 took its place in T2
   eye_at_view_point,  // there is no direction: T2 and T3 are identities, the view goes along the scene's z, H = 0
   not_finite  // a coordinate is NaN, infinite or beyond a quarter of the largest number: every step is the identity
 };
@@ -207,7 +207,7 @@ template <Floating T>
   return point<T, 2>{*x, *y};
 }
 
-/// The parallel projection that the course names beside P: drops z.
+/// The parallel projection that the lecture names beside P: drops z.
 template <Floating T>
 [[nodiscard]] constexpr mat<T, 4, 4> parallel_matrix() noexcept {
   return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}}};
