@@ -20,8 +20,7 @@ struct square_plus {
 /// Parts of the Mandelbrot set whose points are known to stay bounded: c within them needs no orbit.
 enum class mandelbrot_part { cardioid, disc, elsewhere };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // How far inside its border a point of the cardioid or of the disc has to be to be told by a formula: rounding, of the
 // formula and of the orbit, is far less.
@@ -44,8 +43,7 @@ IRG_INLINE constexpr F outside_disc(const F& x, const F& y) noexcept {
   return product(a, a) + product(y, y) - f::broadcast(T(0.0625));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -15,8 +15,7 @@
 #include <irg/math/exact/values_of.hpp>
 
 namespace irg {
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // height / sqrt(squared), with the sign of the height.
 template <Floating T>
@@ -24,8 +23,7 @@ constexpr T height_over_root(const scaled_double_double& height, const scaled_do
   return rounded_to<T>(height / sqrt(squared));
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -25,8 +25,7 @@ struct grid_options {
   int columns = 10, rows = 10;  // cells along x and z; taken as 1 if less, as 4096 if more
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 /// Triangles over the positions of m, three digits each; digits count from 1 as in an OBJ file, up to 9, then A, B, C.
 /// Of `per_normal` triangles, one after the other, each corner names the next normal.
@@ -52,8 +51,7 @@ constexpr void add_central_normals(mesh<T>& m) {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 
@@ -195,8 +193,7 @@ template <Floating T>
 }
 
 }  // namespace IRG_ABI
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The vertices of a profile's point all round: one where it lies on the axis.
 template <Floating T>
@@ -222,8 +219,7 @@ constexpr void add_collapsed_face(mesh<T>& m, const std::vector<std::uint32_t>& 
   if (kept.size() > 2) add_face(m, kept);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -87,8 +87,7 @@ template <Floating T, SpaceRing A, Executor E = sequential>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // A range of vertices from the world to the screen, a register of them at a time. Bit for bit what to_screen and
 // classify give one by one.
@@ -188,8 +187,7 @@ constexpr clip_code_pair project_range(const vertex_range<T>& v, std::size_t fir
   return any;
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

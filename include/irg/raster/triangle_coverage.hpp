@@ -82,8 +82,7 @@ template <class J>
 
 }  // namespace IRG_ABI
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // The edge from a to b with the inner side on the right (clockwise, y down). It owns centres that lie on it when it is
 // a left edge (upwards) or a top edge (level, to the right).
@@ -97,8 +96,7 @@ IRG_INLINE constexpr triangle_edge make_edge(const subpixel& a, const subpixel& 
           static_cast<std::int32_t>(at_first_centre - f * one_pixel)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

@@ -7,8 +7,7 @@
 #include <irg/core/interleaved_lanes.hpp>
 #include <irg/raster/subpixel.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 static_assert(sizeof(screen_vertex) == 16);  // x, y, depth, 1/w
 
@@ -32,5 +31,4 @@ IRG_INLINE void store_vertices(screen_vertex* to, const vertex_lanes<N>& v) noex
   store_quadruples<N>(to, {bits_as<float>(v.x), bits_as<float>(v.y), v.depth, v.inverse_w});
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

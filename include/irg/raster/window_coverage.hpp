@@ -7,8 +7,7 @@
 #include <irg/core/vocabulary.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 
-namespace irg {
-inline namespace IRG_ABI {
+namespace irg::inline IRG_ABI {
 
 /// Whether the triangle covers all pixels of a window, none, or possibly some.
 /// shape   any window of ints, that of the whole range included
@@ -36,5 +35,4 @@ inline namespace IRG_ABI {
   return inside ? containment::inside : containment::crossing;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg
+}  // namespace irg::inline IRG_ABI

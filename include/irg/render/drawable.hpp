@@ -23,8 +23,7 @@ struct drawable {
   std::vector<std::uint32_t> face_of;
 };
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 // Numbers the pairs of position and normal that occur in the corners. Pairs of one position form a chain, of which the
 // newest are looked through: where a thousand normals meet, a pair may be numbered twice, which changes no picture.
@@ -50,8 +49,7 @@ private:
   std::vector<std::uint32_t> first_, next_, normal_;
 };
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

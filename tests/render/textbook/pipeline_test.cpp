@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <irg/colour/srgb.hpp>
-#include <irg/mesh/shape_polyhedra.hpp>
-#include <irg/mesh/shape_sphere.hpp>
+#include <irg/mesh/shapes.hpp>
+#include <irg/mesh/shapes.hpp>
 #include <irg/mesh/teapot.hpp>
 #include <irg/mesh/triangulate.hpp>
 #include <irg/render/draw_triangles.hpp>

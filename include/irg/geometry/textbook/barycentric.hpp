@@ -8,8 +8,7 @@
 #include <irg/geometry/barycentric.hpp>
 #include <irg/math/solve_exact.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The solution of A*t1 + B*t2 + C*t3 = T: three equations for three unknowns.
 /// needs   finite coordinates
@@ -50,5 +49,4 @@ template <Point P>
   return detail::barycentric_in(detail::axes_across(axis), a, b, c, t);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -10,8 +10,7 @@
 #include <irg/geometry/textbook/intersect_lines.hpp>
 #include <irg/math/textbook/solve_gauss.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The parameter by the lecture's formula, t = -(V1 R)/((V2 - V1) R), as printed for points of weight 1.
 /// gives   nothing when the divisor comes out as zero: parallel or contained, or nearly
@@ -46,5 +45,4 @@ template <Real T>
   return parametric_meeting<T>{flat_relation::crossing, point_at(line, x->z), x->x, x->y, x->z};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -7,8 +7,7 @@
 #include <irg/geometry/polygon_area.hpp>
 #include <irg/geometry/polygon_orientation.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// The signed area by half the sum of x1*y2 - x2*y1 as it stands, the textbook's shoelace formula.
 /// exact   in rationals; in floats off by (n + 1) u times the sum of all |x1*y2| and |x2*y1|, which grows with the
@@ -62,5 +61,4 @@ template <PlaneRing R>
   return all_negative ? location::inside : location::boundary;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -5,8 +5,7 @@
 
 #include <irg/hidden/back_faces.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// Whether a face is a back face by the lecture's rule: some edge has no vertex inside of it. Polygons with collinear
 /// vertices alone count as back faces.
@@ -82,5 +81,4 @@ template <Scalar T>
                           point<T, 3>{normal.x, normal.y, normal.z}, origin) > 0;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -210,8 +210,7 @@ private:
 }  // namespace IRG_ABI
 }  // namespace detail
 
-namespace textbook {
-inline namespace IRG_ABI {
+namespace textbook::inline IRG_ABI {
 
 /// Polygons, and parts of those that had to be split, in an order in which the painter may draw them: none hides one
 /// that is drawn after it.
@@ -233,6 +232,5 @@ template <RingSequence R, class Observer = no_newell_observer>
   return sorter.sorted();
 }
 
-}  // namespace IRG_ABI
-}  // namespace textbook
+}  // namespace textbook::inline IRG_ABI
 }  // namespace irg

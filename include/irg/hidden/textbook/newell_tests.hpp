@@ -60,8 +60,7 @@ constexpr bool has_corner_on(const R& ring, const visible_plane<ring_scalar<R>>&
 }  // namespace IRG_ABI
 }  // namespace irg::detail
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// Whether a test says that P does not hide Q.
 /// needs   one of the first five of newell_step, and simple flat polygons with finite coordinates
@@ -98,5 +97,4 @@ template <SpaceRing P, SpaceRing Q>
   return newell_step::moved;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

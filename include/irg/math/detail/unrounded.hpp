@@ -9,8 +9,7 @@
 #include <irg/math/error_free.hpp>
 #include <irg/math/sqrt.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 using unrounded = exact_sum<double>;
 
@@ -150,5 +149,4 @@ IRG_INLINE constexpr T nearest_scaled(const unrounded& x, int e, const Side& sid
   return nearest_in_units<T>(x, e, side);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI

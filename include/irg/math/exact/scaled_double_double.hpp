@@ -31,8 +31,7 @@ struct scaled_double_double {
 
 using known_number = scaled_double_double;
 
-namespace detail {
-inline namespace IRG_ABI {
+namespace detail::inline IRG_ABI {
 
 IRG_INLINE constexpr unrounded parts_of(const scaled_double_double& x) noexcept { return {x.high, x.low}; }
 
@@ -54,8 +53,7 @@ IRG_INLINE constexpr scaled_double_double tamed_number(const scaled_double_doubl
   return x.exponent == 0 && is_middling(x.high) ? x : normalized_number(x);
 }
 
-}  // namespace IRG_ABI
-}  // namespace detail
+}  // namespace detail::inline IRG_ABI
 
 inline namespace IRG_ABI {
 

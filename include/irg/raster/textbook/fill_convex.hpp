@@ -30,8 +30,7 @@ concept LatticeRing = PolygonRing<R> && (std::same_as<ring_point<R>, cell> || st
 
 }  // namespace irg::textbook
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Where a row crosses an edge, n / d in 1/256, d > 0: 82 and 41 bits at most.
 struct textbook_crossing {
@@ -58,12 +57,9 @@ constexpr textbook_run textbook_cells(const textbook_crossing& l, const textbook
   return {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook {
-
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// Calls sink(span) for every row of the convex polygon's cells that lie in the window, by rising y.
 /// needs   a convex ring, either way round, of any vertices of the type; of one that is not convex the common part of
@@ -95,8 +91,8 @@ constexpr void convex_spans(const Ring& ring, sample_rule rule, const cell_windo
     double_area += int128{p.x} * q.y - int128{q.x} * p.y;
   }
   const std::int64_t unit = one_pixel, up_to = rule == sample_rule::half_open ? y_max - 1 : y_max;
-  const std::int64_t y_first = greater<std::int64_t>(detail::ceil_div(y_min, unit), window.y_first);
-  const std::int64_t y_last = lesser<std::int64_t>(detail::floor_div(up_to, unit) + 1, window.y_last);
+  const std::int64_t y_first = greater<std::int64_t>(ceil_div(y_min, unit), window.y_first);
+  const std::int64_t y_last = lesser<std::int64_t>(floor_div(up_to, unit) + 1, window.y_last);
   for (std::int64_t y = y_first; y < y_last; ++y) {
     detail::textbook_crossing l{x_min, 1}, d{x_max, 1};
     for (std::size_t i = 0; i < n; ++i) {
@@ -128,5 +124,4 @@ constexpr void fill_convex(R& raster, const Ring& ring, sample_rule rule, const 
   convex_spans(ring, rule, window_of(raster), [&](const span_of_cells& s) { fill_span(raster, s, paint); });
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -8,8 +8,7 @@
 
 #include <irg/raster/textbook/line_bresenham.hpp>
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // Steps 0..along-1 from (0, 0), each corrected before it is plotted, then the end.
 template <Real Number, class Plot>
@@ -28,12 +27,9 @@ constexpr void seed_corrected_before_plotted(int along, int aside, const Plot& p
   plot(along, aside);
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook {
-
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// Calls sink(cell) for the cells of the line from a to b but the last, and says whether it did.
 /// needs   0 to 45 degrees: 0 <= b.y - a.y <= b.x - a.x and a.x < b.x
@@ -115,5 +111,4 @@ constexpr bool line_plane(cell a, cell b, Sink&& sink) {
   return true;
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

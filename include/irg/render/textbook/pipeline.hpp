@@ -13,8 +13,7 @@
 #include <irg/raster/pixel_weights.hpp>
 #include <irg/raster/triangle_coverage.hpp>
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// Draws triangles, three corners each: those seen counter-clockwise, where no depth so far is as great; a pixel of the
 /// n-th gets the colour shade(n, weights), a pixel_weights<float>.
@@ -67,5 +66,4 @@ constexpr void draw_triangles(std::span<const point<double, 3>> corners, const m
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI

@@ -139,8 +139,7 @@ template <Floating T>
 }  // namespace IRG_ABI
 }  // namespace irg::textbook
 
-namespace irg::detail {
-inline namespace IRG_ABI {
+namespace irg::detail::inline IRG_ABI {
 
 // x * h / z, the rounding of the product made up for.
 // needs   |x|, h and z between 2^-300 and 2^300
@@ -176,11 +175,9 @@ constexpr std::optional<T> textbook_proportion(T x, T h, T z) noexcept {
   }
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::detail
+}  // namespace irg::detail::inline IRG_ABI
 
-namespace irg::textbook {
-inline namespace IRG_ABI {
+namespace irg::textbook::inline IRG_ABI {
 
 /// P (5.10): the perspective projection onto the plane at the distance h in front of the eye, for row vectors; it gives
 /// [x y 0 z/h], and the division by z/h leads to (5.9).
@@ -219,5 +216,4 @@ template <class T>
   return {p.x, p.y};
 }
 
-}  // namespace IRG_ABI
-}  // namespace irg::textbook
+}  // namespace irg::textbook::inline IRG_ABI
