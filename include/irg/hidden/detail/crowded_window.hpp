@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <irg/hidden/order_in_window.hpp>
-#include <irg/raster/window_coverage.hpp>
+#include <irg/raster/triangle_coverage.hpp>
 
 namespace irg::detail::inline IRG_ABI {
 
